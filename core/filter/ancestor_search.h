@@ -11,8 +11,8 @@ namespace dewpoint::filter {
 
 /// Finds the ancestor of each draw: the first particle whose cumulative weight is greater than the
 /// draw. The draws are in ascending order, so one pass over both lists gives what std::upper_bound
-/// would find for each draw. An object serves one thread; several objects may search different
-/// draws in parallel.
+/// would find for each draw. Each object may be used by one thread only. Several objects may search
+/// different draws in parallel.
 class AncestorSearch {
 public:
   AncestorSearch(const CumulativeWeights& cumulative, const SortedDraws& draws);
@@ -29,7 +29,7 @@ public:
     std::int64_t firstDraw = 0;             ///< first draw of the tile, counted within its block
     std::int64_t particle = 0;              ///< next particle to compare with
     std::int64_t base = 0;                  ///< number of particles before all draws of the tile
-    std::array<std::int64_t, kTile> rank{}; ///< further particles before each draw
+    std::array<std::int64_t, kTile> rank{}; ///< number of additional particles before each draw
   };
 
 private:

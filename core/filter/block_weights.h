@@ -12,9 +12,9 @@
 
 namespace dewpoint::filter {
 
-/// Linear weights that sum to 1, stored in blocks of kSumBlock particles. Within a block they are
-/// stored relative to the largest weight of that block, so each is written only once, before the
-/// other blocks are known.
+/// Linear weights that sum to 1, stored in blocks of kSumBlock particles. Within a block, weights
+/// are stored relative to the largest weight of the block. Each weight is therefore written only
+/// once, before the other blocks are known.
 class BlockWeights {
 public:
   /// Sets the number of particles. Their weights are undefined until they are set.
@@ -23,8 +23,8 @@ public:
   /// log weight that is not finite becomes weight zero. Different blocks may be set at the same
   /// time.
   void setBlock(std::int64_t begin, std::int64_t length, const double* logWeights);
-  /// Normalizes the weights to sum 1; call it after all blocks have been set. If no log weight was
-  /// finite, it makes all weights equal and returns false.
+  /// Normalizes the weights so that they sum to 1. Call it after all blocks have been set. If no
+  /// log weight was finite, all weights become equal and the function returns false.
   bool finish();
   /// Makes all weights equal.
   void setEqual();
@@ -33,14 +33,15 @@ public:
   double operator[](std::int64_t particle) const {
     return relative_[particle] * factor(particle / kSumBlock);
   }
-  /// Returns the weights of all particles; they sum to 1.
+  /// Returns the weights of all particles, which sum to 1.
   Eigen::ArrayXd all() const;
 
-  /// Weights from particle `begin` on, relative to the largest weight of their block.
+  /// Returns the weights from particle `begin` on, relative to the largest weight in their block.
   const double* relative(std::int64_t begin) const { return relative_.data() + begin; }
-  /// Factor that converts the relative weights of a block to weights that sum to 1 over the set.
+  /// Returns the factor that converts the relative weights of a block to weights that sum to 1 over
+  /// the set.
   double factor(std::int64_t block) const { return blocks_[std::size_t(block)].factor; }
-  /// Sums of the relative weights in each stretch of the block.
+  /// Returns the sum of the relative weights for each stretch of the block.
   const StretchSums& sums(std::int64_t block) const { return blocks_[std::size_t(block)].sums; }
 
 private:

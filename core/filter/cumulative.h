@@ -11,19 +11,20 @@
 
 namespace dewpoint::filter {
 
-/// Cumulative sums of the weights, in particle order. They never decrease, and they are the same
-/// for any number of threads because they are summed in the stretches of prefix_sums.h. For up to
+/// Cumulative sums of the weights, in particle order. They never decrease. They are the same for
+/// any number of threads, because they are summed in fixed stretches (prefix_sums.h). For up to
 /// kStretch particles they are plain running sums.
 class CumulativeWeights {
 public:
-  /// Computes the sums. The weights are not copied and must stay in memory, unchanged.
+  /// Computes the sums. The weights are not copied, so they must stay in memory unchanged.
   void build(const BlockWeights& weights);
   void build(const Eigen::ArrayXd& weights);
 
   std::int64_t count() const { return count_; }
-  /// Sum of all weights.
+  /// Returns the sum of all weights.
   double total() const { return before_.back(); }
-  /// Index of the block of kPrefixBlock particles into which a draw below total() falls.
+  /// Returns the index of the block of kPrefixBlock particles into which a draw below total()
+  /// falls.
   std::int64_t blockOf(double draw) const;
   /// Writes the cumulative weights of a block and returns their number.
   std::int64_t write(std::int64_t block, double* cumulative) const;

@@ -10,14 +10,15 @@ namespace dewpoint::filter {
 
 /// Mean, covariance and other statistics of a weighted particle set, in the units of the state.
 struct StateEstimate {
-  Eigen::VectorXd mean;             ///< weighted mean (MMSE)
-  Eigen::MatrixXd covariance;       ///< weighted covariance about the mean, divisor 1
-  Eigen::Index bestIndex = 0;       ///< particle of highest weight (MAP); the first of ties
+  Eigen::VectorXd mean;       ///< weighted mean (MMSE)
+  Eigen::MatrixXd covariance; ///< weighted covariance about the mean, divisor 1
+  Eigen::Index bestIndex =
+      0; ///< particle with the highest weight (MAP); the first one if there are ties
   double effectiveSampleSize = 0.0; ///< 1 / sum of squared weights
   bool degenerate = false; ///< no finite log weight, so all particles were weighted equally
 };
 
-/// Estimate of a whole set from its `Moments`. The weights of the set must sum to 1.
+/// Computes the estimate for a whole set from its `Moments`. The weights of the set must sum to 1.
 StateEstimate estimateFrom(Moments moments);
 
 /// Converts log weights to linear weights that sum to 1, without underflow (log-sum-exp). A log

@@ -7,7 +7,7 @@
 
 namespace dewpoint::filter {
 
-/// Normal distribution of fixed dimension.
+/// Normal distribution with a fixed dimension.
 template <int Dimension> struct Gaussian {
   using Vector = Eigen::Matrix<double, Dimension, 1>;
   using Matrix = Eigen::Matrix<double, Dimension, Dimension>;
@@ -20,7 +20,7 @@ using Gaussian3 = Gaussian<3>;
 using Gaussian6 = Gaussian<6>;
 
 /// Replaces the position of a state by the posterior `position`. The velocity is updated according
-/// to its correlation with the position: this is the Kalman update, written for the posterior of
+/// to its correlation with the position. This is the Kalman update, written for the posterior of
 /// the observed part.
 void condition(Gaussian6& state, const Gaussian3& position);
 

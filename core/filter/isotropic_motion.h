@@ -12,8 +12,8 @@
 
 namespace dewpoint::filter {
 
-/// Random walk of x, y and z, equal in all directions (Barrera et al. 2005, equations 1 to 3): N(0,
-/// sigma²) noise is added to each coordinate. Other state coordinates do not change.
+/// Random walk of x, y and z that is equal in all directions (Barrera et al. 2005, equations 1 to
+/// 3). It adds N(0, sigma²) noise to each coordinate. Other state coordinates do not change.
 struct IsotropicMotion {
   double sigma = 0.03; ///< standard deviation, meters per iteration; Barrera et al. 2005 use 0.03
 

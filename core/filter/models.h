@@ -28,18 +28,18 @@ concept Proposal = requires(const P& proposal, StateRows rows, LogWeightSegment 
   { proposal.propose(rows, logWeights, firstIndex, stream) } -> std::same_as<void>;
 };
 
-/// Adds log p(observation | X) of each particle to `logLikelihood`. Several threads call it at the
-/// same time, for different particles.
+/// Adds log p(observation | X) of each particle to `logLikelihood`. Several threads may call it at
+/// the same time for different particles.
 template <class O>
 concept ObservationModel = requires(const O& model, ConstStateRows rows,
                                     LogWeightSegment logLikelihood) {
   { model.addLogLikelihood(rows, logLikelihood) } -> std::same_as<void>;
 };
 
-/// Picks `count` particles with repetition, so that particle i is picked count * weights[i] times
+/// Picks `count` particles with replacement, so that particle i is picked count * weights[i] times
 /// on average. The weights are linear and sum to 1. `ancestors` is resized to `count`. A resampler
-/// may instead take BlockWeights, and a ThreadTeam before `ancestors`; the particle filter then
-/// passes its own.
+/// may instead take BlockWeights, and a ThreadTeam before `ancestors`. The particle filter then
+/// passes its weights and its thread team.
 template <class R>
 concept Resampler = requires(const R& resampler, const Eigen::ArrayXd& weights, Eigen::Index count,
                              const RandomStream& stream, Ancestors& ancestors) {

@@ -11,12 +11,13 @@
 namespace dewpoint::filter {
 
 /// Multinomial resampling as in CONDENSATION (Isard & Blake 1998): each new particle takes an
-/// independent uniform draw, which is looked up in the cumulative weights. Unbiased; a particle of
-/// weight zero is never picked. The weights need not sum to 1, but at least one must be positive.
+/// independent uniform draw, which is looked up in the cumulative weights. The method is unbiased.
+/// A particle with weight zero is never picked. The weights need not sum to 1, but at least one
+/// must be positive.
 ///
-/// The draws are generated in ascending order (SortedDraws). The ancestors are therefore ascending
-/// too, and memory is read from front to back. The ancestors equal those of a binary search in
-/// CumulativeWeights for each draw.
+/// The draws are generated in ascending order (SortedDraws). The ancestors are therefore also
+/// ascending, and memory is read from front to back. The ancestors equal those of a binary search
+/// in CumulativeWeights for each draw.
 class MultinomialResampling {
 public:
   void ancestors(const Eigen::ArrayXd& weights, Eigen::Index count, const RandomStream& stream,

@@ -20,16 +20,17 @@
 
 namespace dewpoint::filter {
 
-/// Key of the random numbers of one iteration: equal keys give equal numbers.
+/// Key for the random numbers of one iteration. Equal keys give equal numbers.
 struct RandomKey {
   std::uint64_t seed = 0;
   std::uint32_t frame = 0;
-  std::uint32_t iteration = 0; ///< counted within the frame
+  std::uint32_t iteration = 0; ///< iteration number within the frame
 
   RandomStream stream(RandomPurpose purpose) const { return {seed, frame, iteration, purpose}; }
 
-  /// Random stream of one of up to 4096 parts (numbered from 0) that draw for the same purpose in
-  /// the same iteration. Within 2^20 iterations of a frame, no two parts share a stream.
+  /// Returns the random stream of one of up to 4096 parts (numbered from 0) that draw numbers for
+  /// the same purpose in the same iteration. Within 2^20 iterations of a frame, no two parts share
+  /// a stream.
   RandomStream streamOfPart(RandomPurpose purpose, std::uint32_t part) const {
     // The part number is stored between the low and the high bits of the iteration.
     return {seed, frame, (iteration & 0xFFU) | (part << 8U) | (iteration >> 8U) << 20U, purpose};
@@ -42,10 +43,11 @@ struct RandomKey {
 ///
 /// With many particles, memory access takes most of the time, so each state is written once per
 /// iteration. Resampling only lists ancestors. The next iteration copies the states of these
-/// ancestors, moves them, weighs them and sums them up while a block is in the cache.
+/// ancestors, moves them, weighs them and sums them up block by block, while a block is in the
+/// cache.
 class ParticleFilter {
 public:
-  /// Restarts with these states, which get equal weights. At least one state is needed.
+  /// Restarts with the given states, which get equal weights. At least one state is required.
   void start(Eigen::ArrayXXd states) {
     assert(states.rows() > 0);
     states_ = std::move(states);
@@ -55,8 +57,8 @@ public:
     weights_.setEqual();
   }
 
-  /// Runs one iteration and returns its estimate. Then it draws `nextCount` particles for the next
-  /// iteration.
+  /// Runs one iteration, draws `nextCount` particles for the next iteration, and returns the
+  /// estimate.
   template <Proposal P, ObservationModel O, Resampler R>
   StateEstimate iterate(const P& proposal, const O& observation, const R& resampler,
                         Eigen::Index nextCount, const RandomKey& key, ThreadTeam& team) {
@@ -67,19 +69,20 @@ public:
     return result;
   }
 
-  /// Redraws the particles of the next iteration from the weighted ones, in another number.
+  /// Redraws `count` particles for the next iteration from the weighted particles.
   template <Resampler R>
   void resize(const R& resampler, Eigen::Index count, const RandomKey& key, ThreadTeam& team) {
     resample(resampler, count, key.stream(RandomPurpose::Resize), team);
   }
 
-  /// Particles as last weighted, before resampling. Estimates are computed from these.
+  /// Returns the particles that were weighted last, before resampling. Estimates are computed from
+  /// these particles.
   const Eigen::ArrayXXd& states() const { return states_; }
-  /// Linear weights of states(); they sum to 1.
+  /// Returns the linear weights of states(), which sum to 1.
   const BlockWeights& weights() const { return weights_; }
-  /// Number of particles in the next iteration.
+  /// Returns the number of particles in the next iteration.
   Eigen::Index nextCount() const { return static_cast<Eigen::Index>(ancestors_.size()); }
-  /// Resampled particles, equally weighted, with which the next iteration starts.
+  /// Returns the resampled particles, equally weighted, with which the next iteration starts.
   Eigen::ArrayXXd next() const { return states_(ancestors_, Eigen::all); }
 
 private:
@@ -174,7 +177,8 @@ private:
 
   Eigen::ArrayXXd states_;
   BlockWeights weights_; ///< weights of `states_`
-  Ancestors ancestors_;  ///< for each particle of the next iteration, its index in `states_`
+  Ancestors
+      ancestors_; ///< index in `states_` of the ancestor of each particle in the next iteration
   Eigen::ArrayXXd parents_;
   std::vector<Moments> moments_; ///< one entry per block
 };

@@ -14,18 +14,18 @@ namespace dewpoint::filter {
 /// sum of all earlier stretches is added afterwards. The results are therefore bit-identical for
 /// any number of threads and on any processor.
 inline constexpr std::int64_t kStretch = 256;
-/// Number of stretches summed in parallel. Each addition waits for the previous one in its stretch,
-/// but not for those of other stretches.
+/// Number of stretches summed in parallel. Each addition waits for the previous addition in its
+/// stretch, but not for additions in other stretches.
 inline constexpr std::int64_t kAbreast = 4;
 /// Number of elements in a block of stretches.
 inline constexpr std::int64_t kPrefixBlock = kStretch * kAbreast;
 
-/// One sum for each stretch of a block.
+/// Sums of the stretches of a block, one per stretch.
 using StretchSums = std::array<double, kAbreast>;
 
 /// Computes the running sums of each stretch of a block of `count` <= kPrefixBlock values. Each
-/// running sum is passed to put(index, sum). Returns the total of each stretch, zero for empty
-/// ones.
+/// running sum is passed to put(index, sum). Returns the total of each stretch, which is zero for
+/// an empty stretch.
 template <class Value, class Put>
 [[gnu::always_inline]] inline StretchSums prefixSums(const Value* values, std::int64_t count,
                                                      const Put& put) {

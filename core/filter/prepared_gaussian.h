@@ -8,8 +8,8 @@
 
 namespace dewpoint::filter {
 
-/// Normal distribution of a position whose matrix factors are computed once, for many draws and
-/// evaluations.
+/// Normal distribution of a position. Its matrix factors are computed once, so that many draws and
+/// evaluations are fast.
 class PreparedGaussian3 {
 public:
   explicit PreparedGaussian3(const Gaussian3& gaussian);
@@ -20,11 +20,11 @@ public:
   }
   /// Draws `count` samples, one per row: x y z. Sample i uses element i of the stream.
   Eigen::ArrayXXd draw(Eigen::Index count, const RandomStream& stream) const;
-  /// Squared Mahalanobis distance from the mean.
+  /// Returns the squared Mahalanobis distance from the mean.
   double squaredDistance(const Eigen::Vector3d& position) const {
     return (inverseFactor_ * (position - mean_)).squaredNorm();
   }
-  /// Natural logarithm of the density at a position.
+  /// Returns the natural logarithm of the density at a position.
   double logDensity(const Eigen::Vector3d& position) const {
     return logPeak_ - 0.5 * squaredDistance(position);
   }

@@ -9,10 +9,10 @@
 
 namespace dewpoint::filter {
 
-/// Independent uniform draws from [0, total), generated in ascending order without sorting. Sorted,
-/// n such draws are distributed like the partial sums of n + 1 independent exponential spacings,
-/// divided by the sum of all spacings (Devroye 1986, "Non-Uniform Random Variate Generation",
-/// section V.3.1).
+/// Independent uniform draws from [0, total), generated in ascending order without sorting. When
+/// sorted, n such draws are distributed like the partial sums of n + 1 independent exponential
+/// spacings, divided by the sum of all spacings (Devroye 1986, "Non-Uniform Random Variate
+/// Generation", section V.3.1).
 ///
 /// The spacings are grouped in blocks of kBlock. The sum of a block's spacings is independent of
 /// their ratios. It is therefore drawn first, from its gamma distribution, and each block can be

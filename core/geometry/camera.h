@@ -23,9 +23,9 @@ struct Intrinsics {
   bool operator==(const Intrinsics&) const = default;
 };
 
-/// One calibrated camera. World frame: meters, right-handed, z up. Camera axes as in OpenCV: x
-/// right, y down, z forward. Distortion coefficients are in OpenCV's order: k1 k2 p1 p2 k3 k4 k5 k6
-/// for a pinhole; k1 k2 k3 k4, then zeros, for a fisheye.
+/// Calibrated camera. World frame: meters, right-handed, z up. Camera axes as in OpenCV: x right, y
+/// down, z forward. Distortion coefficients are in OpenCV's order: k1 k2 p1 p2 k3 k4 k5 k6 for a
+/// pinhole; k1 k2 k3 k4, then zeros, for a fisheye.
 struct Camera {
   std::string name;
   Intrinsics intrinsics;
@@ -33,12 +33,12 @@ struct Camera {
   LensModel lens = LensModel::Pinhole;
   Eigen::Isometry3d cameraFromWorld = Eigen::Isometry3d::Identity();
 
-  /// Optical center in the world frame, meters.
+  /// Returns the optical center in the world frame, meters.
   Eigen::Vector3d center() const;
-  /// Unit vector along the optical axis, in the world frame.
+  /// Returns the unit vector along the optical axis, in the world frame.
   Eigen::Vector3d opticalAxis() const;
 
-  /// Whether the lens differs from an ideal pinhole.
+  /// Returns whether the lens differs from an ideal pinhole.
   bool distorted() const;
 
   bool operator==(const Camera& other) const;
@@ -47,12 +47,12 @@ struct Camera {
 /// All cameras of a project, in a fixed order.
 using CameraRig = std::vector<Camera>;
 
-/// Returns the same camera at the world origin, with its axes along the world axes.
+/// Returns the same camera moved to the world origin, with its axes along the world axes.
 Camera withoutPose(Camera camera);
 
-/// Pose (camera from world) of a camera at `position` that looks at `target`. The image's up
-/// direction is along `up`; the camera is then rotated by `roll` radians about its optical axis.
-/// All vectors are in the world frame, meters.
+/// Returns the pose (camera from world) of a camera at `position` that looks at `target`. The
+/// image's up direction is along `up`. The camera is then rotated by `roll` radians about its
+/// optical axis. All vectors are in the world frame, meters.
 Eigen::Isometry3d lookAt(const Eigen::Vector3d& position, const Eigen::Vector3d& target,
                          const Eigen::Vector3d& up = Eigen::Vector3d::UnitZ(), double roll = 0.0);
 

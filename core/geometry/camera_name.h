@@ -9,17 +9,18 @@
 
 namespace dewpoint::geometry {
 
-/// Default name of a camera without a name of its own: "camera 1" for index 0. Files always use
-/// this function; the window shows the same words in its own language.
+/// Returns the default name of an unnamed camera: "camera 1" for index 0. Files always use this
+/// function. The window shows a translation of the same name.
 std::string defaultCameraName(std::size_t index);
 
-/// What a camera is called in messages: by its name, or by its number where it has none.
+/// Returns the camera name used in messages, or the camera number if the camera has no name.
 std::string nameOrNumber(const Camera& camera, std::size_t index);
 
-/// The first default name from the rig's size on that no camera of it has.
+/// Returns the first default name, counting from the rig's size, that no camera of the rig has.
 std::string freeCameraName(const CameraRig& rig);
 
-/// The same from number `first` on, with names as `nameOf` gives them to numbers.
+/// Returns the first unused name, counting from number `first`. `nameOf` returns the name for a
+/// number.
 std::string freeCameraName(const CameraRig& rig, std::size_t first,
                            const std::function<std::string(std::size_t)>& nameOf);
 

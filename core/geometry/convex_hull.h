@@ -17,26 +17,26 @@ struct ConvexHull {
   std::vector<Eigen::Vector3d> vertices;
   std::vector<std::array<int, 3>> faces;
 
-  /// Volume in m³; 0 without faces.
+  /// Returns the volume in m³, or 0 without faces.
   double volume() const;
   bool empty() const { return vertices.empty(); }
 };
 
 /// Computes the convex hull of points by incremental insertion (de Berg et al. 2008, "Computational
-/// Geometry", chapter 11, but with plain search instead of conflict lists: meant for up to a few
-/// thousand points). Vertices keep the order of the points. A point counts as on a face if its
-/// distance to the face is within 1e-9 of the size of the cloud. Points in one plane give vertices
-/// without faces.
+/// Geometry", chapter 11). It uses a plain search instead of conflict lists and is intended for up
+/// to a few thousand points. Vertices keep the order of the points. A point counts as on a face if
+/// its distance to the face is at most 1e-9 times the size of the point cloud. Points in one plane
+/// give vertices without faces.
 ConvexHull convexHull(const std::vector<Eigen::Vector3d>& points);
 
 /// Computes the convex hull of points in a plane (Andrew's monotone chain, 1979). The corners are
-/// counterclockwise (x to the right, y up), and no three lie on a line. Up to two points are
-/// returned unchanged.
+/// counterclockwise (x to the right, y up), and no three corners lie on a line. Up to two points
+/// are returned unchanged.
 std::vector<Eigen::Vector2d> convexHull(std::vector<Eigen::Vector2d> points);
 
-/// Outline of a hull in a camera's image, in pixels; it may reach outside the image. It is the hull
-/// of the projected vertices, which is exact for a pinhole. Vertices that cannot be projected are
-/// left out.
+/// Returns the outline of a hull in a camera's image, in pixels. It may extend outside the image.
+/// It is the convex hull of the projected vertices, which is exact for a pinhole. Vertices that
+/// cannot be projected are left out.
 std::vector<Eigen::Vector2d> projectedHull(const Projector& projector, const ConvexHull& hull);
 
 } // namespace dewpoint::geometry

@@ -17,39 +17,40 @@ struct Ellipsoid {
   /// eigenvectors are their directions. The covariance of the points inside is one fifth of it.
   Eigen::Matrix3d extent = Eigen::Matrix3d::Zero();
 
-  /// Radius of a ball of the same volume, meters.
+  /// Returns the radius of a ball with the same volume, meters.
   double radius() const;
 };
 
-/// The extent (m²) of a ball of this radius (meters).
+/// Returns the extent (m²) of a ball with this radius (meters).
 Eigen::Matrix3d ballExtent(double radius);
 
-/// The outline of an ellipsoid in an image.
+/// Outline of an ellipsoid in an image.
 struct EllipseImage {
   Eigen::Vector2d center = Eigen::Vector2d::Zero(); ///< pixels
   /// Extent (px²): a symmetric matrix whose eigenvalues are the squared semi-axes. The covariance
   /// of the pixels inside is one quarter of it.
   Eigen::Matrix2d extent = Eigen::Matrix2d::Zero();
 
-  /// Enclosed area, px².
+  /// Returns the enclosed area, px².
   double area() const;
-  /// Squared distance of a pixel from the center, measured in semi-axes: at most 1 inside.
+  /// Returns the squared distance of a pixel from the center, measured in semi-axes. It is at most
+  /// 1 inside the ellipse.
   double squaredDistance(const Eigen::Vector2d& pixel) const;
 };
 
-/// Projects ellipsoids into one camera by their tangent cone. Exact for a pinhole; lens distortion
-/// is linearized over the outline.
+/// Projects ellipsoids into one camera by their tangent cone. The result is exact for a pinhole.
+/// Lens distortion is linearized over the outline.
 class EllipsoidProjector {
 public:
   explicit EllipsoidProjector(const Camera& camera);
 
-  /// Outline of the ellipsoid; it may lie outside the image. Returns nothing if the ellipsoid
-  /// reaches behind the camera or beyond the valid range of the lens model.
+  /// Returns the outline of the ellipsoid, which may lie outside the image. Returns nothing if the
+  /// ellipsoid reaches behind the camera or beyond the valid range of the lens model.
   std::optional<EllipseImage> project(const Ellipsoid& ellipsoid) const;
   const Projector& projector() const { return projector_; }
-  /// Optical center in the world frame, meters.
+  /// Returns the optical center in the world frame, meters.
   const Eigen::Vector3d& cameraCenter() const { return cameraCenter_; }
-  /// Focal length in pixels: pixels per radian near the optical axis.
+  /// Returns the focal length in pixels: pixels per radian near the optical axis.
   double focal() const { return focal_; }
 
 private:

@@ -7,7 +7,7 @@
 
 namespace dewpoint::geometry {
 
-/// Whether a pixel lies within an image: not beyond the centers of the outermost pixels.
+/// Returns whether a pixel lies within an image, up to the centers of the outermost pixels.
 inline bool isInImage(const Intrinsics& image, const Eigen::Vector2d& pixel) {
   return pixel.x() >= 0.0 && pixel.y() >= 0.0 && pixel.x() <= image.width - 1.0 &&
          pixel.y() <= image.height - 1.0;

@@ -19,18 +19,18 @@ struct ImageBox {
   double height = 0.0;
 
   Eigen::Vector2d center() const { return {x + 0.5 * width, y + 0.5 * height}; }
-  /// Area, px².
+  /// Returns the area, px².
   double area() const { return width * height; }
   bool isEmpty() const { return !(width > 0.0 && height > 0.0); }
   bool operator==(const ImageBox&) const = default;
 
-  /// Returns the box of this size around a center, pixels.
+  /// Returns the box with this size around a center, pixels.
   static ImageBox around(const Eigen::Vector2d& center, double width, double height) {
     return {center.x() - 0.5 * width, center.y() - 0.5 * height, width, height};
   }
 };
 
-/// Area of the intersection of two boxes, px²; 0 if they do not intersect.
+/// Returns the area of the intersection of two boxes, px². 0 if they do not intersect.
 inline double commonArea(const ImageBox& one, const ImageBox& other) {
   const double across =
       std::min(one.x + one.width, other.x + other.width) - std::max(one.x, other.x);
@@ -39,7 +39,7 @@ inline double commonArea(const ImageBox& one, const ImageBox& other) {
   return std::max(0.0, across) * std::max(0.0, down);
 }
 
-/// Intersection over union, in [0, 1]; 0 if a box is empty.
+/// Returns the intersection over union, in [0, 1]. 0 if a box is empty.
 inline double overlap(const ImageBox& one, const ImageBox& other) {
   const double common = commonArea(one, other);
   return common > 0.0 ? common / (one.area() + other.area() - common) : 0.0;

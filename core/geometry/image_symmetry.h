@@ -10,7 +10,7 @@
 namespace dewpoint::geometry {
 
 /// One of the eight orientations of an image: rotated clockwise by 0, 90, 180 or 270 degrees, then
-/// optionally mirrored left to right. The source of a camera stores the same two values.
+/// optionally mirrored left to right. A camera's source settings store the same two values.
 struct ImageSymmetry {
   int rotateDegrees = 0;
   bool mirrored = false;
@@ -18,11 +18,11 @@ struct ImageSymmetry {
   bool operator==(const ImageSymmetry&) const = default;
 };
 
-/// All orientations: identity first, then the rotations, then the mirrored ones.
+/// Returns all orientations: identity first, then the rotations, then the mirrored orientations.
 const std::array<ImageSymmetry, 8>& imageSymmetries();
 
-/// Position of a pixel after the transformation of an image of this size (pixels). Pixel centers
-/// are at integer coordinates.
+/// Returns the position of a pixel after an image of this size (pixels) is transformed. Pixel
+/// centers are at integer coordinates.
 Eigen::Vector2d transformed(const ImageSymmetry& symmetry, const Eigen::Vector2d& pixel, int width,
                             int height);
 

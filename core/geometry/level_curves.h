@@ -17,17 +17,18 @@ struct GroundGrid {
   Eigen::ArrayXXd values;
 };
 
-/// One piece of a level curve: points in order, world x and y in meters. The curve is closed if the
+/// Piece of a level curve: points in order, world x and y in meters. The curve is closed if the
 /// last point equals the first.
 using LevelCurve = std::vector<Eigen::Vector2d>;
 
-/// Curves on which the function, linear along the grid edges, equals `level` (marching squares:
-/// Lorensen & Cline 1987 in two dimensions; the mean of the four corners decides how a saddle is
-/// cut).
+/// Returns the curves on which the function equals `level`. The function is interpolated linearly
+/// along the grid edges. Method: marching squares (Lorensen & Cline 1987 in two dimensions). The
+/// mean of the four corners determines how a saddle is cut.
 std::vector<LevelCurve> levelCurves(const GroundGrid& grid, double level);
 
-/// Level above which the values add up to the share `probability` of the sum of all values: the
-/// border of the smallest region with that probability. 0 if the sum is zero.
+/// Returns the level above which the values add up to the fraction `probability` of the sum of all
+/// values. The level curve is the border of the smallest region with that probability. 0 if the sum
+/// is zero.
 double levelHolding(const GroundGrid& grid, double probability);
 
 } // namespace dewpoint::geometry

@@ -1,6 +1,6 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-// Eigen's decompositions of matrices of any size, compiled in one place: each would add up to
-// twelve seconds to the compilation of every file that instantiates it.
+// SPDX-License-Identifier: GPL-3.0-or-later Eigen's decompositions of matrices of any size. They
+// are compiled in one place, because each one would add up to twelve seconds to the compilation of
+// every file that instantiates it.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,8 +10,9 @@
 
 namespace dewpoint::geometry {
 
-/// Least-squares solution x of matrix x = right, with one column for each column of `right`; by QR
-/// with column pivoting. If the matrix does not determine x, the result is a basic solution.
+/// Returns the least-squares solution x of matrix x = right, with one column for each column of
+/// `right`. Method: QR with column pivoting. If the matrix does not determine x, the result is a
+/// basic solution.
 Eigen::MatrixXd leastSquares(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right);
 Eigen::VectorXd leastSquares(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right);
 
@@ -22,20 +23,20 @@ struct SymmetricEigen {
   bool converged = false;
 };
 
-/// Eigendecomposition of a symmetric matrix. Only the lower triangle is read.
+/// Computes the eigendecomposition of a symmetric matrix. Only the lower triangle is read.
 SymmetricEigen symmetricEigen(const Eigen::MatrixXd& matrix);
 
 /// Solves matrix x = right for a positive or negative semidefinite matrix, by LDLT.
 Eigen::MatrixXd solveSymmetric(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right);
 
-/// Inverse of a symmetric positive definite matrix, by Cholesky decomposition; nothing for any
-/// other matrix.
+/// Returns the inverse of a symmetric positive definite matrix, by Cholesky decomposition. Nothing
+/// for any other matrix.
 std::optional<Eigen::MatrixXd> inversePositive(const Eigen::MatrixXd& matrix);
 
 /// Singular value decomposition by Jacobi rotations.
 class SingularValues {
 public:
-  /// Which singular vectors are computed. `Thin` and `Full` allow solve(); `Full` gives all columns
+  /// Set of singular vectors to compute. `Thin` and `Full` allow solve(); `Full` gives all columns
   /// of V, with those of the null space last.
   enum class Vectors { None, Thin, Full };
 
@@ -44,11 +45,12 @@ public:
   SingularValues& operator=(const SingularValues&) = delete;
   ~SingularValues();
 
-  /// Singular values in descending order, as many as the shorter side of the matrix.
+  /// Returns the singular values in descending order. Their number is the shorter side of the
+  /// matrix.
   const Eigen::VectorXd& values() const;
-  /// Right singular vectors as columns.
+  /// Returns the right singular vectors as columns.
   const Eigen::MatrixXd& matrixV() const;
-  /// Least-squares solution x of matrix x = right with the smallest norm.
+  /// Returns the least-squares solution x of matrix x = right with the smallest norm.
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
 
 private:

@@ -11,7 +11,7 @@
 
 namespace dewpoint::geometry {
 
-/// The mean of vectors, such as the center of positions; zero if there are none.
+/// Returns the mean of the vectors, or zero if there are none.
 inline Eigen::Vector3d meanVector(const std::vector<Eigen::Vector3d>& vectors) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& vector : vectors) {

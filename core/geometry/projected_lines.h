@@ -14,10 +14,10 @@
 namespace dewpoint::geometry {
 
 /// Line in an image: pixels (column, row), possibly outside the image. Where the lens bends the
-/// line, neighboring points are close enough to be joined by straight strokes.
+/// line, neighboring points are close enough to be connected by straight segments.
 using ImageLine = std::vector<Eigen::Vector2d>;
 
-/// The twelve edges of a box, each from corner to corner; world frame, meters.
+/// Returns the twelve edges of a box, each from corner to corner. World frame, meters.
 std::array<std::pair<Eigen::Vector3d, Eigen::Vector3d>, 12> edgesOf(const WorldBox& box);
 
 /// Projects the straight line between two world points (meters). Parts behind the camera, beyond

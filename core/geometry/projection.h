@@ -14,7 +14,7 @@ enum class LensModel {
   Fisheye  ///< OpenCV's cv::fisheye (Kannala and Brandt 2006, odd powers of the angle): k1 k2 k3 k4
 };
 
-/// OpenCV's camera models in plain numbers, for loops over many points. Made by Projector.
+/// OpenCV's camera models as plain numbers, for loops over many points. Created by Projector.
 struct Projection {
   std::array<double, 9> rotation{};    ///< camera from world, row by row
   std::array<double, 3> translation{}; ///< camera from world, meters
@@ -23,7 +23,7 @@ struct Projection {
   /// Largest squared normalized radius at which the distorted radius still increases.
   double radiusSquaredLimit = 0.0;
 
-  /// Smallest depth in front of the camera, meters. Nearer points are not projected.
+  /// Minimum depth in front of the camera, meters. Nearer points are not projected.
   static constexpr double kMinDepth = 1e-9;
 
   /// Projected point, pixels.
@@ -33,8 +33,8 @@ struct Projection {
     bool visible; ///< in front of the camera and within the valid angle of the distortion
   };
 
-  /// Projects the world point (x, y, z), meters. Without branches, so that a loop over it can be
-  /// vectorized. Column and row are meaningless if the point is not visible.
+  /// Projects the world point (x, y, z), meters. The function has no branches, so that loops over
+  /// it can be vectorized. Column and row are meaningless if the point is not visible.
   template <bool Distorted> [[gnu::always_inline]] Pixel pixel(double x, double y, double z) const {
     const auto& r = rotation;
     const double xCamera = r[0] * x + r[1] * y + r[2] * z + translation[0];
@@ -59,8 +59,8 @@ struct Projection {
     return {focalX * u + centerX, focalY * v + centerY, visible};
   }
 
-  /// The same for LensModel::Fisheye. A point at angle t from the optical axis appears at the
-  /// normalized radius t (1 + k1 t² + k2 t⁴ + k3 t⁶ + k4 t⁸).
+  /// Projects a world point with LensModel::Fisheye. A point at angle t from the optical axis
+  /// appears at the normalized radius t (1 + k1 t² + k2 t⁴ + k3 t⁶ + k4 t⁸).
   Pixel fisheyePixel(double x, double y, double z) const {
     const auto& r = rotation;
     const double xCamera = r[0] * x + r[1] * y + r[2] * z + translation[0];

@@ -11,19 +11,19 @@
 
 namespace dewpoint::geometry {
 
-/// Projects world points into one camera with OpenCV's models (see LensModel). Prepared once per
-/// camera, then cheap per point.
+/// Projects world points into one camera with OpenCV's models (see LensModel). Construction is done
+/// once per camera; projecting a point is then fast.
 class Projector {
 public:
   explicit Projector(const Camera& camera);
 
-  /// Pixel (column, row) of a world point in meters; it may lie outside the image. Returns nothing
-  /// for points behind the camera, or beyond the angle where the distortion polynomial folds back
-  /// and would produce a false image.
+  /// Returns the pixel (column, row) of a world point in meters. It may lie outside the image.
+  /// Returns nothing for points behind the camera, or beyond the angle where the distortion
+  /// polynomial folds back and would produce a false image.
   std::optional<Eigen::Vector2d> project(const Eigen::Vector3d& pointWorld) const;
 
   /// Projects `count` points given as three columns, meters. The pixels are written to two more
-  /// columns, NaN where project() returns nothing. The results are bit-identical to those of
+  /// columns, with NaN where project() returns nothing. The results are bit-identical to those of
   /// project(). Columns must not overlap.
   void projectBatch(std::int64_t count, const double* x, const double* y, const double* z,
                     double* column, double* row) const;

@@ -17,22 +17,22 @@ struct Ray {
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
 };
 
-/// Inverse of Projector: converts a pixel of one camera to a ray in the world. Prepared once per
-/// camera, then cheap per pixel.
+/// Inverse of Projector: converts a pixel of one camera to a ray in the world. Construction is done
+/// once per camera; converting a pixel is then fast.
 class Unprojector {
 public:
   explicit Unprojector(const Camera& camera);
 
-  /// Unit direction, in the world frame, of the pixel (column, row), which may lie outside the
-  /// image. Lens distortion is inverted by Newton's method on Projector's model, to 1e-9 px.
-  /// Returns nothing if the model has no such direction (beyond its fold-back) or the pixel is not
-  /// finite.
+  /// Returns the unit direction, in the world frame, of the pixel (column, row), which may lie
+  /// outside the image. Lens distortion is inverted by Newton's method on Projector's model, to
+  /// 1e-9 px. Returns nothing if the model has no such direction (beyond its fold-back) or the
+  /// pixel is not finite.
   std::optional<Eigen::Vector3d> rayWorld(const Eigen::Vector2d& pixel) const;
 
-  /// The same direction as a ray from the camera's center.
+  /// Returns the same direction as a ray from the camera's center.
   std::optional<Ray> ray(const Eigen::Vector2d& pixel) const;
 
-  /// Optical center in the world frame, meters.
+  /// Returns the optical center in the world frame, meters.
   const Eigen::Vector3d& center() const { return center_; }
 
 private:
@@ -47,14 +47,14 @@ private:
   Projector lens_; ///< the same lens, with the camera at the world origin
 };
 
-/// Point with the smallest sum of squared distances to the lines of the rays, from the normal
-/// equations sum (I - d d') X = sum (I - d d') o. For two rays, Hartley & Zisserman call this the
-/// midpoint method. Returns nothing for fewer than two rays, for rays within about 0.1 degrees of
-/// parallel, or if the point lies behind the origin of a ray.
+/// Returns the point (world, meters) with the smallest sum of squared distances to the lines of the
+/// rays. It solves the normal equations sum (I - d d') X = sum (I - d d') o. For two rays, Hartley
+/// & Zisserman call this the midpoint method. Returns nothing for fewer than two rays, for rays
+/// within about 0.1 degrees of parallel, or if the point lies behind the origin of a ray.
 std::optional<Eigen::Vector3d> nearestPoint(const std::vector<Ray>& rays);
 
-/// Distance of a point to the ray in meters. If the point lies behind the origin, this is the
-/// distance to the origin.
+/// Returns the distance of a point to the ray in meters. If the point lies behind the origin, this
+/// is the distance to the origin.
 double distanceToRay(const Ray& ray, const Eigen::Vector3d& point);
 
 } // namespace dewpoint::geometry

@@ -14,26 +14,27 @@ namespace dewpoint::geometry {
 
 /// Surface of the room on which a reference grid lies.
 enum class GridKind {
-  Floor, ///< x and y
-  Wall,  ///< x and z
+  Floor, ///< plane along x and y
+  Wall,  ///< plane along x and z
   Box    ///< the floor, the two walls that meet at the origin, and the edges of the box
 };
 
 /// Grid of known size in the world, drawn over the real surface in the images (the calibration
 /// method of Barrera, Cañas and Matellán 2005). It starts at `origin` and extends by `size` along
-/// its own axes. These are the world axes rotated by `turn` about the vertical.
+/// its own axes, which are the world axes rotated by `turn` about the vertical.
 struct ReferenceGrid {
   GridKind kind = GridKind::Floor;
-  Eigen::Vector3d size{4.0, 4.0, 2.0};     ///< meters along x, y and z; floors ignore z, walls y
-  double step = 0.5;                       ///< distance between lines, meters
+  Eigen::Vector3d size{4.0, 4.0,
+                       2.0}; ///< size along x, y and z, meters; floors ignore z, walls ignore y
+  double step = 0.5;         ///< distance between lines, meters
   Eigen::Vector3d origin{-2.0, -2.0, 0.0}; ///< world frame, meters
-  double turn = 0.0;                       ///< radians, counterclockwise as seen from above
+  double turn = 0.0; ///< rotation in radians, counterclockwise as seen from above
 
   bool operator==(const ReferenceGrid&) const = default;
 
-  /// Pose of the grid in the world, meters.
+  /// Returns the grid pose in the world, meters.
   Eigen::Isometry3d worldFromGrid() const;
-  /// World position of the grid's center, meters.
+  /// Returns the world position of the grid's center, meters.
   Eigen::Vector3d center() const;
 };
 
@@ -44,15 +45,16 @@ inline constexpr int kMostGridLines = 200;
 /// `origin`).
 Status checkGrid(const ReferenceGrid& grid);
 
-/// Role of a line or text of a grid; it decides the color and width.
+/// Role of a line or text in a grid. It determines the color and width.
 enum class GridRole { Line, Border, AxisX, AxisY, AxisZ };
 
-/// One straight line of a grid; world frame, meters.
+/// Straight line of a grid. World frame, meters.
 struct GridLine {
   GridRole role = GridRole::Line;
   Eigen::Vector3d from = Eigen::Vector3d::Zero();
   Eigen::Vector3d to = Eigen::Vector3d::Zero();
 };
+/// Returns the lines of a grid.
 std::vector<GridLine> gridLines(const ReferenceGrid& grid);
 
 /// Text at a position: the name of an axis, or a distance along it in meters.
@@ -61,10 +63,11 @@ template <int Dimension> struct GridText {
   Eigen::Matrix<double, Dimension, 1> at;
   std::string text;
 };
+/// Returns the axis names and distance labels of a grid, at world positions (meters).
 std::vector<GridText<3>> gridLabels(const ReferenceGrid& grid);
 
 /// Grid line as it appears in one image: pixels, clipped at the image border and bent by the lens.
-/// It deviates less than 0.2 px from the true curve.
+/// It deviates by less than 0.2 px from the true curve.
 struct GridStroke {
   GridRole role = GridRole::Line;
   std::vector<Eigen::Vector2d> points;
@@ -80,10 +83,11 @@ struct ProjectedGrid {
 /// model are left out.
 ProjectedGrid projectGrid(const Camera& camera, const ReferenceGrid& grid);
 
-/// World point of the grid that a click at `pixel` refers to. This is the nearest intersection of
-/// grid lines within `reach` pixels; otherwise the point where the pixel's ray meets a surface of
-/// the grid; otherwise the point on the ray at the distance of the grid's center. Returns nothing
-/// if the pixel has no ray.
+/// Returns the world point (meters) that a click at `pixel` refers to, or nothing if the pixel has
+/// no ray. The point is the first of these that exists:
+/// - the nearest intersection of grid lines within `reach` pixels
+/// - the point where the pixel's ray meets a surface of the grid
+/// - the point on the ray at the distance of the grid's center
 std::optional<Eigen::Vector3d> gridPointAt(const Camera& camera, const ReferenceGrid& grid,
                                            const Eigen::Vector2d& pixel, double reach);
 

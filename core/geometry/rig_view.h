@@ -8,25 +8,28 @@
 
 namespace dewpoint::geometry {
 
-/// The point nearest to all optical axes: what a rig is aimed at. For a single camera (or parallel
-/// axes) two meters before the cameras; the origin without a camera that has a pose.
+/// Returns the point at which a rig is aimed: the point nearest to all optical axes (world,
+/// meters). For a single camera or parallel axes, it is two meters in front of the cameras. If no
+/// camera has a pose, it is the origin.
 Eigen::Vector3d aimOf(const CameraRig& rig);
 
-/// Around the cameras and what they are aimed at; empty without a camera that has a pose.
+/// Returns a box (world, meters) around the cameras and the point at which they are aimed. Empty if
+/// no camera has a pose.
 Eigen::AlignedBox3d boxAround(const CameraRig& rig);
 
-/// How much of what was seen of a rig still holds after its calibration has changed.
+/// Kind of change in a rig's calibration. It determines whether a previous view of the rig is still
+/// useful.
 enum class RigChange {
-  /// At most one camera was adjusted, and the rig is about as large as it was and at about the same
-  /// position.
+  /// At most one camera was adjusted. The size and position of the rig are about the same.
   OneCamera,
-  /// The same cameras in a room of about the same size: a refined calibration.
+  /// Refined calibration: the same cameras in a room of about the same size.
   Refined,
-  /// Other cameras, or the same ones in a room of another size or position: what was looked at in
-  /// one is nothing in the other.
+  /// Different cameras, or the same cameras in a room of a different size or at a different
+  /// position. A view of the previous rig does not apply to the new one.
   Elsewhere
 };
 
+/// Returns the kind of change from the calibration `before` to the calibration `now`.
 RigChange rigChange(const CameraRig& before, const CameraRig& now);
 
 } // namespace dewpoint::geometry

@@ -12,11 +12,11 @@ namespace dewpoint::geometry {
 
 /// Returns the rotation nearest to a matrix that is almost a rotation (published files have six
 /// digits or more). A matrix that is a rotation to double precision is returned unchanged. The
-/// error says why the matrix is not a rotation: its rows are not orthonormal, or it is a
-/// reflection.
+/// error message explains why the matrix is not a rotation: its rows are not orthonormal, or it is
+/// a reflection.
 tl::expected<Eigen::Matrix3d, std::string> checkedRotation(const Eigen::Matrix3d& matrix);
 
-/// Smallest rotation that takes the direction of `from` to the direction of `to`.
+/// Returns the smallest rotation that maps the direction of `from` to the direction of `to`.
 Eigen::Matrix3d rotationBetween(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
 } // namespace dewpoint::geometry

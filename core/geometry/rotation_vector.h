@@ -7,14 +7,14 @@
 
 namespace dewpoint::geometry {
 
-/// Rotation matrix of a rotation vector (Rodrigues): its direction is the axis, its length the
-/// angle in radians.
+/// Converts a rotation vector to a rotation matrix (Rodrigues). The direction of the vector is the
+/// axis, and its length is the angle in radians.
 Eigen::Matrix3d rotationOfVector(const Eigen::Vector3d& vector);
 
-/// Rotation vector of a rotation matrix; its length is between 0 and pi.
+/// Converts a rotation matrix to a rotation vector, whose length is between 0 and pi.
 Eigen::Vector3d vectorOfRotation(const Eigen::Matrix3d& rotation);
 
-/// The angle between two rotations: that of the rotation from one to the other, radians, 0 to pi.
+/// Returns the angle of the rotation from one orientation to the other, in radians from 0 to pi.
 double angleBetween(const Eigen::Matrix3d& one, const Eigen::Matrix3d& other);
 
 } // namespace dewpoint::geometry

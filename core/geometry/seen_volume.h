@@ -9,23 +9,24 @@
 
 namespace dewpoint::geometry {
 
-/// Assumed range of a single camera, meters, used when the rig itself implies no distance. Chosen:
-/// the size of a room.
+/// Assumed range of a single camera, meters, used when the rig itself implies no distance. Chosen
+/// to be about the size of a room.
 inline constexpr double kReachOfOneCamera = 4.0;
 
-/// Bounding box of the volume that at least `cameras` cameras of a rig see together; world frame,
-/// meters. Each camera is assumed to see up to 1.5 times the distance at which its optical axis
-/// meets those of the others (the median), and at most 20 times the largest distance between two
-/// cameras. If the cameras imply no distance, the limit is kReachOfOneCamera. Cameras without an
-/// image size or a focal length do not count. Returns nothing if no volume is seen by that number
-/// of cameras.
+/// Returns the bounding box of the volume that at least `cameras` cameras of a rig see. World
+/// frame, meters. Each camera is assumed to see up to 1.5 times the distance at which its optical
+/// axis meets those of the others (the median), and at most 20 times the largest distance between
+/// two cameras. If the cameras imply no distance, the limit is kReachOfOneCamera. Cameras without
+/// an image size or a focal length do not count. Nothing if no volume is seen by that number of
+/// cameras.
 ///
 /// The box is computed from sample points on a lattice of each camera's rays. The spacing is a
-/// tenth of the width of the view and 3 % of its depth. Takes a few milliseconds for eight cameras.
+/// tenth of the width of the view and 3 % of its depth. The computation takes a few milliseconds
+/// for eight cameras.
 std::optional<WorldBox> commonVolume(const CameraRig& rig, std::size_t cameras);
 
-/// Common volume of two cameras, or of one if no two cameras see anything together. Returns nothing
-/// if no camera counts.
+/// Returns the volume seen by at least two cameras, or by one camera if no two cameras see a common
+/// volume. Nothing if no camera counts.
 std::optional<WorldBox> seenVolume(const CameraRig& rig);
 
 } // namespace dewpoint::geometry

@@ -10,31 +10,31 @@
 
 namespace dewpoint::geometry {
 
-/// Outline of a sphere in an image. It is an ellipse; this is the circle of the same center and
-/// area. Pixels.
+/// Outline of a sphere in an image, pixels. The true outline is an ellipse; this is the circle with
+/// the same center and area.
 struct SphereImage {
   Eigen::Vector2d center = Eigen::Vector2d::Zero();
   double radius = 0.0;
 };
 
 /// Projects spheres into one camera. The center of the outline is not the projection of the
-/// sphere's center: perspective moves it away from the optical axis, by half a pixel or more for a
+/// sphere's center. Perspective moves it away from the optical axis, by half a pixel or more for a
 /// near ball.
 class SphereProjector {
 public:
   explicit SphereProjector(const Camera& camera);
 
-  /// Outline of the sphere of `radius` meters around `centerWorld` (meters, world frame); it may
-  /// lie outside the image. Returns nothing if the sphere reaches behind the camera or beyond the
-  /// valid range of the lens model.
+  /// Returns the outline of a sphere with `radius` meters around `centerWorld` (meters, world
+  /// frame). It may lie outside the image. Returns nothing if the sphere reaches behind the camera
+  /// or beyond the valid range of the lens model.
   std::optional<SphereImage> project(const Eigen::Vector3d& centerWorld, double radius) const;
 
-  /// Distance in front of the camera along its optical axis, meters.
+  /// Returns the distance in front of the camera along its optical axis, meters.
   double depth(const Eigen::Vector3d& pointWorld) const {
     return (pointWorld - cameraCenter_).dot(axis_);
   }
 
-  /// Optical center in the world frame, meters.
+  /// Returns the optical center in the world frame, meters.
   const Eigen::Vector3d& cameraCenter() const { return cameraCenter_; }
   const Projector& projector() const { return projector_; }
 

@@ -16,46 +16,48 @@ namespace dewpoint::experiment {
 /// Connected region of matching pixels.
 struct Blob {
   Eigen::Vector2d center = Eigen::Vector2d::Zero(); ///< center of mass, pixels (column, row)
-  int area = 0;                                     ///< pixels
+  int area = 0;                                     ///< area, pixels
   cv::Rect box;                                     ///< bounding box
-  /// Radius of the disk of the same area, pixels.
+  /// Returns the radius of a disk of the same area (pixels).
   double radiusPx() const;
 };
 
-/// Least area of a region in pixels; smaller ones are noise.
+/// Minimum region area (pixels). Smaller regions are noise.
 inline constexpr int kMinBlobArea = 4;
 
 /// Finds the 8-connected regions of a mask (CV_8UC1, nonzero where it matches) of at least
-/// kMinBlobArea pixels, largest first. Among equal ones, the upper comes first, then the left one.
+/// kMinBlobArea pixels, largest first. Regions of equal size are ordered from top to bottom, then
+/// from left to right.
 std::vector<Blob> findBlobs(const cv::Mat& mask);
 
-/// Direction in which one camera sees one target.
+/// Ray along which a camera sees a blob.
 struct Bearing {
   std::size_t camera = 0;
   std::size_t blob = 0; ///< index among the camera's blobs
   Ray ray;
   double focalLength = 1.0; ///< focal length of the camera, pixels
-  double radiusPx = 0.0;    ///< apparent radius of the blob; 0: not known
+  double radiusPx = 0.0;    ///< apparent blob radius, pixels; 0 if unknown
 };
 
 /// Position on which bearings of at least two cameras agree. World frame, meters.
 struct TriangulatedPoint {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
-  /// Covariance from the geometry alone (m²), if each bearing has an error of kCenterSigmaPx across
-  /// its ray.
+  /// Covariance (m²) that follows from the geometry alone, assuming an error of kCenterSigmaPx
+  /// across each ray.
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   double residualPx = 0.0; ///< largest distance of a ray from the position, in pixels of its camera
   std::vector<Bearing> bearings;
 };
 
-/// Standard deviation of the center of a blob, pixels per axis. The covariances of the baselines
-/// are computed from it.
+/// Standard deviation of a blob center, pixels per axis. The baselines compute their covariances
+/// from it.
 inline constexpr double kCenterSigmaPx = 0.5;
 
-/// Distance between a bearing's ray and a point (world, meters), in pixels of its camera.
+/// Returns the distance between a bearing's ray and a point (world, meters), in pixels of its
+/// camera.
 double residualPx(const Bearing& bearing, const Eigen::Vector3d& point);
 
-/// Intersects bearings by least squares; nothing where nearestPoint() returns nothing.
+/// Intersects bearings by least squares. Returns nothing if nearestPoint() returns nothing.
 std::optional<TriangulatedPoint> triangulate(std::vector<Bearing> bearings);
 
 } // namespace dewpoint::experiment

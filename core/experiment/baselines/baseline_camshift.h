@@ -6,8 +6,9 @@
 namespace dewpoint::experiment {
 
 /// OpenCV's CamShift (Bradski 1998) with the color mask as its probability image, so it sees the
-/// same pixels as the other methods. It is lost when its window contains no color. The position is
-/// the center of mass in the window, not the rounded center that CamShift returns.
+/// same pixels as the other methods. The follower is lost when its window contains no pixels of the
+/// target's color. The reported position is the center of mass in the window, not the rounded
+/// center that CamShift returns.
 class CamShiftFollower final : public CameraFollower {
 public:
   bool start(const CameraImages& images, const cv::Rect& box) override;

@@ -6,9 +6,9 @@
 
 namespace dewpoint::experiment {
 
-/// OpenCV's CSRT (Lukežič et al. 2017) with default parameters, on the camera's image; it does not
-/// use the color mask. The position is the center of its box. It is lost when it reports so, or
-/// when that center is outside the image.
+/// OpenCV's CSRT (Lukežič et al. 2017) with default parameters, applied to the camera image. It
+/// does not use the color mask. The reported position is the box center. The follower is lost when
+/// CSRT reports a failure, or when the box center is outside the image.
 class CsrtFollower final : public CameraFollower {
 public:
   bool start(const CameraImages& images, const cv::Rect& box) override;

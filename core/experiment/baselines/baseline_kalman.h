@@ -9,13 +9,16 @@ namespace dewpoint::experiment {
 
 /// Parameters of the Kalman filter.
 struct KalmanSetup {
-  double accelerationSigma = 6.0; ///< acceleration between two frames, m/s² per axis
-  double startSpeedSigma = 1.0;   ///< initial speed, m/s per axis
-  /// Largest squared Mahalanobis distance of an accepted measurement: 99.9 % of chi-square with 3
-  /// degrees of freedom.
+  double accelerationSigma =
+      6.0; ///< standard deviation of the acceleration between two frames, m/s² per axis
+  double startSpeedSigma = 1.0; ///< standard deviation of the initial velocity, m/s per axis
+  /// Largest squared Mahalanobis distance at which a measurement is accepted: the 99.9 % quantile
+  /// of chi-square with 3 degrees of freedom.
   double gate = 16.266;
-  int restartAfter = 3;     ///< successive measurements outside the gate until the filter restarts
-  double forgetAfter = 0.5; ///< seconds without a measurement until the target counts as lost
+  int restartAfter =
+      3; ///< number of successive measurements outside the gate after which the filter restarts
+  double forgetAfter =
+      0.5; ///< time without a measurement after which the target counts as lost, seconds
 };
 
 /// Constant-velocity Kalman filter on positions with known covariance (Bar-Shalom, Li & Kirubarajan
@@ -29,12 +32,12 @@ public:
   void forget() { *this = KalmanPoint(setup_); }
   /// Predicts the state `seconds` later.
   void predict(double seconds);
-  /// Updates with a measurement (m and m²), unless it is outside the gate. The first measurement
-  /// starts the filter.
+  /// Updates the state with a measurement (m, m²), unless it is outside the gate. The first
+  /// measurement starts the filter.
   void update(const Eigen::Vector3d& position, const Eigen::Matrix3d& covariance);
 
   bool started() const { return started_; }
-  /// Largest squared Mahalanobis distance of an accepted measurement.
+  /// Returns the largest squared Mahalanobis distance at which a measurement is accepted.
   double gate() const { return setup_.gate; }
   Eigen::Vector3d position() const { return state_.head<3>(); }
   Eigen::Vector3d velocity() const { return state_.tail<3>(); }

@@ -10,13 +10,14 @@
 
 namespace dewpoint::experiment {
 
-/// Returns all methods of the suite in the order of its tables: the methods that a project may
-/// choose, ours first (followed by its smoothed variant), then `triangulation`,
+/// Returns the names of all suite methods in table order. First come the methods that a project can
+/// choose, beginning with ours and its smoothed variant. Then come `triangulation`,
 /// `triangulation-kalman`, `camshift` and `csrt`.
 std::vector<std::string> suiteMethods();
 
-/// Makes a tracker of one of suiteMethods() that knows only what a method may know of the run. For
-/// the smoothed method it is the tracker whose estimates are smoothed. NotFound for any other name.
+/// Creates the tracker for one of suiteMethods(). It receives only what a method may know about the
+/// run. For the smoothed method, this is the tracker whose estimates are smoothed. NotFound for any
+/// other name.
 Result<std::unique_ptr<Tracker>> makeSuiteTracker(const std::string& method,
                                                   const ScenarioRun& run);
 

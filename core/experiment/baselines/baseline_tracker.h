@@ -12,36 +12,35 @@
 
 namespace dewpoint::experiment {
 
-/// Variant of the baseline.
+/// Options that select a variant of the baseline.
 struct BaselineSetup {
-  /// Makes the followers of each target in each camera; null: blobs are paired again in every
-  /// frame.
+  /// Creates a follower for a target in a camera. If null, blobs are paired again in every frame.
   CameraFollowerFactory follower = nullptr;
-  bool kalman = false; ///< filter the triangulated positions; its gate is used for pairing
+  bool kalman = false; ///< filter the triangulated positions; the filter's gate is used for pairing
 };
 
-/// Baseline methods: a color mask, a position in each camera's image, and the least-squares
-/// intersection of the rays. They use no particles, and no appearance except the mask. A target is
+/// Baseline methods. They locate each target in each camera's image by a color mask, and intersect
+/// the rays by least squares. They use no particles, and no appearance except the mask. A target is
 /// valid while two cameras see it or its Kalman filter predicts it. The method has no probability,
 /// so `existenceProbability` is 0 or 1.
 ///
-/// At the start it knows the same as the other methods: colors, sizes, calibration and start
-/// volume. It pairs blobs of different cameras (blob_pairing.h). Each target takes the pair that
-/// looks most like it and is nearest to its expected position. The expected position is in the
-/// start volume at first, then the last position or the prediction of the Kalman filter. Targets of
-/// one color and size share the blobs.
+/// At the start, the tracker knows the same as the other methods: colors, sizes, calibration and
+/// start volume. It pairs blobs of different cameras (blob_pairing.h). Each target takes the pair
+/// that looks most like it and is nearest to its expected position. At first, the expected position
+/// is in the start volume. Later, it is the last position or the Kalman filter's prediction.
+/// Targets with the same color and size share the blobs.
 ///
-/// With followers, pairing only starts them: a follower begins with the box of its camera's blob.
-/// All followers of a target restart when fewer than two are left, or when their rays miss each
-/// other by more than the pairing allows. A camera without a follower gets one at the blob that
-/// fits the position from the others. The method is deterministic: seed and parameters have no
-/// effect.
+/// With followers, pairing only starts them: a follower begins with the bounding box of the blob in
+/// its camera. All followers of a target restart when fewer than two are left, or when their rays
+/// miss each other by more than the pairing allows. A camera without a follower gets one at the
+/// blob that fits the position from the others. The method is deterministic; seed and parameters
+/// have no effect.
 class BaselineTracker final : public Tracker,
                               public TargetFollowing,
                               public CameraCalibrated,
                               public ParticleCloud {
 public:
-  /// `start` is the volume in which targets are first searched for.
+  /// Creates a tracker. `start` is the volume in which it first searches for targets.
   BaselineTracker(const BaselineSetup& setup, const CameraRig& rig, std::vector<Target> targets,
                   const StartVolume& start);
 
@@ -64,7 +63,7 @@ private:
     std::optional<Eigen::Vector3d> last; ///< last or predicted position, world, meters
     double sinceSeen = 0.0;              ///< seconds since the target was last seen
   };
-  /// Images and blobs of one color in all cameras, in the order of the rig.
+  /// Images and blobs of one color in all cameras, in rig order.
   struct Views {
     std::vector<CameraImages> images;
     std::vector<CameraBlobs> blobs;

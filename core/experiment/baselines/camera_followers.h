@@ -11,17 +11,18 @@ namespace dewpoint::experiment {
 /// Followers of one target, at most one per camera.
 class CameraFollowers {
 public:
-  /// If `make` is null, no camera ever has a follower.
+  /// Starts without followers. If `make` is null, no camera ever has a follower.
   CameraFollowers(CameraFollowerFactory make, std::size_t cameraCount)
       : make_(make), followers_(cameraCount) {}
 
   /// Removes all followers.
   void forget();
   bool follows(std::size_t camera) const { return followers_[camera] != nullptr; }
-  /// Replaces the follower of this camera by a new one; none if it cannot start there.
+  /// Replaces the follower of this camera with a new one. If the new one cannot start there, the
+  /// camera has no follower.
   void start(std::size_t camera, const CameraImages& images, const cv::Rect& box);
-  /// Positions at which each camera's follower sees the target in the next images, in the order of
-  /// the rig. A follower that is lost is removed; one without an image waits.
+  /// Returns the target position that each camera's follower finds in the next images, in rig
+  /// order. A follower that loses the target is removed. A follower without an image waits.
   std::vector<std::optional<FollowedPixel>> step(const std::vector<CameraImages>& images);
 
 private:

@@ -8,13 +8,15 @@
 
 namespace dewpoint::experiment {
 
-/// Volume that all cameras of a rig see together (geometry::commonVolume), or two of them if no
-/// volume is seen by all. Nothing for fewer than two cameras, or if no two see a common volume.
+/// Returns the volume that all cameras of a rig see (geometry::commonVolume). If there is none,
+/// returns a volume that two cameras see. Nothing for fewer than two cameras, or if no two cameras
+/// see a common volume.
 std::optional<StartVolume> commonView(const CameraRig& rig);
 
-/// Start volume for a method that would otherwise start on the desk of its paper: the part of the
-/// run's start volume that the cameras see together. If the run's start is a point, it is all that
-/// they see together. If the two volumes do not intersect, it is the run's own start volume.
+/// Returns the start volume for a method that would otherwise start on the desk described in its
+/// paper. It is the part of the run's start volume that lies in the common view of the cameras. If
+/// the run starts at a point, it is the whole common view. If the two volumes do not intersect, it
+/// is the run's start volume.
 StartVolume startFromRig(const ScenarioRun& run);
 
 } // namespace dewpoint::experiment

@@ -8,10 +8,10 @@
 
 namespace dewpoint::experiment {
 
-/// Name, in the tables, of method `dewpoint` smoothed after the run.
+/// Table name of the `dewpoint` method with smoothing after the run.
 inline constexpr const char* kSmoothedMethod = "dewpoint-smoothed";
 
-/// Estimates of a whole run, by frame and target, smoothed after the run (smoother.h).
+/// Smooths the estimates of a whole run, indexed by frame and target (smoother.h).
 std::vector<std::vector<SphereEstimate>>
 smoothedEstimates(const std::vector<std::vector<SphereEstimate>>& live, double framesPerSecond);
 

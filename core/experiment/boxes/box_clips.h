@@ -15,30 +15,31 @@
 
 namespace dewpoint::experiment {
 
-/// Images of one camera, with the true box of one target in each.
+/// Images of one camera, with the true bounding box of one target in each image.
 struct BoxClip {
   std::string name;
-  std::string sentence; ///< why it is difficult
+  std::string sentence; ///< why the clip is difficult
   std::vector<ImageBox> truth;
-  double radius = 20.0;   ///< px: a center within this distance is a hit
-  bool exactBoxes = true; ///< false: only centers are marked, and the box has a fixed size
-  std::function<Result<cv::Mat>(std::int64_t)> image; ///< CV_8UC3; frames from 0
+  double radius = 20.0;   ///< pixels; a center within this distance is a hit
+  bool exactBoxes = true; ///< false: only the centers are marked, and boxes have a fixed size
+  std::function<Result<cv::Mat>(std::int64_t)>
+      image; ///< returns the image of a frame, counted from 0 (CV_8UC3)
 };
 
 /// Reads all images of a clip.
 Result<std::vector<cv::Mat>> imagesOf(const BoxClip& clip);
 
-/// Makes a clip of one camera's view of the first ball of a scene, named after both. Boxes are
-/// empty where the camera cannot see the ball.
+/// Creates a clip of the first ball of a scene as seen by one camera. The clip is named after the
+/// scene and the camera. Boxes are empty where the camera cannot see the ball.
 BoxClip clipOfScene(const Scene& scene, int camera);
 
-/// Renders a seeded clip: a ball on a fast path over a cluttered desk, with sensor noise, 320 x 240
-/// pixels, 300 frames.
+/// Renders a clip from a seed: a ball moves on a fast path over a cluttered desk. It has 300 frames
+/// of 320 x 240 pixels with sensor noise.
 BoxClip simulatedBoxClip(std::uint64_t seed);
 
-/// Clips found in a folder with `juggle1` (three balls, one clip each), `throws_pinkball` (one clip
-/// per ball) and `otb` (one folder per sequence, with groundtruth_rect.txt). An error names a file
-/// that cannot be read.
+/// Returns the clips found in a folder with `juggle1` (three balls, one clip each),
+/// `throws_pinkball` (one clip per ball) and `otb` (one folder per sequence, with
+/// groundtruth_rect.txt). An error names a file that cannot be read.
 Result<std::vector<BoxClip>> recordedBoxClips(const std::filesystem::path& folder);
 
 } // namespace dewpoint::experiment

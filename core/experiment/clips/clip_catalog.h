@@ -7,11 +7,11 @@
 
 namespace dewpoint::experiment {
 
-/// All real clips in the order of the report: R1 are recordings of calibrated cameras, R2
+/// Returns all real clips in report order. R1 are recordings of calibrated cameras, and R2 are
 /// recordings of one camera.
 std::span<const ClipDeclaration> clipCatalog();
 
-/// Known recordings from which no clip is made.
+/// Returns the known recordings from which no clip is made.
 std::span<const OmittedRecording> omittedRecordings();
 
 } // namespace dewpoint::experiment

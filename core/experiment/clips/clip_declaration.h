@@ -13,20 +13,20 @@ namespace dewpoint::experiment {
 
 /// Folders from which real clips are read.
 struct ClipFolders {
-  std::filesystem::path recordings; ///< one folder per recording; empty: none
-  std::filesystem::path truth;      ///< bench/clips of the sources: truth made for this project
+  std::filesystem::path recordings; ///< one subfolder per recording; empty if there are none
+  std::filesystem::path truth; ///< folder bench/clips in the sources: truth made for this project
 };
 
-/// Origin of a clip's truth, and therefore how independent it is of the methods.
+/// Origin of a clip's ground truth, which determines how independent the truth is of the methods.
 enum class TruthOrigin {
   Board,    ///< corners of a printed board; no color, no tracker
-  Marked,   ///< by hand and eye
-  Segmented ///< from the targets' colors: NOT independent of methods that use color
+  Marked,   ///< marked manually
+  Segmented ///< segmented by target color; NOT independent of methods that use color
 };
 
-/// Whether methods were developed with a clip.
+/// Use of a clip during the development of methods.
 enum class TunedOn {
-  No,     ///< as far as recorded, nobody looked at it during development
+  No,     ///< as far as recorded, not viewed during development
   Looked, ///< viewed or used for tests; no constant is recorded as chosen on it
   Yes     ///< constants or defaults were chosen on it
 };
@@ -36,23 +36,23 @@ struct ClipDeclaration {
   std::string name;      ///< name of the scenario: "R1-hand"
   std::string recording; ///< folder of the recording
   std::string sentence;  ///< what it shows
-  std::string start;     ///< how methods learn the target
+  std::string start;     ///< how methods learn the target's appearance
   std::string truth;     ///< kind, origin and accuracy of the truth
   TruthOrigin origin = TruthOrigin::Marked;
-  /// Standard deviation of the truth along each axis: mm, or pixels if only images are measured.
+  /// Standard deviation of the truth along each axis, in mm. In pixels if only images are measured.
   double truthSigma = 0.0;
   TunedOn tunedOn = TunedOn::No;
-  std::string tuned; ///< what was tuned, or why nothing was, in one clause
-  int seeds = 5;     ///< runs of a report unless requested otherwise
-  /// Whether the `truth` folder of ClipFolders is also needed.
+  std::string tuned; ///< what was tuned, or why nothing was tuned, in one clause
+  int seeds = 5;     ///< default number of runs in a report
+  /// True if the `truth` folder of ClipFolders is also needed.
   bool needsTruthFolder = false;
-  /// Loads a clip of calibrated cameras, for methods that track in space.
+  /// Loads a clip recorded by calibrated cameras, for methods that track in 3D space.
   std::function<Result<CalibratedClip>(const ClipFolders&)> calibrated = nullptr;
-  /// Loads a clip of one camera, for methods that follow boxes.
+  /// Loads a clip recorded by one camera, for methods that follow boxes.
   std::function<Result<BoxClip>(const ClipFolders&)> images = nullptr;
 };
 
-/// Recording from which no clip is made, and why.
+/// Recording from which no clip is made, and the reason.
 struct OmittedRecording {
   std::string recording; ///< folder of the recording
   std::string reason;    ///< one sentence

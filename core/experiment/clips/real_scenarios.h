@@ -13,7 +13,7 @@ namespace dewpoint::experiment {
 /// Clip that is left out because its files are missing.
 struct SkippedClip {
   std::string name;     ///< name of the clip
-  std::string sentence; ///< names the clip and what is missing
+  std::string sentence; ///< message that names the clip and the missing files
 };
 
 /// Real clips as scenarios of the suite.
@@ -22,12 +22,12 @@ struct RealScenarios {
   std::vector<SkippedClip> skipped;
 };
 
-/// Makes scenarios of those clips of a catalog (clipCatalog()) whose recordings are in the folders.
-/// A recording that exists but is broken is not skipped: its run is an error.
+/// Creates scenarios from the clips of a catalog (clipCatalog()) whose recordings are in the
+/// folders. A recording that exists but is broken is not skipped; its run reports an error.
 RealScenarios realScenarios(const ClipFolders& folders, std::span<const ClipDeclaration> catalog);
 
-/// Description of a clip in a report: what it shows, how a target is learned, the truth, and
-/// whether methods were tuned on it.
+/// Returns the description of a clip for a report: what it shows, how a target is learned, the
+/// truth, and whether methods were tuned on it.
 std::string clipSentence(const ClipDeclaration& clip);
 
 } // namespace dewpoint::experiment

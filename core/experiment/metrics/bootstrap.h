@@ -10,7 +10,7 @@
 
 namespace dewpoint::experiment {
 
-/// Statistic of a sample. Its values are passed in ascending order, at least one.
+/// Statistic of a sample. The argument has at least one value, in ascending order.
 using Statistic = std::function<double(const std::vector<double>& sorted)>;
 
 double meanOf(const std::vector<double>& sorted);
@@ -24,11 +24,12 @@ struct BootstrapSetup {
   std::uint64_t seed = 1;
 };
 
-/// Percentile bootstrap interval of a statistic over the pooled values of all runs (Efron &
-/// Tibshirani 1993, chapter 13). Whole runs are drawn with replacement, because values within a run
-/// depend on each other (cluster bootstrap; Davison & Hinkley 1997, section 3.8). If the values are
-/// independent, pass each as a run of its own. Values must be finite; runs may be empty. NaN
-/// without values. The result depends only on the arguments, including the seed.
+/// Computes the percentile bootstrap interval of a statistic over the pooled values of all runs
+/// (Efron & Tibshirani 1993, chapter 13). Whole runs are drawn with replacement, because values
+/// within a run depend on each other (cluster bootstrap; Davison & Hinkley 1997, section 3.8). If
+/// the values are independent, pass each one as a separate run. Values must be finite; runs may be
+/// empty. Returns NaN if there are no values. The result depends only on the arguments, which
+/// include the seed.
 Interval bootstrapInterval(std::span<const std::vector<double>> runs, const Statistic& statistic,
                            const BootstrapSetup& setup = {});
 

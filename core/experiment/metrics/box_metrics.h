@@ -8,17 +8,18 @@
 
 namespace dewpoint::experiment {
 
-/// How well boxes were followed, over all frames after the first, which is given.
+/// Accuracy of followed boxes over all frames after the first, whose box is given.
 struct BoxMetrics {
-  double rmse = 0.0;      ///< root mean square distance of the centers, px; where a follower has
-                          ///< given up, its last box counts
-  double success = 0.0;   ///< area under the success curve (Wu, Lim and Yang 2013)
-  double precision = 0.0; ///< share of the frames with the center within the radius
+  double rmse = 0.0;    ///< root mean square distance between the centers, pixels; after a follower
+                        ///< has given up, its last box counts
+  double success = 0.0; ///< area under the success curve (Wu, Lim and Yang 2013)
+  double precision = 0.0; ///< fraction of frames with the center within the radius
 };
 
-/// The boxes found (nothing where a follower has given up) against the true ones, one per frame
-/// from the first. `radius`: pixels. The success curve is the share of frames whose overlap is
-/// above a threshold, at 0, 0.05, ..., 1; frames that were given up overlap by 0.
+/// Compares the boxes found (nothing where a follower has given up) with the true boxes, one per
+/// frame from the first frame on. `radius` is in pixels. The success curve is the fraction of
+/// frames whose overlap is above a threshold, at 0, 0.05, ..., 1. Frames in which the follower has
+/// given up have an overlap of 0.
 BoxMetrics measureBoxes(std::span<const std::optional<ImageBox>> found,
                         std::span<const ImageBox> truth, double radius);
 

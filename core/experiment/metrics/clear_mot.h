@@ -11,27 +11,30 @@ namespace dewpoint::experiment {
 /// CLEAR MOT counts of a sequence (Bernardin & Stiefelhagen 2008, section 2.1) with a gate on the
 /// distance in space, and the fragmentations of Milan et al. 2016 (MOT16).
 struct ClearMot {
-  std::int64_t truths = 0; ///< number of truths, summed over the frames
+  std::int64_t truths = 0; ///< number of true targets, summed over the frames
   std::int64_t matches = 0;
   std::int64_t misses = 0;
   std::int64_t falsePositives = 0;
-  /// Times that a truth was matched to another estimate's identity than at its last match.
+  /// Number of times that a true target was matched to a different estimate identity than at its
+  /// previous match.
   std::int64_t identitySwitches = 0;
-  /// Times that a truth was matched again after frames in which it was present but not matched.
+  /// Number of times that a true target was matched again after frames in which it was present but
+  /// not matched.
   std::int64_t fragmentations = 0;
-  double distanceSum = 0.0; ///< over the matches, meters
+  double distanceSum = 0.0; ///< sum over the matches, meters
 
-  /// Multiple object tracking accuracy, equation 2: at most 1, may be negative; NaN without truths.
+  /// Returns the multiple object tracking accuracy (equation 2). It is at most 1 and may be
+  /// negative. NaN if there are no true targets.
   double mota() const;
-  /// Multiple object tracking precision, equation 1: mean distance of the matches in meters; NaN
-  /// without matches.
+  /// Returns the multiple object tracking precision (equation 1), the mean distance of the matches
+  /// in meters. NaN without matches.
   double motp() const;
 };
 
-/// Computes the counts. Frames must be in order. A match is kept while both are present and no
-/// farther apart than `gate` (meters), even if another estimate is nearer. The remaining ones are
-/// matched again: first as many pairs as possible, then the least distance. A truth keeps its last
-/// identity through gaps.
+/// Computes the counts. Frames must be in order. A match is kept while both points are present and
+/// no farther apart than `gate` (meters), even if another estimate is nearer. The remaining points
+/// are matched again, first to form as many pairs as possible and then to minimize the total
+/// distance. A true target keeps its last identity through gaps.
 ClearMot clearMot(std::span<const TrackFrame> frames, double gate);
 
 } // namespace dewpoint::experiment

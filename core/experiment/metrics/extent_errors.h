@@ -8,21 +8,21 @@
 
 namespace dewpoint::experiment {
 
-/// Largest distance, as a share of the half extent, at which an estimate is near a target's
-/// centroid. Above 0, at most 1: a judgment. A quarter is 9 mm for the suite's usual ball and 5 cm
-/// for a stick of 30 cm.
+/// Largest distance, as a fraction of the half extent, at which an estimate is near a target's
+/// centroid. It is above 0 and at most 1, chosen by judgment. A quarter is 9 mm for the suite's
+/// usual ball and about 5 cm for a stick of 30 cm.
 inline constexpr double kNearShare = 0.25;
 
-/// One target at one frame in which it can be seen: the error of its estimate and its true size.
-/// Meters.
+/// Error of an estimate and true target size, in one frame in which the target can be seen. Meters.
 struct ExtentSample {
-  std::optional<double> distance;        ///< estimate to centroid; nothing: not declared present
-  double halfExtent = 0.0;               ///< longest semi-axis (TargetExtent::halfAxes)
-  double radius = 0.0;                   ///< radius of a ball of the same volume
+  std::optional<double> distance; ///< from estimate to centroid; nothing: not declared present
+  double halfExtent = 0.0;        ///< longest semi-axis (TargetExtent::halfAxes)
+  double radius = 0.0;            ///< radius of a ball of the same volume
   std::optional<double> estimatedRadius; ///< nothing: the method does not estimate the size
 };
 
-/// Errors relative to the size of the target: 30 mm is large for a marble and small for a shirt.
+/// Errors relative to the target size. An error of 30 mm is large for a marble and small for a
+/// shirt.
 struct ExtentErrors {
   /// Samples with an estimate within kNearShare of the half extent. The total includes samples in
   /// which the target is not declared present.
@@ -31,8 +31,8 @@ struct ExtentErrors {
   double size = 0.0;     ///< median of |estimatedRadius - radius| / radius; NaN without values
 };
 
-/// Computes the errors. A sample without a positive size is left out of the value that needs it,
-/// and does not count as near.
+/// Computes the errors. A sample without a positive size is excluded from values that need the
+/// size, and does not count as near.
 ExtentErrors extentErrors(std::span<const ExtentSample> samples);
 
 } // namespace dewpoint::experiment

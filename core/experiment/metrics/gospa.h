@@ -10,7 +10,7 @@ namespace dewpoint::experiment {
 /// Parameters of GOSPA.
 struct GospaSetup {
   double cutoff = 0.1; ///< meters; a pair farther apart counts as one missed and one false target
-  double order = 2.0;  ///< p, at least 1
+  double order = 2.0;  ///< exponent p, at least 1
 };
 
 /// Generalized optimal sub-pattern assignment metric between two sets of points, alpha = 2
@@ -18,7 +18,7 @@ struct GospaSetup {
 /// assigned pairs of d^p + cutoff^p / 2 * (missed + false).
 struct Gospa {
   double distance = 0.0; ///< meters
-  /// Contributions of the three kinds of error to distance^p, in meters^p.
+  /// Contributions of the three kinds of errors to distance^p, in meters^p.
   double localization = 0.0;
   double missed = 0.0;
   double falseTargets = 0.0;
@@ -37,10 +37,10 @@ struct GospaAverage {
   double falsePerFrame = 0.0;
 };
 
-/// GOSPA of the truth and the estimates of one frame. Identities are ignored.
+/// Returns the GOSPA between the truth and the estimates of one frame. Identities are ignored.
 Gospa gospa(const TrackFrame& frame, const GospaSetup& setup);
 
-/// Averages over frames; all zero if there are none.
+/// Returns averages over frames. They are all zero if there are no frames.
 GospaAverage averageGospa(std::span<const TrackFrame> frames, const GospaSetup& setup);
 
 } // namespace dewpoint::experiment

@@ -9,13 +9,14 @@
 
 namespace dewpoint::experiment {
 
-/// Number of similarity thresholds: 0.05, 0.10, ..., 0.95.
+/// Number of similarity thresholds (0.05, 0.10, ..., 0.95).
 inline constexpr int kHotaThresholdCount = 19;
 
-/// Higher order tracking accuracy at one threshold (Luiten et al. 2021). Undefined values are NaN:
-/// all except LocA without truths and estimates, LocA without matches.
+/// Higher order tracking accuracy at one threshold (Luiten et al. 2021). Undefined values are NaN.
+/// Without true targets and estimates, these are all values except LocA. Without matches, LocA is
+/// undefined.
 struct HotaAtThreshold {
-  double threshold = 0.0; ///< alpha: least similarity of a match
+  double threshold = 0.0; ///< alpha, the minimum similarity of a match
   std::int64_t matches = 0;
   std::int64_t misses = 0;
   std::int64_t falsePositives = 0;
@@ -36,8 +37,8 @@ struct Hota {
 };
 
 /// Computes HOTA. The similarity of a pair is 1 - distance / gate, at least 0; `gate` is in meters.
-/// Frames are matched as in the authors' TrackEval: once for all thresholds, by the greatest sum of
-/// similarity times the alignment of the two identities over the whole sequence.
+/// Frames are matched as in the authors' TrackEval, once for all thresholds. The matching maximizes
+/// the sum of similarity times the alignment of the two identities over the whole sequence.
 Hota hota(std::span<const TrackFrame> frames, double gate);
 
 } // namespace dewpoint::experiment

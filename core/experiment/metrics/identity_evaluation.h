@@ -15,34 +15,36 @@
 
 namespace dewpoint::experiment {
 
-/// How to compare several targets whose names in estimate and truth are unrelated.
+/// Options for comparing several targets whose names in estimate and truth are unrelated.
 struct IdentityComparison {
-  double gate = 0.5;   ///< meters; largest distance of a match, and the cutoff of GOSPA
+  double gate = 0.5;   ///< largest distance of a match, and the GOSPA cutoff, meters
   bool ground = false; ///< compare positions on the floor, without z
 };
 
-/// Converts a trajectory and the truth to frames: valid samples with a position; identities are
-/// numbered by target name in the order of appearance. Frames are matched by number, and frames of
-/// either trajectory count. Mismatch if one has no frame numbers, or no frame is common.
+/// Converts the valid samples with a position, from a trajectory and the truth, to frames.
+/// Identities are numbered by target name in order of appearance. Frames are matched by number;
+/// frames that only one trajectory contains also count. Mismatch if a trajectory has no frame
+/// numbers, or if there is no common frame.
 Result<std::vector<TrackFrame>> trackFrames(const Trajectory& estimate, const Trajectory& truth,
                                             const IdentityComparison& comparison);
 
-/// Result of the comparison of several targets.
+/// Result of comparing several targets.
 struct IdentityEvaluation {
   IdentityComparison comparison;
   std::int64_t frames = 0;
   ClearMot clear;
   Hota hota;
-  GospaAverage gospa; ///< of order 2
+  GospaAverage gospa; ///< GOSPA of order 2
 };
 
-/// Evaluates a trajectory; errors as in trackFrames().
+/// Evaluates a trajectory with several targets. Errors are as in trackFrames().
 Result<IdentityEvaluation> evaluateIdentities(const Trajectory& estimate, const Trajectory& truth,
                                               const IdentityComparison& comparison);
 
-/// Text that `dewpoint-cli evaluate --identities` prints; meters and millimeters.
+/// Returns the text that `dewpoint-cli evaluate --identities` prints, with lengths in meters and
+/// millimeters.
 std::string identityText(const IdentityEvaluation& evaluation);
-/// The same evaluation as JSON.
+/// Returns the same evaluation as JSON.
 nlohmann::json identityJson(const IdentityEvaluation& evaluation);
 
 } // namespace dewpoint::experiment

@@ -10,7 +10,8 @@
 
 namespace dewpoint::experiment {
 
-/// What a method reports about one target at one frame, and the truth. World frame, m and m².
+/// Report of a method about one target in one frame, and the truth. World frame; position in m,
+/// covariance in m².
 struct StatedBelief {
   double probability = 0.0; ///< reported P(exists), in [0, 1]
   bool declared = false;    ///< the method declares the target present
@@ -19,28 +20,28 @@ struct StatedBelief {
   std::optional<Eigen::Vector3d> truth; ///< nothing: the target is absent
 };
 
-/// Reported P(exists) above which a method counts as sure.
+/// Reported P(exists) above which a method counts as confident.
 inline constexpr double kSureProbability = 0.95;
-/// Largest error of a sure estimate, in reported radii. Chosen as three: if the covariance is
-/// right, the error is larger in 0.0006 % (a round ellipsoid) to 0.27 % (one axis dominates) of the
-/// frames.
+/// Largest acceptable error of a confident estimate, in reported radii. Three was chosen: with a
+/// correct covariance, the error is larger in only 0.0006 % (round ellipsoid) to 0.27 % (one
+/// dominant axis) of the frames.
 inline constexpr double kSureRadii = 3.0;
 
-/// Typical distance to the truth that a covariance implies: sqrt(trace), the root mean square
-/// length of the error. Meters; NaN if the trace is negative or NaN.
+/// Returns the typical distance to the truth that a covariance implies: sqrt(trace), the root mean
+/// square length of the error, in meters. NaN if the trace is negative or NaN.
 double statedRadius(const Eigen::Matrix3d& covariance);
 
-/// Whether the target is declared present where it is not: it is absent, or not nearer than `gate`
-/// meters.
+/// Returns whether the target is declared present but is absent, or is at least `gate` meters from
+/// the reported position.
 bool isWrong(const StatedBelief& belief, double gate);
 
-/// Whether P(exists) is above kSureProbability although the target is absent, or farther than
-/// kSureRadii reported radii from the reported position. A position or covariance that is not
-/// finite also counts.
+/// Returns whether the method is confidently wrong: P(exists) is above kSureProbability although
+/// the target is absent, or farther than kSureRadii reported radii from the reported position. A
+/// position or covariance that is not finite also counts as wrong.
 bool isSureAndWrong(const StatedBelief& belief);
 
-/// How often a method is wrong, and how often it is wrong while sure. The total of each is the
-/// number of all beliefs, including those in which the method reports nothing.
+/// Number of cases in which a method is wrong, and in which it is confidently wrong. Each total
+/// counts all beliefs, including those in which the method reports nothing.
 struct Overconfidence {
   Proportion wrong;         ///< isWrong()
   Proportion wrongWhenSure; ///< isWrong() with P(exists) above kSureProbability

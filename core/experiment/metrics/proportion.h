@@ -7,22 +7,23 @@
 
 namespace dewpoint::experiment {
 
-/// Value with its confidence interval. NaN if there was nothing to measure.
+/// Value with its confidence interval. All are NaN if there was nothing to measure.
 struct Interval {
   double value = 0.0;
   double low = 0.0;
   double high = 0.0;
 };
 
-/// Number of cases among a total.
+/// Number of cases out of a total.
 struct Proportion {
   std::int64_t count = 0;
   std::int64_t total = 0;
 
-  double value() const; ///< in [0, 1]; NaN if `total` is 0
+  double value() const; ///< returns count / total, in [0, 1]; NaN if `total` is 0
 };
 
-/// Score interval of a proportion of independent trials (Wilson 1927); [0, 1] without trials.
+/// Returns the score interval for a proportion of independent trials (Wilson 1927). [0, 1] without
+/// trials.
 Interval wilsonInterval(const Proportion& proportion, double level = 0.95);
 
 } // namespace dewpoint::experiment

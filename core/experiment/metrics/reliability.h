@@ -9,19 +9,19 @@
 
 namespace dewpoint::experiment {
 
-/// Reported probability and the outcome.
+/// Reported probability of an event, and its outcome.
 struct Forecast {
-  double probability = 0.0; ///< for example P(exists)
-  bool happened = false;    ///< for example: the target was present
+  double probability = 0.0; ///< reported probability, for example P(exists)
+  bool happened = false;    ///< outcome, for example that the target was present
 };
 
-/// One row of the reliability table: forecasts in [low, high); the last row includes high.
+/// Row of the reliability table, for forecasts in [low, high). The last row includes high.
 struct ReliabilityBin {
   double low = 0.0;
   double high = 0.0;
   std::int64_t count = 0;
   double meanProbability = 0.0; ///< NaN if the bin is empty
-  double frequency = 0.0;       ///< share of positive outcomes; NaN if the bin is empty
+  double frequency = 0.0;       ///< fraction of positive outcomes; NaN if the bin is empty
 };
 
 /// Agreement of reported probabilities with outcomes.
@@ -30,10 +30,10 @@ struct Reliability {
   /// Expected calibration error (Naeini, Cooper & Hauskrecht 2015): sum over the bins of count /
   /// total * |frequency - meanProbability|. NaN without usable forecasts.
   double expectedError = 0.0;
-  double greatestError = 0.0; ///< largest of these differences
+  double greatestError = 0.0; ///< largest difference |frequency - meanProbability|
   double brier = 0.0;         ///< mean of (probability - outcome)² (Brier 1950)
   std::int64_t count = 0;     ///< usable forecasts
-  std::int64_t unusable = 0;  ///< probability not in [0, 1]
+  std::int64_t unusable = 0;  ///< forecasts whose probability is not in [0, 1]
 };
 
 /// Computes the table with bins of equal width; `binCount` is at least 1.

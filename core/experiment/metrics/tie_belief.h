@@ -7,20 +7,21 @@
 
 namespace dewpoint::experiment {
 
-/// Margin by which P(exists) may exceed one over the number of equal candidates before a method
-/// counts as sure of a tie. A probability, within [0, 0.5): a judgment. It equals the calibration
-/// error of P(exists) that the suite accepts in general, so scatter of the evidence is not counted
-/// as a claim.
+/// Margin by which P(exists) may exceed 1 / (number of equal candidates) before a method counts as
+/// confident in a tie. It is a probability in [0, 0.5), chosen by judgment. It equals the
+/// calibration error of P(exists) that the suite accepts in general, so random variation does not
+/// count as a claim.
 inline constexpr double kTieSlack = 0.05;
 
-/// Whether a method claims knowledge that the images cannot give. `equalCandidates` objects (at
-/// least 1) fit the target equally well, so an estimate is on the right one with a probability of
-/// at most 1 / equalCandidates. P(exists) is the probability that the target exists and is at the
-/// estimate. The result is true if the target is declared present and P(exists) exceeds that bound
-/// by more than kTieSlack. It does not matter whether the estimate is right: that is luck.
+/// Returns whether a method claims knowledge that the images cannot provide. `equalCandidates`
+/// objects (at least 1) fit the target equally well, so the probability that an estimate is on the
+/// right object is at most 1 / equalCandidates. P(exists) is the probability that the target exists
+/// and is at the estimate. The result is true if the target is declared present and P(exists)
+/// exceeds that bound by more than kTieSlack. Whether the estimate is right does not matter,
+/// because that is luck.
 bool isSureOfTie(const StatedBelief& belief, int equalCandidates);
 
-/// Counts the frames in which a method is sure of a tie. The total is the number of all beliefs,
+/// Counts the frames in which a method is confident in a tie. The total counts all beliefs,
 /// including those in which the method reports nothing.
 Proportion sureOfTie(std::span<const StatedBelief> beliefs, int equalCandidates);
 

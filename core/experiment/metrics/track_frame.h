@@ -10,16 +10,16 @@
 
 namespace dewpoint::experiment {
 
-/// Target, or an estimate of one, at one instant. World frame, meters.
+/// True or estimated target position at one instant. World frame, meters.
 struct TrackPoint {
   int identity = 0;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
 };
 
-/// Input of the metrics of several targets at one instant: the targets that are present, and those
-/// that the method declares present. Identities do not repeat within `truth`, nor within
-/// `estimates`; the two sets of identities are unrelated. An estimate whose position is not finite
-/// matches no truth but still counts as declared.
+/// Input of the multi-target metrics for one instant: the targets that are present, and those that
+/// the method declares present. Identities are unique within `truth`, nor within `estimates`; the
+/// two sets of identities are unrelated. An estimate whose position is not finite matches no true
+/// target but still counts as declared.
 struct TrackFrame {
   std::int64_t frame = 0;
   double time = 0.0; ///< seconds
@@ -27,8 +27,8 @@ struct TrackFrame {
   std::vector<TrackPoint> estimates;
 };
 
-/// Distances in meters, one row per truth and one column per estimate; infinite if either is not
-/// finite.
+/// Returns the distances in meters, with one row per true target and one column per estimate. A
+/// distance is infinite if either position is not finite.
 Eigen::MatrixXd distances(const TrackFrame& frame);
 
 } // namespace dewpoint::experiment

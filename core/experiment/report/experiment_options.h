@@ -14,14 +14,15 @@ enum class StudyClothes { Both, Different, Similar };
 
 /// Options of an experiment.
 struct ExperimentOptions {
-  /// Output folder for report.html, pictures and numbers; it is created.
+  /// Output folder for report.html, images and numbers. It is created.
   std::filesystem::path folder;
-  int runs = 0; ///< seeds per case, from firstSeed on; 0: as the experiment declares
-  /// Receives the progress (0 to 1); returns false to stop.
+  int runs = 0; ///< number of seeds per case, from firstSeed on; 0: the experiment's default
+  /// Receives the progress `part` (0 to 1). Returns false to stop the experiment.
   std::function<bool(double part)> progress = {};
-  /// Folder with the recordings juggle1 and otb; empty: none. For experiments that take recordings.
+  /// Folder with the recordings juggle1 and otb. Empty if there are no recordings. Used by
+  /// experiments that take recordings.
   std::filesystem::path recordings = {};
-  StudyClothes clothes = StudyClothes::Both; ///< for experiments that take clothes
+  StudyClothes clothes = StudyClothes::Both; ///< used by experiments that take clothes
   std::uint64_t firstSeed = kFirstReportingSeed;
 };
 

@@ -13,43 +13,48 @@
 
 namespace dewpoint::experiment {
 
-/// Whether a claim of a paper was confirmed. InPart: under some of the conditions that the paper
-/// leaves open.
+/// Result of checking a claim of a paper. InPart: the claim holds under some of the conditions that
+/// the paper leaves open.
 enum class ClaimOutcome { Reproduced, InPart, NotReproduced };
 
-/// Outcome for the claim that nothing converges, from the converged shares of all starts tried:
-/// reproduced if each is below a tenth, in part if some are.
+/// Returns the outcome for the claim that nothing converges, from the converged fraction for each
+/// start. The claim is reproduced if every fraction is below a tenth, and reproduced in part if
+/// some are.
 ClaimOutcome claimOfNone(const std::vector<double>& shares);
 
-/// Report of one experiment: a page with inline plots and with pictures in separate files, for
-/// light and dark mode. Texts are plain; the page escapes them.
+/// Report of one experiment: a page with inline plots and separate image files, for light and dark
+/// mode. Text arguments are plain text; the page escapes them.
 class FigurePage {
 public:
+  /// Starts a page with a title and an introductory sentence.
   FigurePage(const std::string& title, const std::string& sentence);
 
+  /// Adds a section heading.
   void heading(const std::string& text);
+  /// Adds a paragraph of text.
   void paragraph(const std::string& text);
-  /// Adds a claim of the paper, and our result.
+  /// Adds a claim of the paper and our result.
   void claim(const std::string& text, bool reproduced, const std::string& here);
   void claim(const std::string& text, ClaimOutcome outcome, const std::string& here);
-  /// Adds a requirement, with a word on whether it is met; `good` determines the color.
+  /// Adds a requirement. `word` says whether it is met, and `good` determines the color.
   void bar(const std::string& word, bool good, const std::string& text);
-  /// Adds plots side by side, each with its caption; `legend` names the styles.
+  /// Adds plots side by side, each with a caption. `legend` contains the name of each style.
   void plots(const std::vector<std::pair<std::string, Plot>>& plots,
              const std::vector<std::pair<std::string, std::string>>& legend = {});
-  /// Adds a picture, which is written as `name`.png.
+  /// Adds an image, which is written as `name`.png.
   void picture(const std::string& name, const std::string& caption, const cv::Mat& image);
+  /// Adds a table with column headers `head`.
   void table(const std::vector<std::string>& head,
              const std::vector<std::vector<std::string>>& rows);
-  /// Adds a picture that is written as `name`.jpg: for camera images, whose noise would make large
-  /// files otherwise.
+  /// Adds an image that is written as `name`.jpg. Use it for camera images, whose noise makes PNG
+  /// files large.
   void photo(const std::string& name, const std::string& caption, const cv::Mat& image);
-  /// Adds a separate file next to the page; the page names it.
+  /// Adds a separate file next to the page. The page mentions its name.
   void data(const std::string& name, std::string text);
 
-  /// The complete page.
+  /// Returns the complete page.
   std::string html() const;
-  /// Writes report.html and all its files; the folder is created. FileUnwritable.
+  /// Writes report.html and all its files into a folder, which is created. Error: FileUnwritable.
   Status write(const std::filesystem::path& folder) const;
 
 private:
@@ -61,14 +66,14 @@ private:
   std::vector<std::pair<std::string, std::string>> files_; ///< name, bytes
 };
 
-/// Parts of such pages, as HTML.
+/// Returns a part of a report page as HTML.
 std::string plotsHtml(const std::vector<std::pair<std::string, Plot>>& plots,
                       const std::vector<std::pair<std::string, std::string>>& legend);
 std::string pictureHtml(const std::string& file, const std::string& caption);
-/// Bytes of an image file; `format` is ".png" or ".jpg".
+/// Encodes an image and returns the bytes of the file. `format` is ".png" or ".jpg".
 std::string imageFile(const cv::Mat& image, const std::string& format);
 
-/// Columns of numbers as CSV, below their names.
+/// Formats columns of numbers as CSV, with their names in the first line.
 std::string numbersAsCsv(const std::vector<std::string>& names,
                          const std::vector<std::vector<double>>& columns);
 

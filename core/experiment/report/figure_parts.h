@@ -14,24 +14,24 @@
 
 namespace dewpoint::experiment {
 
-/// Style and name of each curve, as listed in a legend.
+/// Legend entries: style and name of each curve.
 using PlotLegend = std::vector<std::pair<std::string, std::string>>;
 
-/// Error of an experiment that was stopped.
+/// Returns the error for an experiment that was stopped.
 Status experimentStopped();
 /// Reports the progress `part` (0 to 1). Returns false if the experiment must stop.
 bool experimentGoesOn(const ExperimentOptions& options, double part);
 
-/// Line through values at `first` plus 0, 1, 2, ... times `step`.
+/// Creates a line through the values, at the x positions `first` + i * `step`.
 SvgSeries lineOver(const std::string& style, const std::vector<double>& values, double first = 0.0,
                    double step = 1.0);
-/// Points without a line, from the columns `across` and `up` of the rows. `area` is in square
-/// pixels.
+/// Creates points without a line. Columns `across` and `up` of the rows are their x and y. `area`
+/// is the size of a point in square pixels.
 SvgSeries pointsOf(const std::string& style, const Eigen::ArrayXXd& rows, Eigen::Index across,
                    Eigen::Index up, double area = 7.0);
 
-/// Gives all these plots the same axes, with one scale for both directions, so that every point is
-/// visible. They cover at least `least` meters vertically.
+/// Sets the same axes on all given plots, with one scale for both directions, so that every point
+/// is visible. The axes cover at least `least` meters vertically.
 void showAll(std::initializer_list<Plot*> plots, double least = 0.5);
 
 } // namespace dewpoint::experiment

@@ -9,18 +9,18 @@
 
 namespace dewpoint::experiment {
 
-/// Checksum of rounded results. It is the same for two programs whose numbers differ by rounding
-/// errors only, and different if they compute something else. (FNV-1a, 64 bits, by G. Fowler, L. C.
-/// Noll and K.-P. Vo, folded to 32.)
+/// Checksum of rounded results. It is the same for two programs whose numbers differ only by
+/// rounding errors, and different if they compute different results. (FNV-1a, 64 bits, by G.
+/// Fowler, L. C. Noll and K.-P. Vo, folded to 32.)
 class Fingerprint {
 public:
-  /// Adds a number, rounded to the nearest multiple of `step` (> 0). Values that are not finite
-  /// count as such.
+  /// Adds a number, rounded to the nearest multiple of `step` (> 0). A value that is not finite is
+  /// added as infinity or NaN.
   void add(double value, double step);
   /// Adds a number rounded to this many significant digits (1 to 15).
   void addDigits(double value, int digits);
   void add(std::string_view text);
-  /// Checksum as eight hexadecimal digits.
+  /// Returns the checksum as eight hexadecimal digits.
   std::string text() const;
 
 private:

@@ -8,8 +8,8 @@
 
 namespace dewpoint::experiment {
 
-/// Creates the folder of a report and tries to write into it, so that a failure is known before
-/// minutes of computation. FileUnwritable names the folder, or the report if a folder has its name.
+/// Creates a report folder and tries to write into it, so that a failure is detected before minutes
+/// of computation. FileUnwritable names the folder, or the report file if a folder has that name.
 Status prepareReportFolder(const std::filesystem::path& folder,
                            const std::string& report = "report.html");
 

@@ -7,7 +7,7 @@
 
 namespace dewpoint::experiment {
 
-/// Style sheet of all report pages, for light and dark mode.
+/// Returns the style sheet for all report pages, with light and dark mode.
 std::string reportStyle();
 
 } // namespace dewpoint::experiment

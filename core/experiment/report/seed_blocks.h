@@ -15,25 +15,25 @@ namespace dewpoint::experiment {
 /// Purpose of a block of seeds.
 enum class SeedUse { Tuning, Validation, Reporting, Reserve };
 
-/// Seeds `first` to `last`, both included. The blocks apply to every study: the accuracy suite,
-/// people, boxes, the papers' experiments, the calibration by wand.
+/// Range of seeds from `first` to `last`, inclusive. The blocks apply to every study: the accuracy
+/// suite, people, boxes, the papers' experiments and wand calibration.
 struct SeedBlock {
   SeedUse use = SeedUse::Tuning;
   std::string_view name; ///< "tuning"
   std::uint64_t first = 0;
   std::uint64_t last = 0;
-  std::string_view sentence; ///< who may read the results, and when
+  std::string_view sentence; ///< when the results may be read
 };
 
 /// First seed of studies whose results may be read at any time.
 inline constexpr std::uint64_t kFirstTuningSeed = 1;
 /// First seed of reported results, in the suite and in every study. If a result on these seeds
-/// leads to a change of a method, or of the tables, the block is used up. It then becomes part of
+/// leads to a change in a method or in the tables, the block is used up. It then becomes part of
 /// the validation block, and the next thousand seeds of the reserve become the reporting block.
 inline constexpr std::uint64_t kFirstReportingSeed = 1006001;
 inline constexpr std::uint64_t kLastReportingSeed = kFirstReportingSeed + 999;
 
-/// All blocks, ascending, without gaps.
+/// All blocks, in ascending order and without gaps.
 inline constexpr std::array<SeedBlock, 4> kSeedBlocks{{
     {SeedUse::Tuning, "tuning", 0, 1000000,
      "Methods and their constants are chosen on these; results on them are not quoted."},
@@ -46,16 +46,16 @@ inline constexpr std::array<SeedBlock, 4> kSeedBlocks{{
      "Nobody looks at these; the next reporting block is taken from their beginning."},
 }};
 
-/// Block that contains a seed.
+/// Returns the block that contains a seed.
 const SeedBlock& seedBlockOf(std::uint64_t seed);
 
-/// Whether there are seeds and all of them are in the reporting block.
+/// Returns whether the list is not empty and all its seeds are in the reporting block.
 bool areReportingSeeds(const std::vector<std::uint64_t>& seeds);
 
-/// Describes the seeds (ascending, each once) and their block, with a warning unless all are in the
-/// reporting block: "1006001 to 1006020, 20 in all: reporting seeds, ...".
+/// Describes the seeds (ascending, without duplicates) and their block, with a warning unless all
+/// are in the reporting block: "1006001 to 1006020, 20 in all: reporting seeds, ...".
 std::string seedSentence(const std::vector<std::uint64_t>& seeds);
-/// The same for `count` seeds from `first` on.
+/// Describes `count` seeds from `first` on in the same way.
 std::string seedSentence(std::uint64_t first, int count);
 
 } // namespace dewpoint::experiment

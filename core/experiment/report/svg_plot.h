@@ -20,7 +20,7 @@ struct SvgAxis {
 /// Point of a line, in the units of the axes.
 struct SvgPoint {
   double x = 0.0;
-  double y = 0.0; ///< NaN: the line is interrupted here
+  double y = 0.0; ///< NaN interrupts the line here
 };
 
 /// Line, optionally with a band around it or a disk on each point.
@@ -32,7 +32,7 @@ struct SvgSeries {
   std::vector<double> areas;    ///< areas of disks on the points, square pixels; empty: no disks
 };
 
-/// Plot of some lines with its axes.
+/// Plot of lines and points, with its axes.
 struct Plot {
   std::string title; ///< for screen readers
   SvgAxis x;
@@ -42,10 +42,10 @@ struct Plot {
 };
 
 /// Renders the plot as an SVG element for an HTML page, with the page's CSS variables as colors.
-/// Values outside the axes are moved to the border.
+/// Values outside the axis ranges are moved to the border.
 std::string svgOf(const Plot& plot);
 
-/// Positions of the ticks of an axis, ascending: at most about six.
+/// Returns the tick positions of an axis in ascending order. There are at most about six.
 std::vector<double> axisMarks(const SvgAxis& axis);
 
 } // namespace dewpoint::experiment

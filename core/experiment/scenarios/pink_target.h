@@ -7,8 +7,8 @@
 
 namespace dewpoint::experiment::scenarios {
 
-/// Target of most scenarios: a pink ball like the paper's, with the color range that contains its
-/// pixels. `radius` is in meters; 0: the method does not know it.
+/// Returns the target of most scenarios: a pink ball like the one in the paper, with the color
+/// range that contains its pixels. `radius` is in meters, or 0 if the method does not know it.
 Target pinkTarget(const std::string& name, double radius);
 
 } // namespace dewpoint::experiment::scenarios

@@ -11,16 +11,17 @@
 
 namespace dewpoint::experiment {
 
-/// Hash of a text, the same on every platform (FNV-1a).
+/// Returns the hash of a string, which is the same on every platform (FNV-1a).
 std::uint32_t hashOf(const std::string& text);
 
 inline constexpr double kFullTurn = 2.0 * std::numbers::pi; ///< radians
 
-/// Random numbers determined by a seed, drawn one after the other to make a scenario.
+/// Sequence of random numbers for building a scenario, determined by a seed.
 class Draws {
 public:
   explicit Draws(const RandomStream& stream) : stream_(stream) {}
-  /// Starts a separate sequence for each name, such as a scenario's.
+  /// Starts the sequence for a seed and a name. Each name, such as a scenario name, has a separate
+  /// sequence.
   Draws(std::uint64_t seed, const std::string& name);
 
   double uniform(double low, double high);

@@ -6,7 +6,8 @@
 
 namespace dewpoint::experiment {
 
-// Figures of Barrera et al. 2005, section III-A, on the simulated demo, as FigureExperiment::run.
+// Functions that reproduce figures of Barrera et al. 2005, section III-A, on the simulated demo.
+// For FigureExperiment::run.
 Status barreraFigure3(const ExperimentOptions& options);
 Status barreraFigure4(const ExperimentOptions& options);
 

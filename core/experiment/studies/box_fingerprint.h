@@ -9,9 +9,9 @@
 
 namespace dewpoint::experiment {
 
-/// Fingerprints like suiteFingerprints(), for the methods of boxFollowerNames(). They cover the
-/// boxes of 300 particles on the first images of the rendered clip (the first tuning seed),
-/// starting from the true first box. An empty list means all methods.
+/// Computes fingerprints like suiteFingerprints(), for the methods of boxFollowerNames(). They
+/// cover the boxes found with 300 particles on the first images of the rendered clip (first tuning
+/// seed), starting from the true first box. An empty list means all methods.
 ///
 /// Boxes are rounded to 0.01 px. NotFound for an unknown method.
 Result<std::map<std::string, std::string>> boxFingerprints(const std::vector<std::string>& methods);

@@ -12,7 +12,7 @@
 
 namespace dewpoint::experiment {
 
-/// Difference between a box drawn by hand and the true one.
+/// Difference between a hand-drawn box and the true box.
 struct BoxPerturbation {
   double scale = 1.0; ///< factor of width and height
   double right = 0.0; ///< shift of the center, in true widths
@@ -24,31 +24,34 @@ struct BoxPerturbation {
   }
 };
 
-/// All perturbations: 0.8, 1, 1.2 and 1.4 times the true size, each unshifted and shifted by 15 %
-/// to the left, to the right, up and down.
+/// Returns all perturbations: 0.8, 1, 1.2 and 1.4 times the true size, each unshifted and shifted
+/// by 15 % to the left, to the right, up and down.
 std::vector<BoxPerturbation> boxPerturbations();
 
-/// Results of one method on one clip from first boxes of one size, unshifted and shifted: means
-/// over all runs.
+/// Results of one method on one clip with first boxes of one size, unshifted and shifted. The
+/// values are means over all runs.
 struct BoxPerturbationRow {
   std::string clip;
   std::string method; ///< "histogram", "csrt"
-  double scale = 1.0; ///< of the first box
-  int runs = 0;       ///< shifts times seeds
+  double scale = 1.0; ///< scale of the first box
+  int runs = 0;       ///< number of runs: shifts times seeds
   BoxMetrics metrics; ///< against the true boxes
   double worstPrecision = 1.0;
-  bool claims = false;           ///< the rest is known: the method says how sure it is
-  double similarityOn = 0.0;     ///< mean similarity with the center within the radius
-  double similarityOff = 0.0;    ///< with the center farther off; held boxes count as 0
-  double confidentlyWrong = 0.0; ///< share of all frames off the target, yet above 0.9
+  bool claims =
+      false; ///< the remaining fields are known, because the method reports its confidence
+  double similarityOn = 0.0; ///< mean similarity with the center within the radius
+  double similarityOff =
+      0.0; ///< mean similarity with the center outside the radius; held boxes count as 0
+  double confidentlyWrong =
+      0.0; ///< fraction of all frames off the target with a similarity above 0.9
 };
 
-/// Default methods of the comparison.
+/// Returns the default methods of the comparison.
 std::vector<std::string> perturbationMethods();
 
 /// Follows every clip from inexact first boxes with `sugandi` and `histogram` (300 particles,
 /// `seeds` runs each, from `firstSeed` on), CSRT and CamShift. `report` receives each row when it
-/// is done; it returns false to stop.
+/// is finished, and returns false to stop.
 Result<std::vector<BoxPerturbationRow>>
 studyPerturbedBoxes(const std::vector<BoxClip>& clips, int seeds,
                     const std::function<bool(const BoxPerturbationRow&)>& report,

@@ -9,20 +9,20 @@
 
 namespace dewpoint::experiment {
 
-/// CSV with one row per case: name, ball, start and half size of the start box (m), first seed,
-/// runs, converged runs, and converged runs within 3 cm. For the converged runs, it also has the
-/// median of iterations, and RMSE and bias along the optical axis (mm). These are empty if no run
-/// converged.
+/// Returns CSV with one row per case: name, ball, start and half size of the start box (m), first
+/// seed, runs, converged runs, and converged runs within 3 cm. For the converged runs, it also
+/// contains the median number of iterations, and the RMSE and bias along the optical axis (mm).
+/// These cells are empty if no run converged.
 std::string convergenceCsv(const std::vector<ConvergenceResult>& results);
 
-/// Drift of the cloud with one camera, see measureDrift().
+/// Drift of the particle cloud with one camera, see measureDrift().
 struct DriftResult {
   std::uint64_t firstSeed = kFirstTuningSeed;
   int runs = 0;
   int iterations = 0;
-  double meters = 0.0; ///< per iteration
+  double meters = 0.0; ///< drift per iteration, meters
 };
-/// CSV with one row per result, in millimeters per iteration.
+/// Returns CSV with one row per result, in millimeters per iteration.
 std::string driftCsv(const std::vector<DriftResult>& results);
 
 } // namespace dewpoint::experiment

@@ -17,64 +17,68 @@
 
 namespace dewpoint::experiment {
 
-/// One row of the study: positions of the ball, of the start of the cloud, and of the cameras
-/// (world, meters).
+/// Case of the study: positions of the ball, of the cloud's start and of the cameras (world,
+/// meters).
 struct ConvergenceCase {
   std::string name;
   Eigen::Vector3d ball;
   Eigen::Vector3d start;
-  Eigen::Vector3d startHalf = Eigen::Vector3d::Zero(); ///< half sizes of a uniform box; 0: a point
+  Eigen::Vector3d startHalf =
+      Eigen::Vector3d::Zero(); ///< half sizes of the uniform start box; 0: a point
   int runs = 100;
   int iterations = 150;
   CameraRig cameras = simulation::demoRig();
-  bool clutter = true; ///< books, boxes and more on the desk, which can hide the ball
+  bool clutter = true; ///< books, boxes and other objects on the desk, which can hide the ball
   std::uint64_t firstSeed = kFirstTuningSeed;
 };
 
-/// Results of `runs` seeds (from the first one on) of method `barrera` in this case, with one
-/// iteration per frame. Whether a cloud has converged depends on the cloud alone, see
-/// convergedFrom(). Its distance to the ball is then measured.
+/// Results of the `barrera` method for a case with `runs` seeds (from the first one on) and one
+/// iteration per frame. Convergence is determined from the cloud alone, see convergedFrom(). From
+/// then on, its distance to the ball is measured.
 struct ConvergenceResult {
   ConvergenceCase setup;
-  int converged = 0;             ///< runs whose cloud has converged at the end
-  int within = 0;                ///< of these, runs with an RMSE below 3 cm after convergence
-  double medianIterations = 0.0; ///< iterations until convergence, over converged runs
-  double rmse = 0.0;             ///< meters, over converged runs, from convergence on
-  double depthBias = 0.0;        ///< meters along camera 1's optical axis, same iterations
+  int converged = 0; ///< number of runs whose cloud has converged at the end
+  int within = 0;    ///< number of converged runs with an RMSE below 3 cm after convergence
+  double medianIterations =
+      0.0;                ///< median number of iterations until convergence, over converged runs
+  double rmse = 0.0;      ///< RMSE over converged runs, from convergence on, meters
+  double depthBias = 0.0; ///< bias along camera 1's optical axis in the same iterations, meters
 };
 
-/// Iteration (from 1) from which a cloud has converged. From there to the end, its spread (root
+/// Returns the iteration (from 1) from which a cloud has converged. From then on, its spread (root
 /// mean square distance of the weighted particles to their mean, meters) is below sqrt(3) sigma_m.
-/// This is the spread that one step of motion alone gives a point, so the images then add more
-/// information than the motion removes. Nothing if the last spread is larger.
+/// This is the spread that a single motion step gives to a point. A smaller spread means that the
+/// images add more information than the motion removes. Nothing if the last spread is larger.
 std::optional<int> convergedFrom(std::span<const double> spreads, double motionSigma);
 
-/// Cases of Barrera et al. 2005, section III. Where the paper gives no values, they are chosen
-/// here: ball positions, start volumes, and directions of the cameras.
+/// Returns the cases of Barrera et al. 2005, section III. Values that the paper does not give are
+/// chosen here: ball positions, start volumes and camera directions.
 std::vector<ConvergenceCase> barreraConvergenceCases(int runs = 100,
                                                      std::uint64_t firstSeed = kFirstTuningSeed);
 
-/// Run of the paper's figures 3 and 4: a bare desk, the ball 1.1 m from camera 1 and whole in both
-/// images, and the paper's start in camera 1's view. Camera 2 is aimed at the ball. Camera 1 is
-/// aimed between the ball and the start, which are 35 degrees apart in its view.
+/// Returns the case of the paper's figures 3 and 4: a bare desk, the ball 1.1 m from camera 1 and
+/// completely visible in both images, and the paper's start in camera 1's view. Camera 2 is aimed
+/// at the ball. Camera 1 is aimed between the ball and the start, which are 35 degrees apart in its
+/// view.
 ConvergenceCase figure3Case(int runs = 100, std::uint64_t firstSeed = kFirstTuningSeed);
 
-/// Runs one case with a still ball.
+/// Runs one case, in which the ball does not move.
 Result<ConvergenceResult> studyConvergence(const ConvergenceCase& setup);
 
-/// Called after each iteration (from 1) of a run of a case, with the run and its estimate.
+/// Callback after each iteration (counted from 1) of a run, with the run and its estimate.
 using ConvergenceWatch =
     std::function<void(int iteration, const TrackingRun& run, const SphereEstimate& estimate)>;
 /// Runs one seed of a case and calls `watch` after each iteration.
 Status watchConvergence(const ConvergenceCase& setup, std::uint64_t seed,
                         const ConvergenceWatch& watch);
 
-/// Distance that the mean has moved after each iteration, meters; see measureDrift().
+/// Returns the distance that the mean has moved after each iteration, meters. See measureDrift().
 Result<std::vector<double>> driftCurve(int runs, int iterations,
                                        std::uint64_t firstSeed = kFirstTuningSeed);
 
-/// Systematic drift (section III, figures 4 and 5): meters per iteration by which the cloud's mean
-/// moves away from camera 1 along its optical axis when only that camera is used. Mean over runs.
+/// Measures the systematic drift (section III, figures 4 and 5): the distance in meters per
+/// iteration by which the cloud's mean moves away from camera 1 along its optical axis when only
+/// that camera is used. Mean over runs.
 Result<double> measureDrift(int runs = 50, int iterations = 40,
                             std::uint64_t firstSeed = kFirstTuningSeed);
 

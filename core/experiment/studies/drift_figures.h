@@ -8,15 +8,16 @@
 
 namespace dewpoint::experiment {
 
-/// Share of particles that stay in a cone after one step, as sketched in figure 5 of Barrera et al.
-/// 2005. The particles are spread evenly over the cross-section of the cone at `depth` meters from
-/// its apex (radius `slope` times the depth). The step moves them by its length in meters along the
-/// axis, away from the apex, and by N(0, motionSigma) sideways. One value per step. Drawn from a
-/// fixed seed.
+/// Returns the fraction of particles that stay in a cone after one step, as sketched in figure 5 of
+/// Barrera et al. 2005. The particles are spread evenly over the cross-section of the cone at
+/// `depth` meters from its apex (radius `slope` times the depth). A step moves them by its length
+/// (meters) along the axis, away from the apex, and by N(0, motionSigma) sideways. The result has
+/// one value per entry in `steps`. Random numbers use a fixed seed.
 std::vector<double> shareThatStaysInCone(double slope, double depth, double motionSigma,
                                          const std::vector<double>& steps);
 
-// Figures of Barrera et al. 2005, section III-B, on the simulated demo, as FigureExperiment::run.
+// Functions that reproduce figures of Barrera et al. 2005, section III-B, on the simulated demo.
+// For FigureExperiment::run.
 Status barreraFigure5(const ExperimentOptions& options);
 Status barreraDrift(const ExperimentOptions& options);
 Status barreraStarts(const ExperimentOptions& options);

@@ -6,7 +6,8 @@
 
 namespace dewpoint::experiment {
 
-// Figures of Barrera et al. 2005, section III-C, as FigureExperiment::run.
+// Functions that reproduce figures of Barrera et al. 2005, section III-C. For
+// FigureExperiment::run.
 Status dynamicsFigure6(const ExperimentOptions& options);
 Status dynamicsFigure7(const ExperimentOptions& options);
 Status dynamicsFigure8(const ExperimentOptions& options);

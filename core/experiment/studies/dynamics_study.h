@@ -11,30 +11,31 @@
 
 namespace dewpoint::experiment {
 
-/// Object that stands still and jumps to another position at one iteration (Barrera et al. 2005,
-/// section III-C). Meters. The paper gives 2 m, iteration 30, 200 particles and sigma_m, but
-/// neither the start of the cloud nor the sigma of its observation.
+/// Setup with an object that stands still and jumps to another position at one iteration (Barrera
+/// et al. 2005, section III-C). Meters. The paper specifies 2 m, iteration 30, 200 particles and
+/// sigma_m, but neither the start of the cloud nor the sigma of the observation.
 struct DynamicsSetup {
   int particles = 200;
   double motionSigma = 0.03;
   double observationSigma = 0.1;
-  Eigen::Vector3d start{0.0, -0.6, 0.0}; ///< start of the cloud
+  Eigen::Vector3d start{0.0, -0.6, 0.0}; ///< initial position of the cloud
   Eigen::Vector3d before = Eigen::Vector3d::Zero();
   Eigen::Vector3d after{2.0, 0.0, 0.0};
   int jump = 30; ///< first iteration (from 0) that measures `after`
   int iterations = 100;
 };
 
-/// Results of one such run of method `dynamics`.
+/// Results of one such run of the `dynamics` method.
 struct DynamicsRun {
-  std::vector<double> errors; ///< meters, after each iteration
-  /// Root mean square distance of the particles to their mean after the prediction, unweighted, as
-  /// `clouds` shows them. Meters.
+  std::vector<double> errors; ///< error after each iteration, meters
+  /// Root mean square distance of the particles from their mean after the prediction, meters. The
+  /// particles are not weighted; `clouds` contains the same particles.
   std::vector<double> cloudSpreads;
-  /// The same distance, weighted by the observation: the spread of the belief. Far from the object
-  /// one particle has all the weight, so it is almost zero.
+  /// The same distance after weighting by the observation: the spread of the belief. Far from the
+  /// object, one particle has all the weight, so the spread is almost zero.
   std::vector<double> beliefSpreads;
-  std::vector<Eigen::ArrayXXd> clouds; ///< at the requested iterations: rows x y z
+  std::vector<Eigen::ArrayXXd>
+      clouds; ///< particles at the requested iterations, one row per particle: x y z
 };
 
 /// Runs one iteration per measurement. `instants` are the iterations (ascending) whose clouds are
@@ -42,21 +43,23 @@ struct DynamicsRun {
 DynamicsRun runDynamics(const DynamicsSetup& setup, std::uint64_t seed,
                         const std::vector<int>& instants = {});
 
-/// Mean error after each iteration, meters, of `runs` runs with seeds from `firstSeed` on.
+/// Returns the mean error after each iteration (meters) over `runs` runs, with seeds from
+/// `firstSeed` on.
 std::vector<double> meanErrors(const DynamicsSetup& setup, int runs,
                                std::uint64_t firstSeed = kFirstTuningSeed);
 
-/// Number of iterations from `from` on until the error stays below `bound`, at least up to `end`;
-/// -1 if it does not.
+/// Returns the number of iterations, counted from `from`, until the error is below `bound` and
+/// stays there at least up to `end`. -1 if this does not happen.
 int iterationsUntilBelow(const std::vector<double>& errors, int from, int end, double bound);
 
-/// Largest speed of a steadily moving object that a cloud can follow with an error below a quarter
-/// of a meter, in meters per iteration. Found by bisection over 60 iterations and `runs` seeds.
+/// Returns the largest speed of a steadily moving object that a cloud can follow with an error
+/// below a quarter of a meter, in meters per iteration. It is found by bisection over 60 iterations
+/// and `runs` seeds.
 double speedLimit(DynamicsSetup setup, int runs, std::uint64_t firstSeed = kFirstTuningSeed);
 
-/// Distance per iteration, in meters, by which the mean moves toward a distant object; mean of
-/// `runs` seeds. It is about the expected largest of N standard normals times sigma_m (2.75 sigma_m
-/// at N = 200), because only the nearest particle survives.
+/// Returns the distance per iteration (meters) by which the mean moves toward a distant object.
+/// This is a mean over `runs` seeds. It is about the expected largest of N standard normals times
+/// sigma_m (2.75 sigma_m at N = 200), because only the nearest particle survives.
 double farAdvance(DynamicsSetup setup, int runs, std::uint64_t firstSeed = kFirstTuningSeed);
 
 } // namespace dewpoint::experiment

@@ -13,27 +13,28 @@ namespace dewpoint::experiment {
 /// Group under which an experiment is listed.
 enum class ExperimentGroup { Barrera, Sugandi, Mohedano, People };
 
-/// Heading of a group: the paper, or the topic of experiments without a paper.
+/// Returns the heading of a group: the paper, or the topic of experiments that do not belong to a
+/// paper.
 std::string_view experimentGroupTitle(ExperimentGroup group);
 
-/// Figure or table of a paper, reproduced by one command, or a study of our own.
+/// Figure or table of a paper that one command reproduces, or one of our studies.
 struct FigureExperiment {
   std::string_view name;     ///< name on the command line
   std::string_view title;    ///< name in menus and reports
   std::string_view sentence; ///< what it shows, and its source
-  int runs;                  ///< seeds per case unless given
-  /// FileUnwritable, before anything is begun; Canceled.
+  int runs;                  ///< default number of seeds per case
+  /// Runs the experiment. Errors: FileUnwritable, before any computation starts, or Canceled.
   Status (*run)(const ExperimentOptions& options);
-  std::string_view report = "report.html"; ///< file in the folder
+  std::string_view report = "report.html"; ///< report file in the output folder
   bool takesRecordings = false;
   bool takesClothes = false;
   ExperimentGroup group = ExperimentGroup::Barrera;
 };
 
-/// Figures of the papers.
+/// Returns the experiments that reproduce figures of the papers.
 std::span<const FigureExperiment> figureExperiments();
-/// All experiments, including studyExperiments(), in the order of menus: by group, and within a
-/// group figures first.
+/// Returns all experiments, including studyExperiments(), in menu order: by group, with figures
+/// first within each group.
 std::vector<const FigureExperiment*> listedExperiments();
 
 } // namespace dewpoint::experiment

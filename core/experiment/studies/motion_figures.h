@@ -10,19 +10,19 @@ namespace dewpoint::experiment {
 
 /// Agreement of a motion mask with the people in an image.
 struct MaskQuality {
-  int regions = 0;        ///< connected regions (8 neighbors) of at least kSmallestRegion pixels
-  double recall = 0.0;    ///< share of the people's pixels in the mask; 1 without people
-  double precision = 0.0; ///< share of the mask's pixels on people; 1 for an empty mask
+  int regions = 0; ///< number of connected regions (8 neighbors) of at least kSmallestRegion pixels
+  double recall = 0.0; ///< fraction of the people's pixels that are in the mask; 1 without people
+  double precision = 0.0; ///< fraction of the mask's pixels that are on people; 1 for an empty mask
 };
 
-/// Least area of a region in pixels; smaller regions are noise; chosen.
+/// Minimum region area (pixels). Smaller regions are noise. Chosen by judgment.
 inline constexpr int kSmallestRegion = 20;
 
 /// Compares a mask (CV_8UC1, 0 or 255) with the pixels of people (CV_8UC1, nonzero on a person).
 MaskQuality maskQuality(const cv::Mat& mask, const cv::Mat& people);
 
-/// Figures 1 (image, motion mask and motion likelihood image D) and 3 (motion masks over some
-/// frames) of Mohedano et al. 2009, in the simulated office, as FigureExperiment::run.
+/// Reproduces figures 1 (image, motion mask and motion likelihood image D) and 3 (motion masks over
+/// some frames) of Mohedano et al. 2009 in the simulated office. For FigureExperiment::run.
 Status mohedanoMotionFigures(const ExperimentOptions& options);
 
 } // namespace dewpoint::experiment

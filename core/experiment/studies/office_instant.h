@@ -13,29 +13,29 @@
 
 namespace dewpoint::experiment {
 
-/// Least number of pixels of a person in a camera that sees the person (a whole adult has 600 or
-/// more); chosen: a quarter of an adult.
+/// Minimum number of visible pixels at which a camera counts as seeing a person. It is a quarter of
+/// a fully visible adult, who has 600 or more pixels.
 inline constexpr int kVisiblePixels = 150;
-/// Frames between two comparisons of silhouettes; chosen: a third of a second.
+/// Number of frames between two comparisons of silhouettes. Chosen to be a third of a second.
 inline constexpr std::int64_t kSilhouetteEvery = 5;
 
-/// One instant of a scene with people: its images, and the people whom the true cameras see at that
+/// One instant of a scene with people: its images, and the people that the true cameras see at that
 /// time, regardless of delays.
 struct OfficeInstant {
-  FrameSetPtr frames; ///< as they arrive, see PeopleRecording
-  /// Per person: number of cameras that see at least kVisiblePixels.
+  FrameSetPtr frames; ///< images as they arrive, see PeopleRecording
+  /// Number of cameras that see at least kVisiblePixels, per person.
   std::vector<int> camerasSeeing;
-  std::vector<cv::Mat> who; ///< per camera: see paintPeople()
-  /// Whole silhouettes per camera, then per person; empty between the compared instants.
+  std::vector<cv::Mat> who; ///< visible person at each pixel, per camera; see paintPeople()
+  /// Complete silhouettes, by camera and then by person. Empty at instants that are not compared.
   std::vector<std::vector<cv::Mat>> silhouettes;
 
-  /// Visible pixels of a person in a camera (CV_8UC1, nonzero where visible).
+  /// Returns the visible pixels of a person in a camera (CV_8UC1, nonzero where visible).
   cv::Mat visible(std::size_t camera, std::size_t person) const {
     return who[camera] == static_cast<int>(person + 1);
   }
 };
 
-/// Renders an instant; `renderer` must be made from the recording's scene and views.
+/// Renders an instant. `renderer` must have been created from the recording's scene and views.
 OfficeInstant renderInstant(const PeopleRecording& recording, const OfficeRenderer& renderer,
                             std::int64_t frame);
 

@@ -15,21 +15,21 @@
 
 namespace dewpoint::experiment {
 
-/// Instant of a scenario that shows the abilities of a method.
+/// Instant of a scenario that shows well what a method can do.
 struct PeopleInstant {
   std::int64_t frame = 0;
-  std::string words; ///< "nearest to each other, 3.4 s"
+  std::string words; ///< description, such as "nearest to each other, 3.4 s"
 };
 
-/// Instants for pictures: before people meet; when most of them are present and they are nearest to
-/// each other; and when identities are assessed. A scenario that does not assess identities between
-/// two instants has only the second one.
+/// Returns the instants to show as images: before people meet, when most of them are present and
+/// they are closest to each other, and when identities are assessed. A scenario that does not
+/// compare identities between two instants has only the second one.
 std::vector<PeopleInstant> tellingInstants(const PeopleScenario& scenario);
 
-/// Draws a picture like figure 2 of Mohedano et al. 2009. It has the images of all cameras with the
-/// outlines of the 95 % volumes, two per row, and the floor from above with the level curves of
-/// each person's density and its identity. White crosses mark people (`truth`), rings mark cameras.
-/// CV_8UC3.
+/// Draws an image (CV_8UC3) like figure 2 of Mohedano et al. 2009. It contains the images of all
+/// cameras, two per row, with the outlines of the 95 % volumes. It also contains the floor from
+/// above, with the level curves of each person's density and the person's identity. White crosses
+/// mark people (`truth`), and rings mark cameras.
 cv::Mat peoplePicture(const PeopleFinding& people, const FrameSet& frames, const CameraRig& rig,
                       std::span<const TrackPoint> truth);
 

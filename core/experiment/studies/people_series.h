@@ -13,13 +13,14 @@
 namespace dewpoint::experiment {
 
 /// Studies many seeds, from setup.seed on, with each kind of clothes in turn. `progress` receives
-/// the number of finished scenes and of all scenes; if it returns false, the results so far are
-/// returned.
+/// the number of finished scenes and the total number of scenes. If it returns false, the function
+/// returns the results so far.
 Result<std::vector<PeopleTrial>>
 studyManyPeople(PeopleStudySetup setup, const std::vector<PeopleClothes>& clothes, int seeds,
                 const std::function<bool(std::int64_t done, std::int64_t all)>& progress);
 
-/// Writes runs.csv, report.html and its pictures into a folder, which is created. FileUnwritable.
+/// Writes runs.csv, report.html and its images into a folder, which is created. Error:
+/// FileUnwritable.
 Status writePeopleStudy(const std::string& scenario, const std::vector<PeopleTrial>& trials,
                         const std::filesystem::path& folder);
 

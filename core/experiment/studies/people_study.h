@@ -19,7 +19,7 @@ namespace dewpoint::experiment {
 
 /// Result of a method at one instant of a scene, see peoplePicture().
 struct PeoplePicture {
-  std::string words; ///< the time of the instant
+  std::string words; ///< description with the time of the instant
   cv::Mat image;
 };
 
@@ -31,50 +31,50 @@ struct PeopleTrial {
   PeopleClothes clothes = PeopleClothes::Different;
   std::string method;
   std::uint64_t seed = 0;
-  /// Whether every person had an identity before the meeting, and the same one after it.
+  /// True if every person had an identity before the meeting, and the same identity after it.
   bool kept = false;
   double mota = 0.0;
   double motp = 0.0; ///< meters
   double hota = 0.0;
-  double gospa = 0.0; ///< meters, mean, cutoff kPeopleGate
+  double gospa = 0.0; ///< mean, meters; the cutoff is kPeopleGate
   int identitySwitches = 0;
-  double longestGhost = 0.0; ///< longest time without a person at an estimate, seconds
-  /// Longest time that a person seen by two cameras has no estimate, seconds.
+  double longestGhost = 0.0; ///< longest time that an estimate has no person nearby, seconds
+  /// Longest time that a person seen by at least two cameras has no estimate, seconds.
   double longestMissed = 0.0;
   double hullVolume = 0.0;             ///< m³, mean over people and frames
-  double stepMs = 0.0;                 ///< mean CPU time of a frame with people, ms
-  PersonResult everybody;              ///< over all people of the scene
-  std::vector<PersonResult> persons;   ///< in the order of the scene
-  std::vector<PeoplePicture> pictures; ///< of tellingInstants(), if requested
+  double stepMs = 0.0;                 ///< mean CPU time per frame with people, ms
+  PersonResult everybody;              ///< results over all people in the scene
+  std::vector<PersonResult> persons;   ///< results per person, in scene order
+  std::vector<PeoplePicture> pictures; ///< images of tellingInstants(), if requested
 };
 
-/// Largest distance in meters at which an estimate belongs to a person: the width of an adult.
+/// Largest distance (meters) at which an estimate is assigned to a person: the width of an adult.
 inline constexpr double kPeopleGate = 0.5;
 
-/// Scene, methods and parameters of a study of people.
+/// Scene, methods and parameters for a study of people.
 struct PeopleStudySetup {
   std::string scenario;
-  Grade grade = Grade::Ideal; ///< any but Real
+  Grade grade = Grade::Ideal; ///< any grade except Real
   PeopleClothes clothes = PeopleClothes::Different;
   std::vector<std::string> methods = methodNames(TargetsFrom::Images); ///< methods that find people
   std::uint64_t seed = kFirstTuningSeed;
-  /// Values other than the defaults, for the methods that have such a parameter.
+  /// Non-default parameter values. They apply to the methods that have such a parameter.
   std::vector<std::pair<std::string, double>> parameters;
-  bool pictures = false; ///< draw the instants of tellingInstants()
+  bool pictures = false; ///< draw images of tellingInstants()
 };
 
-/// Checks the parameters. UnknownKey for a parameter that no method has, BadValue for a value out
-/// of range; `field` is the parameter's key.
+/// Checks the parameters. UnknownKey for a parameter that no method has, or BadValue for a value
+/// out of range. The error's `field` is the parameter's key.
 Status checkPeopleParameters(const PeopleStudySetup& setup);
 
-/// Renders one scene in a grade and runs all methods on it with the calibration that they receive;
-/// one trial per method. Positions and silhouettes are compared with the truth in the true cameras.
-/// Errors are those of the names of scene, method and parameters.
+/// Renders one scene in a grade and runs all methods on it with the calibration that they receive.
+/// Returns one trial per method. Positions and silhouettes are compared with the truth in the true
+/// cameras. Unknown scene, method or parameter names are errors.
 Result<std::vector<PeopleTrial>> studyPeople(const PeopleStudySetup& setup,
                                              simulation::ViewCache& views);
 
-/// Whether every truth has the same estimate at both instants, and no estimate belongs to two of
-/// them. Pairs farther apart than `gate` (meters) do not count.
+/// Returns whether every true target has the same estimate at both instants, and no estimate
+/// belongs to two targets. Pairs farther apart than `gate` (meters) do not count.
 bool identitiesKept(const TrackFrame& before, const TrackFrame& after, double gate);
 
 } // namespace dewpoint::experiment

@@ -19,7 +19,7 @@ struct PeopleSummary {
   int runs = 0;
   int kept = 0;
   int identitySwitches = 0;
-  double mota = 0.0; ///< mean, like the next three
+  double mota = 0.0; ///< mean, like the next three fields
   double hota = 0.0;
   double gospa = 0.0;         ///< meters
   double motp = 0.0;          ///< meters; over runs with matches
@@ -27,26 +27,30 @@ struct PeopleSummary {
   double longestMissed = 0.0; ///< seconds, worst run
   double hullVolume = 0.0;    ///< m³, mean
   double stepMs = 0.0;        ///< mean
-  /// Means of PeopleTrial::everybody over the runs that have them: see PersonResult.
+  /// Means of PeopleTrial::everybody over the runs that have these values, see PersonResult.
   double found = std::numeric_limits<double>::quiet_NaN();
   SilhouetteScores silhouette;
 };
 
-/// Name of a kind of clothes in tables and files.
+/// Returns the name of a kind of clothes in tables and files.
 const char* clothesName(PeopleClothes clothes);
 
-/// Summaries in the order in which they first occur.
+/// Summarizes the trials. Summaries are in order of first occurrence.
 std::vector<PeopleSummary> summarize(const std::vector<PeopleTrial>& trials);
-/// Rows of a table for a terminal, and its head.
+/// Returns the header or one row of a table for a terminal.
 std::string peopleTableHead();
 std::string peopleTableRow(const PeopleSummary& summary);
-/// Content of runs.csv: one row per trial.
+/// Returns the content of runs.csv, with one row per trial.
 std::string peopleTrialsCsv(const std::vector<PeopleTrial>& trials);
-/// Content of people.csv: one row per trial and person.
+/// Returns the content of people.csv, with one row per trial and person.
 std::string peoplePersonsCsv(const std::vector<PeopleTrial>& trials);
-/// Report of a study: a description of the experiment, its table, the result for the paper's figure
-/// 4(a), the bars and which of them are missed, people by height if some are small, and the
-/// pictures of the trials that have some. It also has runs.csv and people.csv.
+/// Creates the report of a study. The report contains:
+/// - a description of the experiment and its table
+/// - the result for the paper's figure 4(a)
+/// - the requirements, and which of them are missed
+/// - results by height if some people are small
+/// - the images of those trials that have any
+/// - the files runs.csv and people.csv
 FigurePage peopleReport(const std::string& scenario, const std::vector<PeopleTrial>& trials);
 
 } // namespace dewpoint::experiment

@@ -10,7 +10,7 @@ class RunningMean {
 public:
   /// Adds a number; NaN is ignored.
   void add(double value);
-  /// Mean of the numbers; NaN if there are none.
+  /// Returns the mean of the numbers, or NaN if there are none.
   double mean() const;
 
 private:
@@ -18,28 +18,30 @@ private:
   int count_ = 0;
 };
 
-/// Results of a method for one person of a scene.
+/// Results of a method for one person in a scene.
 struct PersonResult {
   double height = 0.0; ///< true height, meters
-  /// Share of the frames with an estimate within reach, among those in which at least two cameras
-  /// see the person; NaN without such frames.
+  /// Fraction of frames with an estimate near the person, among the frames in which at least two
+  /// cameras see the person. NaN without such frames.
   double found = std::numeric_limits<double>::quiet_NaN();
-  SilhouetteScores silhouette; ///< of the 95 % volume, over cameras and instants with an estimate
-  /// Mean absolute error of the height, meters; NaN if the method does not estimate it.
+  SilhouetteScores
+      silhouette; ///< scores of the 95 % volume, over cameras and instants with an estimate
+  /// Mean absolute height error, meters. NaN if the method does not estimate the height.
   double heightError = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Accumulates the results of a method for one person, or for all.
+/// Accumulates the results of a method for one person or for all people.
 class PersonTally {
 public:
   /// Adds a frame in which at least two cameras see the person.
   void addFrame(bool found) { found_.add(found ? 1.0 : 0.0); }
-  /// Adds the outline of the estimated volume in a camera that sees the person.
+  /// Adds the overlap of the estimated volume's outline in a camera that sees the person.
   void addSilhouette(const SilhouetteOverlap& overlap);
-  /// Adds an estimated height minus the true one, meters.
+  /// Adds a height error: the estimated height minus the true height, meters.
   void addHeightError(double error);
 
-  /// Returns the results. `height` is the true one in meters; 0 for a tally of several people.
+  /// Returns the results. `height` is the true height in meters, or 0 for a tally of several
+  /// people.
   PersonResult result(double height) const;
 
 private:

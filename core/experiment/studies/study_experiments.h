@@ -7,8 +7,9 @@
 
 namespace dewpoint::experiment {
 
-/// Studies of boxes and of people, as experiments with defaults that take minutes: sugandi-rmse,
-/// and people-<scenario> for every scene of people. The command line has all their options.
+/// Returns the studies of boxes and people as experiments: sugandi-rmse, and people-<scenario> for
+/// every scene with people. With their default settings, they take minutes. All their options are
+/// available on the command line.
 std::span<const FigureExperiment> studyExperiments();
 
 } // namespace dewpoint::experiment

@@ -11,22 +11,25 @@
 
 namespace dewpoint::experiment {
 
-/// Draws a picture like figures 2 and 3 of Sugandi et al. 2009: five frames of a clip, four evenly
-/// spaced and the one with the largest error of 100 particles. The boxes and centers found with 100
-/// particles (upper row) and with 300 (lower row) are red, the true box is white. CV_8UC3.
+/// Draws an image (CV_8UC3) like figures 2 and 3 of Sugandi et al. 2009. It shows five frames of a
+/// clip: four evenly spaced frames, and the frame with the largest error with 100 particles. The
+/// boxes and centers found with 100 particles (upper row) and 300 particles (lower row) are red.
+/// The true box is white.
 cv::Mat boxFrames(const std::vector<cv::Mat>& images, const std::vector<ImageBox>& truth,
                   const BoxRow& few, const BoxRow& many);
 
-/// Plots of a clip as HTML: x, y and error of the centers over the frames, and its frames.
+/// Returns the plots of a clip as HTML: x, y and error of the centers over the frames, and the
+/// image of its frames.
 std::string boxFiguresHtml(const BoxStudy& study, std::size_t clip);
-/// File name of the picture of a clip's frames.
+/// Returns the file name of the image that shows a clip's frames.
 std::string boxFramesFile(std::size_t clip);
-/// Plots of a clip as HTML, like figure 1 of Sugandi et al. 2009: the color histograms of the given
-/// box and of the box found halfway through the clip.
+/// Returns plots for a clip as HTML, like figure 1 of Sugandi et al. 2009: the color histograms of
+/// the given box and of the box found halfway through the clip.
 std::string boxHistogramsHtml(const BoxStudy& study, std::size_t clip);
-/// CSV with one row per clip and bin that is not empty in both histograms.
+/// Returns CSV with one row per clip and bin. Bins that are empty in both histograms are omitted.
 std::string boxHistogramsCsv(const BoxStudy& study);
-/// CSV with one row per clip, method and frame of the first run; the truth is listed as a method.
+/// Returns CSV with one row per clip, method and frame of the first run. The truth is listed as a
+/// method.
 std::string boxTracksCsv(const BoxStudy& study);
 
 } // namespace dewpoint::experiment

@@ -10,17 +10,17 @@
 
 namespace dewpoint::experiment {
 
-/// The study as text with aligned columns, as CSV, and as a page.
+/// Returns the study as text with aligned columns, as CSV, or as an HTML page.
 std::string boxStudyText(const BoxStudy& study);
 std::string boxStudyCsv(const BoxStudy& study);
 std::string boxStudyHtml(const BoxStudy& study);
 
-/// Results of inexact first boxes as CSV. The last three columns are empty if a method does not
-/// report its confidence.
+/// Returns the results for inexact first boxes as CSV. The last three columns are empty if a method
+/// does not report its confidence.
 std::string perturbedBoxesCsv(const std::vector<BoxPerturbationRow>& rows);
 
-/// Writes sugandi-rmse.txt, .csv and .html with its pictures, tracks.csv, and sloppy-boxes.csv if
-/// that was studied, into an existing folder.
+/// Writes sugandi-rmse.txt, .csv and .html with its images, and tracks.csv into an existing folder.
+/// Also writes sloppy-boxes.csv if inexact boxes were studied.
 Status writeBoxStudy(const BoxStudy& study, const std::filesystem::path& folder);
 
 } // namespace dewpoint::experiment

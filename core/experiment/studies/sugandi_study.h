@@ -15,14 +15,15 @@
 
 namespace dewpoint::experiment {
 
-/// Display names of the methods that the report draws.
+/// Display names of the methods that the report plots.
 inline constexpr const char* kSugandiFew = "sugandi, 100 particles";
 inline constexpr const char* kSugandiMany = "sugandi, 300 particles";
 inline constexpr const char* kHistogram = "histogram, 300 particles";
-/// Name of the page among the files of the study.
+/// File name of the study's HTML page.
 inline constexpr const char* kBoxReport = "sugandi-rmse.html";
 
-/// Results of one method on one clip, from the true box of the first frame; means over the seeds.
+/// Results of one method on one clip, started with the true box of the first frame. Values are
+/// means over the seeds.
 struct BoxRow {
   std::string clip;
   std::string method; ///< display name: "sugandi, 100 particles", "csrt"
@@ -30,13 +31,14 @@ struct BoxRow {
   bool exactBoxes = true;
   int seeds = 1;
   BoxMetrics metrics;
-  double worstPrecision = 0.0; ///< of the seeds
-  double milliseconds = 0.0;   ///< per frame, one thread
-  /// Boxes of the first seed, one per frame from the given one on; nothing after it has given up.
+  double worstPrecision = 0.0; ///< worst precision over the seeds
+  double milliseconds = 0.0;   ///< time per frame with one thread, ms
+  /// Boxes for the first seed, one per frame from the frame with the given box on. Empty after the
+  /// method has given up.
   std::vector<std::optional<ImageBox>> boxes;
 };
 
-/// Requirement, and whether it was reached.
+/// Requirement, and whether it is met.
 struct BoxBar {
   std::string sentence;
   bool reached = false;
@@ -48,25 +50,27 @@ struct BoxClipFigures {
   std::vector<ImageBox> truth;
   cv::Mat frames; ///< see boxFrames()
   /// Color histograms (boxHistogram()) of the given box, and of the box that `sugandi` with 300
-  /// particles found at a frame halfway through the clip; empty if that is outside the image.
+  /// particles found in a frame halfway through the clip. A histogram is empty if its box is
+  /// outside the image.
   std::vector<double> reference;
   std::vector<double> candidate;
   std::size_t candidateFrame = 0;
 };
 
-/// Results of the study of boxes.
+/// Results of the box study.
 struct BoxStudy {
-  std::vector<BoxRow> rows; ///< clip by clip
+  std::vector<BoxRow> rows; ///< grouped by clip
   std::vector<BoxBar> bars;
-  std::vector<BoxClipFigures> figures;       ///< one per clip
-  std::vector<BoxPerturbationRow> perturbed; ///< of studyPerturbedBoxes(); empty unless requested
+  std::vector<BoxClipFigures> figures; ///< one per clip
+  std::vector<BoxPerturbationRow>
+      perturbed; ///< results of studyPerturbedBoxes(); empty unless requested
   std::uint64_t firstSeed = kFirstTuningSeed;
-  int seeds = 1; ///< seeds of our methods
+  int seeds = 1; ///< number of seeds for our methods
 };
 
 /// Follows every clip with `sugandi` (100 and 300 particles), `histogram` and OpenCV's four
-/// trackers. Ours run with `seeds` seeds from `firstSeed` on. `report` receives each row when it is
-/// done; it returns false to stop.
+/// trackers. Our methods run with `seeds` seeds from `firstSeed` on. `report` receives each row
+/// when it is finished, and returns false to stop.
 Result<BoxStudy> studyBoxes(const std::vector<BoxClip>& clips, int seeds,
                             const std::function<bool(const BoxRow&)>& report,
                             std::uint64_t firstSeed = kFirstTuningSeed);

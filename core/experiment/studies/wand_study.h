@@ -11,44 +11,46 @@
 
 namespace dewpoint::experiment {
 
-/// Error of the initial rig, and whether the cameras are synchronized.
+/// Case of the study: error of the initial rig, and synchronization of the cameras.
 enum class WandCase {
-  Near,     ///< every camera 10 cm and 3 degrees off
-  Far,      ///< 30 cm and 10 degrees
-  Unsynced, ///< as Near, with every clock up to 16 ms off
-  OneBall,  ///< as Near, with one ball; scale from its diameter; no bar
+  Near,     ///< every camera is off by 10 cm and 3 degrees
+  Far,      ///< every camera is off by 30 cm and 10 degrees
+  Unsynced, ///< like Near, with every clock off by up to 16 ms
+  OneBall,  ///< like Near, with one ball whose diameter gives the scale; no requirement
 };
 
-/// Properties of the recording.
+/// Properties of the simulated recording.
 struct WandRecording {
   double framesPerSecond = 15.0;
-  int jpegQuality = 0; ///< 1 to 100: images are compressed as JPEG; 0: they are not
+  int jpegQuality = 0; ///< 1 to 100: images are compressed as JPEG; 0: no compression
 };
 
-/// Results of one calibration of the simulated hall. Lengths in meters.
+/// Results of one calibration in the simulated hall. Lengths are in meters.
 struct WandTrial {
   std::uint64_t seed = 0;
   WandCase kind = WandCase::Near;
   std::string failure;      ///< error message if the calibration failed
-  double cameraRms = 0.0;   ///< camera positions, after the best rigid alignment
-  double pointRms = 0.0;    ///< positions of the balls, under the same alignment
-  double scaleError = 0.0;  ///< relative
-  double offsetError = 0.0; ///< largest, seconds; relative to the first camera
+  double cameraRms = 0.0;   ///< RMS error of the camera positions, after the best rigid alignment
+  double pointRms = 0.0;    ///< RMS error of the ball positions, with the same alignment
+  double scaleError = 0.0;  ///< relative scale error
+  double offsetError = 0.0; ///< largest clock offset error relative to the first camera, seconds
   double medianPx = 0.0;
   double solveSeconds = 0.0;
   std::size_t views = 0;
-  bool passed = false; ///< within the bar of its case
+  bool passed = false; ///< the requirement of its case is met
 };
 
 /// Calibrates the hall's four VGA cameras from rendered images of a wand with two balls, detected
 /// with the color code of tracking: all cases for one seed. `report` receives each trial when it is
-/// done; it returns false to stop. The recording has 30 seconds with `framesPerSecond` images per
-/// second.
+/// finished, and returns false to stop. The recording has a duration of 30 seconds with
+/// `framesPerSecond` images per second.
 std::vector<WandTrial> studyWand(std::uint64_t seed, const WandRecording& recording,
                                  const std::function<bool(const WandTrial&)>& report);
 
-/// Bar of a case: largest RMS of cameras and points, meters; infinite if there is none.
+/// Returns the requirement of a case: the largest allowed RMS of cameras and points, meters.
+/// Infinite if there is no requirement.
 double wandBar(WandCase kind);
+/// Returns the name of a case in reports.
 std::string wandCaseName(WandCase kind);
 
 } // namespace dewpoint::experiment

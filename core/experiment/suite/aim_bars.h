@@ -7,9 +7,9 @@
 
 namespace dewpoint::experiment {
 
-/// Aims of the next version: metrics of belief in every grade, by the median and by the worst of
-/// the scenarios, and accuracy outside grade `ideal`. The item numbers follow those of the current
-/// requirements.
+/// Returns the aims for the next version: belief metrics in every grade, by the median and by the
+/// worst scenario, and accuracy outside grade `ideal`. Their item numbers continue the numbering of
+/// the current requirements.
 std::vector<SuiteBar> aimBars();
 
 } // namespace dewpoint::experiment

@@ -7,13 +7,14 @@
 #include <string>
 #include <vector>
 
-// How the value of a requirement is computed from runs. All measures are NaN if the runs have no
+// Measures compute the value of a requirement from runs. All measures are NaN if the runs have no
 // such value.
 namespace dewpoint::experiment {
 
+/// Runs from which a measure is computed.
 using BarRuns = std::vector<const SuiteResult*>;
 
-/// Value, and the scenario that determines it if it depends on one scenario alone.
+/// Value of a measure. If a single scenario determines the value, it includes that scenario.
 struct BarFigure {
   BarFigure(double number) : value(number) {} // a plain value has no scenario
   BarFigure(double number, std::string name) : value(number), scenario(std::move(name)) {}
@@ -22,44 +23,48 @@ struct BarFigure {
 };
 
 /// Computes the value from our runs. `others` are the runs of plain triangulation in the same
-/// scenarios and the same grade.
+/// scenarios and grade.
 using BarMeasure = std::function<BarFigure(const BarRuns& ours, const BarRuns& others)>;
+/// Column of runs.csv that a measure reads.
 using BarColumn = SuiteRow::Figure SuiteRow::*;
 
-/// Quantile over the runs; `fraction` in [0, 1].
+/// Returns a measure: the quantile over the runs. `fraction` is in [0, 1].
 BarMeasure quantileAt(BarColumn figure, double fraction);
-/// Value of the worst run.
+/// Returns a measure: the value of the worst run.
 BarMeasure worstRun(BarColumn figure);
-/// Largest of the scenarios' medians over runs.
+/// Returns a measure: the largest scenario median, where each median is taken over the runs of a
+/// scenario.
 BarMeasure worstMedian(BarColumn figure);
-/// Mean over all runs, times `factor`.
+/// Returns a measure: the mean over all runs, times `factor`.
 BarMeasure meanOfRuns(BarColumn figure, double factor = 1.0);
-/// Percentage of runs whose value is at most `limit`.
+/// Returns a measure: the percentage of runs whose value is at most `limit`.
 BarMeasure percentWithin(BarColumn figure, double limit);
-/// Number of runs in which the event never happened.
+/// Returns a measure: the number of runs in which the event never happened.
 BarMeasure failures(BarColumn figure);
 
-/// 95th percentile of all errors after convergence.
+/// Computes the 95th percentile of all errors after convergence.
 BarFigure pooledP95(const BarRuns& ours, const BarRuns& others);
-/// Calibration error of P(exists), over all frames of all runs.
+/// Computes the calibration error of P(exists), over all frames of all runs.
 BarFigure pooledEceOfRuns(const BarRuns& ours, const BarRuns& others);
-/// Absolute value of the mean depth bias over runs.
+/// Computes the absolute value of the mean depth bias over runs.
 BarFigure depthBias(const BarRuns& ours, const BarRuns& others);
-/// Ratio of the median RMSE of our runs to that of triangulation.
+/// Computes the ratio of the median RMSE of our runs to the median RMSE of triangulation.
 BarFigure againstTriangulation(const BarRuns& ours, const BarRuns& others);
 
-/// Ratio of the RMSE of our runs to that of the others' runs of the same seed, over the frames in
-/// which both declare the target: the median over the seeds. A method that gives up on difficult
-/// frames therefore gains nothing.
+/// Computes the ratio of the RMSE of our run to that of the other method's run with the same seed,
+/// over the frames in which both declare the target. Returns the median over the seeds. A method
+/// that gives up on difficult frames therefore gains nothing.
 BarFigure sharedFramesRatio(const BarRuns& ours, const BarRuns& others);
-/// Percentage of lost frames minus that of the other run of the same seed: the mean.
+/// Computes the percentage of lost frames minus the percentage in the other run with the same seed.
+/// Returns the mean over the seeds.
 BarFigure lostBeyondTriangulation(const BarRuns& ours, const BarRuns& others);
 
-/// A metric of belief: the median over the scenarios.
+/// Returns a measure: the median of a belief metric over the scenarios.
 BarMeasure medianScenario(const BeliefMetric& metric);
-/// The same: of the worst scenario.
+/// Returns a measure: the value of a belief metric in the worst scenario.
 BarMeasure worstScenario(const BeliefMetric& metric);
-/// The greatest value that a measure has in one scenario alone.
+/// Returns a measure: the largest value that another measure has when it is computed for each
+/// scenario separately.
 BarMeasure greatestOfScenarios(BarMeasure measure);
 
 } // namespace dewpoint::experiment

@@ -14,14 +14,14 @@
 
 namespace dewpoint::experiment {
 
-/// Methods that follow a box through the images of one camera, in the order of the tables:
-/// boxFollowerNames(), ours with 300 particles.
+/// Returns the methods that follow a box through the images of one camera, in table order:
+/// boxFollowerNames(), where our methods use 300 particles.
 const std::vector<std::string>& imageMethods();
 
-/// Follows a clip with the given images from its first true box, with the method and the seed of
-/// `key`. Returns nothing if `stop` returns true. Over all frames after the first, it measures the
-/// RMS distance of the centers in pixels, frames to converge and lost frames by the clip's radius,
-/// and success. NotFound for a method that imageMethods() does not have.
+/// Follows a clip with the given images from its first true box, with the method and seed of `key`.
+/// Returns nothing if `stop` returns true. The result covers all frames after the first: RMS
+/// distance of the centers in pixels, frames to converge and lost frames (both with the clip's
+/// radius), and success. NotFound for a method that is not in imageMethods().
 Result<std::optional<SuiteResult>> followClip(const BoxClip& clip,
                                               const std::vector<cv::Mat>& images, const RunKey& key,
                                               const std::function<bool()>& stop);

@@ -7,15 +7,15 @@
 
 namespace dewpoint::experiment {
 
-/// Whether a frame of a run has a truth for its evaluation.
+/// Returns whether a frame of a run is evaluated, which requires a truth.
 bool isMeasured(const ScenarioRun& run, std::int64_t frame);
 
-/// Whether the evaluated frames are successive, so that each can be compared with the next.
+/// Returns whether the evaluated frames are successive, so that each can be compared with the next.
 bool measuresSuccessiveFrames(const ScenarioRun& run);
 
-/// Part of a run for a SuiteRecorder when only some frames are evaluated: these frames, numbered
-/// from 0 in their order, with their truth and extents and without events or images. Returns the
-/// run itself if all frames are evaluated. Rates are per evaluated frame.
+/// Returns the part of a run that a SuiteRecorder evaluates. It contains the evaluated frames,
+/// renumbered from 0, with their truth and extents but without events or images. If all frames are
+/// evaluated, it is the run itself. Rates are per evaluated frame.
 ScenarioRun measuredPart(const ScenarioRun& run);
 
 } // namespace dewpoint::experiment

@@ -17,33 +17,34 @@
 namespace dewpoint::experiment {
 
 /// Evaluates one method in the images of a run that has marks. Its estimates are projected into the
-/// cameras of the run's rig. A target is on its marks when it is declared present and each of its
-/// projections is within the run's gate. Estimates are assigned in the order of the targets, so no
-/// two targets may be identical.
+/// cameras of the run's rig. An estimate is on its marks when the target is declared present and
+/// each of its projections is within the run's gate. Estimates are assigned in the order of the
+/// targets, so no two targets may be identical.
 class PixelRecorder {
 public:
-  /// A run without marks records nothing.
+  /// Prepares to record a run. If the run has no marks, nothing is recorded.
   explicit PixelRecorder(const ScenarioRun& run);
 
-  /// Adds the estimates of a frame of the run; frames without marks are skipped.
+  /// Adds the estimates for one frame of the run. Frames without marks are skipped.
   void add(std::int64_t frame, const std::vector<SphereEstimate>& estimates);
 
-  /// RMS distance of the projections from the marks, pixels. It covers all marks of frames in which
-  /// the target is declared present, from each target's convergence on (from the start if it never
-  /// converges). Nothing without such marks.
+  /// Returns the RMS distance of the projections from the marks, pixels. It covers all marks in
+  /// frames in which the target is declared present, from each target's convergence on (from the
+  /// start if it never converges). Nothing if there are no such marks.
   SuiteRow::Figure rmsePx() const;
 
-  /// Result of a run that has only marks: no lengths, but convergence, loss and the reliability of
-  /// P(exists), all measured by the marks.
+  /// Returns the result of a run that has only marks. It contains no lengths, but convergence, loss
+  /// and the reliability of P(exists), all measured with the marks.
   SuiteResult result(RunKey key, double usPerFrame) const;
 
 private:
-  /// One target at one frame with marks, in the order of the frames.
+  /// Sample of one target in one frame with marks. Samples are in frame order.
   struct Sample {
     bool declared = false;
     double existence = 0.0;
-    double worst = 0.0;            ///< px; infinite if a projection is not in front of the camera
-    std::vector<double> distances; ///< px, per mark
+    double worst =
+        0.0; ///< largest distance, pixels; infinite if a projection is not in front of the camera
+    std::vector<double> distances; ///< distance from each mark, pixels
   };
 
   std::vector<TargetFrame> framesOf(std::size_t target) const;

@@ -12,9 +12,9 @@
 
 namespace dewpoint::experiment {
 
-/// Run that no method has, because its scenario could not make it: the random draws found no
-/// position at which all that must be visible is visible. This depends only on scenario, grade and
-/// seed.
+/// Run that was skipped for all methods because its scenario could not create it: the random draws
+/// found no position at which everything that must be visible is visible. This depends only on
+/// scenario, grade and seed.
 struct SkippedRun {
   std::string scenario;
   Grade grade = Grade::Ideal;
@@ -25,20 +25,20 @@ struct SkippedRun {
   auto operator<=>(const SkippedRun&) const = default; // NOLINT(modernize-use-nullptr)
 };
 
-/// Skipped runs in the order of scenario, grade and seed.
+/// Skipped runs, ordered by scenario, grade and seed.
 using SkippedRuns = std::set<SkippedRun>;
 
-/// Whether the run is among the skipped ones.
+/// Returns whether the run was skipped.
 bool isSkipped(const SkippedRuns& skipped, const std::string& scenario, Grade grade,
                std::uint64_t seed);
 
-/// One sentence for the user.
+/// Returns a sentence about the skipped run for the user.
 std::string skippedSentence(const SkippedRun& run);
 
-/// Lines of skipped.csv, without the line end; the reason is quoted.
+/// Returns the header or one line of skipped.csv, without the line end. The reason is quoted.
 std::string skippedHeader();
 std::string skippedText(const SkippedRun& run);
-/// Parses a line; nothing if it is incomplete.
+/// Parses a line. Returns nothing if it is incomplete.
 std::optional<SkippedRun> parseSkipped(const std::string& line);
 
 /// Scenario in one grade.
@@ -47,8 +47,8 @@ struct ScenarioGrade {
   Grade grade = Grade::Ideal;
 };
 
-/// Scenarios and grades with skipped runs and no others, so they have no results. `done` are the
-/// keys of the existing runs.
+/// Returns the scenarios and grades in which all runs were skipped, so that there are no results.
+/// `done` contains the keys of the existing runs.
 std::vector<ScenarioGrade> withoutAnyRun(const SkippedRuns& skipped, const std::set<RunKey>& done);
 
 } // namespace dewpoint::experiment

@@ -5,8 +5,8 @@
 
 namespace dewpoint::experiment {
 
-/// Whether an estimate reports that its target is present: it has a position, and it is valid or
-/// its existence probability is above one half.
+/// Returns whether an estimate reports that its target is present: it has a position, and either it
+/// is valid or its existence probability is above one half.
 inline bool statesPresence(const SphereEstimate& estimate) {
   return estimate.mean.allFinite() && (estimate.valid || estimate.existenceProbability > 0.5);
 }

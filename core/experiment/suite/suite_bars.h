@@ -9,43 +9,43 @@
 
 namespace dewpoint::experiment {
 
-/// Lower bound of a requirement that has none.
+/// Lower bound of a requirement without a lower limit.
 inline constexpr double kAnyLow = -std::numeric_limits<double>::infinity();
 
-/// One requirement for the method `dewpoint` in one grade.
+/// Requirement for the `dewpoint` method in one grade.
 struct SuiteBar {
   int item = 0;         ///< number in the list of requirements
   std::string sentence; ///< what is measured, and where
   std::string unit;
   double low = 0.0; ///< the value must be within [low, high]
   double high = 0.0;
-  /// Names or families of the scenarios that are evaluated. Empty: all.
+  /// Names or families of the evaluated scenarios. If empty, all scenarios are evaluated.
   std::vector<std::string> scenarios;
   BarMeasure measure;
   /// Name of the grade, as in gradeName(). Nothing is measured if no run has this grade.
   std::string grade = "ideal";
-  /// Whether this is an aim of the next version, which the current version may miss.
+  /// True if this is an aim for the next version, which the current version may miss.
   bool isAim = false;
 };
 
-/// All bars in the order of the list.
+/// Returns all requirements in list order.
 const std::vector<SuiteBar>& suiteBars();
 
 /// Result of a requirement.
 struct BarResult {
   const SuiteBar* bar = nullptr;
-  std::size_t runs = 0;      ///< 0: not measured
+  std::size_t runs = 0;      ///< number of measured runs; 0: not measured
   double value = 0.0;        ///< NaN if the runs have no such value
-  std::string scenario = {}; ///< scenario that determines the value, if it is only one
-  /// Whether the cells have runs and a value for the bar.
+  std::string scenario = {}; ///< scenario that determines the value, if a single one does
+  /// Returns whether there are runs and a value for this requirement.
   bool measured() const;
-  /// Whether the value is within [low, high].
+  /// Returns whether the value is within [low, high].
   bool reached() const;
-  double shortfall() const; ///< distance from [low, high]; 0 inside
+  double shortfall() const; ///< returns the distance from [low, high]; 0 inside
 };
 
-/// Results of the runs of `dewpoint` among the cells, each bar in its own grade. Runs of tuning
-/// seeds count too; the report shows which seeds they are.
+/// Measures all requirements from the `dewpoint` runs in the cells, each requirement in its own
+/// grade. Runs with tuning seeds also count; the report shows the seeds.
 std::vector<BarResult> measureBars(const std::vector<SuiteCell>& cells);
 
 } // namespace dewpoint::experiment

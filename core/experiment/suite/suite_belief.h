@@ -10,28 +10,28 @@
 
 namespace dewpoint::experiment {
 
-/// A metric by which it is assessed whether a method knows how sure it may be.
+/// Metric for the quality of a method's reported confidence.
 struct BeliefMetric {
-  const char* name;     ///< in files: "coverage95_percent"
-  const char* head;     ///< of a table's column, HTML
-  const char* sentence; ///< what it is
-  /// Of the runs of one method in one scenario; NaN where they have none.
+  const char* name;     ///< name in files: "coverage95_percent"
+  const char* head;     ///< column header of a table, HTML
+  const char* sentence; ///< description
+  /// Computes the value for the runs of one method in one scenario. NaN if they have no value.
   double (*of)(std::span<const SuiteResult* const> runs);
-  /// Whether the worst scenario is the one with the largest value; otherwise it is the one with the
-  /// smallest.
+  /// True if the worst scenario is the one with the largest value. Otherwise it is the one with the
+  /// smallest value.
   bool lessIsBetter;
 };
 
-/// All of them, in the order of the tables.
+/// Returns all belief metrics in table order.
 std::span<const BeliefMetric> beliefMetrics();
-/// The one of this name (asserted).
+/// Returns the metric with this name, which must exist (asserted).
 const BeliefMetric& beliefMetric(const std::string& name);
 
-/// One value per scenario, summarized by the median and by the worst.
+/// Summary of one value per scenario: the median and the worst value.
 struct OverScenarios {
   double median = 0.0; ///< NaN without a value
   double worst = 0.0;
-  std::string worstScenario; ///< first of ties; empty without a value
+  std::string worstScenario; ///< the first one if there are ties; empty without a value
 };
 
 /// Value of a metric in one scenario.
@@ -39,20 +39,20 @@ struct ScenarioValue {
   std::string scenario;
   double value = 0.0; ///< NaN: ignored
 };
-/// Computes the median and the worst of the values.
+/// Computes the median and the worst value.
 OverScenarios overScenarios(std::span<const ScenarioValue> values, bool lessIsBetter);
 
-/// Metrics of belief of a method over all scenarios of one grade.
+/// Belief metrics of a method over all scenarios of one grade.
 struct BeliefSummary {
   Grade grade = Grade::Ideal;
   std::string method;
   std::size_t scenarios = 0;
   std::size_t runs = 0;
-  std::vector<OverScenarios> figures; ///< as beliefMetrics()
+  std::vector<OverScenarios> figures; ///< one entry per metric, in the order of beliefMetrics()
 };
 
-/// Summaries, one per grade and method among the cells: grades in their order, methods in the order
-/// of the cells.
+/// Returns one summary for each grade and method in the cells. Grades are in ascending order, and
+/// methods are in cell order.
 std::vector<BeliefSummary> summarizeBelief(std::span<const SuiteCell> cells);
 
 } // namespace dewpoint::experiment

@@ -9,16 +9,18 @@
 
 namespace dewpoint::experiment {
 
-/// CSS class of a method's color, the same in all plots: "m0" to "m7"; "m8" for an unknown method.
+/// Returns the CSS class for a method's color, which is the same in all plots: "m0" to "m7", or
+/// "m8" for an unknown method.
 std::string methodStyle(const std::string& method);
 
-/// Plot of the error by frame: the median, and the band from the 10th to the 90th percentile, over
-/// runs and targets. `cells` are the methods of one scenario, here and in the next two plots.
+/// Plots the error by frame: the median, and the band from the 10th to the 90th percentile, over
+/// runs and targets. Here and in the next two functions, `cells` are the methods of one scenario.
 Plot errorOverTime(std::span<const SuiteCell> cells);
-/// Plot of the share of all frames from the start in which the target is declared with an error of
-/// at most x. The curve ends below 100 % if a method does not declare the target in some frames.
+/// Plots the fraction of all frames, from the start, in which the target is declared present with
+/// an error of at most x. The curve ends below 100 % if a method does not declare the target
+/// present in some frames.
 Plot errorDistribution(std::span<const SuiteCell> cells);
-/// Plot of the share of estimates whose target was at the estimate, over the reported P(exists).
+/// Plots the fraction of estimates whose target was at the estimate, over the reported P(exists).
 Plot reliabilityDiagram(std::span<const SuiteCell> cells);
 
 } // namespace dewpoint::experiment

@@ -9,10 +9,10 @@
 
 namespace dewpoint::experiment {
 
-/// Fingerprint of the results of each method: its errors, NEES and P(exists) on a few short fixed
-/// runs of the suite, with tuning seeds. It stays the same when sources are rearranged. It changes
-/// when results change, because of the method, the scenarios or the measurement of errors. It does
-/// not cover effects that only longer runs show.
+/// Computes a fingerprint of each method's results: errors, NEES and P(exists) on a few short,
+/// fixed runs of the suite with tuning seeds. Refactoring does not change the fingerprint. It
+/// changes when the method, the scenarios or the measurement of errors produce different results.
+/// It does not cover effects that only appear in longer runs.
 ///
 /// Errors are rounded to 0.01 mm, NEES to three digits, sums of P(exists) to 0.001. Only targets
 /// that a method declares present count. NotFound for an unknown method or scenario.

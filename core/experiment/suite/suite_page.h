@@ -7,7 +7,8 @@
 
 namespace dewpoint::experiment {
 
-/// The report as a single self-contained page: light and dark mode, inline plots.
+/// Returns the report as a single self-contained HTML page with inline plots, for light and dark
+/// mode.
 std::string reportHtml(const SuiteReport& report);
 
 } // namespace dewpoint::experiment

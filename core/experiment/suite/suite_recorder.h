@@ -20,25 +20,27 @@ struct SuiteResult {
 /// truth.
 ///
 /// A target is declared present if its estimate is valid or its existence probability is above one
-/// half. If several targets have the same color, a method may name them in any order. Over the
-/// whole run, estimates are assigned to targets of their color so that most frames are followed.
-/// Later confusions count as errors.
+/// half. If several targets have the same color, a method may name them in any order. Estimates are
+/// assigned to targets of the same color once for the whole run, such that as many frames as
+/// possible are followed. Deviations from this assignment count as errors.
 class SuiteRecorder {
 public:
-  /// `run` must outlive the recorder.
+  /// Creates a recorder for a run, which must outlive it.
   SuiteRecorder(const ScenarioRun& run, std::string method);
 
-  /// Adds the next frame, from 0 on.
+  /// Adds the estimates for the next frame. Frames start at 0.
   void add(const std::vector<SphereEstimate>& estimates);
-  /// Result of the frames added so far. `usPerFrame` is the measured time in microseconds.
+  /// Returns the result for the frames added so far. `usPerFrame` is the measured time per frame in
+  /// microseconds.
   SuiteResult result(double usPerFrame) const;
 
 private:
   struct Samples;
-  /// Adds the measurements of one target, which the method's estimate `estimate` follows.
+  /// Adds the measurements of one target, which is assigned to the method's estimate with index
+  /// `estimate`.
   void addTarget(std::size_t target, std::size_t estimate, Samples& samples,
                  SuiteResult& result) const;
-  /// Size of the target at a frame; null if the run does not contain it.
+  /// Returns the target size in a frame, or null if the run does not contain it.
   const TargetExtent* extentOf(std::size_t frame, std::size_t target) const;
   std::vector<std::size_t> estimateOfTruth() const;
   std::vector<TargetFrame> framesOf(std::size_t truth, std::size_t estimate) const;
@@ -48,7 +50,7 @@ private:
 
   const ScenarioRun& run_;
   std::string method_;
-  /// truth_[frame][target]: its position; nothing while it is absent.
+  /// truth_[frame][target]: target position. Empty while the target is absent.
   std::vector<std::vector<std::optional<Eigen::Vector3d>>> truth_;
   /// extents_[frame][target]; empty if the run does not contain sizes.
   std::vector<std::vector<TargetExtent>> extents_;

@@ -19,16 +19,17 @@ struct SuiteReport {
   std::vector<BeliefSummary> belief;
   std::vector<BarResult> bars;
   std::span<const ScenarioDeclaration> catalog;
-  std::vector<std::uint64_t> seeds; ///< ascending, each once
+  std::vector<std::uint64_t> seeds; ///< ascending, without duplicates
   std::vector<std::string> notes;   ///< sentences about missing data
-  SkippedRuns skipped;              ///< runs that their scenarios could not make
+  SkippedRuns skipped;              ///< runs that their scenarios could not create
 };
 
-/// CSV with one line per cell: scenario, grade and method.
+/// Returns CSV with one line per cell (scenario, grade and method).
 std::string summaryCsv(const SuiteReport& report);
-/// CSV with one line per grade, method and metric of belief: the median over the scenarios, and the
-/// worst scenario with its name.
+/// Returns CSV with one line per grade, method and belief metric. Each line has the median over the
+/// scenarios, and the value and name of the worst scenario.
 std::string beliefCsv(const SuiteReport& report);
+/// Returns the report as JSON.
 std::string reportJson(const SuiteReport& report);
 /// Writes report.html, summary.csv, belief.csv and report.json into the folder. `notes` are
 /// sentences about missing data, such as clips whose recordings are missing.

@@ -13,18 +13,18 @@
 
 namespace dewpoint::experiment {
 
-/// Largest error in meters at which a target that is declared present counts as followed: the
-/// requirement of the suite.
+/// Error limit in meters. A target that is declared present counts as followed if its error is
+/// below this limit. This is a requirement of the suite.
 inline constexpr double kFollowGate = 0.03;
-/// Gate of the metrics of several targets (cutoff of GOSPA, CLEAR MOT, HOTA), meters.
+/// Gate for the multi-target metrics (cutoff of GOSPA, CLEAR MOT, HOTA), meters.
 inline constexpr double kMatchGate = 0.1;
-/// Largest number of frames of a quick start.
+/// Maximum number of frames until convergence that counts as a quick start.
 inline constexpr double kQuickFrames = 5.0;
-/// Bins of the reliability diagram.
+/// Number of bins in the reliability diagram.
 inline constexpr int kReliabilityBins = 10;
 
-/// Grades of a list of names, each once, the easiest first; "both" means ideal and room. Nothing if
-/// a name is unknown or the list is empty.
+/// Returns the grades for a list of names, without duplicates, easiest first. "both" means ideal
+/// and room. Nothing if a name is unknown or the list is empty.
 std::optional<std::vector<Grade>> gradesNamed(const std::vector<std::string>& names);
 
 /// Identifies a run of the suite.
@@ -39,7 +39,7 @@ struct RunKey {
 };
 
 /// Measurements of one run: one row of runs.csv. A value that does not apply is empty. It is
-/// infinite if something that should have happened never did.
+/// infinite if an expected event never happened.
 struct SuiteRow {
   using Figure = std::optional<double>;
   RunKey key;
@@ -81,16 +81,16 @@ struct SuiteRow {
   Figure frames;
 };
 
-/// Column of runs.csv after the four of the key.
+/// Column of runs.csv after the four key columns.
 struct SuiteColumn {
   const char* name;
   SuiteRow::Figure SuiteRow::*figure;
-  const char* sentence; ///< its meaning, for the report
+  const char* sentence; ///< meaning of the column, for the report
 };
-/// Columns in the order of runs.csv.
+/// Returns the columns in the order of runs.csv.
 std::span<const SuiteColumn> suiteColumns();
 
-/// How often P(exists) within one tenth was reported, and the outcomes.
+/// Count of reports with P(exists) within one bin, and their outcomes.
 struct ReliabilityCount {
   std::int64_t count = 0;
   double probabilitySum = 0.0;
@@ -100,20 +100,20 @@ struct ReliabilityCount {
 /// Data of one run for the plots: one line of traces.csv.
 struct SuiteTrace {
   RunKey key;
-  /// Distance of the estimate to the truth in millimeters, per target and frame. NaN if the method
-  /// does not declare the target present, or if the target is absent.
+  /// Distance of the estimate from the truth in millimeters, per target and frame. NaN if the
+  /// method does not declare the target present, or if the target is absent.
   std::vector<std::vector<double>> errorsMm;
   std::vector<ReliabilityCount> reliability; ///< kReliabilityBins entries
 };
 
-/// Lines of the two files, without the line end. Numbers have six (errors four) significant digits;
-/// a line that is parsed and written again is identical.
+/// Returns the header or one line of runs.csv or traces.csv, without the line end. Numbers have six
+/// significant digits; errors have four. A line that is parsed and written again is identical.
 std::string rowHeader();
 std::string rowText(const SuiteRow& row);
 std::string traceHeader();
 std::string traceText(const SuiteTrace& trace);
 
-/// Parses a line; nothing if it is incomplete.
+/// Parses a line. Returns nothing if it is incomplete.
 std::optional<SuiteRow> parseRow(const std::string& line);
 std::optional<SuiteTrace> parseTrace(const std::string& line);
 

@@ -12,30 +12,31 @@
 
 namespace dewpoint::experiment {
 
-/// Results by the key of their run.
+/// Results, indexed by run key.
 using SuiteResults = std::map<RunKey, SuiteResult>;
 
 /// Files in a suite's folder: runs.csv, traces.csv, and skipped.csv with the runs that could not be
-/// made. Results are appended and flushed as they finish, so a killed suite loses only unfinished
-/// runs. Opening the folder again restores the results; an incomplete last line is dropped.
+/// created. Results are appended and flushed as they finish, so a killed suite loses only
+/// unfinished runs. Opening the folder again restores the results; an incomplete last line is
+/// dropped.
 class SuiteStore {
 public:
-  /// Opens or creates the folder. FileUnwritable; Mismatch if its files have other columns (they
-  /// are from another version); NotParsed if a line other than the last is broken.
+  /// Opens or creates the folder. Errors: FileUnwritable; Mismatch if its files have different
+  /// columns (from another version); NotParsed if any line except the last is broken.
   static Result<SuiteStore> open(const std::filesystem::path& folder);
 
   /// Reads the results of a folder without changing it. FileMissing if it has no runs.csv; Mismatch
   /// and NotParsed as for open().
   static Result<SuiteResults> read(const std::filesystem::path& folder);
 
-  /// Reads the skipped runs of a folder; none without a skipped.csv. Mismatch and NotParsed as for
-  /// open().
+  /// Reads the skipped runs of a folder. The result is empty if there is no skipped.csv. Mismatch
+  /// and NotParsed as for open().
   static Result<SkippedRuns> readSkipped(const std::filesystem::path& folder);
 
   const SuiteResults& results() const { return results_; }
   const SkippedRuns& skipped() const { return skipped_; }
-  /// Adds results to results() only; rewrite() writes them. They replace existing results of the
-  /// same runs.
+  /// Adds results to results() only. They replace existing results of the same runs. rewrite()
+  /// writes them to the files.
   void take(const SuiteResults& results);
   /// Adds skipped runs to skipped() only.
   void take(const SkippedRuns& skipped);
@@ -43,7 +44,7 @@ public:
   Status append(const SuiteResult& result);
   /// Adds one skipped run to skipped.csv and to skipped().
   Status append(const SkippedRun& run);
-  /// Writes all files again, with the runs in the order of these keys.
+  /// Rewrites all files, with the runs in the order of the given keys.
   Status rewrite(const std::vector<RunKey>& order);
 
 private:

@@ -12,7 +12,7 @@
 
 namespace dewpoint::experiment {
 
-/// Marks a value that does not apply.
+/// Placeholder for a value that does not apply.
 inline constexpr double kNoFigure = std::numeric_limits<double>::quiet_NaN();
 
 /// Runs of one method in one scenario and grade: one cell of the report's tables.
@@ -22,28 +22,29 @@ struct SuiteCell {
   std::string method;
   std::vector<const SuiteResult*> runs;
 
-  Interval rmseMm;      ///< median over the runs' RMSE, bootstrap 95 % interval
-  Interval p95Mm;       ///< over all frames of all runs after convergence; whole runs are resampled
+  Interval rmseMm; ///< median RMSE of the runs, with its 95 % bootstrap interval
+  Interval p95Mm; ///< 95th percentile over all frames of all runs after convergence; whole runs are
+                  ///< resampled
   Proportion quick;     ///< runs that converged within kQuickFrames
-  Proportion converged; ///< runs that converged at all
+  Proportion converged; ///< runs that converged
 };
 
-/// Cells in the order of the keys. `results` must outlive them.
+/// Groups the results into cells, in key order. `results` must outlive the cells.
 std::vector<SuiteCell> summarizeSuite(const SuiteResults& results,
                                       const std::vector<RunKey>& order);
 
-/// Values of a column over the runs in ascending order, without empty ones. Infinite values come
-/// last.
+/// Returns the values of a column over the runs, in ascending order. Empty values are left out, and
+/// infinite values come last.
 std::vector<double> figuresOf(std::span<const SuiteResult* const> runs,
                               SuiteRow::Figure SuiteRow::*figure);
-/// Quantile and mean of figuresOf(); NaN if there are no values. A quantile next to an infinite
-/// value is infinite.
+/// Returns the quantile or mean of figuresOf(). NaN if there are no values. A quantile next to an
+/// infinite value is infinite.
 double quantileOf(std::span<const SuiteResult* const> runs, SuiteRow::Figure SuiteRow::*figure,
                   double fraction);
 double meanOf(std::span<const SuiteResult* const> runs, SuiteRow::Figure SuiteRow::*figure);
 
-/// Errors of each target of each run from its convergence on (from the start if it never
-/// converged), millimeters.
+/// Returns the errors of each target in each run, from its convergence on (from the start if it
+/// never converged), millimeters.
 std::vector<std::vector<double>> errorsAfterConvergence(std::span<const SuiteResult* const> runs);
 
 /// Combines the reliability tables of the runs.

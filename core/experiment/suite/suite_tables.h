@@ -9,21 +9,22 @@
 
 namespace dewpoint::experiment {
 
-/// Formats a number with three significant digits: "1.41", "23.4", "630", "never", "-" for no
-/// value.
+/// Formats a number with about three significant digits, such as "1.41", "23.4" or "630". Infinity
+/// becomes "never", and a missing value becomes "-".
 std::string figureText(double value);
 
-/// HTML table of the bars of one grade, and whether each is reached.
+/// Returns an HTML table of the requirements of one grade, showing whether each is met.
 std::string barTable(std::span<const BarResult> bars);
-/// HTML table of the belief metrics of one grade, with one row per method: each metric's median
-/// over the scenarios, and below it the worst scenario by name.
+/// Returns an HTML table of the belief metrics of one grade, with one row per method. Each cell has
+/// the metric's median over the scenarios, and below it the worst scenario by name.
 std::string beliefTable(std::span<const BeliefSummary> methods);
-/// HTML table of median RMSE and lost frames, scenario by method.
+/// Returns an HTML table of median RMSE and lost frames, with one row per scenario and one column
+/// per method.
 std::string overviewTable(std::span<const SuiteCell> cells);
-/// The same table with errors relative to the size of the targets: the share of frames near the
-/// centroid, and the error of the radius if the methods do not know it.
+/// Returns the same table with errors relative to the target size: the fraction of frames near the
+/// centroid, and the radius error if the methods do not know the radius.
 std::string extentTable(std::span<const SuiteCell> cells);
-/// HTML table of one scenario in one grade, with one row per method.
+/// Returns an HTML table of one scenario in one grade, with one row per method.
 std::string scenarioTable(std::span<const SuiteCell> cells);
 
 } // namespace dewpoint::experiment

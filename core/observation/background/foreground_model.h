@@ -20,11 +20,12 @@ enum class BackgroundMethod {
 /// Parameters of a foreground model.
 struct ForegroundSettings {
   BackgroundMethod method = BackgroundMethod::Running;
-  /// Number of frames at the start that are only learned from.
+  /// Number of frames at the start that are only used for learning.
   int learningFrames = 15;
-  /// Number of frames after which a new object that stays is halfway to becoming background.
+  /// Number of frames after which a new object that does not move is halfway to becoming
+  /// background.
   double memoryFrames = 600.0;
-  /// Lowest brightness, as a share of the usual brightness, at which a pixel still counts as a
+  /// Lowest brightness, as a fraction of the usual brightness, at which a pixel still counts as a
   /// shadow.
   double darkestShadow = 0.5;
 };
@@ -37,23 +38,23 @@ public:
   /// Learns from an image (CV_8UC3) of the scene without people. All images must have the same
   /// size.
   virtual void learn(const cv::Mat& image) = 0;
-  /// Computes the mask of an image (CV_8UC1: 255 where something has moved in, otherwise 0; shadows
-  /// are 0). Then it learns slowly from the image, except where `keep` (CV_8UC1, or empty) is
-  /// nonzero.
+  /// Computes the mask of an image (CV_8UC1): 255 where an object has moved in, and 0 elsewhere,
+  /// including shadows. Then learns slowly from the image, except where `keep` (CV_8UC1, or empty)
+  /// is nonzero.
   virtual void subtract(const cv::Mat& image, const cv::Mat& keep, cv::Mat& mask) = 0;
-  /// Returns a new model with the same settings that has learned nothing.
+  /// Returns a new, untrained model with the same settings.
   virtual std::unique_ptr<ForegroundModel> fresh() const = 0;
   /// Returns a copy that continues from here with bit-identical results and shares no writable
   /// data. Returns null if the model cannot be copied, because OpenCV does not give access to its
   /// state.
   virtual std::unique_ptr<ForegroundModel> clone() const { return nullptr; }
-  /// Whether clone() returns a copy.
+  /// Returns whether clone() returns a copy.
   virtual bool canBeCopied() const { return false; }
-  /// Approximate size of a copy, bytes.
+  /// Returns the approximate size of a copy, bytes.
   virtual std::size_t memoryBytes() const { return 0; }
 };
 
-/// Makes the model that `settings` names.
+/// Creates the model selected by `settings`.
 std::unique_ptr<ForegroundModel> makeForegroundModel(const ForegroundSettings& settings);
 
 } // namespace dewpoint::observation

@@ -12,9 +12,9 @@
 
 namespace dewpoint::observation {
 
-/// Evidence of a pixel for a target. `Unknown` neither matches nor agrees with the background:
-/// something may hide the target there. It is no evidence either way, like a pixel outside the
-/// image or one that another target explains.
+/// Evidence that a pixel provides for a target. An `Unknown` pixel neither matches nor agrees with
+/// the background, so something may hide the target there. It is no evidence either way. The same
+/// applies to pixels outside the image and pixels explained by another target.
 enum class PixelLabel : std::uint8_t {
   Unlearned,  ///< does not match; the background is not known yet
   Background, ///< does not match and agrees with the background
@@ -28,25 +28,24 @@ inline constexpr std::size_t kPixelLabelCount = 5;
 /// required.
 class LabelImage {
 public:
-  /// Starts with a new image (CV_8UC3). Image, background and classifiers must outlive the labels.
-  /// `usual` classifies the color in the reference light.
+  /// Starts with a new image (CV_8UC3). The image, background and classifiers must outlive the
+  /// labels. `usual` classifies the target color in the reference light.
   void begin(const cv::Mat& image, const BackgroundModel& background,
              const ColorClassifier& classifier, const ColorClassifier& usual);
   void begin(const cv::Mat& image, const BackgroundModel& background,
              const ColorClassifier& classifier) {
     begin(image, background, classifier, classifier);
   }
-  /// Removes the image, for a camera without one.
+  /// Removes the image, for a camera without an image.
   void clear();
 
   bool empty() const { return image_.empty(); }
   cv::Size size() const { return image_.size(); }
 
-  /// Computes the labels of this part of the image, clipped to the image. Does nothing where they
-  /// exist already.
+  /// Computes the labels for an area, clipped to the image. Existing labels are not computed again.
   void require(const cv::Rect& area);
   void requireAll() { require({0, 0, image_.cols, image_.rows}); }
-  /// Part of the image whose labels have been computed, pixels.
+  /// Returns the part of the image whose labels have been computed, pixels.
   const cv::Rect& covered() const { return covered_; }
 
   /// Circle in the image, pixels.
@@ -58,7 +57,8 @@ public:
   /// within `except`. This also applies to labels computed later.
   void explain(const Circle& other, const Circle& except);
 
-  /// Label of a covered pixel. Outside the covered part it is Explained, which is no evidence.
+  /// Returns the label of a pixel. Outside the covered part, the label is Explained, which is no
+  /// evidence.
   PixelLabel at(int column, int row) const noexcept {
     if (column < covered_.x || row < covered_.y || column >= covered_.x + covered_.width ||
         row >= covered_.y + covered_.height) {
@@ -66,7 +66,8 @@ public:
     }
     return static_cast<PixelLabel>(labels_.ptr<std::uint8_t>(row)[column]);
   }
-  /// All labels: CV_8UC1 of the image's size, valid in the covered part only; values of PixelLabel.
+  /// Returns all labels as PixelLabel values: CV_8UC1 with the size of the image, valid only in the
+  /// covered part.
   const cv::Mat& labels() const { return labels_; }
 
 private:
@@ -84,8 +85,8 @@ private:
   cv::Rect covered_;
   cv::Mat labels_;
   std::vector<Explanation> explained_;
-  /// Marks the pixels of `row` that match after conversion to the reference light, where matched_
-  /// is 0.
+  /// Marks the pixels in `row` that match only after conversion to the reference light, among those
+  /// where matched_ is 0.
   void matchInUsualLight(const std::uint8_t* row, int count);
 
   std::vector<std::uint8_t> matched_; ///< scratch, one row

@@ -14,11 +14,14 @@ namespace dewpoint::observation {
 /// or differently tinted than a learned background. The factor is the median ratio over a grid of
 /// pixels.
 ///
-/// `image` and `mean` are CV_8UC3 of one size. `confidence` (CV_8UC1) marks where the mean is
-/// known: from BackgroundModel::kLearned on. `light` is the light of the mean, relative to a
-/// reference. Returns nothing if the light is about the same; if no such factor explains most of
-/// the image (something covers it, or the camera moved); or if the factor, or its product with
-/// `light`, is too large for a change of light.
+/// `image` and `mean` are CV_8UC3 of one size. `confidence` (CV_8UC1) tells where the mean is
+/// known: its values there are at least BackgroundModel::kLearned. `light` is the light of the
+/// mean, relative to a reference.
+///
+/// Returns nothing in these cases:
+/// - The light is about the same.
+/// - No such factor explains most of the image, because something covers it or the camera moved.
+/// - The factor, or its product with `light`, is too large for a light change.
 std::optional<Eigen::Array3d> estimateLightChange(const cv::Mat& image, const cv::Mat& mean,
                                                   const cv::Mat& confidence,
                                                   const Eigen::Array3d& light);

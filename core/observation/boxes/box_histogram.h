@@ -9,10 +9,10 @@
 
 namespace dewpoint::observation {
 
-/// Weighted color histogram of a box in an image (CV_8UC3): equations 7 and 8 of Sugandi et al.
-/// 2009. It has 8 x 8 x 8 RGB bins, numbered as by rgbBin(). The box is rounded to whole pixels, as
-/// in the method itself. The shares sum to 1 over the pixels of the box within the image. Empty if
-/// there are none.
+/// Computes the weighted color histogram of a box in an image (CV_8UC3), by equations 7 and 8 of
+/// Sugandi et al. 2009. It has 8 x 8 x 8 RGB bins, numbered as by rgbBin(). The box is rounded to
+/// whole pixels, as in the method itself. The histogram is normalized to 1 over the pixels of the
+/// box inside the image. It is empty if there are no such pixels.
 std::vector<double> boxHistogram(const cv::Mat& bgr, const ImageBox& box);
 
 } // namespace dewpoint::observation

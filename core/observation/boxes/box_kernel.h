@@ -10,28 +10,28 @@
 
 namespace dewpoint::observation {
 
-/// Kernel profile g(r) = 1 - r² for r < 1, otherwise 0 (Sugandi et al. 2009, equation 6). The
-/// argument is r².
+/// Returns the kernel profile g(r): 1 - r² for r < 1, otherwise 0 (Sugandi et al. 2009, equation
+/// 6). The argument is r².
 inline double profile(double rSquared) {
   return rSquared < 1.0 ? 1.0 - rSquared : 0.0;
 }
 
-/// Weights g(|y - x_j| / a) of the pixels x_j of a rectangle with center y. They are whole numbers
-/// of a common scale, so their sums are exact and do not depend on the order. `a` is half the
-/// diagonal of the rectangle, so every pixel has a positive weight; the paper only calls it the
-/// normalization factor.
+/// Weights g(|y - x_j| / a) of the pixels x_j of a rectangle with center y. The weights are
+/// integers with a common scale, so their sums are exact and do not depend on the order. `a` is
+/// half the diagonal of the rectangle, so every pixel has a positive weight. The paper only calls
+/// it the normalization factor.
 class BoxKernel {
 public:
-  /// Makes a kernel of this size in pixels, at least 1 x 1.
+  /// Creates a kernel of this size in pixels, at least 1 x 1.
   BoxKernel(int width, int height);
-  /// Of a box that is laid on whole pixels.
+  /// Creates the kernel for a box that is rounded to whole pixels.
   explicit BoxKernel(const ImageBox& box);
 
   int width() const { return width_; }
   int height() const { return height_; }
-  /// Sum of all weights.
+  /// Returns the sum of all weights.
   double sum() const { return sum_; }
-  /// Weights of one row, width() of them.
+  /// Returns the weights of one row; there are width() of them.
   const std::uint32_t* row(int row) const {
     return weights_.data() + std::size_t(row) * std::size_t(width_);
   }
@@ -43,12 +43,13 @@ private:
   double sum_ = 0.0;
 };
 
-/// The part of a kernel, placed over an image, that lies within the image. Pixels.
+/// Placement of a kernel over an image, with the part of the kernel that lies inside the image.
+/// Pixels.
 struct KernelPlacement {
   int left = 0;        ///< left edge of the whole kernel, in the image
   int top = 0;         ///< top edge of the whole kernel, in the image
-  int firstColumn = 0; ///< first column of the kernel in the image, counted within the kernel
-  int endColumn = 0;   ///< one past the last such column
+  int firstColumn = 0; ///< first kernel column that lies inside the image
+  int endColumn = 0;   ///< one past the last kernel column inside the image
   int firstRow = 0;
   int endRow = 0;
 
@@ -56,7 +57,7 @@ struct KernelPlacement {
 };
 
 /// Places a kernel with its center as near as possible to (x, y), in whole pixels. (x, y) is in
-/// pixels from the image's corner.
+/// pixels from the image corner.
 KernelPlacement placeKernel(const BoxKernel& kernel, double x, double y, int columns, int rows);
 
 } // namespace dewpoint::observation

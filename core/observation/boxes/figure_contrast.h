@@ -8,19 +8,19 @@
 
 namespace dewpoint::observation {
 
-/// Color contrast between a box and its surroundings, for many boxes of one image: center against
-/// surround, by color histograms (Liu et al., Learning to detect a salient object, CVPR 2007,
-/// compare a rectangle with its ring in the same way).
+/// Color contrast between a box and its surroundings, for many boxes in one image. It compares the
+/// color histograms of center and surround. Liu et al. (Learning to detect a salient object, CVPR
+/// 2007) compare a rectangle with its ring in the same way.
 class FigureContrast {
 public:
-  /// Prepares an image, CV_8UC3. `pixel` is known to belong to the figure.
+  /// Prepares an image (CV_8UC3). `pixel` must belong to the figure.
   FigureContrast(const cv::Mat& bgr, const Eigen::Vector2d& pixel);
 
-  /// Contrast of a box, at most 1. f(c) and b(c) are the softened shares of a color in the oval
-  /// that touches the box's sides and in the ring around it that is 1.6 times as large. The
-  /// contrast is the mean of (f - b) / (f + b) over the pixels in the oval, times the mean at the
-  /// known pixel. It is 0 if the known pixel's color is more typical of the ring, or if no part of
-  /// the ring is in the image.
+  /// Returns the contrast of a box, at most 1. Let f(c) and b(c) be the smoothed fractions of a
+  /// color in the oval that touches the box sides, and in the ring around it that is 1.6 times as
+  /// large. The contrast is the mean of (f - b) / (f + b) over the pixels in the oval, times the
+  /// mean at the known pixel. It is 0 if the known pixel's color is more typical of the ring, or if
+  /// no part of the ring is in the image.
   double at(const ImageBox& box) const;
 
 private:
@@ -29,7 +29,7 @@ private:
     Shares counts{};
     double pixels = 0.0;
   };
-  /// Adds the colors in a rectangle that is rounded to pixels.
+  /// Adds the colors in a rectangle, which is rounded to whole pixels.
   void add(double left, double top, double right, double bottom, Colors& colors) const;
   Colors inOval(const ImageBox& box) const;
   const int* upTo(int x, int y) const {

@@ -13,23 +13,23 @@ namespace dewpoint::observation {
 /// to 0 if there are no pixels.
 using FineHistogram = std::vector<double>;
 
-/// Share below which a color cannot be distinguished from chance: one pixel in a thousand. Origin
-/// not recorded.
+/// Fraction below which a color cannot be distinguished from chance: one pixel in a thousand. The
+/// origin of this value is not recorded.
 inline constexpr double kChanceShare = 1e-3;
 
-/// Pixels of a box that lie in the image.
+/// Returns the pixels of a box that lie inside the image.
 cv::Rect pixelsOf(const ImageBox& box, const cv::Mat& image);
 
-/// Histogram of a part of an image (CV_8UC3).
+/// Computes the histogram of a part of an image (CV_8UC3).
 FineHistogram fineHistogramOf(const cv::Mat& bgr, const cv::Rect& part);
 
-/// Histogram of the pixels of a box, weighted by 1 - r² (Epanechnikov's kernel, equation 6 of
-/// Sugandi et al. 2009). r is 1 on the ellipse that touches the sides. The object for which a box
-/// is drawn lies in its center.
+/// Computes the histogram of the pixels in a box, weighted by 1 - r² (Epanechnikov's kernel,
+/// equation 6 of Sugandi et al. 2009). r is 1 on the ellipse that touches the box sides. Pixels
+/// near the center count more, because a box is drawn around its object.
 FineHistogram centralHistogramOf(const cv::Mat& bgr, const ImageBox& box);
 
-/// Histogram of the surroundings of a box: a ring (70 %) and the rest of the image (30 %), through
-/// which the target may move.
+/// Computes the histogram of a box's surroundings: a ring (70 %) and the rest of the image (30 %),
+/// through which the target may move.
 FineHistogram surroundingsOf(const cv::Mat& bgr, const ImageBox& box);
 
 } // namespace dewpoint::observation

@@ -10,12 +10,13 @@
 
 namespace dewpoint::observation {
 
-/// Least number of matching pixels in an image; fewer are noise. Origin not recorded.
+/// Minimum number of matching pixels in an image. Fewer pixels are noise. The origin of this value
+/// is not recorded.
 inline constexpr int kLeastMassPixels = 4;
 
-/// Center of mass of all matching pixels of an image (CV_8UC3), pixels (column, row). Returns
-/// nothing for fewer than kLeastMassPixels, or without an image (Barrera et al. 2005, section
-/// III-C).
+/// Returns the center of mass of all matching pixels in an image (CV_8UC3), in pixels (column, row)
+/// (Barrera et al. 2005, section III-C). Nothing for fewer than kLeastMassPixels matching pixels or
+/// without an image.
 std::optional<Eigen::Vector2d> massCenter(const cv::Mat& bgr, const ColorClassifier& classifier);
 
 } // namespace dewpoint::observation

@@ -10,24 +10,26 @@ namespace dewpoint::observation {
 
 /// Computes the motion likelihood image D = max(g * M, p_B) of a mask M (CV_8UC1, 0 or 255), as
 /// CV_32FC1 (Mohedano et al. 2009, equation 8). g is a Gaussian with a standard deviation of
-/// `sigma` pixels, cut off at three of them. Pixels outside the image count as not moving.
+/// `sigma` pixels, truncated at three standard deviations. `floor` is p_B. Pixels outside the image
+/// count as not moving.
 void motionLikelihood(const cv::Mat& mask, double sigma, double floor, cv::Mat& likelihood);
 
-/// Color cue of the same paper, equations 10 to 13.
+/// Color cue of Mohedano et al. 2009, equations 10 to 13.
 struct ColorCue {
   double hueSigma = 0.04;        ///< sigma_h, for a hue in [0, 1]
   double saturationSigma = 0.08; ///< sigma_s
   double hueFloor = 0.3;         ///< h_B
   double saturationFloor = 0.3;  ///< s_B
 
-  /// Log likelihood log p(H | h) p(S | s) of a pixel (BGR). A gray pixel has no hue. Its p(H) is
-  /// the mean over all hues, h_B + (1 - h_B), which is 1.
+  /// Returns the log likelihood log p(H | h) p(S | s) of a pixel (BGR). A gray pixel has no hue.
+  /// Its p(H) is the mean over all hues, h_B + (1 - h_B), which is 1.
   double logLikelihood(const unsigned char* bgr, double hue, double saturation) const;
-  /// Smallest value of logLikelihood(), log(h_B s_B), for a color that does not match at all.
+  /// Returns the smallest value of logLikelihood(): log(h_B s_B), for a color that does not match
+  /// at all.
   double logFloor() const;
 };
 
-/// Hue and saturation (HSI) of a pixel, in [0, 1]. The hue is NaN for gray.
+/// Returns the hue and saturation (HSI) of a pixel, in [0, 1]. The hue is NaN for gray.
 Eigen::Vector2d hueAndSaturation(const unsigned char* bgr);
 
 /// Finds the pixel nearest to a projection. Returns false if the projection is outside the image or

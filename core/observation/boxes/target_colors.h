@@ -10,11 +10,12 @@
 namespace dewpoint::observation {
 
 /// One value per color bin: max(0, 2 P - 1) in units of 1 / kWhole, where P is the probability that
-/// a pixel of that color belongs to the target. 0 if the color is as likely in the surroundings.
+/// a pixel of that color belongs to the target. The value is 0 if the color is at least as likely
+/// in the surroundings.
 using BinShares = std::vector<std::uint16_t>;
 
 /// Colors of the parts of a boxed target, and of its surroundings. The histograms follow slow
-/// changes. The target's follow only halfway: the first image remains an anchor.
+/// changes. The target histograms follow only halfway, so that the first image remains an anchor.
 class TargetColors {
 public:
   static constexpr int kColumns = 2;
@@ -25,20 +26,21 @@ public:
   /// Discards everything and learns the colors of a box, whose center must be in the image.
   void learn(const cv::Mat& bgr, const ImageBox& box);
   /// Moves the histograms toward those of a box by `rate`, [0, 1]. Pixels whose colors are more
-  /// typical of the surroundings count less, so ground inside the box is not learned.
+  /// typical of the surroundings count less, so the ground inside the box is not learned.
   void adaptTarget(const cv::Mat& bgr, const ImageBox& box, double rate);
   /// Moves the histogram of the surroundings toward the surroundings of a box by `rate`, [0, 1].
   void adaptSurroundings(const cv::Mat& bgr, const ImageBox& box, double rate);
 
-  /// Shares of a part (numbered row by row from the upper left): max(0, 2 P(target | color) - 1). P
-  /// is the background-weighted ratio q² / (q² + b²) of the histograms of part and surroundings.
+  /// Returns max(0, 2 P(target | color) - 1) per color bin for a part. Parts are numbered row by
+  /// row from the upper left. P is the background-weighted ratio q² / (q² + b²) of the histograms
+  /// of part and surroundings.
   BinShares shares(int part) const;
 
-  /// Likeness of a box to the target as first learned, compared with the current surroundings: the
-  /// mean of max(0, 2 P - 1) over its pixels, [0, 1].
+  /// Returns the similarity between a box and the target as first learned, relative to the current
+  /// surroundings: the mean of max(0, 2 P - 1) over its pixels, in [0, 1].
   double likeness(const cv::Mat& bgr, const ImageBox& box) const;
 
-  /// Approximate size of a copy, bytes.
+  /// Returns the approximate size of a copy, bytes.
   std::size_t memoryBytes() const {
     // All histograms have the same size.
     return sizeof(double) * surroundings_.capacity() * (2 * kParts + 1);

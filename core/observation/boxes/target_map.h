@@ -13,17 +13,17 @@ namespace dewpoint::observation {
 
 /// Map of the target's colors in a part of an image. Each part of the target has an integral image
 /// (Crow 1984) of P(target | color), so a box of any size costs only a few look-ups. Values are
-/// whole numbers: sums are exact up to 16 million pixels.
+/// integers, so sums are exact up to 16 million pixels.
 class TargetMap {
 public:
-  /// Computes the map for `region` of an image (CV_8UC3). Pixels outside it count as not the
-  /// target.
+  /// Computes the map for `region` of an image (CV_8UC3). Pixels outside the region count as not
+  /// belonging to the target.
   void build(const cv::Mat& bgr, const cv::Rect& region, const TargetColors& colors);
-  /// Sum of P(target | color of a pixel) over the parts of a box, px². Fractions of pixels count by
-  /// their area (bilinear in the integral image).
+  /// Returns the sum of P(target | color of a pixel) over the parts of a box, px². Fractions of
+  /// pixels count by their area (bilinear in the integral image).
   double sum(const ImageBox& box) const;
   const cv::Rect& region() const { return region_; }
-  /// Approximate size of a copy, bytes.
+  /// Returns the approximate size of a copy, bytes.
   std::size_t memoryBytes() const {
     return sizeof(std::uint32_t) * integrals_.front().capacity() * integrals_.size();
   }

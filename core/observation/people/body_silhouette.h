@@ -17,27 +17,29 @@ namespace dewpoint::observation {
 /// Number of pieces into which a standing body is divided, from the feet up.
 inline constexpr int kBodyPieces = 6;
 
-/// Silhouette of a standing person in a camera: one upright rectangle of pixels per piece of the
-/// body, half open as in OpenCV. Rectangles may lie outside the image. `visible` is false if the
-/// camera cannot show the person (behind it, or beyond the valid range of its lens).
+/// Silhouette of a standing person in a camera: one upright pixel rectangle per piece of the body,
+/// half-open as in OpenCV. Rectangles may lie outside the image. `visible` is false if the camera
+/// cannot show the person. The person is then behind the camera or beyond the valid range of its
+/// lens.
 struct BodySilhouette {
   std::array<cv::Rect, kBodyPieces> pieces;
   bool visible = false;
 };
 
-/// Half the width of a piece of a body of this `height`, meters. Pieces are legs, hips, trunk,
-/// shoulders and head.
+/// Returns half the width of a piece of a body with this `height`, meters. Pieces are legs, hips,
+/// trunk, shoulders and head.
 double bodyHalfWidth(int piece, double height);
 
-/// Computes silhouettes in one camera. Prepared once, cheap per body.
+/// Computes silhouettes in one camera. Construction is done once; computing a silhouette is then
+/// fast.
 class SilhouetteMaker {
 public:
   explicit SilhouetteMaker(const Camera& camera);
 
-  /// Silhouette of a person of `height` meters who stands at `position` (world x and y, meters) on
-  /// a floor at z = `floor` (m).
+  /// Returns the silhouette of a person of `height` meters who stands at `position` (world x and y,
+  /// meters) on a floor at z = `floor` (meters).
   BodySilhouette of(const Eigen::Vector2d& position, double floor, double height) const;
-  /// Distance in front of the camera along its optical axis, meters.
+  /// Returns the distance in front of the camera along its optical axis, meters.
   double depth(const Eigen::Vector3d& point) const { return axis_.dot(point - center_); }
 
 private:
@@ -47,9 +49,9 @@ private:
   double focal_ = 0.0;
 };
 
-/// Integral image of scores: the sum over any rectangle takes four reads (Crow 1984). A score says
-/// how much better or worse a pixel fits a person than no person. CV_32SC1, with one more row and
-/// column than the image.
+/// Integral image of scores: the sum over any rectangle takes four reads (Crow 1984). A score
+/// measures how much better or worse a pixel fits a person than no person. CV_32SC1, with one more
+/// row and column than the image.
 struct ScoreSums {
   static constexpr int kUnit = 40;     ///< byte value of a score of 1
   static constexpr int kNothing = 100; ///< byte value of a score of 0
@@ -57,8 +59,8 @@ struct ScoreSums {
 
   /// Builds the sums from scores stored as bytes (CV_8UC1): kNothing + kUnit * score.
   void build(const cv::Mat& bytes);
-  /// Mean score over a rectangle. Pixels outside the image count as a score of 0. An empty
-  /// rectangle gives 0, never NaN.
+  /// Returns the mean score over a rectangle. Pixels outside the image have a score of 0. The
+  /// result for an empty rectangle is 0, never NaN.
   double mean(const cv::Rect& area) const {
     const int left = std::max(0, area.x);
     const int top = std::max(0, area.y);
@@ -75,12 +77,13 @@ struct ScoreSums {
   }
 };
 
-/// Score of a camera for a person with this silhouette, in units of a fully visible person (1: all
-/// of it is foreground). The score of a piece is limited to at least `floor` (not more than 0),
-/// because furniture may hide it or it may look like the background.
+/// Returns the score of a camera for a person with this silhouette. A fully visible person, all of
+/// which is foreground, has a score of 1. The score of a piece is at least `floor` (not more than
+/// 0), because furniture may hide the piece or it may look like the background.
 double bodyScore(const ScoreSums& score, const BodySilhouette& silhouette, double floor);
 
-/// The same score for the upper half of the body only: legs are hidden more often than heads.
+/// Returns the same score for the upper half of the body only, because legs are hidden more often
+/// than heads.
 double upperBodyScore(const ScoreSums& score, const BodySilhouette& silhouette, double floor);
 
 } // namespace dewpoint::observation

@@ -10,26 +10,28 @@
 
 namespace dewpoint::observation {
 
-/// Region of an image in the target's color. Pixels.
+/// Image region with the target color. Pixels.
 struct ColorRegion {
   double area = 0.0;
   Eigen::Vector2d centroid = Eigen::Vector2d::Zero();
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero(); ///< covariance of its pixels, px²
   cv::Rect box;                                         ///< bounding box
-  int rim = 0;       ///< pixels with a neighbor (of four) of another color
-  int cutRim = 0;    ///< of these, pixels at the border of the image
-  int hiddenRim = 0; ///< of these, pixels beside something that may hide the target
+  int rim = 0;       ///< number of pixels with a differently colored neighbor (of four)
+  int cutRim = 0;    ///< number of these pixels at the image border
+  int hiddenRim = 0; ///< number of these pixels next to something that may hide the target
 
-  /// Share of the rim, 0 to 1, where the image border or another object may cut the region off.
+  /// Returns the fraction of the rim, 0 to 1, where the image border or another object may cut off
+  /// the region.
   double openShare() const { return rim > 0 ? static_cast<double>(cutRim + hiddenRim) / rim : 0.0; }
 };
 
-/// Finds the regions of the target's color within `window`, largest first. Pieces at most four
-/// pixels apart form one region; regions of fewer than `leastArea` pixels are noise. The function
-/// computes the labels of the window. If the window cuts a region, only the part inside counts.
+/// Finds the regions with the target color inside `window`, largest first. Pieces at most four
+/// pixels apart form one region. Regions of fewer than `leastArea` pixels are noise and left out.
+/// The function computes the labels of the window. If the window cuts a region, only the part
+/// inside counts.
 std::vector<ColorRegion> findRegions(LabelImage& labels, const cv::Rect& window, double leastArea);
 
-/// Joins two regions to one.
+/// Joins two regions into one.
 ColorRegion joined(const ColorRegion& one, const ColorRegion& other);
 
 } // namespace dewpoint::observation

@@ -13,12 +13,12 @@ namespace dewpoint::observation {
 /// Images of all cameras in which a target of any shape is measured.
 class RegionObservation {
 public:
-  /// One camera and its image.
+  /// Camera and its image.
   struct View {
     EllipsoidProjector projector;
     Unprojector unprojector;
     LabelImage labels;       ///< empty if the camera has no image
-    double timeOffset = 0.0; ///< time of the image after the frame's time, seconds
+    double timeOffset = 0.0; ///< image time relative to the frame time, seconds
   };
 
   explicit RegionObservation(const CameraRig& rig) {

@@ -15,45 +15,49 @@
 
 namespace dewpoint::observation {
 
-/// Colors of a target as each camera sees them while the light changes slowly. The bounds of the
-/// learned ranges follow the quantiles of the colors on the target: hue and saturation shift by
-/// their differences from the first quantiles, and intensity is scaled by its ratio to them. In the
-/// current light the background may have the target's color (in the dark, noise has any hue). A
-/// bound then moves closer to its quantile, as long as this raises the F1 score of the pixels. Only
-/// frames in which the target is certain and not covered may be used for learning.
+/// Target colors as each camera sees them while the light changes slowly. The bounds of the learned
+/// ranges follow the quantiles of the colors on the target. Hue and saturation shift by their
+/// differences from the initial quantiles, and intensity is scaled by its ratio to the initial
+/// quantiles. In the current light, the background may have the target color (in darkness, noise
+/// has any hue). A bound then moves closer to its quantile, as long as this raises the F1 score of
+/// the pixels. Only frames in which the target is certain and not covered may be used for learning.
 class AdaptiveColor {
 public:
-  /// Starts from at least one range; all must have passed checkColorRange().
+  /// Starts with at least one range. All ranges must have passed checkColorRange().
   AdaptiveColor(const ColorRanges& learned, std::size_t cameras);
 
-  /// Color as first learned. Labels keep pointers to this and to inUse(), so neither changes its
-  /// address when the object is moved.
+  /// Returns the classifier for the color as first learned. Label images keep pointers to it and to
+  /// inUse(), so neither address changes when the object is moved.
   const ColorClassifier& learned() const { return *learnedClassifier_; }
-  /// Color in use in one camera.
+  /// Returns the classifier currently used in one camera.
   const ColorClassifier& inUse(std::size_t camera) const { return cameras_.at(camera).classifier; }
   ColorRanges rangesInUse(std::size_t camera) const;
-  /// Ranges in use in all cameras; empty while every camera uses the ranges as first learned.
+  /// Returns the ranges in use in all cameras. Empty while every camera uses the ranges as first
+  /// learned.
   std::vector<ColorRanges> rangesInUse() const;
 
   /// Restores the learned ranges in all cameras.
   void forget();
-  /// Restores the ranges of each camera's first light: undoes follow(), but not reach().
+  /// Restores the ranges for each camera's initial light. This undoes follow(), but not reach().
   void undoFollowing();
-  /// Adjusts the ranges to the light of a camera's image, see reachInLight(). For a target that is
-  /// not tracked: if a range changes, all changes by follow() in this camera are lost.
+  /// Adjusts the ranges to the light in a camera's image, see reachInLight(). It is meant for a
+  /// target that is not tracked. If a range changes, all changes by follow() in this camera are
+  /// lost.
   void reach(std::size_t camera, const cv::Mat& image);
-  /// Updates the color in one camera from an image (CV_8UC3) that shows the target whole and alone.
-  /// The ranges move by `share` (0 to 1) of the way to the colors there; a range with too few
-  /// visible pixels stays unchanged. The first kReferenceUpdates updates of a range only measure
-  /// its colors in the first light. `others` are outlines of other objects of its color. Does
-  /// nothing if too few pixels inside the outline have approximately the color in use. A step that
-  /// would match too much of the ring around the target, or of the rest of the image, is not taken.
-  /// Returns whether a step was taken.
+  /// Updates the color in one camera from an image (CV_8UC3) in which the target is completely
+  /// visible and not covered. The ranges move toward the colors on the target by the fraction
+  /// `share` (0 to 1) of the difference. A range with too few visible pixels stays unchanged. The
+  /// first kReferenceUpdates updates of a range only measure its colors in the initial light.
+  /// `others` are outlines of other objects with the same color.
+  ///
+  /// Does nothing if too few pixels inside the outline have approximately the color in use. A step
+  /// is rejected if the new ranges would match too much of the ring around the target or of the
+  /// rest of the image. Returns whether a step was taken.
   bool follow(std::size_t camera, const cv::Mat& image, const SphereImage& outline,
               const std::vector<SphereImage>& others, double share);
 
-  /// Number of updates that only measure; a third of a second. A judgment (docs/method-dewpoint.md,
-  /// section 8).
+  /// Number of updates that only measure: a third of a second. Chosen by judgment
+  /// (docs/method-dewpoint.md, section 8).
   static constexpr int kReferenceUpdates = 10;
 
 private:
@@ -61,11 +65,11 @@ private:
     std::vector<FollowedRange> ranges;
     ColorClassifier classifier;
     int updateCount = 0;
-    double restShare = 0.0; ///< share of the rest of the image that matched in the first light
+    double restShare = 0.0; ///< fraction of the rest of the image that matched in the initial light
   };
   struct TargetImage;
   using Quantiles = FollowedRange::Quantiles;
-  /// Quantiles of each range; nothing if too few pixels have approximately its color.
+  /// Quantiles of each range. Empty if too few pixels have approximately its color.
   using Measured = std::vector<std::optional<Quantiles>>;
 
   static PerCamera startOf(const ColorRanges& base);
@@ -73,7 +77,7 @@ private:
   /// Measures the quantiles. Returns whether enough pixels of the target have approximately one of
   /// its colors.
   static bool measure(const PerCamera& camera, const TargetImage& target, Measured& measured);
-  /// Takes a step and returns the F1 score after it; nothing if the step was not taken.
+  /// Takes a step and returns the F1 score after it, or nothing if the step was rejected.
   static std::optional<double> step(PerCamera& camera, const TargetImage& target,
                                     const Measured& next);
   static void tighten(PerCamera& camera, const TargetImage& target, double f1);

@@ -7,15 +7,17 @@
 
 namespace dewpoint::observation {
 
-/// Evidence of one camera alone for a target at one position.
+/// Evidence from a single camera for a target at one position.
 struct CameraEvidence {
   bool inView = false;               ///< the camera has an image into which the position projects
-  double logLikelihood = 0.0;        ///< by the method's observation model; 0 if not in view
-  double existenceProbability = 0.5; ///< posterior from even odds
-  double visible = 0.0; ///< share of the target's outline (or window) in its color, 0 to 1
+  double logLikelihood = 0.0;        ///< from the method's observation model; 0 if not in view
+  double existenceProbability = 0.5; ///< posterior with even prior odds
+  double visible =
+      0.0; ///< fraction of the target outline (or window) with the target color, 0 to 1
 };
 
-/// Posterior probability of a hypothesis with even prior odds: 1 / (1 + exp(-logLikelihoodRatio)).
+/// Returns the posterior probability of a hypothesis with even prior odds: 1 / (1 +
+/// exp(-logLikelihoodRatio)).
 inline double probabilityFrom(double logLikelihoodRatio) {
   return 1.0 / (1.0 + std::exp(-logLikelihoodRatio));
 }

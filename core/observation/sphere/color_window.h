@@ -30,26 +30,28 @@ public:
 
   std::size_t cameraCount() const { return views_.size(); }
   void setClassifier(const ColorClassifier& classifier);
-  /// Sets the current image (CV_8UC3, blue green red) of a camera; empty for none.
+  /// Sets the current image (CV_8UC3, blue green red) of a camera; an empty image means that there
+  /// is none.
   void setImage(std::size_t camera, const cv::Mat& image);
-  /// Chooses how windows are counted: one by one, or from counts over the whole image if that is
-  /// faster. `windowCount` is the expected number of windows on these images (particles of all
-  /// iterations). The result is the same. Must not be called while other threads use the model.
+  /// Chooses how windows are counted: individually, or from counts over the whole image if that is
+  /// faster. Both give the same result. `windowCount` is the expected number of windows on the
+  /// current images (particles of all iterations). Must not be called while other threads use the
+  /// model.
   void prepare(std::int64_t windowCount);
 
   /// Adds the log likelihood of each state.
   void addLogLikelihood(ConstStateRows rows, LogWeightSegment logLikelihood) const;
 
-  /// Number of matching pixels in the window around the projection of a world point (meters), 0 to
-  /// 25. Returns nothing if the point is outside the image or behind the camera, or the camera has
-  /// no image.
+  /// Returns the number of matching pixels, 0 to 25, in the window around the projection of a world
+  /// point (meters). Nothing if the point is outside the image or behind the camera, or if the
+  /// camera has no image.
   std::optional<int> matchCount(std::size_t camera, const Eigen::Vector3d& pointWorld) const;
 
 private:
   struct View {
     Projector projector;
     cv::Mat image;
-    WindowCounts counts; ///< empty while windows are counted one by one
+    WindowCounts counts; ///< empty while windows are counted individually
   };
 
   static void pixelsOf(const View& view, std::int64_t count, const double* x, const double* y,

@@ -9,8 +9,8 @@
 
 namespace dewpoint::observation {
 
-/// One range of a target's color in one camera while the light changes slowly (AdaptiveColor). Its
-/// bounds follow the quantiles of the colors on the target.
+/// Color range of a target in one camera while the light changes slowly (AdaptiveColor). Its bounds
+/// follow the quantiles of the colors on the target.
 class FollowedRange {
 public:
   /// Number of bounds: low and high quantiles of hue (degrees from the center of the range),
@@ -18,36 +18,39 @@ public:
   static constexpr std::size_t kBounds = 6;
   using Quantiles = std::array<double, kBounds>;
 
-  /// Starts with `base`, the range in the first light.
+  /// Starts with `base`, the range in the initial light.
   explicit FollowedRange(const ColorRange& base) : base_(base), inUse_(base) {}
 
   const ColorRange& base() const { return base_; }
   const ColorRange& inUse() const { return inUse_; }
-  /// Range in use with all bounds moved outward. Colors inside are approximately the target's
-  /// color.
+  /// Returns the range in use with all bounds moved outward. Colors inside are approximately the
+  /// target color.
   ColorRange widened() const;
-  /// Coordinates of a color: hue in degrees from the center of the base, 0 for gray; saturation;
-  /// logarithm of the intensity, which must not be 0.
+  /// Returns the coordinates of a color: hue in degrees from the center of the base range (0 for
+  /// gray), saturation, and the logarithm of the intensity, which must not be 0.
   std::array<double, 3> placeOf(const Hsi& color) const;
 
-  /// Adds quantiles of the first light to their mean. Returns true for the first `updates` calls,
-  /// which do nothing else.
+  /// Adds measured quantiles to the mean quantiles of the initial light. Returns true for the first
+  /// `updates` calls; later calls change nothing.
   bool takeReference(const Quantiles& measured, int updates);
-  /// Quantiles `share` (0 to 1) of the way from the current ones to the measured ones.
+  /// Returns the quantiles at the fraction `share` (0 to 1) of the way from the current to the
+  /// measured quantiles.
   Quantiles toward(const Quantiles& measured, double share) const;
-  /// Range that corresponds to these quantiles.
+  /// Returns the range that corresponds to the given quantiles.
   ColorRange at(const Quantiles& quantiles) const { return rangeOf(quantiles, slack_); }
-  /// Makes these the current quantiles and updates the range in use.
+  /// Sets the current quantiles and updates the range in use.
   void moveTo(const Quantiles& quantiles);
 
-  /// Distance of a bound beyond its quantile, as a share of the learned distance.
+  /// Returns the slack of a bound: its distance beyond its quantile, as a fraction of the learned
+  /// distance.
   double slack(std::size_t bound) const { return slack_[bound]; }
-  /// Range in use with another slack of one bound; the current range if that is not usable.
+  /// Returns the range in use with a different slack for one bound, or the current range if the
+  /// result is not usable.
   ColorRange withSlack(std::size_t bound, double slack) const;
   /// Sets the slack of one bound and updates the range in use.
   void setSlack(std::size_t bound, double slack);
 
-  /// Whether a computed range can contain colors.
+  /// Returns whether a computed range can contain colors.
   static bool isUsable(const ColorRange& range);
 
 private:
@@ -58,7 +61,7 @@ private:
   ColorRange base_;
   ColorRange inUse_;
   int updateCount_ = 0;
-  Quantiles reference_{}; ///< quantiles in the first light
+  Quantiles reference_{}; ///< quantiles in the initial light
   Quantiles now_{};
   Quantiles slack_{1, 1, 1, 1, 1, 1};
 };

@@ -10,19 +10,19 @@
 
 namespace dewpoint::observation {
 
-/// Finds a ball by its color alone, for calibration, to a fraction of a pixel. When in doubt, it
-/// returns nothing.
+/// Finds a ball by its color alone for calibration, with an accuracy of a fraction of a pixel. In
+/// case of doubt, it returns nothing.
 class MarkerDetector {
 public:
   explicit MarkerDetector(const ColorClassifier& classifier) : classifier_(classifier) {}
 
-  /// Finds the ball in an image (CV_8UC3): the largest patch of its color, with the outline fitted
-  /// to the colors (fitBallEdge()). Returns nothing if the patch is not as round as a whole ball,
-  /// touches the border, has a radius below kLeastRadius, or has less than twice the area of all
-  /// other patches together.
+  /// Finds the ball in an image (CV_8UC3): the largest patch with its color, with the outline
+  /// fitted to the colors (fitBallEdge()). Returns nothing if the patch is not as round as a
+  /// complete ball, touches the image border, has a radius below kLeastRadius, or has less than
+  /// twice the total area of all other patches.
   std::optional<MarkerImage> find(const cv::Mat& bgr);
 
-  static constexpr double kLeastRadius = 2.0; ///< pixels; origin not recorded
+  static constexpr double kLeastRadius = 2.0; ///< pixels; the origin of this value is not recorded
 
 private:
   ColorClassifier classifier_;

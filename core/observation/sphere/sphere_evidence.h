@@ -11,43 +11,45 @@
 
 namespace dewpoint::observation {
 
-/// Evidence of one image for a sphere of known size at a position, as a log likelihood ratio
+/// Evidence from one image for a sphere of known size at a position, as a log likelihood ratio
 /// against "no such sphere there". The color is sampled on twelve spokes, inside the expected
-/// outline and in a ring around it. A smaller object of the same color does not fill the inside; a
-/// larger one also fills the ring. Pixels where something may hide the target are no evidence
+/// outline and in a ring around it. A smaller object of the same color does not fill the inside,
+/// and a larger one also fills the ring. Pixels where something may hide the target are no evidence
 /// (PixelLabel::Unknown).
 class SphereEvidence {
 public:
   /// Distance of the outermost samples from the center, in radii.
   static constexpr double kReach = 1.3;
-  /// Factor of an outline's radius that includes its blurred rim. A judgment
+  /// Scale factor for an outline's radius such that it includes the blurred rim. Chosen by judgment
   /// (docs/method-dewpoint.md, section 2).
   static constexpr double kOutlineMargin = 1.05;
-  /// Log likelihood ratio of a fully visible target without its color in the background.
+  /// Returns the log likelihood ratio of a fully visible target when its color does not occur in
+  /// the background.
   static double best();
 
-  /// Log likelihood ratio of an outline in the labels. The part of the labels around it must be
-  /// covered. The ratio is lower for outlines of few pixels, where samples repeat each other.
+  /// Returns the log likelihood ratio of an outline in the labels. The labels around the outline
+  /// must have been computed. The ratio is lower for outlines of few pixels, where several samples
+  /// fall on the same pixel.
   static double logLikelihoodRatio(const LabelImage& labels, const SphereImage& outline);
-  /// Increase of the ratio if samples in the ring that other outlines cover no longer count against
-  /// this one.
+  /// Returns the increase of the ratio if samples in the ring that are covered by other outlines no
+  /// longer count against this outline.
   static double explainedRingGain(const LabelImage& labels, const SphereImage& outline,
                                   const std::vector<SphereImage>& others);
-  /// Share of the visible spokes, 0 to 1, on which the color ends at the outline: it matches
-  /// inside, and the ring neither has the color nor is explained. 0 if more than two thirds of the
-  /// spokes are hidden.
+  /// Returns the fraction of the visible spokes, 0 to 1, on which the color ends at the outline:
+  /// the inside matches, and the ring neither matches nor is explained. 0 if more than two thirds
+  /// of the spokes are hidden.
   static double rimShare(const LabelImage& labels, const SphereImage& outline);
-  /// Share of the samples inside the outline that match, 0 to 1.
+  /// Returns the fraction of the samples inside the outline that match, 0 to 1.
   static double matchShare(const LabelImage& labels, const SphereImage& outline);
 };
 
-/// Whether the center of an outline is in an image of this size (pixels).
+/// Returns whether the center of an outline is inside an image of this size (pixels).
 inline bool isInImage(const SphereImage& outline, const cv::Size& size) {
   return outline.center.x() >= 0.0 && outline.center.y() >= 0.0 &&
          outline.center.x() <= size.width - 1 && outline.center.y() <= size.height - 1;
 }
 
-/// Part of an image within `radii` radii of an outline's center, plus `margin` pixels.
+/// Returns the image area within `radii` radii of an outline's center, plus `margin` pixels.
 cv::Rect areaOf(const SphereImage& outline, double radii, double margin = 2.0);
 
 } // namespace dewpoint::observation

@@ -15,22 +15,22 @@
 
 namespace dewpoint::observation {
 
-/// Sphere whose outlines cover pixels.
+/// Sphere whose outlines cover pixels in the images.
 struct OutlineSphere {
   Eigen::Vector3d center = Eigen::Vector3d::Zero(); ///< meters, world
   double radius = 0.0;                              ///< meters
 };
 
-/// Share of a target's outline in its color from which on a camera confirms it. A judgment
-/// (docs/method-dewpoint.md, section 4).
+/// Minimum fraction of a target outline with the target color at which a camera confirms the
+/// target. Chosen by judgment (docs/method-dewpoint.md, section 4).
 inline constexpr double kSeenShare = 1.0 / 3.0;
-/// Share of a target's outline in its color from which on it counts as not covered. A judgment
-/// (docs/method-dewpoint.md, section 8).
+/// Minimum fraction of a target outline with the target color at which the target counts as not
+/// covered. Chosen by judgment (docs/method-dewpoint.md, section 8).
 inline constexpr double kWholeShare = 0.85;
 
-/// Evidence of all cameras for one target, a sphere of one color: the observation model of method
-/// `dewpoint`. States: columns 0 to 2 are x, y, z (meters, world frame), 3 to 5 the velocity (m/s).
-/// The velocity moves a position to the time of a camera's exposure.
+/// Evidence from all cameras for one target, a sphere of one color. This is the observation model
+/// of the `dewpoint` method. States: columns 0 to 2 are x, y, z (meters, world frame), 3 to 5 the
+/// velocity (m/s). The velocity is used to move a position to the time of a camera's exposure.
 class SphereObservation {
 public:
   explicit SphereObservation(const CameraRig& rig);
@@ -40,9 +40,9 @@ public:
   LabelImage& labels(std::size_t camera) { return views_[camera].labels; }
   const LabelImage& labels(std::size_t camera) const { return views_[camera].labels; }
 
-  /// Sets the current image of a camera, taken `timeOffset` seconds after the frame's time. Image,
-  /// background and classifiers must outlive their use. `usual` classifies the color in the
-  /// reference light. With an empty image, the camera is left out.
+  /// Sets the current image of a camera, taken `timeOffset` seconds after the frame's time. The
+  /// image, background and classifiers must outlive their use. `usual` classifies the color in the
+  /// reference light. If the image is empty, the camera is not used.
   void setImage(std::size_t camera, const cv::Mat& image, double timeOffset,
                 const BackgroundModel& background, const ColorClassifier& classifier,
                 const ColorClassifier& usual);
@@ -59,36 +59,37 @@ public:
   void cover(ConstStateRows rows);
   /// Adds the log likelihood ratio (SphereEvidence) of each state, summed over the cameras.
   void addLogLikelihood(ConstStateRows rows, LogWeightSegment logLikelihood) const;
-  /// Combines cover() and addLogLikelihood() and projects each state only once. The team shares the
-  /// work.
+  /// Combines cover() and addLogLikelihood(), projecting each state only once. The work is
+  /// distributed over the thread team.
   Eigen::ArrayXd logLikelihoods(ConstStateRows rows, ThreadTeam& team);
 
-  /// Log likelihood ratio of one position. Labels are computed as needed.
+  /// Returns the log likelihood ratio of one position. Labels are computed as needed.
   double logLikelihoodRatio(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity);
-  /// Increase of that ratio if samples in the ring that other spheres cover are not counted. This
-  /// applies in each camera in which their center lies outside this outline. A center inside it is
-  /// the same object, positioned by wrongly paired rays. The labels of the position must exist.
+  /// Returns the increase of that ratio if samples in the ring that are covered by other spheres
+  /// are not counted. In each camera, this applies only to spheres whose center lies outside this
+  /// outline. A sphere with its center inside is the same object, positioned by wrongly paired
+  /// rays. The labels around the position must have been computed.
   double explainedRingGain(const Eigen::Vector3d& center,
                            const std::vector<OutlineSphere>& others) const;
-  /// Log likelihood ratio if every camera into whose image the position projects saw the target
-  /// fully.
+  /// Returns the log likelihood ratio that would result if every camera into whose image the
+  /// position projects saw the complete target.
   double fullyVisibleLogLikelihoodRatio(const Eigen::Vector3d& center,
                                         const Eigen::Vector3d& velocity) const;
-  /// Whether a camera shows the target's rim, where the color ends, as far as nothing hides it. A
-  /// part of a larger object of the same color has no rim.
+  /// Returns whether a camera shows the target's rim, where the color ends, in the part that is not
+  /// hidden. A part of a larger object of the same color has no rim.
   bool showsRim(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity);
-  /// Number of cameras with an image into which the position projects.
+  /// Returns the number of cameras with an image into which the position projects.
   int camerasInView(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity) const;
-  /// Evidence of each camera for one position: SphereEvidence and the share of the outline in the
-  /// target's color.
+  /// Returns the evidence from each camera for one position: SphereEvidence, and the fraction of
+  /// the outline with the target color.
   std::vector<CameraEvidence> evidence(const Eigen::Vector3d& center,
                                        const Eigen::Vector3d& velocity);
-  /// Number of cameras in which at least a third of the sphere's outline has its color.
+  /// Returns the number of cameras in which at least a third of the sphere's outline has its color.
   static int camerasSeeing(const std::vector<CameraEvidence>& cameras);
   int camerasSeeing(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity) {
     return camerasSeeing(evidence(center, velocity));
   }
-  /// Fits the outline (fitOutline) in all cameras that have an image.
+  /// Fits the outline (fitOutline()) in all cameras that have an image.
   OutlineFit fit(const OutlinePrior& prior, const Eigen::Vector3d& velocity,
                  OutlineReach reach = OutlineReach::Far);
 
@@ -100,7 +101,7 @@ private:
     std::vector<SphereImage> outlines; ///< scratch; radius 0: not visible
   };
 
-  /// Outline of a state; radius 0 if this camera has no evidence.
+  /// Returns the outline for a state, with radius 0 if this camera provides no evidence.
   SphereImage outlineOf(const View& view, ConstStateRows rows, Eigen::Index row) const;
 
   std::vector<View> views_;

@@ -12,7 +12,8 @@
 namespace dewpoint::observation {
 
 /// Number of matching pixels in the 5x5 window around every pixel of an image, 0 to 25. Pixels
-/// outside the image do not match. Built once per frame, then one look-up per particle.
+/// outside the image do not match. It is built once per frame; each particle then requires a single
+/// lookup.
 class WindowCounts {
 public:
   static constexpr int kRadius = 2;
@@ -23,24 +24,25 @@ public:
   void clear() { counts_.clear(); }
   bool empty() const { return counts_.empty(); }
 
-  /// Counts row by row, followed by one zero for positions outside the image.
+  /// Returns the counts row by row, followed by a zero for positions outside the image.
   const std::uint8_t* data() const { return counts_.data(); }
 
 private:
   std::vector<std::uint8_t> counts_;
-  std::vector<std::uint8_t> matches_; ///< last five classified rows, one of zeros, and sums
+  std::vector<std::uint8_t> matches_; ///< last five classified rows, a row of zeros, and sums
 };
 
-/// Largest number of windows per call of countWindows().
+/// Maximum number of windows per call of countWindows().
 inline constexpr int kMostWindows = 64;
 
-/// Counts some windows only: their pixels are placed side by side and classified together.
+/// Counts selected windows only. Their pixels are placed side by side and classified together.
 /// counts[i] belongs to the window around the pixel at column pixels[i] % columns and row pixels[i]
-/// / columns of `bgr` (CV_8UC3). It is zero for pixels[i] = rows * columns, which means outside.
+/// / columns of `bgr` (CV_8UC3). It is zero for pixels[i] = rows * columns, which stands for a
+/// position outside the image.
 void countWindows(const cv::Mat& bgr, const ColorClassifier& classifier, int windowCount,
                   const std::int32_t* pixels, std::uint8_t* counts);
 
-/// Number of matching pixels in the 5x5 window around one pixel of `bgr` (CV_8UC3).
+/// Returns the number of matching pixels in the 5x5 window around one pixel of `bgr` (CV_8UC3).
 int countWindow(const cv::Mat& bgr, const ColorClassifier& classifier, int column, int row);
 
 } // namespace dewpoint::observation

@@ -13,27 +13,30 @@
 
 namespace dewpoint::simulation {
 
-/// A moving object at one instant: a ball, a box of any orientation, or a body made of parts. World
+/// Moving object at one instant: a ball, a box of any orientation, or a body made of parts. World
 /// frame, meters.
 struct Body {
   bool box = false;
   Vector3f center;
-  float radius = 0.0F;                 ///< of the ball, or of a sphere around the box
+  float radius = 0.0F;                 ///< radius of the ball, or of a sphere around the box
   Vector3f color;                      ///< BGR in full light, [0, 255]
-  Vector3f halfSize{0.0F, 0.0F, 0.0F}; ///< of the box, along its own axes
-  Eigen::Matrix3f axes = Eigen::Matrix3f::Identity(); ///< of the box; rows: its axes in the world
+  Vector3f halfSize{0.0F, 0.0F, 0.0F}; ///< half size of the box along its own axes
+  Eigen::Matrix3f axes = Eigen::Matrix3f::Identity(); ///< axes of the box in the world, as rows
   bool present = true;                                ///< false: not in the scene at this time
-  const LightField* light = nullptr;                  ///< null: lit only by the lamp of the room
-  /// Parts of a body, which is drawn from them alone; their number is the same at every instant.
-  /// The body casts the shadow of a ball of their total volume around `center`.
+  const LightField* light = nullptr; ///< light field; null: lit only by the room lamp
+  /// Parts of a body. If there are any, only the parts are drawn. Their number is the same at every
+  /// instant. The body casts the shadow of a ball around `center` that has the total volume of the
+  /// parts.
   std::vector<MovingPart> parts{};
 };
 
-/// Returns all bodies at an instant in seconds, in the same number and order at every instant.
+/// Returns all bodies at an instant (seconds). Their number and order are the same at every
+/// instant.
 using BodiesAt = std::function<std::vector<Body>(double)>;
 
 /// Draws bodies with motion blur, and their soft shadows on z = 0, into `image` (CV_32FC3), which
-/// shows the room at rest as seen by `view`. Presence is evaluated at the center of the exposure.
+/// shows the room at rest as seen by `view`. Whether a body is present is evaluated at the center
+/// of the exposure.
 void paintBodies(const RoomView& view, const BodiesAt& bodiesAt, const Exposure& exposure,
                  cv::Mat& image);
 

@@ -9,32 +9,32 @@
 
 namespace dewpoint::simulation {
 
-/// Radius of an adult's finger, meters: 8 to 9.5 mm.
+/// Finger radius of an adult, meters. Typical values are 8 to 9.5 mm.
 inline constexpr double kFingerRadius = 0.009;
 
-/// Grip of a hand on a ball. Angles in radians, lengths in meters.
+/// Grip of a hand on a ball. Angles are in radians, lengths in meters.
 struct Grip {
   /// Unit vector from the ball's center to the palm.
   Eigen::Vector3d palm = Eigen::Vector3d::UnitX();
   /// Unit vector perpendicular to `palm`, toward the fingers.
   Eigen::Vector3d fingers = Eigen::Vector3d::UnitY();
   double reach = 1.8;   ///< angle at the ball's center from the palm to the fingertips
-  double spread = 0.47; ///< angle about `palm` from one finger to the next
+  double spread = 0.47; ///< angle about the `palm` axis from one finger to the next
   double fingerRadius = kFingerRadius;
   /// Returns the unit vector from the palm along the forearm.
   Eigen::Vector3d forearm() const { return (0.8 * palm - 0.6 * fingers).normalized(); }
 };
 
-/// Returns a hand around a ball of radius `ballRadius` at the origin: four fingers and the thumb on
-/// its surface, the palm and the forearm. World axes, relative to the ball's center.
+/// Returns a hand around a ball of radius `ballRadius` (meters) at the origin: four fingers and the
+/// thumb on its surface, the palm and the forearm. World axes, relative to the ball's center.
 std::vector<MovingPart> grippingHand(const Grip& grip, double ballRadius, const Vector3f& color);
 
-/// Returns a hand that is open (`closed` = 0: flat, fingers straight) to closed (1: a fist). The
-/// palm is at the origin, in the plane of X (toward the fingertips) and Y (toward the thumb). All
-/// parts are marked as target.
+/// Returns a hand between open and closed. `closed` = 0 is a flat hand with straight fingers, and 1
+/// is a fist. The palm is at the origin, in the plane of X (toward the fingertips) and Y (toward
+/// the thumb). All parts are marked as target.
 std::vector<MovingPart> openingHand(double closed, const Vector3f& color);
 
-/// Skin color of hands in the room.
+/// Skin color of hands in the room, BGR in full light.
 inline const Vector3f kSkinColor = rgb(222, 168, 134);
 
 } // namespace dewpoint::simulation

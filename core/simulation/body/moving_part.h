@@ -10,26 +10,26 @@
 
 namespace dewpoint::simulation {
 
-/// Shapes of the parts of a moving body. All are convex.
+/// Shape of a part of a moving body. All shapes are convex.
 enum class MovingShape {
-  Ellipsoid, ///< size: its semi-axes
-  Capsule, ///< a rod with round ends along Z; size: (radius, unused, half length without the ends)
-  Frustum, ///< a cone or a cylinder along Z; size: (radius at -Z, radius at +Z, half height)
-  Box,     ///< size: its half sizes
+  Ellipsoid, ///< size: semi-axes
+  Capsule,   ///< rod with round ends along Z; size: (radius, unused, half length without the ends)
+  Frustum,   ///< cone or cylinder along Z; size: (radius at -Z, radius at +Z, half height)
+  Box,       ///< size: half sizes
 };
 
-/// One part of a body at one instant, in meters.
+/// Part of a body at one instant, in meters.
 struct MovingPart {
   MovingShape shape = MovingShape::Ellipsoid;
   Vector3f center{0.0F, 0.0F, 0.0F};
-  Vector3f size{0.01F, 0.01F, 0.01F};                 ///< see MovingShape; along its own axes
-  Eigen::Matrix3f axes = Eigen::Matrix3f::Identity(); ///< rows: its own axes in the world
+  Vector3f size{0.01F, 0.01F, 0.01F}; ///< size along the part's own axes, see MovingShape
+  Eigen::Matrix3f axes = Eigen::Matrix3f::Identity(); ///< the part's axes in the world, as rows
   Vector3f color{128.0F, 128.0F, 128.0F};             ///< BGR in full light, [0, 255]
   std::shared_ptr<const SurfacePattern> pattern;      ///< null: `color` everywhere
   Gloss gloss;
-  bool target = false; ///< belongs to the target, if that is not the center of the whole body
+  bool target = false; ///< belongs to the target, if the target is not the whole body
 
-  /// Returns the color of its surface where the normal (unit vector, world frame) is `normal`.
+  /// Returns the surface color where the normal (unit vector, world frame) is `normal`.
   Vector3f colorAt(const Vector3f& normal) const {
     return pattern ? pattern->colorAt(axes * normal, color) : color;
   }
@@ -41,7 +41,7 @@ float boundOf(const MovingPart& part);
 /// Returns the volume in cubic meters.
 double volumeOf(const MovingPart& part);
 
-/// Returns whether a point (world frame, meters) is in the part or on its surface.
+/// Returns whether a point (world frame, meters) is inside the part or on its surface.
 bool contains(const MovingPart& part, const Vector3f& point);
 
 /// First intersection of a ray with one of several parts.
@@ -51,7 +51,7 @@ struct PartHit {
   const MovingPart* part = nullptr;                        ///< null: no intersection
 };
 
-/// Sets the hit to `part` if the ray enters it before the present hit. `direction` is a unit
+/// Sets the hit to `part` if the ray enters it before the current hit. `direction` is a unit
 /// vector. A ray that begins inside a part does not hit it.
 void castPart(const MovingPart& part, const Vector3f& origin, const Vector3f& direction,
               PartHit& hit);

@@ -12,7 +12,7 @@
 
 namespace dewpoint::simulation {
 
-/// A surface point as seen by a camera. World frame, meters.
+/// Surface point as seen by a camera. World frame, meters.
 struct SurfacePoint {
   Vector3f point;
   Vector3f normal;    ///< unit vector, outward
@@ -24,13 +24,13 @@ struct SurfacePoint {
 /// Returns the light from a surface point to the camera: BGR, [0, 255].
 using Shading = std::function<Vector3f(const SurfacePoint&)>;
 
-/// Returns the parts of one body at an instant in seconds, in the same number and order at every
-/// instant. World frame, meters.
+/// Returns the parts of one body at an instant (seconds). Their number and order are the same at
+/// every instant. World frame, meters.
 using PartsAt = std::function<std::vector<MovingPart>(double)>;
 
-/// Draws the parts of one body with motion blur into `within` of `image` (CV_32FC3), which shows
-/// what is behind the body. Parts occlude each other point by point, and are occluded by nearer
-/// objects of the room at rest. Edges of parts and borders of colors are smoothed.
+/// Draws the parts of one body with motion blur into the area `within` of `image` (CV_32FC3), which
+/// shows the scene behind the body. Parts occlude each other point by point, and nearer objects at
+/// rest in the room occlude them. Part edges and color borders are smoothed.
 void paintParts(const RoomView& view, const PartsAt& partsAt, const Exposure& exposure,
                 const cv::Rect& within, const Shading& shading, cv::Mat& image);
 

@@ -7,7 +7,7 @@
 
 namespace dewpoint::simulation {
 
-/// Returns a rod with round ends whose axis connects two points. Meters; `color` BGR.
+/// Returns a rod with round ends whose axis connects two points. Lengths in meters; `color` is BGR.
 MovingPart capsuleBetween(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius,
                           const Vector3f& color);
 
@@ -15,12 +15,12 @@ MovingPart capsuleBetween(const Eigen::Vector3d& from, const Eigen::Vector3d& to
 MovingPart frustumBetween(const Eigen::Vector3d& from, double fromRadius, const Eigen::Vector3d& to,
                           double toRadius, const Vector3f& color);
 
-/// Returns an ellipsoid with axes along those of the world. Meters.
+/// Returns an ellipsoid whose axes are parallel to the world axes. Meters.
 MovingPart ellipsoidAt(const Eigen::Vector3d& center, const Eigen::Vector3d& semiAxes,
                        const Vector3f& color);
 
-/// Returns a ball around the origin with the surface of the plain balls: matte, with a faint
-/// highlight.
+/// Returns a ball (radius in meters) around the origin. It has the same surface as plain balls:
+/// matte, with a faint highlight.
 MovingPart ballPart(double radius, const Vector3f& color);
 
 /// Returns the part after a rotation about the origin (from the part's old axes to the world) and a

@@ -8,16 +8,18 @@
 
 namespace dewpoint::simulation {
 
-// Everyday objects that are not balls, around the origin of their own axes: X forward, Z up;
-// meters. Parts with `color` (BGR in full light) are marked as target; the others carry them.
+// Everyday objects that are not balls, around the origin of their own axes (X forward, Z up,
+// meters). Parts with `color` (BGR in full light) are marked as target. The other parts hold or
+// carry them.
 
-/// Returns a peaked cap on a head with a neck; the origin is in the crown.
+/// Returns a peaked cap on a head with a neck. The origin is in the crown.
 std::vector<MovingPart> capOnHead(const Vector3f& color);
 
-/// Returns a hand in a glove, open (0) to closed (1), on a bare forearm; the origin is in the palm.
+/// Returns a gloved hand on a bare forearm. `closed` ranges from 0 (open) to 1 (closed). The origin
+/// is in the palm.
 std::vector<MovingPart> glovedHand(double closed, const Vector3f& color);
 
-/// Returns the sleeve of a forearm, 24 cm long, with a bare hand.
+/// Returns a forearm in a sleeve, 24 cm long, with a bare hand.
 std::vector<MovingPart> sleevedArm(const Vector3f& color);
 
 /// Returns a cone 18 cm high and 12 cm wide.
@@ -29,8 +31,8 @@ std::vector<MovingPart> stick(const Vector3f& color);
 /// Returns a computer mouse, 12 x 6.4 cm and 4 cm high.
 std::vector<MovingPart> computerMouse(const Vector3f& color);
 
-/// Returns a walking person's parts in the world frame; those with the color of the shirt are
-/// marked as target.
+/// Returns the parts of a walking person in the world frame. Parts with the shirt color are marked
+/// as target.
 std::vector<MovingPart> shirtOnPerson(const Walker& walker, double time);
 
 } // namespace dewpoint::simulation

@@ -9,11 +9,11 @@
 
 namespace dewpoint::simulation {
 
-/// Volume filled by the target parts of a body; overlaps count once. World frame, meters.
+/// Volume filled by the target parts of a body. Overlaps count once. World frame, meters.
 struct TargetVolume {
   double volume = 0.0; ///< cubic meters; 0: no part is marked as target
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); ///< of its points, m²
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); ///< covariance of its points, m²
 };
 
 /// Computes the volume. It is exact for parts that do not overlap. Overlaps are evaluated on a grid

@@ -9,11 +9,11 @@ namespace dewpoint::simulation {
 
 /// Default radius of a ball in meters: about that of a tennis ball (33 mm).
 inline constexpr double kUsualBallRadius = 0.035;
-/// Radius of the balls in the hall in meters. They are four times as far from the cameras as on the
-/// desk, so they have about the same size in pixels.
+/// Radius of the balls in the hall in meters. These balls are four times as far from the cameras as
+/// balls on the desk, so they have about the same size in pixels.
 inline constexpr double kHallBallRadius = 0.10;
-/// Default color of a ball: pink as in Barrera et al. (2005); nothing else in the rooms has it. BGR
-/// in full light, [0, 255].
+/// Default ball color, BGR in full light, [0, 255]: pink as in Barrera et al. (2005). Nothing else
+/// in the rooms has this color.
 inline const Eigen::Vector3d kUsualBallColor{145.0, 85.0, 245.0};
 
 } // namespace dewpoint::simulation

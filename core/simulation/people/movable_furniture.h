@@ -9,21 +9,21 @@
 
 namespace dewpoint::simulation {
 
-/// Position of a piece of furniture at a time: seconds; world x and y, meters; angle about the
-/// vertical, radians.
+/// Position of a piece of furniture at a time (seconds): world x and y (meters) and angle about the
+/// vertical (radians).
 struct FurniturePosition {
   double time = 0.0;
   Eigen::Vector2d position = Eigen::Vector2d::Zero();
   double yaw = 0.0;
 };
 
-/// A piece of furniture that people move. It is drawn with the people, not with the room at rest,
-/// so what was behind it becomes visible.
+/// Piece of furniture that people move. It is drawn with the people and not with the room at rest,
+/// so the background behind it becomes visible when it moves.
 struct MovableFurniture {
   /// Parts relative to the point on the floor below its center, x forward and z up, meters.
   std::vector<BodyPart> parts;
-  /// Positions in order of time, at least one. The furniture stays at the first before its time and
-  /// at the last after its time, and moves smoothly between them.
+  /// Positions in order of time, at least one. The furniture moves smoothly between them. Before
+  /// the first time it stays at the first position, and after the last time at the last position.
   std::vector<FurniturePosition> way;
   double reach = 0.3; ///< radius of a circle on the floor that encloses it, meters
 
@@ -31,13 +31,14 @@ struct MovableFurniture {
   FurniturePosition at(double time) const;
 };
 
-/// Returns the parts of a piece of furniture in the world frame at a time; they do not belong to a
-/// body.
+/// Returns the parts of a piece of furniture at a time (seconds), in the world frame. The parts are
+/// marked as not belonging to a body.
 std::vector<BodyPart> furnitureParts(const MovableFurniture& furniture, double time);
 
-/// Returns a seat on a foot; `height` of the seat in meters.
+/// Returns a seat on a foot. `height` is the seat height in meters.
 MovableFurniture makeStool(double height);
-/// Returns a closed cabinet on the floor; half sizes in meters, `color` BGR in full light.
+/// Returns a closed cabinet on the floor. Half sizes are in meters, and `color` is BGR in full
+/// light.
 MovableFurniture makeCabinet(const Vector3f& halfSize, const Vector3f& color);
 
 } // namespace dewpoint::simulation

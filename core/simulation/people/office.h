@@ -19,15 +19,15 @@ namespace dewpoint::simulation {
 /// high, looking at its center.
 CameraRig officeRig();
 
-/// People in the simulated office, with shadows, furniture that partly hides them, and clothes that
-/// may resemble the room (so that their masks break into pieces).
+/// Scene with people in the simulated office. It has shadows and furniture that partly hides
+/// people. Clothes may resemble the room, so that masks break into pieces.
 struct OfficeScene {
   CameraRig cameras = officeRig();
   std::vector<simulation::Walker> people;
   std::vector<MovableFurniture> furniture; ///< in addition to the fixed furniture
   double framesPerSecond = 15.0;
   std::int64_t frameCount = 150;
-  std::uint64_t seed = 1;               ///< of the sensor noise
+  std::uint64_t seed = 1;               ///< seed of the sensor noise
   double noiseSigma = kUsualNoiseSigma; ///< gray levels
 
   double timeOf(std::int64_t frame) const { return static_cast<double>(frame) / framesPerSecond; }
@@ -36,27 +36,28 @@ struct OfficeScene {
 /// Renders an office scene.
 class OfficeRenderer {
 public:
-  /// The views of the empty office are taken from `views`, so that many scenes can share them.
+  /// Takes the views of the office without people from `views`, so that many scenes can share them.
   OfficeRenderer(OfficeScene scene, simulation::ViewCache& views);
-  /// `views` are those of the scene's cameras on the room at rest, in their order.
+  /// Uses the given views of the room at rest, one per camera of the scene, in camera order.
   OfficeRenderer(OfficeScene scene, std::vector<std::shared_ptr<const simulation::RoomView>> views);
 
   const OfficeScene& scene() const { return scene_; }
-  /// Renders an image, CV_8UC3, BGR: a pure function of its arguments. `who` as for paintPeople().
+  /// Renders an image (CV_8UC3, BGR). This is a pure function of its arguments. `who` is as for
+  /// paintPeople().
   cv::Mat render(std::size_t camera, std::int64_t frame, cv::Mat* who = nullptr) const;
-  /// Returns which person is visible at each pixel, as `who` of paintPeople(), without rendering
+  /// Returns which person is visible at each pixel, like `who` of paintPeople(), without rendering
   /// the image.
   cv::Mat visible(std::size_t camera, std::int64_t frame) const;
-  /// Returns the complete silhouette of a person, whether or not something hides it: CV_8UC1, 255
-  /// on the body, without a load; all 0 while the person is absent. The visible part is in `who` of
-  /// render().
+  /// Returns the complete silhouette of a person, even if something hides it: CV_8UC1, 255 on the
+  /// body, without a load. It is all 0 while the person is absent. For the visible part, see `who`
+  /// of render().
   cv::Mat silhouette(std::size_t camera, std::int64_t frame, std::size_t person) const;
-  /// The office without anybody, as it is at time 0, without noise: CV_8UC3.
+  /// Returns the image of the office at time 0 without people and without noise (CV_8UC3).
   cv::Mat backgroundImage(std::size_t camera) const;
-  /// Whether the person is there, and inside the office's walls.
+  /// Returns whether the person is present and inside the office walls.
   bool inside(std::size_t person, double time) const;
-  /// Returns the center of the body in meters: above the floor position, at half the height of the
-  /// top of the head.
+  /// Returns the center of the body (world, meters): above the floor position, at half the height
+  /// of the top of the head.
   Eigen::Vector3d middle(std::size_t person, double time) const;
 
 private:

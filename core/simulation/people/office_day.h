@@ -5,11 +5,12 @@
 
 namespace dewpoint::simulation {
 
-/// Name of the built-in scene of people, which a project can use like the scenes of balls.
+/// Name of the built-in scene with people. A project can use it like the scenes with balls.
 inline constexpr const char* kOfficeScene = "office";
 
-/// Returns half a minute in the simulated office: three people in different clothes enter through
-/// doors, two of them meet and talk, all cross the room and leave. It is empty for the first 1.5 s.
+/// Returns a scene of half a minute in the simulated office. Three people in different clothes
+/// enter through doors, two of them meet and talk, and all of them cross the room and leave. There
+/// are no people for the first 1.5 s.
 OfficeScene officeDay();
 
 } // namespace dewpoint::simulation

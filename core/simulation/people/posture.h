@@ -10,22 +10,22 @@ namespace dewpoint::simulation {
 /// Posture of a body.
 enum class Posture { Standing, Sitting, Crouching };
 
-/// Time in seconds for sitting down, crouching or rising; chosen: unhurried.
+/// Time in seconds for sitting down, crouching or rising. Chosen to look unhurried.
 inline constexpr double kPostureSeconds = 1.0;
 
-/// Beginning of a change of posture, in seconds; it is complete kPostureSeconds later.
+/// Change of posture. It starts at `time` (seconds) and is complete kPostureSeconds later.
 struct PostureChange {
   double time = 0.0;
   Posture posture = Posture::Standing;
 };
 
-/// Angles of the joints of a body, radians, positive forward; all 0 for a standing person.
+/// Joint angles of a body in radians, positive forward. They are all 0 for a standing person.
 struct JointAngles {
-  float lean = 0.0F;    ///< of the trunk about the hips, from upright
-  float thigh = 0.0F;   ///< of both thighs, from hanging
-  float shin = 0.0F;    ///< of both shins, from hanging
-  float arm = 0.0F;     ///< of both upper arms, from hanging
-  float forearm = 0.0F; ///< of both forearms, relative to the upper arms
+  float lean = 0.0F;    ///< angle of the trunk about the hips, from upright
+  float thigh = 0.0F;   ///< angle of both thighs, from hanging
+  float shin = 0.0F;    ///< angle of both shins, from hanging
+  float arm = 0.0F;     ///< angle of both upper arms, from hanging
+  float forearm = 0.0F; ///< angle of both forearms, relative to the upper arms
 
   bool upright() const { return lean == 0.0F && thigh == 0.0F && shin == 0.0F; }
 };
@@ -33,8 +33,9 @@ struct JointAngles {
 /// Returns the angles of a posture.
 JointAngles anglesOf(Posture posture);
 
-/// Returns the angles at `time` of a person who stands before the first of `changes`, which are in
-/// order of time. They are smooth during a change, and exactly those of the posture after it.
+/// Returns the joint angles of a person at `time` (seconds). The person stands before the first of
+/// `changes`, which must be in order of time. The angles vary smoothly during a change and equal
+/// those of the new posture after it.
 JointAngles anglesAt(const std::vector<PostureChange>& changes, double time);
 
 } // namespace dewpoint::simulation

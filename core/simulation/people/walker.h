@@ -14,7 +14,7 @@
 
 namespace dewpoint::simulation {
 
-/// Position of a walker at a time. Seconds; world x and y, meters.
+/// Position of a walker (world x and y, meters) at a time (seconds).
 struct Waypoint {
   double time = 0.0;
   Eigen::Vector2d position = Eigen::Vector2d::Zero();
@@ -32,7 +32,7 @@ struct Clothes {
 /// Object carried by a walker.
 struct Load {
   enum class Kind {
-    Box, ///< in front of the chest, with both arms
+    Box, ///< held in front of the chest with both arms
     Bag, ///< hangs from the right hand
   };
   Kind kind = Kind::Box;
@@ -40,10 +40,11 @@ struct Load {
   Vector3f color = rgb(168, 132, 92);
 };
 
-/// Height of the reference body, which is scaled to other heights, in meters; chosen: an adult's.
+/// Height of the reference body in meters, chosen as the height of an adult. The body is scaled to
+/// other heights.
 inline constexpr double kReferenceHeight = 1.75;
 
-/// A simulated person who walks from waypoint to waypoint.
+/// Simulated person who walks from waypoint to waypoint.
 struct Walker {
   std::string name;
   double height = kReferenceHeight; ///< meters
@@ -58,21 +59,21 @@ struct Walker {
   /// Returns the point on the floor below the center of the body, on the path through the waypoints
   /// with rounded corners.
   Eigen::Vector2d position(double time) const;
-  /// Returns the height of the top of the head above the floor in meters; `height` for a standing
-  /// person.
+  /// Returns the height of the top of the head above the floor in meters. It is `height` for a
+  /// standing person.
   double top(double time) const;
 };
 
-/// Height of an adult's head relative to the body height: 0.25 m of 1.75 m; drawing manuals state a
-/// seventh to an eighth.
+/// Height of an adult's head relative to the body height: 0.25 m of 1.75 m. Drawing manuals specify
+/// a seventh to an eighth.
 inline constexpr double kAdultHeadShare = 1.0 / 7.0;
-/// Body height in meters up to which a body has the proportions of a child; chosen: about that of a
-/// child of 13.
+/// Body height in meters up to which a body has the proportions of a child. Chosen to be about the
+/// height of a 13-year-old.
 inline constexpr double kAdultHeight = 1.6;
 
-/// Returns the height of the head relative to the body height: an adult's from kAdultHeight on,
-/// increasing linearly below it to 0.19 at 0.9 m and less. Chosen, close to the drawing rule that
-/// the head of a small child is about a fifth of its height.
+/// Returns the height of the head relative to the body height. From kAdultHeight on, it is that of
+/// an adult. Below, it increases linearly to 0.19 at 0.9 m and less. This is close to the drawing
+/// rule that the head of a small child is about a fifth of its height.
 double headShare(double height);
 
 /// Returns the height of a seat that fits a person of `height`, in meters.
@@ -81,20 +82,21 @@ double seatHeight(double height);
 /// Shape of a part of a body.
 enum class PartShape { Ellipsoid, Box };
 
-/// A part of a body, a load or furniture: an ellipsoid or a box of any orientation.
+/// Part of a body, a load or furniture: an ellipsoid or a box of any orientation.
 struct BodyPart {
-  Vector3f center;                                    ///< world frame, meters
-  Vector3f halfSize;                                  ///< semi-axes along its own axes, meters
-  Eigen::Matrix3f axes = Eigen::Matrix3f::Identity(); ///< rows: its own axes in the world
+  Vector3f center;   ///< world frame, meters
+  Vector3f halfSize; ///< semi-axes along the part's own axes, meters
+  Eigen::Matrix3f axes = Eigen::Matrix3f::Identity(); ///< the part's axes in the world, as rows
   Vector3f color;                                     ///< BGR in full light
   PartShape shape = PartShape::Ellipsoid;
-  /// False: a load or furniture, which hides bodies but is not part of a silhouette.
+  /// True for a part of a body. False for a load or furniture, which hides bodies but is not part
+  /// of a silhouette.
   bool ofBody = true;
   Cloth cloth = {};
 };
 
-/// Returns head, hair, trunk, arms and legs at a time in seconds, then the load; the limbs swing
-/// with the steps.
+/// Returns head, hair, trunk, arms and legs at a time (seconds), followed by the load. The limbs
+/// swing with the steps.
 std::vector<BodyPart> bodyParts(const Walker& walker, double time);
 
 } // namespace dewpoint::simulation

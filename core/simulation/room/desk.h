@@ -5,9 +5,9 @@
 
 namespace dewpoint::simulation {
 
-/// Furnishing::Desk: adds the desk, and pictures on the walls behind it.
+/// Adds the desk, and pictures on the walls behind it, for Furnishing::Desk.
 void furnishDesk(Furniture& room);
-/// Furnishing::ClutteredDesk: adds the objects on that desk.
+/// Adds the objects on that desk, for Furnishing::ClutteredDesk.
 void clutterDesk(Furniture& room);
 
 } // namespace dewpoint::simulation

@@ -10,7 +10,8 @@ namespace dewpoint::simulation {
 /// Solids that furnish a room, in the order in which they were added.
 class Furniture {
 public:
-  /// Adds a solid. Sizes and positions in meters, world frame; `yaw` in radians about Z.
+  /// Adds a solid. Sizes and positions are in meters in the world frame. `yaw` is in radians about
+  /// Z.
   void add(Shape shape, const Vector3f& center, const Vector3f& halfSize, const Material& material,
            float yaw = 0.0F);
   /// Adds a lying or standing book: its cover and its pages.

@@ -5,7 +5,7 @@
 
 namespace dewpoint::simulation {
 
-/// Furnishing::Hall: adds the furniture of a living room with a free center.
+/// Adds the furniture of a living room with a free center, for Furnishing::Hall.
 void furnishHall(Furniture& room);
 
 } // namespace dewpoint::simulation

@@ -5,7 +5,7 @@
 
 namespace dewpoint::simulation {
 
-/// Furnishing::Office: adds desks, cupboards and a partition.
+/// Adds desks, cupboards and a partition, for Furnishing::Office.
 void furnishOffice(Furniture& room);
 
 } // namespace dewpoint::simulation

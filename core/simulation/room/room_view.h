@@ -12,12 +12,13 @@
 
 namespace dewpoint::simulation {
 
-/// Returns the center of the `sample`-th of side x side equal parts of a pixel, row by row, in
-/// pixels to the right of and below the pixel's center.
+/// Returns the center of a subpixel when a pixel is divided into side x side equal parts. `sample`
+/// counts the parts row by row. The result is the offset to the right of and below the pixel
+/// center, in pixels.
 std::array<float, 2> subpixel(int sample, int side);
 
-/// View of a camera on a room at rest: everything that does not change from frame to frame. All
-/// arrays have one entry per pixel, row by row.
+/// Camera view of a room at rest: everything that does not change from frame to frame. All arrays
+/// have one entry per pixel, row by row.
 struct RoomView {
   RoomView(const Camera& camera, const Room& room);
 
@@ -26,7 +27,7 @@ struct RoomView {
            static_cast<std::size_t>(column);
   }
   /// Returns the unit direction in the world frame through an image point at an offset (pixels)
-  /// from a pixel, to first order.
+  /// from a pixel. The result is a first-order approximation.
   Vector3f direction(int column, int row, float right, float down) const;
   /// Returns the pixels that can show a sphere: the bounds of its silhouette, clipped to the image.
   cv::Rect boundsOfSphere(const Eigen::Vector3d& center, double radius) const;
@@ -37,8 +38,8 @@ struct RoomView {
   Vector3f center; ///< optical center, world frame, meters
   /// Unit vectors, world frame; zero where the lens shows nothing.
   std::vector<Vector3f> directions;
-  std::vector<float> distances; ///< to the room at rest along the ray, meters
-  std::vector<float> lit;       ///< share of the pixel's light that comes directly from the lamp
+  std::vector<float> distances; ///< distance to the room at rest along the ray, meters
+  std::vector<float> lit;       ///< fraction of the pixel's light that comes directly from the lamp
   cv::Mat background;           ///< CV_32FC3, BGR, [0, 255]
 
 private:

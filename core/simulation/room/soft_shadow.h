@@ -11,7 +11,7 @@
 
 namespace dewpoint::simulation {
 
-/// A ball that hides a round lamp from points on the floor or desk (world z = 0). Meters, world
+/// Ball that hides a round lamp from points on the floor or desk (world z = 0). Meters, world
 /// frame.
 struct ShadowCaster {
   Eigen::Vector3f center;
@@ -19,12 +19,12 @@ struct ShadowCaster {
   Eigen::Vector3f lamp; ///< center of the lamp
   float lampRadius = 0.0F;
   float leastBlur = 0.0F; ///< smallest half width of the edge, even for a ball close to the floor
-  float highest = 0.0F;   ///< higher points do not count as the floor
+  float highest = 0.0F;   ///< points above this height do not count as floor
 };
 
 /// Calls `shade(row, column, pixel, covered, blur)` for the pixels of `area` that show the floor
-/// below the ball. `covered` is the share of the lamp that is hidden there, 0 to 1, with a smooth
-/// edge of half width `blur`; `pixel` is view.index(column, row).
+/// below the ball. `covered` is the fraction of the lamp that is hidden there, 0 to 1, with a
+/// smooth edge of half width `blur`. `pixel` is view.index(column, row).
 template <class Shade>
 void forEachShadedPixel(const RoomView& view, const cv::Rect& area, const ShadowCaster& caster,
                         const Shade& shade) {

@@ -10,11 +10,12 @@
 
 namespace dewpoint::simulation {
 
-/// Cache of the views of cameras on rooms at rest, each rendered once, so that many seeds of a
-/// scenario share one background. Thread-safe; a view does not change after it was created.
+/// Cache of camera views of rooms at rest. Each view is rendered once, so that many seeds of a
+/// scenario share one background. The cache is thread-safe. A view does not change after it was
+/// created.
 class ViewCache {
 public:
-  /// Returns the view of a camera on a room, and renders it on first use.
+  /// Returns a camera's view of a room, rendering it on first use.
   std::shared_ptr<const RoomView> view(const Camera& camera, Furnishing furnishing);
 
 private:

@@ -5,15 +5,17 @@
 
 namespace dewpoint::simulation {
 
-/// Returns the demo's two cameras and a third, to the side and above, that looks at the same point.
+/// Returns the two cameras of the demo and a third camera, to the side and above, that looks at the
+/// same point.
 CameraRig threeCameraDeskRig();
 
 /// Returns the first `count` (2 to 8) of eight 320x240 cameras around the desk, 1.1 m from the
-/// center of the volume (0.5, 0.5, 0.15), in an order in which consecutive cameras are far apart.
+/// center of the volume (0.5, 0.5, 0.15). They are ordered so that consecutive cameras are far
+/// apart.
 CameraRig deskRing(int count);
 
 /// Returns the first `count` (2 to 4) of four 640x480 cameras in the corners of the hall, 1.9 m
-/// high, looking at its center; focal lengths 400 px.
+/// high, looking at its center, with focal lengths of 400 px.
 CameraRig hallRig(int count);
 
 } // namespace dewpoint::simulation

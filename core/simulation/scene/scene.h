@@ -22,14 +22,15 @@ enum class Motion {
   Jump,   ///< stays, then changes its position from one frame to the next, once per period
 };
 
-/// Center of the volume at the desk, at which all its cameras look: world frame, meters. Chosen:
-/// half a meter in front of both cameras of demoRig().
+/// Center of the volume at the desk, at which all desk cameras look. World frame, meters. Chosen to
+/// be half a meter in front of both cameras of demoRig().
 inline const Eigen::Vector3d kDeskMiddle{0.5, 0.5, 0.15};
 
-/// Focal length of the cameras at the desk, pixels: 49 degrees across 320 pixels; chosen.
+/// Focal length of the cameras at the desk, pixels. It gives a field of view of 49 degrees across
+/// 320 pixels. Chosen by judgment.
 inline constexpr double kDeskFocal = 350.0;
 
-/// A ball with a known true position at every instant.
+/// Ball with a known true position at every instant.
 struct SceneBall {
   std::string name = "pink ball";
   double radius = kUsualBallRadius;        ///< meters
@@ -37,12 +38,13 @@ struct SceneBall {
   Motion motion = Motion::Smooth;
   /// Initial position and center of its path; world frame, meters.
   Eigen::Vector3d position = kDeskMiddle;
-  Eigen::Vector3d extent{0.12, 0.08, 0.05}; ///< half size of the path along X, Y, Z; meters
-  double period = 6.0;       ///< seconds per round of a smooth path, or between two jumps
-  double stillSeconds = 0.0; ///< time at rest before it starts to move
+  Eigen::Vector3d extent{0.12, 0.08, 0.05}; ///< half size of the path along X, Y, Z, meters
+  double period =
+      6.0; ///< duration of one round of a smooth path, or time between two jumps, seconds
+  double stillSeconds = 0.0; ///< time at rest before the ball starts to move, seconds
 
-  // HSI ranges that contain the ball's rendered pixels and almost nothing else. Hue in degrees,
-  // circular (hueMin > hueMax wraps through 0); saturation and intensity in [0, 1].
+  // HSI ranges that contain the rendered pixels of the ball and almost nothing else. Hue is in
+  // degrees and circular (hueMin > hueMax wraps through 0). Saturation and intensity are in [0, 1].
   double hueMin = 320.0;
   double hueMax = 352.0;
   double saturationMin = 0.25;
@@ -51,19 +53,19 @@ struct SceneBall {
   double intensityMax = 0.90;
 };
 
-/// Light at one instant. It is interpolated between instants (the brightness on a logarithmic
-/// scale), and constant before the first and after the last one.
+/// Light at one instant. Between instants, it is interpolated (brightness on a logarithmic scale).
+/// Before the first and after the last instant, it is constant.
 struct SceneLight {
   double time = 0.0;               ///< seconds
   double brightness = 1.0;         ///< factor; 1 is full light
   double kelvin = kBalancedKelvin; ///< color temperature; the cameras are balanced for 5500 K
 };
 
-/// Largest number of distractors: there are as many positions for them on the desk.
+/// Maximum number of distractors, which is the number of positions for them on the desk.
 inline constexpr int kMaxDistractors = 4;
 
-/// A simulated scene: everything that determines its images and its truth. Frame f is taken at f /
-/// framesPerSecond seconds; its exposure is centered on that instant.
+/// Simulated scene: everything that determines its images and its truth. Frame f is taken at f /
+/// framesPerSecond seconds, with its exposure centered on that instant.
 struct Scene {
   std::string name = "demo";
   CameraRig cameras;
@@ -71,22 +73,22 @@ struct Scene {
   std::int64_t frameCount = 300;
   std::uint64_t seed = 1;
   std::vector<SceneBall> balls;
-  /// Number of distractors: additional balls of the first ball's color, at rest; up to
-  /// kMaxDistractors.
+  /// Number of distractors, up to kMaxDistractors. Distractors are additional balls at rest, with
+  /// the color of the first ball.
   int distractors = 0;
-  bool occluder = false;          ///< a box that passes between the first ball and the first camera
-  bool clutter = true;            ///< books, boxes, wood- and skin-colored objects on the desk
-  std::vector<SceneLight> lights; ///< in order of time; empty: full light of 5500 K
+  bool occluder = false; ///< add a box that passes between the first ball and the first camera
+  bool clutter = true;   ///< add books, boxes, and wood- and skin-colored objects on the desk
+  std::vector<SceneLight> lights;          ///< in order of time; empty: full light of 5500 K
   double noiseSigma = kUsualNoiseSigma;    ///< standard deviation of the sensor noise, gray levels
   double exposureSeconds = kUsualExposure; ///< exposure time, which determines the motion blur
 };
 
 /// Returns the setup of Barrera, Cañas and Matellán (2005): two cameras at the paper's positions,
-/// looking at (0.5, 0.5, 0.15), camera 2 with a portrait image; focal lengths 350 px.
+/// looking at (0.5, 0.5, 0.15), with focal lengths of 350 px. Camera 2 has a portrait image.
 CameraRig demoRig();
 
-/// Returns the built-in default scene: the demo rig; the ball is still for 60 frames, then on a
-/// smooth path.
+/// Returns the built-in default scene with the demo rig. The ball rests for 60 frames and then
+/// moves on a smooth path.
 Scene demoScene();
 
 /// Returns the true center of a ball at `time` seconds, world frame, meters.

@@ -14,7 +14,7 @@ namespace dewpoint::simulation {
 /// `jump`, `look-alikes`, `occluder`.
 const std::vector<std::string>& sceneNames();
 
-/// Returns the built-in scene of this name, or reads a scene from this TOML file.
+/// Returns the built-in scene with this name, or reads a scene from this TOML file.
 Result<Scene> sceneNamed(const std::string& nameOrTomlFile);
 
 } // namespace dewpoint::simulation

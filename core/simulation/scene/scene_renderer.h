@@ -11,7 +11,8 @@
 namespace dewpoint::simulation {
 
 /// Renders the images of a scene by ray casting. Everything at rest is rendered once per camera in
-/// the constructor; a frame then requires little more than its moving parts and its noise.
+/// the constructor. Rendering a frame then requires little more than drawing its moving parts and
+/// noise.
 class SceneRenderer {
 public:
   explicit SceneRenderer(Scene scene);
@@ -21,8 +22,8 @@ public:
   SceneRenderer(SceneRenderer&&) noexcept;
   SceneRenderer& operator=(SceneRenderer&&) noexcept;
 
-  /// Renders the image of one camera in one frame: CV_8UC3, BGR. A pure function of (scene, camera,
-  /// frame), so it may be called from several threads and in any order.
+  /// Renders the image of one camera in one frame (CV_8UC3, BGR). This is a pure function of scene,
+  /// camera and frame, so it may be called from several threads and in any order.
   cv::Mat render(int camera, std::int64_t frame) const;
 
   const Scene& scene() const;

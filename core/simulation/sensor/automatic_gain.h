@@ -10,28 +10,30 @@
 
 namespace dewpoint::simulation {
 
-/// A camera's control of one quantity: a slow integrator with delayed effect. The defaults are
-/// chosen: settled within half a second, without overshoot.
+/// Control loop of a camera for one quantity: a slow integrator with delayed effect. The defaults
+/// are chosen so that the loop settles within half a second without overshoot.
 struct ControlLoop {
-  double speed = 0.15;    ///< share of the error corrected per frame; 0: no control
+  double speed = 0.15;    ///< fraction of the error corrected per frame; 0: no control
   int lagFrames = 2;      ///< frames from a measurement to its effect
-  double deadband = 0.03; ///< smaller errors are not corrected; stops (factors of two)
+  double deadband = 0.03; ///< errors below this are not corrected; stops (factors of two)
   double limit = 1.5;     ///< limit of the correction in both directions, stops
 };
 
-/// Returns the correction in every frame, in stops, of a disturbance (stops, one per frame; 0:
-/// none) that the loop compensates for; the first is `start`. Fast loops with a long lag overshoot.
-/// Stable while speed < 2 sin(pi / (4 lag + 2)) (the discrete integrator with delay).
+/// Returns the corrections (stops, one per frame) with which the loop compensates for a disturbance
+/// (stops, one per frame; 0 means no disturbance). The first correction is `start`. Fast loops with
+/// a long lag overshoot. The loop is stable if speed < 2 sin(pi / (4 lag + 2)), as for a discrete
+/// integrator with delay.
 std::vector<double> corrections(const ControlLoop& loop, std::span<const double> disturbance,
                                 double start);
 
-/// Factors on linear light set by a camera's automatic control for one frame.
+/// Gain factors for linear light that a camera's automatic control sets for one frame.
 struct CameraGain {
-  double exposure = 1.0;                                  ///< before noise
-  Eigen::Vector3d whiteBalance = Eigen::Vector3d::Ones(); ///< BGR, after noise; green is 1
+  double exposure = 1.0; ///< exposure gain, applied before noise
+  Eigen::Vector3d whiteBalance =
+      Eigen::Vector3d::Ones(); ///< white balance gains, BGR, applied after noise; green is 1
 };
 
-/// Gains over a run; the last ones also apply after the last frame.
+/// Gains over a run. The gains of the last frame also apply after it.
 struct GainCurve {
   double framesPerSecond = kUsualFrameRate;
   std::vector<CameraGain> frames; ///< empty: all gains are 1
@@ -39,8 +41,8 @@ struct GainCurve {
   CameraGain at(double time) const;
 };
 
-/// Automatic exposure and white balance of one camera, settled in the light of the first frame
-/// except for the errors below.
+/// Automatic exposure and white balance of one camera. At the first frame, they are settled for the
+/// current light, except for the errors below.
 struct AutomaticGain {
   ControlLoop exposure;
   ControlLoop whiteBalance;
@@ -54,7 +56,7 @@ struct AutomaticGain {
 };
 
 /// Returns the gains of a run, one per frame, for light whose channels (BGR) differ from the
-/// nominal light by `lightStops` stops. A pure function of its arguments.
+/// nominal light by `lightStops` stops. This is a pure function of its arguments.
 GainCurve automaticGains(const AutomaticGain& control, std::span<const Eigen::Vector3d> lightStops,
                          double framesPerSecond);
 

@@ -7,24 +7,26 @@
 
 namespace dewpoint::simulation {
 
-/// Noise of a pixel by the photon transfer model (Janesick, "Photon Transfer", 2007): the variance
-/// of the number of electrons equals their number, and reading them adds further noise.
+/// Pixel noise according to the photon transfer model (Janesick, "Photon Transfer", 2007). The
+/// variance of the number of electrons equals their number, and reading them adds more noise.
 struct PixelNoise {
   double fullWell = 0.0;      ///< number of electrons at full scale with a gain of 1
   double readElectrons = 0.0; ///< standard deviation of the read noise, electrons
 };
 
 /// Returns the signal of the pixels under a color filter array: CV_32FC1 from linear light
-/// (CV_32FC3, BGR). Rows begin with red green, then green blue (RGGB). Red and blue pixels are less
-/// sensitive than green ones, as with silicon behind color filters.
+/// (CV_32FC3, BGR). Rows alternate between red-green and green-blue (RGGB). Red and blue pixels are
+/// less sensitive than green ones, as with silicon behind color filters.
 cv::Mat mosaic(const cv::Mat& linear);
 
-/// Adds noise to `raw` (CV_32FC1, 1 is full scale): its variance, in squared full scales, is
-/// (raw + read^2 / electrons) / electrons, with `electrons` at full scale = fullWell / gain.
+/// Adds noise to `raw` (CV_32FC1, 1 is full scale). Its variance relative to the squared full scale
+/// is (raw + read^2 / electrons) / electrons, where electrons = fullWell / gain is the number of
+/// electrons at full scale.
 void addPixelNoise(cv::Mat& raw, const PixelNoise& noise, double gain, const RandomStream& stream);
 
-/// Returns colors for all pixels from the mosaic: quantization to 12 bits, bilinear interpolation
-/// of the missing colors (OpenCV's), and division by the sensitivities of mosaic(). CV_32FC3, BGR.
+/// Reconstructs the colors of all pixels from the mosaic (CV_32FC3, BGR). The steps are
+/// quantization to 12 bits, OpenCV's bilinear interpolation of the missing colors, and division by
+/// the sensitivities of mosaic().
 cv::Mat demosaiced(const cv::Mat& raw);
 
 } // namespace dewpoint::simulation

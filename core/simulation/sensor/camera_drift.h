@@ -8,27 +8,27 @@
 
 namespace dewpoint::simulation {
 
-/// A camera that slowly rotates about its own center, as on a mount that warms up: from zero at
-/// time 0 toward `rotation` with the time constant `settleSeconds`.
+/// Slow rotation of a camera about its center, as on a mount that warms up. It starts from zero at
+/// time 0 and approaches `rotation` with the time constant `settleSeconds`.
 struct CameraDrift {
-  /// Rotation as axis times angle in the world frame, radians: the camera sees a direction d where
-  /// the camera at rest would see the rotated direction.
+  /// Rotation as axis times angle in the world frame, radians. The rotated camera sees a direction
+  /// d at the pixel where the camera at rest would see the rotated direction.
   Eigen::Vector3d rotation = Eigen::Vector3d::Zero();
   double settleSeconds = 5.0;
 };
 
-/// Returns the rotation reached at `time`, seconds; the identity before 0.
+/// Returns the rotation reached at `time` (seconds). It is the identity before time 0.
 Eigen::Matrix3d rotationAt(const CameraDrift& drift, double time);
 
-/// Returns the position at which the camera at rest sees a point of the world as the rotated camera
-/// does.
+/// Rotates a point about the camera center (world frame, meters). The camera at rest sees the
+/// result at the pixel where the rotated camera sees the point.
 Eigen::Vector3d rotatedAbout(const Eigen::Vector3d& center, const Eigen::Matrix3d& rotation,
                              const Eigen::Vector3d& point);
 
-/// Returns the image (CV_32FC3) of `view`'s camera rotated by `rotation`, from that of the camera
-/// at rest. It uses a homography, which is exact for a pinhole camera, and accurate to a few
-/// hundredths of a pixel for a lens and the intended rotations of a few milliradians. The border
-/// repeats its last pixels.
+/// Converts the image of `view`'s camera at rest to its image (CV_32FC3) after rotation by
+/// `rotation`. The function uses a homography. This is exact for a pinhole camera, and accurate to
+/// a few hundredths of a pixel for a distorting lens and the intended rotations of a few
+/// milliradians. The last pixels are repeated at the border.
 cv::Mat rotatedImage(const RoomView& view, const cv::Mat& image, const Eigen::Matrix3d& rotation);
 
 } // namespace dewpoint::simulation

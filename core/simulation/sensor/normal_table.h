@@ -8,11 +8,11 @@
 
 namespace dewpoint::simulation {
 
-/// Number of entries of normalTable(): as many as 16 random bits can select.
+/// Number of entries in normalTable(): as many as 16 random bits can select.
 inline constexpr std::size_t kNormalCount = 65536;
 
-/// Returns standard normal numbers for random selection, because drawing new ones for every pixel
-/// would take longer than the rest of a frame. The numbers are always the same.
+/// Returns a table of standard normal numbers for random selection. Drawing new numbers for every
+/// pixel would take longer than the rest of a frame. The numbers are always the same.
 const std::vector<float>& normalTable();
 
 } // namespace dewpoint::simulation

@@ -7,9 +7,9 @@
 
 namespace dewpoint::simulation {
 
-/// Returns the image (CV_32F) of a slightly blurred lens: its point spread function is a Gaussian
-/// of `sigmaPx` pixels, the same everywhere. The border repeats its last pixels; 0 pixels leave the
-/// image unchanged.
+/// Returns the image (CV_32F) as blurred by a lens. The point spread function is a Gaussian with a
+/// standard deviation of `sigmaPx` pixels, the same everywhere. The last pixels are repeated at the
+/// border. With 0 pixels, the image is unchanged.
 cv::Mat blurred(const cv::Mat& image, double sigmaPx);
 
 } // namespace dewpoint::simulation

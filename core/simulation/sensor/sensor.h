@@ -7,25 +7,26 @@
 
 namespace dewpoint::simulation {
 
-/// Converts light to the image of a sensor: CV_8UC3 from a CV_32FC3 image (BGR, [0, 255]), with
-/// normal noise of `noiseSigma` gray levels drawn from `stream`.
+/// Converts light (CV_32FC3, BGR, [0, 255]) to a sensor image (CV_8UC3). Adds normal noise with a
+/// standard deviation of `noiseSigma` gray levels, drawn from `stream`.
 cv::Mat develop(const cv::Mat& image, double noiseSigma, const RandomStream& stream);
 
-/// Unsharp masking as in a webcam's processor: the image plus `amount` times what a Gaussian blur
-/// of `sigmaPx` (pixels) removes from it. It creates halos at edges.
+/// Unsharp masking as in a webcam's processor: adds to the image `amount` times the detail that a
+/// Gaussian blur of `sigmaPx` pixels removes. It creates halos at edges.
 struct Sharpening {
   double amount = 0.0;
   double sigmaPx = 1.0;
 };
-/// Returns the sharpened image (CV_8UC3); with an amount of 0, the image itself.
+/// Returns the sharpened image (CV_8UC3). With an amount of 0, returns the image itself.
 cv::Mat sharpened(const cv::Mat& image, const Sharpening& sharpening);
 
-/// Returns the image (CV_8UC3) after JPEG compression with `quality` 1 to 100. Its colors have half
-/// the resolution (4:2:0), as in the encoder's default and nearly every webcam.
+/// Returns the image (CV_8UC3) after JPEG compression with `quality` from 1 to 100. Colors have
+/// half the resolution (4:2:0), like the encoder's default and nearly every webcam.
 cv::Mat throughJpeg(const cv::Mat& image, int quality);
 
-/// Returns gains over the image (CV_32FC3): light that decreases toward the corners by `vignette`
-/// and changes linearly by `right` and `down` from the center to the borders.
+/// Returns the gain of each pixel (CV_32FC3) for uneven light. The light decreases toward the
+/// corners by the fraction `vignette`, and changes linearly from the center to the right and lower
+/// borders by the fractions `right` and `down`.
 cv::Mat unevenLight(cv::Size size, double vignette, double right, double down);
 
 } // namespace dewpoint::simulation

@@ -12,27 +12,29 @@
 
 namespace dewpoint::simulation {
 
-/// Model of a camera from its lens to its image stream. The default is an ideal one: a global
-/// shutter of 10 ms, sharp, true colors for every pixel, no compression.
+/// Model of a camera from its lens to its image stream. The default is an ideal camera: a global
+/// shutter of 10 ms, sharp images, true colors for every pixel, and no compression.
 struct SensorModel {
   Shutter shutter;
-  Flicker flicker; ///< of the light; its effect depends on the shutter
+  Flicker flicker; ///< flicker of the light; its effect depends on the shutter
   CameraDrift drift;
   GainCurve gains;         ///< automatic exposure and white balance over the run
-  double psfSigmaPx = 0.0; ///< blur of the lens: a Gaussian, pixels
-  PixelNoise noise;        ///< a positive full well selects a color filter array with its noise
-  double contrast = 1.0;   ///< exponent applied to the nominal tone curve
+  double psfSigmaPx = 0.0; ///< standard deviation of the lens blur (Gaussian), pixels
+  PixelNoise
+      noise; ///< pixel noise; a positive full well selects a color filter array with this noise
+  double contrast = 1.0; ///< exponent applied to the nominal tone curve
   Sharpening sharpening;
   int jpegQuality = 0; ///< 1 to 100; 0: not compressed
 
-  /// Returns whether the model changes the light before it is converted to numbers.
+  /// Returns whether the model changes the light before it is converted to gray levels.
   bool worksOnLight() const;
 };
 
-/// Returns the image (CV_8UC3) that a camera sends for `light`: CV_32FC3, BGR, in the renderer's
-/// levels, as on an ideal sensor at `time`. Applies blur, flicker, exposure, Bayer mosaic with its
-/// noise, white balance, tone curve, sharpening and JPEG, in this order. A model without a full
-/// well gets normal noise of `noiseSigma` levels at the end instead.
+/// Returns the image (CV_8UC3) that a camera sends for `light`. `light` is the image on an ideal
+/// sensor at `time` (seconds): CV_32FC3, BGR, in the renderer's levels. The function applies blur,
+/// flicker, exposure, Bayer mosaic with its noise, white balance, tone curve, sharpening and JPEG,
+/// in this order. A model without a full well instead gets normal noise of `noiseSigma` levels at
+/// the end.
 cv::Mat sensorImage(const cv::Mat& light, const SensorModel& model, double time, double noiseSigma,
                     const RandomStream& stream);
 

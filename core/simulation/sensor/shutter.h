@@ -7,15 +7,15 @@
 
 namespace dewpoint::simulation {
 
-/// Times at which the rows of an image collect light. The time of a frame is that of its central
-/// row.
+/// Times at which the rows of an image collect light. The time of a frame is the time of its
+/// central row.
 struct Shutter {
   double exposureSeconds = kUsualExposure; ///< exposure of each row, centered on the row's time
   double readoutSeconds = 0.0; ///< from the first row's time to the last row's; 0: global shutter
 };
 
-/// Returns the seconds from the frame's time to that of `row` (of `rows`): negative in the upper
-/// half.
+/// Returns the time of `row` (of `rows`) relative to the frame time, in seconds. It is negative in
+/// the upper half.
 double rowTime(const Shutter& shutter, int row, int rows);
 
 /// Rows [begin, end) that are rendered at one time.
@@ -25,19 +25,20 @@ struct RowBand {
   double time = 0.0; ///< time of their central row, seconds from the frame's time
 };
 
-/// Returns the bands of an image of `rows` rows, from top to bottom; one for a global shutter.
+/// Returns the bands of an image with `rows` rows, from top to bottom. A global shutter has one
+/// band.
 std::vector<RowBand> rowBands(const Shutter& shutter, int rows);
 
-/// Flicker of lamps on alternating current: their light oscillates at twice the mains frequency.
+/// Flicker of lamps on alternating current, whose light oscillates at twice the mains frequency.
 struct Flicker {
-  double frequency = 100.0; ///< of the light, Hz
+  double frequency = 100.0; ///< frequency of the light, Hz
   double depth = 0.0;       ///< amplitude relative to the mean light; 0: steady
   double phase = 0.0;       ///< radians
 };
 
-/// Returns the light of each row relative to steady light: the mean of the oscillation over its
-/// exposure. Rolling shutters show the oscillation as bands; a whole number of periods per exposure
-/// leaves none.
+/// Returns the light in each row relative to steady light: the mean of the oscillation over the
+/// row's exposure. Rolling shutters show the oscillation as bands. If the exposure is a whole
+/// number of periods, there are no bands.
 std::vector<float> rowGains(const Flicker& flicker, const Shutter& shutter, int rows, double time);
 
 } // namespace dewpoint::simulation

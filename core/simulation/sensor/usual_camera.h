@@ -5,15 +5,16 @@
 
 namespace dewpoint::simulation {
 
-// Defaults of a camera. Chosen once for the demo; all results of grade `ideal` were measured with
-// them.
+// Camera defaults. They were chosen once for the demo. All results of grade `ideal` were measured
+// with them.
 
-/// Frames per second: offered by nearly all webcams.
+/// Frames per second, supported by nearly all webcams.
 inline constexpr double kUsualFrameRate = 30.0;
-/// Exposure in seconds: that of a webcam in a well-lit room. A ball at 1 m/s, half a meter away, is
-/// blurred over 7 pixels at a focal length of 350 pixels.
+/// Exposure in seconds, typical of a webcam in a well-lit room. A ball at 1 m/s, half a meter away,
+/// is blurred over 7 pixels at a focal length of 350 pixels.
 inline constexpr double kUsualExposure = 0.01;
-/// Standard deviation of the sensor noise, gray levels (from about 1 in the sun to 8 in the dark).
+/// Standard deviation of the sensor noise, gray levels. Real values range from about 1 in sunlight
+/// to 8 in darkness.
 inline constexpr double kUsualNoiseSigma = 3.0;
 
 } // namespace dewpoint::simulation

@@ -13,15 +13,15 @@ enum class ClothPattern {
   Blotches ///< irregular spots of a second color
 };
 
-/// A color, or two in a pattern; BGR in full light, [0, 255].
+/// Single color, or two colors in a pattern. BGR in full light, [0, 255].
 struct Cloth {
   ClothPattern pattern = ClothPattern::Plain;
-  Vector3f second{0.0F, 0.0F, 0.0F}; ///< the other color; the first one is that of the part
+  Vector3f second{0.0F, 0.0F, 0.0F}; ///< second color; the first color is that of the part
   float width = 0.06F;               ///< width of a band, field or spot, meters
 };
 
-/// Returns the color of a part whose first color is `first`, at a point in the part's own axes,
-/// meters. Returns `first` if the cloth is plain.
+/// Returns the color at a point of a part whose first color is `first`. The point is in the part's
+/// own axes, meters. The result is `first` if the cloth is plain.
 Vector3f clothColor(const Cloth& cloth, const Vector3f& first, const Vector3f& position);
 
 } // namespace dewpoint::simulation

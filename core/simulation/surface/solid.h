@@ -26,7 +26,7 @@ inline Vector3f rgb(float red, float green, float blue) {
 /// Shape of a solid at rest.
 enum class Shape { Box, Ellipsoid, Cylinder };
 
-/// An object at rest: a box, an ellipsoid or an upright cylinder, rotated about the vertical.
+/// Object at rest: a box, an ellipsoid or an upright cylinder, rotated about the vertical.
 struct Solid {
   Shape shape = Shape::Box;
   Vector3f center;
@@ -35,7 +35,7 @@ struct Solid {
   Material material;
   float cosine = 1.0F;
   float sine = 0.0F;
-  float bound = 0.0F; ///< radius of a sphere around it
+  float bound = 0.0F; ///< radius of a sphere around the solid
 };
 
 /// Creates a solid, including everything derived from its size and rotation.

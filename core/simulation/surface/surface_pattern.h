@@ -7,15 +7,15 @@
 
 namespace dewpoint::simulation {
 
-/// A patch of another color where the angle between the surface normal and an axis is below a
-/// limit. On a ball, this is a spherical cap.
+/// Patch of another color where the angle between the surface normal and an axis is below a limit.
+/// On a ball, it is a spherical cap.
 struct SurfacePatch {
   Vector3f axis{0.0F, 0.0F, 1.0F};  ///< unit vector in the body's own axes
   float cosine = 1.0F;              ///< cosine of the largest angle; 0: half of the ball
   Vector3f color{0.0F, 0.0F, 0.0F}; ///< BGR in full light, [0, 255]
 };
 
-/// A band of another color around a great circle.
+/// Band of another color around a great circle.
 struct SurfaceSeam {
   Vector3f axis{0.0F, 0.0F, 1.0F}; ///< axis of the circle; unit vector in the body's own axes
   float sine = 0.0F;               ///< sine of the largest angle to the circle's plane
@@ -28,14 +28,14 @@ struct SurfacePattern {
   std::vector<SurfacePatch> patches;
   std::vector<SurfaceSeam> seams;
 
-  /// Returns the color where the normal is `normal` (unit vector in the body's own axes); `plain`
-  /// where nothing is painted.
+  /// Returns the color where the surface normal is `normal` (unit vector in the body's own axes).
+  /// Returns `plain` where nothing is painted.
   Vector3f colorAt(const Vector3f& normal, const Vector3f& plain) const;
 };
 
-/// Reflection of the lamp on a surface: white light of `peak` gray levels times cos^power of the
-/// angle between the normal and the bisector of the directions to lamp and camera (Blinn, SIGGRAPH
-/// 1977). The highlight is clipped where the sum reaches 255.
+/// Reflection of the lamp on a surface. It adds white light of `peak` gray levels times cos^power
+/// of the angle between the normal and the bisector of the directions to lamp and camera (Blinn,
+/// SIGGRAPH 1977). The highlight is clipped where the sum reaches 255.
 struct Gloss {
   float peak = 0.0F;
   float power = 12.0F;
@@ -45,7 +45,7 @@ struct Gloss {
   float at(const Vector3f& normal, const Vector3f& towardsLamp, const Vector3f& direction) const;
 };
 
-/// Gloss of the plain balls; chosen: rubber, on which the lamp is barely visible.
+/// Gloss of plain balls. Chosen to look like rubber, on which the lamp is barely visible.
 inline constexpr Gloss kBallGloss{12.0F, 12.0F};
 
 } // namespace dewpoint::simulation

@@ -10,10 +10,11 @@ namespace dewpoint::simulation {
 /// Returns a hash of three integers.
 std::uint32_t hashed(std::uint32_t x, std::uint32_t y, std::uint32_t z);
 
-/// Returns value noise in [-1, 1]: smooth between random values at the points of the integer grid.
+/// Returns value noise in [-1, 1], which varies smoothly between random values at the points of the
+/// integer grid.
 float valueNoise(const Vector3f& position);
 
-/// Returns the color of a patterned surface at a point in the solid's own frame, meters; BGR.
+/// Returns the color (BGR) of a patterned surface at a point in the solid's own frame, meters.
 Vector3f texture(Pattern pattern, const Vector3f& color, const Vector3f& position);
 
 } // namespace dewpoint::simulation

@@ -7,7 +7,7 @@
 
 namespace dewpoint::experiment {
 
-/// All rendered scenarios in the order of the report.
+/// Returns all rendered scenarios in report order.
 const std::vector<ScenarioDeclaration>& scenarioCatalog();
 
 } // namespace dewpoint::experiment

@@ -7,7 +7,7 @@
 
 namespace dewpoint::experiment::scenarios {
 
-// Scenarios of each family in the order of the report.
+// Each function returns the scenarios of one family in report order.
 std::vector<ScenarioRecipe> cleanScenarios();       ///< S0
 std::vector<ScenarioRecipe> distractorScenarios();  ///< S1
 std::vector<ScenarioRecipe> occlusionScenarios();   ///< S2

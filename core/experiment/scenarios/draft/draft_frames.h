@@ -8,9 +8,9 @@
 
 namespace dewpoint::experiment::scenarios {
 
-/// Frame set `frame` of a finished draft as methods receive it. The set is stamped by its number.
-/// The delay and the time stamp of each image follow its camera's timing; an image that does not
-/// arrive is null. A pure function.
+/// Returns frame set `frame` of a finished draft as methods receive it. The time stamp of the set
+/// follows from its number. The delay and time stamp of each image follow the timing of its camera.
+/// An image that does not arrive is null. This is a pure function.
 FrameSetPtr frameSetOf(const ScenarioDraft& draft, std::int64_t frame);
 
 } // namespace dewpoint::experiment::scenarios

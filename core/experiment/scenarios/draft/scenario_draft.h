@@ -15,10 +15,10 @@
 
 namespace dewpoint::experiment::scenarios {
 
-/// Radius of the ball of most scenarios, meters.
+/// Ball radius in most scenarios, meters.
 inline constexpr double kBallRadius = simulation::kUsualBallRadius;
 
-/// Frame times of a camera: frame j is taken at `offset` + j / `framesPerSecond` seconds.
+/// Frame times of a camera. Frame j is taken at `offset` + j / `framesPerSecond` seconds.
 struct CameraClock {
   double framesPerSecond = simulation::kUsualFrameRate;
   double offset = 0.0;
@@ -38,60 +38,60 @@ struct ScenarioDraft {
   Eigen::Vector3d startHalf = Eigen::Vector3d::Zero();
   double framesPerSecond = simulation::kUsualFrameRate;
   std::int64_t frameCount = 0;
-  /// One per camera. If empty, all cameras take frame k with set k.
+  /// Clocks, one per camera. If empty, all cameras take frame k at the time of set k.
   std::vector<CameraClock> clocks = {};
-  /// Whether a frame does not arrive.
+  /// Returns whether a frame is lost and does not arrive.
   std::function<bool(std::size_t camera, std::int64_t frame)> lost = nullptr;
   std::vector<ScenarioEvent> events = {};
-  /// Changes the faults that the grade has drawn, or those of an ideal run: the faults that the
-  /// scenario is about. Called when everything else is complete.
+  /// Changes the faults drawn for the grade, or the faults of an ideal run. A scenario sets here
+  /// the faults that it tests. Called when everything else is complete.
   std::function<void(SensingFaults&)> adjustFaults = nullptr;
-  /// One per camera, set by the grade and the scenario's faults. If empty, all times are known and
-  /// all frames arrive.
+  /// Timing faults, one per camera, set by the grade and by the scenario. If empty, all times are
+  /// known and all frames arrive.
   std::vector<CameraTiming> timings = {};
 
-  /// Room in the stage's views, for views of additional cameras.
+  /// Room shown in the stage's views. Used to make views for additional cameras.
   std::shared_ptr<const simulation::Room> room = nullptr;
-  /// Factor of the extent of smooth paths; below 1 if the cameras show less.
+  /// Scale factor for the extent of smooth paths. It is below 1 if the cameras see less.
   double pathScale = 1.0;
-  /// Factor of the radius of balls, applied when the scenario is complete; at most 1.
+  /// Scale factor for ball radii, at most 1. It is applied when the scenario is complete.
   double radiusScale = 1.0;
-  int equalCandidates = 1; ///< see ScenarioRun
-  /// Whether calibration and time stamps are exact in grade `ideal`, and methods know this.
+  int equalCandidates = 1; ///< see ScenarioRun::equalCandidates
+  /// True if calibration and time stamps are exact in grade `ideal` and methods know this.
   bool exactWhenIdeal = true;
-  /// Sets what methods know about the targets, from the images of the finished run. If null, they
-  /// know the color range of the pink ball.
+  /// Sets what methods know about the targets, from the images of the finished run. If null,
+  /// methods know the color range of the pink ball.
   std::function<void(const ScenarioDraft&, ScenarioRun&)> teach = nullptr;
 
-  /// Radius of a usual ball when the scenario is complete, meters.
+  /// Returns the radius of a usual ball in the complete scenario, meters.
   double ballRadius() const { return radiusScale * kBallRadius; }
-  /// Time of a frame, seconds.
+  /// Returns the time of a frame, seconds.
   double timeOf(std::int64_t frame) const { return static_cast<double>(frame) / framesPerSecond; }
 };
 
 /// Declaration of a scenario: its name and the function that completes its draft. The function
-/// returns false if it finds no position at which all that must be visible is visible.
+/// returns false if it finds no position at which everything that must be visible is visible.
 struct ScenarioRecipe {
   std::string name;
   std::string sentence;
   CameraRig rig;
   simulation::Furnishing furnishing = simulation::Furnishing::ClutteredDesk;
   std::function<bool(ScenarioDraft&)> complete = nullptr;
-  /// Color of the target, BGR in full light. In grade `wild`, some of the clutter has it too.
+  /// Target color, BGR in full light. In grade `wild`, some of the clutter has the same color.
   Eigen::Vector3d targetColor = simulation::kUsualBallColor;
 };
 
 /// Converts a recipe to a declaration. Runs share the cache's views of the room at rest.
 ScenarioDeclaration declared(ScenarioRecipe recipe, std::shared_ptr<simulation::ViewCache> cache);
 
-/// Adds a pink ball to be tracked ("ball 1", "ball 2", ...).
+/// Adds a pink ball as a target ("ball 1", "ball 2", ...).
 void addTarget(ScenarioDraft& draft, simulation::Path path, double radius = kBallRadius);
 
-/// Starts the search near the first target's true first position: in a box of half size 0.1 m whose
-/// center is off by up to 0.05 m along each axis.
+/// Starts the search near the true initial position of the first target: in a box with a half size
+/// of 0.1 m, whose center is off by up to 0.05 m along each axis.
 void startNearTruth(ScenarioDraft& draft);
 
-/// Starts the search in a box that contains the first positions of all targets, with a margin of
+/// Starts the search in a box that contains the initial positions of all targets, with a margin of
 /// 0.05 m.
 void startAroundAll(ScenarioDraft& draft);
 

@@ -5,21 +5,23 @@
 
 namespace dewpoint::experiment::scenarios {
 
-/// Number of attempts to draw a position before a scenario gives up; chosen: about a second.
+/// Number of attempts to draw a position before a scenario gives up. Chosen to take about a second.
 inline constexpr int kMostDraws = 4000;
-/// Number of attempts to draw a whole layout before a scenario gives up; chosen, because each
-/// layout costs many positions.
+/// Number of attempts to draw a whole layout before a scenario gives up. It is small because each
+/// layout requires many positions.
 inline constexpr int kMostLayouts = 50;
 
-/// Frames of a run: 6 s at simulation::kUsualFrameRate, one round of the smooth path; chosen.
+/// Number of frames in a run: 6 s at simulation::kUsualFrameRate, which is one round of the smooth
+/// path.
 inline constexpr std::int64_t kUsualFrames = 180;
 
-/// Bounds of the center of a ball's path on the desk, world, meters. Chosen so that both cameras of
-/// the demo rig see most paths completely.
+/// Bounds for the center of a ball's path on the desk, world, meters. They are chosen so that both
+/// cameras of the demo rig see most paths completely.
 inline const Eigen::Vector3d kPathLow{0.46, 0.46, 0.12};
 inline const Eigen::Vector3d kPathHigh{0.56, 0.58, 0.18};
 
-/// Seconds per round of the smooth path and of the fast one: 0.1 to 0.3 m/s, and five times that.
+/// Duration of one round of the smooth path (0.1 to 0.3 m/s) and of the fast path (five times as
+/// fast), seconds.
 inline constexpr double kSlowRound = 6.0;
 inline constexpr double kFastRound = 1.2;
 
@@ -33,26 +35,28 @@ struct RoundPath {
   Eigen::Vector3d operator()(double time) const;
 };
 
-/// Whether the sphere's whole outline is in the camera's image and nothing at rest hides it. World
-/// frame, meters.
+/// Returns whether the sphere's whole outline is inside the camera's image and no object at rest
+/// hides it. World frame, meters.
 bool fullyVisible(const simulation::RoomView& view, const Eigen::Vector3d& center, double radius);
-/// Whether the sphere's whole outline is in the camera's image, hidden or not.
+/// Returns whether the sphere's whole outline is inside the camera's image, even if the sphere is
+/// hidden.
 bool withinImage(const simulation::RoomView& view, const Eigen::Vector3d& center, double radius);
-/// Whether the sphere is fully visible in every camera.
+/// Returns whether the sphere is fully visible in every camera.
 bool fullyVisible(const simulation::Stage& stage, const Eigen::Vector3d& center, double radius);
-/// Whether the sphere is fully visible at every frame of the draft.
+/// Returns whether the sphere is fully visible in every frame of the draft.
 bool staysVisible(const ScenarioDraft& draft, const simulation::Path& path, double radius);
 
-/// Whether the outlines of two spheres are separated in the camera's image by more than `gap`
-/// radians.
+/// Returns whether the outlines of two spheres are separated in the camera's image by more than
+/// `gap` radians.
 bool apart(const simulation::RoomView& view, const Eigen::Vector3d& one, double oneRadius,
            const Eigen::Vector3d& other, double otherRadius, double gap = 0.0);
 
-/// Draws a path on the desk that stays in all images; `fast`: a round in kFastRound.
+/// Draws a path on the desk that stays inside all images. If `fast` is set, a round takes
+/// kFastRound.
 std::optional<RoundPath> drawDeskPath(ScenarioDraft& draft, bool fast, double radius = kBallRadius);
 
-/// Adds one ball to be tracked on a desk path for `frames` frames, and starts the search near it.
-/// Returns false if no path was found.
+/// Adds one target ball on a desk path for `frames` frames, and starts the search near it. Returns
+/// false if no path was found.
 bool addDeskBall(ScenarioDraft& draft, std::int64_t frames, bool fast = false);
 
 } // namespace dewpoint::experiment::scenarios

@@ -13,36 +13,36 @@
 
 namespace dewpoint::experiment::scenarios {
 
-/// Errors of the calibration that methods receive: standard deviations.
+/// Standard deviations of the errors in the calibration that methods receive.
 struct CalibrationError {
-  double focal = 0.0;    ///< of the focal length, relative
-  double position = 0.0; ///< per axis, meters
-  double rotation = 0.0; ///< about a random axis, radians
-  double radial = 0.0;   ///< of the first radial distortion coefficient
+  double focal = 0.0;    ///< error of the focal length, relative
+  double position = 0.0; ///< error of the position per axis, meters
+  double rotation = 0.0; ///< rotation error about a random axis, radians
+  double radial = 0.0;   ///< error of the first radial distortion coefficient
   bool operator==(const CalibrationError&) const = default;
 };
 
-/// Returns the calibration of a camera that methods receive: the true one with random errors.
+/// Returns the camera calibration that methods receive: the true one with random errors.
 Camera miscalibrated(Camera camera, const CalibrationError& error, Draws& draws);
 
-/// Uneven light over an image, as shares of the light in the center.
+/// Uneven light over an image, as fractions of the light in the center.
 struct UnevenLight {
-  double vignette = 0.0; ///< share lost in the corners
-  double right = 0.0;    ///< share gained from the center to the right border
-  double down = 0.0;     ///< share gained from the center to the lower border
+  double vignette = 0.0; ///< fraction lost in the corners
+  double right = 0.0;    ///< fraction gained from the center to the right border
+  double down = 0.0;     ///< fraction gained from the center to the lower border
 };
 
 /// Faults of one camera.
 struct CameraFaults {
   simulation::SensorModel sensor;
-  /// Sets the gains of `sensor` unless it already has some.
+  /// Automatic gain, which sets the gains of `sensor` unless they are already set.
   std::optional<simulation::AutomaticGain> automatic;
   UnevenLight unevenLight;
   CameraTiming timing;
   CalibrationError calibration;
 };
 
-/// All faults of the images, time stamps and calibration of a run.
+/// All faults in the images, time stamps and calibration of a run.
 struct SensingFaults {
   std::vector<CameraFaults> cameras;
   simulation::Illumination illumination;
@@ -50,7 +50,7 @@ struct SensingFaults {
 
 struct ScenarioDraft;
 
-/// Returns ideal cameras in the room's own light.
+/// Returns faults for ideal cameras in the unchanged light of the room.
 SensingFaults noFaults(const ScenarioDraft& draft);
 
 /// Applies the faults to the draft's stage and time stamps. Returns the calibration that methods

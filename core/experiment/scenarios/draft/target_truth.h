@@ -12,9 +12,9 @@ struct TargetTruth {
   TargetExtent extent;
 };
 
-/// Truth of a body. If some parts of the body are marked as target, it is the centroid and the
-/// extent of the space that these fill together, hidden or not. Otherwise it is the body's path and
-/// radius.
+/// Returns the truth for a body at a time (seconds). If some parts of the body are marked as
+/// target, it is the centroid and extent of the space that these parts fill together, whether
+/// hidden or not. Otherwise it follows the path and radius of the body.
 TargetTruth targetTruth(const simulation::StageBody& body, double time);
 
 } // namespace dewpoint::experiment::scenarios

@@ -15,21 +15,22 @@
 
 namespace dewpoint::experiment {
 
-/// Scene of people as the cameras of a grade record it: what methods may know, and the truth.
+/// Scene with people as recorded by the cameras of a grade: what methods may know, and the truth.
 struct PeopleRecording {
   Grade grade = Grade::Ideal;
   OfficeScene scene; ///< has the true cameras
   CameraRig rig;     ///< calibration that methods receive
   std::vector<std::shared_ptr<const simulation::RoomView>> views; ///< views of the true cameras
-  /// Images of frame k as they arrive: delayed, with errors in the time stamps, null where a frame
-  /// is dropped. A pure function.
+  /// Returns the images of frame k as they arrive: delayed, with errors in the time stamps, and
+  /// null where a frame is dropped. This is a pure function.
   std::function<FrameSetPtr(std::int64_t)> frames;
 };
 
-/// Grade `Ideal` leaves the scene as it is; `Room` and `Wild` draw what is wrong with its images,
-/// time stamps and calibration from the scene's seed and the scenario's `name`, as GradeModel says;
-/// `Wild` also puts the cameras up elsewhere and changes the room, see wildOffice(). The background
-/// image that methods learn from comes from the same cameras as all else. Not for `Real`.
+/// Records a scene in a grade. Grade `Ideal` leaves the scene unchanged. `Room` and `Wild` draw the
+/// faults of images, time stamps and calibration (see GradeModel) from the scene's seed and the
+/// scenario's `name`. `Wild` also mounts the cameras elsewhere and changes the room (see
+/// wildOffice()). The background images from which methods learn come from the same cameras as all
+/// other images. `Real` is not allowed.
 PeopleRecording recordPeople(const std::string& name, OfficeScene scene, Grade grade,
                              simulation::ViewCache& views);
 

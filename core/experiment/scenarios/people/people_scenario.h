@@ -10,27 +10,27 @@
 
 namespace dewpoint::experiment {
 
-/// Whether people can be distinguished by their clothes.
+/// Clothes of the people: distinguishable, or similar to each other.
 enum class PeopleClothes { Different, Similar };
 
 /// People in the simulated office, drawn from a seed.
 struct PeopleScenario {
   OfficeScene scene;
-  /// Times between which identities must be kept, seconds: before and after people meet.
+  /// Times between which identities must be kept (seconds): one before and one after people meet.
   double before = 0.0;
   double after = 0.0;
 };
 
-/// Names of all scenarios. Those of Mohedano et al. 2009 come first: "crossing", "meet-and-turn",
-/// "side-by-side", "enter-leave", and the easy case "apart". Then come everyday scenes: "heights",
-/// "sitting", "carrying", "crowd", "two-cameras", "contact", "furniture-moved", "room-clothes" and
-/// "patterned-clothes".
+/// Returns the names of all scenarios. The scenarios of Mohedano et al. 2009 come first:
+/// "crossing", "meet-and-turn", "side-by-side", "enter-leave", and the easy case "apart". Then come
+/// everyday scenes: "heights", "sitting", "carrying", "crowd", "two-cameras", "contact",
+/// "furniture-moved", "room-clothes" and "patterned-clothes".
 const std::vector<std::string>& peopleScenarioNames();
 /// Describes what happens in a scenario, in one sentence.
 std::string peopleScenarioSentence(const std::string& name);
-/// Whether a scenario is from Mohedano et al. 2009.
+/// Returns whether a scenario is from Mohedano et al. 2009.
 bool isPeopleScenarioOfPaper(const std::string& name);
-/// Makes a scenario. NotFound for an unknown name; Undetermined if the seed yields no possible
+/// Creates a scenario. NotFound for an unknown name; Undetermined if the seed yields no possible
 /// paths.
 Result<PeopleScenario> makePeopleScenario(const std::string& name, PeopleClothes clothes,
                                           std::uint64_t seed);

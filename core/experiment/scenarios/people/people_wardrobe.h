@@ -11,11 +11,12 @@ namespace dewpoint::experiment {
 /// Draws heights of 1.62 to 1.88 m and plain clothes for all people.
 void dress(std::vector<simulation::Walker>& people, PeopleClothes clothes, Draws& draws);
 
-/// Draws clothes in the colors of the office (walls, floor, wood and partition) instead. With
-/// PeopleClothes::Similar all wear the same.
+/// Draws clothes in the colors of the office (walls, floor, wood and partition). With
+/// PeopleClothes::Similar, all people wear the same clothes.
 void dressLikeTheRoom(PeopleScenario& scenario, PeopleClothes clothes, Draws& draws);
 
-/// Draws a pattern of two colors for each shirt; with PeopleClothes::Similar the same for all.
+/// Draws a two-color pattern for each shirt. With PeopleClothes::Similar, all shirts have the same
+/// pattern.
 void dressInPatterns(PeopleScenario& scenario, PeopleClothes clothes, Draws& draws);
 
 } // namespace dewpoint::experiment

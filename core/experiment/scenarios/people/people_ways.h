@@ -8,39 +8,41 @@
 
 namespace dewpoint::experiment {
 
-/// Time at which people appear, seconds. The cameras have learned the background by then.
+/// Time at which people appear, seconds. By then, the cameras have learned the background.
 inline constexpr double kAppear = 1.3;
 
-/// Range from which a distance between two people is drawn, meters.
+/// Range of distances between two people, meters. The actual distance is drawn from it.
 struct Gap {
   double least = 0.0;
   double most = 0.0;
 };
 
-/// Unit vector on the floor; `angle` in radians from world x to y.
+/// Returns a unit vector on the floor. `angle` is measured from world x toward y, in radians.
 Eigen::Vector2d headingVector(double angle);
 
-/// Whether a person can stand here: not in the furniture, nor close to the walls. World x and y,
-/// meters.
+/// Returns whether a person can stand here, outside the furniture and away from the walls. World x
+/// and y, meters.
 bool isWalkable(const Eigen::Vector2d& position);
-/// Whether a person can stand at all waypoints.
+/// Returns whether a person can stand at every waypoint of the walker.
 bool isWalkable(const simulation::Walker& walker);
 
-/// Makes "person N", who is present from kAppear on.
+/// Creates the walker "person N", who is present from kAppear on.
 simulation::Walker numberedWalker(int number);
 
-// Each of these adds people with their paths, and sets when identities are assessed.
+// Each of the following functions adds people with their paths, and sets the times at which
+// identities are assessed.
 
-/// Two people who walk past each other. They are nearest, at a distance within `gapRange`, when
-/// both are halfway.
+/// Adds two people who walk past each other. They are closest, at a distance within `gapRange`,
+/// when both are halfway.
 void crossWays(PeopleScenario& scenario, const Gap& gapRange, Draws& draws);
-/// Two people who approach each other up to a distance within `gapRange`, stand there, and go back.
+/// Adds two people who approach each other up to a distance within `gapRange`, stand there, and
+/// walk back.
 void meetWays(PeopleScenario& scenario, const Gap& gapRange, Draws& draws);
-/// Two people who meet, walk side by side, and part.
+/// Adds two people who meet, walk side by side, and separate.
 void accompanyWays(PeopleScenario& scenario, Draws& draws);
-/// Two people who stay far from each other.
+/// Adds two people who stay far from each other.
 void apartWays(PeopleScenario& scenario, Draws& draws);
-/// Three people who enter through doors, one after the other, and leave through others.
+/// Adds three people who enter through doors one after another and leave through other doors.
 void visitWays(PeopleScenario& scenario, Draws& draws);
 
 } // namespace dewpoint::experiment

@@ -8,16 +8,19 @@
 
 namespace dewpoint::experiment {
 
-/// Office of a run of grade `Wild`, and its cameras.
+/// Office and cameras for a run of grade `Wild`.
 struct WildOffice {
   CameraRig rig;
   simulation::RoomDesign design;
 };
 
-/// Makes an office of grade `Wild`: cameras mounted differently (along the walls, lower or higher,
-/// with other lenses and aimed elsewhere), walls of another color, posters, some of them in the
-/// color of a person's shirt, and the lamp at another position. The paths of the people do not
-/// change.
+/// Creates an office of grade `Wild`, with these changes:
+/// - The cameras are moved along the walls, mounted lower or higher, aimed elsewhere, and have
+///   other lenses.
+/// - The walls have another color, and the lamp is at another position.
+/// - There are posters, some of them in the color of a person's shirt.
+///
+/// The paths of the people do not change.
 WildOffice wildOffice(const OfficeScene& scene, Draws& draws);
 
 } // namespace dewpoint::experiment

@@ -12,23 +12,24 @@
 
 namespace dewpoint::experiment::scenarios {
 
-/// Positions and velocities of balls at the start. Meters, m/s.
+/// Initial positions (meters) and velocities (m/s) of balls.
 struct CrowdStart {
   std::vector<Eigen::Vector3d> positions;
   std::vector<Eigen::Vector3d> velocities; ///< one per position
 };
 
-/// Motion of equal, weightless balls that fly in a box and rebound elastically from its walls and
-/// from each other, when their centers are two radii apart. It is computed once, 240 times per
-/// second; between these instants the balls move straight.
+/// Motion of equal, weightless balls that fly in a box. They bounce elastically off its walls and
+/// off each other when their centers are two radii apart. The motion is computed once, in 240 steps
+/// per second. Between steps, the balls move in straight lines.
 class CrowdMotion {
 public:
-  /// `region` bounds the centers of the balls; in `start` they are inside it and at least two radii
-  /// apart.
+  /// Computes the motion for `seconds`. `region` bounds the ball centers. In `start`, the centers
+  /// must be inside it and at least two radii apart.
   CrowdMotion(const CrowdStart& start, const Eigen::AlignedBox3d& region, double radius,
               double seconds);
 
-  /// Position of a ball. Before the start it is the first position, after the end the last.
+  /// Returns the position of a ball. Before the start, it is the first position; after the end, it
+  /// is the last.
   Eigen::Vector3d position(std::size_t ball, double time) const;
 
 private:
@@ -36,7 +37,7 @@ private:
   std::vector<Eigen::Vector3d> positions_; ///< [instant * count_ + ball]
 };
 
-/// Path of one ball; it shares ownership of the motion.
+/// Returns the path of one ball. The path shares ownership of the motion.
 simulation::Path pathOf(std::shared_ptr<const CrowdMotion> motion, std::size_t ball);
 
 } // namespace dewpoint::experiment::scenarios

@@ -9,8 +9,8 @@
 
 namespace dewpoint::experiment::scenarios {
 
-/// Round path with a temporary detour. From second `begin` on, the ball moves aside within `reach`
-/// seconds, stays aside for `hold` seconds, and returns within `reach` seconds.
+/// Round path with a temporary detour. At `begin` seconds, the ball starts to move aside. It takes
+/// `reach` seconds to do so, stays aside for `hold` seconds, and returns within `reach` seconds.
 struct Excursion {
   RoundPath base;
   Eigen::Vector3d out = Eigen::Vector3d::Zero();  ///< offset when it has moved aside, meters
@@ -25,13 +25,13 @@ struct Excursion {
   Eigen::Vector3d operator()(double time) const;
 };
 
-/// How much of a ball an image shows, considering the image border and objects at rest in the room.
+/// Visibility of a ball in an image, given the image border and the objects at rest in the room.
 enum class Showing { Nothing, Part, Whole };
-/// How much of the ball (world frame, meters) the image shows.
+/// Returns how much of a ball (world frame, meters) the image shows.
 Showing showingOf(const simulation::RoomView& view, const Eigen::Vector3d& center, double radius);
 
-/// Adds the events UnseenBegin and UnseenEnd of each camera, according to `isSeen(camera, frame)`.
-/// Adds those of all cameras together (camera -1) where no camera sees the target.
+/// Adds the UnseenBegin and UnseenEnd events of each camera, according to `isSeen(camera, frame)`.
+/// Also adds events for all cameras together (camera -1) where no camera sees the target.
 void addUnseenEvents(ScenarioDraft& draft,
                      const std::function<bool(std::size_t camera, std::int64_t frame)>& isSeen);
 

@@ -7,11 +7,11 @@
 
 namespace dewpoint::experiment::scenarios {
 
-/// Acceleration of free fall, m/s² (standard gravity to two decimals).
+/// Gravitational acceleration, m/s² (standard gravity to two decimals).
 inline const Eigen::Vector3d kGravity{0.0, 0.0, -9.81};
 
-/// Path of pieces with constant acceleration, appended from time 0 on: for a body that rests,
-/// falls, is thrown or bounces. World frame; meters, seconds.
+/// Path made of pieces with constant acceleration, appended from time 0 on. It describes a body
+/// that rests, falls, is thrown or bounces. World frame; meters, seconds.
 class PiecewisePath {
 public:
   explicit PiecewisePath(const Eigen::Vector3d& start) : position_(start) {}
@@ -20,15 +20,16 @@ public:
   void accelerate(const Eigen::Vector3d& acceleration, double seconds);
   /// Stops immediately and stays at rest.
   void rest(double seconds);
-  /// Continues with another velocity, m/s: a push or a bounce.
+  /// Continues with another velocity (m/s), as after a push or a bounce.
   void setVelocity(const Eigen::Vector3d& velocity) { velocity_ = velocity; }
 
-  /// Position, velocity and time at the current end of the path.
+  /// Returns the position, velocity or time at the current end of the path.
   const Eigen::Vector3d& position() const { return position_; }
   const Eigen::Vector3d& velocity() const { return velocity_; }
   double end() const { return end_; }
 
-  /// Position at a time. Before the start it is the first position, after the end the last.
+  /// Returns the position at a time. Before the start, it is the first position; after the end, it
+  /// is the last.
   Eigen::Vector3d operator()(double time) const;
 
 private:
@@ -45,23 +46,24 @@ private:
   double end_ = 0.0;
 };
 
-/// Adds a throw from rest to rest at `to`: a hand accelerates the ball, it flies freely for
+/// Adds a throw from rest to rest at `to`. A hand accelerates the ball, the ball flies freely for
 /// `flight` seconds, and a hand slows it down.
 void addThrow(PiecewisePath& path, const Eigen::Vector3d& to, double flight);
 
-/// Adds a movement from rest to rest at `to` along a straight line; it accelerates for half of the
-/// time.
+/// Adds a movement along a straight line, from rest to rest at `to`. It accelerates for the first
+/// half of the time.
 void addCarry(PiecewisePath& path, const Eigen::Vector3d& to, double seconds);
 
 /// Properties of a ball that bounces on a level floor.
 struct Bounce {
-  double floor = 0.0;       ///< height of the ball's center in contact, meters
-  double restitution = 0.7; ///< of the speed perpendicular to the floor, 0 to 1
-  double slide = 0.9;       ///< of the speed along the floor
+  double floor = 0.0; ///< height of the ball's center in contact, meters
+  double restitution =
+      0.7;            ///< fraction of the speed perpendicular to the floor that is kept, 0 to 1
+  double slide = 0.9; ///< fraction of the speed along the floor that is kept
 };
 
-/// Adds a fall with bounces until the ball would rise by less than a millimeter; then it lies
-/// still.
+/// Adds a fall with bounces, until the next bounce would be lower than a millimeter. The ball then
+/// lies still.
 void addBounces(PiecewisePath& path, const Bounce& bounce);
 
 } // namespace dewpoint::experiment::scenarios

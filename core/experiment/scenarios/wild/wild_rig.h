@@ -7,22 +7,22 @@
 
 namespace dewpoint::experiment::scenarios {
 
-/// Cameras of grade `wild`, and the scales of the scene that they require.
+/// Cameras of grade `wild`, and the scene scales that they require.
 struct WildRig {
   CameraRig rig;
-  double radiusScale = 1.0; ///< factor of the balls' radius, so that they can be small in images
-  double pathScale = 1.0;   ///< factor of smooth paths, so that they stay in the images
+  double radiusScale = 1.0; ///< scale factor for ball radii, so that balls can be small in images
+  double pathScale = 1.0;   ///< scale factor for smooth paths, so that they stay inside the images
 };
 
-/// Number of rigs that are drawn before a scenario finds no position; chosen: few, because each
-/// requires rendering a room.
+/// Number of rigs that are drawn before a scenario gives up. It is small because each rig requires
+/// rendering a room.
 inline constexpr int kMostRigs = 6;
 
-/// Draws another rig than a scenario's own. Each camera is moved by up to 0.3 radians around the
-/// center of the volume and by 15 % in distance, and is tilted. Its focal length and resolution are
-/// such that a target in the center measures from 4 pixels to half of the image, uniformly in the
-/// logarithm. With each attempt (0 to kMostRigs - 1) the largest targets come closer to their usual
-/// size.
+/// Draws a rig that differs from the scenario's rig. Each camera is moved by up to 0.3 radians
+/// around the center of the volume and by up to 15 % in distance, and is tilted. Its focal length
+/// and resolution are drawn such that a target in the center measures from 4 pixels to half of the
+/// image, uniformly in the logarithm. With each attempt (0 to kMostRigs - 1), the largest possible
+/// targets come closer to their usual size.
 WildRig drawRig(const CameraRig& rig, simulation::Furnishing furnishing, int attempt, Draws& draws);
 
 } // namespace dewpoint::experiment::scenarios

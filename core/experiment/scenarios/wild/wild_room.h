@@ -11,21 +11,22 @@
 
 namespace dewpoint::experiment::scenarios {
 
-/// Draws furniture of grade `wild`: clutter of any shape, size and color that stays clear of the
-/// center of the volume and of the cameras, posters, walls of another color and a lamp at another
-/// position. Some of it has approximately the target's color (BGR in full light).
+/// Draws a room of grade `wild`. It has clutter of any shape, size and color that stays clear of
+/// the cameras and of the center of the volume. It also has posters, walls of another color and a
+/// lamp at another position. Some of the clutter has approximately the target color (BGR in full
+/// light).
 simulation::RoomDesign drawRoom(simulation::Furnishing furnishing, const CameraRig& rig,
                                 Draws& draws,
                                 const Eigen::Vector3d& targetColor = simulation::kUsualBallColor);
 
 /// Draws up to three people who walk along two walls of a room with a desk, behind the cameras'
-/// volume, for a run of `seconds`. Some wear the target's color. The hall has no people, because
-/// its volume reaches its walls.
+/// volume, for a run of `seconds`. Some wear the target color. In the hall there are no people,
+/// because its volume extends to its walls.
 std::vector<simulation::Walker>
 drawPeople(simulation::Furnishing furnishing, double seconds, Draws& draws,
            const Eigen::Vector3d& targetColor = simulation::kUsualBallColor);
 
-/// World z of the floor of a room, meters.
+/// Returns the world z of a room's floor, meters.
 float floorOf(simulation::Furnishing furnishing);
 
 } // namespace dewpoint::experiment::scenarios
