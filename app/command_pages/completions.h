@@ -10,11 +10,11 @@ namespace dewpoint::app {
 // Shell scripts that complete the command line of a program: commands, options, the choices of an
 // option, and file names where there are no choices. None of the scripts starts the program.
 
-/// Returns the script for bash. It needs no function of the package bash-completion, which only
-/// finds it.
+/// Returns the script for bash. It needs no functions of the bash-completion package, which only
+/// locates the script.
 std::string bashCompletion(const DeclaredCommand& program);
 
-/// Returns the script for zsh: the content of a file _PROGRAM in a folder of its fpath.
+/// Returns the script for zsh: the content of a file named _PROGRAM in a folder on the fpath.
 std::string zshCompletion(const DeclaredCommand& program);
 
 /// Returns the script for fish.

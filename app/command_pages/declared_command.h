@@ -15,16 +15,17 @@ struct DeclaredArgument {
   std::vector<std::string> names; ///< "-h", "--help"; a positional argument has only its name
   std::string value;              ///< kind of value, such as TEXT; empty for a flag
   std::vector<std::string> choices;
-  std::string range; ///< allowed values that are not a list, such as "INT in [1 - 256]"
+  std::string range; ///< range of allowed values if they are not a list, such as "INT in [1 - 256]"
   std::string fallback;
   std::string sentence;
   bool isRequired = false;
   bool repeats = false;
 };
 
-/// A command with all its subcommands. Parts hidden from --help are left out.
+/// A command with all its subcommands. Parts hidden from --help are omitted.
 struct DeclaredCommand {
-  /// Names starting with that of the program: {"dewpoint-cli", "calibration", "convert"}.
+  /// Names from the program to this command, for example {"dewpoint-cli", "calibration",
+  /// "convert"}.
   std::vector<std::string> path;
   std::string sentence;
   std::string footer;
@@ -33,20 +34,20 @@ struct DeclaredCommand {
   std::vector<DeclaredCommand> commands;
 };
 
-/// Reads the declaration of a command line.
+/// Returns the declaration of a command line.
 DeclaredCommand declaredCommand(const CLI::App& app);
 
 /// Returns the command and all its subcommands; each command comes before its own subcommands.
 std::vector<const DeclaredCommand*> withAllBelow(const DeclaredCommand& command);
 
-/// Joins texts with `separator` between them.
+/// Joins strings with `separator` between them.
 std::string joined(const std::vector<std::string>& texts, const std::string& separator);
 
-/// Returns the path without the name of the program, such as "calibration convert"; empty for the
-/// program.
+/// Returns the path without the program name, such as "calibration convert"; empty for the program
+/// itself.
 std::string pathBelowProgram(const DeclaredCommand& command);
 
-/// Returns all names of the options of a command.
+/// Returns the names of all options of a command.
 std::vector<std::string> optionNames(const DeclaredCommand& command);
 
 /// Returns the names of the direct subcommands of a command.
@@ -59,7 +60,7 @@ std::string shellIdentifier(const std::string& text);
 /// Returns the text with every occurrence of `what` replaced by `by`.
 std::string replaced(std::string text, const std::string& what, const std::string& by);
 
-/// Returns the text as one word of a POSIX shell, in single quotes.
+/// Returns the text as one word for a POSIX shell, in single quotes.
 std::string singleQuoted(const std::string& text);
 
 } // namespace dewpoint::app

@@ -11,7 +11,8 @@ namespace dewpoint::app {
 
 /// Adds the option --describe (man, bash, zsh, fish), which is hidden from --help. It prints the
 /// manual page or a shell completion script for everything declared in `app`, and ends the program.
-/// The build uses it to make the installed files. `seeAlso`: name of the other program.
+/// The build uses it to create the installed files. `seeAlso` is the name of the other program, to
+/// which the manual page refers.
 void addDescribeOption(CLI::App& app, const std::string& seeAlso);
 
 } // namespace dewpoint::app

@@ -15,17 +15,17 @@ namespace dewpoint::app {
 void addNewCommand(CLI::App& app, int& exitCode);
 void addLearnColorCommand(CLI::App& app, int& exitCode);
 void addDoctorCommand(CLI::App& app, int& exitCode);
-/// Tests this computer; needs no project.
+/// Adds the command that tests this computer; it needs no project.
 void addSelfTestCommand(CLI::App& app, int& exitCode);
 
-// calibrate/: calibration of the cameras, and where another camera would help.
+// calibrate/: camera calibration, and planning where another camera would help.
 void addCalibrateCommand(CLI::App& app, int& exitCode);
 void addCalibrationCommand(CLI::App& app, int& exitCode);
-/// Adds its command below `calibration`, which is created if it does not exist yet.
+/// Adds its command as a subcommand of `calibration`, which is created if it does not exist yet.
 void addPrintBoardCommand(CLI::App& app, int& exitCode);
 void addPlanCommand(CLI::App& app, int& exitCode);
 
-// track/: runs over recordings.
+// track/: tracking in recordings.
 void addTrackCommand(CLI::App& app, int& exitCode);
 void addTrackBackwardsCommand(CLI::App& app, int& exitCode);
 void addTrackPositionsCommand(CLI::App& app, int& exitCode);
@@ -35,7 +35,7 @@ void addPeopleCommand(CLI::App& app, int& exitCode);
 // trajectory/: commands for the results of a run.
 void addEvaluateCommand(CLI::App& app, int& exitCode);
 void addExportCommand(CLI::App& app, int& exitCode);
-/// Combines the results of many jobs into one table and one report.
+/// Adds the command that combines the results of many jobs into one table and one report.
 void addGatherCommand(CLI::App& app, int& exitCode);
 
 // simulate/: recordings with known ground truth.
@@ -46,7 +46,8 @@ void addExperimentCommand(CLI::App& app, int& exitCode);
 void addSuiteCommand(CLI::App& app, int& exitCode);
 
 // reference/: pages of the manual.
-/// Its pages show all commands that `app` has when it runs.
+/// Adds the command that writes the reference pages. They show all commands that `app` has when the
+/// command runs.
 void addReferenceCommand(CLI::App& app, int& exitCode);
 
 } // namespace dewpoint::app

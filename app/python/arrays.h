@@ -14,7 +14,8 @@
 
 namespace dewpoint::app {
 
-/// Returns a Python object that keeps `owner` alive: the base of arrays that use its memory.
+/// Returns a Python object that keeps `owner` alive. It is used as the base of arrays that refer to
+/// its memory.
 pybind11::capsule keeping(std::shared_ptr<const void> owner);
 
 /// Returns a read-only array, without a copy, over memory that `base` keeps alive.
@@ -36,9 +37,9 @@ pybind11::tuple arraysOf(ParticleSample particles);
 /// without a copy; None for an empty image.
 pybind11::object arrayOf(const cv::Mat& image);
 
-/// Converts an array (height x width x 3, uint8) to an image. `order`: order of its channels, "bgr"
+/// Converts an array (height x width x 3, uint8) to an image. `order` is the channel order: "bgr"
 /// or "rgb". The pixels are not copied if they are stored row by row as blue, green, red and `copy`
-/// is false; the array then lives as long as the image. Returns an empty image for None.
+/// is false; the image then keeps the array alive. Returns an empty image for None.
 cv::Mat imageOf(const pybind11::object& array, const std::string& order, bool copy);
 
 } // namespace dewpoint::app

@@ -10,10 +10,10 @@
 
 namespace dewpoint::app {
 
-/// A project as an object of Python.
+/// A project as a Python object.
 struct ProjectHandle {
   Project project;
-  std::string origin; ///< file or name it was opened with, used in errors; may be empty
+  std::string origin; ///< file or name that it was opened with, for use in errors; may be empty
 };
 using ProjectHandlePtr = std::shared_ptr<ProjectHandle>;
 using ProjectClass = pybind11::class_<ProjectHandle, ProjectHandlePtr>;
@@ -24,7 +24,8 @@ void bindLearning(pybind11::module_& module, ProjectClass& project);
 void bindCalibration(pybind11::module_& module, ProjectClass& project);
 void bindTracking(pybind11::module_& module, ProjectClass& project);
 
-/// Throws the exception of an error about a project, with the text that the command line prints.
+/// Throws the Python exception for an error in a project, with the text that the command line
+/// prints.
 [[noreturn]] void raiseAbout(const ProjectHandle& handle, Error error);
 /// Opens the sources of a project; releases the GIL meanwhile.
 SessionInputs openedInputs(const ProjectHandle& handle);

@@ -9,9 +9,9 @@
 
 namespace dewpoint::app {
 
-/// Calls a Python function (or none) from work that runs without the GIL, in any thread. The work
-/// ends when the function returns False or raises, and on Ctrl-C. An exception is stored until
-/// `rethrow()`, so that none passes through core.
+/// Calls an optional Python function from work that runs without the GIL, from any thread. The work
+/// ends if the function returns False or raises an exception, and on Ctrl-C. An exception is stored
+/// until `rethrow()` is called, so that it does not propagate through core.
 class PythonProgress {
 public:
   explicit PythonProgress(pybind11::object callback) : callback_(std::move(callback)) {}
@@ -34,7 +34,8 @@ public:
     }
     return false;
   }
-  /// Throws the stored exception, if any. Call it with the GIL, after the work has ended.
+  /// Throws the stored exception, if any. It must be called while holding the GIL, after the work
+  /// has ended.
   void rethrow() {
     if (failed_) {
       std::rethrow_exception(std::exchange(failed_, nullptr));

@@ -12,8 +12,7 @@
 
 namespace dewpoint::app {
 
-/// Images of the cameras of a project, as Python reads them. Calls from several threads are
-/// serialized.
+/// Camera images of a project, for use from Python. Calls from several threads are serialized.
 class RecordingHandle {
 public:
   explicit RecordingHandle(SessionInputs inputs) : inputs_(std::move(inputs)) {}

@@ -13,7 +13,7 @@
 
 namespace dewpoint::app {
 
-/// A trajectory as Python reads it: as samples, and as columns that arrays refer to.
+/// A trajectory for use from Python, stored both as samples and as columns that arrays refer to.
 struct TrajectoryHandle {
   explicit TrajectoryHandle(Trajectory from)
       : trajectory(std::move(from)), columns(columnsOf(trajectory)) {}
@@ -28,7 +28,7 @@ struct RunHandle : TrajectoryHandle {
   explicit RunHandle(RecordedRun from)
       : TrajectoryHandle(std::move(from.trajectory)), run(std::move(from)) {}
 
-  RecordedRun run; ///< without the trajectory, which the base has
+  RecordedRun run; ///< its trajectory is moved to the base class
 };
 
 /// Returns the index of a target given by its name or its number in `names`. Throws KeyError or

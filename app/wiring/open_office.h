@@ -9,7 +9,7 @@ namespace dewpoint::app {
 
 /// Returns the project of the built-in scene with people (`officeDay()`).
 Project projectOfOffice();
-/// Opens a source that renders the office, with the true positions of its people.
+/// Opens a source that renders the office, together with the true positions of its people.
 Result<SessionInputs> openOffice(Project project);
 /// Returns the true positions of all people: centers of their bodies (meters), and whether they are
 /// inside the walls.

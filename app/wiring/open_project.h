@@ -15,15 +15,15 @@ namespace dewpoint::app {
 Project projectOfScene(const Scene& scene, const std::string& sceneName);
 
 /// Returns the true positions of all balls of a scene in every frame (meters), named like the
-/// targets of the project.
+/// targets in the project.
 Trajectory truthOfScene(const Scene& scene);
 
 /// Loads a project file or a built-in scene by its name ("demo" if empty). Cameras of a simulated
 /// project are filled in from its scene. `moved`: as in `loadProject()`.
 Result<Project> resolveProject(const std::string& nameOrFile, const MovedFiles& moved = {});
 
-/// Completes a resolved project as it is tracked, without keeping its sources open: reads image
-/// sizes that no calibration gives from the sources, and checks everything.
+/// Completes a resolved project for tracking and checks it. Image sizes that no calibration gives
+/// are read from the sources, which are closed again.
 Result<Project> settledProject(Project project);
 
 /// Opens the sources of a resolved project, and its ground truth if that is known.

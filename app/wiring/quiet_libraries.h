@@ -5,9 +5,9 @@
 
 namespace dewpoint::app {
 
-/// Silences warnings of FFmpeg, GStreamer and OpenCV about an input, which would appear beside the
-/// error message of Dewpoint. Variables of these libraries that are set take precedence. Call it
-/// first in main.
+/// Silences warnings from FFmpeg, GStreamer and OpenCV about an input, which would otherwise appear
+/// in addition to Dewpoint's own error message. Environment variables of these libraries take
+/// precedence if they are set. Call it first in main.
 void quietLibraries();
 
 } // namespace dewpoint::app

@@ -5,23 +5,24 @@
 
 namespace dewpoint::project {
 
-/// Differences between two states of a project that require an action.
+/// Differences between two project states that require an action. A field is true if that part of
+/// the project differs.
 struct ProjectChanges {
   bool name = false;
   bool method = false;
   bool seed = false;
-  bool parameters = false;  ///< values of parameters, with the same method
-  bool targets = false;     ///< number, order, names, colors or radii of targets
+  bool parameters = false;  ///< parameter values, with the same method
+  bool targets = false;     ///< number of targets, their order, names, colors or radii
   bool boxes = false;       ///< image targets, for methods that track bounding boxes
-  bool calibration = false; ///< calibration of cameras with the same sources
+  bool calibration = false; ///< camera calibration, with the same camera sources
   bool markers = false;
   bool grid = false;             ///< the reference grid
   bool volume = false;           ///< the volume of interest
   bool points = false;           ///< measured points and their clicks
-  bool people = false;           ///< corrections of who is there
-  bool corrections = false;      ///< of where targets are
-  bool backgroundImages = false; ///< of cameras with the same sources
-  bool sources = false;          ///< which cameras there are, and where images and truth come from
+  bool people = false;           ///< corrections for people
+  bool corrections = false;      ///< corrections of target positions
+  bool backgroundImages = false; ///< background images, with the same camera sources
+  bool sources = false;          ///< the set of cameras, and the sources of images and ground truth
 
   /// Returns whether any edit was made; `boxes` implies `targets`.
   bool any() const {
@@ -30,8 +31,8 @@ struct ProjectChanges {
   }
 };
 
-/// Returns what differs between two states. Differences in the project's file path or the window
-/// layout do not count as edits.
+/// Returns the differences between two project states. A different file path or window layout does
+/// not count as an edit.
 ProjectChanges changesBetween(const Project& before, const Project& after);
 
 } // namespace dewpoint::project

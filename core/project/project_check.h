@@ -7,11 +7,11 @@
 namespace dewpoint::project {
 
 /// Checks that a project can be run: names are present and unique, color ranges and radii are
-/// usable, and image sizes are positive. The error names the field as the project file does.
+/// usable, and image sizes are positive. Errors name the field by its key in the project file.
 Status checkProject(const Project& project);
 
-/// Checks that a project names the targets its method needs. Otherwise returns MissingKey, which
-/// names "target" and says what is missing.
+/// Checks that a project defines the targets its method needs. If not, returns MissingKey, which
+/// names the key "target" and describes what is missing.
 Status checkMethodTargets(const Project& project);
 
 } // namespace dewpoint::project

@@ -8,12 +8,12 @@
 
 namespace dewpoint::project {
 
-/// Reads the corrections of positions, [[correction]], in the order of their frames.
+/// Reads the position corrections ([[correction]]), ordered by frame.
 void readCorrections(TableReader& reader, const std::string& file, Project& project);
-/// Returns the corrections of positions as TOML.
+/// Returns the position corrections as TOML.
 std::string correctionsText(const Project& project);
-/// Checks the corrections of positions. BadValue names an invalid one: unknown target or camera,
-/// negative frame, number that is not finite, or invalid covariance.
+/// Checks the position corrections. Returns BadValue, naming the correction, if one has an unknown
+/// target or camera, a negative frame, a number that is not finite, or an invalid covariance.
 Status checkCorrections(const Project& project);
 
 } // namespace dewpoint::project

@@ -11,24 +11,25 @@ namespace dewpoint::project {
 
 /// A file or folder that a run of a project reads.
 struct ProjectFile {
-  std::string name; ///< as in the project file: relative to its folder if the file is below it
+  /// Name as written in the project file: relative to its folder if the file is inside it.
+  std::string name;
   std::filesystem::path path; ///< absolute
 };
 
-/// What a run reads beside the project file: recordings, their times, background images, a
-/// scene's file. Not the truth, which no result depends on.
+/// Returns the files that a run reads in addition to the project file: recordings, their capture
+/// times, background images and the scene file. The ground truth is not included, because no result
+/// depends on it.
 std::vector<ProjectFile> filesOfRun(const Project& project);
 
-/// Returns whether another run would see the same images. False with live cameras.
+/// Returns whether a new run would use the same images; false for live cameras.
 bool isRepeatable(const Project& project);
 
 /// Returns the project as text, without parts that do not affect a run: markers, grid, measured
 /// points, truth and window layout.
 std::string textOfRun(const Project& project);
 
-/// Returns the parameters that differ from the method's defaults, in the order of their
-/// declarations, and the volume of interest, for example "particles=200 kld_error=0". Empty if
-/// there are none.
+/// Returns the parameters that differ from the method's defaults, in declaration order, and the
+/// volume of interest, for example "particles=200 kld_error=0". Empty if there are none.
 std::string settingsOfRun(const Project& project);
 
 } // namespace dewpoint::project

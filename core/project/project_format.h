@@ -9,10 +9,10 @@
 
 namespace dewpoint::project {
 
-/// Version of the project file that this program writes.
+/// Version of the project file format that this program writes.
 inline constexpr std::int64_t kProjectFormat = 2;
 
-/// Key of each kind of camera source in the project file.
+/// Key in the project file for each kind of camera source.
 inline constexpr std::array<std::pair<const char*, SourceKind>, 4> kSourceKeys{{
     {"video", SourceKind::Video},
     {"images", SourceKind::Images},
@@ -20,10 +20,10 @@ inline constexpr std::array<std::pair<const char*, SourceKind>, 4> kSourceKeys{{
     {"stream", SourceKind::Stream},
 }};
 
-/// Largest allowed delay of a camera, in seconds.
+/// Largest allowed absolute value of a camera's delay, in seconds.
 inline constexpr double kLatest = 3600.0;
 
-/// The largest radius of a target, meters.
+/// Largest allowed target radius, in meters.
 inline constexpr double kLargestRadius = 1000.0;
 
 } // namespace dewpoint::project

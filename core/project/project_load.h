@@ -10,7 +10,7 @@
 namespace dewpoint::project {
 
 /// Reads and checks a project file (TOML). `moved` gives the present location of files that have
-/// moved. The error names the file and the key.
+/// moved. Errors name the file and the key.
 Result<Project> loadProject(const std::filesystem::path& file, const MovedFiles& moved = {});
 
 } // namespace dewpoint::project

@@ -13,12 +13,12 @@ namespace dewpoint::project {
 /// the variable is not expanded again. Returns BadValue with the name if a variable is not set.
 Result<std::string> withVariables(std::string text);
 
-/// Folder to which the relative paths of a project file refer, and the files that have moved.
+/// Base folder for the relative paths in a project file, and the present locations of moved files.
 struct ProjectPlace {
   std::filesystem::path folder;
   MovedFiles moved;
 
-  /// Returns the absolute path of a file named in the project, or its present path if it moved.
+  /// Returns the absolute path of a file named in the project, or its present path if it has moved.
   std::filesystem::path pathOf(const std::string& name) const;
 };
 

@@ -8,11 +8,11 @@
 
 namespace dewpoint::project {
 
-/// Reads the corrections of people, [[person]], in the order of their frames.
+/// Reads the corrections for people ([[person]]), ordered by frame.
 void readPeople(TableReader& reader, const std::string& file, Project& project);
-/// Returns the corrections of people as TOML.
+/// Returns the corrections for people as TOML.
 std::string peopleText(const Project& project);
-/// Checks the corrections of people. BadValue names an invalid one.
+/// Checks the corrections for people. Returns BadValue, naming the correction, if one is invalid.
 Status checkPeople(const Project& project);
 
 } // namespace dewpoint::project

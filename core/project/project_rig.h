@@ -5,7 +5,7 @@
 
 namespace dewpoint::project {
 
-/// Returns the cameras of a project, in its order.
+/// Returns the cameras of a project, in project order.
 CameraRig rigOf(const Project& project);
 
 /// Returns whether both rigs have the same number of cameras with the same image sizes. One rig can

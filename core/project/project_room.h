@@ -6,7 +6,8 @@
 
 namespace dewpoint::project {
 
-/// Reads what the project file states about the room: [volume_of_interest], [grid] and [[point]].
+/// Reads the entries about the room from the project file: [volume_of_interest], [grid] and
+/// [[point]].
 void readRoom(TableReader& reader, const std::string& file, Project& project);
 /// Returns the same entries as TOML.
 std::string roomText(const Project& project);

@@ -10,7 +10,8 @@
 
 namespace dewpoint::session {
 
-/// Ellipse in an image, in pixels; `angle` in radians, from the direction of columns toward rows.
+/// Ellipse in an image, in pixels. `angle` is the angle of the major axis in radians, measured from
+/// the x axis (columns) toward the y axis (rows).
 struct ImageEllipse {
   Eigen::Vector2d center;
   double semiMajor = 0.0;
@@ -22,20 +23,21 @@ struct ImageEllipse {
 struct CameraOverlay {
   /// Particles in front of the camera; an even selection if there are very many.
   std::vector<Eigen::Vector2f> particles;
-  std::vector<float> weights; ///< relative to the largest: 0 to 1
+  std::vector<float> weights; ///< relative to the largest weight: 0 to 1
   std::optional<Eigen::Vector2d> estimate;
-  std::optional<ImageEllipse> ellipse; ///< 95 % of the projected Gaussian (chi² 5.991, 2 d.o.f.)
+  /// Ellipse that contains 95 % of the projected Gaussian (chi² 5.991, 2 d.o.f.).
+  std::optional<ImageEllipse> ellipse;
   std::optional<ImageEllipse> outline; ///< outline of a target that is not a ball
   std::optional<Eigen::Vector2d> best; ///< particle of highest weight
   std::optional<Eigen::Vector2d> truth;
-  /// With methods that track boxes; then without estimate and ellipse.
+  /// Box of an image target, for methods that track boxes; `estimate` and `ellipse` are then empty.
   std::optional<ImageBox> box;
   bool boxHidden = false; ///< the target is hidden; the box is at its estimated position
 };
 
-/// Returns the radius of the visible cloud in pixels: the distance from the estimate that contains
-/// nine tenths of the particles' weight. Distant particles with little weight have no effect.
-/// Returns 0 without an estimate or particles.
+/// Returns the radius of the visible cloud in pixels: the distance from the estimate within which
+/// 90 % of the particle weight lies. Distant particles with little weight have no effect. Returns 0
+/// without an estimate or particles.
 double cloudRadius(const CameraOverlay& overlay);
 
 /// Candidate position of a target, as a circle in an image.

@@ -10,17 +10,18 @@ namespace dewpoint::session {
 
 /// Rule that keeps the displayed results consistent with the current settings. If the settings of a
 /// recording change while its run is paused, frames tracked with other settings are tracked again
-/// at once if this is expected to be quick. Otherwise the results are marked as old, and tracking
-/// again is offered. While a run plays, changes apply to new frames, and earlier results are
-/// marked.
+/// immediately, provided that this is expected to be quick. Otherwise, the results are marked as
+/// old, and the user is offered to track them again. While a run plays, changes apply to new
+/// frames, and earlier results are marked.
 class ChangeRule {
 public:
-  /// Tracking again starts without a question if it takes less than this, in seconds.
+  /// Tracking again starts without asking the user if its expected duration is below this limit, in
+  /// seconds.
   static constexpr double kQuick = 2.0;
 
   /// State of the session when the rule is applied.
   struct Situation {
-    bool isLive = false; ///< live cameras, whose earlier images cannot be tracked again
+    bool isLive = false; ///< the cameras are live; their earlier images cannot be tracked again
     /// Frames are being tracked, or recorded frames are being shown, one after another.
     bool isPlaying = false;
     bool isRerunning = false; ///< past frames are being tracked again
@@ -30,19 +31,19 @@ public:
   };
   enum class Action {
     Nothing,    ///< all results match the current settings, or there is nothing to do
-    Mark,       ///< mark old results without a question, because the run continues
+    Mark,       ///< mark old results without asking, because the run continues
     Offer,      ///< mark old results and offer to track again
-    TrackAgain, ///< track again at once, starting at `from`
+    TrackAgain, ///< track again immediately, starting at `from`
   };
   struct Decision {
     Action action = Action::Nothing;
-    std::int64_t from = 0; ///< first frame to be tracked again, with TrackAgain and Offer
+    std::int64_t from = 0; ///< first frame to track again; used by TrackAgain and Offer
     bool operator==(const Decision&) const = default;
   };
 
   /// Returns what to do in a situation.
   static Decision decide(const Situation& situation);
-  /// Returns the expected time in seconds for tracking again from the first old result; 0 if
+  /// Returns the expected time for tracking again from the first old result, in seconds; 0 if
   /// unknown.
   static double expectedSeconds(const OldResults& old);
 };

@@ -11,13 +11,15 @@
 
 namespace dewpoint::session {
 
-/// Close-up of a target's particles in parallel projection, for a square picture. Positions are in
-/// pixels to the right of and below the center, which is the mean.
+/// Close-up of a target's particles in parallel projection, as a square image. Its center is the
+/// mean. Positions are offsets from the center in pixels: x to the right, y down.
 struct CloudCloseup {
   double metersPerPixel = 0.0;
-  std::vector<Eigen::Vector2f> particles; ///< those in the picture, in order of ascending weight
-  std::vector<float> weights;             ///< relative to the largest: 0 to 1
-  ImageEllipse outline;   ///< of the ellipsoid that contains the target with a probability of 95 %
+  /// Particles inside the image, in order of ascending weight.
+  std::vector<Eigen::Vector2f> particles;
+  std::vector<float> weights; ///< relative to the largest weight: 0 to 1
+  /// Outline of the ellipsoid that contains the target with a probability of 95 %.
+  ImageEllipse outline;
   double barMeters = 0.0; ///< length of the scale bar: a round number that fits below the cloud
 };
 
@@ -25,10 +27,10 @@ struct CloudCloseup {
 /// if the position is unknown or there are no particles.
 std::optional<double> cloudReach(const TargetSnapshot& target);
 
-/// Returns the close-up seen along the given image axes (unit vectors, world frame). The picture
-/// extends `half` pixels from its center. Its scale changes in steps, so that the picture does not
-/// zoom with every change of the cloud. It shows at most `most` particles, an even selection.
-/// Returns nothing where cloudReach() returns nothing.
+/// Returns the close-up seen along the given image axes (unit vectors, world frame). The image
+/// extends `half` pixels from its center in each direction. Its scale changes in steps, so that the
+/// image does not zoom with every change of the cloud. It shows an even selection of at most `most`
+/// particles. Returns nothing if cloudReach() returns nothing.
 std::optional<CloudCloseup> cloudCloseup(const TargetSnapshot& target, const Eigen::Vector3d& right,
                                          const Eigen::Vector3d& up, double half,
                                          Eigen::Index most = 1500);

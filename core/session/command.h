@@ -19,7 +19,7 @@
 
 namespace dewpoint::session {
 
-/// Requests of the user, passed by value to the tracking thread.
+/// User requests, passed by value to the tracking thread.
 namespace command {
 /// Starts or resumes playing.
 struct Play {};
@@ -44,40 +44,41 @@ struct SetMethod {
   ParameterValues parameters;
   std::optional<std::int64_t> from; ///< not set: from the first frame
 };
-/// Pauses and shows another frame: an earlier one as it was tracked, or a later one of a recording
-/// without results. The run itself stays at its frame. Playing continues from the frame shown: it
-/// first replays recorded frames up to the frame of the run, then tracks.
+/// Pauses and shows another frame: an earlier frame as it was tracked, or, in a recording, a later
+/// frame without results. The run itself stays at its frame. Playing continues from the frame
+/// shown: it first replays recorded frames up to the frame of the run, then tracks.
 struct ShowFrame {
   std::int64_t frame = 0;
 };
 /// Shows the current frame of the run again.
 struct BackToHead {};
-/// Tracks again from this frame on, as fast as it goes, up to where the run stood: with the
-/// parameters, colors and background images of now. What was recorded from there on is replaced.
-/// Pausing stops it.
+/// Tracks again from this frame up to the frame that the run had reached, as fast as possible, with
+/// the current parameters, colors and background images. The results recorded from this frame on
+/// are replaced. Pausing stops the rerun.
 struct Rerun {
   std::int64_t from = 0;
-  /// If true, the displayed frame stays: frames tracked meanwhile are not published, unless the
-  /// rerun takes noticeably long.
+  /// If true, the displayed frame does not change: frames tracked during the rerun are not
+  /// published, unless it takes noticeably long.
   bool keepsView = false;
 };
 /// Turns likelihood maps on or off (TargetSnapshot::maps).
 struct ShowMaps {
   bool wanted = false;
 };
-/// Changes the targets. Other colors or radii apply at once; with another number of targets, all
-/// tracks start from scratch.
+/// Changes the targets. New colors or radii take effect immediately. If the number of targets
+/// changes, all tracks start from scratch.
 struct SetTargets {
   std::vector<Target> targets;
 };
 /// Changes the calibration of the same cameras from the next iteration on; tracks continue. A rig
-/// with other image sizes or another number of cameras needs a new run and is ignored.
+/// with different image sizes or a different number of cameras requires a new run and is ignored.
 struct SetCameras {
   CameraRig rig;
 };
-/// Other background images of the same cameras (loadBackgroundImages); what is believed stays.
+/// Changes the background images of the same cameras (loadBackgroundImages()); current estimates
+/// are kept.
 struct SetBackgroundImages {
-  std::vector<std::string> files; ///< as the project names them
+  std::vector<std::string> files; ///< paths as named in the project
   std::vector<cv::Mat> rooms;
 };
 /// Changes or removes the volume of interest from the next iteration on. It limits the creation of
@@ -85,8 +86,8 @@ struct SetBackgroundImages {
 struct SetVolumeOfInterest {
   std::optional<WorldBox> volume;
 };
-/// Turns masks on or off: the pixels that have the color of a target, or that move
-/// (TrackSnapshot::masks).
+/// Turns masks on or off (TrackSnapshot::masks). A mask marks the pixels that have the color of a
+/// target, or that are moving.
 struct ShowMasks {
   bool wanted = false;
 };
@@ -99,21 +100,21 @@ struct ShowShapes {
 struct SetThreads {
   int threads = 0;
 };
-/// Sets the speed of playing. It never changes the result.
+/// Sets the playback speed. It never changes the result.
 struct SetPace {
   Pace pace;
 };
-/// Reports that a calibration board is being shown to live cameras, or no longer is. Meanwhile no
-/// camera is reported as moved (CameraMotionWatch::setResting()).
+/// Reports whether a calibration board is being shown to live cameras. While it is, no camera is
+/// reported as moved (CameraMotionWatch::setResting()).
 struct ShowBoard {
   bool shown = false;
 };
-/// Replaces all corrections of people; only methods for people use them. The run is tracked again
+/// Replaces all corrections for people; only methods for people use them. The run is tracked again
 /// from the first frame whose result differs.
 struct SetPeople {
   std::vector<PersonCorrection> people; ///< ordered by frame
 };
-/// Replaces all corrections of positions; methods that cannot apply them ignore them. The run is
+/// Replaces all position corrections; methods that cannot apply them ignore them. The run is
 /// tracked again from the first frame whose result differs.
 struct SetCorrections {
   std::vector<PositionCorrection> corrections; ///< ordered by frame

@@ -14,14 +14,14 @@
 
 namespace dewpoint::session {
 
-/// Thread-safe queue of commands for the tracking thread, in order.
+/// Thread-safe first-in, first-out queue of commands for the tracking thread.
 class CommandQueue {
 public:
   void push(Command command) {
     {
       const std::lock_guard lock(mutex_);
-      // Only the last of several frames to show is needed while the user scrubs. The same holds for
-      // poses of cameras that are being dragged.
+      // While the user scrubs through frames or drags a camera, only the last requested frame or
+      // camera pose is needed.
       const bool replaces = std::holds_alternative<command::ShowFrame>(command) ||
                             std::holds_alternative<command::SetCameras>(command);
       if (replaces && !commands_.empty() && commands_.back().index() == command.index()) {
@@ -35,8 +35,8 @@ public:
     const std::lock_guard lock(mutex_);
     return commands_.empty();
   }
-  /// Removes and returns the next command. Waits for one until `deadline` (without a deadline,
-  /// indefinitely) or until a stop is requested; then returns nothing.
+  /// Removes and returns the next command. Waits for one until `deadline`, or indefinitely if no
+  /// deadline is given. Returns nothing if the deadline passes or a stop is requested.
   std::optional<Command> pop(const std::stop_token& stop,
                              std::optional<std::chrono::steady_clock::time_point> deadline) {
     std::unique_lock lock(mutex_);

@@ -10,7 +10,7 @@
 
 namespace dewpoint::session {
 
-// Corrections are ordered by `frame`.
+// The corrections passed to these functions are ordered by `frame`.
 
 /// Returns the first frame in which the corrections differ; nothing if they are the same.
 template <class Correction>

@@ -8,13 +8,15 @@
 
 namespace dewpoint::session {
 
-/// What a log gained since a reader was last there.
+/// Records added to a log since a reader last read it.
 template <class Record> struct LogPiece {
-  /// Number of the first of `records`: what the reader has from it on is void. Only of logs whose
-  /// last frame may be replaced; 0 in others.
+  /// Index of the first of `records` in the log. The reader must discard the records that it
+  /// already has from this index on. Used only by logs whose last frame may be replaced; 0 for
+  /// other logs.
   std::size_t first = 0;
   std::vector<Record> records;
-  bool restarted = false; ///< all that is known comes again: a new run, or one that went back
+  /// True if `records` contains the whole log again, because the run restarted or went back.
+  bool restarted = false;
 };
 
 } // namespace dewpoint::session

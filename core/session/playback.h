@@ -11,10 +11,10 @@ namespace dewpoint::session {
 
 /// State machine of a session: which frame is shown, what runs without further commands, and what
 /// comes next. It has no thread, clock or image. The *head* is the last frame that the run has
-/// taken. At the head, the run is Paused, Playing or Ended. Viewing and Replaying show another
-/// frame than the head. Rerunning tracks past frames again, up to the former head, and Holding is a
-/// rerun that waits. The table gives the next state for each state (column) and event (row); a dash
-/// means no change:
+/// taken. At the head, the run is Paused, Playing or Ended. Viewing and Replaying show a frame
+/// other than the head. Rerunning tracks past frames again, up to the former head. Holding is a
+/// rerun that is on hold. The table gives the next state for each state (column) and event (row); a
+/// dash means no change:
 ///
 /// |                | Paused  | Playing | Ended   | Viewing   | Replaying | Rerunning | Holding   |
 /// | -------------- | ------- | ------- | ------- | --------- | --------- | --------- | --------- |
@@ -31,10 +31,10 @@ namespace dewpoint::session {
 /// | reach the goal | -       | -       | -       | -         | -         | before**  | before**  |
 ///
 /// In every state, rerun() leads to Rerunning, trackOnFrom() to Playing, and endInput() to Ended.
-/// *: Ended if the input had ended before another frame than the head was shown.
+/// *: Ended if the input had ended before a frame other than the head was shown.
 /// **: Ended if the input had ended before the rerun; Playing if the run was Playing; otherwise
-/// Paused. A rerun that begins during another one takes over its goal, if that is a later frame,
-/// and its following state.
+/// Paused. A rerun that begins during another one takes over the goal of that rerun if it is later,
+/// and the state that would have followed it.
 class Playback {
 public:
   struct Paused {};
@@ -63,7 +63,7 @@ public:
   PlayState playState() const;
   /// Returns the frame that is shown instead of the head; nothing if the head is shown.
   std::optional<std::int64_t> viewed() const;
-  /// Returns the range of the current rerun, also of one that waits.
+  /// Returns the range of the current rerun, including one that is on hold.
   std::optional<RerunState> rerunning() const;
   /// Returns whether the session is playing, replaying or rerunning.
   bool goesOn() const { return playState() == PlayState::Playing; }
@@ -73,14 +73,15 @@ public:
   /// Starts playing at the head, replaying elsewhere, or resumes a rerun.
   void play();
   void pause(); ///< abandons the rest of a rerun
-  void hold();  ///< as pause(), but a rerun can be resumed
+  void hold();  ///< like pause(), but a rerun can be resumed
   /// Shows this frame and stops other activity. Shows the head if `frame` is empty or equal to it.
   void show(std::optional<std::int64_t> frame, std::int64_t head);
   /// Leaves Viewing or Replaying, and shows the head.
   void returnToHead();
   /// Shows the next frame when replaying; `next` is empty if there is none.
   void advance(std::optional<std::int64_t> next, std::int64_t head);
-  /// Starts tracking the frames in `range` again, and those up to the goal of a current rerun.
+  /// Starts tracking the frames in `range` again. If a rerun is already in progress, the new one
+  /// continues to its goal if that is later.
   void rerun(const RerunState& range, std::optional<std::int64_t> thenView);
   /// Starts tracking at a frame that was not tracked before.
   void trackOnFrom(std::int64_t frame);
@@ -105,7 +106,7 @@ public:
   void track();
   /// Notes that the estimates of the head are in the log.
   void record() { head_ = Head::Recorded; }
-  /// Reports that the head is at this frame: a rerun that has reached its goal ends. Returns the
+  /// Notes that the head is at this frame, and ends a rerun that has reached its goal. Returns the
   /// frame to show next, if there is one.
   std::optional<std::int64_t> reach(std::int64_t head);
   /// Notes that tracking restarts from scratch on the same frame.
@@ -124,7 +125,7 @@ public:
   void complete() { missing_ = Missing::Nothing; }
 
 private:
-  /// Returns the current rerun, also one that waits; null if there is none.
+  /// Returns the current rerun, including one that is on hold; null if there is none.
   const Rerunning* rerunUnderWay() const;
   void leaveHead(std::int64_t nextFrame);
 

@@ -10,7 +10,7 @@ namespace dewpoint::session {
 
 /// Playing speed of a recording, chosen by the user.
 struct Pace {
-  double speed = 1.0; ///< factor on real time, between kSlowest and kFastest
+  double speed = 1.0; ///< factor relative to real time, between kSlowest and kFastest
   /// If true, iterations are shown one by one until every target is held, to make convergence
   /// visible.
   bool slowUntilHeld = false;
@@ -22,16 +22,16 @@ struct Pace {
 };
 
 /// Decides when a playing session takes its next step, and how large the step is. The pace never
-/// changes what is computed: a run gives the same bits at any pace.
+/// changes what is computed: a run gives bit-identical results at any pace.
 class PlaybackPace {
 public:
   using Seconds = std::chrono::duration<double>;
 
-  // These values are judgments of what the eye can follow and how long a user is willing to wait.
+  // These values are based on what the eye can follow and how long a user is willing to wait.
 
   /// Iterations per second while they are shown one by one.
   static constexpr double kSlowIterations = 5.0;
-  /// Time for which the particles are shown before the first iteration.
+  /// Time during which the particles are shown before the first iteration.
   static constexpr Seconds kBeforeFirst{1.5};
   /// Number of iterations (five seconds) after which a run plays at normal speed even if a target
   /// is not held. The target may not be in the scene yet.
@@ -40,16 +40,16 @@ public:
   /// State of the session.
   struct Situation {
     double framesPerSecond = 30.0;
-    /// True at full speed: new images of live cameras are awaited, or past frames are tracked
-    /// again.
+    /// True if the session runs as fast as possible: it waits for new images from live cameras, or
+    /// tracks past frames again.
     bool isHurried = false;
     bool isReplaying = false;    ///< shows frames that were already tracked
-    std::int64_t iterations = 0; ///< of the current run
+    std::int64_t iterations = 0; ///< number of iterations in the current run
     bool isHeld = false;         ///< every target is held
   };
   struct Step {
     Seconds period{};         ///< time since the previous step
-    bool isIteration = false; ///< one iteration; otherwise a frame with all its iterations
+    bool isIteration = false; ///< true: one iteration; false: a frame with all its iterations
 
     bool operator==(const Step&) const = default;
   };

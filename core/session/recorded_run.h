@@ -31,11 +31,11 @@ ParticleSample particlesOf(const TrackingRun& run, std::size_t target, int limit
 
 /// Results of a run, kept in memory.
 struct RecordedRun {
-  Trajectory trajectory; ///< as written by `dewpoint-cli track`; empty for image targets
-  BoxTrack boxes;        ///< with methods that track boxes
-  /// By frame and index of the target; only those that were requested.
+  Trajectory trajectory; ///< trajectory as written by `dewpoint-cli track`; empty for image targets
+  BoxTrack boxes;        ///< boxes, for methods that track boxes
+  /// Particles by frame and target index; only those that were requested.
   std::map<std::pair<std::int64_t, std::size_t>, ParticleSample> particles;
-  std::vector<std::string> targets; ///< names by index
+  std::vector<std::string> targets; ///< target names, by target index
   std::int64_t frames = 0;          ///< number of tracked frames
   bool finished = false;            ///< all requested frames were tracked
   std::optional<Error> broken;      ///< error that ended the recording after some frames
@@ -45,18 +45,19 @@ struct RecordedRun {
 /// Options of recordRun().
 struct RunOrder {
   FrameRange frames;
-  int threads = 1;            ///< never change the result
-  int particleLimit = 0;      ///< of each target in each frame; 0: none is kept
-  FrameObservers observers{}; ///< receive the frames before those that make the notices
+  int threads = 1;            ///< number of filter threads; it never affects the result
+  int particleLimit = 0;      ///< maximum number of particles kept per target and frame; 0: none
+  FrameObservers observers{}; ///< receive each frame before the observers that create the notices
 };
 
 /// Receives the number of finished frames and, if known, their total; returning false ends the run.
 using RunProgress = std::function<bool(std::int64_t, std::optional<std::int64_t>)>;
 
-/// Tracks a recording and keeps what is found; the same bits as `dewpoint-cli track`. `progress` is
-/// called before each frame and after the last one; `backgroundImages` as of
-/// loadBackgroundImages(). Errors of checkMethodTargets() and TrackingRun::create(), and of the
-/// source where not a single frame was tracked; see `broken`.
+/// Tracks a recording and returns the results, which are bit-identical to those of `dewpoint-cli
+/// track`. `progress` is called before each frame and after the last one. `backgroundImages` are
+/// those returned by loadBackgroundImages(). Returns the errors of checkMethodTargets() and
+/// TrackingRun::create(). Returns an error of the source only if no frame was tracked; otherwise,
+/// it is stored in `broken`.
 Result<RecordedRun> recordRun(const Project& project, FrameSetSource& source,
                               const std::vector<cv::Mat>& backgroundImages, const RunOrder& order,
                               const RunProgress& progress);

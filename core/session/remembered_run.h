@@ -13,18 +13,18 @@ namespace dewpoint::session {
 
 /// A run, its definition and its history, kept consistent. Every frame that the run begins and
 /// every change to it are also recorded in the history. The run can therefore return to any frame
-/// and continue from there with the same bits. Used by the tracking thread only.
+/// and continue from there with bit-identical results. Used by the tracking thread only.
 class RememberedRun {
 public:
-  /// `threads` is the number of filter threads. There is no run before replace(), and no history
-  /// before keepHistory().
+  /// Creates an object without a run. `threads` is the number of filter threads. There is no run
+  /// before replace(), and no history before keepHistory().
   RememberedRun(RunDefinition definition, int threads);
 
-  /// Starts another run with another definition, from scratch; its iterations are counted from
+  /// Starts a new run from scratch with another definition. Its iterations are counted from
   /// `iterations`. If the run cannot be created, nothing changes. Recorded results are kept.
   Status replace(RunDefinition definition, std::int64_t iterations);
-  /// Starts recording the run's history over the frames of `source`, with up to `bytes` of memory;
-  /// 0: default limit.
+  /// Starts recording the run's history over the frames of `source`, using at most `bytes` of
+  /// memory (0: default limit).
   void keepHistory(FrameSetSource& source, std::size_t bytes);
 
   bool exists() const { return run_.has_value(); }
@@ -34,8 +34,8 @@ public:
   const TimeTravel& travel() const { return *travel_; }
   /// Returns null before keepHistory().
   const History* history() const { return travel_ ? &travel_->history() : nullptr; }
-  /// Returns the definition for new frames; never null. The run uses another one only while it is
-  /// being brought back to a past frame.
+  /// Returns the definition for new frames; never null. The run uses a different definition only
+  /// while it is being brought back to a past frame.
   const RunDefinitionPtr& definition() const { return definition_; }
   int threads() const { return threads_; }
   /// Returns the frame that the run is at; -1 before the first.
@@ -48,13 +48,14 @@ public:
   /// Applies another definition from the next iteration on; tracks continue as far as possible.
   /// Returns false if the run does not accept it and a new run is needed.
   bool change(RunDefinition wanted);
-  /// Applies a correction of people or of a position in the current frame.
+  /// Applies a correction for people or of a position in the current frame.
   void change(const RunChange& said);
-  /// Restores the state of the run right before it began a frame. If the run had no knowledge at
-  /// that time, a new run with the current definition is created: tracking a recording again from
-  /// its beginning then gives the same result as opening it again. Recorded results are kept.
+  /// Restores the state of the run right before it began a frame. If the run had not yet learned
+  /// anything at that time, a new run with the current definition is created. Tracking a recording
+  /// again from its beginning therefore gives the same result as opening it again. Recorded results
+  /// are kept.
   Status goBack(std::int64_t frame, bool isLive);
-  /// Applies all later changes to the frame begun next, after goBack().
+  /// Applies all later changes after goBack(). They take effect in the frame begun next.
   void catchUp();
   void setThreads(int threads);
   /// Discards all tracks and the whole history. Without `seed`, the previous seed is used.

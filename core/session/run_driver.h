@@ -23,11 +23,11 @@
 
 namespace dewpoint::session {
 
-/// Drives a run over the frames of its input: forward, back to a past frame, and on from there with
-/// later changes applied. Used by the tracking thread only.
+/// Drives a run over the frames of its input: forward, back to a past frame, and forward again from
+/// there with later changes applied. Used by the tracking thread only.
 class RunDriver {
 public:
-  /// `tap`, `log` and `truth` must outlive it.
+  /// `tap`, `log` and `truth` must outlive this object.
   RunDriver(SessionInputs inputs, FrameTapSlot& tap, RunLog& log, const TruthTable& truth);
   RunDriver(const RunDriver&) = delete;
   RunDriver& operator=(const RunDriver&) = delete;
@@ -72,7 +72,8 @@ public:
   void setTargets(const std::vector<Target>& targets);
   void setCameras(const CameraRig& rig);
   void setBackgroundImages(const command::SetBackgroundImages& request);
-  /// While a board is shown to live cameras none of them is taken for moved.
+  /// Sets whether a calibration board is being shown to live cameras. While it is, no camera is
+  /// reported as moved.
   void setBoardShown(bool shown) {
     motionWatch_.setResting(shown);
     agreementWatch_.setResting(shown);
@@ -84,11 +85,11 @@ public:
 
   /// Returns the definition for new frames.
   const RunDefinition& definition() const { return *kept_.definition(); }
-  /// Fills in everything except what the publishing thread itself knows. With `quickly`, a preview
-  /// is sufficient if loading the images takes long.
+  /// Fills in a snapshot, except for the data that only the publishing thread has. With `quickly`,
+  /// a preview is sufficient if loading the images takes a long time.
   void describe(const SnapshotBuilder& builder, bool quickly, TrackSnapshot& snapshot);
-  /// Adds to a snapshot of a past frame what requires tracking up to that frame, unless `goOn`
-  /// returns false.
+  /// Adds likelihood maps or motion masks to a snapshot of a past frame. This requires tracking up
+  /// to that frame, which stops if `goOn` returns false.
   void addMaps(const SnapshotBuilder& builder, TrackSnapshot& snapshot,
                const TimeTravel::GoOn& goOn);
 
@@ -117,11 +118,11 @@ private:
   }
 
   void rerun(std::int64_t from, const command::SetMethod* method, bool thenView);
-  /// Returns the frame at which tracking by another method must begin so that `from` can be
+  /// Returns the frame at which tracking with another method must begin so that `from` can be
   /// tracked.
   std::int64_t beginOf(const command::SetMethod& method, std::int64_t from) const;
   void changeBoxes(RunDefinition wanted);
-  /// Replaces the corrections, which the method can apply if `canApply` is true. Tracks again from
+  /// Replaces the corrections. `canApply` is true if the method can apply them. Tracks again from
   /// the first frame whose result differs. If corrections are only added at the head's frame,
   /// returns the added ones, to be applied there.
   template <class Correction>
@@ -130,14 +131,14 @@ private:
   void note(const Error& error) { errors_.push_back(error); }
   void showFrame(const SnapshotBuilder& builder, bool quickly, TrackSnapshot& snapshot);
 
-  Project project_; ///< as it was opened; definition() takes precedence
+  Project project_; ///< project as it was opened; definition() takes precedence
   std::unique_ptr<FrameSetSource> source_;
   FrameTapSlot& tap_;
   RunLog& log_;
-  RememberedRun kept_; ///< contains no run if the run of the project could not be created
-  CameraMotionWatch motionWatch_; ///< with the calibration at the start
+  RememberedRun kept_;            ///< contains no run if the project's run could not be created
+  CameraMotionWatch motionWatch_; ///< uses the calibration at the start
   CameraMotionObserver motionObserver_{motionWatch_};
-  CameraAgreementWatch agreementWatch_; ///< with the calibration of the project
+  CameraAgreementWatch agreementWatch_; ///< uses the calibration in the project
   RunRecorder recorder_;
   std::array<FrameObserver*, 3> observers_{&motionObserver_, &agreementWatch_, &recorder_};
   Playback playback_;

@@ -21,11 +21,11 @@ namespace dewpoint::session {
 /// from it.
 class RunLog {
 public:
-  /// About 40 MB with four cameras.
+  /// Maximum number of iteration records; about 40 MB with four cameras.
   static constexpr std::size_t kMostRecords = 100000;
   RunLog();
-  /// Clears the log. The following records belong to this project in its present state, filtered by
-  /// this number of threads.
+  /// Clears the log. The following records belong to this project in its present state, tracked
+  /// with this number of filter threads.
   void restart(const Project& project, int threads = 1);
   /// Notes that the project has other parameters or corrections from now on. If nothing is recorded
   /// yet, the whole run and the header of its trajectory belong to this project.
@@ -33,7 +33,7 @@ public:
   void append(const std::vector<IterationRecord>& records);
   /// Appends the samples of one frame. They replace those of the last frame if it is the same.
   void append(const std::vector<TrajectorySample>& samples);
-  /// As for samples, but for boxes.
+  /// Appends the boxes of one frame, as for samples.
   void append(const std::vector<BoxSample>& samples);
   /// Adds the duration of one filter iteration, in seconds per target.
   void countIteration(double seconds);
@@ -49,13 +49,14 @@ public:
   /// Renumbers the targets: the former target k becomes numbers[k] of `count` targets, or is
   /// removed if this is -1. Readers receive all records again.
   void renumber(const std::vector<int>& numbers, std::size_t count);
-  /// Records from `position` on; both arguments move along. Beyond kMostRecords the older ones are
-  /// there in coarser and coarser steps.
+  /// Returns the iteration records from `position` on, and updates both arguments. Beyond
+  /// kMostRecords, older records are thinned out progressively.
   LogPiece<IterationRecord> since(std::uint64_t& generation, std::size_t& position) const;
-  /// As since(), of the frames tracked: beyond kMostFrames older ones in coarser steps.
+  /// Like since(), but for tracked frames. Beyond kMostFrames, older frames are thinned out
+  /// progressively.
   static constexpr std::size_t kMostFrames = 50000;
   LogPiece<FrameRecord> framesSince(std::uint64_t& generation, std::size_t& position) const;
-  /// Adds one frame, or replaces the same frame if it was the last one.
+  /// Appends one frame, or replaces the last one if it is the same frame.
   void append(const FrameRecord& record);
   /// Appends the people of one frame, or replaces those of the last one if it is the same frame.
   /// Beyond kMostPeopleFrames (about 100 MB with two people), older frames are thinned out
@@ -66,14 +67,15 @@ public:
   /// Notes a change in this frame after which the run no longer matches the header.
   void note(std::int64_t frame, const std::string& change);
   Trajectory trajectory() const;
-  /// What the trajectory gained. `position` is where the last frame known to the reader begins: it
-  /// may have been replaced, and comes again.
+  /// Returns the samples added to the trajectory. `position` is the index of the first sample in
+  /// the last frame that the reader knows. This frame is returned again, because it may have been
+  /// replaced.
   LogPiece<TrajectorySample> samplesSince(std::uint64_t& generation, std::size_t& position) const;
-  /// The boxes so far, where boxes are followed.
+  /// Returns all boxes so far; empty unless the method tracks boxes.
   BoxTrack boxTrack() const;
-  /// As samplesSince(), of the boxes.
+  /// Like samplesSince(), but for boxes.
   LogPiece<BoxSample> boxesSince(std::uint64_t& generation, std::size_t& position) const;
-  /// The results so far that other settings gave than those of now.
+  /// Stores which results so far came from settings other than the current ones.
   void setOldResults(OldResults old);
   OldResults oldResults() const;
   Latency latency() const;

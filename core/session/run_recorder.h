@@ -19,7 +19,7 @@ namespace dewpoint::session {
 /// tracking thread only.
 class RunRecorder final : public FrameObserver {
 public:
-  /// `log` and `truth` must outlive the recorder. Errors are computed from `truth`.
+  /// `log` and `truth` must outlive the recorder. Position errors are computed from `truth`.
   RunRecorder(RunLog& log, const TruthTable& truth) : log_(log), truth_(truth) {}
 
   /// Notes that the run starts again.
@@ -55,8 +55,8 @@ private:
 
   RunLog& log_;
   const TruthTable& truth_;
-  Clock::time_point arrival_;                     ///< of the current frame
-  std::optional<Clock::time_point> firstArrival_; ///< since the last start or restart
+  Clock::time_point arrival_;                     ///< arrival of the current frame
+  std::optional<Clock::time_point> firstArrival_; ///< first arrival since the last start or restart
   std::deque<Clock::time_point> frameTimes_;
   std::deque<double> iterationTimes_; ///< microseconds
   BudgetFigures budget_;

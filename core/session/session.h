@@ -27,8 +27,8 @@ namespace dewpoint::session {
 struct RunRecord {
   Project project;
   RunFigures figures;
-  PeopleRecord people; ///< its trajectory is also used with other methods
-  BoxTrack boxes;      ///< with methods that track boxes
+  PeopleRecord people; ///< its trajectory is also used for other methods
+  BoxTrack boxes;      ///< boxes, for methods that track boxes
 
   /// Writes trajectory.csv and run.json to a folder, which is created if necessary. Methods that
   /// track boxes write boxes.csv and boxes_mot.txt instead of the trajectory. Methods for people
@@ -40,8 +40,8 @@ private:
 };
 
 /// A running session with one tracking thread, which takes frame sets, iterates the filters and
-/// publishes snapshots. Every call returns at once; commands are queued and executed at the next
-/// step.
+/// publishes snapshots. Every call returns immediately; commands are queued and executed at the
+/// next step.
 class Session {
 public:
   explicit Session(SessionInputs inputs);
@@ -54,17 +54,18 @@ public:
   void onSnapshot(std::function<void()> wake);
   /// Returns the newest snapshot; never null.
   TrackSnapshotPtr newest() const;
-  /// Iterations logged at or after `position` (a running count since the restart); `position` moves
-  /// past them, and back to 0 first if the run was restarted meanwhile (returned `restarted`).
+  /// Returns the iterations logged at or after `position`, which is a running count since the last
+  /// restart, and moves `position` past them. If the run has restarted in the meantime, `position`
+  /// is first reset to 0 and the result has `restarted` set.
   LogPiece<IterationRecord> logSince(std::uint64_t& generation, std::size_t& position) const;
-  /// As logSince(), of the frames tracked: status, existence and missing cameras.
+  /// Like logSince(), but for tracked frames: status, existence probability and missing cameras.
   LogPiece<FrameRecord> framesSince(std::uint64_t& generation, std::size_t& position) const;
-  /// What the trajectory gained since `position`, which begins at 0 and moves along as in
-  /// logSince().
+  /// Returns the samples added to the trajectory since `position`, which starts at 0 and is updated
+  /// as in logSince().
   LogPiece<TrajectorySample> samplesSince(std::uint64_t& generation, std::size_t& position) const;
-  /// As samplesSince(), of the boxes that methods that follow boxes follow.
+  /// Like samplesSince(), but for the boxes of methods that track boxes.
   LogPiece<BoxSample> boxesSince(std::uint64_t& generation, std::size_t& position) const;
-  /// The boxes so far.
+  /// Returns all boxes so far.
   BoxTrack boxTrack() const;
   /// Returns which results came from other settings than those of the newest snapshot.
   OldResults oldResults() const;
@@ -74,9 +75,9 @@ public:
   Result<std::size_t> saveTrajectory(const std::filesystem::path& file) const;
   /// Returns the present results of the run.
   RunRecord record() const;
-  /// Writes the present results at once; see RunRecord.
+  /// Writes the present results to a folder; see RunRecord.
   Status saveRun(const std::filesystem::path& folder) const;
-  /// Returns all data about the people of the run; empty with other methods.
+  /// Returns all data about the people in the run; empty unless the method tracks people.
   PeopleRecord peopleRecord() const;
 
   /// Sends a command; command.h describes each.
@@ -108,7 +109,7 @@ public:
   void showFrame(std::int64_t frame) { send(command::ShowFrame{frame}); }
   void backToHead() { send(command::BackToHead{}); }
   void rerunFrom(std::int64_t frame) { send(command::Rerun{frame}); }
-  /// As rerunFrom(), but the displayed frame stays.
+  /// Like rerunFrom(), but the displayed frame does not change.
   void renewFrom(std::int64_t frame) { send(command::Rerun{frame, true}); }
   void setMasksWanted(bool wanted) { send(command::ShowMasks{wanted}); }
   void setLikelihoodMapsWanted(bool wanted) { send(command::ShowMaps{wanted}); }
@@ -120,8 +121,9 @@ public:
   void setCorrections(const std::vector<PositionCorrection>& corrections) {
     send(command::SetCorrections{corrections});
   }
-  /// Also passes every frame set taken from now on to `tap`, in the tracking thread; an empty tap
-  /// ends this. It gives a calibration access to the cameras while they are being tracked.
+  /// Sets a function that also receives every frame set taken from now on; an empty tap removes it.
+  /// It is called in the tracking thread. A calibration uses it to access the cameras while
+  /// tracking continues.
   void setFrameTap(FrameTap tap);
 
 private:

@@ -23,17 +23,17 @@ struct SessionInputs {
   Project project;
   std::unique_ptr<FrameSetSource> source;
   Trajectory truth; ///< empty when unknown
-  /// Of the cameras (loadBackgroundImages); may be empty.
+  /// Background image of each camera (loadBackgroundImages()); may be empty.
   std::vector<cv::Mat> backgroundImages = {};
-  /// Bytes that going back in the run may take: images of live cameras, particles, copies.
-  /// 0: 1 GB for live cameras, half of it for recordings.
+  /// Memory limit, in bytes, for the data needed to go back in the run: images of live cameras,
+  /// particles and copies. 0: 1 GB for live cameras, half of that for recordings.
   std::size_t historyBytes = 0;
   /// Initial number of filter threads, which never changes the result. 0: default of
   /// base::filterThreads().
   int threads = 0;
 };
 
-/// Project that the user wants to open: the one in a file (empty: the demo), or an unsaved one.
+/// Request to open a project: either a project file (the demo if empty), or an unsaved project.
 struct SessionRequest {
   template <std::convertible_to<std::filesystem::path> File>
   SessionRequest(File&& wanted) : file(std::forward<File>(wanted)) {} // NOLINT: implicit
@@ -41,7 +41,7 @@ struct SessionRequest {
 
   std::filesystem::path file;
   std::optional<Project> project;
-  MovedFiles moved; ///< present location of files that `file` names elsewhere
+  MovedFiles moved; ///< present locations of files that have moved from where `file` names them
 };
 
 } // namespace dewpoint::session

@@ -12,7 +12,7 @@
 
 namespace dewpoint::session {
 
-/// Records in order of arrival, at most `most` of them. When there are more, every second group of
+/// Log of at most `most` records, in order of arrival. When there are more, every second group of
 /// the older half is removed, repeatedly. Old records therefore become sparser with age, and the
 /// newest are complete. Consecutive records of one group (same `group(record)`) stay together.
 template <class Record> class ThinnedLog {

@@ -33,7 +33,7 @@ private:
   /// When to publish a snapshot after a command.
   enum class Publish {
     Now,
-    Quickly,   ///< at once; a preview is sufficient
+    Quickly,   ///< immediately; a preview is sufficient
     NowAndThen ///< at most as often as the screen is refreshed
   };
   /// Executes a command. A command type without its own handle() does not compile.
@@ -68,10 +68,10 @@ private:
   /// Takes the step that is due and schedules the next one. After a slow step, the schedule is
   /// shifted so that no burst follows; frames are never skipped.
   void goOn();
-  /// Schedules the first step after playing has started or has changed.
+  /// Schedules the first step after playing has started or its settings have changed.
   void planFirstStep();
-  /// Returns the useful publishing rate: less than every frame while past frames are tracked again,
-  /// or frames are played faster than real time.
+  /// Returns how often to publish during normal playback: less than every frame while past frames
+  /// are tracked again or frames are played faster than real time.
   Publish usual() const;
   void publish(Publish how);
   void addMaps(const std::stop_token& stop);

@@ -17,11 +17,12 @@ cv::Mat tintedImage(const cv::Mat& image, const cv::Mat& mask, const cv::Mat& ti
 /// interpolated when enlarging. Neither size is empty.
 cv::Mat fittedImage(const cv::Mat& image, const cv::Size& size);
 
-/// Draws the contour of a mask into a view of its image, of any size: a line in the color of the
-/// tint, surrounded by a dark line. `view` is CV_8UC3 and not shared; `mask` and `tints` as above.
+/// Draws the contour of a mask onto a view of its image, which may have any size. The contour is a
+/// line in the color of the tint with a dark border. `view` is CV_8UC3 and not shared; `mask` and
+/// `tints` as above.
 void outlineMask(cv::Mat& view, const cv::Mat& mask, const cv::Mat& tints);
 
-/// Returns an enlarged image with its pixels as squares. Neither size is empty.
+/// Returns an enlarged image in which each pixel is a square. Neither size is empty.
 cv::Mat enlargedImage(const cv::Mat& image, const cv::Size& size);
 
 /// Returns a likelihood map as an image of its area: from dark blue (LikelihoodMap::least) through

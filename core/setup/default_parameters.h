@@ -7,8 +7,8 @@
 
 namespace dewpoint::setup {
 
-/// Returns the parameters with which a project is tracked if none are given: the defaults of its
-/// method, and values derived from its cameras.
+/// Returns the parameters used to track a project if none are given: the defaults of its method,
+/// and values derived from its cameras.
 ParameterValues defaultParameters(const Project& project);
 
 /// Returns whether a parameter in use differs from defaultParameters(). For a parameter derived
@@ -17,8 +17,8 @@ bool isChanged(const ParameterValues& used, const ParameterValues& defaults,
                const ParameterDeclaration& declaration);
 
 /// Resets a declared parameter (asserted) to its value in defaultParameters(). Other parameters
-/// that can be derived from the cameras keep the values in use. If all of them equal the derived
-/// values, none is marked as given any more.
+/// that can be derived from the cameras keep the values in use. If all of these equal the derived
+/// values, they are no longer marked as given.
 void resetParameter(Project& project, std::string_view key);
 /// Resets all parameters for which isChanged() is true.
 void resetParameters(Project& project);

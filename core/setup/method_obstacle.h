@@ -15,14 +15,14 @@ namespace dewpoint::setup {
 /// Reason why a method cannot work with a project.
 enum class MethodObstacle {
   None,
-  NoCalibration, ///< it requires calibrated cameras
-  TooFewCameras  ///< it cannot find a target with this few cameras (MethodFamily::fewestCameras)
+  NoCalibration, ///< the method requires calibrated cameras
+  TooFewCameras  ///< the method needs more cameras to find a target (MethodFamily::fewestCameras)
 };
 
 /// Returns what prevents a method from working with the cameras of a project, regardless of the
 /// project's own method. A guessed calibration (isGuessed()) of several cameras is sufficient for
-/// methods that use colors, since they still show the content of the images. It is not sufficient
-/// for a single camera, or for methods that search for people on the floor.
+/// methods that use colors, since such methods can still display the content of the images. It is
+/// not sufficient for a single camera, or for methods that search for people on the floor.
 MethodObstacle methodObstacle(const Project& project, const Method& method);
 
 } // namespace dewpoint::setup

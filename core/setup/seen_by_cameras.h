@@ -8,9 +8,9 @@
 
 namespace dewpoint::setup {
 
-/// Returns the bounding box of what at least two cameras of a project see, or of what single
-/// cameras see if no two views overlap, as geometry::seenVolume(): meters, world frame. Returns
-/// nothing without a calibrated camera.
+/// Returns the bounding box of the volume that at least two cameras of a project see, in meters,
+/// world frame; see geometry::seenVolume(). If no two views overlap, the box covers what single
+/// cameras see. Returns nothing if no camera is calibrated.
 std::optional<WorldBox> volumeSeenBy(const Project& project);
 
 } // namespace dewpoint::setup

@@ -15,7 +15,7 @@ class Mat;
 
 namespace dewpoint::tracking {
 
-/// Whether a camera confirms a target, and the reason if it does not.
+/// Status of a target in one camera: confirmed, or the reason why it is not.
 enum class CameraStatus {
   None,         ///< confirmed: the target's color is visible at the estimated position
   NoImage,      ///< the camera delivered no image
@@ -31,15 +31,16 @@ enum class CameraStatus {
   Unclear, ///< the target's color is visible, but not its shape and size
 };
 
-/// The report of one camera on a target.
+/// One camera's report on a target.
 struct CameraReport {
   CameraStatus status = CameraStatus::None;
-  double pixels = 0.0; ///< gap between the outlines, or to the color, in pixels; 0 if they touch
+  /// Distance between the outlines, or to the color, in pixels; 0 if they touch.
+  double pixels = 0.0;
 };
 
-/// Returns the reports as one English sentence with the reason of each camera that does not confirm
-/// the target, for example "camera left: hidden". Empty if all cameras confirm it. A camera without
-/// a name is identified by its number, from 1.
+/// Returns one English sentence that gives the reason for each camera that does not confirm the
+/// target, for example "camera left: hidden". Empty if all cameras confirm it. A camera without a
+/// name is identified by its number, from 1.
 std::string reasonSentence(const std::vector<CameraReport>& reports,
                            const std::vector<std::string>& cameraNames);
 

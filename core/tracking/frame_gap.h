@@ -5,10 +5,11 @@
 
 namespace dewpoint::tracking {
 
-/// Seconds; a longer gap between two frames is a new scene as far as motion is concerned.
+/// Longest time between two frames that motion models use, in seconds. Longer gaps are limited to
+/// this value, since motion before such a gap tells nothing about the scene after it.
 inline constexpr double kLongestGap = 1.0;
-/// Seconds, gap before a frame whose time tells none, as of one that is earlier than the last: the
-/// user went back.
+/// Assumed time since the previous frame, in seconds, if it cannot be computed from the frame
+/// times. This is the case if a frame is earlier than the previous one because the user went back.
 inline constexpr double kDefaultGap = 1.0 / 30.0;
 
 } // namespace dewpoint::tracking

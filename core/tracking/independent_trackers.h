@@ -14,7 +14,7 @@
 
 namespace dewpoint::tracking {
 
-/// A filter for one target, independent of all others. A copy continues with the same bits.
+/// A filter for one target, independent of all others. A copy continues with bit-identical results.
 template <class F>
 concept TargetFilter = std::copy_constructible<F> &&
     std::constructible_from<F, ParameterValues, CameraRig, Target> &&
@@ -151,7 +151,7 @@ public:
   }
 };
 
-/// Creates a method with one filter per target, for a row of the catalog.
+/// Creates a tracker with one filter per target, for an entry in the catalog of methods.
 template <TargetFilter F>
 std::unique_ptr<Tracker> makeIndependent(const ParameterValues& parameters, const CameraRig& rig,
                                          const std::vector<Target>& targets) {

@@ -18,9 +18,10 @@ enum class ParameterKind { Integer, Real };
 
 /// Subject of a parameter. Editors group parameters by it, in this order.
 enum class ParameterGroup {
-  Essential, ///< the few most important ones, always visible; all parameters of a method with few
+  Essential, ///< the most important parameters, always visible; all of them if the method has only
+             ///< a few
   Motion,
-  Measurement, ///< evaluation of the images, and their assumed reliability
+  Measurement, ///< evaluation of the images and their assumed reliability
   Area,        ///< where people can be, and when they count as present
   Start,       ///< where targets are first searched for
   Expert       ///< computing effort and timing of a run
@@ -38,7 +39,7 @@ struct ParameterDeclaration {
   std::string unit;     ///< "m", "" for a count
   double minimum = 0.0; ///< inclusive
   double maximum = 0.0; ///< inclusive
-  double step = 0.0;    ///< step of an editor
+  double step = 0.0;    ///< step size in editors
   double defaultValue = 0.0;
   std::string sentence;     ///< description for a tooltip
   bool logarithmic = false; ///< sliders have a logarithmic scale
@@ -46,8 +47,8 @@ struct ParameterDeclaration {
   /// that is not possible, the default is used.
   bool fromCameras = false;
   ParameterGroup group = ParameterGroup::Essential;
-  /// Key of another parameter of the method that is an upper limit: a larger value is replaced by
-  /// the value of that parameter. Empty if there is none.
+  /// Key of another parameter of the method whose value is an upper limit for this one. A larger
+  /// value is replaced by the limit. Empty if there is no limit.
   std::string bound = {};
 };
 
@@ -66,10 +67,10 @@ public:
   std::span<const ParameterDeclaration> declarations() const { return declarations_; }
   /// Returns the value of a declared key (asserted).
   double at(std::string_view key) const;
-  /// Sets a value. UnknownKey or BadValue (not finite, out of range, not whole) leaves everything
-  /// unchanged.
+  /// Sets a value. Returns UnknownKey, or BadValue if the value is not finite, is out of range, or
+  /// is not an integer where one is required. Nothing changes on an error.
   Status set(std::string_view key, double value);
-  /// As set(), from text as on the command line.
+  /// Like set(), but parses the value from text, as on the command line.
   Status setText(std::string_view key, std::string_view text);
   /// Returns false for a key whose value is derived from the cameras and was not set.
   bool isGiven(std::string_view key) const;
@@ -80,10 +81,10 @@ public:
   /// Resets all given values of keys that can be derived from the cameras. They have their defaults
   /// until suggest() is called.
   void leaveToCameras();
-  /// Replaces values that are not given by these, within their ranges, or by the defaults if there
-  /// are none.
+  /// Replaces the values that are not given. The new values come from `values`, limited to their
+  /// ranges, or from the defaults for keys that are not in `values`.
   void suggest(const ByKey& values);
-  /// Also compares which values are given.
+  /// Compares the values and which of them are given.
   bool operator==(const ParameterValues& other) const {
     return values_ == other.values_ && given_ == other.given_;
   }
@@ -95,8 +96,8 @@ private:
   std::set<std::string, std::less<>> given_;
 };
 
-/// Returns whether the value of a declared key exceeds the parameter that limits it, whose value is
-/// then used.
+/// Returns whether the value of a declared key exceeds the value of the parameter that limits it.
+/// The limit is then used instead.
 bool exceedsBound(const ParameterValues& values, const ParameterDeclaration& declaration);
 
 } // namespace dewpoint::tracking

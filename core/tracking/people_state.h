@@ -21,13 +21,14 @@ struct BodyCloud {
 /// State of one camera's background model.
 struct PeopleCameraState {
   double learned = 0.0;         ///< progress of the learning phase, 0 to 1
-  double foregroundShare = 0.0; ///< share of the image, 0 to 1
-  bool usable = false;          ///< has an image, is learned, and is not entirely foreground
+  double foregroundShare = 0.0; ///< fraction of the image that is foreground, 0 to 1
+  /// True if there is an image, learning is complete, and the image is not entirely foreground.
+  bool usable = false;
 };
 
 /// Returns the name of a person in files and views: "person 3".
 std::string personName(int identity);
-/// Returns the identity in such a name; nothing for any other name.
+/// Returns the identity in a name of this form; nothing for any other name.
 std::optional<int> personIdentity(std::string_view name);
 
 } // namespace dewpoint::tracking

@@ -16,7 +16,7 @@ namespace dewpoint::tracking {
 /// Volume in which a method starts: a box around a point, in meters, world frame.
 struct StartVolume {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
-  Eigen::Vector3d half = Eigen::Vector3d::Zero(); ///< half sizes; 0: a single point
+  Eigen::Vector3d half = Eigen::Vector3d::Zero(); ///< half the edge lengths; 0: a single point
 };
 
 /// Returns the declarations shared by all methods with a start volume: start_x, start_half_x and so
@@ -31,16 +31,16 @@ StartVolume within(const StartVolume& start, const WorldBox& box);
 /// Key of the size of the room in which a target may appear, for methods that have this parameter.
 inline constexpr const char* kSearchSizeKey = "search_size";
 
-/// Returns the parameters with which a method runs. Parameters that were not given and are declared
-/// to come from the cameras are derived from the volume that the cameras see (seenVolume()),
-/// limited to the volume of interest if there is one. The start volume is that box, and the search
-/// size its longest edge, rounded to the steps of their declarations. If a part of the start volume
-/// was given, the rest of it and the search size have their defaults.
+/// Returns the parameters used by a method. Parameters that were not given and are declared as
+/// `fromCameras` are derived from the volume that the cameras see (seenVolume()), limited to the
+/// volume of interest if there is one. The start volume is that box, and the search size its
+/// longest edge, rounded to the steps of their declarations. If a part of the start volume was
+/// given, the rest of it and the search size keep their defaults.
 ParameterValues parametersInUse(ParameterValues parameters, const CameraRig& rig,
                                 const std::optional<WorldBox>& volumeOfInterest);
 
-/// Draws `count` positions uniformly from the volume: rows of x, y, z. Position i is drawn from
-/// element i of the stream.
+/// Draws `count` positions uniformly from the volume: rows of x, y, z in meters, world frame.
+/// Position i is drawn from element i of the stream.
 Eigen::ArrayXXd drawUniformly(const StartVolume& volume, Eigen::Index count,
                               const RandomStream& stream);
 

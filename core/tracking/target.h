@@ -15,22 +15,24 @@ namespace dewpoint::tracking {
 enum class TargetShape {
   Auto, ///< the images decide whether it is a ball
   Ball, ///< a sphere
-  Any   ///< anything of one color; its extent is learned
+  Any   ///< an object of any shape in one color; its extent is learned
 };
 
-/// The definition of a target.
+/// Definition of a target.
 struct Target {
   std::string name;
-  /// Meters; 0 if unknown. For a target that is not a ball: radius of a ball of equal volume.
+  /// Radius in meters; 0 if unknown. For a target that is not a ball: radius of a ball of equal
+  /// volume.
   double radius = 0.0;
   ColorRange color;
   /// Samples that the color was learned from, if any; trackers use only `color`.
   std::vector<ColorSample> samples{};
   /// Initial bounding box, for methods that track boxes in images; they do not use the color.
   std::optional<TargetBox> box{};
-  /// Used by methods that support targets that are not balls (`dewpoint`); others ignore it.
+  /// Assumed shape. It is used by methods that support targets other than balls (`dewpoint`) and
+  /// ignored by all others.
   TargetShape shape = TargetShape::Auto;
-  /// Further colors of a target of several colors, in addition to `color`.
+  /// Colors of a multicolored target in addition to `color`.
   std::vector<ColorRange> otherColors{};
 
   /// Returns all colors of the target.

@@ -9,7 +9,7 @@ namespace dewpoint::tracking {
 
 /// Initial box of an image target, from which methods that track boxes learn the target's colors.
 struct TargetBox {
-  int camera = 0; ///< index in the order of the project
+  int camera = 0; ///< camera index in the project
   std::int64_t frame = 0;
   ImageBox box; ///< pixels from the upper left corner of the image
 

@@ -14,21 +14,22 @@
 
 namespace dewpoint::tracking {
 
-/// Root mean square distance to the mean, meters, of a position with this covariance (m²).
+/// Returns the root mean square distance from the mean, in meters, of a position with this
+/// covariance (m²).
 double spreadOf(const Eigen::Matrix3d& covariance);
 
-/// The estimate of a colored target, a sphere or anything else of which an ellipsoid tells the
-/// extent, after one filter iteration. World frame, meters.
+/// Estimate of a colored target after one filter iteration. The target is a sphere, or an object
+/// whose extent is given by an ellipsoid. World frame, meters.
 struct SphereEstimate {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();       ///< weighted mean (MMSE)
   Eigen::Vector3d best = Eigen::Vector3d::Zero();       ///< particle of highest weight (MAP)
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); ///< m²
   double effectiveSampleSize = 0.0;
   int particleCount = 0;
-  int camerasSeeing = 0; ///< number of cameras with the target's color at the projected mean
+  int camerasSeeing = 0; ///< number of cameras that show the target's color at the projected mean
   bool valid = false;    ///< confirmed by two cameras (or by the only one)
-  /// True if another object may be the target about as well, or became the estimate in this frame.
-  /// The covariance then covers the other candidates too.
+  /// True if another object is about as likely to be the target, or became the estimate in this
+  /// frame. The covariance then also covers the other candidates.
   bool ambiguous = false;
   double existenceProbability = 0.0; ///< probability that the target is at the estimate
   double radius = 0.0;               ///< meters, given or estimated; 0 if unknown
@@ -43,7 +44,7 @@ struct SphereEstimate {
   /// the position is unknown.
   std::vector<CameraEvidence> cameras;
   /// Colors in use in each camera if they adapt to the light; empty while all cameras use the
-  /// target's own.
+  /// colors of the target.
   std::vector<ColorRanges> colors;
   /// Returns the root mean square distance of the particles from their mean, in meters.
   double spread() const;
@@ -52,27 +53,28 @@ struct SphereEstimate {
 /// Estimate of a bounding box after one image of one camera, in pixels from the upper left corner.
 struct BoxEstimate {
   ImageBox box;
-  double similarity = 0.0; ///< of the colors in the box and the reference, [0, 1]
+  double similarity = 0.0; ///< similarity of the colors in the box to the reference, [0, 1]
   double spread = 0.0;     ///< root mean square distance of the particles from their mean, pixels
   double effectiveSampleSize = 0.0;
   int particleCount = 0;
   bool visible = true;     ///< false while the target is assumed to be hidden
   bool degenerate = false; ///< no particle had a usable weight; all weights were set equal
-  int camera = 0;          ///< camera of the images, index in the rig
+  int camera = 0;          ///< camera index in the rig
 };
 
 /// Estimate of one person after a frame. World frame, meters.
 struct PersonEstimate {
   int identity = 0;                                     ///< from 1 on, never reused in a run
   Eigen::Vector3d position = Eigen::Vector3d::Zero();   ///< mean of the occupied volume
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); ///< of the occupied volume, m²
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); ///< covariance of the occupied volume, m²
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();   ///< m/s
   double effectiveSampleSize = 0.0;
   int particleCount = 0;
   int camerasSeeing = 0;             ///< number of cameras with foreground of this person
   double existenceProbability = 1.0; ///< falls from 1 to 0 while no camera sees the person
   double age = 0.0;                  ///< seconds since the track was created
-  /// Near another person: what cannot be assigned to one of them is not learned.
+  /// True if another person is near. Image content that cannot be assigned to one of the two is
+  /// then not learned.
   bool interacting = false;
   double height = 0.0; ///< meters; 0 if the method does not estimate it
   /// Hue and saturation of the person, in [0, 1], if the method estimates them.
@@ -91,24 +93,25 @@ bool isAbsent(const TrackEstimate& estimate);
 /// Returns whether the cameras confirm the track now: a valid sphere, a visible box, or a person
 /// with an existence probability of at least one half.
 bool isHeld(const TrackEstimate& estimate);
-/// Returns whether another object may be the target about as well.
+/// Returns whether another object is about as likely to be the target.
 bool isAmbiguous(const TrackEstimate& estimate);
 /// Returns the existence probability of a sphere or a person; for a box, its similarity instead. 0
 /// if absent.
 double existenceProbabilityOf(const TrackEstimate& estimate);
-/// Return the effective sample size and the number of particles; 0 if absent.
+/// Returns the effective sample size; 0 if absent.
 double effectiveSampleSizeOf(const TrackEstimate& estimate);
+/// Returns the number of particles; 0 if absent.
 int particleCountOf(const TrackEstimate& estimate);
-/// Returns mean and covariance in the world frame (m, m²); nothing for estimates known only in an
-/// image.
+/// Returns the mean and covariance in the world frame (m, m²); nothing for estimates known only in
+/// an image.
 std::optional<Gaussian3> positionOf(const TrackEstimate& estimate);
-/// Returns the particle of highest weight (MAP) in the world frame, meters. Nothing without
-/// particles, and for boxes and people.
+/// Returns the particle of highest weight (MAP) in the world frame, meters. Returns nothing for
+/// boxes and people, and if there are no particles.
 std::optional<Eigen::Vector3d> bestParticleOf(const TrackEstimate& estimate);
 /// Returns the extent (m²) of a target that is not a ball, as in geometry::Ellipsoid; otherwise
 /// nothing.
 std::optional<Eigen::Matrix3d> extentOf(const TrackEstimate& estimate);
-/// Returns the evidence of each camera for the position; empty if the method has none.
+/// Returns each camera's evidence for the position; empty if the method provides none.
 const std::vector<CameraEvidence>& cameraEvidenceOf(const TrackEstimate& estimate);
 /// Returns the colors in use in each camera if they adapt to the light; otherwise empty.
 const std::vector<ColorRanges>& colorsOf(const TrackEstimate& estimate);

@@ -13,10 +13,10 @@
 namespace dewpoint::tracking {
 
 /// A method and the tracks of one run. Call `beginFrame` once per frame set, then `iterate` any
-/// number of times. Not thread-safe; the same seed gives the same bits for any size of the
+/// number of times. Not thread-safe; the same seed gives bit-identical results for any size of the
 /// ThreadTeam.
 ///
-/// This is the interface of every method. Abilities that only some methods have are declared in
+/// This is the interface of every method. Capabilities that only some methods have are declared in
 /// tracker_capabilities.h and obtained by type: capability<LikelihoodMapping>(tracker).
 class Tracker {
 public:
@@ -29,8 +29,8 @@ public:
   virtual void beginFrame(FrameSetPtr frames) = 0;
   /// Runs one filter iteration for all tracks.
   virtual void iterate(ThreadTeam& team) = 0;
-  /// Returns the number of targets being tracked, or of those found so far. A track keeps its
-  /// index.
+  /// Returns the number of tracks: the defined targets, or all those found so far. A track keeps
+  /// its index.
   virtual std::size_t trackCount() const = 0;
   /// Returns the present estimate of a track below trackCount().
   virtual TrackEstimate estimate(std::size_t track) const = 0;

@@ -21,8 +21,8 @@
 #include <optional>
 #include <vector>
 
-// Capabilities that only some trackers have. A tracker derives from those of its method. Callers
-// obtain one by type and handle null; see capability().
+// Capabilities that only some trackers have. A tracker derives from the capabilities that its
+// method supports. Callers obtain a capability by type and must handle null; see capability().
 namespace dewpoint::tracking {
 
 /// Has parameters that can be changed during a run.
@@ -49,9 +49,9 @@ class PositionCorrecting {
 public:
   virtual ~PositionCorrecting() = default;
   /// Sets the target's position in the last iterated frame (world frame, m, m²). It replaces all
-  /// that was known about the position, and estimate() returns it at once. The radius, the colors
-  /// and the learned backgrounds are kept. The images of the frame may make the position more
-  /// precise. Other objects at this position are removed.
+  /// previous information about the position, and estimate() returns it immediately. The radius,
+  /// the colors and the learned backgrounds are kept. The images of the frame may make the position
+  /// more precise. Other objects at this position are removed.
   virtual void correctPosition(std::size_t target, const Gaussian3& position, ThreadTeam& team) = 0;
 };
 
@@ -67,8 +67,8 @@ public:
 class VolumeBounded {
 public:
   virtual ~VolumeBounded() = default;
-  /// Sets the volume from the next iteration on; nothing: unlimited. New tracks begin inside it
-  /// from the next restart on (at once before the first frame).
+  /// Sets the volume from the next iteration on; without a value, it is unlimited. New tracks begin
+  /// inside it from the next restart on, or immediately if no frame has been processed yet.
   virtual void setVolumeOfInterest(const std::optional<WorldBox>& volume) = 0;
 };
 
@@ -76,8 +76,9 @@ public:
 class BackgroundImageUsing {
 public:
   virtual ~BackgroundImageUsing() = default;
-  /// One image per camera (CV_8UC3, in the order of the rig), empty where it is not known. Takes
-  /// effect at the next restart; methods for people then need no learning phase.
+  /// Sets one image per camera (CV_8UC3, in the order of the rig); an image that is not known is
+  /// empty. The images take effect at the next restart. Methods for people then need no learning
+  /// phase.
   virtual void setBackgroundImages(const std::vector<cv::Mat>& images) = 0;
 };
 
@@ -85,10 +86,11 @@ public:
 class Copying {
 public:
   virtual ~Copying() = default;
-  /// Returns false with a background model of OpenCV, which cannot be copied.
+  /// Returns whether the tracker can be copied; false if it uses a background model of OpenCV,
+  /// which cannot be copied.
   virtual bool canBeCopied() const = 0;
-  /// Returns a copy that continues from here with the same bits and shares no writable data; null
-  /// if the tracker cannot be copied.
+  /// Returns a copy that continues from here with bit-identical results and shares no writable
+  /// data; null if the tracker cannot be copied.
   virtual std::unique_ptr<Tracker> clone() const = 0;
   /// Returns the approximate size of a copy in bytes.
   virtual std::size_t memoryBytes() const = 0;
@@ -99,8 +101,8 @@ class ParticleCloud {
 public:
   virtual ~ParticleCloud() = default;
   /// Returns an even selection of at most `limit` particles of a track: rows of x, y, z (meters),
-  /// with linear weights that sum to 1 over all particles. For a person, the points of the body;
-  /// none if absent.
+  /// with linear weights that sum to 1 over all particles. For a person, the particles are the
+  /// points of the body. There are none if the track is absent.
   virtual void particles(std::size_t track, int limit, Eigen::ArrayXXd& positions,
                          Eigen::ArrayXd& weights) const = 0;
 };
@@ -110,7 +112,7 @@ class CameraExplaining {
 public:
   virtual ~CameraExplaining() = default;
   /// Returns the reports after the iterations of a frame, in the order of the rig; empty before the
-  /// first.
+  /// first frame.
   virtual std::vector<CameraReport> explain(std::size_t track) const = 0;
 };
 
@@ -136,7 +138,7 @@ class MotionMapping {
 public:
   virtual ~MotionMapping() = default;
   /// Returns one map per camera: log D of the last frame (Mohedano et al. 2009, equation 8) over
-  /// the whole image, which may be smaller than the camera's. The area is empty if there is no
+  /// the whole image, which may be smaller than the camera image. The area is empty if there is no
   /// mask.
   virtual std::vector<LikelihoodMap> motionLikelihoods() const = 0;
 };

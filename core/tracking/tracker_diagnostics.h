@@ -22,8 +22,8 @@ struct CandidatePosition {
   double logLikelihoodRatio = 0.0;                    ///< sum over all cameras
 };
 
-/// Log likelihood around a target in one camera's image: the value at a pixel is that of a target
-/// with its center at this pixel, at the distance of the estimate.
+/// Log likelihood around a target in one camera's image. The value at a pixel is the log likelihood
+/// of a target whose center projects to this pixel, at the distance of the estimate.
 struct LikelihoodMap {
   cv::Rect area;         ///< part of the image, pixels; empty if the target is not in view
   cv::Mat logLikelihood; ///< CV_32F, one per pixel of the area

@@ -27,7 +27,7 @@ public:
   CsvLine& put(double number);
   /// Appends a number with the digits of single precision.
   CsvLine& put(float number);
-  /// Appends a text, quoted where RFC 4180 requires it.
+  /// Appends a string, quoted where RFC 4180 requires it.
   CsvLine& put(std::string_view word);
 
 private:

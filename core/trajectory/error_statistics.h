@@ -10,7 +10,7 @@
 
 namespace dewpoint::trajectory {
 
-/// Position error as seen from one camera, in meters: along its optical axis (depth) and across it.
+/// Position error relative to one camera, in meters: along its optical axis (depth) and across it.
 struct CameraBias {
   std::string name;
   double alongBias = 0.0;  ///< mean error along the axis; positive: estimated too far away
@@ -19,7 +19,7 @@ struct CameraBias {
   double acrossRms = 0.0;
 };
 
-/// Statistics of the lengths of errors, in meters, and the mean error vector.
+/// Statistics of error lengths and the mean error vector, in meters.
 struct ErrorSummary {
   double rmse = 0.0;
   double median = 0.0;
@@ -28,14 +28,15 @@ struct ErrorSummary {
   Eigen::Vector3d bias = Eigen::Vector3d::Zero(); ///< mean of estimate minus truth
 };
 
-/// Computes the statistics of at least one error (estimate minus truth, world frame, meters).
+/// Computes the statistics of errors (estimate minus truth, world frame, meters). Requires at least
+/// one error.
 ErrorSummary summarize(const std::vector<Eigen::Vector3d>& errors);
 
-/// Splits errors along and across the camera's optical axis. Takes at least one error (estimate
-/// minus truth, world frame, meters).
+/// Splits errors into components along and across the camera's optical axis. Requires at least one
+/// error (estimate minus truth, world frame, meters).
 CameraBias cameraBias(const TrajectoryCamera& camera, const std::vector<Eigen::Vector3d>& errors);
 
-/// Returns the root mean square of the lengths of at least one error, in meters.
+/// Returns the root mean square of the error lengths, in meters. Requires at least one error.
 double rootMeanSquare(const std::vector<Eigen::Vector3d>& errors);
 
 } // namespace dewpoint::trajectory

@@ -10,7 +10,7 @@
 
 namespace dewpoint::trajectory {
 
-/// Returns a readable summary of a few lines per target, in millimeters.
+/// Returns a human-readable summary with a few lines per target, in millimeters.
 std::string evaluationText(const std::vector<Evaluation>& evaluations);
 /// Returns the same numbers in meters as JSON: {"unit": "m", "targets": [...]}.
 nlohmann::json evaluationJson(const std::vector<Evaluation>& evaluations);

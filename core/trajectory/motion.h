@@ -19,9 +19,11 @@ struct TrajectoryGap {
   std::string target;
   std::int64_t firstFrame = 0;
   std::int64_t lastFrame = 0;
-  /// Time of the last held sample before the gap, seconds (own first sample if there is none).
+  /// Time of the last held sample before the gap, in seconds. If there is none, time of the first
+  /// sample in the gap.
   double from = 0.0;
-  /// Time of the first held sample after the gap, seconds (own last sample if there is none yet).
+  /// Time of the first held sample after the gap, in seconds. If there is none yet, time of the
+  /// last sample in the gap.
   double to = 0.0;
 
   std::int64_t frames() const { return lastFrame - firstFrame + 1; }
@@ -30,17 +32,18 @@ struct TrajectoryGap {
 };
 
 /// Returns the velocity at one sample of a track (one target, ascending frames), in meters per
-/// second. It is the slope of the least-squares line through the held samples up to `reach` before
-/// and after it, not beyond a gap. At the center of 2 reach + 1 evenly spaced samples, it is the
-/// derivative of Savitzky & Golay, Anal. Chem. 36 (1964), table of first derivatives, quadratic.
-/// Returns nothing if the sample is not held or has no held neighbor.
+/// second. It is the slope of the least-squares line through this sample and up to `reach` held
+/// samples on each side of it, none of them beyond a gap. At the center of 2 reach + 1 evenly
+/// spaced samples, it equals the derivative of Savitzky & Golay, Anal. Chem. 36 (1964), table of
+/// first derivatives, quadratic. Returns nothing if the sample is not held or has no held neighbor.
 std::optional<Eigen::Vector3d> velocityAt(std::span<const TrajectorySample> track,
                                           std::size_t index, std::size_t reach = 2);
 
-/// Returns the standard deviation of a sample's position along an axis (0 to 2), in meters.
+/// Returns the standard deviation of a sample's position along a world axis (0: x, 1: y, 2: z), in
+/// meters.
 double sigmaOf(const TrajectorySample& sample, int axis);
 
-/// Largest number of frames that live cameras may skip without an interruption of the track.
+/// Largest number of frames that live cameras may skip without interrupting the track.
 inline constexpr std::int64_t kMostSkipped = 8;
 /// Returns whether two frames of a track are so far apart that no line is drawn between them
 /// because the frames in between were never tracked.
@@ -55,27 +58,27 @@ public:
   static constexpr std::size_t kMostRows = 100000;
   struct Row {
     TrajectorySample sample;
-    double speed = std::numeric_limits<double>::quiet_NaN(); ///< meters per second, if known
+    double speed = std::numeric_limits<double>::quiet_NaN(); ///< meters per second; NaN if unknown
   };
-  /// Change of rows() by a call of replaceFrom().
+  /// Change to rows() made by a call to replaceFrom().
   struct Change {
     std::size_t dropped = 0; ///< number of rows removed at the front
-    /// First row, counted after the removal, that is new or different.
+    /// Index of the first new or changed row, counted after the removal.
     std::size_t firstChanged = 0;
   };
 
   /// Removes all rows, gaps and targets.
   void clear();
-  /// Replaces the samples from number `first` on (counted since the start). With 0, all samples are
-  /// replaced.
+  /// Replaces the samples from index `first` on, counted since the start. If it is 0, all samples
+  /// are replaced.
   Change replaceFrom(std::size_t first, const std::vector<TrajectorySample>& samples);
   const std::vector<Row>& rows() const { return rows_; }
-  /// Returns the gaps, by target, in the order of their beginnings.
+  /// Returns the gaps, grouped by target and ordered by start.
   std::vector<TrajectoryGap> gaps() const;
 
 private:
   struct Track {
-    std::vector<std::size_t> rows; ///< numbers counted since the start
+    std::vector<std::size_t> rows; ///< row indices counted since the start
     std::vector<TrajectoryGap> gaps;
     bool open = false; ///< the last gap has not ended
   };

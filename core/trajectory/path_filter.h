@@ -12,11 +12,11 @@
 
 namespace dewpoint::trajectory {
 
-/// Motion model of a path: its derivative of this order (2: acceleration, 3: jerk) is white noise
-/// with this spectral density, the same along each axis (Bar-Shalom, Li and Kirubarajan 2001,
-/// section 6.2). The smoothed path is a spline of degree 2 order - 1 (Wahba 1990).
+/// Motion model of a path. The derivative of order `order` (2: acceleration, 3: jerk) is white
+/// noise with spectral density `strength`, the same along each axis (Bar-Shalom, Li and Kirubarajan
+/// 2001, section 6.2). The smoothed path is a spline of degree 2 order - 1 (Wahba 1990).
 struct PathModel {
-  int order = 2;            ///< 2 to kMostPathOrder
+  int order = 2;            ///< order of the derivative, 2 to kMostPathOrder
   double strength = 1.0;    ///< spectral density: m² / s^(2 order - 1)
   double noiseFactor = 1.0; ///< factor on the covariance of each measured position
 };
@@ -35,19 +35,20 @@ struct PathEstimate {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
 };
 
-/// Returns the log likelihood of all measured positions, each given those before it. Squared
+/// Returns the log likelihood of all measured positions, each given the preceding ones. Squared
 /// distances are limited to `gate` (standard deviations squared), so that one wrong measurement
 /// does not dominate. The first five only initialize the path.
 double pathLogLikelihood(std::span<const PathPoint> path, const PathModel& model, double gate);
 
-/// Returns the squared Mahalanobis distance of each measured position from the prediction by those
-/// before it. Measurements beyond `gate` are not used further. The distance is zero at instants
-/// without a measurement and for the first measurements.
+/// Returns the squared Mahalanobis distance of each measured position from its prediction by the
+/// preceding ones. Measurements beyond `gate` are not used further. The distance is zero at
+/// instants without a measurement and for the first measurements.
 std::vector<double> pathSurprises(std::span<const PathPoint> path, const PathModel& model,
                                   double gate);
 
-/// Computes the same distances one by one: calls `tell(instant, surprise)` for each instant with a
-/// measurement until it returns false. A search for the first outlier can therefore end early.
+/// Computes the same distances as pathSurprises(), one by one: calls `tell(instant, surprise)` for
+/// each instant with a measurement until it returns false. A search for the first outlier can
+/// therefore end early.
 void eachPathSurprise(std::span<const PathPoint> path, const PathModel& model, double gate,
                       const std::function<bool(std::size_t, double)>& tell);
 
@@ -61,7 +62,8 @@ std::vector<PathEstimate> smoothPath(std::span<const PathPoint> path, const Path
 /// Returns the covariance that an error shared by all measurements adds to the smoothed positions,
 /// in m², at each instant. The error of a measurement with covariance C is C^(1/2) u, with the same
 /// normal vector u for all. Such an error does not average out, and the smoother does not model it
-/// (a "consider" parameter; Bierman 1977, chapter VIII). `goesOn` as for smoothPath().
+/// (a "consider" parameter; Bierman 1977, chapter VIII). `goesOn` has the same meaning as in
+/// smoothPath().
 std::vector<Eigen::Matrix3d> sharedErrors(std::span<const PathPoint> path, const PathModel& model,
                                           const std::function<bool()>& goesOn = {});
 

@@ -19,25 +19,30 @@ struct SmootherOptions {
   std::function<bool(double)> progress;
 };
 
-/// Fits the motion model and the quality of the measurements by maximum likelihood over the run:
-/// the most likely order of motion and its strength, and the factor on the covariances that matches
-/// the scatter of the measurements. At most the first 2,000 instants are used. `goesOn`, if given,
-/// is called from time to time; once it has returned false, the model found so far is returned.
+/// Fits a path model to the run by maximum likelihood. It finds the most likely order and strength
+/// of the motion, and the covariance factor that matches the scatter of the measurements. At most
+/// the first 2,000 instants are used. `goesOn`, if given, is called from time to time; once it has
+/// returned false, the model found so far is returned.
 PathModel fitPathModel(std::span<const std::vector<PathPoint>> paths,
                        const std::function<bool()>& goesOn = {});
 
 /// Returns the trajectory smoothed over the whole run: each estimate uses all measurements before
 /// and after it, and has the corresponding covariance.
+///
 /// Live estimates depend only on the past, and errors of neighboring estimates are correlated.
-/// Smoothing therefore uses the measurement of each frame alone (`seen`), each once. Between two
+/// Smoothing therefore uses the independent measurement of each frame (`seen`) exactly once. If a
+/// file has no `seen`, the errors of valid estimates are treated as independent. Between two
 /// measurements, the ellipsoid grows and shrinks again. A frame without a measurement becomes
-/// `valid` if its standard deviation is below 0.1 m. If the measurements scatter less than their
-/// covariance states, the rest is treated as an error that they share (light from one side, a
-/// slightly wrong calibration). It stays in the covariance, since smoothing cannot remove it. If a
-/// file has no `seen`, the errors of valid estimates are treated as independent.
-/// A few measurements after a gap are dropped as wrong if neither those before nor those after
-/// agree with them. Estimates before the first measurement, and those of targets with fewer than
-/// five measurements, stay unchanged. All stay unchanged if `progress` ended the smoothing.
+/// `valid` if its standard deviation is below 0.1 m.
+///
+/// If the measurements scatter less than their covariance predicts, the difference is attributed to
+/// an error that all measurements share, for example because of light from one side or a slightly
+/// wrong calibration. This error remains in the covariance, since smoothing cannot remove it.
+///
+/// A few measurements after a gap are discarded as wrong if they agree neither with those before
+/// nor with those after them. Estimates before the first measurement, and those of targets with
+/// fewer than five measurements, are left unchanged. All estimates are left unchanged if `progress`
+/// ended the smoothing.
 Trajectory smoothed(const Trajectory& live, const SmootherOptions& options = {});
 
 } // namespace dewpoint::trajectory

@@ -13,8 +13,8 @@
 
 namespace dewpoint::trajectory {
 
-/// Position measured from the images of one frame alone, without prior knowledge; its errors are
-/// independent of other frames. World frame, meters; covariance in m².
+/// Position measured from the images of one frame alone, without a prediction. Its errors are
+/// independent of those in other frames. World frame, meters; covariance in m².
 struct PositionMeasurement {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
@@ -34,9 +34,10 @@ struct TrajectorySample {
   double existenceProbability = 0.0;   ///< probability that the target exists; not stored in files
   std::optional<Eigen::Vector3d> best; ///< particle of highest weight (MAP); empty: not known
   bool corrected = false;              ///< the user corrected the position in this frame
-  bool ambiguous = false;              ///< another object may be the target about as well
-  /// Extent of a target that is not a ball, in m²: an ellipsoid whose semi-axes are the square
-  /// roots of the eigenvalues, along the eigenvectors. Empty: a ball, or not known.
+  bool ambiguous = false;              ///< another object is about as likely to be the target
+  /// Extent (m²) of a target that is not a ball. It describes an ellipsoid whose semi-axes lie
+  /// along the eigenvectors and have the square roots of the eigenvalues as lengths. Empty if the
+  /// target is a ball or the extent is not known.
   std::optional<Eigen::Matrix3d> extent;
 };
 

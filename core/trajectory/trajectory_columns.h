@@ -10,8 +10,8 @@
 
 namespace dewpoint::trajectory {
 
-/// One target of a trajectory as columns, one row per frame of TrajectoryColumns. If the target has
-/// no sample in a frame, floating-point values are NaN and all others are 0.
+/// One target of a trajectory as columns, with one row per row of TrajectoryColumns. If the target
+/// has no sample in a frame, floating-point values are NaN and all others are 0.
 struct TargetColumns {
   std::string target;
   std::vector<double> positions;   ///< rows of x, y, z; meters, world frame
@@ -20,8 +20,8 @@ struct TargetColumns {
   std::vector<double> existence;   ///< existence probability; 0 for a trajectory from a file
   std::vector<double> effectiveSampleSize;
   std::vector<std::int32_t> cameras;   ///< number of cameras that show the target
-  std::vector<std::uint8_t> valid;     ///< 1: the cameras confirm the target
-  std::vector<std::uint8_t> ambiguous; ///< 1: another object may be the target about as well
+  std::vector<std::uint8_t> valid;     ///< 1: the target is confirmed by the cameras
+  std::vector<std::uint8_t> ambiguous; ///< 1: another object is about as likely to be the target
 };
 
 /// A trajectory as columns, for programs that work with arrays.
@@ -31,8 +31,8 @@ struct TrajectoryColumns {
   std::vector<TargetColumns> targets; ///< in the order of their first appearance
 };
 
-/// Returns the columns of all targets over the same rows: the frames in which any target has a
-/// sample, or the instants if the samples have no frame numbers.
+/// Returns the columns of all targets. They share the same rows: one for each frame in which any
+/// target has a sample, or one for each time if the samples have no frame numbers.
 TrajectoryColumns columnsOf(const Trajectory& trajectory);
 
 } // namespace dewpoint::trajectory

@@ -18,14 +18,15 @@ namespace dewpoint::app {
 struct CalibrateOutput {
   std::string out;    ///< calibration file to write; empty: none
   std::string report; ///< HTML page to write; empty: none
-  bool apply = false; ///< write the calibration into the project file
+  bool apply = false; ///< also write the calibration into the project file
 };
 
-/// Adds the options to a command. `ofProject`: the command calibrates a project, so the calibration
-/// can be written into its file.
+/// Adds the options to a command. `ofProject` is true if the command calibrates a project, so that
+/// the calibration can be written into the project file.
 void addOutputOptions(CLI::App& command, CalibrateOutput& output, bool ofProject);
 
-/// Writes all requested files at the end, so that an interrupted calibration changes no file.
+/// Writes all requested files. It is called at the end, so that an interrupted calibration changes
+/// no file.
 Status writeCalibrated(const CalibrateOutput& output, const Project& calibrated,
                        const std::string& reportHtml);
 
@@ -33,8 +34,8 @@ Status writeCalibrated(const CalibrateOutput& output, const Project& calibrated,
 /// Ctrl-C.
 CalibrationProgress interruptibleProgress();
 
-/// Prints the sentence of the accuracy (or why there is none), what it was widened by, and the
-/// named faults.
+/// Prints `sentence`, which gives the accuracy or the reason why there is none. Then prints the
+/// factor by which the accuracy was widened, if any, and the faults.
 void printAccuracy(const std::optional<CalibrationAccuracy>& accuracy, const std::string& sentence,
                    const std::vector<NamedFault>& faults);
 

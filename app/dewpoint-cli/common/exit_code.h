@@ -16,7 +16,7 @@ enum ExitCode {
   kExitInterrupted = 130,
 };
 
-/// Prints the sentence of an error to stderr and returns its exit code.
+/// Prints an error as a sentence to stderr and returns its exit code.
 int report(const Error& error);
 
 } // namespace dewpoint::app

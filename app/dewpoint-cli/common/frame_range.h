@@ -8,7 +8,7 @@
 
 namespace dewpoint::app {
 
-/// Parses "A:B", where A or B may be empty; an empty text means all frames. Errors name --frames.
+/// Parses "A:B", where A or B may be empty; an empty string means all frames. Errors name --frames.
 Result<FrameRange> parseFrames(const std::string& text);
 
 } // namespace dewpoint::app

@@ -5,9 +5,10 @@
 
 namespace dewpoint::app {
 
-/// Makes Ctrl-C (and a termination request) only request a stop from now on.
+/// Changes the effect of Ctrl-C and of a termination request: from now on, they only request a
+/// stop.
 void catchInterruption();
-/// Whether a stop was requested since then.
+/// Returns whether a stop was requested since catchInterruption() was called.
 bool interruptionRequested();
 
 } // namespace dewpoint::app

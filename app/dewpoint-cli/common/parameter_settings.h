@@ -8,7 +8,7 @@
 
 namespace dewpoint::app {
 
-/// Sets the parameters given as "key=value" texts of --set. Errors name that option.
+/// Sets the parameters given as "key=value" strings with the option --set. Errors name that option.
 Status applySettings(const std::vector<std::string>& settings, ParameterValues& parameters);
 
 } // namespace dewpoint::app

@@ -12,7 +12,8 @@ namespace dewpoint::app {
 /// Progress bar on stderr; silent if stderr is not a terminal.
 class Progress {
 public:
-  /// `total`: number of steps; 0: unknown, only the count is shown.
+  /// Creates a progress bar for `total` steps. If `total` is 0, the number of steps is unknown and
+  /// only the count is shown.
   Progress(std::string label, std::int64_t total);
   void show(std::int64_t done);
   /// Removes the bar, so that later output starts on a clean line.

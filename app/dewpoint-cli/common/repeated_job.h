@@ -15,7 +15,7 @@ namespace dewpoint::app {
 
 /// Options of a tracking command that is run as one of many jobs.
 struct JobOptions {
-  std::string label;  ///< label of the recording; empty: the project as it was named
+  std::string label;  ///< label of the recording; empty: the project as named on the command line
   bool force = false; ///< track again even if the result exists
 };
 
@@ -23,13 +23,13 @@ struct JobOptions {
 void addJobOptions(CLI::App& command, JobOptions& options);
 
 /// Returns the name of a job in combined tables, and a key computed from everything its result
-/// depends on. `command`: command of dewpoint-cli; `project`: the project with all options applied;
-/// `more`: description of the other options. The key is empty if the files of the project cannot be
-/// read; opening them reports the error.
+/// depends on. `command` is the command of dewpoint-cli, `project` the project with all options
+/// applied, and `more` a description of the other options. The key is empty if the files of the
+/// project cannot be read; opening them reports the error.
 JobRecord plannedJob(const std::string& command, const Project& project, const std::string& label,
                      const std::string& frames, const std::string& more);
 
-/// Whether the folder already has the result of this job; if so, prints a message.
+/// Returns whether the folder already contains the result of this job; if so, prints a message.
 bool isDoneAlready(const std::filesystem::path& folder, const JobRecord& job,
                    const JobOptions& options);
 

@@ -12,9 +12,9 @@ class ParseError;
 
 namespace dewpoint::app {
 
-/// Returns what is wrong with a command line in one sentence: the option, its allowed values, and
-/// where to find help. Unknown words are reported before missing ones, because both may be the same
-/// misspelled word.
+/// Returns one sentence that describes the error in a command line: the option, its allowed values,
+/// and where to find help. Unknown words are reported before missing ones, because both may be the
+/// same misspelled word.
 std::string usageSentence(const CLI::App& app, const CLI::ParseError& error);
 
 } // namespace dewpoint::app

@@ -8,15 +8,15 @@
 namespace dewpoint::app {
 
 // Functions that add the subcommands of `experiment`, one per line, as in commands.h.
-/// Adds the commands for the figures of the papers.
+/// Adds the commands that reproduce the figures in the papers.
 void addFigureCommands(CLI::App& group, int& exitCode);
 /// Adds `people-<scenario>` for each scenario with people.
 void addPeopleExperiments(CLI::App& group, int& exitCode);
 /// Adds `sugandi-rmse`.
 void addSugandiExperiment(CLI::App& group, int& exitCode);
-/// Adds `fingerprint`: the states of the methods.
+/// Adds `fingerprint`, which prints a checksum of the results of each method.
 void addFingerprintCommand(CLI::App& group, int& exitCode);
-/// Adds `seeds`: the blocks of seeds.
+/// Adds `seeds`, which prints the seeds used for tuning, validation and reports.
 void addSeedsCommand(CLI::App& group, int& exitCode);
 
 } // namespace dewpoint::app

@@ -9,14 +9,15 @@
 
 namespace dewpoint::app {
 
-/// Escapes a text for a table cell or a paragraph, so that special characters of Markdown and HTML
-/// are shown literally.
+/// Escapes a string for a table cell or a paragraph, so that special characters of Markdown and
+/// HTML are shown literally.
 std::string markdownText(std::string_view text);
 
-/// Returns a text between backticks.
+/// Returns a string between backticks.
 std::string markdownCode(std::string_view text);
 
-/// Returns a table. Every row must have as many cells as the head; cells must already be Markdown.
+/// Returns a table. Every row must have as many cells as the header; cells must already be
+/// Markdown.
 std::string markdownTable(const std::vector<std::string>& head,
                           const std::vector<std::vector<std::string>>& rows);
 

@@ -13,8 +13,8 @@ struct OfficeScene;
 namespace dewpoint::app {
 
 /// Writes a simulated office scene with people, ready to track: a video and a background image per
-/// camera, project.toml, calibration.toml, truth.csv. `option`: name of the option that gives the
-/// folder, for errors. Returns the exit code.
+/// camera, project.toml, calibration.toml, and truth.csv. `option` is the command-line option that
+/// gives the folder; errors name it. Returns the exit code.
 int recordOffice(const OfficeScene& scene, const std::filesystem::path& folder,
                  const std::string& option);
 

@@ -14,23 +14,23 @@
 
 namespace dewpoint::app {
 
-/// Prints notes about a run in progress on stderr, each once: notices of the source, cameras that
-/// were moved, and cameras that cannot agree.
+/// Prints notes about a run in progress on stderr, each once: notices from the source, cameras that
+/// were moved, and cameras that contradict each other.
 class RunNotes final : public FrameObserver {
 public:
-  /// `source` must outlive it.
+  /// `source` must outlive this object.
   RunNotes(const FrameSetSource& source, const CameraRig& rig)
       : source_(source), motionWatch_(rig), motionObserver_(motionWatch_),
         agreementWatch_(rig, motionWatch_) {}
   RunNotes(const RunNotes&) = delete;
   RunNotes& operator=(const RunNotes&) = delete;
 
-  /// The notices of the source, also while no frame comes.
+  /// Prints the notices from the source, even while no frames arrive.
   void takeNotices();
   void taken(const FrameSet& /*frames*/) override { takeNotices(); }
   Status tracked(const TrackingRun& run) override;
 
-  /// All notes that were printed.
+  /// Returns all notes printed so far.
   const std::vector<std::string>& said() const { return said_; }
 
 private:

@@ -10,11 +10,11 @@
 
 namespace dewpoint::session {
 
-/// Color histograms of a box as in Sugandi et al. 2009, figure 1: shares of the 512 bins of
-/// rgbBin(). Each histogram sums to 1.
+/// Color histograms of a box as in Sugandi et al. 2009, figure 1: fractions of the pixels in the
+/// 512 bins of rgbBin(). Each histogram sums to 1.
 struct ColorHistograms {
-  std::vector<double> reference; ///< of the box given by the user
-  std::vector<double> candidate; ///< of the estimated box in the displayed image
+  std::vector<double> reference; ///< histogram of the box given by the user
+  std::vector<double> candidate; ///< histogram of the estimated box in the displayed image
 
   /// Returns rho of equation 10: 1 for equal histograms, 0 for histograms without a common bin.
   double similarity() const;
@@ -27,7 +27,7 @@ struct ColorBar {
   double candidate = 0.0;
 };
 
-/// Returns the bins with the largest shares in either histogram, ordered by bin number: at most
+/// Returns the bins with the largest fractions in either histogram, ordered by bin number: at most
 /// `most`, and none that is empty in both.
 std::vector<ColorBar> largestBars(const ColorHistograms& histograms, std::size_t most);
 

@@ -17,8 +17,8 @@ public:
   virtual void add(const FrameSetPtr& frames) = 0;
   /// Returns the images of this frame; null if they were dropped (live) or do not exist.
   virtual Result<FrameSetPtr> at(std::int64_t frame) = 0;
-  /// Returns a preview of a frame: the full images if these are available at once, otherwise small
-  /// images scaled up (`exact` is then false). Null if there is none.
+  /// Returns a preview of a frame: the full images if they are available immediately, otherwise
+  /// small images scaled up (`exact` is then false). Null if there is none.
   virtual FrameSetPtr previewAt(std::int64_t frame, bool& exact) = 0;
   /// Returns the oldest frame available from at().
   virtual std::int64_t oldest() const = 0;

@@ -19,7 +19,7 @@ public:
 
   /// Adds the previews of a frame.
   void add(const FrameSet& frames);
-  /// Returns a preview scaled up to the size of the frame; null if there is none near.
+  /// Returns a preview scaled up to the size of the frame; null if there is no preview close to it.
   FrameSetPtr at(std::int64_t frame) const;
   std::size_t bytes() const { return bytes_; }
   std::size_t most() const { return most_; }
@@ -27,7 +27,7 @@ public:
 private:
   struct Small {
     std::vector<std::uint8_t> jpeg; ///< empty: the camera delivered no image
-    int width = 0;                  ///< of the frame, pixels
+    int width = 0;                  ///< width of the frame, pixels
     int height = 0;
   };
   struct Entry {

@@ -18,7 +18,7 @@ namespace dewpoint::session {
 enum class TargetStatus {
   Searching, ///< not held, or not yet held
   Held,      ///< the cameras confirm the estimate
-  Ambiguous, ///< held, or nearly so, but another object may be the target about as well
+  Ambiguous, ///< held, or nearly so, but another object is about as likely to be the target
   Lost,      ///< was held, but not in the last kLostAfter seconds
   Gone,      ///< removed, or not yet created: there is nothing to search for
 };
@@ -31,22 +31,22 @@ struct TrackedTarget {
   Eigen::ArrayXXf particles; ///< rows of x, y, z; meters
   Eigen::ArrayXf weights;    ///< one per row, linear
   std::vector<CandidatePosition> proposals;
-  std::vector<CameraReport> reasons; ///< per camera, why the camera does not confirm the target
+  std::vector<CameraReport> reasons; ///< per camera: reason why it does not confirm the target
   TargetStatus status = TargetStatus::Searching;
-  BoxParticles boxParticles; ///< of a BoxEstimate
-  /// Time when last held, seconds; time of this frame if held now.
+  BoxParticles boxParticles; ///< particles of a BoxEstimate
+  /// Time in seconds when the target was last held; the time of this frame if it is held now.
   double lastHeld = -std::numeric_limits<double>::infinity();
 };
 
 /// Results of one tracked frame, without its images.
 struct TrackedFrame {
   std::int64_t frame = 0;
-  double time = 0.0;                                      ///< seconds
-  int iterations = 0;                                     ///< on this frame
-  std::int64_t totalIterations = 0;                       ///< since the (re)start
+  double time = 0.0;                ///< seconds
+  int iterations = 0;               ///< number of iterations on this frame
+  std::int64_t totalIterations = 0; ///< number of iterations since the start or restart
   std::shared_ptr<const std::vector<Target>> definitions; ///< the targets as defined by the user
-  std::vector<TrackedTarget> targets;                     ///< in the same order
-  /// Per camera; empty except with methods for people.
+  std::vector<TrackedTarget> targets; ///< targets in this frame, in the order of `definitions`
+  /// State of each camera; empty except for methods for people.
   std::vector<PeopleCameraState> peopleCameras;
 
   std::size_t bytes() const;
@@ -65,8 +65,8 @@ struct FrameRecord {
   std::vector<Entry> targets;
 };
 
-/// Returns the status of a target that is held or not held at `time`, given when it was last held;
-/// seconds.
+/// Returns the status of a target at `time`, given whether it is held at that time and when it was
+/// last held. Times are in seconds.
 TargetStatus statusOf(bool held, double time, double lastHeld);
 /// Returns the record of a frame.
 FrameRecord frameRecord(const TrackedFrame& trackedFrame, const FrameSet& frames);

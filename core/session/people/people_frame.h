@@ -15,7 +15,7 @@
 
 namespace dewpoint::session {
 
-/// People of one frame with their bodies, from which their volumes are computed.
+/// People in one frame with the points of their bodies, from which their volumes are computed.
 struct PeopleFrame {
   struct Person {
     PersonEstimate estimate;

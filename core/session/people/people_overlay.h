@@ -22,7 +22,7 @@ cv::Scalar identityColor(int identity);
 cv::Mat peopleOverlay(const PeopleFinding& people, const FrameSet& frames, const CameraRig& rig,
                       int width);
 
-/// Writes images of the same width as one file, one below another. Returns FileUnwritable if this
+/// Writes images of the same width to one file, one below another. Returns FileUnwritable if this
 /// fails.
 Status writeContactSheet(const std::vector<cv::Mat>& rows, const std::filesystem::path& file);
 

@@ -12,7 +12,7 @@
 
 namespace dewpoint::session {
 
-/// Change of the people of a method: a person that the method has not found, or one that does not
+/// Change to the people that a method tracks: a person that it has not found, or one that does not
 /// exist.
 struct PeopleChange {
   std::optional<Eigen::Vector3d> newPerson; ///< PersonPlacing::addPerson

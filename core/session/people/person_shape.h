@@ -12,14 +12,14 @@ namespace dewpoint::session {
 /// Shape of a person's body for display (Mohedano et al. 2009, figures 1 and 2). World frame,
 /// meters.
 struct PersonShape {
-  ConvexHull hull;     ///< of the 95 % volume
-  double volume = 0.0; ///< m³, of the hull
-  /// Level curves around the smallest areas of the floor that contain kGroundShares of the density,
-  /// the smallest area first. Each area may have several parts.
+  ConvexHull hull;     ///< convex hull of the 95 % volume
+  double volume = 0.0; ///< volume of the hull, m³
+  /// Level curves around the smallest areas of the floor that contain the fractions kGroundShares
+  /// of the density, the smallest area first. Each area may have several parts.
   std::vector<std::vector<LevelCurve>> ground;
 };
 
-/// Shares of the density on the floor for the level curves.
+/// Fractions of the density on the floor for the level curves.
 inline constexpr double kGroundShares[] = {0.25, 0.5, 0.75, 0.95};
 /// Largest number of points used for a person's shape, since the density is a sum over all pairs.
 inline constexpr int kShapePoints = 500;

@@ -18,8 +18,8 @@ namespace dewpoint::session {
 struct HistoryLimits {
   std::size_t frames = 0;        ///< images
   std::size_t trackedFrames = 0; ///< particles and estimates
-  std::size_t checkpoints = 0;   ///< copies of the method, from which tracking can continue
-  /// Divides `total` among the parts; live cameras need most of it for images.
+  std::size_t checkpoints = 0;   ///< copies of the tracker, from which tracking can continue
+  /// Divides `total` among the parts; live cameras use most of it for images.
   static HistoryLimits of(std::size_t total, bool live);
   std::size_t sum() const { return frames + trackedFrames + checkpoints; }
 };
@@ -48,7 +48,7 @@ public:
   void forgetFrom(std::int64_t frame);
   /// Removes all checkpoints because the method has changed.
   void forgetCopies();
-  /// Starts new tails at this frame: they do not continue earlier estimates.
+  /// Starts new tails at this frame, which do not continue earlier estimates.
   void beginTails(std::int64_t frame) { tailBegins_.insert(frame); }
   /// Removes everything before this frame, whose images no longer exist.
   void forgetBefore(std::int64_t frame);

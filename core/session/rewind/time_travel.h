@@ -12,7 +12,8 @@
 namespace dewpoint::session {
 
 /// Returns to earlier frames of a run: shows them as they were, and restores the run to its state
-/// before a frame, from which it continues with the same bits. Used by the tracking thread only.
+/// before a frame, from which it continues with bit-identical results. Used by the tracking thread
+/// only.
 class TimeTravel {
 public:
   /// Changes the position of `source` to read recorded frames again. `bytes` limits the total
@@ -29,16 +30,15 @@ public:
   /// finished.
   const TrackedFrame& record(const TrackingRun& run);
 
-  /// Returns the images of this frame; null if there are none, or none any more.
+  /// Returns the images of this frame; null if there are none, or if they have been dropped.
   Result<FrameSetPtr> frames(std::int64_t frame) { return cache_->at(frame); }
-  /// Returns the frame that can be shown and is nearest to this one; nothing before the first
-  /// frame.
+  /// Returns the displayable frame closest to this one; nothing before the first frame.
   std::optional<std::int64_t> nearest(std::int64_t frame) const;
   /// Returns the next frame after this one that can be shown; nothing at the end.
   std::optional<std::int64_t> following(std::int64_t frame) const;
-  /// As frames(), but possibly small images scaled up; `preview` is then true.
+  /// Like frames(), but may return small images scaled up; `preview` is then true.
   Result<FrameSetPtr> previewAt(std::int64_t frame, bool& preview);
-  /// Returns range and memory of the frames that can be shown.
+  /// Returns the range of frames that can be shown, and the memory used for them.
   HistoryState state() const;
   const History& history() const { return history_; }
 
@@ -59,7 +59,7 @@ public:
     history_.forgetCopies();
     probe_.reset();
   }
-  /// As History::beginTails().
+  /// Calls History::beginTails().
   void beginTails(std::int64_t frame) { history_.beginTails(frame); }
 
   /// Returns a separate run, restored to the state of `run` after this past frame. It provides

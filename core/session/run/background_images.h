@@ -12,14 +12,15 @@
 
 namespace dewpoint::session {
 
-/// What the cameras of a project show when no target is there, in its order; an empty picture where
-/// that was not said. The error names the file and the camera.
+/// Returns the background images of a project's cameras, which show the scene without targets, in
+/// project order. An image is empty if none was given for the camera. Errors name the file and the
+/// camera.
 Result<std::vector<cv::Mat>> loadBackgroundImages(const Project& project);
 
-/// Writes an image that a camera of the project shows (CV_8UC3, rotated) as a picture of its empty
-/// room, rotated back, into a folder, which is made when it does not exist; the file's name is a
-/// new one. Returns the file, FileUnwritable when it cannot be written. Waits for the disk: not for
-/// the thread of a window.
+/// Writes an image from a camera of the project (CV_8UC3, rotated) to a folder as its background
+/// image, with the rotation undone. The folder is created if it does not exist, and the file gets a
+/// new name. Returns the file, or FileUnwritable if it cannot be written. Waits for the disk, so do
+/// not call it from a window's thread.
 Result<std::filesystem::path> keepBackgroundImage(const Project& project, std::size_t camera,
                                                   const cv::Mat& image,
                                                   const std::filesystem::path& folder);

@@ -15,8 +15,8 @@ namespace dewpoint::session {
 /// A correction from which its target is to be tracked backward in time.
 struct BackwardOrder {
   RunDefinition definition; ///< definition of the run
-  PositionCorrection from;  ///< one of the run's corrections
-  /// Estimates of all targets in the run before and at the frame of the correction.
+  PositionCorrection from;  ///< correction to start from, one of the run's corrections
+  /// Estimates of all targets in the run up to and including the frame of the correction.
   std::vector<TrajectorySample> believed;
 };
 
@@ -25,22 +25,23 @@ using BackwardProgress = std::function<bool(double)>;
 
 /// Finds the positions of a target before a correction made by the user. A separate run tracks the
 /// frames before the correction from last to first. It starts with the correction and with the
-/// estimates of the other targets in that frame. It ends where the target is lost, where the target
-/// agrees with the former estimates for ten seconds (all earlier estimates are then considered
-/// correct), where it leaves the former estimates by a jump, and at an earlier correction by the
-/// user.
+/// estimates of the other targets in that frame. It ends at an earlier correction by the user, or
+/// when the target is lost, when it jumps away from the former estimates, or when it has agreed
+/// with them for ten seconds. In the last case, all earlier estimates are considered correct.
 ///
-/// Where it found the target elsewhere comes as corrections, about two per second, with
-/// `trackedFrom` set: a run that tracks on from the first of them is where the target was. Empty
-/// when nothing was believed wrongly, for live sources, and for methods that take no corrections.
-/// Errors of the source and of TrackingRun::create(); Canceled when it was not wanted any more.
+/// Returns corrections for the frames in which it found the target elsewhere, about two per second,
+/// with `trackedFrom` set. A run that continues from the first of them is at the correct position
+/// of the target. Returns none if no estimate was wrong, for live sources, and for methods that
+/// cannot apply corrections. Returns the errors of the source and of TrackingRun::create(), and
+/// Canceled if `progress` canceled the work.
 Result<std::vector<PositionCorrection>> trackBackwards(FrameSetSource& source,
                                                        const BackwardOrder& order, int threads,
                                                        const BackwardProgress& progress);
 
-/// The project with what trackBackwards() finds for each of its corrections by a person, in the
-/// order of their frames, in place of what it has of the kind. What is believed before each is
-/// found out by tracking up to it. `backgroundImages` as RunDefinition::of().
+/// Returns the project with the results of trackBackwards() for each correction made by the user,
+/// in frame order. They replace all earlier corrections obtained by tracking backward. The
+/// estimates before each correction are computed by tracking up to it. `backgroundImages` as for
+/// RunDefinition::of().
 Result<Project> trackedBackwards(const Project& project, FrameSetSource& source,
                                  const std::vector<cv::Mat>& backgroundImages, int threads,
                                  const BackwardProgress& progress);

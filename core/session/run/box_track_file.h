@@ -15,8 +15,8 @@ namespace dewpoint::session {
 /// Bounding box of one target in one image.
 struct BoxSample {
   double time = 0.0;      ///< seconds since the first frame
-  std::int64_t frame = 0; ///< from 0
-  int target = 1;         ///< from 1, in the order in which the boxes were defined
+  std::int64_t frame = 0; ///< frame number, counted from 0
+  int target = 1; ///< target number, counted from 1 in the order in which the boxes were defined
   BoxEstimate estimate;
 };
 

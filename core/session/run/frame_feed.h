@@ -12,23 +12,24 @@
 namespace dewpoint::session {
 
 /// Tracks images supplied by a program that reads its cameras itself, one instant at a time. The
-/// same images at the same times give the same bits as a recording of them. Used by one thread at a
-/// time.
+/// results are bit-identical to those of a recording with the same images at the same times. Used
+/// by one thread at a time.
 class FrameFeed {
 public:
-  /// For the cameras of a project, whose own sources are not opened. Errors of checkProject(),
-  /// checkMethodTargets(), loadBackgroundImages() and TrackingRun::create().
+  /// Creates a feed for the cameras of a project, without opening the project's own sources.
+  /// Returns the errors of checkProject(), checkMethodTargets(), loadBackgroundImages() and
+  /// TrackingRun::create().
   static Result<FrameFeed> create(const Project& project, int threads);
 
-  /// Tracks one instant, `time` in seconds. `images` has one image per camera in the order of the
-  /// project, CV_8UC3 (blue, green, red) with the size in the calibration, empty for a camera
-  /// without image. The images are kept for a while without a copy, so their pixels must not be
-  /// changed afterward. On an error, BadValue names "images" or "time" (which must increase), and
-  /// nothing has changed.
+  /// Tracks one instant, `time` in seconds. `images` has one image per camera in project order:
+  /// CV_8UC3 (blue, green, red), of the size in the calibration, or empty for a camera without an
+  /// image. The images are kept for a while without a copy, so their pixels must not be changed
+  /// afterward. On an error, BadValue names "images" or "time" (which must increase), and nothing
+  /// has changed.
   Status step(const std::vector<cv::Mat>& images, double time);
 
-  /// Return the present estimates of all targets: positions in the room, or boxes in the images
-  /// with methods that track boxes. Empty before the first step.
+  /// Return the present estimates of all targets: positions in the room or, for methods that track
+  /// boxes, boxes in the images. Empty before the first step.
   std::vector<TrajectorySample> samples() const { return run_.samples(); }
   std::vector<BoxSample> boxes() const { return run_.boxSamples(); }
   const TrackingRun& run() const { return run_; }

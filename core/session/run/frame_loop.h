@@ -16,7 +16,7 @@ namespace dewpoint::session {
 class FrameObserver {
 public:
   virtual ~FrameObserver() = default;
-  /// Called when a frame set was taken from the source, before the run uses it.
+  /// Called when a frame set has been taken from the source, before the run uses it.
   virtual void taken(const FrameSet& /*frames*/) {}
   /// Called after an iteration, with its duration in microseconds per target.
   virtual void iterated(const TrackingRun& /*run*/, double /*microseconds*/) {}
@@ -51,8 +51,8 @@ struct FrameRange {
   std::optional<std::int64_t> count(const FrameSetSource& source) const;
 };
 
-/// Tracks frames of a source until the range is finished, an error occurs, or `goOn` returns false,
-/// which is called before each frame.
+/// Tracks frames of a source until the range is finished, an error occurs, or `goOn` returns false.
+/// `goOn` is called before each frame.
 Status trackFrames(FrameSetSource& source, const FrameRange& range, TrackingRun& run,
                    FrameObservers observers, const std::function<bool()>& goOn);
 

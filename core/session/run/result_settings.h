@@ -18,14 +18,15 @@ struct ResultRange {
 /// Results of a run that came from settings other than the current ones.
 struct OldResults {
   std::vector<ResultRange>
-      frames;                   ///< by rising frame; empty: all results are of the settings of now
-  std::int64_t newest = -1;     ///< the last frame with results, old or not; -1: there is none
-  double secondsPerFrame = 0.0; ///< to track a frame again (median of the last ones); 0: unknown
+      frames; ///< in ascending order; empty: all results come from the current settings
+  std::int64_t newest = -1; ///< last frame with results, whether old or not; -1 if there is none
+  /// Time in seconds to track a frame again (median of the last frames); 0 if unknown.
+  double secondsPerFrame = 0.0;
 };
 
 /// Returns whether results obtained with `a` remain valid with `b`. Names of targets and their
 /// color samples have no effect on this. Corrections and, if they are tracked again automatically,
-/// boxes are also ignored: the run goes back at once when they change.
+/// boxes are also ignored, because the run goes back immediately when they change.
 bool giveSameResults(const RunDefinition& a, const RunDefinition& b);
 
 /// Settings with which each frame of a run was tracked.
@@ -36,9 +37,9 @@ public:
   void goBack(std::int64_t frame);
   /// Adds a tracked frame; earlier data of this frame and later ones are replaced.
   void track(std::int64_t frame, const RunDefinitionPtr& definition);
-  /// Frames whose results other settings gave than these.
+  /// Returns the frames whose results came from settings other than these.
   std::vector<ResultRange> differentFrom(const RunDefinition& now) const;
-  /// The last frame with results; -1: there is none.
+  /// Returns the last frame with results; -1 if there is none.
   std::int64_t newest() const { return stretches_.empty() ? -1 : stretches_.back().frames.last; }
 
 private:

@@ -10,8 +10,9 @@
 
 namespace dewpoint::session {
 
-/// The frames of a recording from a last one down to the first, as if time ran the other way from
-/// there on: numbers and times of the last one stay, and rise. Read in blocks, since videos are
+/// Source that delivers the frames of a recording from a given last frame back to the first, as if
+/// time ran backward from there. The last frame keeps its number and time, and the numbers and
+/// times of the following ones increase from there. Frames are read in blocks, since videos are
 /// made to be read forward.
 class ReversedFrames final : public FrameSetSource {
 public:
@@ -21,7 +22,7 @@ public:
   double framesPerSecond() const override { return source_.framesPerSecond(); }
   Result<FrameSetPtr> next() override;
   Status seek(std::int64_t frame) override;
-  /// The recording's own number of the frame that comes next; -1: none is left.
+  /// Returns the number, in the recording, of the next frame; -1 if none is left.
   std::int64_t nextFrame() const { return next_; }
 
 private:
@@ -30,10 +31,10 @@ private:
   FrameSetSource& source_;
   std::int64_t last_;
   std::int64_t next_;
-  std::int64_t first_ = 0; ///< of the block
-  std::int64_t length_;    ///< of the next block
+  std::int64_t first_ = 0; ///< first frame of the block
+  std::int64_t length_;    ///< length of the next block, in frames
   std::vector<FrameSetPtr> block_;
-  std::optional<TimeStamp> begin_; ///< of the last frame
+  std::optional<TimeStamp> begin_; ///< time of the last frame
 };
 
 } // namespace dewpoint::session

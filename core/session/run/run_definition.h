@@ -22,19 +22,20 @@ namespace dewpoint::session {
 /// a new definition.
 struct RunDefinition {
   std::string method;
-  ParameterValues parameters;            ///< those in use, see useCameras()
-  std::vector<Target> targets;           ///< the project's; methods for people find others
-  std::shared_ptr<const CameraRig> rig;  ///< never null; in the order of the project
-  std::vector<cv::Mat> backgroundImages; ///< per camera, as of loadBackgroundImages(); may be empty
-  std::vector<std::string> backgroundImageFiles; ///< per camera, as the project names them
-  std::vector<PersonCorrection> people;        ///< by frame; methods for people make them come true
-  std::optional<WorldBox> volumeOfInterest;    ///< targets are searched for in it alone
-  std::vector<PositionCorrection> corrections; ///< by frame; methods apply them that can
+  ParameterValues parameters;            ///< parameters in use; see useCameras()
+  std::vector<Target> targets;           ///< targets in the project; methods for people find others
+  std::shared_ptr<const CameraRig> rig;  ///< never null; in project order
+  std::vector<cv::Mat> backgroundImages; ///< per camera, from loadBackgroundImages(); may be empty
+  std::vector<std::string> backgroundImageFiles; ///< per camera, as named in the project
+  std::vector<PersonCorrection> people;        ///< ordered by frame; applied by methods for people
+  std::optional<WorldBox> volumeOfInterest;    ///< the search for targets is limited to it
+  std::vector<PositionCorrection> corrections; ///< ordered by frame; applied by methods that can
   std::uint64_t seed = 1;
 
-  /// What a project says; `backgroundImages` as of loadBackgroundImages(), or none.
+  /// Returns the definition given by a project. `backgroundImages` are those returned by
+  /// loadBackgroundImages(), or none.
   static RunDefinition of(const Project& project, std::vector<cv::Mat> backgroundImages = {});
-  /// The project with what this says in place of its own.
+  /// Returns the project with the values of this definition in place of its own.
   Project appliedTo(Project project) const;
 
   /// Derives parameters that the user has not set from the cameras (parametersInUse()). Required
@@ -42,7 +43,8 @@ struct RunDefinition {
   void useCameras();
 
   MethodFamily family() const { return methodFamily(method); }
-  /// Of background images the pixels are compared, unless they are the same in memory.
+  /// Compares all fields. Background images are compared pixel by pixel, unless they share the same
+  /// memory.
   bool operator==(const RunDefinition& other) const;
 };
 using RunDefinitionPtr = std::shared_ptr<const RunDefinition>;
@@ -50,7 +52,7 @@ using RunDefinitionPtr = std::shared_ptr<const RunDefinition>;
 /// Returns the two corners of a volume of interest as text, in meters.
 std::string volumeText(const WorldBox& volume);
 
-/// Whether the images are the same, pixel by pixel.
+/// Returns whether the images are equal, pixel by pixel.
 bool areSameImages(const std::vector<cv::Mat>& a, const std::vector<cv::Mat>& b);
 
 /// Returns the differences between `after` and `before` as text for the header of a trajectory;

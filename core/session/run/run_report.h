@@ -19,7 +19,7 @@ struct RunFigures {
   int threads = 1;              ///< number of filter threads
   bool finished = false;        ///< the end of the input was reached
   DurationHistogram iterations; ///< duration of one filter iteration, per target
-  DurationHistogram latency;    ///< from the arrival of a frame set to its estimate
+  DurationHistogram latency;    ///< time from the arrival of a frame set to its estimate
   std::vector<std::string> notices;
 };
 

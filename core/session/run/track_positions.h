@@ -22,11 +22,11 @@ Result<bool> giveTimes(Trajectory& measured, double rate);
 /// start_x, start_y, start_z.
 bool isStartOfPositions(std::string_view key);
 
-/// Runs method dynamics on measured 3D positions instead of images (Barrera et al. 2005, section
-/// III-C). Every target of `measured` has its own filter, which runs the method's iterations on
-/// each sample and starts at the target's first position. A sample that is not valid or whose
-/// position is NaN counts as not measured. Returns BadValue if the first position is farther away
-/// than the method's parameters allow.
+/// Runs the `dynamics` method on measured 3D positions instead of images (Barrera et al. 2005,
+/// section III-C). Every target of `measured` has its own filter, which runs the method's
+/// iterations on each sample and starts at the target's first position. A sample that is not valid
+/// or whose position is NaN counts as not measured. Returns BadValue if the first position is
+/// farther away than the method's parameters allow.
 Result<Trajectory> trackPositions(const Trajectory& measured, const ParameterValues& parameters,
                                   std::uint64_t seed);
 

@@ -34,7 +34,7 @@ struct DefinitionChange {
   RunDefinitionPtr after;
 };
 
-/// A change to a run in progress.
+/// Change to a run in progress.
 using RunChange = std::variant<DefinitionChange, PeopleChange, PositionCorrection>;
 
 /// A tracker of all targets that processes frame sets. Both the window's tracking thread and the
@@ -44,10 +44,11 @@ public:
   /// Creates a run with `threadCount` threads, which never change the result. Returns NotFound for
   /// an unknown method.
   static Result<TrackingRun> create(RunDefinitionPtr definition, int threadCount);
-  /// The run of a project; `backgroundImages` as of loadBackgroundImages(), or none.
+  /// Creates the run of a project. `backgroundImages` are those returned by loadBackgroundImages(),
+  /// or none.
   static Result<TrackingRun> create(const Project& project, int threadCount,
                                     std::vector<cv::Mat> backgroundImages = {});
-  /// A run of a tracker that need not be a method of the catalog.
+  /// Returns a run of a tracker that need not belong to a method in the catalog.
   static TrackingRun of(std::unique_ptr<Tracker> tracker, RunDefinitionPtr definition,
                         int threadCount);
 
@@ -64,7 +65,8 @@ public:
   void apply(const RunDefinitionPtr& definition);
   void apply(const RunChange& change);
 
-  /// Complete state of the run between two frames, from which it can continue with the same bits.
+  /// Complete state of the run between two frames, from which it can continue with bit-identical
+  /// results.
   struct State {
     std::shared_ptr<const Tracker> tracker; ///< null if the method cannot be copied
     RunDefinitionPtr definition;
@@ -95,7 +97,7 @@ public:
 
   /// Returns the effect of a correction in the current frame; empty unless the method finds people.
   PeopleChange changeBy(const PersonCorrection& correction);
-  /// Returns the corrections of people that could not be applied since the last call.
+  /// Returns errors for the corrections for people that could not be applied since the last call.
   std::vector<Error> takeRefusals() { return std::exchange(refusals_, {}); }
 
   std::int64_t iterations() const { return iterations_; }
@@ -113,7 +115,7 @@ public:
   /// Returns the estimates as trajectory samples of the current frame; for people, only those who
   /// are present.
   std::vector<TrajectorySample> samples() const;
-  /// Returns the boxes of the current frame, with methods that track boxes.
+  /// Returns the boxes of the current frame, for methods that track boxes.
   std::vector<BoxSample> boxSamples() const;
   /// Returns up to `limit` particles of a target: rows of x, y, z in meters, and their linear
   /// weights.
@@ -135,7 +137,7 @@ private:
   TrackedFrame commonTrackedFrame(const TrackedFrame* before, int boxParticleLimit) const;
   void applyCorrection(const PeopleChange& people);
   void correctPeople();
-  /// Corrects a position if the method can and has this target.
+  /// Corrects a position if the method supports this and has the target.
   void correct(const PositionCorrection& correction);
   void correctPositions();
   /// Returns whether the position of a target was corrected in the current frame.
@@ -150,7 +152,7 @@ private:
   std::vector<Error> refusals_;
 };
 
-/// Table of the truth by target and frame, for fast access while tracking.
+/// Ground truth by target and frame, for fast access during tracking.
 class TruthTable {
 public:
   explicit TruthTable(const Trajectory& truth);

@@ -12,8 +12,8 @@
 
 namespace dewpoint::session {
 
-/// One line of a self-test: what was tested, and the result. Always in English, for readers of
-/// reports.
+/// One line of a self-test: the subject of the test and its result. Always in English, for readers
+/// of reports.
 struct SelfTestLine {
   FindingLevel level = FindingLevel::Ok;
   std::string subject; ///< "codec FFV1"
@@ -22,8 +22,8 @@ struct SelfTestLine {
 
 /// Inputs of the self-test.
 struct SelfTestParts {
-  /// Opens a simulated scene with known truth, of which kSelfTestSeconds are tracked. Empty: this
-  /// test is omitted.
+  /// Opens a simulated scene with known ground truth, of which the first kSelfTestSeconds are
+  /// tracked. If empty, this test is omitted.
   std::function<Result<SessionInputs>()> openScene = {};
   std::vector<std::string> cameras = {}; ///< camera devices of this computer
   /// Folder for files that are written and read back. It is created, and removed with all its
@@ -36,9 +36,9 @@ struct SelfTestParts {
 /// Duration of the tracked part of the scene, in seconds.
 inline constexpr double kSelfTestSeconds = 5.0;
 
-/// Tests what tracking requires of this computer: versions, processor and memory, disk, cameras,
-/// codecs, and a run on a scene with known truth, with its frame rate and error. Takes several
-/// seconds.
+/// Tests whether this computer is suitable for tracking: versions, processor and memory, disk,
+/// cameras, codecs, and the frame rate and error of a run on a scene with known ground truth. Takes
+/// several seconds.
 std::vector<SelfTestLine> runSelfTest(const SelfTestParts& parts);
 
 /// Returns a line as text: "ok       codec FFV1: ..."

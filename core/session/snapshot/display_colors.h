@@ -13,10 +13,10 @@ namespace dewpoint::session {
 /// Display color: sRGB red, green and blue, each 0 to 1.
 using DisplayColor = Eigen::Vector3d;
 
-/// What decides about the color that a target is drawn in.
+/// Inputs that determine the display color of a target.
 struct DisplayColorSource {
-  ColorRanges learned{};               ///< empty: the method knows targets by something else
-  std::optional<DisplayColor> fixed{}; ///< is taken as it is: the identity of a person
+  ColorRanges learned{};               ///< empty: the method does not identify targets by color
+  std::optional<DisplayColor> fixed{}; ///< used unchanged: the color for a person's identity
 
   bool operator==(const DisplayColorSource&) const = default;
 };
@@ -33,9 +33,10 @@ DisplayColor legibleOn(const DisplayColor& color, bool darkGround);
 /// with half weight for lightness.
 bool areAlike(const DisplayColor& one, const DisplayColor& other);
 
-/// One color for each target: the center of the first range it was learned with, legible on the
-/// ground. Targets that would look alike, and those without a clear color, have that of their index
-/// in `palette` (not empty; used cyclically), or the next one that no other target has.
+/// Returns one color per target: the center of its first learned range, made legible on the
+/// background. Targets whose colors are too similar, and those without a clear color, get the color
+/// at their index in `palette` (not empty; used cyclically), or the next one that no other target
+/// has.
 std::vector<DisplayColor> displayColors(const std::vector<DisplayColorSource>& sources,
                                         const std::vector<DisplayColor>& palette, bool darkGround);
 

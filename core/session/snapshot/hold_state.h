@@ -12,7 +12,7 @@ enum class HoldState {
   NotTracked,
   NoBox,
   Held,
-  Ambiguous, ///< another object may be the target about as well
+  Ambiguous, ///< another object is about as likely to be the target
   Hidden,
   Searching,
   Lost,

@@ -17,25 +17,27 @@ struct SightLine {
   Eigen::Vector3d from = Eigen::Vector3d::Zero();
   Eigen::Vector3d to = Eigen::Vector3d::Zero();
   bool sees =
-      /// The camera confirms at least a part of the target; otherwise the target is hidden there.
+      /// True if the camera confirms at least a part of the target; otherwise, the target is hidden
+      /// there.
       true;
 };
 
-/// Returns one line for each camera in whose image the estimate lies. Cameras without an image and
-/// targets with unknown position have none.
+/// Returns one line for each camera in whose image the estimate lies. There is no line for a camera
+/// without an image or a target with an unknown position.
 std::vector<SightLine> sightLines(const TrackSnapshot& snapshot, const TargetSnapshot& target);
 
-/// What the image of a camera shows of the ray of a click; nothing in the image of the click
-/// itself, and of cameras that the snapshot has not.
+/// Returns the part of a click's ray that is visible in the image of a camera, as lines. Returns
+/// none for the camera that was clicked in and for cameras not in the snapshot.
 std::vector<ImageLine> clickedRay(const TrackSnapshot& snapshot, const PointClick& click,
                                   int camera);
 
-/// The two ends of the ray of a click: its camera, and a quarter farther from it than the position
-/// that came of the click, so that the ray is seen to go through that. Empty without a camera.
+/// Returns both ends of a click's ray: the camera, and a point a quarter farther away than the
+/// position computed from the click, so that the ray visibly passes through this position. Empty if
+/// the camera does not exist.
 std::vector<Eigen::Vector3d> clickedSight(const TrackSnapshot& snapshot, const PointClick& click,
                                           const Eigen::Vector3d& position);
 
-/// A broken line: `count` strokes from one point to another, with gaps as long as they are.
+/// Returns a dashed line: `count` dashes from one point to another, with gaps of the same length.
 std::vector<std::vector<Eigen::Vector3d>> dashes(const Eigen::Vector3d& from,
                                                  const Eigen::Vector3d& to, int count);
 

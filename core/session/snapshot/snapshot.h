@@ -33,14 +33,14 @@ struct TargetSnapshot {
   std::optional<Eigen::Vector3d> truth;
   TargetStatus status = TargetStatus::Searching;
   HoldState absence = HoldState::Gone; ///< state shown while the target is absent
-  BoxParticles boxParticles;           ///< of a BoxEstimate
+  BoxParticles boxParticles;           ///< particles of a BoxEstimate
   /// Histograms of a BoxEstimate; null if there is no image.
   std::shared_ptr<const ColorHistograms> histograms;
-  /// Per camera, why the camera does not confirm the target (reasonSentence); may be empty.
+  /// Per camera: reason why it does not confirm the target (reasonSentence()); may be empty.
   std::vector<CameraReport> reasons;
   std::vector<CandidatePosition> proposals; ///< candidate positions of this frame; may be empty
   std::vector<LikelihoodMap> maps;          ///< per camera; empty unless requested
-  std::shared_ptr<const PersonShape> shape; ///< of a person; null unless requested
+  std::shared_ptr<const PersonShape> shape; ///< shape of a person; null unless requested
 
   /// Return the estimate as a box or as a person; null if it is something else or absent. Use these
   /// only if the kind of target is known; otherwise visit the estimate or call peopleIn().
@@ -70,14 +70,14 @@ struct HistoryState {
 
 /// Range of past frames that a run is tracking again.
 struct RerunState {
-  std::int64_t from = 0; ///< the first frame tracked again
+  std::int64_t from = 0; ///< first frame tracked again
   std::int64_t to = 0;   ///< last frame tracked again
 };
 
 /// How well a run meets its time budget per iteration (parameter `time_budget`), since the budget
 /// was set or the run began.
 struct BudgetFigures {
-  double milliseconds = 0.0;   ///< the budget; 0: none
+  double milliseconds = 0.0;   ///< time budget per iteration; 0: none
   std::int64_t iterations = 0; ///< number of iterations
   std::int64_t late = 0;       ///< number of iterations that took longer
 };
@@ -85,27 +85,27 @@ struct BudgetFigures {
 /// Everything that views can show of one frame. Immutable once published.
 struct TrackSnapshot {
   std::shared_ptr<const CameraRig> rig;
-  MethodFamily family; ///< of the method whose results these are
+  MethodFamily family; ///< family of the method that produced these results
   FrameSetPtr frames;  ///< null before the first frame
-  /// Per camera, without targets; empty when that is not known.
+  /// Per camera: image of the scene without targets; empty if it is not known.
   std::vector<cv::Mat> backgroundImages;
-  /// Per camera CV_8UC1, 255 - k: color of target k. Empty unless wanted.
+  /// Per camera, CV_8UC1: 255 - k marks the color of target k. Empty unless requested.
   std::vector<cv::Mat> masks;
   bool masksShowMotion = false; ///< masks show motion instead of color; 255: moving
-  /// Likelihood of motion at each pixel, per camera, with methods that compute it; empty unless
+  /// Likelihood of motion at each pixel, per camera, for methods that compute it; empty unless
   /// requested.
   std::vector<LikelihoodMap> motionMaps;
   std::vector<TargetSnapshot> targets;
-  /// Per camera; empty except with methods for people.
+  /// State of each camera; empty except for methods for people.
   std::vector<PeopleCameraState> peopleCameras;
   std::int64_t frame = -1; ///< number of the frame shown
   bool past = false;       ///< the frame shown is not the current frame of the run
   bool tracked = false;    ///< the frame shown was tracked
-  /// True if the images are small previews, scaled up. The full images follow at once, unless
+  /// True if the images are small previews, scaled up. The full images follow immediately, unless
   /// another frame is requested.
   bool preview = false;
   HistoryState history;            ///< other frames that can be shown
-  std::optional<RerunState> rerun; ///< while past frames are tracked again
+  std::optional<RerunState> rerun; ///< set while past frames are tracked again
   std::optional<std::int64_t> frameCount;
   std::int64_t iterations = 0;           ///< filter iterations since the (re)start
   double framesPerSecond = 0.0;          ///< achieved frame rate
@@ -119,7 +119,8 @@ struct TrackSnapshot {
   /// Cameras that have moved since the run began. Each also has a notice; these are the last ones
   /// in `notices`.
   std::vector<CameraMotionReport> cameraMotions;
-  /// Reasons why the cameras cannot agree, the most basic first. They are not part of `notices`.
+  /// Reasons why the cameras contradict each other, the most basic first. They are not part of
+  /// `notices`.
   std::vector<CameraDisagreement> disagreements;
 };
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
@@ -127,10 +128,11 @@ using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 /// Record of one filter iteration for one target, for plots. Plots over time use `time`; plots over
 /// iterations use `iteration`.
 struct IterationRecord {
-  std::int64_t iteration = 0; ///< since the (re)start, from 1
+  /// Number of the iteration since the start or restart, counted from 1.
+  std::int64_t iteration = 0;
   std::int64_t frame = 0;
   int target = 0;
-  double spread = 0.0; ///< meters, over all axes
+  double spread = 0.0; ///< root mean square over all axes, meters
   double effectiveSampleSize = 0.0;
   double error = -1.0;       ///< distance from the truth in meters; negative if unknown
   double time = 0.0;         ///< time of the frame, seconds
@@ -140,8 +142,8 @@ struct IterationRecord {
   int particleCount = 0;
   double existenceProbability = 0.0; ///< over all cameras
   bool held = false;                 ///< see isHeld()
-  /// Likelihood, existence probability and visible share per camera, in the order of the rig; empty
-  /// if the method does not compute them.
+  /// Likelihood, existence probability and visible fraction per camera, in the order of the rig;
+  /// empty if the method does not compute them.
   std::vector<CameraEvidence> cameras = {};
   /// Similarity of a box (BoxEstimate::similarity); the spread is then in pixels.
   std::optional<double> similarity = std::nullopt;

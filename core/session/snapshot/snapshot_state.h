@@ -12,10 +12,10 @@
 
 namespace dewpoint::session {
 
-/// A camera of a snapshot's rig; null when it has none of this number.
+/// Returns a camera of a snapshot's rig; null if the index is out of range.
 const Camera* cameraOf(const TrackSnapshot& snapshot, int camera);
 
-/// The state a view shows for a target's status.
+/// Returns the state that views show for a target's status.
 HoldState holdState(TargetStatus status);
 /// Returns the state of a target; for a box, also whether it is hidden or does not exist yet.
 HoldState holdState(const TargetSnapshot& target);
@@ -33,19 +33,20 @@ const TargetSnapshot* targetToExplain(const TrackSnapshot& snapshot, int preferr
 /// lies within the image. Null if there is none.
 const TargetSnapshot* heldTargetInView(const TrackSnapshot& snapshot, int camera);
 
-/// Where a camera shows a position, also beside its image; nothing behind it.
+/// Returns the pixel of a camera at which a target's position appears, even if it lies outside the
+/// image. Returns nothing if the position is behind the camera.
 std::optional<Eigen::Vector2d> pixelOf(const TrackSnapshot& snapshot, int camera,
                                        const Eigen::Vector3d& position);
 
-/// What is believed of a target's position; nothing yet in a frame that was not tracked.
+/// Returns the estimate of a target's position; nothing for a frame that was not tracked.
 std::optional<Gaussian3> beliefOf(const TrackSnapshot& snapshot, int target);
 
-/// Of the first `count` targets the one whose estimate is nearest to a pixel of a camera and at
-/// most `reach` pixels away; -1: none.
+/// Returns the index of the target, among the first `count`, whose estimate is closest to a pixel
+/// of a camera and at most `reach` pixels away; -1 if there is none.
 int targetNear(const TrackSnapshot& snapshot, int count, int camera, const Eigen::Vector2d& pixel,
                double reach);
 
-/// What is wrong with a camera at present, by its notice; null: nothing that is known.
+/// Returns the notice about a camera's present problem; null if no problem is known.
 const Error* noticeOf(const TrackSnapshot& snapshot, int camera);
 
 /// One person of a snapshot; valid as long as the snapshot exists.
@@ -58,7 +59,7 @@ struct PersonInSnapshot {
 /// Returns all persons of a snapshot that are not absent, in the order of its targets.
 std::vector<PersonInSnapshot> peopleIn(const TrackSnapshot& snapshot);
 
-/// Returns the index of the person whose hull is visible at a pixel of a camera, the nearest one if
+/// Returns the index of the person whose hull is visible at a pixel of a camera, the closest one if
 /// there are several; -1 if there is none.
 int personSeenAt(const TrackSnapshot& snapshot, int camera, const Eigen::Vector2d& pixel);
 

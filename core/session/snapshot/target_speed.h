@@ -13,14 +13,14 @@ namespace dewpoint::session {
 struct TargetSnapshot;
 struct TrackSnapshot;
 
-/// Speed of the target shown, from the estimates in the frames around the one shown, as in the
-/// trajectory (`trajectory::velocityAt`).
+/// Computes the speed of the displayed target from the estimates in the frames around the displayed
+/// one, as for the trajectory (`trajectory::velocityAt`).
 class TargetSpeed {
 public:
   /// Adds the estimate of a target. Starts over when the target or the run changes.
   void add(const TrackSnapshot& snapshot, const TargetSnapshot& target);
   void clear() { track_.clear(); }
-  /// Speed at the frame shown last, meters per second; nothing if unknown.
+  /// Returns the speed at the frame shown last, in meters per second; nothing if unknown.
   std::optional<double> now() const;
 
 private:

@@ -10,7 +10,7 @@
 namespace dewpoint::session {
 
 /// Checks during a run whether the cameras agree with each other (CameraAgreement). Does nothing
-/// with methods that track boxes, whose cameras need no calibration.
+/// for methods that track boxes, whose cameras need no calibration.
 class CameraAgreementWatch final : public FrameObserver {
 public:
   /// A camera that `motion` reports as moved is not reported here for that reason. `motion` must

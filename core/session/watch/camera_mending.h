@@ -8,15 +8,15 @@
 
 namespace dewpoint::session {
 
-/// Returns the number of ways in which a change of the project can correct a fault: pairs of
-/// cameras to exchange, or cameras to rotate. 0 if only a new calibration can correct it.
+/// Returns the number of ways to correct a fault by changing the project: pairs of cameras to
+/// exchange, or cameras to rotate. 0 if only a new calibration can correct it.
 std::size_t mendingChoices(const CameraDisagreement& found);
 
-/// Corrects a fault found with the project's cameras in one of its ways (`choice` is asserted). For
-/// exchanged cameras, exchanges their images with all clicks made in them, or their calibrations in
-/// a simulated scene, whose images cannot be exchanged. A rotated camera gets the rotation that was
-/// found, a delayed camera gets its delay, and the positions of a rig in another unit are converted
-/// to meters.
+/// Corrects a fault found with the project's cameras in one of these ways (`choice` is asserted).
+/// For exchanged cameras, exchanges their images with all clicks made in them. In a simulated
+/// scene, images cannot be exchanged, so the calibrations are exchanged instead. A rotated camera
+/// gets the rotation that was found, a delayed camera gets its delay, and the positions of a rig in
+/// another unit are converted to meters.
 void mendCameras(Project& project, const CameraDisagreement& found, std::size_t choice);
 
 } // namespace dewpoint::session

@@ -6,11 +6,11 @@
 
 namespace dewpoint::session {
 
-/// Passes the frames of a run to a CameraMotionWatch. Does nothing with methods that track boxes,
+/// Passes the frames of a run to a CameraMotionWatch. Does nothing for methods that track boxes,
 /// whose camera may move.
 class CameraMotionObserver final : public FrameObserver {
 public:
-  /// `watch` must outlive it.
+  /// `watch` must outlive this object.
   explicit CameraMotionObserver(CameraMotionWatch& watch) : watch_(watch) {}
 
   Status tracked(const TrackingRun& run) override {

@@ -25,8 +25,8 @@ struct CameraMotionReport {
 };
 
 /// Detects during a run whether cameras have moved (CameraMotionDetector), and how far targets in
-/// the image are from their positions according to the other cameras. Keeps a new pose of each
-/// moved camera available.
+/// the image are from their positions according to the other cameras. Computes a new pose for each
+/// moved camera.
 class CameraMotionWatch {
 public:
   explicit CameraMotionWatch(const CameraRig& rig);
@@ -46,7 +46,7 @@ public:
   /// Sets other calibrations of the same cameras. Cameras whose calibration changed are assumed to
   /// be in the new pose and are no longer reported.
   void setCameras(const CameraRig& rig);
-  /// Assumes that all cameras are in their calibrated poses and forgets what was measured, except
+  /// Assumes that all cameras are in their calibrated poses and discards the measurements, except
   /// for motions that a new calibration already includes. Playing a recording again therefore gives
   /// the same reports.
   void restart();
@@ -59,7 +59,7 @@ private:
   CameraRig rig_;
   CameraMotionDetector detector_;
   ReprojectionResiduals sightings_;
-  /// Per camera, frame of the motion included in its calibration.
+  /// For each camera: frame of the motion that its calibration already includes.
   std::vector<std::optional<std::int64_t>> solvedAt_;
   std::size_t eventsSeen_ = 0;
   std::vector<CameraMotionReport> reports_;

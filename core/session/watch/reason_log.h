@@ -23,7 +23,7 @@ public:
 
 private:
   std::vector<std::string> cameras_;
-  std::vector<std::string> last_; ///< per target, state and reason last written
+  std::vector<std::string> last_; ///< state and reason last written for each target
   std::string csv_ = "time_s,frame,target,state,reason\n";
 };
 

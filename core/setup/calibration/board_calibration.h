@@ -43,34 +43,34 @@ struct SeenBoards {
   double framesPerSecond = 30.0;
 };
 
-/// Looks for the board in a recording, in frames spread over it evenly; all cameras at the same
-/// ones. BadValue when the cameras are live, Canceled, and what the source says.
+/// Searches a recording for the board, in evenly spaced frames that are the same for all cameras.
+/// Returns BadValue if the cameras are live, Canceled, or the errors of the source.
 Result<SeenBoards> findBoards(const Project& project, FrameSetSource& source,
                               const BoardCalibrationRequest& request,
                               const CalibrationProgress& progress = {});
 
-/// Looks for the board in picture files of one camera; views are named by their file's name.
-/// FileUnreadable, Mismatch when sizes differ, Canceled.
+/// Searches image files from one camera for the board. Each view is named after its file. Returns
+/// FileUnreadable, Mismatch if the image sizes differ, or Canceled.
 Result<SeenBoards> findBoards(const std::vector<std::filesystem::path>& pictures,
                               const BoardDescription& board, DetectionEffort effort,
                               const CalibrationProgress& progress = {});
 
-/// Estimated intrinsics, and the reasons why others were not estimated.
+/// Estimated intrinsics, and the reasons why those of other cameras were not estimated.
 struct LensesFromBoards {
   std::vector<std::optional<IntrinsicsResult>> cameras; ///< empty: the camera keeps its intrinsics
   /// For each camera that keeps its intrinsics: its name (field), and the reason.
   std::vector<Error> kept;
 };
 
-/// The intrinsics of each camera of `seen`, from views chosen by chooseViews(). A camera that did
-/// not see the board well keeps its intrinsics; the error, which names the camera, is returned when
-/// that is so of all of them, and Canceled.
+/// Estimates the intrinsics of each camera in `seen` from views chosen by chooseViews(). A camera
+/// that did not see the board well keeps its intrinsics. If this applies to all cameras, returns
+/// the error, which names the camera. Returns Canceled if `progress` canceled the work.
 Result<LensesFromBoards> intrinsicsFromBoards(const SeenBoards& seen,
                                               const BoardCalibrationRequest& request,
                                               const CalibrationProgress& progress = {});
 
-/// Estimates the poses of a project's cameras, with its present intrinsics, from instants chosen by
-/// chooseInstants(). Cameras that never saw the board keep their poses and are named in the
+/// Estimates the poses of a project's cameras with their present intrinsics, from instants chosen
+/// by chooseInstants(). Cameras that never saw the board keep their poses and are named in the
 /// notices, if at least two others saw it. If the first camera is one of them, the first that saw
 /// the board keeps its pose instead. Faults that explain the detections better are named in the
 /// result, or in the error.

@@ -21,31 +21,33 @@ namespace dewpoint::setup {
 struct BoardGuideRequest {
   BoardCalibrationRequest board;
   BoardGoal goal;
-  GuidanceSettings lenses;          ///< including the accuracy that is sufficient for intrinsics
-  RigGuidance::Settings rig;        ///< how often pairs of cameras must see the board together
+  GuidanceSettings lenses;   ///< settings for intrinsics, including the accuracy that is sufficient
+  RigGuidance::Settings rig; ///< how often pairs of cameras must see the board together
   double requestedPosition = 0.002; ///< meters: required CameraFit::centerSigma of each camera
-  int mostInstants = 60;          ///< number of instants after which it ends regardless of accuracy
-  std::size_t outlinesKept = 100; ///< number per camera
+  /// Number of instants after which the calibration ends regardless of accuracy.
+  int mostInstants = 60;
+  std::size_t outlinesKept = 100; ///< number of outlines kept per camera
 };
 
 /// State of the guidance. Immutable once published.
 struct BoardGuideState {
   enum class Phase {
     Lenses,  ///< the board is shown to each camera separately
-    Poses,   ///< the board is shown to several cameras at once
+    Poses,   ///< the board is shown to several cameras at the same time
     Finished ///< the requested accuracy is reached
   };
   using Outline = std::vector<Eigen::Vector2d>; ///< pixels, around the corners of the board
   struct PerCamera {
     std::string name;
-    int width = 0; ///< of its images; 0: no image yet
+    int width = 0; ///< image width, pixels; 0: no image yet
     int height = 0;
-    GuidanceState lens;                  ///< in phase Lenses
-    std::optional<BoardDetection> seen;  ///< in the newest image
-    Outline outline;                     ///< of the board in the newest image; may be empty
-    std::vector<Outline> taken;          ///< of the captured views
-    std::optional<double> rmsPx;         ///< of the latest calibration of its intrinsics
-    std::optional<double> positionSigma; ///< meters, of the latest calibration of the poses
+    GuidanceState lens;                 ///< guidance in phase Lenses
+    std::optional<BoardDetection> seen; ///< detection in the newest image
+    Outline outline;                    ///< outline of the board in the newest image; may be empty
+    std::vector<Outline> taken;         ///< outlines of the captured views
+    /// Reprojection error of the latest calibration of its intrinsics, pixels.
+    std::optional<double> rmsPx;
+    std::optional<double> positionSigma; ///< from the latest calibration of the poses, meters
     int pairViews = 0;                   ///< number of views captured together with another camera
   };
 
@@ -78,7 +80,8 @@ public:
   BoardGuideState step(const FrameSet& frames);
   /// Captures the last images that show the board, at the user's request.
   BoardGuideState captureNow();
-  /// As captureNow(), with the board lying on the floor. A floor needs at least one detection.
+  /// Like captureNow(), but for a board that lies on the floor. Capturing the floor requires at
+  /// least one detection.
   BoardGuideState captureFloor();
   /// Keeps the present accuracy of the intrinsics and continues with the poses.
   BoardGuideState goOn();
@@ -97,7 +100,7 @@ private:
   void keepView(std::size_t camera);
   void beginRig();
 
-  Project project_; ///< with the intrinsics estimated so far
+  Project project_; ///< project with the intrinsics estimated so far
   BoardGuideRequest request_;
   BoardDetector detector_;
   ThreadTeam team_;

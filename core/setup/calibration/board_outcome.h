@@ -23,19 +23,20 @@ struct BoardOutcome {
   Project project;
   std::optional<LensesFromBoards> lenses;
   std::optional<ExtrinsicsResult> extrinsics;
-  std::optional<Error>
-      extrinsicsError; ///< why only the intrinsics were estimated although both were requested
+  std::optional<Error> extrinsicsError; ///< reason why only the intrinsics were estimated although
+                                        ///< both were requested
   std::optional<CalibrationAccuracy>
-      accuracy; ///< of the camera positions; empty: it could not be assessed
-  /// The accuracy, or the reason why there is none; empty without camera poses.
+      accuracy; ///< accuracy of the camera positions; empty if it could not be assessed
+  /// Sentence with the accuracy, or with the reason why there is none. Empty if no camera poses
+  /// were estimated.
   std::string accuracySentence;
   std::string report; ///< a single HTML page
 };
 
 /// Estimates intrinsics, then poses with these intrinsics, from board detections. The command line
-/// and the window give the same bits, for recordings and live cameras. The given project is not
-/// changed. A single camera has no pose to estimate unless the board lies on the floor in some
-/// view. Returns the errors of intrinsicsFromBoards() and extrinsicsFromBoards().
+/// and the window give bit-identical results, for recordings and live cameras. The given project is
+/// not changed. The pose of a single camera can be estimated only if the board lies on the floor in
+/// at least one view. Returns the errors of intrinsicsFromBoards() and extrinsicsFromBoards().
 Result<BoardOutcome> calibrateFromBoards(const Project& project, const SeenBoards& seen,
                                          const BoardCalibrationRequest& request,
                                          const BoardGoal& goal,
@@ -55,8 +56,8 @@ bool isDoubtful(const BoardOutcome& outcome);
 /// Returns a project with the same cameras and the calibration of the outcome.
 Project withOutcome(Project project, const BoardOutcome& outcome);
 
-/// Returns what the user should know besides the numbers, as sentences: cameras that kept their
-/// calibration, notices, faults.
+/// Returns sentences about what the user should know in addition to the numbers: cameras that kept
+/// their calibration, notices, and faults.
 std::vector<std::string> remarksOn(const BoardOutcome& outcome);
 
 } // namespace dewpoint::setup

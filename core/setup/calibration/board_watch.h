@@ -8,13 +8,14 @@
 
 namespace dewpoint::setup {
 
-/// Runs a BoardGuide in a thread of its own with images of live cameras, of which only the newest
-/// are processed. Every call returns at once.
+/// Runs a BoardGuide in a separate thread on images from live cameras. Only the newest images are
+/// processed. Every call returns immediately.
 class BoardWatch {
 public:
   /// `wake` is called from the thread after a state was published; it must only post an event.
   explicit BoardWatch(std::function<void()> wake);
-  /// Stops the thread and waits for its images, so do not call it from the thread of a window.
+  /// Stops the thread and waits until it has processed its images, so do not call it from a
+  /// window's thread.
   ~BoardWatch();
   BoardWatch(const BoardWatch&) = delete;
   BoardWatch& operator=(const BoardWatch&) = delete;
@@ -24,7 +25,7 @@ public:
   /// Passes images to the guide, replacing images that are still waiting.
   void show(FrameSetPtr frames);
   void captureNow();
-  /// As captureNow(), with the board lying on the floor.
+  /// Like captureNow(), but for a board that lies on the floor.
   void captureFloor();
   void goOn();
   /// Returns the newest state since begin(); never null.

@@ -12,7 +12,7 @@
 namespace dewpoint::setup {
 
 /// Sets the calibration of a project's camera. If the calibration of a simulated camera differs
-/// from its scene, it is marked as the project's own (`adjusted`). Use this function to edit a
+/// from the scene, it is marked as changed by the project (`adjusted`). Use this function to edit a
 /// project; RunDefinition::appliedTo() only inserts the cameras of a run and does not change
 /// `adjusted`.
 void setCalibration(ProjectCamera& camera, const Camera& calibration);
@@ -30,15 +30,15 @@ Project withTimeOffsets(Project project, const std::vector<double>& offsets);
 /// consistently.
 Project withImageSymmetry(Project project, int camera, const ImageSymmetry& symmetry);
 
-/// Returns whether a setting can rotate and mirror the images of a camera. False for simulated
-/// cameras.
+/// Returns whether a setting can rotate and mirror the images of a camera. This is false for
+/// simulated cameras.
 bool canSetImageSymmetry(const ProjectCamera& camera);
 
 /// Returns the project with the image symmetry proposed for each camera, where it can be set.
 Project withProposedSymmetries(Project project, const std::vector<CameraFromPoints>& cameras);
 
 /// Returns the project with these intrinsics, in the order of its cameras. Cameras without a result
-/// keep theirs; poses are unchanged.
+/// keep their intrinsics; poses are unchanged.
 Project withIntrinsics(Project project,
                        const std::vector<std::optional<IntrinsicsResult>>& results);
 

@@ -13,15 +13,15 @@ namespace dewpoint::setup {
 /// Result of checking a file chosen as the calibration of a new project.
 struct CheckedCalibration {
   std::string formatTitle; ///< empty: unknown format
-  /// Their names in the file, if it can be used without further information.
+  /// Camera names in the file, if the file can be used without further information.
   std::vector<std::string> cameras;
-  std::optional<Error> problem; ///< reason why it cannot be used without further information
-  /// The file leaves something open, such as its unit, that importCalibration() must be given.
+  std::optional<Error> problem; ///< reason why the file cannot be used without further information
+  /// True if the file lacks information, such as its unit, that importCalibration() needs.
   bool asks = false;
 };
 
-/// Reads a calibration as makeProject() does. The format of an unusable file is still recognized if
-/// its text allows it.
+/// Reads a calibration as makeProject() does. The format of an unusable file is still reported if
+/// it can be recognized.
 CheckedCalibration checkCalibration(const std::filesystem::path& file);
 
 /// How makeProject() matches the cameras in a file to those of the project.

@@ -24,9 +24,9 @@ struct ImportRequest {
 
 /// Change of one camera by an import.
 struct ImportedCamera {
-  std::size_t camera;   ///< index in the project
-  std::string name;     ///< in the project
-  std::string fileName; ///< in the file
+  std::size_t camera;   ///< camera index in the project
+  std::string name;     ///< camera name in the project
+  std::string fileName; ///< camera name in the file
   PoseShift shift;      ///< change from the project's present pose
 };
 

@@ -18,13 +18,13 @@ struct CameraSightings {
   BoardCoverage coverage; ///< number of detections by region of the image
 };
 
-/// Returns whether a camera saw the target often enough and in a sufficient part of its image. A
-/// calibration from less may succeed, but with low accuracy.
+/// Returns whether a camera saw the target often enough and in a sufficient part of its image. With
+/// fewer detections, a calibration may succeed, but with low accuracy.
 bool sawEnough(const CameraSightings& camera);
 
-/// Searches for the balls of a wand in frame sets from live cameras, in a thread of its own.
-/// offer() only waits for a lock. A frame set that arrives while `kWaiting` others are waiting is
-/// dropped, and counted.
+/// Searches for the balls of a wand in frame sets from live cameras, in a separate thread. offer()
+/// only waits for a lock. A frame set that arrives while `kWaiting` others are waiting is dropped
+/// and counted as dropped.
 class WandCollector {
 public:
   /// Largest number of waiting frame sets.
@@ -36,7 +36,7 @@ public:
   WandCollector(const WandCollector&) = delete;
   WandCollector& operator=(const WandCollector&) = delete;
 
-  /// Adds a frame set. Thread-safe; returns at once.
+  /// Adds a frame set. Thread-safe; returns immediately.
   void offer(const FrameSetPtr& frames);
 
   struct State {

@@ -16,11 +16,11 @@ struct WandRefinement {
   WandOptions options;
   CameraRig before; ///< cameras of the project before the calibration
   WandResult result;
-  Result<CalibrationAccuracy> accuracy; ///< or the reason why there is none
+  Result<CalibrationAccuracy> accuracy; ///< accuracy, or the reason why there is none
 };
 
 /// Returns whether the assessed accuracy is worse than the possible error of the cameras before the
-/// calibration, so that these should be kept.
+/// calibration, so that the former calibration should be kept.
 bool saysTooLittle(const WandRefinement& refinement);
 
 /// Returns whether the user should decide before the result is stored in the project: a known fault

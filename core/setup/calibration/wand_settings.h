@@ -13,13 +13,13 @@ namespace dewpoint::setup {
 /// Source of the scale of a wand calibration.
 enum class WandSize { Cameras, Diameter, Distance };
 
-/// The user's choices for a wand calibration, as entered, whether or not they are valid yet.
+/// The user's choices for a wand calibration, as entered. They may not be valid yet.
 struct WandSettings {
   bool stick = false;  ///< two balls on a stick; otherwise one ball
   std::string ball;    ///< names of targets; empty: the first ones
   std::string other;   ///< target at the other end of the stick
   double length = 0.5; ///< distance between the centers of the balls on the stick, meters
-  WandSize size = WandSize::Cameras; ///< with one ball
+  WandSize size = WandSize::Cameras; ///< source of the scale, with one ball
   double distance = 1.0;             ///< distance between the two positions touched, meters
   bool findOffsets = false;
   bool findFocal = false;
@@ -60,7 +60,7 @@ enum class WandObstacle {
   NoBall,           ///< the project has no target
   NoSecondBall,     ///< a stick needs two targets, but there is only one
   SameBallTwice,    ///< both ends of the stick are the same target
-  DistanceNotTaken, ///< the scale is to come from a distance whose ends were not both touched
+  DistanceNotTaken, ///< the scale is to come from a distance, but not both ends were touched
   HalfAFall         ///< only one end of a fall is marked
 };
 /// Returns the first obstacle, in the order of the enumeration.

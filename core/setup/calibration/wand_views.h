@@ -50,19 +50,19 @@ struct WandOptions {
   std::vector<double> floorTimes; ///< seconds
   std::optional<std::array<double, 2>> drop;
   double initialPositionError = 0.12; ///< possible error of the project's camera positions, meters
-  double initialTurnError = 0.06;     ///< possible error of their orientations, radians
+  double initialTurnError = 0.06;     ///< possible error of the camera orientations, radians
 };
 
 /// Returns the problem defined by the options for a project: its cameras as the initial rig, radii
 /// and scale; the views are still empty. Returns an error for an unknown target or a stick without
 /// length.
 Result<WandProblem> wandProblem(const Project& project, const WandOptions& options);
-/// Returns the colors of the options' balls.
+/// Returns the color classifiers for the balls in the options.
 Result<std::vector<ColorClassifier>> wandColors(const Project& project, const WandOptions& options);
 
 /// Progress of a calibration. The callback returns false to stop it.
 struct WandWork {
-  bool looking = true; ///< searching the images; otherwise solving
+  bool looking = true; ///< true: searching the images; false: solving
   std::int64_t done = 0;
   std::int64_t total = 0; ///< 0 if unknown
   double rms = 0.0;       ///< reprojection error in pixels, while solving
@@ -71,8 +71,8 @@ struct WandWork {
 using WandWorkCallback = std::function<bool(const WandWork&)>;
 
 /// Calibrates from collected views, live or from a recording. The command line and the window give
-/// the same bits. The given project is not changed. Faults that explain the views better are named
-/// in the result, or in the error.
+/// bit-identical results. The given project is not changed. Faults that explain the views better
+/// are named in the result, or in the error.
 Result<WandResult> calibrateFromViews(const Project& project,
                                       const std::vector<std::vector<MarkerObservation>>& views,
                                       const WandOptions& options,

@@ -17,12 +17,12 @@
 
 namespace dewpoint::setup {
 
-/// Images that the clicks refer to: of one instant, in the order of the rig, CV_8UC3, empty for a
-/// camera without an image.
+/// Images that the clicks refer to, all of one instant: CV_8UC3, in the order of the rig, empty for
+/// a camera without an image.
 struct ClickedImages {
   std::vector<cv::Mat> images;
-  std::vector<cv::Mat> backgroundImages; ///< as learnColorWithBackground()
-  std::int64_t frame = 0;                ///< that they show
+  std::vector<cv::Mat> backgroundImages; ///< as for learnColorWithBackground()
+  std::int64_t frame = 0;                ///< frame that the images show
 };
 
 /// Outline of an object found in the image of a camera, in pixels.
@@ -35,7 +35,7 @@ struct FoundOutline {
 struct ClickLesson {
   LearnedColor color;
   std::vector<ColorSample> samples; ///< the clicked samples, then those found in other images
-  std::vector<FoundOutline> found;  ///< in the displayed images
+  std::vector<FoundOutline> found;  ///< outlines found in the displayed images
   /// Radius in meters, as Counterparts::radius; empty if nothing was found in the displayed images.
   std::optional<double> radius;
   /// Centers of the target in the displayed images, if several cameras show it, for the first click
@@ -50,11 +50,11 @@ struct ClickLesson {
   std::optional<PositionCorrection> correction;
 };
 
-/// Comparison of a given radius with the one derived from clicks, which is accurate to about a
+/// Comparison of a given radius with the one derived from clicks, which is accurate to about one
 /// third.
 enum class RadiusFit : std::uint8_t {
   Fits,
-  IsDiameter, ///< it is about twice as large, so it may be the diameter
+  IsDiameter, ///< the given value is about twice as large, so it may be the diameter
   Differs,
 };
 RadiusFit compareRadius(double given, double shown);
@@ -62,7 +62,7 @@ RadiusFit compareRadius(double given, double shown);
 /// Learns the color of a target from samples. It uses the clicked samples, and samples of the same
 /// object in cameras in which it was not clicked (findCounterparts()). For each click in the
 /// displayed images, the other cameras are searched again. Samples found for clicks in other frames
-/// are kept as long as there is such a click.
+/// are kept as long as those clicks exist.
 ///
 /// `others` are samples of other targets. Another target of about the same color counts neither as
 /// this target nor as background, since identical targets are distinguished by position. One of a

@@ -15,13 +15,13 @@ namespace dewpoint::setup {
 /// all in images of one frame. The error of a click is assumed to be 2 px along each axis.
 ///
 /// With several clicks, it is the nearestPoint() of their rays. The covariance follows from the
-/// errors of the clicks, and is larger if the distance between the rays exceeds what these explain.
-/// A single click leaves the depth open. The depth is then that of `estimate` (the target's
-/// estimate in this frame). Its standard deviation along the ray is the estimate's deviation across
-/// the ray, in addition to the error of the estimate itself. Without an estimate in front of the
-/// camera, the position is the center, in inverse depth, of the part of the ray visible to most
-/// other cameras, which may be infinite. Its error is that of a uniform distribution over this
-/// part.
+/// errors of the clicks, and is larger if these errors do not explain the distance between the
+/// rays. A single click does not determine the depth. The depth is then that of `estimate` (the
+/// target's estimate in this frame). Its standard deviation along the ray is the estimate's
+/// deviation across the ray, in addition to the error of the estimate itself. Without an estimate
+/// in front of the camera, the position is the center, in inverse depth, of the part of the ray
+/// visible to most other cameras, which may be infinite. Its error is that of a uniform
+/// distribution over this part.
 ///
 /// Returns BadValue without a click or for an unknown camera. Returns Undetermined with the name of
 /// the camera if its lens does not cover the pixel or no other camera sees any part of its ray, and

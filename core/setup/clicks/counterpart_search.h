@@ -15,23 +15,23 @@ namespace dewpoint::setup {
 
 /// Detections, in other cameras, of an object clicked in one camera.
 struct Counterparts {
-  /// At most one sample per other camera, in their order, with `found` set: a region on the click's
-  /// ray, of the size and about the color expected there, consistent with one position in all
-  /// cameras. The outlines of the regions, in pixels, have the same order.
+  /// At most one sample per other camera, in camera order, with `found` set: a region on the
+  /// click's ray, of the size and about the color expected there, consistent with one position in
+  /// all cameras. The outlines of the regions, in pixels, have the same order.
   std::vector<ColorSample> found;
   std::vector<std::vector<cv::Point>> outlines;
   /// Centers of the click's region and of the regions found; empty if none was found.
   std::vector<PointClick> centers;
   /// Per camera, CV_8UC1 of its image's size: 255 where the object may be although no region was
-  /// identified as the object; these pixels are not background either. Empty if everything is
-  /// decided.
+  /// identified as the object. These pixels do not count as background either. Empty if there are
+  /// no such pixels.
   std::vector<cv::Mat> undecided;
   /// Radius in meters of a ball as large as the regions found and that of the click; empty if none
-  /// was found. It is accurate to about a third, since regions end where the color does.
+  /// was found. It is accurate to about one third, since regions end where the color ends.
   std::optional<double> radius;
 };
 
-/// Known properties of the object besides the click.
+/// Known properties of the object in addition to the click.
 struct CounterpartLimits {
   double radius = 0.0;                 ///< meters; 0 if unknown
   std::optional<WorldBox> volume = {}; ///< meters, world frame: possible positions

@@ -31,25 +31,25 @@ std::optional<PartMark> boxedPart(const cv::Mat& bgr, const ColorSample& box);
 /// object; the part has the size of the disc. Returns nothing for a click on a smaller object, and
 /// for a box.
 std::optional<PartMark> clickedPart(const cv::Mat& bgr, const ColorSample& click, double radiusPx);
-/// Largest shares of the whole object's area that count as a part. These are judgments: a user who
-/// draws a box around an object omits little of it, and given radii are wrong by up to a factor of
-/// 1.6 (compareRadius()), which is 2.6 in area.
+/// Largest fractions of the whole object's area that count as a part. The values are estimates: a
+/// user who draws a box around an object omits little of it, and given radii are wrong by a factor
+/// of up to 1.6 (compareRadius()), which is 2.6 in area.
 inline constexpr double kMostInBox = 0.8;
 inline constexpr double kMostClicked = 0.4;
 
 /// Position and size of a part in the room.
 struct MarkedPart {
-  Gaussian3 position;             ///< m, m²; world frame
+  Gaussian3 position;             ///< position (m, m²), world frame
   double radius = 0.0;            ///< meters, of a ball that fits into the colored region
   std::vector<PointClick> clicks; ///< centers of the marks
 };
 
 /// Returns the position of the part from its marks, at most one per camera, in images of one
 /// instant (CV_8UC3, in the order of the rig, empty for a camera without an image). With several
-/// marks, it is where their rays meet. With one mark, it is on its ray, at the distance of the
-/// whole object according to the other cameras (`found`, findCounterparts()), with a covariance
-/// that covers its extent. Returns nothing if the rays do not meet, or no other camera shows the
-/// whole object on the ray.
+/// marks, it is the point where their rays meet. With one mark, it is on the ray of the mark, at
+/// the distance of the whole object according to the other cameras (`found`, findCounterparts()),
+/// with a covariance that covers its extent. Returns nothing if the rays do not meet, or no other
+/// camera shows the whole object on the ray.
 std::optional<MarkedPart> locatePart(const CameraRig& rig, const std::vector<cv::Mat>& images,
                                      const std::vector<PartMark>& marks,
                                      const std::vector<ColorSample>& found);

@@ -41,7 +41,7 @@ struct ClickedObject {
   /// another side of it.
   static double centerSigma(const Camera& camera, double radiusPx);
   static constexpr double kDirectionSigma = 0.0061; ///< radians: 0.25 degrees for each camera
-  static constexpr double kCenterSigmaRadii = 0.35; ///< a judgment
+  static constexpr double kCenterSigmaRadii = 0.35; ///< chosen by judgment
   /// Search limit in standard deviations: 99.7 % of a normal distribution.
   static constexpr double kReach = 3.0;
 };

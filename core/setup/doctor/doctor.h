@@ -11,9 +11,9 @@
 
 namespace dewpoint::setup {
 
-/// What is wrong with a project, and what is right: all checks, one after the other. `project` has
-/// its cameras, also those of a scene. Reads files, may take some seconds, more with everyFrame;
-/// cameras are not opened, nor is anything written.
+/// Runs all checks on a project and returns their findings, both good and bad. `project` must
+/// include its cameras, even if they come from a scene. Reads files, which may take a few seconds,
+/// or longer with `everyFrame`. Opens no camera devices and writes nothing.
 std::vector<Finding> examine(const Project& project, const ExaminationOptions& options);
 
 /// Returns findings about a project file that could not be read.

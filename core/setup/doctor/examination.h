@@ -20,11 +20,11 @@
 
 namespace dewpoint::setup {
 
-/// How a project is to be checked.
+/// Options for checking a project.
 struct ExaminationOptions {
   std::filesystem::path output = {}; ///< where results would go; empty: the folder of the project
-  bool everyFrame = false;           ///< decode all frames, not only the first, middle and last
-  /// Opens the images of a project as a run would; empty: what needs it is left out.
+  bool everyFrame = false; ///< decode all frames instead of only the first, middle and last
+  /// Opens the images of a project as a run would. If empty, checks that need it are omitted.
   std::function<Result<std::unique_ptr<FrameSetSource>>(const Project&)> open = {};
   /// Called from time to time with the progress (0 to 1); returning false ends the examination
   /// early.
@@ -35,15 +35,15 @@ struct ExaminationOptions {
 struct CameraFootage {
   bool isOpen = false; ///< the recording can be read
   std::int64_t frames = 0;
-  double rate = 0.0; ///< as stated in the recording; 0: not stated
-  cv::Size size;     ///< after the rotation
+  double rate = 0.0; ///< frame rate given in the recording; 0: not given
+  cv::Size size;     ///< image size after the rotation
   std::vector<std::int64_t> sequenceNumbers = {};
   std::vector<cv::Mat> images = {}; ///< first, middle and last one, CV_8UC3, rotated
   std::optional<CaptureTimes> times = {};
 };
 
-/// A project being examined, and the findings so far. Each check uses the results of those before
-/// it.
+/// A project being examined, and the findings so far. Each check uses the results of the preceding
+/// ones.
 struct Examination {
   Examination(const Project& examined, const ExaminationOptions& wanted)
       : project(examined), options(wanted), footage(examined.cameras.size()) {}

@@ -92,7 +92,7 @@ std::span<const FindingWords> findingWords();
 /// Returns the texts of a kind of finding.
 const FindingWords& wordsOf(FindingKind kind);
 
-/// A finding of a check, and the place it refers to.
+/// A finding of a check, and the file and field it refers to.
 struct Finding {
   FindingKind kind = FindingKind::ProjectRead;
   std::vector<std::string> values = {}; ///< values for the placeholders in the texts
@@ -108,7 +108,8 @@ FindingLevel worstOf(const std::vector<Finding>& findings);
 /// Returns a text of the table with its values inserted, beginning with a capital letter.
 std::string filledIn(std::string_view words, const std::vector<std::string>& values);
 
-/// Returns one line in plain English: level, finding, place in brackets, recommended action.
+/// Returns one line in plain English: level, finding, file and field in brackets, recommended
+/// action.
 std::string findingLine(const Finding& finding);
 
 } // namespace dewpoint::setup

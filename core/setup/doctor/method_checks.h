@@ -5,8 +5,8 @@
 
 namespace dewpoint::setup {
 
-/// Checks whether the method can work with the project, and its further inputs: volume of interest,
-/// corrections, true positions.
+/// Checks whether the method can work with the project, and checks its other inputs: volume of
+/// interest, corrections, true positions.
 void checkMethod(Examination& examination);
 
 } // namespace dewpoint::setup

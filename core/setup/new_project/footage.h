@@ -10,9 +10,10 @@
 namespace dewpoint::setup {
 
 /// Returns whether a name precedes another one in natural order: numbers by value ("camera 2"
-/// before "camera 10"), letters without case and accent (of Latin-1, in UTF-8), other characters
-/// before digits before letters. Names that compare equal are ordered by their bytes. This is for
-/// lists shown to users; frames of an image folder have their own order, see naturallyBefore().
+/// before "camera 10"), letters regardless of case and accents (of Latin-1, in UTF-8), other
+/// characters before digits before letters. Names that compare equal are ordered by their bytes.
+/// This is for lists shown to users; frames of an image folder have their own order, see
+/// naturallyBefore().
 bool comesBefore(const std::string& name, const std::string& other);
 
 /// Sorts files by name (without the folder) with comesBefore(). The order in which the user chose

@@ -16,19 +16,20 @@ namespace dewpoint::setup {
 struct FootageFacts {
   int width = 0;                ///< pixels, as stored
   int height = 0;               ///< pixels, as stored
-  double framesPerSecond = 0.0; ///< as stated in the video; 0: an image folder, or not stated
+  double framesPerSecond = 0.0; ///< as given in the video; 0: an image folder, or not given
   std::int64_t frames = 0;
   cv::Mat preview; ///< first image, CV_8UC3 (BGR), scaled down
 };
 
-/// Opens a video or an image folder, reads its first image, and closes it again, which may take
-/// long. Returns nothing for anything other than a file or folder (a device, an address, a pipe),
-/// which is not opened. FileMissing and FileUnreadable name the file.
+/// Opens a video or an image folder, reads its first image, and closes it again, which may take a
+/// long time. Returns nothing for anything other than a file or folder (a device, an address, a
+/// pipe), which is not opened. FileMissing and FileUnreadable name the file.
 Result<std::optional<FootageFacts>> readFootageFacts(const std::string& location);
 
 /// Differences between recordings that belong together.
 struct FootageDifferences {
-  std::optional<std::int64_t> shortest; ///< frames of the shortest one, if their lengths differ
+  /// Number of frames in the shortest recording, if the lengths differ.
+  std::optional<std::int64_t> shortest;
   bool sizes = false;
   bool rates = false; ///< known frame rates differ by more than rounding
 

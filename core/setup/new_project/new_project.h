@@ -20,7 +20,7 @@ inline constexpr int kGuessedHeight = 480;
 
 /// A camera named by the user for a new project.
 struct NewCamera {
-  std::string name; ///< empty: name of its file
+  std::string name; ///< empty: the name of its file
   SourceKind source = SourceKind::Video;
   std::string location; ///< video, image folder, device or address
 };
@@ -30,16 +30,16 @@ struct NewProject {
   std::string name; ///< empty: name of the folder of its first recording
   std::vector<NewCamera> cameras;
   std::optional<std::filesystem::path> calibration;
-  double framesPerSecond = 0.0; ///< for image folders; 0: 30
+  double framesPerSecond = 0.0; ///< frame rate for image folders; 0 means 30
 };
 
 /// A new project, and notes about it.
 struct MadeProject {
-  Project project; ///< without file and without targets, whose colors must still be learned
+  Project project; ///< has no file and no targets yet; their colors must be learned first
   /// True if the poses are guessed and the method needs them: positions in space are not meaningful
   /// yet.
   bool lacksCalibration = false;
-  /// Names in the calibration file match no camera; its order was used.
+  /// True if names in the calibration file match no camera, so that its order was used.
   bool matchedByOrder = false;
 };
 

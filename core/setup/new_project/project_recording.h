@@ -6,8 +6,8 @@
 
 namespace dewpoint::setup {
 
-/// What is opened for a camera of a project that is a video or a folder of images, at the size that
-/// its calibration says.
+/// Returns the recording to open for a camera whose source is a video or an image folder. The image
+/// size is the one in its calibration.
 RecordedCamera recordedCamera(const ProjectCamera& camera);
 
 } // namespace dewpoint::setup

@@ -11,8 +11,8 @@
 
 #include <cstddef>
 
-// Reports of method `barrera` about its target besides the estimate, from one camera's image
-// (CV_8UC3; empty: none) and the target's color.
+// Reports of the `barrera` method about its target in addition to the estimate, from one camera's
+// image (CV_8UC3; empty: none) and the target's color.
 namespace dewpoint::tracking {
 
 /// Returns whether camera number `camera` confirms the target of an estimate, and the reason if it

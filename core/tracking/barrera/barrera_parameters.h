@@ -8,7 +8,7 @@
 namespace dewpoint::tracking {
 
 /// Returns the parameters of the method of Barrera et al. 2005. The defaults are those of the paper
-/// where it states them.
+/// where it gives them.
 std::span<const ParameterDeclaration> barreraParameters();
 
 } // namespace dewpoint::tracking

@@ -23,7 +23,8 @@ public:
   void setCameras(const CameraRig& rig);
   void beginFrame(FrameSetPtr frames);
   SphereEstimate iterate(ThreadTeam& team);
-  /// As RandomWalkTracker::correct(), with the evidence of the cameras at this position.
+  /// Like RandomWalkTracker::correct(), but the result includes the evidence of the cameras at this
+  /// position.
   SphereEstimate correct(const Gaussian3& position);
   /// Returns the approximate size of a copy in bytes.
   std::size_t memoryBytes() const;

@@ -7,8 +7,8 @@
 
 namespace dewpoint::tracking {
 
-/// Returns the parameters of method dynamics. The defaults are those of the paper (Barrera et al.
-/// 2005, section III-C) where it states them.
+/// Returns the parameters of the `dynamics` method. The defaults are those of the paper (Barrera et
+/// al. 2005, section III-C) where it gives them.
 std::span<const ParameterDeclaration> dynamicsParameters();
 
 } // namespace dewpoint::tracking

@@ -12,17 +12,17 @@
 
 namespace dewpoint::tracking {
 
-/// Particle filter over 3D positions with which Barrera, Cañas and Matellán (2005, section III-C)
-/// study the dynamics: an isotropic random walk, and a Gaussian around a measured position. The
-/// measured position is given, or triangulated from the centroids of the target's pixels in all
-/// cameras. A TargetFilter; the cameras have no likelihoods of their own.
+/// Particle filter over 3D positions that Barrera, Cañas and Matellán (2005, section III-C) use to
+/// study the dynamics. It has an isotropic random walk, and a Gaussian likelihood around a measured
+/// position. The measured position is given, or triangulated from the centroids of the target's
+/// pixels in all cameras. A TargetFilter; there are no likelihoods for single cameras.
 class DynamicsTracker final : public RandomWalkTracker {
 public:
   DynamicsTracker(const ParameterValues& parameters, const CameraRig& rig, const Target& target);
 
   void setTarget(const Target& target);
   void setCameras(const CameraRig& rig);
-  /// Sets the images, and measures the position in them.
+  /// Sets the images and measures the position in them.
   void beginFrame(FrameSetPtr frames);
   /// Sets the position measured in frame `frame` (world frame, meters) instead of images. Without a
   /// position, the cloud spreads.
@@ -39,7 +39,7 @@ private:
 
   std::vector<Unprojector> unprojectors_;
   ColorClassifier classifier_;
-  std::vector<bool> seen_; ///< per camera, whether it shows the target's color
+  std::vector<bool> seen_; ///< per camera: true if it shows the target's color
   std::optional<Eigen::Vector3d> measured_;
 };
 

@@ -24,8 +24,8 @@ public:
   /// Sets the parameters. Particle count, motion and iterations take effect at the next iteration,
   /// the start volume at the next restart.
   void configure(const ParameterValues& parameters);
-  /// Limits the positions of the target from the next iteration on; nothing: unlimited. If the
-  /// estimate lies outside, the particles restart inside the volume.
+  /// Limits the positions of the target from the next iteration on; without a value, they are
+  /// unlimited. If the estimate lies outside, the particles restart inside the volume.
   void setVolumeOfInterest(const std::optional<WorldBox>& volume);
   /// Discards everything and starts from scratch.
   void restart(std::uint64_t seed);
@@ -44,7 +44,8 @@ protected:
   /// `parameters` must declare particles, motion_sigma, iterations_per_frame and the start volume.
   explicit RandomWalkTracker(const ParameterValues& parameters);
 
-  /// Runs one iteration. In the result, the cameras and what follows from them are still missing.
+  /// Runs one iteration. The result does not yet include the cameras and the values derived from
+  /// them.
   template <ObservationModel O> SphereEstimate step(const O& observation, ThreadTeam& team);
   /// Returns whether a position (world frame, meters) lies in the volume of interest, if there is
   /// one.

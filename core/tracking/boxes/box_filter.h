@@ -17,7 +17,8 @@
 namespace dewpoint::tracking {
 
 /// A filter that tracks one box in the images of one camera. BoxTargets combines such filters into
-/// a method. Not thread-safe; the same seed gives the same bits for any size of the ThreadTeam.
+/// a method. Not thread-safe; the same seed gives bit-identical results for any size of the
+/// ThreadTeam.
 template <class F>
 concept BoxFilter = std::copy_constructible<F> && std::constructible_from<F, ParameterValues> &&
     requires(F filter, const F& finished, const ParameterValues& parameters, const cv::Mat& bgr,
@@ -30,8 +31,8 @@ concept BoxFilter = std::copy_constructible<F> && std::constructible_from<F, Par
   { filter.start(bgr, box, seed) } -> std::same_as<Status>;
   // Processes the next image, which has the same size; start() must have succeeded.
   { filter.step(bgr, team) } -> std::same_as<BoxEstimate>;
-  // Returns the centers of an even selection of at most this number of particles with their last
-  // weights: rows of x and y, and linear weights that sum to 1 over all particles.
+  // Returns an even selection of at most this number of particles: their centers as rows of x and
+  // y, and their latest linear weights, which sum to 1 over all particles.
   finished.particles(0, centers, weights);
   // Returns the approximate size of a copy in bytes.
   { finished.memoryBytes() } -> std::same_as<std::size_t>;

@@ -18,8 +18,8 @@ namespace dewpoint::tracking {
 
 /// Method that tracks boxes in a run with several cameras and targets: one filter per target, on
 /// the images of its box's camera. A target is tracked from the frame of its box on. It starts when
-/// the run reaches this frame, or at once if the run is at this frame; before that it is absent.
-/// One step per image.
+/// the run reaches this frame, or immediately if the run is at this frame; before that, it is
+/// absent. There is one step per image.
 template <BoxFilter F>
 class BoxTargets final : public Tracker,
                          public Configurable,
@@ -29,20 +29,21 @@ class BoxTargets final : public Tracker,
                          public CameraExplaining,
                          public Copying {
 public:
-  /// `parameters` are those of the filter (asserted).
+  /// Creates a tracker. `parameters` must be those of the filter (asserted).
   BoxTargets(const ParameterValues& parameters, const std::vector<Target>& targets)
       : parameters_(parameters) {
     BoxTargets::setTargets(targets);
   }
 
   void configure(const ParameterValues& parameters) override;
-  /// Sets the targets, also in another number. Targets with a known name continue. A target with a
+  /// Sets the targets; their number may change. Targets with a known name continue. A target with a
   /// changed box discards its former track.
   void setTargets(const std::vector<Target>& targets) override;
   bool takesAnyNumber() const override { return true; }
   void restart(std::uint64_t seed) override;
   int iterationsPerFrame() const override { return 1; }
-  /// A target whose box belongs to this frame is present at once, before any iteration.
+  /// Begins a frame. A target whose box belongs to this frame is present immediately, before any
+  /// iteration.
   void beginFrame(FrameSetPtr frames) override;
   void iterate(ThreadTeam& team) override;
   std::size_t trackCount() const override { return followed_.size(); }
@@ -203,7 +204,7 @@ template <BoxFilter F> std::vector<CameraReport> BoxTargets<F>::explain(std::siz
   const Followed& one = followed_.at(track);
   std::vector<CameraReport> reports;
   if (one.filter && frames_) {
-    reports.resize(frames_->frames.size()); // the other cameras do not search for it
+    reports.resize(frames_->frames.size()); // the other cameras do not search for the target
     reports.at(static_cast<std::size_t>(one.box->camera)).status =
         imageOf(*one.box) == nullptr ? CameraStatus::NoImage
         : isHeld(one.estimate)       ? CameraStatus::None

@@ -7,7 +7,7 @@
 
 namespace dewpoint::tracking {
 
-/// Returns the parameters of method `histogram`. Lengths are relative to the target's size (the
+/// Returns the parameters of the `histogram` method. Lengths are relative to the target's size (the
 /// square root of its box's area), so they suit targets of any size.
 std::span<const ParameterDeclaration> histogramParameters();
 

@@ -11,15 +11,15 @@
 
 namespace dewpoint::tracking {
 
-/// Method `histogram`: implements, and extends, what Sugandi et al. (2009) list as future work. The
-/// state is (x, y, vx, vy, s, a) in pixels and pixels per image; s is the logarithm of the scale
-/// and a that of the aspect ratio, width over height. The color histograms of six parts of the box
-/// are compared with those of its surroundings. Some particles jump to other positions with these
-/// colors. The histograms adapt to slow changes. A hidden target keeps its position and is found
-/// again. See docs/method-sugandi.md.
+/// The `histogram` method. It implements and extends the future work listed by Sugandi et al.
+/// (2009). The state is (x, y, vx, vy, s, a) in pixels and pixels per image; s is the logarithm of
+/// the scale and a that of the aspect ratio, width over height. The color histograms of six parts
+/// of the box are compared with those of its surroundings. Some particles jump to other positions
+/// with these colors. The histograms adapt to slow color changes. A hidden target keeps its
+/// position and is found again. See docs/method-sugandi.md.
 class HistogramTracker final {
 public:
-  /// `parameters` are those of the method (asserted).
+  /// Creates a tracker. `parameters` must be those of the method (asserted).
   explicit HistogramTracker(const ParameterValues& parameters);
 
   void configure(const ParameterValues& parameters);
@@ -57,7 +57,8 @@ private:
   double sharpness_ = 0.0;
   double adaptation_ = 0.0;
   double hiddenBelow_ = 0.0;
-  Eigen::Index particleCount_ = 0; ///< for the next image; states_ has those of the present one
+  /// Number of particles for the next image; `states_` has the particles of the present one.
+  Eigen::Index particleCount_ = 0;
   std::uint64_t seed_ = 0;
   std::uint32_t frame_ = 0;
   double shrink_ = 1.0; ///< images are scaled by this factor before processing
@@ -69,7 +70,7 @@ private:
   double widthExponent_ = 0.0; ///< see fitSizeExponents()
   double heightExponent_ = 0.0;
   double usualScore_ = 1.0;
-  double firstLikeness_ = 1.0; ///< of the first image, see TargetColors::likeness()
+  double firstLikeness_ = 1.0; ///< value for the first image, see TargetColors::likeness()
   TargetColors colors_;
   TargetMap map_;
   Eigen::ArrayXXd states_;   ///< rows of x, y, vx, vy, s, a

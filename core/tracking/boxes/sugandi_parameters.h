@@ -8,7 +8,7 @@
 namespace dewpoint::tracking {
 
 /// Returns the parameters of the method of Sugandi et al. 2009. The defaults are those of the paper
-/// where it states them (300 particles; its 8 x 8 x 8 bins are fixed).
+/// where it gives them (300 particles; its 8 x 8 x 8 bins are fixed).
 std::span<const ParameterDeclaration> sugandiParameters();
 
 } // namespace dewpoint::tracking

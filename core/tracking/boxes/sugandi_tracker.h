@@ -9,12 +9,12 @@
 
 namespace dewpoint::tracking {
 
-/// Method `sugandi`: the particle filter on color histograms of Sugandi, Kim, Tan and Ishikawa
-/// (2009), exactly as published. The state is (x_k, y_k, x_k-1, y_k-1) in pixels. The size of the
-/// box and the reference histogram are those of the first image.
+/// The `sugandi` method: the color histogram particle filter of Sugandi, Kim, Tan and Ishikawa
+/// (2009), exactly as published. The state is (x_k, y_k, x_k-1, y_k-1) in pixels. The box size and
+/// the reference histogram are those in the first image.
 class SugandiTracker final {
 public:
-  /// `parameters` are those of the method (asserted).
+  /// Creates a tracker. `parameters` must be those of the method (asserted).
   explicit SugandiTracker(const ParameterValues& parameters);
 
   void configure(const ParameterValues& parameters);
@@ -32,7 +32,8 @@ private:
 
   double positionSigma_ = 0.0;
   double likelihoodSigma_ = 0.0;
-  Eigen::Index particleCount_ = 0; ///< for the next image; states_ has those of the present one
+  /// Number of particles for the next image; `states_` has the particles of the present one.
+  Eigen::Index particleCount_ = 0;
   std::uint64_t seed_ = 0;
   std::uint32_t frame_ = 0;
   ImageBox box_; ///< initial box

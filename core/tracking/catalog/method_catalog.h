@@ -21,7 +21,7 @@ class Tracker;
 enum class TargetsFrom {
   Color, ///< each target has a color and a size
   Box,   ///< each target has a box in one frame of one camera
-  Images ///< not at all: the method finds the targets automatically
+  Images ///< the project defines no targets: the method finds them automatically
 };
 
 /// Kind of tables written for a run.
@@ -49,22 +49,22 @@ struct MethodFamily {
   bool hasBestParticle = true;
   /// Masks and maps show motion in every frame with images, tracked or not.
   bool masksMotion = false;
-  /// Targets can be edited in frames that were already tracked. The frames from there on are
-  /// tracked again at once, and past frames show the present targets.
+  /// Targets can be edited in frames that were already tracked. The following frames are then
+  /// tracked again immediately, and past frames show the present targets.
   bool tracksAgainOnEdit = false;
   /// Describes a target in words, as the method uses it.
   std::string (*describe)(const Target& target) = nullptr;
   /// Returns whether a target of the project has everything required for tracking.
   bool (*isDefined)(const Target& target) = [](const Target&) { return true; };
-  /// Returns the reason in words why nothing can be tracked while lacksTargets().
+  /// Returns a text that explains why nothing can be tracked while lacksTargets() is true.
   std::string (*lack)(std::string_view method) = nullptr;
   /// Returns the frame, at most `frame`, at which a run must begin so that its result at `frame` is
   /// correct.
   std::int64_t (*beginFor)(const std::vector<Target>& targets, std::int64_t frame) =
       [](const std::vector<Target>&, std::int64_t frame) { return frame; };
 
-  /// Returns whether the method finds its targets automatically: the project defines none, and a
-  /// truth does not use their names.
+  /// Returns whether the method finds its targets automatically: the project defines none, and
+  /// ground truth does not use their names.
   bool findsTargets() const { return targets == TargetsFrom::Images; }
   /// Returns whether masks show the pixels that have the color of a target.
   bool masksColors() const { return targets == TargetsFrom::Color; }
@@ -79,17 +79,18 @@ struct MethodFamily {
   bool writesBodies() const { return tables == RunTables::People; }
 };
 
-/// Description of a method for a user who chooses one.
+/// Description of a method, to help users choose one.
 struct MethodText {
-  std::string_view title;      ///< by its use: what it follows
-  std::string_view sentence;   ///< what it is for, or what sets it apart, in one line
-  std::string_view page;       ///< of the manual, a file of docs/
-  std::string_view paper = {}; ///< the method is exactly the one of this paper; empty: our own
+  std::string_view title;    ///< title that names its use: what it tracks
+  std::string_view sentence; ///< its purpose or its distinguishing feature, in one line
+  std::string_view page;     ///< page of the manual, a file in docs/
+  /// Paper that describes exactly this method; empty: developed for this project.
+  std::string_view paper = {};
 };
 
 /// A tracking method: one row of the catalog.
 struct Method {
-  std::string_view name; ///< name in project files and on the command line
+  std::string_view name; ///< method name in project files and on the command line
   MethodFamily family;
   MethodText text;
   /// Returns the declarations, which exist for the whole lifetime of the program.
@@ -99,27 +100,29 @@ struct Method {
                                    const std::vector<Target>& targets);
   /// Trajectories have additional columns for measurements from the images of a frame alone.
   bool writesMeasurements = false;
-  /// Trajectories have a column that marks where another object may be the target about as well.
+  /// Trajectories have a column that marks frames in which another object is about as likely to be
+  /// the target.
   bool statesAmbiguity = false;
   /// Trajectories have columns for the extent of targets that are not balls.
   bool learnsShapes = false;
 };
 
-/// Returns all methods that a project may choose, the default first, and in each family its default
-/// first.
+/// Returns all methods that a project can use. The default comes first, and in each family, the
+/// family's default comes first.
 std::span<const Method> methods();
-/// The name of the first.
+/// Returns the name of the first method.
 std::string_view defaultMethod();
-/// Null for an unknown name.
+/// Returns the method with this name; null for an unknown name.
 const Method* findMethod(std::string_view name);
 
-/// Returns methods() in the order of a list of choices. Methods of papers, which are intended for
-/// teaching and comparison, are last. Methods with the same headingOf() are adjacent.
+/// Returns methods() in the order in which they are offered to the user. Methods of papers, which
+/// are intended for teaching and comparison, are last. Methods with the same headingOf() are
+/// adjacent.
 std::vector<const Method*> methodsByUse();
 /// Returns the heading of the method's group: the purpose of the methods in it.
 std::string_view headingOf(const Method& method);
 
-/// Returns the names of methods(), in their order.
+/// Returns the names of methods(), in the same order.
 std::vector<std::string> methodNames();
 /// Returns the names of the methods whose targets are defined in this way.
 std::vector<std::string> methodNames(TargetsFrom targets);
@@ -127,19 +130,20 @@ std::vector<std::string> methodNames(TargetsFrom targets);
 std::vector<std::string> methodNames(RunTables tables);
 /// Returns the family of a method; for an unknown method, that of the default method.
 MethodFamily methodFamily(std::string_view method);
-/// Returns empty texts for an unknown method.
+/// Returns the description of a method; empty strings for an unknown method.
 MethodText methodText(std::string_view method);
-/// Returns an empty text for an unknown method.
+/// Returns MethodText::sentence of a method; empty for an unknown method.
 std::string_view methodSentence(std::string_view method);
-/// The page of the manual about a method; of an unknown one that of the default one.
+/// Returns the manual page about a method; for an unknown method, that of the default method.
 std::string_view methodPage(std::string_view method);
-/// Each of these pages once, in the order of methods().
+/// Returns these pages without duplicates, in the order of methods().
 std::vector<std::string_view> methodPages();
-/// Empty for an unknown method.
+/// Returns the parameters of a method; empty for an unknown method.
 std::span<const ParameterDeclaration> methodParameters(std::string_view method);
-/// Returns the defaults of a method, with the values of equal keys that were changed from their
-/// defaults in `previous`, limited to their allowed ranges. A default that was given in `previous`
-/// becomes the given default of this method, so it is not derived from the cameras.
+/// Returns the defaults of a method, except for keys whose values were changed from their defaults
+/// in `previous`: these values are kept if they are in their allowed ranges. A default that was
+/// given explicitly in `previous` becomes the given default of this method, so it is not derived
+/// from the cameras.
 ParameterValues carriedOver(const ParameterValues& previous, std::string_view method);
 /// Returns MissingKey if the method has a parameter that `parameters` do not declare.
 Status checkParameters(std::string_view method, const ParameterValues& parameters);

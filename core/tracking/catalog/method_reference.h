@@ -8,8 +8,9 @@
 
 namespace dewpoint::tracking {
 
-/// Returns a declared parameter in one line, without its key: "0.03 m (0 to 10). Standard deviation
-/// of ...". The text mentions whether the value is derived from the cameras if it is not given.
+/// Returns a description of a declared parameter in one line, without its key: "0.03 m (0 to 10).
+/// Standard deviation of ...". The text mentions whether the value is derived from the cameras if
+/// it is not given.
 std::string parameterText(const ParameterDeclaration& declaration);
 
 /// Returns the description of a method in plain text: what it tracks, its distinguishing feature,

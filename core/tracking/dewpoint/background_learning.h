@@ -13,10 +13,10 @@
 
 namespace dewpoint::tracking {
 
-// Selection of what the backgrounds are learned from, given the present estimates of the targets
-// (docs/method-dewpoint.md, section 2).
+// Selection of the pixels from which the backgrounds are learned, given the present estimates of
+// the targets (docs/method-dewpoint.md, section 2).
 
-/// Returns the areas of a camera's image in which nothing is learned: targets and distractors,
+/// Returns the areas of a camera's image in which nothing is learned: targets and distractors, with
 /// their shadows and reflections.
 std::vector<BackgroundModel::Hidden> hiddenByObjects(const TrackedObjects& objects,
                                                      std::size_t camera);
@@ -26,12 +26,14 @@ std::vector<BackgroundModel::Hidden> hiddenByObjects(const TrackedObjects& objec
 bool noTargetIsElsewhere(const TrackedObjects& objects, std::size_t cameraCount,
                          const std::vector<SphereEstimate>& estimates);
 
-/// A target is at this position (meters, world): what was found to be empty there is not.
+/// Discards the familiar pixels at a position (meters, world frame) where a target is. They were
+/// learned as background by mistake.
 void forgetFamiliarPixelsAt(const TrackedObject& object, const Eigen::Vector3d& position,
                             FrameImages& images);
 
-/// Counts for how long each target has not been found; `interval` seconds since the last frame.
-/// Once one has not been for `patience` seconds it may have been anywhere all the time.
+/// Measures how long each target has not been found, `interval` seconds after the last frame. If a
+/// target has not been found for `patience` seconds, discards the familiar pixels, since the target
+/// may have been anywhere during that time.
 void forgetFamiliarPixelsOfLost(TrackedObjects& objects, FrameImages& images, double interval,
                                 double patience);
 

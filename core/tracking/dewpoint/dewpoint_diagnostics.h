@@ -10,7 +10,8 @@
 #include <cstddef>
 #include <vector>
 
-// Reports of method `dewpoint` about a target besides its estimate. They do not affect tracking.
+// Reports of the `dewpoint` method about a target in addition to its estimate. They do not affect
+// tracking.
 namespace dewpoint::tracking {
 
 /// Returns for each camera whether it confirms a target, and the reason if it does not; see

@@ -14,7 +14,7 @@
 
 namespace dewpoint::tracking {
 
-/// Method `dewpoint`, developed for this project. It detects every target by its outline in all
+/// The `dewpoint` method, developed for this project. It detects every target by its outline in all
 /// cameras, as a sphere of one color (docs/method-dewpoint.md). Targets of the same color are
 /// distinguished by their former positions, and no two targets can be at one position.
 class DewpointTracker final : public Tracker,
@@ -30,7 +30,7 @@ class DewpointTracker final : public Tracker,
                               public LikelihoodMapping,
                               public Copying {
 public:
-  /// `parameters` must be dewpointParameters().
+  /// Creates a tracker. `parameters` must be declared by dewpointParameters().
   DewpointTracker(const ParameterValues& parameters, const CameraRig& rig,
                   const std::vector<Target>& targets);
   DewpointTracker& operator=(const DewpointTracker&) = delete;
@@ -42,8 +42,8 @@ public:
   void setTargets(const std::vector<Target>& targets) override;
   bool takesAnyNumber() const override { return false; }
   void setCameras(const CameraRig& rig) override;
-  /// Limits the positions of targets. Distractors are tracked everywhere, so that what they explain
-  /// in the images is not counted as evidence inside the volume.
+  /// Limits the positions of targets. Distractors are tracked everywhere, so that pixels they
+  /// explain are not counted as evidence inside the volume.
   void setVolumeOfInterest(const std::optional<WorldBox>& volume) override;
   void correctPosition(std::size_t target, const Gaussian3& position, ThreadTeam& team) override;
   void setBackgroundImages(const std::vector<cv::Mat>& images) override;
@@ -70,7 +70,7 @@ private:
   void predictTracks();
   /// Adapts the colors of targets that are not tracked to the present light.
   void reachColors();
-  /// Measurement updates of all tracks, the most probable objects first.
+  /// Runs the measurement updates of all tracks, starting with the most probable objects.
   void updateTracks(ThreadTeam& team);
   void updateTrack(std::size_t index, ThreadTeam& team);
   void updateAsBall(std::size_t index, ThreadTeam& team);

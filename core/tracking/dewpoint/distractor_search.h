@@ -28,8 +28,8 @@ public:
   };
 
   DistractorSearch() = default;
-  /// A copy has no search in progress and starts a new one. A run with a time budget is not
-  /// reproducible bit by bit anyway.
+  /// Copies everything except the search in progress; the copy starts a new search. A run with a
+  /// time budget is not reproducible bit by bit anyway.
   DistractorSearch(const DistractorSearch& other);
   DistractorSearch& operator=(const DistractorSearch&) = delete;
   ~DistractorSearch() = default;
@@ -50,7 +50,7 @@ private:
   void add(TrackedObject distractor, const Candidate& candidate, const Context& context,
            ThreadTeam& team);
 
-  std::int64_t frameCount_ = 0;  ///< since the restart
+  std::int64_t frameCount_ = 0;  ///< number of frames since the restart
   std::uint32_t nextStream_ = 0; ///< stream of the next distractor
   std::unique_ptr<SlicedSearch> sliced_;
   std::size_t slicedTarget_ = 0;     ///< target whose distractors `sliced_` searches for

@@ -27,14 +27,14 @@ public:
   FramePtr frame(std::size_t camera) const;
   /// Returns the time in seconds from the frame's time to the capture of a camera's image.
   double timeOffset(std::size_t camera) const;
-  /// Passes the images to an observation. The images, the backgrounds and the color must outlive
-  /// its use.
+  /// Passes the images to an observation. The images, the backgrounds and the color must remain
+  /// valid while the observation is used.
   void showTo(SphereObservation& observation, const AdaptiveColor& color) const;
 
   void showTo(RegionObservation& observation, const AdaptiveColor& color) const;
 
-  /// Images without targets, per camera; empty where not known. Known from the next
-  /// resetBackgrounds() on.
+  /// Sets images without targets, one per camera; an image that is not known is empty. They are
+  /// used from the next resetBackgrounds() on.
   void setBackgroundImages(const std::vector<cv::Mat>& images);
   void resetBackgrounds();
   /// Makes the present light the reference for colors.
@@ -46,8 +46,9 @@ public:
   /// BackgroundModel::learn(). The camera must have an image.
   void learnBackground(std::size_t camera, const std::vector<BackgroundModel::Hidden>& hidden,
                        bool noTargetElsewhere);
-  /// BackgroundModel::forgetFamiliarPixels() of all cameras, and inside a circle in one.
+  /// Calls BackgroundModel::forgetFamiliarPixels() for the whole images of all cameras.
   void forgetFamiliarPixels();
+  /// Does the same inside a circle in the image of one camera.
   void forgetFamiliarPixels(std::size_t camera, const BackgroundModel::Hidden& circle);
   const BackgroundModel& background(std::size_t camera) const { return backgrounds_[camera]; }
   /// Returns the size of the backgrounds in bytes.

@@ -12,12 +12,12 @@
 namespace dewpoint::tracking {
 
 /// Shape of a target: the belief about whether it is a ball, and a track of it as an object of any
-/// shape, which is used while it is believed not to be a ball.
+/// shape. The track is used while the target is believed not to be a ball.
 class ShapeTracking {
 public:
   ShapeTracking(const Target& target, const CameraRig& rig)
       : belief_(target), track_(target), observation_(rig) {}
-  /// A copy has no images; they must be passed to it again.
+  /// Creates a copy without images, which must be passed to it again.
   ShapeTracking(const ShapeTracking& other, const CameraRig& rig)
       : belief_(other.belief_), track_(other.track_), observation_(rig),
         sinceLearned_(other.sinceLearned_), frames_(other.frames_) {}
@@ -34,12 +34,12 @@ public:
   const RegionObservation& observation() const { return observation_; }
 
   /// Returns whether the images of this frame are needed while the target is assumed to be a ball;
-  /// `ballFound` states whether the ball was found.
+  /// `ballFound` is true if the ball was found.
   bool wantsImages(bool ballFound) const;
-  /// Learns about the shape from what lies where a ball was found. Where it turns out to be none,
-  /// the track begins there.
+  /// Learns about the shape from the object at the position where a ball was found. If the object
+  /// turns out not to be a ball, the track begins there.
   void measureBall(const TrackHypothesis& ball, const RandomKey& key, ThreadTeam& team);
-  /// Updates the track by the images, and learns from it about the shape.
+  /// Updates the track with the images and uses it to learn about the shape.
   void update(const std::vector<OccupiedSphere>& occupied, const RandomKey& key, ThreadTeam& team);
   /// Sets the position of the target as given by the user; `radius` in meters is used if its extent
   /// is unknown.
@@ -53,7 +53,7 @@ private:
   RegionTrack track_;
   RegionObservation observation_;
   double sinceLearned_ = 0.0; ///< seconds
-  std::int64_t frames_ = 0;   ///< since the restart
+  std::int64_t frames_ = 0;   ///< number of frames since the restart
 };
 
 } // namespace dewpoint::tracking

@@ -20,11 +20,11 @@ struct TrackedObject {
   AdaptiveColor color;
   /// Search in progress within a time budget; otherwise null.
   std::unique_ptr<SlicedSearch> search;
-  std::uint32_t stream = 0; ///< separates its random numbers from those of others
-  int unseenFrames = 0;     ///< since it was tracked last
+  std::uint32_t stream = 0; ///< separates the random numbers of this object from those of others
+  int unseenFrames = 0;     ///< number of frames since it was last tracked
   /// Null for distractors, which are assumed to be balls.
   std::unique_ptr<ShapeTracking> shape = nullptr;
-  double unseenSeconds = 0.0; ///< since it was tracked last
+  double unseenSeconds = 0.0; ///< time in seconds since it was last tracked
 
   /// Returns whether it is assumed to be a ball.
   bool isBall() const { return !shape || shape->belief().isBall(); }

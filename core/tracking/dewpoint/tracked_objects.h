@@ -11,14 +11,14 @@
 
 namespace dewpoint::tracking {
 
-/// All objects that method `dewpoint` tracks in one run: the targets in the order of the project,
-/// then the distractors. No two of them can be at one position, and a pixel is evidence for only
-/// one of them.
+/// All objects that the `dewpoint` method tracks in one run: the targets in the order of the
+/// project, then the distractors. No two of them can be at one position, and a pixel is evidence
+/// for only one of them.
 class TrackedObjects {
 public:
   TrackedObjects(const std::vector<Target>& targets, const CameraRig& rig);
-  /// A copy has no images and no searches in progress: images must be passed to it again, and
-  /// searches start again.
+  /// Creates a copy without images and without searches in progress. Images must be passed to it
+  /// again, and searches start again.
   TrackedObjects(const TrackedObjects& other);
   TrackedObjects& operator=(const TrackedObjects&) = delete;
   ~TrackedObjects() = default;
@@ -52,7 +52,7 @@ public:
   /// Returns the spheres occupied by confident tracks of objects other than `index`. An index that
   /// is not below size() stands for an object that is not tracked yet.
   std::vector<OccupiedSphere> occupiedByOthers(std::size_t index) const;
-  /// As occupiedByOthers(), without distractors.
+  /// Like occupiedByOthers(), but without distractors.
   std::vector<OccupiedSphere> occupiedByOtherTargets(std::size_t index) const;
   /// Returns whether a target is the first one of its color.
   bool isFirstOfItsColor(std::size_t target) const;
@@ -60,7 +60,7 @@ public:
   /// its color must be balls. Otherwise a part of a larger target could be mistaken for a
   /// distractor.
   bool mayHaveDistractors(std::size_t target) const;
-  /// Returns whether all targets are certain and mostly visible.
+  /// Returns whether all targets have a certain position and are mostly visible.
   bool allTargetsVisible() const;
 
   /// Marks the pixels of other, mostly visible objects with the color of `own` as explained in the
@@ -79,7 +79,7 @@ public:
   /// Removes distractors, and hypotheses of other targets, at the position of a target whose
   /// outline was found where the user has placed it. Returns the indices of these targets.
   std::vector<std::size_t> makeRoomFor(std::size_t target);
-  /// Suppresses, of any two objects at one position, the one with the smaller log likelihood ratio.
+  /// If two objects are at one position, suppresses the one with the smaller log likelihood ratio.
   void resolveConflicts();
   /// Removes the hypotheses of targets at occupied positions, and selects between those that images
   /// cannot distinguish.

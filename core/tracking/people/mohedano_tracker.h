@@ -9,10 +9,10 @@
 
 namespace dewpoint::tracking {
 
-/// Methods `mohedano-ms` and `mohedano-msc`: one independent particle filter per person over x y z
-/// vx vy vz (MS), with h s added (MS+C) (Mohedano, García, Salgado and Jaureguizar 2009).
-/// PeopleTrackLifecycle handles the background, and creation and removal of tracks, which the paper
-/// does not describe.
+/// The `mohedano-ms` and `mohedano-msc` methods. Each person has an independent particle filter
+/// over x y z vx vy vz (MS), or additionally over h s (MS+C) (Mohedano, García, Salgado and
+/// Jaureguizar 2009). PeopleTrackLifecycle handles the background, and creation and removal of
+/// tracks, which the paper does not describe.
 class MohedanoTracker final : public PeopleTrackLifecycle {
 public:
   MohedanoTracker(const ParameterValues& parameters, const CameraRig& rig, bool color);

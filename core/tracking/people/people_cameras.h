@@ -31,7 +31,7 @@ public:
   void setRig(const CameraRig& rig);
   void configure(const PeopleSettings& settings) { settings_ = settings; }
   void setBackgroundImages(const std::vector<cv::Mat>& rooms) { backgroundImages_ = rooms; }
-  /// The next frame is the first one.
+  /// Restarts, so that the next frame is the first one.
   void restart();
   /// Computes the masks of a frame. `keep` has one image per camera, of the mask's size or empty,
   /// that marks where nothing is learned.
@@ -68,7 +68,7 @@ private:
     std::unique_ptr<ForegroundModel> model_;
   };
   struct View {
-    Camera camera; ///< of the reduced images
+    Camera camera; ///< camera of the reduced images
     Projector projector;
     cv::Mat image; ///< its pixels and those of the mask are never changed afterward
     cv::Mat mask;

@@ -26,13 +26,14 @@ struct PeopleArea {
 /// person is weighted. Chosen by judgment.
 inline constexpr double kPieceFloor = -0.25;
 
-/// What all methods for people have in common.
+/// Settings shared by all methods for people.
 struct PeopleSettings {
   PeopleArea area;
   ForegroundSettings foreground; ///< in frames of 1/30 s until the frame rate is known
   double learningTime = 1.0;     ///< seconds
   double memory = 40.0;          ///< seconds
-  int imageWidth = 0;        ///< largest width of the images, which are reduced to it; 0: unchanged
+  /// Maximum image width in pixels; larger images are reduced to it; 0: unchanged.
+  int imageWidth = 0;
   double birthTime = 0.2;    ///< seconds
   double survivalTime = 0.6; ///< seconds
   bool births = true;
@@ -41,7 +42,7 @@ struct PeopleSettings {
 /// Returns the common settings from the parameters of a method for people.
 PeopleSettings peopleSettings(const ParameterValues& parameters);
 
-/// Return the parameters of methods `mohedano-ms`, `mohedano-msc` and `people`.
+/// Return the parameters of the `mohedano-ms`, `mohedano-msc` and `people` methods.
 std::span<const ParameterDeclaration> mohedanoMsParameters();
 std::span<const ParameterDeclaration> mohedanoMscParameters();
 std::span<const ParameterDeclaration> peopleParameters();

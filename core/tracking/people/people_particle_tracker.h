@@ -11,10 +11,10 @@
 
 namespace dewpoint::tracking {
 
-/// Method `people`, developed for this project. It has one particle filter per person over position
-/// and velocity on the floor and height, weighted by how well a standing body fits the masks of all
-/// cameras. Pixels covered by other people are assigned to them, two people cannot stand at one
-/// position, and clothes distinguish people who have met.
+/// The `people` method, developed for this project. It has one particle filter per person over
+/// position and velocity on the floor and height, weighted by how well a standing body fits the
+/// masks of all cameras. Pixels covered by other people are assigned to them, two people cannot
+/// stand at one position, and clothes distinguish people who have met.
 class PeopleParticleTracker final : public PeopleTrackLifecycle {
 public:
   PeopleParticleTracker(const ParameterValues& parameters, const CameraRig& rig);

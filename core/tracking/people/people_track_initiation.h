@@ -30,9 +30,9 @@ public:
                                                                 sizeof(BodySilhouette));
   }
 
-  /// Processes the masks of a frame. `explained` has one mask per camera of what is already
-  /// explained (CV_8UC1), or is empty; `taken` has the positions of the tracked people. Returns at
-  /// most one position (world x, y) at which to create a track.
+  /// Processes the masks of a frame. `explained` has one mask per camera (CV_8UC1) of the pixels
+  /// that are already explained, or is empty. `taken` has the positions of the tracked people.
+  /// Returns at most one position (world x, y) at which to create a track.
   std::vector<Eigen::Vector2d> update(const PeopleCameras& cameras,
                                       const std::vector<cv::Mat>& explained,
                                       const std::vector<Eigen::Vector2d>& taken, double birthTime);
@@ -46,7 +46,7 @@ private:
     Eigen::Vector2d position;
     double score = 0.0;
     double since = 0.0; ///< seconds
-    bool seen = true;   ///< in this frame
+    bool seen = true;   ///< seen in this frame
   };
 
   double scoreOf(const Cell& cell, const PeopleCameras& cameras,

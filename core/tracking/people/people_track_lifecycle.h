@@ -62,7 +62,7 @@ protected:
   struct Sight {
     bool inView = false;
     double score = 0.0; ///< 1: all of the person's visible part is foreground
-    double free = 0.0;  ///< share of the silhouette that no other person covers
+    double free = 0.0;  ///< fraction of the silhouette that no other person covers
   };
 
   /// Creates the method's belief about a new person, the last of `people_`.
@@ -120,7 +120,7 @@ private:
   FrameSetPtr frames_;
   bool stepped_ = false; ///< the frame was processed
   std::vector<Target> everybody_;
-  mutable std::map<int, BodyCloud> bodies_; ///< of this frame, only those requested
+  mutable std::map<int, BodyCloud> bodies_; ///< bodies in this frame; only those requested
 };
 
 } // namespace dewpoint::tracking

@@ -7,7 +7,7 @@
 
 namespace dewpoint::tracking {
 
-/// P_H of Mohedano et al. 2009: the share of the occupancy density inside a person's volume.
+/// P_H of Mohedano et al. 2009: the fraction of the occupancy density inside a person's volume.
 inline constexpr double kVolumeProbability = 0.95;
 /// Standard deviation of the Gaussian kernel of every particle, in meters; the paper does not give
 /// one.

@@ -13,7 +13,7 @@ namespace dewpoint::tracking {
 
 /// Returns the center of the body (world frame, meters) of a person visible at a pixel of a camera.
 /// Of all standing bodies in the method's area that cover the pixel, it selects the one that best
-/// fits the motion masks of all cameras, or without masks, the one whose center is nearest to the
+/// fits the motion masks of all cameras, or without masks, the one whose center is closest to the
 /// pixel. `parameters` are those of a method for people. Returns nothing if no person could stand
 /// there.
 std::optional<Eigen::Vector3d> personAtPixel(const PeopleFinding& people, const CameraRig& rig,

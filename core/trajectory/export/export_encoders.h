@@ -9,25 +9,26 @@ namespace dewpoint::trajectory::encoders {
 
 using Files = Result<std::vector<ExportFile>>;
 
-/// One row per target and frame, comma-separated.
+/// Encodes one row per target and frame, comma-separated.
 Files tidyCsv(const ExportTable& table, const std::string& name);
-/// One row per frame with columns for all targets, comma-separated.
+/// Encodes one row per frame with columns for all targets, comma-separated.
 Files wideCsv(const ExportTable& table, const std::string& name);
-/// One file per target with lines `timestamp tx ty tz qx qy qz qw`, without rotation and only for
-/// known positions (https://cvg.cit.tum.de/data/datasets/rgbd-dataset/file_formats).
+/// Encodes one file per target with lines `timestamp tx ty tz qx qy qz qw`, without rotation and
+/// only for known positions (https://cvg.cit.tum.de/data/datasets/rgbd-dataset/file_formats).
 Files tum(const ExportTable& table, const std::string& name);
-/// TRC (track row column) of Motion Analysis, as OpenSim reads it.
+/// Encodes TRC (track row column) of Motion Analysis, as read by OpenSim.
 Files trc(const ExportTable& table, const std::string& name);
-/// C3D with points only, floating-point, little-endian (C3D file format user guide, Motion Lab
-/// Systems).
+/// Encodes C3D with points only, floating-point, little-endian (C3D file format user guide, Motion
+/// Lab Systems).
 Files c3d(const ExportTable& table, const std::string& name);
-/// NumPy arrays in a ZIP file without compression (NEP 1; APPNOTE 6.3 of PKWARE).
+/// Encodes NumPy arrays in a ZIP file without compression (NEP 1; APPNOTE 6.3 of PKWARE).
 Files npz(const ExportTable& table, const std::string& name);
-/// XML PolyData of VTK in ASCII: one line per stretch without gaps, with values at its points.
+/// Encodes VTK XML PolyData in ASCII: one polyline per stretch without gaps, with values at its
+/// points.
 Files vtp(const ExportTable& table, const std::string& name);
-/// ParaView collection with one PolyData file per row, which ParaView can play over time.
+/// Encodes a ParaView collection with one PolyData file per row, which ParaView can play over time.
 Files pvd(const ExportTable& table, const std::string& name);
-/// One JSON object per row.
+/// Encodes one JSON object per row.
 Files jsonLines(const ExportTable& table, const std::string& name);
 
 /// Returns the header as `# ` lines: description of the file, units and axes, and the entries of

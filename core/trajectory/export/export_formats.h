@@ -21,11 +21,11 @@ struct ExportFile {
 struct ExportFormat {
   std::string_view id;     ///< name on the command line
   std::string_view title;  ///< name shown to the user
-  std::string_view suffix; ///< of the file name, including the dot
+  std::string_view suffix; ///< file name suffix, including the dot
   std::string_view fields; ///< contents of the file in one sentence
   TableRequest table;      ///< default axes, unit and rows
-  bool covariance = false; ///< whether the file holds the full covariance
-  bool binary = false;     ///< not text: the preview describes the file
+  bool covariance = false; ///< true if the file holds the full covariance
+  bool binary = false;     ///< the file is not text; the preview describes it
   /// Encodes the table as one or more files. `name` is the name of the chosen file without suffix,
   /// for formats that store a name. Returns BadValue if the format cannot hold the table.
   Result<std::vector<ExportFile>> (*encode)(const ExportTable& table, const std::string& name);

@@ -41,7 +41,7 @@ struct ExportOptions {
   GapRule gaps = GapRule::Leave;
   std::optional<WorldAxes> axes;
   std::optional<LengthUnit> unit;
-  bool header = true;      ///< whether to write metadata, if the format does not require them
+  bool header = true;      ///< true to write metadata even if the format does not require it
   bool smooth = false;     ///< smoothed estimates after the run instead of the live estimates
   double longestGap = 1.0; ///< longest gap that is filled, in seconds
   std::string date;        ///< date of the export for the header; empty: none

@@ -20,7 +20,7 @@ struct ExportCell {
   bool present = false;   ///< if false, no other field is set
   bool filled = false;    ///< interpolated over a gap
   bool corrected = false; ///< the user corrected the position in this frame
-  bool ambiguous = false; ///< another object may be the target about as well
+  bool ambiguous = false; ///< another object is about as likely to be the target
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   std::optional<Eigen::Matrix3d> covariance; ///< empty: not known
   std::optional<Eigen::Vector3d> best;       ///< particle of highest weight; empty: not known
@@ -57,14 +57,14 @@ struct ExportTable {
   const char* unitName() const { return unit == LengthUnit::Meter ? "m" : "mm"; }
 };
 
-/// Defaults of a format for what the user has not chosen.
+/// Default values of a format for options that the user has not set.
 struct TableRequest {
   WorldAxes axes = WorldAxes::ZUp;
   LengthUnit unit = LengthUnit::Meter;
   bool evenRows = false; ///< rows at equal intervals of time
 };
 
-/// Makes the table of an export: selects targets and rows, smooths, resamples, fills gaps and
+/// Creates the table for an export: selects targets and rows, smooths, resamples, fills gaps and
 /// rotates to the axes of the file. Positions between recorded ones lie on a cubic through them
 /// whose slopes are those of the parabolas through three neighbors (exact for a ball in flight).
 /// NotFound names an unknown target; BadValue names an empty or invalid number. If `progress`

@@ -23,7 +23,8 @@ struct ExportSummary {
   std::size_t targets = 0;
   std::size_t gaps = 0; ///< target and row pairs left empty
   bool canceled = false;
-  std::filesystem::path occupied; ///< is there already and may not be replaced: nothing was written
+  /// Existing file that may not be replaced, so nothing was written; otherwise empty.
+  std::filesystem::path occupied;
 };
 
 /// Preview of an export.
@@ -31,7 +32,7 @@ struct ExportPreview {
   std::string units; ///< units and axes in one sentence
   std::string size;  ///< targets, rows, rate and gaps in one sentence
   std::string text;  ///< first lines of a text file, or a description of a binary one
-  // The same as values, for messages in other languages.
+  // The same information as values, for messages in other languages.
   WorldAxes axes = WorldAxes::ZUp;
   LengthUnit unit = LengthUnit::Meter;
   std::size_t targets = 0;
@@ -40,16 +41,17 @@ struct ExportPreview {
   double rate = 0.0; ///< rows per second
 };
 
-/// Writes the trajectory as `options.format` to `file` (formats of several files put the others
-/// beside it). The file is written beside, flushed and renamed, as the last one. A canceled or
-/// failed export takes the files away again that it has made. FileUnwritable, and the errors of
-/// makeExportTable() and of the format.
+/// Writes the trajectory to `file` in the format `options.format`. If the format uses several
+/// files, the others are written to the same folder. `file` is written last: to a temporary file in
+/// the same folder, which is flushed and then renamed. A canceled or failed export removes the
+/// files that it has created. Returns FileUnwritable, and the errors of makeExportTable() and of
+/// the format.
 Result<ExportSummary> exportTrajectory(const Trajectory& trajectory, const ExportOptions& options,
                                        const std::filesystem::path& file,
                                        const ExportProgress& progress = {});
 
-/// The first `lineCount` lines as exportTrajectory() would write them. Canceled when `progress`
-/// says so.
+/// Returns the first `lineCount` lines as exportTrajectory() would write them. Returns Canceled if
+/// `progress` returned false.
 Result<ExportPreview> previewExport(const Trajectory& trajectory, const ExportOptions& options,
                                     const std::filesystem::path& file, std::size_t lineCount = 40,
                                     const ExportProgress& progress = {});

@@ -23,7 +23,7 @@ struct FigureTexts {
 /// none.
 std::string figureTitle(const std::vector<std::pair<std::string, std::string>>& entries);
 
-/// A figure of a trajectory laid out on a page for print: x, y and z over time with a band of two
+/// A trajectory figure laid out on a page for printing: x, y and z over time with a band of two
 /// standard deviations, the path from above next to them, and a legend. Lengths are in units of the
 /// page, x to the right, y down. figureSvg() and the window draw it.
 struct FigureDrawing {

@@ -20,8 +20,8 @@ struct AxisRange {
   /// Extends the range to contain `value`.
   void include(double value);
   double size() const { return high - low; }
-  /// Returns the range widened by a twentieth at both ends, never of zero size. Returns 0 to 1 if
-  /// no value was included.
+  /// Returns the range widened by 5 % at each end; its size is never zero. Returns 0 to 1 if no
+  /// value was included.
   AxisRange padded() const;
 };
 

@@ -11,7 +11,7 @@
 
 namespace dewpoint::trajectory {
 
-/// A finished job, and its comparison with the truth if there was one.
+/// A finished job, and its comparison with the ground truth if there was one.
 struct GatheredJob {
   std::string folder; ///< as given by the user
   JobRecord record;
@@ -39,12 +39,12 @@ Result<GatheredJobs> gatherJobs(const std::vector<std::string>& folders);
 std::string evaluationFileText(const std::vector<Evaluation>& evaluations,
                                const std::string& trajectorySha256);
 
-/// Returns a CSV table with one row per job and target. The same results give the same bytes.
+/// Returns a CSV table with one row per job and target. Identical results give identical bytes.
 std::string gatheredTable(const GatheredJobs& gathered);
 /// Returns a CSV table with the duration of each job, which differs from run to run.
 std::string gatheredTimes(const GatheredJobs& gathered);
 /// Returns a Markdown page about the results: those of each method, the worst ones, and missing
-/// jobs. The same results give the same bytes.
+/// jobs. Identical results give identical bytes.
 std::string gatheredReport(const GatheredJobs& gathered);
 
 } // namespace dewpoint::trajectory

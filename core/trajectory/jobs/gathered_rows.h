@@ -17,7 +17,7 @@ struct GatheredRow {
   std::int64_t validFrames = 0;
   const Evaluation* evaluation = nullptr; ///< null if there is no truth
 
-  /// Returns the share of the job's frames in which the target had a valid position; 0 without
+  /// Returns the fraction of the job's frames in which the target had a valid position; 0 without
   /// frames.
   double coverage() const {
     return job->record.frames > 0

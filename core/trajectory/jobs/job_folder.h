@@ -30,8 +30,8 @@ public:
                                  const std::vector<std::string>& names);
 
   /// Marks the job as finished. The files of these names are recorded with their sizes and
-  /// checksums. Returns FileUnwritable, also if another process has since begun a job in the same
-  /// folder; the folder is then left unchanged.
+  /// checksums. Returns FileUnwritable, including when another process has since begun a job in the
+  /// same folder; the folder is then left unchanged.
   Status finish(JobRecord record, const std::vector<std::string>& names) const;
 
 private:

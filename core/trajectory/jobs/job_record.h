@@ -43,7 +43,7 @@ struct JobIdentity {
   /// Parameters that differ from the method's defaults: "particles=200 kld_error=0"
   std::string settings;
   std::string frames;  ///< range of frames: "0:60"; empty: all
-  std::string version; ///< of Dewpoint
+  std::string version; ///< version of Dewpoint
 
   auto operator<=>(const JobIdentity&) const = default;
 };
@@ -51,13 +51,14 @@ struct JobIdentity {
 /// Record of a finished job, stored in done.json.
 struct JobRecord {
   JobIdentity identity;
-  /// Checksum of everything that the result depends on, see jobKey(); empty: not repeatable.
+  /// Checksum of everything that the result depends on; see jobKey(). Empty if the job is not
+  /// repeatable.
   std::string key;
   std::int64_t frames = 0;
-  double seconds = 0.0; ///< wall-clock time of the tracking
+  double seconds = 0.0; ///< wall-clock time for tracking
   int threads = 1;
   std::vector<JobTarget> targets;
-  std::vector<JobFile> files; ///< files that are the same when the job is repeated
+  std::vector<JobFile> files; ///< files that are identical when the job is repeated
 
   bool operator==(const JobRecord&) const = default;
 };
@@ -69,9 +70,9 @@ struct JobInput {
 };
 
 /// Returns a checksum of everything that a result depends on: `description` (project, method,
-/// parameters, seed, frames), and size and modification time of each input. A folder counts with
-/// all its files. Small inputs (up to 1 MB) count with their content instead. Returns FileMissing
-/// or FileUnreadable.
+/// parameters, seed, frames), and size and modification time of each input. For a folder, this
+/// includes all its files. For small inputs (up to 1 MB), the content is used instead. Returns
+/// FileMissing or FileUnreadable.
 Result<std::string> jobKey(const std::string& description, const std::vector<JobInput>& inputs);
 
 /// Returns the text of done.json.

@@ -16,7 +16,8 @@ namespace dewpoint::tracking {
 struct Candidate {
   Eigen::Vector3d center = Eigen::Vector3d::Zero(); ///< meters, world frame
   double radius = 0.0;                              ///< meters
-  double logLikelihoodRatio = 0.0;                  ///< of SphereEvidence, sum over all cameras
+  /// Log likelihood ratio from SphereEvidence, sum over all cameras.
+  double logLikelihoodRatio = 0.0;
 };
 
 /// Searches whole images for targets. It finds round spots of the target's color in each camera and
@@ -27,7 +28,7 @@ public:
   /// Round spot of the target's color in one image.
   struct Spot {
     Ray ray;               ///< ray through the center of the spot, world frame
-    double radiusPx = 0.0; ///< of the inscribed circle
+    double radiusPx = 0.0; ///< radius of the inscribed circle, pixels
   };
 
   explicit CandidateSearch(const CameraRig& rig);
@@ -38,9 +39,10 @@ public:
   /// whole images.
   std::vector<Candidate> find(SphereObservation& observation, bool radiusKnown, std::size_t limit,
                               const std::optional<WorldBox>& bounds = std::nullopt) const;
-  /// First step of find(): returns the spots in one camera's image, which must be fully labeled.
+  /// Returns the spots in one camera's image, which must be fully labeled. This is the first step
+  /// of find().
   std::vector<Spot> spotsOf(std::size_t camera, const LabelImage& labels) const;
-  /// Second step of find(): returns the candidates from one list of spots per camera.
+  /// Returns the candidates from one list of spots per camera. This is the second step of find().
   std::vector<Candidate> triangulate(const std::vector<std::vector<Spot>>& spots,
                                      SphereObservation& observation, bool radiusKnown,
                                      std::size_t limit,

@@ -23,9 +23,8 @@ public:
   /// standard deviation of `maxSigma` meters. Does nothing before the first confirm().
   void widen(double interval, double maxSigma);
 
-  /// Returns the probability density (1/m³) that a target that appears does so at this position:
-  /// half from this prior, half uniform in a cube with edges of `searchSize` meters; 0 outside the
-  /// bounds.
+  /// Returns the probability density (1/m³) of the position at which a target appears: half from
+  /// this prior, half uniform in a cube with edges of `searchSize` meters; 0 outside the bounds.
   double birthDensity(const Eigen::Vector3d& position, double searchSize,
                       const std::optional<WorldBox>& bounds = std::nullopt) const;
   /// Draws `count` positions, rows of x, y, z. Position i is drawn from element i of the stream.

@@ -22,7 +22,7 @@ public:
   SlicedSearch(const CameraRig& rig, AdaptiveColor color, double radius, FrameSetPtr frames,
                const std::optional<WorldBox>& bounds = std::nullopt);
 
-  /// The images must be passed to the observation before the first advance().
+  /// Returns the observation. The images must be passed to it before the first advance().
   SphereObservation& observation() { return observation_; }
   const AdaptiveColor& color() const { return color_; }
 

@@ -13,15 +13,16 @@ namespace dewpoint::tracking {
 
 /// Clock of an iteration with a limited duration. Deferrable work is done if the time that it
 /// recently took (a running median) still fits, otherwise it is deferred. Other work is reduced by
-/// using fewer particles. Without a budget, everything is done at once, no clock is read, and a run
-/// is reproducible bit by bit.
+/// using fewer particles. Without a budget, all work is done immediately, no clock is read, and a
+/// run is reproducible bit by bit.
 class TimeBudget {
 public:
   /// Kind of deferrable work.
   enum class Part { Labels, Spots, Candidates, Learning };
   static constexpr std::size_t kPartCount = 4;
   /// Number of deferrals after which work is done anyway: a budget without time for it slows it
-  /// down but does not stop it. The value is a judgment (docs/method-dewpoint.md, section 10).
+  /// down but does not stop it. The value was chosen by judgment (docs/method-dewpoint.md, section
+  /// 10).
   static constexpr int kMaxDeferrals = 30;
 
   /// Sets the milliseconds per iteration; 0 means no limit. A change discards all measured times.
@@ -42,7 +43,7 @@ public:
     return true;
   }
 
-  /// Adapts the number of particles to the time that the work that cannot be deferred took; call it
+  /// Adapts the number of particles to the time taken by the work that cannot be deferred. Call it
   /// after that work. `most` is the number of particles per target without a budget.
   void endOfUpdates(double most);
   /// Returns the number of particles per target that fit, at least ten; nothing without a limit.

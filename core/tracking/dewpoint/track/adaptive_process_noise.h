@@ -18,8 +18,9 @@ public:
   /// acceleration persists, so the position error grows with the square of the time. It never
   /// exceeds that of `allowed`.
   ConstantVelocity next(const ConstantVelocity& allowed);
-  /// Record whether the target was visible in the last step.
+  /// Records that the target was not visible in the last step.
   void recordUnseen() { ++unseenSteps_; }
+  /// Records that the target was visible in the last step.
   void recordSeen();
   int unseenSteps() const { return unseenSteps_; }
 

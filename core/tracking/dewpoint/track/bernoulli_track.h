@@ -25,8 +25,9 @@ namespace dewpoint::tracking {
 struct BernoulliTrackSettings {
   Eigen::Index maxParticles = 500;
   Eigen::Index minParticles = 100;
-  double kldError = 0.1; ///< Kullback-Leibler distance; 0: always maxParticles
-  /// In m/s²; must be set: its default is declared with the parameters.
+  double kldError = 0.1; ///< maximum Kullback-Leibler distance; 0: always maxParticles
+  /// Standard deviation of the acceleration, m/s². It must be set, since its default is declared
+  /// with the parameters.
   double accelerationSigma = 0.0;
   double survivalTime = 5.0; ///< seconds
   double searchSize = 4.0;   ///< meters
@@ -53,8 +54,8 @@ public:
   /// ends with its last hypothesis.
   void setCreatesHypotheses(bool creates) { createsHypotheses_ = creates; }
   void setTarget(const Target& target);
-  /// Limits the positions of the target from the next update on; nothing: unlimited. The start
-  /// volume and the search particles are limited from the next restart on.
+  /// Limits the positions of the target from the next update on; without a value, they are
+  /// unlimited. The start volume and the search particles are limited from the next restart on.
   void setBounds(const std::optional<WorldBox>& bounds) { bounds_ = bounds; }
   /// Removes all hypotheses. The target is expected in the start volume first, then elsewhere.
   void restart(const StartVolume& start, std::uint64_t seed);
@@ -72,8 +73,8 @@ public:
   /// present radius, and updates it with the images of the frame.
   void correct(const Gaussian3& position, SphereObservation& observation, const RandomKey& key,
                ThreadTeam& team);
-  /// Takes the hypothesis of another filter of this target for its only one, or none where it is
-  /// null; predicted and updated by that filter.
+  /// Replaces all hypotheses by a hypothesis from another filter of this target, or by none if it
+  /// is null. The other filter has already predicted and updated it.
   void setOnlyHypothesis(const TrackHypothesis* hypothesis);
   /// Removes the hypotheses at occupied positions, unless the likeliest one has a probability above
   /// one half.
@@ -96,7 +97,7 @@ public:
   /// Returns all hypotheses, the most likely first.
   const std::vector<TrackHypothesis>& hypotheses() const { return hypotheses_; }
   /// Returns the expected position of the target: the most likely hypothesis, or the last confirmed
-  /// position. Nothing if there was none, or it is too old.
+  /// position. Returns nothing if there was none or if it is too old.
   std::optional<OccupiedSphere> expectedSphere() const;
   SphereEstimate estimate(SphereObservation& observation) const;
   /// As ParticleCloud::particles().
@@ -111,8 +112,8 @@ private:
   /// in the hypothesis whether they show its rim. A hypothesis that may be part of a larger object
   /// gets at most the probability of a birth.
   double probabilityBefore(TrackHypothesis& hypothesis, SphereObservation& observation) const;
-  /// Returns the probability that an absent target appears at a position, as far as images
-  /// distinguish it from others.
+  /// Returns the probability that an absent target appears at a position, or so close to it that
+  /// images cannot distinguish the two.
   double birthProbability(const Eigen::Vector3d& position, double radius) const;
   /// Removes hypotheses that are more than their radius outside the bounds, and those with an
   /// impossible radius.
@@ -135,8 +136,8 @@ private:
   RadiusPrior radiusPrior_;
   SearchPrior searchPrior_;
   SearchParticles searchParticles_;
-  /// Returns whether the most likely position has changed to one that the hypothesis that was
-  /// confident before this frame cannot have reached.
+  /// Returns whether the most likely position has changed to one that cannot have been reached by
+  /// the hypothesis that was confident before this frame.
   bool hasJumped() const;
 
   double identityAmbiguity_ = 0.0; ///< probability that resolveIdentity() chose wrongly

@@ -13,14 +13,14 @@
 namespace dewpoint::tracking {
 
 /// Returns the estimate of a target from its most likely hypothesis, which has particles. The mean
-/// is that of the particles, the covariance that of the hypothesis' Gaussian plus the `errors`.
+/// is that of the particles. The covariance is that of the hypothesis' Gaussian plus the `errors`.
 ///
 /// `existenceProbability` is the probability that the target is at the estimate. It is the product
 /// of the hypothesis' probability and 1 - `identityAmbiguity` (0 to 1, the probability that the
 /// hypothesis is an identical object). While no camera sees the target, it is also multiplied by
-/// the probability that the target is within its radius of the estimate. `valid`: the target is
-/// more likely there than not, apart from its identity, and the position is known precisely enough
-/// to be useful. Sets the radius of the observation.
+/// the probability that the target is within its radius of the estimate. `valid` is true if the
+/// target is more likely there than not, apart from its identity, and its position is known
+/// precisely enough to be useful. Sets the radius of the observation.
 SphereEstimate sphereEstimateFrom(const TrackHypothesis& hypothesis, double identityAmbiguity,
                                   const SystematicErrors& errors, SphereObservation& observation);
 

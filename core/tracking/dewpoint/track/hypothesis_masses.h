@@ -17,10 +17,10 @@ struct OccupiedSphere {
   double radius = 0.0;
 };
 
-// Computations of the Bernoulli filter of method `dewpoint` on hypotheses as values, without
-// images. The mass of a hypothesis is its probability before the measurement times the factor by
-// which the measurement changes it relative to absence; absence itself keeps its probability.
-// Masses are passed as logarithms, one per hypothesis, and do not sum to one.
+// Computations of the Bernoulli filter in the `dewpoint` method that work on hypotheses alone,
+// without images. The mass of a hypothesis is its probability before the measurement times the
+// factor by which the measurement changes it relative to absence; absence itself keeps its
+// probability. Masses are passed as logarithms, one per hypothesis, and do not sum to one.
 
 /// Returns the probability that the target is at none of these positions; at least 1e-9, so that it
 /// has a logarithm.
@@ -31,9 +31,9 @@ double absenceProbability(const std::vector<TrackHypothesis>& hypotheses);
 /// found where two cameras see it.
 double absenceFromSharedViews(const std::vector<TrackHypothesis>& hypotheses);
 
-/// Removes from each hypothesis now visible to one camera alone what it has gained since more than
-/// one camera could see it: the likelihood from one camera can restore a hypothesis only up to its
-/// prior.
+/// Limits each hypothesis now visible to only one camera to the probability it had when more than
+/// one camera could last see it: the likelihood from one camera can restore a hypothesis only up to
+/// its prior.
 void limitOneCamera(std::vector<TrackHypothesis>& hypotheses);
 
 /// Limits the probability of a hypothesis that may be part of a larger object
@@ -44,8 +44,8 @@ void limitWithoutRim(std::vector<TrackHypothesis>& hypotheses);
 /// not counted.
 double evidenceBeyondSaturation(const TrackHypothesis& hypothesis);
 
-/// Returns the probability of the most likely of some hypotheses, which compete with each other and
-/// with absence: exp(m) / (absence + the sum of exp(m) over all). `logMasses` has at least one
+/// Returns the probability of the most likely of several hypotheses that compete with each other
+/// and with absence: exp(m) / (absence + the sum of exp(m) over all). `logMasses` has at least one
 /// element; `absence` is linear. If several are equal, the first counts as the most likely one and
 /// the others as its rivals.
 double shareOfLargest(std::span<const double> logMasses, double absence);

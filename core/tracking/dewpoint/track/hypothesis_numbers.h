@@ -6,12 +6,14 @@
 namespace dewpoint::tracking {
 
 /// Numbers the hypotheses of one track (TrackHypothesis::stream), from 1 to 4095. A target may have
-/// two tracks that hand hypotheses to each other: each counts in a half of its own, so that no two
-/// hypotheses of a target share random numbers or are taken for each other. A half begins again
-/// after its last number. 0 is never given: it stands for no hypothesis.
+/// two tracks that pass hypotheses to each other. Each track numbers its hypotheses in a separate
+/// half of the range, so that no two hypotheses of a target share random numbers or are confused
+/// with each other. After the last number, a half starts again from its first. The number 0 is
+/// never assigned; it stands for no hypothesis.
 class HypothesisNumbers {
 public:
-  /// That of the target as a ball (BernoulliTrack), and as something of any shape (RegionTrack).
+  /// Half for the track of the target as a ball (BernoulliTrack), or as an object of any shape
+  /// (RegionTrack).
   enum class Half : std::uint32_t { Ball, Region };
 
   explicit HypothesisNumbers(Half half) : half_(half) {}
@@ -23,11 +25,12 @@ public:
   }
 
 private:
-  /// Of the 4096 that firstIndex() in track_hypothesis.cpp and RandomKey::streamOfPart() have.
+  /// Size of a half: half of the 4096 numbers available in firstIndex() in track_hypothesis.cpp and
+  /// in RandomKey::streamOfPart().
   static constexpr std::uint32_t kHalf = 2048;
 
   Half half_;
-  std::uint32_t last_ = 0; ///< within the half; 0: none was given
+  std::uint32_t last_ = 0; ///< last assigned number within the half; 0: none yet
 };
 
 } // namespace dewpoint::tracking

@@ -6,8 +6,8 @@
 namespace dewpoint::tracking {
 
 /// Prior knowledge about a target's radius. A radius given by the user is used unchanged, since it
-/// is more exact than what images show, until an outline contradicts it: it may be wrong by a
-/// quarter. Then, or if no radius is given, the radius is measured and stored.
+/// is more accurate than a radius measured in images, until an outline contradicts it. It may be
+/// wrong by a quarter. Then, or if no radius is given, the radius is measured and stored.
 class RadiusPrior {
 public:
   /// `given` is in meters; 0 if unknown.
@@ -26,7 +26,7 @@ public:
   bool contradicts(double radius) const;
   /// Returns the expected radius in meters: measured, otherwise given, otherwise a typical one.
   double expected() const;
-  /// Returns the variance of the logarithm with which a fit starts; 0 for a trusted radius.
+  /// Returns the variance of the radius' logarithm at the start of a fit; 0 for a trusted radius.
   double logVariance() const { return isTrusted() ? 0.0 : unknownLogVariance(); }
   /// Returns this variance for an unknown radius.
   static double unknownLogVariance();

@@ -61,12 +61,12 @@ private:
     double ambiguity = 0.0; ///< probability that the hypothesis is another object
     /// Running mean of EllipsoidFit::disagreement per degree of freedom.
     double disagreement = 1.0;
-    double fill = 0.0; ///< share of its outlines that has the target's color; 0: unknown
+    double fill = 0.0; ///< fraction of its outlines that has the target's color; 0: unknown
     std::vector<RegionMeasurement> views;
   };
 
   EllipsoidFit fitAt(const State& state, RegionObservation& observation) const;
-  /// Returns the log of the factor on the odds that the target is there.
+  /// Returns the logarithm of the factor by which the odds that the target is there change.
   double measure(State& state, RegionObservation& observation) const;
   void accept(State& state, const EllipsoidFit& fit) const;
   void search(RegionObservation& observation, const std::vector<OccupiedSphere>& occupied);

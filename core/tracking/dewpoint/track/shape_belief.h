@@ -23,7 +23,7 @@ public:
   void restart();
 
   bool isBall() const { return !any_; }
-  /// Returns whether the images decide.
+  /// Returns whether the shape is decided by the images.
   bool isOpen() const { return shape_ == TargetShape::Auto; }
   /// Returns whether nothing is known yet, or the log odds do not decide.
   bool isUnclear() const;
@@ -38,7 +38,7 @@ public:
 private:
   TargetShape shape_ = TargetShape::Auto;
   double radius_ = 0.0;  ///< given radius, meters; 0: unknown
-  double logOdds_ = 0.0; ///< of any shape relative to a ball
+  double logOdds_ = 0.0; ///< log odds of any shape relative to a ball, nats
   bool any_ = false;
   bool first_ = true;    ///< nothing has been learned yet
   double learned_ = 0.0; ///< radius in the last learning step, meters

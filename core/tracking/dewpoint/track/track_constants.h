@@ -5,26 +5,28 @@
 
 namespace dewpoint::tracking {
 
-// What a target that is followed as a ball (BernoulliTrack) and one that is followed as a region
-// (RegionTrack) have in common. Reasons: docs/method-dewpoint.md, sections 3, 5 and 6; those
-// without a derivation are judgments.
+// Constants shared by the tracks of targets as balls (BernoulliTrack) and as regions (RegionTrack).
+// For the reasons, see docs/method-dewpoint.md, sections 3, 5 and 6. Values without a derivation
+// were chosen by judgment.
 
 /// Probability that an absent target appears within one frame.
 inline constexpr double kBirthProbability = 0.2;
-/// m/s, standard deviation of a new hypothesis' velocity along each axis.
+/// Standard deviation of a new hypothesis' velocity along each axis, m/s.
 inline constexpr double kBirthSpeed = 1.5;
-/// Least log likelihood ratio of a birth.
+/// Smallest log likelihood ratio of a birth.
 inline constexpr double kMinLogLikelihoodRatio = 2.0;
-/// Probability of a hypothesis at a given position. Origin not recorded.
+/// Probability of a hypothesis that starts at a given position. Origin not recorded.
 inline constexpr double kInitialProbability = 0.98;
-/// Least probability of absence, so that it has a logarithm. Origin not recorded.
+/// Smallest probability of absence, so that it has a logarithm. Origin not recorded.
 inline constexpr double kMinAbsence = 1e-9;
-/// Standard deviations from the prediction; what is found farther off belongs to another object.
+/// Gate in standard deviations from the prediction. Detections farther away belong to another
+/// object.
 inline constexpr double kGate = 5.0;
-/// Standard deviations between measurement and prediction beyond which the learned process noise
-/// does not explain the motion: a maneuver.
+/// Distance between measurement and prediction, in standard deviations, beyond which the learned
+/// process noise does not explain the motion. The target is then maneuvering.
 inline constexpr double kManeuverGate = 4.0;
-/// 1/m², added to an information matrix so that it can be inverted: one meter. Origin not recorded.
+/// Information added to an information matrix so that it can be inverted, 1/m²: a standard
+/// deviation of one meter. Origin not recorded.
 inline constexpr double kMinInformation = 1.0;
 
 } // namespace dewpoint::tracking

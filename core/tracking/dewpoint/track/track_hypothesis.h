@@ -26,16 +26,16 @@ struct TrackHypothesis {
   Eigen::ArrayXd weights;       ///< linear, sum 1
   Gaussian6 gaussian;           ///< position and velocity
   double radius = 0.0;          ///< meters
-  double logRadiusVariance = 0; ///< of log(radius); 0: the radius is fixed
-  double probability = 0.0;     ///< that the target exists and is here
-  /// Whether, of several cameras, only one can see it now.
+  double logRadiusVariance = 0; ///< variance of log(radius); 0: the radius is fixed
+  double probability = 0.0;     ///< probability that the target exists and is here
+  /// True if there are several cameras, but only one of them can see the target now.
   bool oneCameraOnly = false;
   /// Probability when more than one camera could last see it.
   double provenProbability = 0.0;
-  /// Whether a camera has shown its rim since its birth, or the user confirmed its position. Until
-  /// then it may be part of a larger object.
+  /// True if a camera has shown the rim since the birth of the hypothesis, or the user has
+  /// confirmed its position. Until then, it may be part of a larger object.
   bool rimSeen = false;
-  /// Time since the rim was last shown or the position was last confirmed.
+  /// Time in seconds since the rim was last shown or the position was last confirmed.
   double secondsSinceRim = 0.0;
   double logLikelihoodRatio = 0.0; ///< at the last measurement update, sum over all cameras
   /// Log likelihood ratio if every camera with the target in its image saw it fully.
@@ -58,19 +58,20 @@ struct TrackHypothesis {
   std::vector<std::pair<ConstantVelocity, RandomStream>> pending;
   std::uint32_t stream = 0; ///< separates its random numbers from those of other hypotheses
 
-  // Shares of the fully visible log likelihood ratio. The values are judgments, not measurements
-  // (docs/method-dewpoint.md, sections 5 to 7).
+  // Fractions of the fully visible log likelihood ratio. The values were chosen by judgment and not
+  // measured (docs/method-dewpoint.md, sections 5 to 7).
 
-  /// Share above which the log likelihood ratio is not counted. How much better one nearly fully
-  /// visible position fits than another depends on light and pixels, and would accumulate from
-  /// frame to frame.
+  /// Fraction above which the log likelihood ratio is not counted. Small differences in fit between
+  /// two nearly fully visible positions depend on light and pixels, and would accumulate from frame
+  /// to frame.
   static constexpr double kSaturationShare = 0.75;
-  /// Share above which an object with the target's color and size is certainly there.
+  /// Fraction above which an object with the target's color and size is certainly there.
   static constexpr double kMostlyVisibleShare = 0.55;
-  /// Share above which at least a part of the target is visible.
+  /// Fraction above which at least a part of the target is visible.
   static constexpr double kPartlyVisibleShare = 0.25;
 
-  /// Time in seconds for which a rim is remembered: as long as a passing object covers a target.
+  /// Time in seconds for which a rim is remembered: the time for which a passing object covers a
+  /// target.
   static constexpr double kRimMemory = 0.5;
 
   /// Returns whether the outline was found and the log likelihood ratio has reached
@@ -87,9 +88,9 @@ struct TrackHypothesis {
   Eigen::Vector3d velocity() const { return gaussian.mean.tail<3>(); }
 };
 
-/// Share of a + b below which two spheres of radii a and b conflict. They cannot be closer than a +
-/// b, but estimates have small errors. The value is a judgment (docs/method-dewpoint.md, section
-/// 7).
+/// Fraction of a + b below which two spheres of radii a and b conflict. They cannot be closer than
+/// a + b, but estimates have small errors. The value was chosen by judgment
+/// (docs/method-dewpoint.md, section 7).
 inline constexpr double kTouching = 0.7;
 
 /// Predicts a hypothesis over `allowed.interval` seconds, with at most the acceleration of
@@ -109,7 +110,8 @@ void drawParticles(TrackHypothesis& hypothesis, SphereObservation& observation, 
 /// Updates a hypothesis with the images of a frame. Fits the outline near the predicted position
 /// and draws `count` particles from the posterior. If no outline is found, weights the predicted
 /// particles by their likelihood, and resamples them if their effective sample size falls below
-/// half. Returns the logarithm of the factor on the odds of the hypothesis relative to absence.
+/// half. Returns the logarithm of the factor by which the odds of the hypothesis relative to
+/// absence change.
 double measurementUpdate(TrackHypothesis& hypothesis, SphereObservation& observation,
                          Eigen::Index count, const RandomKey& key, ThreadTeam& team);
 
