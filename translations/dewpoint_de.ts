@@ -3163,7 +3163,7 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Bild, in dem die Tafel auf dem Boden liegt</translation>
     </message>
     <message>
-        <source>Number of the frame</source>
+        <source>Frame number</source>
         <translation>Nummer des Bildes</translation>
     </message>
     <message>
@@ -3285,7 +3285,7 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Ordner</translation>
     </message>
     <message>
-        <source>Both files are saved in this folder; it is created if it does not exist</source>
+        <source>Folder for both files; it is created if it does not exist</source>
         <translation>Beide Dateien werden in diesem Ordner gespeichert; er wird angelegt, wenn es ihn nicht gibt</translation>
     </message>
     <message>
@@ -3869,7 +3869,7 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Was die Kamera tut, während das Gitter gezogen wird und nichts festgehalten ist. Klicks auf Punkte des Gitters halten bis zu drei davon fest.</translation>
     </message>
     <message>
-        <source>With three held points, adjust the focal length</source>
+        <source>Also fit the focal length when three points are held</source>
         <translation>Bei drei gehaltenen Punkten die Brennweite anpassen</translation>
     </message>
     <message>
@@ -5449,7 +5449,7 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Zurück zur vorigen Seite</translation>
     </message>
     <message>
-        <source>Forward to the next page</source>
+        <source>Go forward one page</source>
         <translation>Vorwärts zur nächsten Seite</translation>
     </message>
     <message>
@@ -5737,7 +5737,7 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Ziele werden nur in einem Quader gesucht.</translation>
     </message>
     <message>
-        <source>Some values here differ from their defaults.</source>
+        <source>Some values in this group differ from their defaults.</source>
         <translation>Einige Werte hier weichen von ihren Vorgaben ab.</translation>
     </message>
 </context>

@@ -3163,7 +3163,7 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Fotograma en que el tablero está en el suelo</translation>
     </message>
     <message>
-        <source>Number of the frame</source>
+        <source>Frame number</source>
         <translation>Número del fotograma</translation>
     </message>
     <message>
@@ -3285,7 +3285,7 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Carpeta</translation>
     </message>
     <message>
-        <source>Both files are saved in this folder; it is created if it does not exist</source>
+        <source>Folder for both files; it is created if it does not exist</source>
         <translation>Los dos archivos se guardan en esta carpeta; se crea si no existe</translation>
     </message>
     <message>
@@ -3869,7 +3869,7 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Lo que hace la cámara mientras se arrastra la cuadrícula sin nada sujeto. Haga clic en puntos de la cuadrícula para sujetar hasta tres.</translation>
     </message>
     <message>
-        <source>With three held points, adjust the focal length</source>
+        <source>Also fit the focal length when three points are held</source>
         <translation>Con tres puntos sujetos, ajustar la distancia focal</translation>
     </message>
     <message>
@@ -5449,7 +5449,7 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Volver a la página anterior</translation>
     </message>
     <message>
-        <source>Forward to the next page</source>
+        <source>Go forward one page</source>
         <translation>Avanzar a la página siguiente</translation>
     </message>
     <message>
@@ -5737,7 +5737,7 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Los objetivos se buscan solo en una caja.</translation>
     </message>
     <message>
-        <source>Some values here differ from their defaults.</source>
+        <source>Some values in this group differ from their defaults.</source>
         <translation>Algunos valores aquí difieren de sus valores por defecto.</translation>
     </message>
 </context>

@@ -3162,7 +3162,7 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>ボードが床にあるフレーム</translation>
     </message>
     <message>
-        <source>Number of the frame</source>
+        <source>Frame number</source>
         <translation>フレーム番号</translation>
     </message>
     <message>
@@ -3284,7 +3284,7 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>フォルダー</translation>
     </message>
     <message>
-        <source>Both files are saved in this folder; it is created if it does not exist</source>
+        <source>Folder for both files; it is created if it does not exist</source>
         <translation>両方のファイルをこのフォルダーに保存します。なければ作成します</translation>
     </message>
     <message>
@@ -3866,7 +3866,7 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>何も固定せずに格子をドラッグしたときのカメラの動き。格子の点をクリックすると三つまで固定できます。</translation>
     </message>
     <message>
-        <source>With three held points, adjust the focal length</source>
+        <source>Also fit the focal length when three points are held</source>
         <translation>三点固定時は焦点距離を調整</translation>
     </message>
     <message>
@@ -5441,7 +5441,7 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>前のページに戻ります</translation>
     </message>
     <message>
-        <source>Forward to the next page</source>
+        <source>Go forward one page</source>
         <translation>次のページへ進みます</translation>
     </message>
     <message>
@@ -5728,7 +5728,7 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>ターゲットは箱の中だけで探します。</translation>
     </message>
     <message>
-        <source>Some values here differ from their defaults.</source>
+        <source>Some values in this group differ from their defaults.</source>
         <translation>ここに既定値と異なるものがあります。</translation>
     </message>
 </context>

@@ -78,8 +78,7 @@ void BoxExportDialog::retranslateUi() {
          "seen or hidden) and boxes_mot.txt (the format of the MOT challenge). All in pixels."));
   preview_->setAccessibleName(tr("First lines of boxes.csv"));
   folderLabel_->setText(tr("Folder"));
-  folder_->setToolTip(
-      tr("Both files are saved in this folder; it is created if it does not exist"));
+  folder_->setToolTip(tr("Folder for both files; it is created if it does not exist"));
   browse_->setText(tr("Choose…"));
   browse_->setToolTip(tr("Choose the folder of the files"));
   close_->setText(tr("Close"));

@@ -255,8 +255,9 @@ void ParameterPanel::showMarks() {
     }
   }
   for (const auto& [group, section] : sections_) {
-    section->setMark(marked.contains(group) ? tr("Some values here differ from their defaults.")
-                                            : QString());
+    section->setMark(marked.contains(group)
+                         ? tr("Some values in this group differ from their defaults.")
+                         : QString());
   }
   if (resetAll_ != nullptr) {
     resetAll_->setEnabled(!marked.empty());

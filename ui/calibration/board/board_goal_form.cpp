@@ -144,7 +144,7 @@ void BoardGoalForm::retranslateUi() {
   floor_->setText(tr("Frame with the board on the floor"));
   floor_->setToolTip(tr("This frame defines the world coordinates: X along the rows, Y toward the "
                         "upper edge, Z up. Without it, the first camera keeps its position"));
-  name(floorFrame_, tr("Frame number with the board on the floor"), tr("Number of the frame"));
+  name(floorFrame_, tr("Frame number with the board on the floor"), tr("Frame number"));
   floorHere_->setText(tr("Use current frame"));
   name(floorHere_, tr("Use current frame for the floor"), tr("Take the frame that is shown now"));
   accuracyLabel_->setText(tr("Stop at accuracy"));

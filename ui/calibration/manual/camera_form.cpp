@@ -143,7 +143,7 @@ void CameraForm::retranslateUi() {
   name(dragMode_, tr("Effect of dragging"),
        tr("What the camera does while the grid is dragged and nothing is held. Click points of the "
           "grid to hold up to three of them."));
-  focalMay_->setText(tr("With three held points, adjust the focal length"));
+  focalMay_->setText(tr("Also fit the focal length when three points are held"));
   focalMay_->setToolTip(tr("Three held points fix the pose. Dragging then changes the focal "
                            "length, and the pose follows"));
   keysLabel_->setText(tr("Keys"));
