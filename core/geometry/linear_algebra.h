@@ -1,6 +1,6 @@
-// SPDX-License-Identifier: GPL-3.0-or-later Eigen's decompositions of matrices of any size. They
-// are compiled in one place, because each one would add up to twelve seconds to the compilation of
-// every file that instantiates it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Eigen's decompositions of matrices of any size. They are compiled in one place, because each one
+// would add up to twelve seconds to the compilation of every file that instantiates it.
 #pragma once
 
 #include <Eigen/Core>

@@ -157,16 +157,6 @@ Result<Similarity> onFloor(const WandProblem& problem, const BundleResult& now,
 
 } // namespace
 
-Similarity fitSimilarity(const std::vector<Eigen::Vector3d>& from,
-                         const std::vector<Eigen::Vector3d>& to, bool sized) {
-  const Eigen::Matrix4d fitted = geometry::closestSimilarity(from, to, sized);
-  Similarity change;
-  change.scale = sized ? fitted.col(0).head<3>().norm() : 1.0;
-  change.rotation = fitted.topLeftCorner<3, 3>() / change.scale;
-  change.translation = fitted.topRightCorner<3, 1>();
-  return change;
-}
-
 Similarity fitRigSimilarity(const CameraRig& from, const CameraRig& to, bool sized) {
   // The size comes from the places alone; then points ahead of and above each camera, as far away
   // as the cameras are from each other, let the axes have their say.
@@ -204,11 +194,7 @@ Similarity fitRigSimilarity(const CameraRig& from, const CameraRig& to, bool siz
 
 void moveWorld(const Similarity& change, BundleResult& result) {
   for (Camera& camera : result.cameras) {
-    const Eigen::Vector3d center = change * camera.center();
-    const Eigen::Quaterniond rotation(
-        Eigen::Matrix3d(camera.cameraFromWorld.linear() * change.rotation.transpose()));
-    camera.cameraFromWorld.linear() = rotation.normalized().toRotationMatrix();
-    camera.cameraFromWorld.translation() = -camera.cameraFromWorld.linear() * center;
+    camera = transformed(change, camera);
   }
   for (BundleState& state : result.states) {
     for (Eigen::Vector3d& end : state.ends) {

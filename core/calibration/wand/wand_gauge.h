@@ -2,26 +2,11 @@
 #pragma once
 
 #include "core/calibration/wand/wand_calibration.h"
+#include "core/geometry/similarity.h"
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 
 namespace dewpoint::calibration {
-
-/// Similarity transform of world coordinates: new = scale * rotation * old + translation.
-struct Similarity {
-  double scale = 1.0;
-  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
-  Eigen::Vector3d translation = Eigen::Vector3d::Zero();
-
-  Eigen::Vector3d operator*(const Eigen::Vector3d& point) const {
-    return scale * (rotation * point) + translation;
-  }
-};
-
-/// Returns the least-squares similarity (or rigid motion if `sized` is false) that maps `from` to
-/// `to` (Umeyama 1991). Requires at least three points that are not on a line.
-Similarity fitSimilarity(const std::vector<Eigen::Vector3d>& from,
-                         const std::vector<Eigen::Vector3d>& to, bool sized);
 
 /// Returns the similarity that maps the positions and axes of one rig's cameras to those of another
 /// rig.

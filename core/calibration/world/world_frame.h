@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/geometry/camera.h"
+#include "core/geometry/similarity.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <vector>
+
+// Changes of the world frame of a calibrated rig: its floor, origin, axes and scale. Each function
+// returns the similarity that maps the present world coordinates (meters) to the new ones. The
+// cameras keep their positions relative to each other, except for a common scale factor.
+namespace dewpoint::calibration {
+
+/// Change that places the floor at z = 0, and how exactly its points lie in one plane.
+struct FloorChange {
+  Similarity change;
+  double rms = 0.0; ///< root mean square distance of the points to the plane, meters
+};
+
+/// Returns the change after which the plane through `points` (least squares) is z = 0. The first
+/// point becomes the origin, and the x axis points toward the second one. The cameras determine
+/// which side is up: most of them must be above the floor.
+///
+/// Returns Undetermined with "floor" for fewer than three points, or if they lie on one line.
+Result<FloorChange> floorThrough(const std::vector<Eigen::Vector3d>& points, const CameraRig& rig);
+
+/// Returns the change after which the line from `from` to `to` is horizontal. The world is rotated
+/// about `from`, by the smallest angle. Returns Undetermined with "level" if the two points are
+/// equal or if the line is closer to vertical than to horizontal.
+Result<Similarity> levelAlong(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
+
+/// Returns the change after which `point` is the origin. The axes keep their directions.
+Similarity originAt(const Eigen::Vector3d& point);
+
+/// Returns the rotation about the vertical through the origin after which the x axis points from
+/// `from` toward `to`, seen from above. Returns Undetermined with "axis" if one point is above the
+/// other.
+Result<Similarity> xAxisAlong(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
+
+/// Returns the change after which the distance between two points is `meters`. The origin stays
+/// where it is. Returns BadValue with "length" unless the length is positive and the points differ.
+Result<Similarity> scaleToLength(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                                 double meters);
+
+/// Axis of the world frame.
+enum class WorldAxis { X, Y, Z };
+
+/// Returns the rotation of the cameras about an axis through the origin by `turns` quarter turns,
+/// counterclockwise when the axis points to the viewer.
+Similarity quarterTurns(WorldAxis axis, int turns);
+
+/// Returns the rigid motion that moves the cameras by `shift` (meters), after rotating them about
+/// the vertical through the origin by `turn` radians, counterclockwise as seen from above.
+Similarity movedBy(const Eigen::Vector3d& shift, double turn);
+
+/// Returns the rotation, by one or two quarter turns, after which the images are upright, or
+/// nothing if they are upright now or if the cameras do not show which way is up. Calibrations of
+/// other tools often use the axes of the first camera, or have a z axis that points down.
+///
+/// The mean of the images' upward directions decides. Cameras that look straight down, or that are
+/// mounted upside down under a ceiling, are left alone.
+std::optional<Similarity> uprightTurn(const CameraRig& rig);
+
+} // namespace dewpoint::calibration

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/setup/calibration/world_step.h"
+
+#include "core/geometry/rotation_vector.h"
+#include "core/project/project_rig.h"
+#include "core/setup/calibration/moved_world.h"
+#include "core/setup/clicks/clicked_position.h"
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+namespace dewpoint::setup {
+namespace {
+
+using Positions = std::vector<Eigen::Vector3d>;
+
+Result<Positions> positionsOf(const CameraRig& rig, const std::vector<MeasuredPoint>& points) {
+  Positions positions;
+  for (const MeasuredPoint& point : points) {
+    const auto position = pointInRoom(rig, point);
+    if (!position) {
+      return tl::make_unexpected(position.error());
+    }
+    positions.push_back(position->mean);
+  }
+  return positions;
+}
+
+Status checkCount(WorldStep step, std::size_t count) {
+  const std::size_t fewest = step == WorldStep::Upright  ? 0
+                             : step == WorldStep::Floor  ? 3
+                             : step == WorldStep::Origin ? 1
+                                                         : 2;
+  if (count < fewest || (step != WorldStep::Floor && count > fewest)) {
+    return failure(ErrorCode::BadValue, "", "points",
+                   step == WorldStep::Floor
+                       ? fmt::format("at least {} are needed, not {}", fewest, count)
+                       : fmt::format("{} needed, not {}", fewest, count));
+  }
+  return {};
+}
+
+Result<FloorChange> changeOf(WorldStep step, const CameraRig& rig, const Positions& at,
+                             double meters) {
+  const auto rigid = [](const Similarity& change) { return FloorChange{change, 0.0}; };
+  switch (step) {
+  case WorldStep::Floor:
+    return floorThrough(at, rig);
+  case WorldStep::Level:
+    return levelAlong(at[0], at[1]).map(rigid);
+  case WorldStep::Origin:
+    return rigid(originAt(at[0]));
+  case WorldStep::XAxis:
+    return xAxisAlong(at[0], at[1]).map(rigid);
+  case WorldStep::Length:
+    return scaleToLength(at[0], at[1], meters).map(rigid);
+  case WorldStep::Upright:
+    break;
+  }
+  if (const auto upright = uprightTurn(rig)) {
+    return rigid(*upright);
+  }
+  return failure(ErrorCode::Undetermined, "", "cameras",
+                 "their images are upright, or do not show which way is up");
+}
+
+} // namespace
+
+Result<Gaussian3> pointInRoom(const CameraRig& rig, const MeasuredPoint& point) {
+  if (point.clicks.size() < 2) {
+    return failure(ErrorCode::Undetermined, "", point.name,
+                   "click this point in the images of at least two cameras");
+  }
+  return clickedPosition(rig, point.clicks, std::nullopt).map_error([&](Error error) {
+    error.field = point.name;
+    return error;
+  });
+}
+
+Result<WorldStepResult> withWorldStep(const Project& project, WorldStep step,
+                                      const std::vector<MeasuredPoint>& points, double meters) {
+  if (const auto counted = checkCount(step, points.size()); !counted) {
+    return tl::make_unexpected(counted.error());
+  }
+  const CameraRig rig = rigOf(project);
+  const auto positions = positionsOf(rig, points);
+  if (!positions) {
+    return tl::make_unexpected(positions.error());
+  }
+  return changeOf(step, rig, *positions, meters).map([&](const FloorChange& found) {
+    return WorldStepResult{withMovedWorld(project, found.change),
+                           vectorOfRotation(found.change.rotation).norm(), found.change.scale,
+                           found.rms};
+  });
+}
+
+bool canTurnUpright(const Project& project) {
+  return uprightTurn(rigOf(project)).has_value();
+}
+
+} // namespace dewpoint::setup

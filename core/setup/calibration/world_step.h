@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/calibration/manual/measured_points.h"
+#include "core/calibration/world/world_frame.h"
+#include "core/filter/gaussian.h"
+#include "core/project/project.h"
+
+#include <vector>
+
+namespace dewpoint::setup {
+
+/// Change of the world frame that follows from points clicked in the images.
+enum class WorldStep {
+  Upright, ///< quarter turns until the images are upright; needs no point
+  Floor,   ///< three or more points of the floor; see floorThrough()
+  Level,   ///< two points at the same height
+  Origin,  ///< one point
+  XAxis,   ///< two points; the x axis points from the first to the second
+  Length   ///< two points at a known distance
+};
+
+/// Project in a new world frame.
+struct WorldStepResult {
+  Project project;
+  double rotated = 0.0;  ///< angle of the rotation, radians
+  double scale = 1.0;    ///< factor of all lengths
+  double floorRms = 0.0; ///< Floor: root mean square distance of the points to the plane, meters
+};
+
+/// Returns the position of a point that was clicked in the images of at least two cameras (world
+/// frame, meters). Only the clicks of the point are used, not its measured position. Errors are
+/// those of clickedPosition(), with the name of the point as the field; with a single click,
+/// Undetermined.
+Result<Gaussian3> pointInRoom(const CameraRig& rig, const MeasuredPoint& point);
+
+/// Returns the project after one change of the world frame. `points`: the points of this step, in
+/// the order given at WorldStep. `meters`: the measured distance, for Length only.
+///
+/// Errors: those of pointInRoom() and of the functions in world_frame.h; BadValue with "points" for
+/// a wrong number of points; Undetermined with "cameras" if Upright has nothing to change.
+Result<WorldStepResult> withWorldStep(const Project& project, WorldStep step,
+                                      const std::vector<MeasuredPoint>& points,
+                                      double meters = 0.0);
+
+/// Returns whether the step Upright would change the project.
+bool canTurnUpright(const Project& project);
+
+} // namespace dewpoint::setup

@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Floor, origin, axes and scale of cameras that are calibrated, from points clicked in two images.
+. "$(dirname "$0")/common.sh"
+
+expectExit 0 calibrate world --help
+expectText out.txt --upright --floor --level --length --meters --x-axis --origin --quarter-turn --move --rotate --apply
+
+# Two cameras 1 m apart, 2 m before the points and 1 m high, that look along y: f = 500, center
+# (320, 240). The first one sees a point (x, y, z) at (320 + 500 x / (y + 2), 240 - 500 (z - 1) / (y + 2)).
+project() {
+  cat > project.toml <<'TOML'
+format = 2
+name = "world"
+[[camera]]
+name = "left"
+video = "left.mkv"
+[camera.calibration]
+size = [640, 480]
+matrix = [[500, 0, 320], [0, 500, 240], [0, 0, 1]]
+rotation = [[1, 0, 0], [0, 0, -1], [0, 1, 0]]
+translation = [0, 1, 2]
+[[camera]]
+name = "right"
+video = "right.mkv"
+[camera.calibration]
+size = [640, 480]
+matrix = [[500, 0, 320], [0, 500, 240], [0, 0, 1]]
+rotation = [[1, 0, 0], [0, 0, -1], [0, 1, 0]]
+translation = [-1, 1, 2]
+TOML
+}
+point() {
+  printf '[[point]]\nname = "%s"\nworld = [0, 0, 0]\n' "$1" >> project.toml
+  printf '[[point.click]]\ncamera = 1\npixel = [%s]\n' "$2" >> project.toml
+  [ -z "${3:-}" ] || printf '[[point.click]]\ncamera = 2\npixel = [%s]\n' "$3" >> project.toml
+}
+expectCamera() {
+  grep -qE "^$1 +$2 +$3 +$4\$" out.txt || fail "$1 is not at $2 $3 $4: $(cat out.txt)"
+}
+
+# The floor is at z = 0.1.
+project
+point a "320, 465" "70, 465"
+point b "570, 465" "320, 465"
+point c "320, 390" "153.3333, 390"
+point alone "320, 240"
+cp project.toml before.toml
+expectExit 0 calibrate world project.toml --floor a,b,c
+expectText out.txt 'floor    rotated by' 'points within 0.00 mm'
+expectCamera left -?0.0000 -2.0000 0.9000
+expectCamera right 1.0000 -2.0000 0.9000
+cmp project.toml before.toml || fail 'the project was changed without --apply'
+
+expectExit 0 calibrate world project.toml --floor a,b,c --length a,b --meters 2 --out found.toml
+expectText out.txt 'all lengths x 2.00000'
+expectCamera right 2.0000 -4.0000 1.8000
+expectText found.toml 'name = "right"'
+
+expectExit 0 calibrate world project.toml --x-axis a,c --origin a
+expectCamera left -2.0000 -?0.0000 0.9000
+expectExit 0 calibrate world project.toml --move 0 0 -1 --rotate 90
+expectCamera left 2.0000 -?0.0000 -?0.0000
+expectExit 0 calibrate world project.toml --quarter-turn x --apply
+expectText out.txt 'see --upright'
+expectExit 0 calibrate world project.toml --upright --apply
+expectCamera left -?0.0000 -2.0000 1.0000
+expectExit $kBadInput calibrate world project.toml --upright
+expectSentence upright
+
+expectExit $kBadInput calibrate world project.toml --floor a,b
+expectSentence points
+expectExit $kBadInput calibrate world project.toml --floor a,b,nowhere
+expectSentence nowhere
+expectExit $kBadInput calibrate world project.toml --origin alone
+expectSentence alone 'at least two cameras'
+expectExit $kUsage calibrate world project.toml --length a,b
+expectExit $kUsage calibrate world demo --apply
+expectSentence --apply

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/calibration/world/world_installer.h"
+
+#include "ui/calibration/calibration_mode.h"
+#include "ui/calibration/world/world_mark_tool.h"
+#include "ui/calibration/world/world_marks.h"
+#include "ui/calibration/world/world_page.h"
+#include "ui/cameraview/camera_docks.h"
+
+namespace dewpoint::ui {
+namespace {
+
+constexpr QLatin1String kPage("worldPage");
+
+} // namespace
+
+void installWorldPage(const Workbench& bench, CalibrationMode& mode, const CameraDocks& cameras) {
+  auto* marks = new WorldMarks(bench.document, &mode);
+  mode.addPage(new WorldPage(*marks, bench.cameras), [] { return WorldPage::tr("Floor"); });
+  auto* tool = new WorldMarkTool(bench, *marks, &mode);
+  bench.connectImageView(tool);
+  QObject::connect(&cameras, &CameraDocks::viewMade, tool, &WorldMarkTool::attach);
+  // The images are free for the grid while another page is in front.
+  QObject::connect(&mode, &CalibrationMode::shown, marks,
+                   [marks](const QString& page) { marks->setClicking(page == kPage); });
+  bench.onTriggered("actionCalibrateWorld", marks, [&mode] { mode.open(kPage); });
+  bench.needRun({"actionCalibrateWorld"});
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/setup/calibration/world_step.h"
+
+#include <QObject>
+#include <QString>
+
+#include <array>
+#include <optional>
+
+namespace dewpoint::ui {
+
+class Document;
+
+/// Three points of the room, A, B and C, that the user marks in the images to set the floor, the
+/// origin, the axes and the scale of calibrated cameras. Each change of the world is a step of the
+/// document. The marks are not part of the project: they stay in the images when the world changes,
+/// and are removed when another project is opened.
+class WorldMarks : public QObject {
+  Q_OBJECT
+public:
+  static constexpr int kCount = 3;
+
+  explicit WorldMarks(Document& document, QObject* parent = nullptr);
+
+  /// Returns the clicks on a mark.
+  const std::vector<PointClick>& clicks(int mark) const;
+  /// Returns the letter of a mark: "A", "B" or "C".
+  static QString letter(int mark);
+  /// Returns the position of a mark (world frame, meters), or the reason why it is unknown.
+  Result<Gaussian3> position(int mark) const;
+  /// Returns the distance between A and B in meters, or nothing while one of them is unknown.
+  std::optional<double> distance() const;
+
+  int chosen() const { return chosen_; }
+  void choose(int mark);
+  /// Returns whether the next click in an image marks the selected point.
+  bool isClicking() const { return clicking_; }
+  void setClicking(bool clicking);
+  /// Marks the selected point in a camera image.
+  void setClick(int camera, const Eigen::Vector2d& pixel);
+  /// Removes all clicks on all marks.
+  void clear();
+
+  /// Returns the marks that a step uses.
+  static std::vector<int> marksOf(WorldStep step);
+  /// Returns whether all marks of a step are known.
+  bool canApply(WorldStep step) const;
+  /// Changes the world frame of the project. `meters`: the distance between A and B, for Length.
+  void apply(WorldStep step, double meters = 0.0);
+  /// Rotates the cameras about an axis by 90 degrees, or moves them all together (meters, radians).
+  void turn(WorldAxis axis);
+  void move(const Eigen::Vector3d& shift, double turn);
+  /// Returns whether the images would be upright after quarter turns of the world.
+  bool canTurnUpright() const;
+
+  /// Returns a sentence about the last change or the reason why it was impossible, or an empty
+  /// string.
+  const QString& resultText() const { return resultText_; }
+
+Q_SIGNALS:
+  void changed();
+
+private:
+  QString resultOf(WorldStep step, const WorldStepResult& result) const;
+  void replaceProject(const QString& step, const Project& project);
+
+  Document& document_;
+  std::array<MeasuredPoint, kCount> marks_;
+  int chosen_ = 0;
+  bool clicking_ = false;
+  bool applying_ = false; ///< the next change of the document is a step of this page
+  QString resultText_;
+};
+
+} // namespace dewpoint::ui
