@@ -43,6 +43,7 @@ const std::map<std::string, std::map<std::string, Names>, std::less<>>& roomTabl
         {"board", {"bundle"}},
         {"wand", {"bundle"}},
         {"planning", {"bundle"}},
+        {"world", {}},
         {"quality", {"board", "bundle", "formats", "wand"}},
         {"report", {"board", "manual", "wand"}}}},
       {"tracking",
