@@ -13,6 +13,7 @@ void addCalibrateCommand(CLI::App& app, int& exitCode) {
   addCalibrateIntrinsicsCommand(*group, exitCode);
   addCalibrateExtrinsicsCommand(*group, exitCode);
   addCalibrateWandCommand(*group, exitCode);
+  addCalibrateWorldCommand(*group, exitCode);
 }
 
 } // namespace dewpoint::app

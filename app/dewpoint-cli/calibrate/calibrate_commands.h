@@ -12,5 +12,6 @@ void addCalibrateIntrinsicsCommand(CLI::App& group, int& exitCode);
 void addCalibrateExtrinsicsCommand(CLI::App& group, int& exitCode);
 void addCalibrateWandCommand(CLI::App& group, int& exitCode);
 void addCalibratePointsCommand(CLI::App& group, int& exitCode);
+void addCalibrateWorldCommand(CLI::App& group, int& exitCode);
 
 } // namespace dewpoint::app
