@@ -759,6 +759,14 @@
         <source>Show each camera&apos;s image inside its viewing pyramid in the bird&apos;s-eye view</source>
         <translation>In der Vogelperspektive das Bild jeder Kamera in ihrer Sichtpyramide zeigen</translation>
     </message>
+    <message>
+        <source>Set floor and origin…</source>
+        <translation>Boden und Ursprung festlegen …</translation>
+    </message>
+    <message>
+        <source>Set the floor, the origin, the axes and the scale of the calibrated cameras from points marked in the images</source>
+        <translation>Boden, Ursprung, Achsen und Maßstab der kalibrierten Kameras mit Punkten festlegen, die in den Bildern markiert werden</translation>
+    </message>
 </context>
 <context>
     <name>AssessedRegions</name>
@@ -7948,6 +7956,263 @@ Effektive Stichprobengröße %8 von %9</translation>
     <message>
         <source>Follow system</source>
         <translation>Wie das System</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::WorldMarkTool</name>
+    <message>
+        <source>Click point %1; do the same in another image. Alt: exactly where you click. Esc: finish</source>
+        <translation>Punkt %1 anklicken, auch in einem anderen Bild. Alt: genau an der Klickstelle. Esc: beenden</translation>
+    </message>
+    <message>
+        <source>Image of %1: arrow keys move a cross, Enter marks the point there</source>
+        <translation>Bild von %1: Pfeiltasten bewegen ein Kreuz, Enter markiert dort den Punkt</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::WorldMarks</name>
+    <message>
+        <source>Turn the world upright</source>
+        <translation>Welt aufrichten</translation>
+    </message>
+    <message>
+        <source>Set the floor</source>
+        <translation>Boden festlegen</translation>
+    </message>
+    <message>
+        <source>Make a line level</source>
+        <translation>Linie waagerecht ausrichten</translation>
+    </message>
+    <message>
+        <source>Set the origin</source>
+        <translation>Ursprung festlegen</translation>
+    </message>
+    <message>
+        <source>Set the x axis</source>
+        <translation>x-Achse festlegen</translation>
+    </message>
+    <message>
+        <source>Set a distance</source>
+        <translation>Abstand festlegen</translation>
+    </message>
+    <message>
+        <source>A, B and C lie on one line. Mark points that are spread over the floor.</source>
+        <translation>A, B und C liegen auf einer Geraden. Markieren Sie Punkte, die über den Boden verteilt sind.</translation>
+    </message>
+    <message>
+        <source>The line from A to B is not nearly horizontal.</source>
+        <translation>Die Linie von A nach B ist nicht annähernd waagerecht.</translation>
+    </message>
+    <message>
+        <source>A and B lie above each other.</source>
+        <translation>A und B liegen übereinander.</translation>
+    </message>
+    <message>
+        <source>The floor is set: A is the origin, and the x axis points to B. The world was rotated by %1.</source>
+        <translation>Der Boden ist festgelegt: A ist der Ursprung, und die x-Achse zeigt zu B. Die Welt wurde um %1 gedreht.</translation>
+    </message>
+    <message>
+        <source>All lengths were multiplied by %1.</source>
+        <translation>Alle Längen wurden mit %1 multipliziert.</translation>
+    </message>
+    <message>
+        <source>A is the origin.</source>
+        <translation>A ist der Ursprung.</translation>
+    </message>
+    <message>
+        <source>The world was rotated by %1.</source>
+        <translation>Die Welt wurde um %1 gedreht.</translation>
+    </message>
+    <message>
+        <source>Rotate all cameras</source>
+        <translation>Alle Kameras drehen</translation>
+    </message>
+    <message>
+        <source>Move all cameras</source>
+        <translation>Alle Kameras verschieben</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::WorldPage</name>
+    <message>
+        <source>Floor</source>
+        <translation>Boden</translation>
+    </message>
+    <message>
+        <source>Set where the floor is, which point is the origin, and the scale. The cameras keep their positions relative to each other.</source>
+        <translation>Legen Sie fest, wo der Boden ist, welcher Punkt der Ursprung ist, und den Maßstab. Die Kameras behalten ihre Lage zueinander.</translation>
+    </message>
+    <message>
+        <source>⚠ The z axis does not seem to point up.</source>
+        <translation>⚠ Die z-Achse scheint nicht nach oben zu zeigen.</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>seen</source>
+        <translation>gesehen</translation>
+    </message>
+    <message>
+        <source>x m</source>
+        <translation>x m</translation>
+    </message>
+    <message>
+        <source>y m</source>
+        <translation>y m</translation>
+    </message>
+    <message>
+        <source>z m</source>
+        <translation>z m</translation>
+    </message>
+    <message>
+        <source>± mm</source>
+        <translation>± mm</translation>
+    </message>
+    <message>
+        <source>Points of the room that you mark in the images, and their positions. ± is one standard deviation of a position, if clicks are accurate to 2 px.</source>
+        <translation>Punkte des Raums, die Sie in den Bildern markieren, und ihre Positionen. ± ist eine Standardabweichung der Position, wenn Klicks auf 2 px genau sind.</translation>
+    </message>
+    <message>
+        <source>Remove marks</source>
+        <translation>Markierungen entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the marks of A, B and C from all images</source>
+        <translation>Die Markierungen von A, B und C aus allen Bildern entfernen</translation>
+    </message>
+    <message>
+        <source>Floor, origin and scale</source>
+        <translation>Boden, Ursprung und Maßstab</translation>
+    </message>
+    <message>
+        <source>Measured distance from A to B</source>
+        <translation>Gemessener Abstand von A nach B</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>The distance that you measured in the room, in meters</source>
+        <translation>Der Abstand, den Sie im Raum gemessen haben, in Metern</translation>
+    </message>
+    <message>
+        <source>Turn upright</source>
+        <translation>Aufrichten</translation>
+    </message>
+    <message>
+        <source>Rotate the world by quarter turns until the images are upright</source>
+        <translation>Die Welt um Vierteldrehungen drehen, bis die Bilder aufrecht sind</translation>
+    </message>
+    <message>
+        <source>Set floor from A, B and C</source>
+        <translation>Boden aus A, B und C festlegen</translation>
+    </message>
+    <message>
+        <source>The floor goes through A, B and C. A becomes the origin, and the x axis points to B.</source>
+        <translation>Der Boden geht durch A, B und C. A wird der Ursprung, und die x-Achse zeigt zu B.</translation>
+    </message>
+    <message>
+        <source>Make line A–B level</source>
+        <translation>Linie A–B waagerecht</translation>
+    </message>
+    <message>
+        <source>Rotate the world by the smallest angle that makes this line horizontal</source>
+        <translation>Die Welt um den kleinsten Winkel drehen, der diese Linie waagerecht macht</translation>
+    </message>
+    <message>
+        <source>Origin at A</source>
+        <translation>Ursprung in A</translation>
+    </message>
+    <message>
+        <source>Move the origin to A; the axes keep their directions</source>
+        <translation>Den Ursprung nach A verschieben; die Achsen behalten ihre Richtungen</translation>
+    </message>
+    <message>
+        <source>x axis along A–B</source>
+        <translation>x-Achse entlang A–B</translation>
+    </message>
+    <message>
+        <source>Rotate the world about the vertical until the x axis points from A to B</source>
+        <translation>Die Welt um die Senkrechte drehen, bis die x-Achse von A nach B zeigt</translation>
+    </message>
+    <message>
+        <source>Set scale</source>
+        <translation>Maßstab festlegen</translation>
+    </message>
+    <message>
+        <source>Multiply all lengths by one factor, so that the distance from A to B is the measured one</source>
+        <translation>Alle Längen mit einem Faktor multiplizieren, sodass der Abstand von A nach B der gemessene ist</translation>
+    </message>
+    <message>
+        <source>Move all cameras together</source>
+        <translation>Alle Kameras gemeinsam verschieben</translation>
+    </message>
+    <message>
+        <source>Motion along %1</source>
+        <translation>Verschiebung entlang %1</translation>
+    </message>
+    <message>
+        <source>How far all cameras move along %1, in meters</source>
+        <translation>Wie weit sich alle Kameras entlang %1 verschieben, in Metern</translation>
+    </message>
+    <message>
+        <source>Rotate all cameras by 90° about the %1 axis, counterclockwise when it points to you</source>
+        <translation>Alle Kameras um 90° um die %1-Achse drehen, gegen den Uhrzeigersinn, wenn sie auf Sie zeigt</translation>
+    </message>
+    <message>
+        <source>Quarter turn about %1</source>
+        <translation>Vierteldrehung um %1</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Rotation about the vertical</source>
+        <translation>Drehung um die Senkrechte</translation>
+    </message>
+    <message>
+        <source>How far all cameras rotate about the vertical through the origin before they move, counterclockwise as seen from above</source>
+        <translation>Wie weit sich alle Kameras vor dem Verschieben um die Senkrechte durch den Ursprung drehen, von oben gesehen gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Rotate and move all cameras together</source>
+        <translation>Alle Kameras gemeinsam drehen und verschieben</translation>
+    </message>
+    <message>
+        <source>Quarter turn</source>
+        <translation>Vierteldrehung</translation>
+    </message>
+    <message>
+        <source>A: origin</source>
+        <translation>A: Ursprung</translation>
+    </message>
+    <message>
+        <source>B: on the x axis</source>
+        <translation>B: auf der x-Achse</translation>
+    </message>
+    <message>
+        <source>C: on the floor</source>
+        <translation>C: auf dem Boden</translation>
+    </message>
+    <message>
+        <source>Mark in images</source>
+        <translation>In Bildern markieren</translation>
+    </message>
+    <message>
+        <source>Click the selected point in two or more images. Corners are found to a fraction of a pixel (Alt: exactly where you click). Press Esc to finish.</source>
+        <translation>Den gewählten Punkt in mindestens zwei Bildern anklicken. Ecken werden auf Bruchteile eines Pixels gefunden (Alt: genau an der Klickstelle). Mit Esc beenden.</translation>
     </message>
 </context>
 </TS>

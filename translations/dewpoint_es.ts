@@ -759,6 +759,14 @@
         <source>Show each camera&apos;s image inside its viewing pyramid in the bird&apos;s-eye view</source>
         <translation>Mostrar en la vista de pájaro la imagen de cada cámara en su pirámide de visión</translation>
     </message>
+    <message>
+        <source>Set floor and origin…</source>
+        <translation>Definir suelo y origen…</translation>
+    </message>
+    <message>
+        <source>Set the floor, the origin, the axes and the scale of the calibrated cameras from points marked in the images</source>
+        <translation>Definir el suelo, el origen, los ejes y la escala de las cámaras calibradas con puntos marcados en las imágenes</translation>
+    </message>
 </context>
 <context>
     <name>AssessedRegions</name>
@@ -7948,6 +7956,263 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     <message>
         <source>Follow system</source>
         <translation>Según el sistema</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::WorldMarkTool</name>
+    <message>
+        <source>Click point %1; do the same in another image. Alt: exactly where you click. Esc: finish</source>
+        <translation>Haga clic en el punto %1, también en otra imagen. Alt: exactamente donde hace clic. Esc: terminar</translation>
+    </message>
+    <message>
+        <source>Image of %1: arrow keys move a cross, Enter marks the point there</source>
+        <translation>Imagen de %1: las flechas mueven una cruz, Intro marca allí el punto</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::WorldMarks</name>
+    <message>
+        <source>Turn the world upright</source>
+        <translation>Enderezar el mundo</translation>
+    </message>
+    <message>
+        <source>Set the floor</source>
+        <translation>Definir el suelo</translation>
+    </message>
+    <message>
+        <source>Make a line level</source>
+        <translation>Nivelar una línea</translation>
+    </message>
+    <message>
+        <source>Set the origin</source>
+        <translation>Definir el origen</translation>
+    </message>
+    <message>
+        <source>Set the x axis</source>
+        <translation>Definir el eje x</translation>
+    </message>
+    <message>
+        <source>Set a distance</source>
+        <translation>Definir una distancia</translation>
+    </message>
+    <message>
+        <source>A, B and C lie on one line. Mark points that are spread over the floor.</source>
+        <translation>A, B y C están en una línea. Marque puntos repartidos por el suelo.</translation>
+    </message>
+    <message>
+        <source>The line from A to B is not nearly horizontal.</source>
+        <translation>La línea de A a B no es aproximadamente horizontal.</translation>
+    </message>
+    <message>
+        <source>A and B lie above each other.</source>
+        <translation>A y B están uno encima del otro.</translation>
+    </message>
+    <message>
+        <source>The floor is set: A is the origin, and the x axis points to B. The world was rotated by %1.</source>
+        <translation>El suelo está definido: A es el origen y el eje x apunta a B. El mundo se giró %1.</translation>
+    </message>
+    <message>
+        <source>All lengths were multiplied by %1.</source>
+        <translation>Todas las longitudes se multiplicaron por %1.</translation>
+    </message>
+    <message>
+        <source>A is the origin.</source>
+        <translation>A es el origen.</translation>
+    </message>
+    <message>
+        <source>The world was rotated by %1.</source>
+        <translation>El mundo se giró %1.</translation>
+    </message>
+    <message>
+        <source>Rotate all cameras</source>
+        <translation>Girar todas las cámaras</translation>
+    </message>
+    <message>
+        <source>Move all cameras</source>
+        <translation>Mover todas las cámaras</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::WorldPage</name>
+    <message>
+        <source>Floor</source>
+        <translation>Suelo</translation>
+    </message>
+    <message>
+        <source>Set where the floor is, which point is the origin, and the scale. The cameras keep their positions relative to each other.</source>
+        <translation>Defina dónde está el suelo, qué punto es el origen y la escala. Las cámaras conservan sus posiciones relativas.</translation>
+    </message>
+    <message>
+        <source>⚠ The z axis does not seem to point up.</source>
+        <translation>⚠ El eje z no parece apuntar hacia arriba.</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Puntos</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punto</translation>
+    </message>
+    <message>
+        <source>seen</source>
+        <translation>visto</translation>
+    </message>
+    <message>
+        <source>x m</source>
+        <translation>x m</translation>
+    </message>
+    <message>
+        <source>y m</source>
+        <translation>y m</translation>
+    </message>
+    <message>
+        <source>z m</source>
+        <translation>z m</translation>
+    </message>
+    <message>
+        <source>± mm</source>
+        <translation>± mm</translation>
+    </message>
+    <message>
+        <source>Points of the room that you mark in the images, and their positions. ± is one standard deviation of a position, if clicks are accurate to 2 px.</source>
+        <translation>Puntos de la sala que marca en las imágenes, y sus posiciones. ± es una desviación típica de la posición si los clics tienen una exactitud de 2 px.</translation>
+    </message>
+    <message>
+        <source>Remove marks</source>
+        <translation>Quitar marcas</translation>
+    </message>
+    <message>
+        <source>Remove the marks of A, B and C from all images</source>
+        <translation>Quitar las marcas de A, B y C de todas las imágenes</translation>
+    </message>
+    <message>
+        <source>Floor, origin and scale</source>
+        <translation>Suelo, origen y escala</translation>
+    </message>
+    <message>
+        <source>Measured distance from A to B</source>
+        <translation>Distancia medida de A a B</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>The distance that you measured in the room, in meters</source>
+        <translation>La distancia que midió en la sala, en metros</translation>
+    </message>
+    <message>
+        <source>Turn upright</source>
+        <translation>Enderezar</translation>
+    </message>
+    <message>
+        <source>Rotate the world by quarter turns until the images are upright</source>
+        <translation>Girar el mundo en cuartos de vuelta hasta que las imágenes estén derechas</translation>
+    </message>
+    <message>
+        <source>Set floor from A, B and C</source>
+        <translation>Definir suelo con A, B y C</translation>
+    </message>
+    <message>
+        <source>The floor goes through A, B and C. A becomes the origin, and the x axis points to B.</source>
+        <translation>El suelo pasa por A, B y C. A pasa a ser el origen y el eje x apunta a B.</translation>
+    </message>
+    <message>
+        <source>Make line A–B level</source>
+        <translation>Nivelar la línea A–B</translation>
+    </message>
+    <message>
+        <source>Rotate the world by the smallest angle that makes this line horizontal</source>
+        <translation>Girar el mundo con el menor ángulo que deja esta línea horizontal</translation>
+    </message>
+    <message>
+        <source>Origin at A</source>
+        <translation>Origen en A</translation>
+    </message>
+    <message>
+        <source>Move the origin to A; the axes keep their directions</source>
+        <translation>Mover el origen a A; los ejes conservan sus direcciones</translation>
+    </message>
+    <message>
+        <source>x axis along A–B</source>
+        <translation>Eje x a lo largo de A–B</translation>
+    </message>
+    <message>
+        <source>Rotate the world about the vertical until the x axis points from A to B</source>
+        <translation>Girar el mundo alrededor de la vertical hasta que el eje x apunte de A a B</translation>
+    </message>
+    <message>
+        <source>Set scale</source>
+        <translation>Definir escala</translation>
+    </message>
+    <message>
+        <source>Multiply all lengths by one factor, so that the distance from A to B is the measured one</source>
+        <translation>Multiplicar todas las longitudes por un factor, de modo que la distancia de A a B sea la medida</translation>
+    </message>
+    <message>
+        <source>Move all cameras together</source>
+        <translation>Mover todas las cámaras juntas</translation>
+    </message>
+    <message>
+        <source>Motion along %1</source>
+        <translation>Desplazamiento a lo largo de %1</translation>
+    </message>
+    <message>
+        <source>How far all cameras move along %1, in meters</source>
+        <translation>Cuánto se desplazan todas las cámaras a lo largo de %1, en metros</translation>
+    </message>
+    <message>
+        <source>Rotate all cameras by 90° about the %1 axis, counterclockwise when it points to you</source>
+        <translation>Girar todas las cámaras 90° alrededor del eje %1, en sentido antihorario cuando apunta hacia usted</translation>
+    </message>
+    <message>
+        <source>Quarter turn about %1</source>
+        <translation>Cuarto de vuelta alrededor de %1</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Rotation about the vertical</source>
+        <translation>Giro alrededor de la vertical</translation>
+    </message>
+    <message>
+        <source>How far all cameras rotate about the vertical through the origin before they move, counterclockwise as seen from above</source>
+        <translation>Cuánto giran todas las cámaras alrededor de la vertical por el origen antes de moverse, en sentido antihorario vistas desde arriba</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Mover</translation>
+    </message>
+    <message>
+        <source>Rotate and move all cameras together</source>
+        <translation>Girar y mover todas las cámaras juntas</translation>
+    </message>
+    <message>
+        <source>Quarter turn</source>
+        <translation>Cuarto de vuelta</translation>
+    </message>
+    <message>
+        <source>A: origin</source>
+        <translation>A: origen</translation>
+    </message>
+    <message>
+        <source>B: on the x axis</source>
+        <translation>B: en el eje x</translation>
+    </message>
+    <message>
+        <source>C: on the floor</source>
+        <translation>C: en el suelo</translation>
+    </message>
+    <message>
+        <source>Mark in images</source>
+        <translation>Marcar en las imágenes</translation>
+    </message>
+    <message>
+        <source>Click the selected point in two or more images. Corners are found to a fraction of a pixel (Alt: exactly where you click). Press Esc to finish.</source>
+        <translation>Haga clic en el punto seleccionado en dos o más imágenes. Las esquinas se hallan con precisión de fracciones de píxel (Alt: exactamente donde hace clic). Pulse Esc para terminar.</translation>
     </message>
 </context>
 </TS>

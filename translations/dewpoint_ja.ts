@@ -759,6 +759,14 @@
         <source>Show each camera&apos;s image inside its viewing pyramid in the bird&apos;s-eye view</source>
         <translation>鳥瞰図で、各カメラの画像をその視野の角錐の中に表示します</translation>
     </message>
+    <message>
+        <source>Set floor and origin…</source>
+        <translation>床と原点を設定…</translation>
+    </message>
+    <message>
+        <source>Set the floor, the origin, the axes and the scale of the calibrated cameras from points marked in the images</source>
+        <translation>画像でマークした点から、校正済みカメラの床、原点、軸、縮尺を設定します</translation>
+    </message>
 </context>
 <context>
     <name>AssessedRegions</name>
@@ -7936,6 +7944,263 @@ Effective sample size %8 of %9</source>
     <message>
         <source>Follow system</source>
         <translation>システムに合わせる</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::WorldMarkTool</name>
+    <message>
+        <source>Click point %1; do the same in another image. Alt: exactly where you click. Esc: finish</source>
+        <translation>点 %1 をクリックし、別の画像でも同じ点をクリックします。Alt:クリックした位置そのもの。Esc:終了</translation>
+    </message>
+    <message>
+        <source>Image of %1: arrow keys move a cross, Enter marks the point there</source>
+        <translation>%1 の画像:矢印キーで十字を動かし、Enter でそこに点をマークします</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::WorldMarks</name>
+    <message>
+        <source>Turn the world upright</source>
+        <translation>世界座標系を正立させる</translation>
+    </message>
+    <message>
+        <source>Set the floor</source>
+        <translation>床を設定</translation>
+    </message>
+    <message>
+        <source>Make a line level</source>
+        <translation>線を水平にする</translation>
+    </message>
+    <message>
+        <source>Set the origin</source>
+        <translation>原点を設定</translation>
+    </message>
+    <message>
+        <source>Set the x axis</source>
+        <translation>x 軸を設定</translation>
+    </message>
+    <message>
+        <source>Set a distance</source>
+        <translation>距離を設定</translation>
+    </message>
+    <message>
+        <source>A, B and C lie on one line. Mark points that are spread over the floor.</source>
+        <translation>A、B、C が一直線上にあります。床に広がった点をマークしてください。</translation>
+    </message>
+    <message>
+        <source>The line from A to B is not nearly horizontal.</source>
+        <translation>A から B への線は水平に近くありません。</translation>
+    </message>
+    <message>
+        <source>A and B lie above each other.</source>
+        <translation>A と B が上下に重なっています。</translation>
+    </message>
+    <message>
+        <source>The floor is set: A is the origin, and the x axis points to B. The world was rotated by %1.</source>
+        <translation>床を設定しました。A が原点で、x 軸は B を向きます。世界座標系を %1 回転しました。</translation>
+    </message>
+    <message>
+        <source>All lengths were multiplied by %1.</source>
+        <translation>すべての長さを %1 倍しました。</translation>
+    </message>
+    <message>
+        <source>A is the origin.</source>
+        <translation>A が原点です。</translation>
+    </message>
+    <message>
+        <source>The world was rotated by %1.</source>
+        <translation>世界座標系を %1 回転しました。</translation>
+    </message>
+    <message>
+        <source>Rotate all cameras</source>
+        <translation>すべてのカメラを回転</translation>
+    </message>
+    <message>
+        <source>Move all cameras</source>
+        <translation>すべてのカメラを移動</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::WorldPage</name>
+    <message>
+        <source>Floor</source>
+        <translation>床</translation>
+    </message>
+    <message>
+        <source>Set where the floor is, which point is the origin, and the scale. The cameras keep their positions relative to each other.</source>
+        <translation>床の位置、原点とする点、縮尺を設定します。カメラどうしの位置関係は変わりません。</translation>
+    </message>
+    <message>
+        <source>⚠ The z axis does not seem to point up.</source>
+        <translation>⚠ z 軸が上を向いていないようです。</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>seen</source>
+        <translation>写った数</translation>
+    </message>
+    <message>
+        <source>x m</source>
+        <translation>x m</translation>
+    </message>
+    <message>
+        <source>y m</source>
+        <translation>y m</translation>
+    </message>
+    <message>
+        <source>z m</source>
+        <translation>z m</translation>
+    </message>
+    <message>
+        <source>± mm</source>
+        <translation>± mm</translation>
+    </message>
+    <message>
+        <source>Points of the room that you mark in the images, and their positions. ± is one standard deviation of a position, if clicks are accurate to 2 px.</source>
+        <translation>画像でマークする室内の点とその位置。± は、クリックの精度を 2 px とした位置の標準偏差です。</translation>
+    </message>
+    <message>
+        <source>Remove marks</source>
+        <translation>マークを削除</translation>
+    </message>
+    <message>
+        <source>Remove the marks of A, B and C from all images</source>
+        <translation>すべての画像から A、B、C のマークを削除します</translation>
+    </message>
+    <message>
+        <source>Floor, origin and scale</source>
+        <translation>床、原点、縮尺</translation>
+    </message>
+    <message>
+        <source>Measured distance from A to B</source>
+        <translation>測定した A から B までの距離</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>The distance that you measured in the room, in meters</source>
+        <translation>室内で測定した距離(メートル)</translation>
+    </message>
+    <message>
+        <source>Turn upright</source>
+        <translation>正立させる</translation>
+    </message>
+    <message>
+        <source>Rotate the world by quarter turns until the images are upright</source>
+        <translation>画像が正立するまで、世界座標系を 90° 単位で回転します</translation>
+    </message>
+    <message>
+        <source>Set floor from A, B and C</source>
+        <translation>A、B、C から床を設定</translation>
+    </message>
+    <message>
+        <source>The floor goes through A, B and C. A becomes the origin, and the x axis points to B.</source>
+        <translation>床は A、B、C を通ります。A が原点になり、x 軸は B を向きます。</translation>
+    </message>
+    <message>
+        <source>Make line A–B level</source>
+        <translation>線 A–B を水平にする</translation>
+    </message>
+    <message>
+        <source>Rotate the world by the smallest angle that makes this line horizontal</source>
+        <translation>この線が水平になる最小の角度だけ世界座標系を回転します</translation>
+    </message>
+    <message>
+        <source>Origin at A</source>
+        <translation>A を原点にする</translation>
+    </message>
+    <message>
+        <source>Move the origin to A; the axes keep their directions</source>
+        <translation>原点を A に移します。軸の向きは変わりません</translation>
+    </message>
+    <message>
+        <source>x axis along A–B</source>
+        <translation>x 軸を A–B に沿わせる</translation>
+    </message>
+    <message>
+        <source>Rotate the world about the vertical until the x axis points from A to B</source>
+        <translation>x 軸が A から B を向くまで、世界座標系を鉛直軸のまわりに回転します</translation>
+    </message>
+    <message>
+        <source>Set scale</source>
+        <translation>縮尺を設定</translation>
+    </message>
+    <message>
+        <source>Multiply all lengths by one factor, so that the distance from A to B is the measured one</source>
+        <translation>A から B までの距離が測定値になるように、すべての長さに同じ係数を掛けます</translation>
+    </message>
+    <message>
+        <source>Move all cameras together</source>
+        <translation>すべてのカメラをまとめて移動</translation>
+    </message>
+    <message>
+        <source>Motion along %1</source>
+        <translation>%1 方向の移動量</translation>
+    </message>
+    <message>
+        <source>How far all cameras move along %1, in meters</source>
+        <translation>すべてのカメラを %1 方向に動かす距離(メートル)</translation>
+    </message>
+    <message>
+        <source>Rotate all cameras by 90° about the %1 axis, counterclockwise when it points to you</source>
+        <translation>すべてのカメラを %1 軸のまわりに 90° 回転します(軸が手前を向くとき反時計回り)</translation>
+    </message>
+    <message>
+        <source>Quarter turn about %1</source>
+        <translation>%1 軸まわりに 90° 回転</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Rotation about the vertical</source>
+        <translation>鉛直軸まわりの回転</translation>
+    </message>
+    <message>
+        <source>How far all cameras rotate about the vertical through the origin before they move, counterclockwise as seen from above</source>
+        <translation>移動の前に、原点を通る鉛直軸のまわりにすべてのカメラを回転する角度(上から見て反時計回り)</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>移動</translation>
+    </message>
+    <message>
+        <source>Rotate and move all cameras together</source>
+        <translation>すべてのカメラをまとめて回転・移動します</translation>
+    </message>
+    <message>
+        <source>Quarter turn</source>
+        <translation>90° 回転</translation>
+    </message>
+    <message>
+        <source>A: origin</source>
+        <translation>A:原点</translation>
+    </message>
+    <message>
+        <source>B: on the x axis</source>
+        <translation>B:x 軸上</translation>
+    </message>
+    <message>
+        <source>C: on the floor</source>
+        <translation>C:床の上</translation>
+    </message>
+    <message>
+        <source>Mark in images</source>
+        <translation>画像でマーク</translation>
+    </message>
+    <message>
+        <source>Click the selected point in two or more images. Corners are found to a fraction of a pixel (Alt: exactly where you click). Press Esc to finish.</source>
+        <translation>選択した点を 2 つ以上の画像でクリックします。角は 1 ピクセル未満の精度で検出されます(Alt:クリックした位置そのもの)。Esc で終了します。</translation>
     </message>
 </context>
 </TS>

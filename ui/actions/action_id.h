@@ -36,6 +36,7 @@ inline constexpr auto kActionNames = std::to_array<std::string_view>({
     "actionCalibrateBoard",
     "actionPrintBoard",
     "actionCalibrateWand",
+    "actionCalibrateWorld",
     "actionImportCalibration",
     "actionExportCalibration",
     "actionPlanRig",

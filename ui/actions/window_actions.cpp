@@ -99,6 +99,10 @@ std::vector<ActionDeclaration> calibrationActions() {
        QT_TRANSLATE_NOOP("Actions",
                          "Refine the cameras with a ball, or a wand with two balls, that you wave"),
        nullptr, Qt::SHIFT | Qt::Key_V},
+      {"actionCalibrateWorld", group, QT_TRANSLATE_NOOP("Actions", "Set floor and origin…"),
+       QT_TRANSLATE_NOOP("Actions", "Set the floor, the origin, the axes and the scale of the "
+                                    "calibrated cameras from points marked in the images"),
+       nullptr, Qt::SHIFT | Qt::Key_O},
       {"actionImportCalibration", group, QT_TRANSLATE_NOOP("Actions", "Import calibration…"),
        QT_TRANSLATE_NOOP("Actions",
                          "Load the calibration of the cameras from a file of another tool"),

@@ -57,13 +57,14 @@ void CalibrationMode::open(const QString& page) {
   place_->showPage(page);
 }
 
-void CalibrationMode::show(bool shown) {
-  dock_->setWanted(shown);
-  if (shown) {
+void CalibrationMode::show(bool isShown) {
+  dock_->setWanted(isShown);
+  if (isShown) {
     dock_->raise();
   }
   // The grid would lie over the board that is shown to the cameras.
-  manual_->setActive(shown && place_->shownPage() != kBoard);
+  manual_->setActive(isShown && place_->shownPage() != kBoard);
+  Q_EMIT shown(isShown ? place_->shownPage() : QString());
 }
 
 } // namespace dewpoint::ui

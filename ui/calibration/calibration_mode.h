@@ -30,9 +30,12 @@ public:
 Q_SIGNALS:
   /// Emitted when another page is shown.
   void pageChanged();
+  /// Emitted when the mode starts or ends, or another page is shown, with the objectName of the
+  /// page; empty if the mode has ended.
+  void shown(const QString& page);
 
 private:
-  void show(bool shown);
+  void show(bool isShown);
 
   Workbench bench_;
   ManualCalibration* manual_;

@@ -10,6 +10,7 @@
 #include "ui/calibration/manual/manual_installer.h"
 #include "ui/calibration/planner/planner_installer.h"
 #include "ui/calibration/wand/wand_installer.h"
+#include "ui/calibration/world/world_installer.h"
 #include "ui/cameraview/camera_docks.h"
 #include "ui/cameraview/image_pick_tool.h"
 #include "ui/color/color_dock.h"
@@ -123,6 +124,7 @@ void MainWindow::installFeatures() {
   installManualCalibration(bench, *calibration, *cameras);
   installBoardCalibration(bench, *calibration, *cameras);
   installWandCalibration(bench, *calibration);
+  installWorldPage(bench, *calibration, *cameras);
   new PlannerInstaller(bench, *calibration, *birdsEye);
   installCalibrationExchange(bench);
   installExport(bench, *timeline);

@@ -52,8 +52,8 @@ void WindowMenus::make() {
   makeViewMenu();
   add(tr("&Calibration"), "menuCalibration",
       {"actionCalibrateByHand", "actionCalibrateBoard", "actionPrintBoard", "actionCalibrateWand",
-       nullptr, "actionPlanRig", "actionPlanCamera", "actionFindPlace", "actionResolveCamera",
-       nullptr, "actionImportCalibration", "actionExportCalibration"});
+       "actionCalibrateWorld", nullptr, "actionPlanRig", "actionPlanCamera", "actionFindPlace",
+       "actionResolveCamera", nullptr, "actionImportCalibration", "actionExportCalibration"});
   add(tr("&Run"), "menuRun",
       {"actionPlay",
        "actionNextFrame",

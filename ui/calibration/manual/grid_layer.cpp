@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/calibration/manual/grid_layer.h"
 
-#include "core/calibration/manual/click_aids.h"
 #include "ui/calibration/manual/grid_painter.h"
 #include "ui/calibration/manual/nudge_keys.h"
 #include "ui/calibration/manual_calibration.h"
 #include "ui/calibration/points/point_calibrator.h"
+#include "ui/calibration/snapped_click.h"
 #include "ui/cameraview/camera_view.h"
 #include "ui/cameraview/loupe.h"
 #include "ui/text/retranslation.h"
@@ -23,7 +23,6 @@ namespace {
 
 constexpr double kReachPx = 9.0; ///< of the widget: a crossing, pin or corner this near is meant
 constexpr double kDragPx = 3.0;
-constexpr double kSnapPx = 7.0; ///< of the image
 
 } // namespace
 
@@ -92,12 +91,7 @@ double GridLayer::inImage(double widgetPixels) const {
 }
 
 Eigen::Vector2d GridLayer::clicked(QPointF position, Qt::KeyboardModifiers modifiers) const {
-  const Eigen::Vector2d pixel = pixelAt(position);
-  const FramePtr image = frame();
-  if (!image || modifiers.testFlag(Qt::AltModifier)) {
-    return pixel;
-  }
-  return snapToCorner(image->image, pixel, kSnapPx).value_or(pixel);
+  return snappedClick(snapshot_, camera_, pixelAt(position), modifiers.testFlag(Qt::AltModifier));
 }
 
 void GridLayer::placeClick(QMouseEvent* event) {

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Floor, origin and scale in the real window: points marked in two images, and each step undone.
+#include "tests/ui/calibration/calibration_window.h"
+#include "tests/ui/window_test.h"
+#include "ui/cameraview/image_pick_overlay.h"
+
+#include <QAction>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QTableWidget>
+
+#include <array>
+#include <cmath>
+
+namespace dewpoint::tests {
+
+class WorldPageTest : public QObject, private test::CalibrationWindow {
+  Q_OBJECT
+
+private Q_SLOTS:
+  void init();
+  void cleanup() { window_.reset(); }
+  void threePointsSetTheFloor();
+  void aMeasuredDistanceSetsTheScale();
+  void theWorldIsTurnedUpright();
+  void allCamerasMoveTogether();
+  void markingEndsWithThePage();
+
+private:
+  ImagePickOverlay* overlay(int k) {
+    return find<ImagePickOverlay>(QStringLiteral("cameraView%1WorldMarks").arg(k));
+  }
+  QTableWidget* marks() { return find<QTableWidget>("worldMarks"); }
+  void press(const char* button) { QTest::mouseClick(find<QPushButton>(button), Qt::LeftButton); }
+  /// Marks a point in both images, where the present cameras see it.
+  void mark(int row, const Eigen::Vector3d& world);
+  /// Three points near the ball, all at its height.
+  std::array<Eigen::Vector3d, 3> floorPoints();
+};
+
+void WorldPageTest::init() {
+  openCalibration();
+  find<QAction>("actionCalibrateWorld")->trigger();
+  QVERIFY(find<QPushButton>("worldMark")->isChecked()); // ready to mark
+}
+
+void WorldPageTest::mark(int row, const Eigen::Vector3d& world) {
+  marks()->setCurrentCell(row, 0);
+  for (int k = 0; k < 2; ++k) {
+    QTest::mouseClick(overlay(k), Qt::LeftButton, Qt::AltModifier,
+                      placed(k, seen(k, world)).toPoint());
+  }
+}
+
+std::array<Eigen::Vector3d, 3> WorldPageTest::floorPoints() {
+  const Eigen::Vector3d ball = window_->shown()->targets.at(0).truth.value();
+  return {ball, ball + Eigen::Vector3d(0.08, 0.0, 0.0), ball + Eigen::Vector3d(0.0, 0.08, 0.0)};
+}
+
+void WorldPageTest::threePointsSetTheFloor() {
+  const Camera before = camera(0);
+  const auto points = floorPoints();
+  QVERIFY(!find<QPushButton>("worldFloor")->isEnabled());
+  for (int row = 0; row < 3; ++row) {
+    mark(row, points[static_cast<std::size_t>(row)]);
+    QCOMPARE(marks()->item(row, 1)->text(), QStringLiteral("2/2"));
+  }
+  QVERIFY(find<QPushButton>("worldFloor")->isEnabled());
+  press("worldFloor");
+  // A click is where a whole pixel of the screen is.
+  QVERIFY((camera(0).center() - (before.center() - points[0])).norm() < 0.03);
+  QVERIFY(!find<QLabel>("worldResult")->text().isEmpty());
+  // The marks stay where they are in the images; A is the origin now.
+  for (int column = 2; column < 5; ++column) {
+    QVERIFY2(std::abs(QLocale().toDouble(marks()->item(0, column)->text())) < 0.0015,
+             qPrintable(marks()->item(0, column)->text()));
+  }
+  history().undo();
+  QVERIFY((camera(0).center() - before.center()).norm() < 1e-12);
+  QVERIFY(find<QLabel>("worldResult")->text().isEmpty());
+}
+
+void WorldPageTest::aMeasuredDistanceSetsTheScale() {
+  const auto points = floorPoints();
+  mark(0, points[0]);
+  mark(1, points[1]);
+  auto* distance = find<QDoubleSpinBox>("worldDistance");
+  QVERIFY(std::abs(distance->value() - 0.08) < 0.003); // what the cameras say now
+  const double apart = (camera(0).center() - camera(1).center()).norm();
+  const double factor = 0.5 / distance->value();
+  distance->setValue(0.5);
+  press("worldLength");
+  const double now = (camera(0).center() - camera(1).center()).norm();
+  QVERIFY(std::abs(now / apart / factor - 1.0) < 1e-2); // the field has four decimals
+  QVERIFY(std::abs(distance->value() - 0.5) < 1e-3);
+  press("worldClear");
+  QCOMPARE(marks()->item(0, 1)->text(), QStringLiteral("0/2"));
+  QVERIFY(!find<QPushButton>("worldLength")->isEnabled());
+}
+
+void WorldPageTest::theWorldIsTurnedUpright() {
+  QVERIFY(!find<QPushButton>("worldUpright")->isVisible());
+  const Eigen::Vector3d before = camera(0).center();
+  press("worldQuarterX");
+  press("worldQuarterX");
+  QVERIFY((camera(0).center() - Eigen::Vector3d(before.x(), -before.y(), -before.z())).norm() <
+          1e-9);
+  QVERIFY(find<QPushButton>("worldUpright")->isVisible());
+  QVERIFY(find<QLabel>("worldUprightText")->isVisible());
+  press("worldUpright");
+  QVERIFY((camera(0).center() - before).norm() < 1e-9);
+  QVERIFY(!find<QPushButton>("worldUpright")->isVisible());
+  for (int k = 0; k < 3; ++k) {
+    history().undo();
+  }
+  QVERIFY((camera(0).center() - before).norm() < 1e-12);
+}
+
+void WorldPageTest::allCamerasMoveTogether() {
+  const Eigen::Vector3d before = camera(1).center();
+  find<QDoubleSpinBox>("worldShiftX")->setValue(1.5);
+  find<QDoubleSpinBox>("worldTurn")->setValue(90.0);
+  press("worldMove");
+  const Eigen::Vector3d after(1.5 - before.y(), before.x(), before.z());
+  QVERIFY((camera(1).center() - after).norm() < 1e-9);
+  press("worldMove"); // the fields are empty now
+  QVERIFY((camera(1).center() - after).norm() < 1e-9);
+}
+
+void WorldPageTest::markingEndsWithThePage() {
+  QVERIFY(overlay(0)->isVisible());
+  QTest::keyClick(overlay(0), Qt::Key_Escape);
+  QVERIFY(!overlay(0)->isVisible());
+  press("worldMark");
+  QVERIFY(overlay(0)->isVisible());
+  find<QAction>("actionCalibrateWand")->trigger();
+  QVERIFY(!overlay(0)->isVisible()); // the grid has the mouse again
+}
+
+DEWPOINT_WINDOW_TEST(WorldPageTest)
+
+} // namespace dewpoint::tests
+
+#include "world_page_test.moc"
