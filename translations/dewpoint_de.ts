@@ -168,8 +168,8 @@
         <translation>Die Standardanordnung der Ansichten wiederherstellen</translation>
     </message>
     <message>
-        <source>Colors of the system</source>
-        <translation>Farben des Systems</translation>
+        <source>Use the system&apos;s light or dark colors</source>
+        <translation>Die hellen oder dunklen Farben des Systems verwenden</translation>
     </message>
     <message>
         <source>Light</source>
@@ -248,7 +248,7 @@
         <translation>Ab hier erneut verfolgen</translation>
     </message>
     <message>
-        <source>Track again from the frame shown with the current method, parameters and colors; pause to stop</source>
+        <source>Starting at the frame shown, track again with the current method, parameters and colors; pause to stop</source>
         <translation>Ab dem gezeigten Bild mit aktuellem Verfahren, aktuellen Parametern und Farben erneut verfolgen; Pause beendet es</translation>
     </message>
     <message>
@@ -348,8 +348,8 @@
         <translation>Fehler zeigen</translation>
     </message>
     <message>
-        <source>Distance between estimate and ground truth, if it is known</source>
-        <translation>Abstand zwischen Schätzung und wahrer Position, falls bekannt</translation>
+        <source>Distance between estimate and ground truth, if the truth is known</source>
+        <translation>Abstand zwischen Schätzung und wahrer Position, falls diese bekannt ist</translation>
     </message>
     <message>
         <source>Plot time per step</source>
@@ -360,16 +360,16 @@
         <translation>Dauer jeder Filteriteration je Ziel, in Mikrosekunden</translation>
     </message>
     <message>
-        <source>Over time</source>
-        <translation>Über die Zeit</translation>
+        <source>Plot over time</source>
+        <translation>Über der Zeit auftragen</translation>
     </message>
     <message>
         <source>Plot against time in seconds instead of filter iterations</source>
         <translation>Über der Zeit in Sekunden statt über Filteriterationen auftragen</translation>
     </message>
     <message>
-        <source>Whole run</source>
-        <translation>Ganzer Lauf</translation>
+        <source>Show whole run</source>
+        <translation>Ganzen Lauf zeigen</translation>
     </message>
     <message>
         <source>Show the whole run in the plots again (or double-click)</source>
@@ -396,8 +396,8 @@
         <translation>Bahn als CSV kopieren</translation>
     </message>
     <message>
-        <source>Copy the selected rows of the trajectory, or all</source>
-        <translation>Die gewählten Zeilen der Bahn kopieren, oder alle</translation>
+        <source>Copy the selected rows of the trajectory, or all rows if none is selected</source>
+        <translation>Die gewählten Zeilen der Bahn kopieren, oder alle, wenn keine gewählt ist</translation>
     </message>
     <message>
         <source>Calibrate by hand…</source>
@@ -428,8 +428,8 @@
         <translation>Mit Kalibrierstab kalibrieren…</translation>
     </message>
     <message>
-        <source>Refine the cameras with a ball, or a wand with two balls, that you wave</source>
-        <translation>Die Kameras mit einem Ball oder einem Stab mit zwei Bällen verfeinern, den Sie schwenken</translation>
+        <source>Refine the calibration by waving a ball, or a wand with two balls</source>
+        <translation>Die Kalibrierung verfeinern, indem Sie einen Ball oder einen Stab mit zwei Bällen schwenken</translation>
     </message>
     <message>
         <source>Calibration</source>
@@ -532,8 +532,8 @@
         <translation>Volumen der Personen zeigen</translation>
     </message>
     <message>
-        <source>Show the hull that holds 95 % of each person, and the density of each on the floor</source>
-        <translation>Die Hülle zeigen, die 95 % jeder Person enthält, und ihre Dichte auf dem Boden</translation>
+        <source>Show the hull that contains 95 % of each person, and contour lines of the person&apos;s density on the floor</source>
+        <translation>Die Hülle zeigen, die 95 % jeder Person enthält, und Höhenlinien ihrer Dichte auf dem Boden</translation>
     </message>
     <message>
         <source>Filter threads…</source>
@@ -708,8 +708,8 @@
         <translation>Handbuch</translation>
     </message>
     <message>
-        <source>Open the manual at the page of the view that is in use</source>
-        <translation>Das Handbuch auf der Seite der benutzten Ansicht öffnen</translation>
+        <source>Open the manual at the page about the active view</source>
+        <translation>Das Handbuch auf der Seite zur aktiven Ansicht öffnen</translation>
     </message>
     <message>
         <source>Quick start</source>
@@ -771,12 +771,12 @@
 <context>
     <name>AssessedRegions</name>
     <message>
-        <source>matches too</source>
+        <source>also matches</source>
         <translation>passt auch</translation>
     </message>
     <message>
-        <source>also the target (Alt-click if not)</source>
-        <translation>auch das Ziel (sonst Alt+Klick)</translation>
+        <source>recognized as the target (Alt-click if not)</source>
+        <translation>als Ziel erkannt (sonst Alt+Klick)</translation>
     </message>
 </context>
 <context>
@@ -786,8 +786,8 @@
         <translation>%1: RMS %2, Brennweite %3, %4 Bilder; Genauigkeit %5</translation>
     </message>
     <message>
-        <source>The corners cover only %1 % of its image: show the board in every part of the image, also tilted.</source>
-        <translation>Die Ecken decken nur %1 % des Bildes ab: Zeigen Sie die Tafel in jedem Teil des Bildes, auch geneigt.</translation>
+        <source>The board&apos;s corners cover only %1 % of the image: show the board in every part of the image, and tilt it too.</source>
+        <translation>Die Ecken der Tafel decken nur %1 % des Bildes ab: Zeigen Sie die Tafel in jedem Teil des Bildes, und neigen Sie sie auch.</translation>
     </message>
     <message>
         <source>%1 keeps its position: it never saw the board.</source>
@@ -798,8 +798,8 @@
         <translation>%1: RMS %2</translation>
     </message>
     <message>
-        <source>, position ±%1, direction ±%2</source>
-        <translation>, Position ±%1, Richtung ±%2</translation>
+        <source>%1: RMS %2, position ±%3, direction ±%4</source>
+        <translation>%1: RMS %2, Position ±%3, Richtung ±%4</translation>
     </message>
     <message>
         <source>Intrinsics</source>
@@ -882,8 +882,8 @@
         <translation>Tafel bewegen nach: %1</translation>
     </message>
     <message>
-        <source>Tilt the board, %1</source>
-        <translation>Tafel neigen, %1</translation>
+        <source>Turn the board: %1</source>
+        <translation>Tafel ausrichten: %1</translation>
     </message>
     <message>
         <source>Move the board closer</source>
@@ -946,11 +946,11 @@
         <translation>%1 gemeinsame Ansichten mit anderen Kameras</translation>
     </message>
     <message>
-        <source>The positions were not found: %1</source>
-        <translation>Die Positionen wurden nicht gefunden: %1</translation>
+        <source>The camera positions could not be computed: %1</source>
+        <translation>Die Kamerapositionen konnten nicht berechnet werden: %1</translation>
     </message>
     <message>
-        <source>The accuracy cannot be estimated: two cameras saw the board together too rarely.</source>
+        <source>The accuracy cannot be estimated: the board was too rarely seen by two cameras at once.</source>
         <translation>Die Genauigkeit lässt sich nicht schätzen: Zu selten sahen zwei Kameras die Tafel zugleich.</translation>
     </message>
 </context>
@@ -972,16 +972,16 @@
         <translation>Alles passt, wenn %1 und %2 vertauscht werden: wahrscheinlich sind ihre Videos verwechselt. Tauschen Sie die beiden Dateien.</translation>
     </message>
     <message>
-        <source>%1 fits when its video is shifted: it likely shows everything %2 frames late. Synchronize the videos, or let time offsets be found.</source>
-        <translation>%1 passt, wenn ihr Video verschoben wird: es zeigt wahrscheinlich alles %2 Bilder zu spät. Synchronisieren Sie die Videos, oder lassen Sie Zeitversätze suchen.</translation>
+        <source>%1 fits when its video is shifted in time: the video is probably %2 frames late. Synchronize the videos, or calibrate with a wand and “Find time offsets”.</source>
+        <translation>%1 passt, wenn ihr Video zeitlich verschoben wird: Es ist wahrscheinlich %2 Bilder zu spät. Synchronisieren Sie die Videos, oder kalibrieren Sie mit dem Stab und „Zeitversätze suchen“.</translation>
     </message>
     <message>
-        <source>%1 fits when its video is shifted: it likely shows everything %2 frames early. Synchronize the videos, or let time offsets be found.</source>
-        <translation>%1 passt, wenn ihr Video verschoben wird: es zeigt wahrscheinlich alles %2 Bilder zu früh. Synchronisieren Sie die Videos, oder lassen Sie Zeitversätze suchen.</translation>
+        <source>%1 fits when its video is shifted in time: the video is probably %2 frames early. Synchronize the videos, or calibrate with a wand and “Find time offsets”.</source>
+        <translation>%1 passt, wenn ihr Video zeitlich verschoben wird: Es ist wahrscheinlich %2 Bilder zu früh. Synchronisieren Sie die Videos, oder kalibrieren Sie mit dem Stab und „Zeitversätze suchen“.</translation>
     </message>
     <message>
-        <source>%1 fits one pose before %2 and another after it: the camera was probably moved. Calibrate with the part after that time.</source>
-        <translation>%1 passt vor %2 zu einer Lage und danach zu einer anderen: Die Kamera wurde wahrscheinlich bewegt. Kalibrieren Sie mit dem Teil danach.</translation>
+        <source>%1 fits one pose before %2 and another pose after that time: the camera was probably moved. Calibrate with the later part only.</source>
+        <translation>%1 passt vor %2 zu einer Lage und danach zu einer anderen: Die Kamera wurde wahrscheinlich bewegt. Kalibrieren Sie nur mit dem späteren Teil.</translation>
     </message>
     <message>
         <source>%1 fits only with flipped images: its video is probably mirrored or upside down. Set the rotation and mirroring of its images.</source>
@@ -992,36 +992,36 @@
         <translation>%1 passt mit dem %2-fachen der angegebenen Brennweite: Wahrscheinlich wurde ihr Zoom oder ihr Ausschnitt geändert. Kalibrieren Sie ihre intrinsischen Parameter neu.</translation>
     </message>
     <message>
-        <source>The lens data of %1 are likely for another resolution: its images are %2 times as large. Convert them, or record at the calibrated size.</source>
-        <translation>Die Objektivdaten von %1 gelten wahrscheinlich für eine andere Auflösung: ihre Bilder sind %2-mal so groß. Rechnen Sie sie um, oder nehmen Sie in der kalibrierten Größe auf.</translation>
+        <source>The intrinsics of %1 are probably for another resolution: its images are %2 times as large. Convert the intrinsics, or record at the calibrated size.</source>
+        <translation>Die intrinsischen Parameter von %1 gelten wahrscheinlich für eine andere Auflösung: ihre Bilder sind %2-mal so groß. Rechnen Sie die Parameter um, oder nehmen Sie in der kalibrierten Größe auf.</translation>
     </message>
     <message>
-        <source>In this volume ±%1 (95 %)</source>
-        <translation>In diesem Raum ±%1 (95 %)</translation>
+        <source>In this volume: position ±%1 (95 %)</source>
+        <translation>In diesem Raum: Position ±%1 (95 %)</translation>
     </message>
     <message>
         <source>, scale ±%1 %</source>
-        <translation>, Größe ±%1 %</translation>
+        <translation>, Maßstab ±%1 %</translation>
     </message>
     <message>
         <source>, scale unknown</source>
-        <translation>, Größe unbekannt</translation>
+        <translation>, Maßstab unbekannt</translation>
     </message>
     <message>
-        <source>, up ±%1</source>
-        <translation>, Lot ±%1</translation>
+        <source>, upward direction ±%1</source>
+        <translation>, Lotrichtung ±%1</translation>
     </message>
     <message>
-        <source>, up not measured</source>
-        <translation>, Lot nicht gemessen</translation>
+        <source>, upward direction not measured</source>
+        <translation>, Lotrichtung nicht gemessen</translation>
     </message>
     <message>
         <source>all cameras</source>
         <translation>alle Kameras</translation>
     </message>
     <message>
-        <source>The cameras would all look at the back of the board or floor: its points are likely mirrored. Check the direction of its axes, and that the print is not reversed.</source>
-        <translation>Alle Kameras sähen auf die Rückseite der Tafel oder des Bodens: ihre Punkte sind wahrscheinlich gespiegelt. Prüfen Sie die Richtung der Achsen, und dass der Druck nicht seitenverkehrt ist.</translation>
+        <source>All cameras seem to see the back of the board or floor: its points are probably mirrored. Check the direction of the axes, and that the print is not reversed.</source>
+        <translation>Alle Kameras sehen anscheinend die Rückseite der Tafel oder des Bodens: Die Punkte sind wahrscheinlich gespiegelt. Prüfen Sie die Richtung der Achsen, und dass der Druck nicht seitenverkehrt ist.</translation>
     </message>
     <message>
         <source>The given length is %1 times what the cameras see: millimeters and meters are likely mixed up.</source>
@@ -1040,8 +1040,8 @@
         <translation>Die angegebene Größe der Felder ist das %1-fache dessen, was die Kameras sehen: Messen Sie eine Reihe mit dem Lineal (Drucke werden oft skaliert).</translation>
     </message>
     <message>
-        <source>The images fit when shifted by %1 along both axes: a program likely counts pixels from their corners. Convert the principal points.</source>
-        <translation>Die Bilder passen, wenn sie um %1 in beiden Achsen verschoben werden: ein Programm zählt Pixel wahrscheinlich von ihren Ecken aus. Rechnen Sie die Hauptpunkte um.</translation>
+        <source>The images fit when shifted by %1 along both axes: the calibration probably counts pixels from their corners, not their centers. Convert the principal points.</source>
+        <translation>Die Bilder passen, wenn sie um %1 in beiden Achsen verschoben werden: Die Kalibrierung zählt Pixel wahrscheinlich von ihren Ecken statt von ihren Mitten aus. Rechnen Sie die Hauptpunkte um.</translation>
     </message>
 </context>
 <context>
@@ -1067,12 +1067,12 @@
         <translation>%1 und %2 sind anscheinend vertauscht.</translation>
     </message>
     <message>
-        <source>%1 or %2 looks at least %3 away from its calibration.</source>
-        <translation>%1 oder %2 blickt mindestens %3 neben ihre Kalibrierung.</translation>
+        <source>%1 or %2 points at least %3 away from its calibrated direction.</source>
+        <translation>%1 oder %2 blickt mindestens %3 an der kalibrierten Richtung vorbei.</translation>
     </message>
     <message>
-        <source>%1 looks about %2 away from its calibration.</source>
-        <translation>%1 blickt etwa %2 neben ihre Kalibrierung.</translation>
+        <source>%1 points about %2 away from its calibrated direction.</source>
+        <translation>%1 blickt etwa %2 an der kalibrierten Richtung vorbei.</translation>
     </message>
     <message>
         <source>%1 and %2 disagree about where the target is. Calibrate them again.</source>
@@ -1083,16 +1083,16 @@
         <translation>%1 stimmt mit den anderen Kameras nicht überein. Kalibrieren Sie sie neu.</translation>
     </message>
     <message>
-        <source>%1 is about %2 late.</source>
-        <translation>%1 ist etwa %2 zu spät.</translation>
+        <source>The images of %1 are about %2 late.</source>
+        <translation>Die Bilder von %1 sind etwa %2 zu spät.</translation>
     </message>
     <message>
-        <source>%1 is about %2 early.</source>
-        <translation>%1 ist etwa %2 zu früh.</translation>
+        <source>The images of %1 are about %2 early.</source>
+        <translation>Die Bilder von %1 sind etwa %2 zu früh.</translation>
     </message>
     <message>
-        <source>The calibration seems to be in %1.</source>
-        <translation>Die Kalibrierung ist anscheinend in %1 angegeben.</translation>
+        <source>The calibration seems to be in %1 instead of meters.</source>
+        <translation>Die Kalibrierung ist anscheinend in %1 statt in Metern angegeben.</translation>
     </message>
     <message>
         <source>%1 and %2 have the same pose.</source>
@@ -1107,8 +1107,8 @@
         <translation>Verzögerung von %1 einstellen</translation>
     </message>
     <message>
-        <source>Rotate %1</source>
-        <translation>%1 drehen</translation>
+        <source>Correct direction of %1</source>
+        <translation>Richtung von %1 korrigieren</translation>
     </message>
     <message>
         <source>Convert to meters</source>
@@ -1139,20 +1139,20 @@
 <context>
     <name>ClickRadiusText</name>
     <message>
-        <source>Its radius seems to be about %1.</source>
-        <translation>Der Radius ist anscheinend etwa %1.</translation>
+        <source>The target&apos;s radius seems to be about %1.</source>
+        <translation>Der Radius des Ziels ist anscheinend etwa %1.</translation>
     </message>
     <message>
-        <source>Its radius seems to be about %1, but %2 is given. Is that its diameter?</source>
-        <translation>Der Radius ist anscheinend etwa %1, angegeben ist %2. Ist das der Durchmesser?</translation>
+        <source>The target&apos;s radius seems to be about %1, but %2 is given. Is that the diameter?</source>
+        <translation>Der Radius des Ziels ist anscheinend etwa %1, angegeben ist %2. Ist das der Durchmesser?</translation>
     </message>
     <message>
-        <source>Its radius seems to be about %1, but %2 is given.</source>
-        <translation>Der Radius ist anscheinend etwa %1, angegeben ist %2.</translation>
+        <source>The target&apos;s radius seems to be about %1, but %2 is given.</source>
+        <translation>Der Radius des Ziels ist anscheinend etwa %1, angegeben ist %2.</translation>
     </message>
     <message>
-        <source>This is part of a larger object of the same color. It is tracked as a ball with radius %1, starting at the marked spot.</source>
-        <translation>Das ist ein Teil eines größeren Objekts derselben Farbe. Es wird von der markierten Stelle an als Ball mit Radius %1 verfolgt.</translation>
+        <source>The marked spot is part of a larger object of the same color. Only this spot is tracked, as a ball with radius %1.</source>
+        <translation>Die markierte Stelle gehört zu einem größeren Objekt derselben Farbe. Nur diese Stelle wird verfolgt, als Ball mit Radius %1.</translation>
     </message>
 </context>
 <context>
@@ -1201,20 +1201,20 @@
         <translation>unten rechts</translation>
     </message>
     <message>
-        <source>Stands out well: %1 of 100.</source>
-        <translation>Hebt sich gut ab: %1 von 100.</translation>
+        <source>Stands out well (%1 of 100 points).</source>
+        <translation>Hebt sich gut ab (%1 von 100 Punkten).</translation>
     </message>
     <message>
-        <source>Stands out: %1 of 100.</source>
-        <translation>Hebt sich ab: %1 von 100.</translation>
+        <source>Stands out (%1 of 100 points).</source>
+        <translation>Hebt sich ab (%1 von 100 Punkten).</translation>
     </message>
     <message>
-        <source>Hard to tell apart: %1 of 100.</source>
-        <translation>Schwer zu unterscheiden: %1 von 100.</translation>
+        <source>Hard to tell apart (%1 of 100 points).</source>
+        <translation>Schwer zu unterscheiden (%1 von 100 Punkten).</translation>
     </message>
     <message>
-        <source>Hardly stands out: %1 of 100.</source>
-        <translation>Hebt sich kaum ab: %1 von 100.</translation>
+        <source>Hardly stands out (%1 of 100 points).</source>
+        <translation>Hebt sich kaum ab (%1 von 100 Punkten).</translation>
     </message>
     <message>
         <source>black</source>
@@ -1269,8 +1269,8 @@
         <translation>Vieles am Ziel passt nicht: Umschalt-Klick auf seine helle und seine dunkle Seite.</translation>
     </message>
     <message>
-        <source>Alt-click what also matches to exclude it.</source>
-        <translation>Alt-Klick auf das, was auch passt, schließt es aus.</translation>
+        <source>Exclude the other matching objects: Alt-click them.</source>
+        <translation>Schließen Sie die anderen passenden Objekte aus: Alt-Klick darauf.</translation>
     </message>
     <message>
         <source>Cover objects of the same color, or take them out of view.</source>
@@ -1289,12 +1289,12 @@
         <translation>Das Ziel ist fast grau: Eine kräftigere Farbe würde helfen.</translation>
     </message>
     <message>
-        <source>This fills much of the image: click only the target, or drag a box on it.</source>
-        <translation>Das füllt einen großen Teil des Bildes: Klicken Sie nur das Ziel an, oder ziehen Sie einen Rahmen darauf.</translation>
+        <source>The clicked region fills much of the image: click only the target, or drag a box on it.</source>
+        <translation>Der angeklickte Bereich füllt einen großen Teil des Bildes: Klicken Sie nur das Ziel an, oder ziehen Sie einen Rahmen darauf.</translation>
     </message>
     <message>
-        <source>%1 % of the images match. Shift-click the target to learn how well it stands out.</source>
-        <translation>%1 % der Bilder passen. Umschalt-Klick auf das Ziel sagt, wie gut es sich abhebt.</translation>
+        <source>%1 % of the pixels match. Shift-click the target to see how well it stands out.</source>
+        <translation>%1 % der Pixel passen. Umschalt-Klick auf das Ziel zeigt, wie gut es sich abhebt.</translation>
     </message>
     <message>
         <source>%1 % of the background matches too.</source>
@@ -1305,8 +1305,8 @@
         <translation>Eine Probe passt kaum zur gelernten Farbe: Ihre Umgebung sieht genauso aus, oder sie zeigt ein anderes Objekt.</translation>
     </message>
     <message>
-        <source>A %1 region %2 of %3 also matches.</source>
-        <translation>Ein Bereich (%1) %2 von %3 passt auch.</translation>
+        <source>In the image of %3, a region %2 also matches (%1).</source>
+        <translation>Im Bild von %3 passt auch ein Bereich %2 (%1).</translation>
     </message>
     <message>
         <source>Several objects have this color: another color would help.</source>
@@ -1317,8 +1317,8 @@
         <translation>Sie haben nur einen Fleck angeklickt: Ziehen Sie einen Rahmen auf dem ganzen Ziel.</translation>
     </message>
     <message>
-        <source>Only %1 % of the target and %2 % of the background match.</source>
-        <translation>Nur %1 % des Ziels und %2 % des Hintergrunds passen.</translation>
+        <source>Only %1 % of the target matches, and %2 % of the background matches too.</source>
+        <translation>Nur %1 % des Ziels passen, und auch %2 % des Hintergrunds passen.</translation>
     </message>
     <message>
         <source>A range that covers the whole target would match %1 % of the background.</source>
@@ -1359,12 +1359,12 @@
         <translation>kann nicht geschrieben werden</translation>
     </message>
     <message>
-        <source>does not fit the rest</source>
-        <translation>passt nicht zum Übrigen</translation>
+        <source>does not match the other data</source>
+        <translation>passt nicht zu den übrigen Daten</translation>
     </message>
     <message>
-        <source>ended before its announced end</source>
-        <translation>endete vor dem angekündigten Ende</translation>
+        <source>ended before its expected end</source>
+        <translation>endete vor dem erwarteten Ende</translation>
     </message>
     <message>
         <source>failed</source>
@@ -1395,16 +1395,16 @@
         <translation>die Datei existiert nicht</translation>
     </message>
     <message>
-        <source>the observations do not determine it</source>
-        <translation>die Beobachtungen legen es nicht fest</translation>
+        <source>cannot be determined from the observations</source>
+        <translation>lässt sich aus den Beobachtungen nicht bestimmen</translation>
     </message>
     <message>
         <source>the text cannot be understood</source>
         <translation>der Text ist nicht verständlich</translation>
     </message>
     <message>
-        <source>there is nothing of this name</source>
-        <translation>es gibt nichts mit diesem Namen</translation>
+        <source>not found</source>
+        <translation>nicht gefunden</translation>
     </message>
     <message>
         <source>this key is missing</source>
@@ -1426,24 +1426,24 @@
         <translation>Barrera et al. 2005, Abbildung 3: die Partikel in beiden Kamerabildern, während die Wolke den Ball findet.</translation>
     </message>
     <message>
-        <source>Barrera et al. 2005, figure 4: the same cloud from above.</source>
-        <translation>Barrera et al. 2005, Abbildung 4: dieselbe Wolke von oben.</translation>
+        <source>Barrera et al. 2005, figure 4: the particle cloud of figure 3 from above.</source>
+        <translation>Barrera et al. 2005, Abbildung 4: die Partikelwolke aus Abbildung 3 von oben.</translation>
     </message>
     <message>
         <source>Barrera et al. 2005, figure 6: the object jumps 2 m at iteration 30.</source>
         <translation>Barrera et al. 2005, Abbildung 6: Das Objekt springt bei Iteration 30 um 2 m.</translation>
     </message>
     <message>
-        <source>Barrera et al. 2005, figure 7: the same for motion sigmas from 0.001 to 0.3 m, as an image.</source>
-        <translation>Barrera et al. 2005, Abbildung 7: dasselbe für Bewegungs-Sigmas von 0,001 bis 0,3 m, als Bild.</translation>
+        <source>Barrera et al. 2005, figure 7: the error for the jump of figure 6 and motion sigmas from 0.001 to 0.3 m, as an image.</source>
+        <translation>Barrera et al. 2005, Abbildung 7: der Fehler beim Sprung aus Abbildung 6 für Bewegungs-Sigmas von 0,001 bis 0,3 m, als Bild.</translation>
     </message>
     <message>
         <source>Barrera et al. 2005, figure 8: the cloud at six instants, with a small and a large motion sigma.</source>
         <translation>Barrera et al. 2005, Abbildung 8: die Wolke in sechs Momenten, mit kleinem und großem Bewegungs-Sigma.</translation>
     </message>
     <message>
-        <source>Barrera et al. 2005, section III-B: the share of runs that converge for each start volume, and starts behind the ball.</source>
-        <translation>Barrera et al. 2005, Abschnitt III-B: der Anteil der Läufe, die konvergieren, je Startvolumen, und Starts hinter dem Ball.</translation>
+        <source>Barrera et al. 2005, section III-B: the share of runs that converge, for several start volumes and for starts behind the ball.</source>
+        <translation>Barrera et al. 2005, Abschnitt III-B: der Anteil der Läufe, die konvergieren, für mehrere Startvolumen und für Starts hinter dem Ball.</translation>
     </message>
     <message>
         <source>Barrera et al. 2005, section III-B: with one camera, the cloud moves away from the camera.</source>
@@ -1498,11 +1498,11 @@
         <translation>Rahmen: Fehler, Erfolg und Genauigkeit</translation>
     </message>
     <message>
-        <source>Mohedano et al. 2009: people enter and leave; how long an estimate stays without a person, and a person without an estimate.</source>
-        <translation>Mohedano u. a. 2009: Personen kommen und gehen; wie lange eine Schätzung ohne Person bleibt und eine Person ohne Schätzung.</translation>
+        <source>Mohedano et al. 2009: people enter and leave; how long estimates exist without a person, and how long people have no estimate.</source>
+        <translation>Mohedano u. a. 2009: Personen kommen und gehen; wie lange Schätzungen ohne Person bestehen und wie lange Personen ohne Schätzung sind.</translation>
     </message>
     <message>
-        <source>Mohedano et al. 2009: two people meet and walk on; motion alone may confuse them, color keeps them apart when their clothes differ.</source>
+        <source>Mohedano et al. 2009: two people meet and walk on; motion alone may mix them up, color tells them apart when their clothes differ.</source>
         <translation>Mohedano u. a. 2009: Zwei Personen begegnen sich und gehen weiter; die Bewegung allein kann sie verwechseln, die Farbe hält sie auseinander, wenn ihre Kleidung verschieden ist.</translation>
     </message>
     <message>
@@ -1530,11 +1530,11 @@
         <translation>Personen, die sich treffen und umkehren</translation>
     </message>
     <message>
-        <source>Sugandi et al. 2009, section 4: 100 and 300 particles, method histogram and four trackers of OpenCV on the same clips.</source>
-        <translation>Sugandi u. a. 2009, Abschnitt 4: 100 und 300 Partikel, das Verfahren histogram und vier Verfolger von OpenCV auf denselben Filmen.</translation>
+        <source>Sugandi et al. 2009, section 4: compares 100 and 300 particles, method histogram and four OpenCV trackers on the same clips.</source>
+        <translation>Sugandi u. a. 2009, Abschnitt 4: vergleicht 100 und 300 Partikel, das Verfahren histogram und vier Verfolger von OpenCV auf denselben Filmen.</translation>
     </message>
     <message>
-        <source>Mohedano et al. 2009: two people far apart. This is the easy case: no method may confuse them.</source>
+        <source>Mohedano et al. 2009: two people far apart. This is the easy case: no method may mix them up.</source>
         <translation>Mohedano u. a. 2009: zwei Personen, weit voneinander entfernt: der leichte Fall, in dem kein Verfahren sie verwechseln darf.</translation>
     </message>
     <message>
@@ -1618,7 +1618,7 @@
         <translation>Kleidung in den Farben des Raums</translation>
     </message>
     <message>
-        <source>Two people in clothes of the colors of walls, furniture and floor walk past each other.</source>
+        <source>Two people whose clothes have the colors of walls, furniture and floor walk past each other.</source>
         <translation>Zwei Personen in Kleidung in den Farben von Wänden, Möbeln und Boden gehen aneinander vorbei.</translation>
     </message>
     <message>
@@ -1770,8 +1770,8 @@
         <translation>◌ niemand im Bild</translation>
     </message>
     <message>
-        <source>– not there</source>
-        <translation>– nicht da</translation>
+        <source>– not present</source>
+        <translation>– nicht anwesend</translation>
     </message>
     <message>
         <source>◇ ambiguous</source>
@@ -1793,8 +1793,8 @@
         <translation>leer: weniger als zwei Kameras</translation>
     </message>
     <message>
-        <source>Cameras that see it</source>
-        <translation>Kameras, die es sehen</translation>
+        <source>Cameras that see a point</source>
+        <translation>Kameras, die einen Punkt sehen</translation>
     </message>
     <message>
         <source>Expected error (1 σ)</source>
@@ -1804,12 +1804,12 @@
 <context>
     <name>MapOverlay</name>
     <message>
-        <source>Cameras that see it: %1</source>
-        <translation>Kameras, die es sehen: %1</translation>
+        <source>Cameras that see this point: %1</source>
+        <translation>Kameras, die diesen Punkt sehen: %1</translation>
     </message>
     <message>
-        <source>±%1 (1 σ); cameras that see it: %2</source>
-        <translation>±%1 (1 σ); Kameras, die es sehen: %2</translation>
+        <source>Expected error: ±%1 (1 σ); cameras that see this point: %2</source>
+        <translation>Erwarteter Fehler: ±%1 (1 σ); Kameras, die diesen Punkt sehen: %2</translation>
     </message>
 </context>
 <context>
@@ -1847,7 +1847,7 @@
         <translation>Verfolgt Farben und Größe des Ziels und findet es wieder, wenn es verdeckt war.</translation>
     </message>
     <message>
-        <source>For comparison: confuses people who come close.</source>
+        <source>For comparison: mixes up people who come close to each other.</source>
         <translation>Zum Vergleich: verwechselt Personen, die sich nahe kommen.</translation>
     </message>
     <message>
@@ -1909,16 +1909,16 @@
 <context>
     <name>Parameter</name>
     <message>
-        <source>Half the x size of the box around the start in which particles start evenly spread; 0 starts them all at the same x.</source>
-        <translation>Halbe x-Ausdehnung des Quaders um den Start, in dem die Partikel gleichmäßig verteilt beginnen; bei 0 beginnen alle beim selben x.</translation>
+        <source>Half the x size of the start box: the particles start evenly spread in this box; 0 starts them all at the same x.</source>
+        <translation>Halbe x-Ausdehnung des Startquaders: Die Partikel beginnen gleichmäßig in ihm verteilt; bei 0 beginnen alle beim selben x.</translation>
     </message>
     <message>
-        <source>Half the y size of the box around the start in which particles start evenly spread; 0 starts them all at the same y.</source>
-        <translation>Halbe y-Ausdehnung des Quaders um den Start, in dem die Partikel gleichmäßig verteilt beginnen; bei 0 beginnen alle beim selben y.</translation>
+        <source>Half the y size of the start box: the particles start evenly spread in this box; 0 starts them all at the same y.</source>
+        <translation>Halbe y-Ausdehnung des Startquaders: Die Partikel beginnen gleichmäßig in ihm verteilt; bei 0 beginnen alle beim selben y.</translation>
     </message>
     <message>
-        <source>Half the z size of the box around the start in which particles start evenly spread; 0 starts them all at the same z.</source>
-        <translation>Halbe z-Ausdehnung des Quaders um den Start, in dem die Partikel gleichmäßig verteilt beginnen; bei 0 beginnen alle beim selben z.</translation>
+        <source>Half the z size of the start box: the particles start evenly spread in this box; 0 starts them all at the same z.</source>
+        <translation>Halbe z-Ausdehnung des Startquaders: Die Partikel beginnen gleichmäßig in ihm verteilt; bei 0 beginnen alle beim selben z.</translation>
     </message>
     <message>
         <source>How far particles move at random along each axis in one iteration: larger values follow faster objects, but spread the particles wider.</source>
@@ -1993,12 +1993,12 @@
         <translation>Mindestzahl der Partikel</translation>
     </message>
     <message>
-        <source>How far the particles may be from the distribution that they represent (Kullback-Leibler divergence): smaller values use more particles where they are spread; 0 always uses all of them.</source>
-        <translation>Wie weit die Partikel von der Verteilung abweichen dürfen, die sie darstellen (Kullback-Leibler-Divergenz): Kleinere Werte benutzen mehr Partikel, wo sie gestreut sind; 0 benutzt immer alle.</translation>
+        <source>How far the particles may be from the distribution that they represent (Kullback-Leibler divergence): smaller values use more particles when they are spread out; 0 always uses the largest number.</source>
+        <translation>Wie weit die Partikel von der Verteilung abweichen dürfen, die sie darstellen (Kullback-Leibler-Divergenz): Kleinere Werte benutzen mehr Partikel, wenn diese weit gestreut sind; 0 benutzt immer die größte Anzahl.</translation>
     </message>
     <message>
-        <source>How long a target still counts as present when no camera can see where it should be.</source>
-        <translation>Wie lange ein Ziel noch als vorhanden gilt, wenn keine Kamera sehen kann, wo es sein sollte.</translation>
+        <source>How long a target still counts as present when no camera can see its expected position.</source>
+        <translation>Wie lange ein Ziel noch als vorhanden gilt, wenn keine Kamera seine erwartete Position sehen kann.</translation>
     </message>
     <message>
         <source>Smallest number of particles of each target, used when all particles agree.</source>
@@ -2029,8 +2029,8 @@
         <translation>Zeitbudget</translation>
     </message>
     <message>
-        <source>How long one iteration may take. To meet it, fewer particles are used and searches are spread over several frames. 0 sets no limit. With a limit, a run depends on the speed of the computer and cannot be repeated bit by bit.</source>
-        <translation>Wie lange eine Iteration dauern darf: Um das einzuhalten, werden weniger Partikel benutzt und Suchen über mehrere Bilder verteilt. 0 setzt keine Grenze; mit einer Grenze hängt ein Lauf von der Geschwindigkeit des Rechners ab und lässt sich nicht Bit für Bit wiederholen.</translation>
+        <source>How long one iteration may take. To meet this limit, fewer particles are used and searches are spread over several frames. 0 sets no limit. With a limit, a run depends on the speed of the computer and cannot be repeated exactly.</source>
+        <translation>Wie lange eine Iteration dauern darf. Um diese Grenze einzuhalten, werden weniger Partikel benutzt und Suchen über mehrere Bilder verteilt. 0 setzt keine Grenze. Mit einer Grenze hängt ein Lauf von der Geschwindigkeit des Rechners ab und lässt sich nicht exakt wiederholen.</translation>
     </message>
     <message>
         <source>Color adaptation</source>
@@ -2065,16 +2065,16 @@
         <translation>Wie verschieden von der Vorlage die Farben sein dürfen (Bhattacharyya-Abstand): Kleinere Werte trauen den besten Partikeln mehr.</translation>
     </message>
     <message>
-        <source>How far particles move at random along each axis between images, in sizes of the target, in addition to their constant velocity.</source>
-        <translation>Wie weit sich Partikel von Bild zu Bild entlang jeder Achse zufällig bewegen, in Größen des Ziels, zusätzlich zu ihrer gleichbleibenden Geschwindigkeit.</translation>
+        <source>How far particles move at random along each axis between images, in multiples of the target size, in addition to their constant velocity.</source>
+        <translation>Wie weit sich Partikel von Bild zu Bild entlang jeder Achse zufällig bewegen, in Vielfachen der Zielgröße, zusätzlich zu ihrer gleichbleibenden Geschwindigkeit.</translation>
     </message>
     <message>
         <source>How far particles move at random along each axis between images, in addition to their constant velocity: larger values follow sudden motion, but spread the particles wider.</source>
         <translation>Wie weit sich Partikel von Bild zu Bild entlang jeder Achse zufällig bewegen, zusätzlich zu ihrer gleichbleibenden Geschwindigkeit: Größere Werte folgen plötzlichen Bewegungen, streuen aber weiter.</translation>
     </message>
     <message>
-        <source>How far the target may be from its predicted position, in sizes of the target, before a position counts as unlikely.</source>
-        <translation>Wie weit das Ziel von seiner vorhergesagten Position entfernt sein darf, in Größen des Ziels, bevor eine Position als unwahrscheinlich gilt.</translation>
+        <source>Largest distance of the target from its predicted position, in multiples of the target size; positions farther away count as unlikely.</source>
+        <translation>Größte Entfernung des Ziels von seiner vorhergesagten Position, in Vielfachen der Zielgröße; weiter entfernte Positionen gelten als unwahrscheinlich.</translation>
     </message>
     <message>
         <source>How strongly positions with more of the target&apos;s colors are preferred.</source>
@@ -2121,8 +2121,8 @@
         <translation>Schärfe</translation>
     </message>
     <message>
-        <source>If less than this share of its usual colors is found, the target counts as hidden and keeps its position.</source>
-        <translation>Wird weniger als dieser Anteil seiner üblichen Farben gefunden, gilt das Ziel als verdeckt und behält seine Position.</translation>
+        <source>The target counts as hidden and keeps its position if less than this share of its usual colors is found.</source>
+        <translation>Das Ziel gilt als verdeckt und behält seine Position, wenn weniger als dieser Anteil seiner üblichen Farben gefunden wird.</translation>
     </message>
     <message>
         <source>1: tracks everyone that several cameras see; 0: tracks only people that you add by hand.</source>
@@ -2241,8 +2241,8 @@
         <translation>Wie stark Personen beschleunigen, bremsen und abbiegen.</translation>
     </message>
     <message>
-        <source>Hue floor</source>
-        <translation>Farbton-Mindestwert</translation>
+        <source>Least hue likelihood</source>
+        <translation>Kleinste Farbton-Likelihood</translation>
     </message>
     <message>
         <source>Hue sigma</source>
@@ -2265,8 +2265,8 @@
         <translation>Mindestabstand</translation>
     </message>
     <message>
-        <source>Smallest likelihood of a hue (h_B in the paper), because another object may be seen.</source>
-        <translation>Kleinste Likelihood eines Farbtons (h_B im Artikel), denn ein anderes Objekt kann zu sehen sein.</translation>
+        <source>Smallest likelihood of a hue (h_B in the paper); above 0 because another object may hide the person.</source>
+        <translation>Kleinste Likelihood eines Farbtons (h_B im Artikel); über 0, weil ein anderes Objekt die Person verdecken kann.</translation>
     </message>
     <message>
         <source>Smallest likelihood of a saturation (s_B in the paper).</source>
@@ -2285,16 +2285,16 @@
         <translation>Mitte der beobachteten Bodenfläche.</translation>
     </message>
     <message>
-        <source>Motion floor</source>
-        <translation>Bewegungs-Mindestwert</translation>
+        <source>Least motion likelihood</source>
+        <translation>Kleinste Bewegungs-Likelihood</translation>
     </message>
     <message>
         <source>Position noise</source>
         <translation>Ortsrauschen</translation>
     </message>
     <message>
-        <source>Saturation floor</source>
-        <translation>Sättigungs-Mindestwert</translation>
+        <source>Least saturation likelihood</source>
+        <translation>Kleinste Sättigungs-Likelihood</translation>
     </message>
     <message>
         <source>Saturation sigma</source>
@@ -2390,9 +2390,9 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
     </message>
     <message>
         <source>%1
-From %2 to %3%4; what the cameras see unless you change it.</source>
+From %2 to %3%4; the default comes from the region that the cameras see.</source>
         <translation>%1
-Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translation>
+Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</translation>
     </message>
     <message>
         <source>Changed: the default is %1.</source>
@@ -2410,8 +2410,8 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>lernt Hintergrund: %1 % · bitte nicht ins Bild treten</translation>
     </message>
     <message>
-        <source>%1 % of the image moves: ignored</source>
-        <translation>%1 % des Bildes bewegen sich: ignoriert</translation>
+        <source>image ignored: %1 % of it moves</source>
+        <translation>Bild ignoriert: %1 % davon bewegen sich</translation>
     </message>
     <message>
         <source>learning: %1 %</source>
@@ -2533,12 +2533,12 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>%1 von einem Störobjekt</translation>
     </message>
     <message>
-        <source>no color matches</source>
+        <source>no matching color</source>
         <translation>keine passende Farbe</translation>
     </message>
     <message>
-        <source>its color is %1 away</source>
-        <translation>seine Farbe ist %1 entfernt</translation>
+        <source>color found %1 away</source>
+        <translation>Farbe %1 entfernt gefunden</translation>
     </message>
     <message>
         <source>right color, wrong shape</source>
@@ -2635,20 +2635,20 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>✕ %1</translation>
     </message>
     <message>
-        <source>history %1 of %2 MB</source>
-        <translation>Verlauf %1 von %2 MB</translation>
+        <source>history: %1 of %2 MB</source>
+        <translation>Verlauf: %1 von %2 MB</translation>
     </message>
     <message>
-        <source>, the last %1</source>
-        <translation>, die letzten %1</translation>
+        <source>history: %1 of %2 MB (the last %3)</source>
+        <translation>Verlauf: %1 von %2 MB (die letzten %3)</translation>
     </message>
     <message>
-        <source>tracking again: frame %1 of %2 to %3</source>
-        <translation>verfolgt erneut: Bild %1 von %2 bis %3</translation>
+        <source>tracking frames %2 to %3 again: now at %1</source>
+        <translation>verfolgt die Bilder %2 bis %3 erneut: jetzt bei %1</translation>
     </message>
     <message>
-        <source>✕ cameras</source>
-        <translation>✕ Kameras</translation>
+        <source>✕ no image</source>
+        <translation>✕ kein Bild</translation>
     </message>
     <message>
         <source>corrected</source>
@@ -2666,8 +2666,8 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
 <context>
     <name>TransportBar</name>
     <message>
-        <source>Transport</source>
-        <translation>Ablaufsteuerung</translation>
+        <source>Toolbar</source>
+        <translation>Werkzeugleiste</translation>
     </message>
     <message>
         <source>Pause</source>
@@ -2744,8 +2744,8 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Mindestens zwei Kameras müssen den Ball sehen.</translation>
     </message>
     <message>
-        <source>Learn the color of the ball first: press L and click it in an image.</source>
-        <translation>Lernen Sie zuerst die Farbe des Balls: L drücken und ihn in einem Bild anklicken.</translation>
+        <source>Learn the color of the ball first: press L and click the ball in an image.</source>
+        <translation>Lernen Sie zuerst die Farbe des Balls: L drücken und den Ball in einem Bild anklicken.</translation>
     </message>
     <message>
         <source>A wand has two balls of different colors: learn the second color (Shift+L).</source>
@@ -2756,8 +2756,8 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Beide Enden des Stabs sind dasselbe Ziel: Wählen Sie ein anderes.</translation>
     </message>
     <message>
-        <source>The size comes from a distance: add the times at which the ball is at its two ends.</source>
-        <translation>Die Größe kommt von einer Strecke: Fügen Sie die Zeitpunkte hinzu, zu denen der Ball an ihren beiden Enden ist.</translation>
+        <source>The scale comes from a known distance: add the times at which the ball is at each end of this distance.</source>
+        <translation>Der Maßstab kommt von einer bekannten Strecke: Fügen Sie die Zeitpunkte hinzu, zu denen der Ball an jedem Ende dieser Strecke ist.</translation>
     </message>
     <message>
         <source>A fall needs two times: one at which the ball starts to fall, and one at which it is still falling.</source>
@@ -2856,8 +2856,8 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Position korrigieren</translation>
     </message>
     <message>
-        <source>The target was tracked back to frame %1. From there, it is tracked again.</source>
-        <translation>Das Ziel wurde bis Bild %1 zurückverfolgt; ab dort wird es neu verfolgt.</translation>
+        <source>The target was tracked backward to frame %1 and is now tracked forward again from there.</source>
+        <translation>Das Ziel wurde rückwärts bis Bild %1 verfolgt und wird ab dort wieder vorwärts verfolgt.</translation>
     </message>
     <message>
         <source>Tracking the target backward: frame %1.</source>
@@ -2934,8 +2934,8 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Zeigen Sie den Kameras eine gedruckte Tafel. Diese Seite sagt, was als Nächstes zu zeigen ist. Eine Ansicht wird aufgenommen, wenn Sie die Tafel still halten.</translation>
     </message>
     <message>
-        <source>To calibrate from a recording, record a printed board that you hold still in many positions, also close and tilted.</source>
-        <translation>Um aus einer Aufnahme zu kalibrieren, nehmen Sie eine gedruckte Tafel auf, die Sie in vielen Positionen still halten, auch nah und geneigt.</translation>
+        <source>To calibrate from a recording, record a printed board that you hold still in many positions, some of them close to the camera or tilted.</source>
+        <translation>Um aus einer Aufnahme zu kalibrieren, nehmen Sie eine gedruckte Tafel auf, die Sie in vielen Positionen still halten, in einigen nah an der Kamera oder geneigt.</translation>
     </message>
     <message>
         <source>Live cameras</source>
@@ -3195,16 +3195,16 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Gewünschte Genauigkeit der intrinsischen Parameter</translation>
     </message>
     <message>
-        <source>The guidance ends when rays are known to this accuracy all over the image</source>
-        <translation>Die Anleitung endet, wenn Strahlen überall im Bild auf diese Genauigkeit bekannt sind</translation>
+        <source>Guidance ends when the intrinsics are this accurate all over the image</source>
+        <translation>Die Anleitung endet, wenn die intrinsischen Parameter überall im Bild so genau sind</translation>
     </message>
     <message>
         <source>Desired accuracy of the positions</source>
         <translation>Gewünschte Genauigkeit der Positionen</translation>
     </message>
     <message>
-        <source>The guidance ends when the position of each camera is known to this accuracy</source>
-        <translation>Die Anleitung endet, wenn die Position jeder Kamera auf diese Genauigkeit bekannt ist</translation>
+        <source>Guidance ends when the position of each camera is this accurate</source>
+        <translation>Die Anleitung endet, wenn die Position jeder Kamera so genau ist</translation>
     </message>
 </context>
 <context>
@@ -3242,16 +3242,16 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Weiter: Positionen</translation>
     </message>
     <message>
-        <source>Keep the accuracy of the intrinsics as it is, and show the board to several cameras at once</source>
-        <translation>Die Genauigkeit der intrinsischen Parameter so lassen, und die Tafel mehreren Kameras zugleich zeigen</translation>
+        <source>Accept the present accuracy of the intrinsics, then show the board to several cameras at once</source>
+        <translation>Die jetzige Genauigkeit der intrinsischen Parameter annehmen, dann die Tafel mehreren Kameras zugleich zeigen</translation>
     </message>
     <message>
         <source>Calibrate with these views</source>
         <translation>Mit diesen Ansichten kalibrieren</translation>
     </message>
     <message>
-        <source>Finish now: the captured views are enough</source>
-        <translation>Jetzt abschließen: Die aufgenommenen Ansichten genügen</translation>
+        <source>Finish now with the views captured so far</source>
+        <translation>Jetzt mit den bisher aufgenommenen Ansichten abschließen</translation>
     </message>
     <message>
         <source>Start over</source>
@@ -3270,8 +3270,8 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Warte auf Bilder. Prüfen Sie, ob die Kameras laufen.</translation>
     </message>
     <message>
-        <source>Show the board to one camera after the other, as each of them asks.</source>
-        <translation>Zeigen Sie die Tafel einer Kamera nach der anderen, wie jede es verlangt.</translation>
+        <source>Show the board to one camera after the other, following the instructions for each.</source>
+        <translation>Zeigen Sie die Tafel einer Kamera nach der anderen, nach der Anleitung zu jeder.</translation>
     </message>
 </context>
 <context>
@@ -3424,8 +3424,8 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Zustand</translation>
     </message>
     <message>
-        <source>Hidden: held at its estimated position</source>
-        <translation>Verdeckt: an der geschätzten Position gehalten</translation>
+        <source>Hidden: the box stays at its estimated position</source>
+        <translation>Verdeckt: Der Rahmen bleibt an der geschätzten Position</translation>
     </message>
 </context>
 <context>
@@ -3589,8 +3589,8 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>%1: größter Unterschied der Rückprojektion %2</translation>
     </message>
     <message>
-        <source>%1: %2 of 81 directions no longer map to a pixel</source>
-        <translation>%1: %2 von 81 Richtungen fallen auf kein Pixel mehr</translation>
+        <source>%1: %2 of 81 test directions no longer map to a pixel</source>
+        <translation>%1: %2 von 81 Prüfrichtungen fallen auf kein Pixel mehr</translation>
     </message>
     <message>
         <source>%1 exists and will be replaced.</source>
@@ -3616,8 +3616,8 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>nach Namen</translation>
     </message>
     <message>
-        <source>only %1</source>
-        <translation>nur %1</translation>
+        <source>for %1 only</source>
+        <translation>nur für %1</translation>
     </message>
     <message>
         <source>File</source>
@@ -3752,7 +3752,7 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>%1 (in der Datei: %2): verschiebt sich um %3 und dreht sich um %4</translation>
     </message>
     <message>
-        <source>Largest reprojection difference to the file: %1</source>
+        <source>Largest reprojection difference from the file: %1</source>
         <translation>Größter Unterschied der Rückprojektion zur Datei: %1</translation>
     </message>
     <message>
@@ -3873,8 +3873,8 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Wirkung des Ziehens</translation>
     </message>
     <message>
-        <source>What the camera does while the grid is dragged and nothing is held. Click points of the grid to hold up to three of them.</source>
-        <translation>Was die Kamera tut, während das Gitter gezogen wird und nichts festgehalten ist. Klicks auf Punkte des Gitters halten bis zu drei davon fest.</translation>
+        <source>What the camera does while you drag the grid and no point is held. Click points of the grid to hold up to three of them.</source>
+        <translation>Was die Kamera tut, während Sie das Gitter ziehen und kein Punkt gehalten wird. Klicks auf Punkte des Gitters halten bis zu drei davon fest.</translation>
     </message>
     <message>
         <source>Also fit the focal length when three points are held</source>
@@ -3945,8 +3945,8 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>%1-Koordinate des Punktes, auf den die Kamera blickt</translation>
     </message>
     <message>
-        <source>Direction from above: 0° along x, 90° along y</source>
-        <translation>Richtung von oben: 0° entlang x, 90° entlang y</translation>
+        <source>Direction seen from above: 0° along x, 90° along y</source>
+        <translation>Richtung, von oben gesehen: 0° entlang x, 90° entlang y</translation>
     </message>
     <message>
         <source>Angle above the horizon; straight down is −90°</source>
@@ -3988,24 +3988,24 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
 <context>
     <name>dewpoint::ui::CameraMotionAlerts</name>
     <message>
-        <source>%1 was %2 (frame %3).</source>
-        <translation>%1 wurde %2 (Bild %3).</translation>
+        <source>%1 was rotated by %2 (frame %3).</source>
+        <translation>%1 wurde um %2 gedreht (Bild %3).</translation>
     </message>
     <message>
-        <source>Its new pose is being worked out.</source>
-        <translation>Ihre neue Lage wird gerade bestimmt.</translation>
+        <source>Its new pose is being computed.</source>
+        <translation>Ihre neue Lage wird gerade berechnet.</translation>
     </message>
     <message>
-        <source>Its pose can be recomputed from what it sees.</source>
-        <translation>Ihre Lage lässt sich aus dem, was sie sieht, neu berechnen.</translation>
+        <source>Its pose can be recomputed from its images.</source>
+        <translation>Ihre Lage lässt sich aus ihren Bildern neu berechnen.</translation>
     </message>
     <message>
-        <source>Recompute %1</source>
-        <translation>%1 neu berechnen</translation>
+        <source>Recompute pose of %1</source>
+        <translation>Lage von %1 neu berechnen</translation>
     </message>
     <message>
-        <source>Its pose cannot be recomputed from what it sees: calibrate the camera again, or put it back.</source>
-        <translation>Ihre Lage lässt sich aus dem, was sie sieht, nicht neu berechnen: Kalibrieren Sie die Kamera neu, oder stellen Sie sie zurück.</translation>
+        <source>Its pose cannot be recomputed from its images: calibrate the camera again, or move it back.</source>
+        <translation>Ihre Lage lässt sich aus ihren Bildern nicht neu berechnen: Kalibrieren Sie die Kamera neu, oder stellen Sie sie zurück.</translation>
     </message>
     <message>
         <source>Calibrate %1…</source>
@@ -4027,7 +4027,7 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Quelle der Bilder ändern</translation>
     </message>
     <message>
-        <source>Turn images</source>
+        <source>Rotate images</source>
         <translation>Bilder drehen</translation>
     </message>
     <message>
@@ -4157,8 +4157,8 @@ bei %4, %5, %6</translation>
         <translation> ms</translation>
     </message>
     <message>
-        <source>Delay of this camera&apos;s images in ms, used to synchronize it with the other cameras. Calibration with a wand can measure it</source>
-        <translation>Verzögerung der Bilder dieser Kamera in ms, um sie mit den anderen Kameras zu synchronisieren. Die Kalibrierung mit Stab kann sie messen</translation>
+        <source>Delay of this camera&apos;s images in ms, used to synchronize it with the other cameras. Calibration with a wand can measure the delay</source>
+        <translation>Verzögerung der Bilder dieser Kamera in ms, um sie mit den anderen Kameras zu synchronisieren. Die Kalibrierung mit Stab kann die Verzögerung messen</translation>
     </message>
     <message>
         <source>Delay of the images in milliseconds</source>
@@ -4221,7 +4221,7 @@ bei %4, %5, %6</translation>
         </translation>
     </message>
     <message>
-        <source>Videos differ in size: each camera keeps its own.</source>
+        <source>Videos differ in size: each camera keeps its own size.</source>
         <translation>Die Videos sind verschieden groß: Jede Kamera behält ihre Größe.</translation>
     </message>
 </context>
@@ -4317,8 +4317,8 @@ bei %4, %5, %6</translation>
         <translation>Diese Farbe zu denen des Ziels hinzufügen (Umschalt-Klick tut dasselbe)</translation>
     </message>
     <message>
-        <source>Learn that this color is not the target (or Alt-click)</source>
-        <translation>Lernen, dass diese Farbe nicht das Ziel ist (auch per Alt-Klick)</translation>
+        <source>Learn that the target does not have this color (or Alt-click)</source>
+        <translation>Lernen, dass das Ziel diese Farbe nicht hat (auch per Alt-Klick)</translation>
     </message>
 </context>
 <context>
@@ -4410,8 +4410,8 @@ bei %4, %5, %6</translation>
         <translation>&amp;Intensität</translation>
     </message>
     <message>
-        <source>First hue, 0 to 360 degrees; above the last hue the range goes through red</source>
-        <translation>Erster Farbton, 0 bis 360 Grad; über dem letzten Farbton geht der Bereich durch Rot</translation>
+        <source>First hue, 0 to 360 degrees; if it is above the last hue, the range goes through red</source>
+        <translation>Erster Farbton, 0 bis 360 Grad; liegt er über dem letzten Farbton, geht der Bereich durch Rot</translation>
     </message>
     <message>
         <source>Last hue, 0 to 360 degrees</source>
@@ -4579,8 +4579,8 @@ bei %4, %5, %6</translation>
         <translation>„%1“ ändern</translation>
     </message>
     <message>
-        <source>Track by “%1”</source>
-        <translation>Mit „%1“ verfolgen</translation>
+        <source>Track with method “%1”</source>
+        <translation>Mit dem Verfahren „%1“ verfolgen</translation>
     </message>
     <message>
         <source>Reset “%1”</source>
@@ -4756,8 +4756,8 @@ bei %4, %5, %6</translation>
         <translation>keine: nur ein berechneter Film</translation>
     </message>
     <message>
-        <source>Folder with the recordings juggle1 and otb; without one, a rendered clip only</source>
-        <translation>Ordner mit den Aufnahmen juggle1 und otb; ohne ihn nur ein berechneter Film</translation>
+        <source>Folder with the recordings juggle1 and otb; without a folder, only a rendered clip is used</source>
+        <translation>Ordner mit den Aufnahmen juggle1 und otb; ohne Ordner wird nur ein berechneter Film verwendet</translation>
     </message>
     <message>
         <source>Choose the folder of the recordings</source>
@@ -5020,19 +5020,19 @@ bei %4, %5, %6</translation>
 <context>
     <name>dewpoint::ui::FollowAllButton</name>
     <message numerus="yes">
-        <source>Follow all %n of them</source>
+        <source>Follow all %n objects</source>
         <translation>
-            <numerusform>%n davon verfolgen</numerusform>
-            <numerusform>Alle %n verfolgen</numerusform>
+            <numerusform>%n Objekt verfolgen</numerusform>
+            <numerusform>Alle %n Objekte verfolgen</numerusform>
         </translation>
     </message>
     <message>
-        <source>Add a target of the same color and size for each of the others</source>
-        <translation>Für jedes der anderen ein Ziel derselben Farbe und Größe hinzufügen</translation>
+        <source>Add a target for each of the other objects of this color and size</source>
+        <translation>Für jedes der anderen Objekte dieser Farbe und Größe ein Ziel hinzufügen</translation>
     </message>
     <message>
-        <source>Follow all of one color</source>
-        <translation>Alle von einer Farbe verfolgen</translation>
+        <source>Follow all objects of one color</source>
+        <translation>Alle Objekte einer Farbe verfolgen</translation>
     </message>
 </context>
 <context>
@@ -5179,8 +5179,8 @@ bei %4, %5, %6</translation>
         <translation>Vorher</translation>
     </message>
     <message>
-        <source>Show the cameras as they were before</source>
-        <translation>Die Kameras zeigen, wie sie vorher waren</translation>
+        <source>Show the grid before your changes</source>
+        <translation>Das Gitter vor Ihren Änderungen zeigen</translation>
     </message>
     <message>
         <source>Hold down (or hold B over an image) to show the grid as it was when the calibration was opened</source>
@@ -5278,16 +5278,16 @@ bei %4, %5, %6</translation>
         <translation>Erst die Farbe lernen: das Ziel in einem Kamerabild anklicken.</translation>
     </message>
     <message>
-        <source>Click: add a sample · Alt: exclude · Esc</source>
-        <translation>Klick: Probe hinzufügen · Alt: ausschließen · Esc</translation>
+        <source>Click: add a sample · Alt: exclude · Esc: stop</source>
+        <translation>Klick: Probe hinzufügen · Alt: ausschließen · Esc: beenden</translation>
     </message>
     <message>
-        <source>Click a color to exclude · Esc</source>
-        <translation>Klick: Farbe ausschließen · Esc</translation>
+        <source>Click: exclude a color · Esc: stop</source>
+        <translation>Klick: Farbe ausschließen · Esc: beenden</translation>
     </message>
     <message>
-        <source>Click: learn · Shift: add · Alt: exclude · Esc</source>
-        <translation>Klick: lernen · Umschalt: hinzufügen · Alt: ausschließen · Esc</translation>
+        <source>Click: learn · Shift: add · Alt: exclude · Esc: stop</source>
+        <translation>Klick: lernen · Umschalt: hinzufügen · Alt: ausschließen · Esc: beenden</translation>
     </message>
     <message>
         <source>Click the object in a camera image, or drag a box around it.
@@ -5375,8 +5375,8 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Grenze erreicht: Ein Punkt würde das Sichtfeld der Kamera verlassen</translation>
     </message>
     <message>
-        <source>Limit reached: the held points and this point lie on one ray or line</source>
-        <translation>Grenze erreicht: Die gehaltenen Punkte und dieser liegen auf einem Strahl oder einer Geraden</translation>
+        <source>Limit reached: this point and the held points lie on one line</source>
+        <translation>Grenze erreicht: Dieser Punkt und die gehaltenen liegen auf einer Geraden</translation>
     </message>
     <message>
         <source>Limit reached: no nearby pose keeps the held points in place</source>
@@ -5717,12 +5717,12 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Parameter</translation>
     </message>
     <message>
-        <source>More than “%1”: %2 is used.</source>
-        <translation>Mehr als „%1“: Verwendet wird %2.</translation>
+        <source>This is more than “%1”: %2 is used instead.</source>
+        <translation>Das ist mehr als „%1“: Stattdessen wird %2 verwendet.</translation>
     </message>
     <message>
-        <source>Less than “%1”, which has no effect then.</source>
-        <translation>Weniger als „%1“, das dann nicht wirkt.</translation>
+        <source>This is less than “%1”, which therefore has no effect.</source>
+        <translation>Das ist weniger als „%1“, das daher nicht wirkt.</translation>
     </message>
     <message>
         <source>Tracking method. Changing it restarts tracking; other settings are kept.</source>
@@ -5807,7 +5807,7 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Nr.</translation>
     </message>
     <message>
-        <source>Number of the person; it is not used again in this run</source>
+        <source>Number of the person; nobody else gets it in this run</source>
         <translation>Nummer der Person; sie wird in diesem Lauf nicht noch einmal vergeben</translation>
     </message>
     <message>
@@ -6161,8 +6161,8 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>%1: Ihre Punkte liegen auf einer Geraden, fügen Sie einen Punkt daneben hinzu</translation>
     </message>
     <message>
-        <source>%1: %2, but a second pose fits equally well: add a point outside the plane</source>
-        <translation>%1: %2, aber eine zweite Lage passt ebenso gut: Fügen Sie einen Punkt außerhalb der Ebene hinzu</translation>
+        <source>%1: average error %2, but a second pose fits equally well: add a point outside the plane of the others</source>
+        <translation>%1: mittlerer Fehler %2, aber eine zweite Lage passt ebenso gut: Fügen Sie einen Punkt außerhalb der Ebene der anderen hinzu</translation>
     </message>
     <message>
         <source>%1: no pose fits the clicked points</source>
@@ -6173,8 +6173,8 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>%1 (ignorieren Sie dies, wenn die Kamera so montiert ist)</translation>
     </message>
     <message>
-        <source>%1: after that, its points fit within %2</source>
-        <translation>%1: danach passen ihre Punkte auf %2</translation>
+        <source>%1. Once corrected, the average error is %2</source>
+        <translation>%1. Nach der Korrektur ist der mittlere Fehler %2</translation>
     </message>
     <message>
         <source>%1 does not fit the other points (%2, %3): measure or click it again</source>
@@ -6380,11 +6380,11 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Ein anderes Objekt passt etwa genauso gut. Drücken Sie X, und ziehen Sie das Ziel an seine wahre Position.</translation>
     </message>
     <message>
-        <source>Not found yet, or not seen for less than a second.</source>
+        <source>Not found yet, or out of sight for less than a second.</source>
         <translation>Noch nicht gefunden, oder seit weniger als einer Sekunde nicht gesehen.</translation>
     </message>
     <message>
-        <source>Not seen for more than a second. The status bar shows why.</source>
+        <source>Out of sight for more than a second. The status bar shows why.</source>
         <translation>Seit mehr als einer Sekunde nicht gesehen. Die Statusleiste zeigt, warum.</translation>
     </message>
     <message>
@@ -6432,7 +6432,7 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Legende zeigen…</translation>
     </message>
     <message>
-        <source>Open the legend of all that is drawn over the images</source>
+        <source>Open the legend of everything drawn over the images</source>
         <translation>Die Legende von allem öffnen, was über die Bilder gezeichnet wird</translation>
     </message>
     <message>
@@ -6496,8 +6496,8 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
 <context>
     <name>dewpoint::ui::RigPlanner</name>
     <message>
-        <source>With %1 here (x %2, y %3, z %4), %5 of the volume is within %6, instead of %7.</source>
-        <translation>Mit %1 hier (x %2, y %3, z %4) liegen %5 des Raums innerhalb von %6, statt %7.</translation>
+        <source>With %1 here (x %2, y %3, z %4), the error is at most %6 in %5 of the volume, instead of %7.</source>
+        <translation>Mit %1 hier (x %2, y %3, z %4) ist der Fehler in %5 des Raums höchstens %6, statt in %7.</translation>
     </message>
 </context>
 <context>
@@ -6511,8 +6511,8 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Die Lage von %1 lässt sich jetzt nicht neu berechnen.</translation>
     </message>
     <message>
-        <source>Recompute %1</source>
-        <translation>%1 neu berechnen</translation>
+        <source>Recompute pose of %1</source>
+        <translation>Lage von %1 neu berechnen</translation>
     </message>
     <message>
         <source>The pose of %1 was recomputed. Undo restores the previous pose.</source>
@@ -6538,7 +6538,7 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>nicht festgelegt</translation>
     </message>
     <message>
-        <source>%1, kept in %2 % of the iterations of this run</source>
+        <source>%1, met in %2 % of the iterations of this run</source>
         <translation>%1, in %2 % der Iterationen dieses Laufs eingehalten</translation>
     </message>
     <message>
@@ -6570,7 +6570,7 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Startwert</translation>
     </message>
     <message>
-        <source>History memory</source>
+        <source>Memory used by the history</source>
         <translation>Speicher für den Verlauf</translation>
     </message>
     <message>
@@ -6720,8 +6720,8 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Ein Projekt oder Videos lassen sich auch auf dieses Fenster ziehen.</translation>
     </message>
     <message>
-        <source>Watch it converge</source>
-        <translation>Zusehen, wie es konvergiert</translation>
+        <source>Watch the filter converge</source>
+        <translation>Zusehen, wie der Filter konvergiert</translation>
     </message>
     <message>
         <source>A cloud of guesses slides along a line of sight and snaps onto the ball.</source>
@@ -6855,12 +6855,12 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Rückblick</translation>
     </message>
     <message>
-        <source>Playing, paused, at the end, looking back at an earlier frame, or tracking it again</source>
-        <translation>Läuft, angehalten, am Ende, im Rückblick auf ein früheres Bild oder dieses erneut verfolgend</translation>
+        <source>Playing, paused, at the end, looking back at an earlier frame, or tracking again</source>
+        <translation>Läuft, angehalten, am Ende, im Rückblick auf ein früheres Bild oder erneut verfolgend</translation>
     </message>
     <message>
-        <source>held at its estimated position</source>
-        <translation>an der geschätzten Position gehalten</translation>
+        <source>the box stays at its estimated position</source>
+        <translation>der Rahmen bleibt an der geschätzten Position</translation>
     </message>
     <message>
         <source>click the object or drag a box around it</source>
@@ -6907,8 +6907,8 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Details</translation>
     </message>
     <message>
-        <source>Times, particles and history memory</source>
-        <translation>Zeiten, Partikel und Speicher für den Verlauf</translation>
+        <source>Timing, particles and memory used</source>
+        <translation>Zeiten, Partikel und benutzter Speicher</translation>
     </message>
 </context>
 <context>
@@ -7016,8 +7016,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Radius %1</translation>
     </message>
     <message>
-        <source>radius %1 (found)</source>
-        <translation>Radius %1 (gefunden)</translation>
+        <source>radius %1 (estimated)</source>
+        <translation>Radius %1 (geschätzt)</translation>
     </message>
     <message>
         <source>radius unknown</source>
@@ -7086,8 +7086,8 @@ Effektive Stichprobengröße %8 von %9</translation>
 <context>
     <name>dewpoint::ui::Timeline</name>
     <message>
-        <source>Memory for looking back: images, particles and copies of the method. When it is full, only the estimates of older frames are kept.</source>
-        <translation>Speicher für den Rückblick: Bilder, Partikel und Kopien des Verfahrens. Ist er voll, bleiben von älteren Bildern nur die Schätzungen.</translation>
+        <source>Memory for looking back: images, particles and saved states of the method. When it is full, only the estimates of older frames are kept.</source>
+        <translation>Speicher für den Rückblick: Bilder, Partikel und gespeicherte Zustände des Verfahrens. Ist er voll, bleiben von älteren Bildern nur die Schätzungen.</translation>
     </message>
     <message>
         <source>Nothing tracked yet: press play (Space), then drag here to move through time.</source>
@@ -7121,8 +7121,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Aktuelle Zeit hinzufügen</translation>
     </message>
     <message>
-        <source>Add the time of the images shown as one at which the ball does this</source>
-        <translation>Die Zeit der gezeigten Bilder als Zeitpunkt hinzufügen, zu dem der Ball dies tut</translation>
+        <source>Add the time of the images shown to the list; the ball must do this in them</source>
+        <translation>Die Zeit der gezeigten Bilder zur Liste hinzufügen; der Ball muss dies in ihnen tun</translation>
     </message>
     <message>
         <source>Remove time</source>
@@ -7331,8 +7331,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Zulässiger Fehler</translation>
     </message>
     <message>
-        <source>Errors up to this value are blue in the map. The summary and the search for a camera position use it, too</source>
-        <translation>Fehler bis zu diesem Wert sind in der Karte blau. Auch die Zusammenfassung und die Suche nach einer Kameraposition verwenden ihn</translation>
+        <source>Errors up to this value are blue in the map. The summary and the search for a camera position also use this value</source>
+        <translation>Fehler bis zu diesem Wert sind in der Karte blau. Auch die Zusammenfassung und die Suche nach einer Kameraposition verwenden diesen Wert</translation>
     </message>
     <message>
         <source>Detection error</source>
@@ -7367,8 +7367,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Flächen um gute und brauchbare Bereiche</translation>
     </message>
     <message>
-        <source>Show surfaces in the room where the error is at most 0.4, 1 and 2 times the acceptable error, or where two, three and four cameras see</source>
-        <translation>Im Raum Flächen zeigen, in denen der Fehler höchstens das 0,4-, 1- und 2-fache des zulässigen Fehlers ist, oder wo zwei, drei und vier Kameras sehen</translation>
+        <source>Show surfaces in the room around the regions where the error is at most 0.4, 1 and 2 times the acceptable error, or that two, three and four cameras see</source>
+        <translation>Im Raum Flächen um die Bereiche zeigen, in denen der Fehler höchstens das 0,4-, 1- und 2-fache des zulässigen Fehlers ist, oder die zwei, drei und vier Kameras sehen</translation>
     </message>
     <message>
         <source>Volume from x, y, z</source>
@@ -7403,8 +7403,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Der Raum über dem Bezugsgitter, bis zur höchsten Kamera</translation>
     </message>
     <message>
-        <source>%1 of the volume within %2, %3 seen by fewer than two cameras</source>
-        <translation>%1 des Raums innerhalb von %2, %3 von weniger als zwei Kameras gesehen</translation>
+        <source>Error within %2 in %1 of the volume; %3 seen by fewer than two cameras</source>
+        <translation>Fehler bis %2 in %1 des Raums; %3 von weniger als zwei Kameras gesehen</translation>
     </message>
 </context>
 <context>
@@ -7562,7 +7562,7 @@ Effektive Stichprobengröße %8 von %9</translation>
 <context>
     <name>dewpoint::ui::WandCalibrator</name>
     <message>
-        <source>Press Start waving, then wave for half a minute in the volume in which you want to track.</source>
+        <source>Press “Start waving”, then wave for half a minute in the volume in which you want to track.</source>
         <translation>Drücken Sie „Schwenken beginnen“, und schwenken Sie eine halbe Minute lang in dem Raum, in dem verfolgt werden soll.</translation>
     </message>
     <message>
@@ -7609,8 +7609,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Art des Stabs</translation>
     </message>
     <message>
-        <source>A wand with two balls also gives the size, more accurately than the other ways</source>
-        <translation>Ein Stab mit zwei Bällen gibt auch die Größe, genauer als die anderen Wege</translation>
+        <source>A wand with two balls also gives the scale, more accurately than the other ways</source>
+        <translation>Ein Stab mit zwei Bällen gibt auch den Maßstab, genauer als die anderen Wege</translation>
     </message>
     <message>
         <source>Ball</source>
@@ -7645,12 +7645,12 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation> cm</translation>
     </message>
     <message>
-        <source>Size from</source>
-        <translation>Größe von</translation>
+        <source>Scale from</source>
+        <translation>Maßstab von</translation>
     </message>
     <message>
-        <source>Source of the size</source>
-        <translation>Quelle der Größe</translation>
+        <source>Source of the scale</source>
+        <translation>Quelle des Maßstabs</translation>
     </message>
     <message>
         <source>Images alone cannot show whether a room is large or small. A diameter is accurate to about one percent, a distance as accurately as you measure it</source>
@@ -7836,8 +7836,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Zusätzliche Verzögerung der Bilder dieser Kamera gegenüber der ersten Kamera</translation>
     </message>
     <message>
-        <source>This is less accurate than the initial cameras (error up to %1): wave through more of the volume.</source>
-        <translation>Das ist ungenauer als die anfänglichen Kameras (Fehler bis %1): Schwenken Sie durch einen größeren Teil des Raums.</translation>
+        <source>The result is less accurate than the initial camera positions (error up to %1): wave through more of the volume.</source>
+        <translation>Das Ergebnis ist ungenauer als die anfänglichen Kamerapositionen (Fehler bis %1): Schwenken Sie durch einen größeren Teil des Raums.</translation>
     </message>
     <message>
         <source>Camera delays are saved in the project and used to synchronize images from now on.</source>
@@ -7847,8 +7847,8 @@ Effektive Stichprobengröße %8 von %9</translation>
 <context>
     <name>dewpoint::ui::WandWaving</name>
     <message>
-        <source>Collect the positions of the ball in every camera; starting again discards what was collected before</source>
-        <translation>Die Positionen des Balls in jeder Kamera sammeln; ein neuer Beginn verwirft, was vorher gesammelt wurde</translation>
+        <source>Collect positions of the ball from all camera images; starting again discards those collected before</source>
+        <translation>Positionen des Balls aus allen Kamerabildern sammeln; ein neuer Beginn verwirft die vorher gesammelten</translation>
     </message>
     <message>
         <source>■ Stop waving</source>
@@ -7875,12 +7875,12 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>%1 gesammelt.</translation>
     </message>
     <message>
-        <source>Every camera saw enough: stop, or refine.</source>
-        <translation>Jede Kamera hat genug gesehen: beenden oder verfeinern.</translation>
+        <source>Every camera has seen the ball often enough: stop waving, or refine.</source>
+        <translation>Jede Kamera hat den Ball oft genug gesehen: Schwenken beenden oder verfeinern.</translation>
     </message>
     <message>
-        <source>Continue: each camera should see the ball 150 times, in half of its image.</source>
-        <translation>Weiter: jede Kamera soll den Ball 150-mal sehen, in der Hälfte ihres Bildes.</translation>
+        <source>Keep waving: each camera should see the ball 150 times, spread over half of its image.</source>
+        <translation>Weiter schwenken: Jede Kamera soll den Ball 150-mal sehen, verteilt über die Hälfte ihres Bildes.</translation>
     </message>
     <message>
         <source>Frames skipped because they arrived too fast: %1.</source>

@@ -58,10 +58,10 @@
 <context>
     <name>dewpoint::ui::FollowAllButton</name>
     <message numerus="yes">
-        <source>Follow all %n of them</source>
+        <source>Follow all %n objects</source>
         <translation>
-            <numerusform>Follow %n of them</numerusform>
-            <numerusform>Follow all %n of them</numerusform>
+            <numerusform>Follow %n object</numerusform>
+            <numerusform>Follow all %n objects</numerusform>
         </translation>
     </message>
 </context>

@@ -168,8 +168,8 @@
         <translation>Restaurar la disposición predeterminada de las vistas</translation>
     </message>
     <message>
-        <source>Colors of the system</source>
-        <translation>Colores del sistema</translation>
+        <source>Use the system&apos;s light or dark colors</source>
+        <translation>Usar los colores claros u oscuros del sistema</translation>
     </message>
     <message>
         <source>Light</source>
@@ -248,7 +248,7 @@
         <translation>Seguir de nuevo desde aquí</translation>
     </message>
     <message>
-        <source>Track again from the frame shown with the current method, parameters and colors; pause to stop</source>
+        <source>Starting at the frame shown, track again with the current method, parameters and colors; pause to stop</source>
         <translation>Seguir de nuevo desde el fotograma mostrado con el método, los parámetros y los colores actuales; la pausa lo detiene</translation>
     </message>
     <message>
@@ -348,8 +348,8 @@
         <translation>Mostrar error</translation>
     </message>
     <message>
-        <source>Distance between estimate and ground truth, if it is known</source>
-        <translation>Distancia entre la estimación y la posición verdadera, si se conoce</translation>
+        <source>Distance between estimate and ground truth, if the truth is known</source>
+        <translation>Distancia entre la estimación y la posición verdadera, si esta se conoce</translation>
     </message>
     <message>
         <source>Plot time per step</source>
@@ -360,16 +360,16 @@
         <translation>Duración de cada iteración del filtro por objetivo, en microsegundos</translation>
     </message>
     <message>
-        <source>Over time</source>
-        <translation>En el tiempo</translation>
+        <source>Plot over time</source>
+        <translation>Representar en el tiempo</translation>
     </message>
     <message>
         <source>Plot against time in seconds instead of filter iterations</source>
         <translation>Representar según el tiempo en segundos en lugar de las iteraciones del filtro</translation>
     </message>
     <message>
-        <source>Whole run</source>
-        <translation>Toda la ejecución</translation>
+        <source>Show whole run</source>
+        <translation>Mostrar toda la ejecución</translation>
     </message>
     <message>
         <source>Show the whole run in the plots again (or double-click)</source>
@@ -396,8 +396,8 @@
         <translation>Copiar trayectoria como CSV</translation>
     </message>
     <message>
-        <source>Copy the selected rows of the trajectory, or all</source>
-        <translation>Copiar las filas elegidas de la trayectoria, o todas</translation>
+        <source>Copy the selected rows of the trajectory, or all rows if none is selected</source>
+        <translation>Copiar las filas elegidas de la trayectoria, o todas si no hay ninguna elegida</translation>
     </message>
     <message>
         <source>Calibrate by hand…</source>
@@ -428,8 +428,8 @@
         <translation>Calibrar con varita…</translation>
     </message>
     <message>
-        <source>Refine the cameras with a ball, or a wand with two balls, that you wave</source>
-        <translation>Refinar las cámaras con una pelota, o una varita con dos pelotas, que usted agita</translation>
+        <source>Refine the calibration by waving a ball, or a wand with two balls</source>
+        <translation>Refinar la calibración agitando una pelota, o una varita con dos pelotas</translation>
     </message>
     <message>
         <source>Calibration</source>
@@ -532,8 +532,8 @@
         <translation>Mostrar volúmenes de las personas</translation>
     </message>
     <message>
-        <source>Show the hull that holds 95 % of each person, and the density of each on the floor</source>
-        <translation>Mostrar la envolvente que contiene el 95 % de cada persona y su densidad en el suelo</translation>
+        <source>Show the hull that contains 95 % of each person, and contour lines of the person&apos;s density on the floor</source>
+        <translation>Mostrar la envolvente que contiene el 95 % de cada persona y las curvas de nivel de su densidad en el suelo</translation>
     </message>
     <message>
         <source>Filter threads…</source>
@@ -708,8 +708,8 @@
         <translation>Manual</translation>
     </message>
     <message>
-        <source>Open the manual at the page of the view that is in use</source>
-        <translation>Abrir el manual en la página de la vista en uso</translation>
+        <source>Open the manual at the page about the active view</source>
+        <translation>Abrir el manual en la página sobre la vista activa</translation>
     </message>
     <message>
         <source>Quick start</source>
@@ -771,12 +771,12 @@
 <context>
     <name>AssessedRegions</name>
     <message>
-        <source>matches too</source>
+        <source>also matches</source>
         <translation>también coincide</translation>
     </message>
     <message>
-        <source>also the target (Alt-click if not)</source>
-        <translation>también el objetivo (si no, Alt+clic)</translation>
+        <source>recognized as the target (Alt-click if not)</source>
+        <translation>reconocido como objetivo (si no, Alt+clic)</translation>
     </message>
 </context>
 <context>
@@ -786,8 +786,8 @@
         <translation>%1: RMS %2, distancia focal %3, %4 imágenes; precisión %5</translation>
     </message>
     <message>
-        <source>The corners cover only %1 % of its image: show the board in every part of the image, also tilted.</source>
-        <translation>Las esquinas cubren solo el %1 % de su imagen: muestre el tablero en todas las partes de la imagen, también inclinado.</translation>
+        <source>The board&apos;s corners cover only %1 % of the image: show the board in every part of the image, and tilt it too.</source>
+        <translation>Las esquinas del tablero cubren solo el %1 % de la imagen: muestre el tablero en todas las partes de la imagen e inclínelo también.</translation>
     </message>
     <message>
         <source>%1 keeps its position: it never saw the board.</source>
@@ -798,8 +798,8 @@
         <translation>%1: RMS %2</translation>
     </message>
     <message>
-        <source>, position ±%1, direction ±%2</source>
-        <translation>, posición ±%1, dirección ±%2</translation>
+        <source>%1: RMS %2, position ±%3, direction ±%4</source>
+        <translation>%1: RMS %2, posición ±%3, dirección ±%4</translation>
     </message>
     <message>
         <source>Intrinsics</source>
@@ -882,8 +882,8 @@
         <translation>Mueva el tablero a: %1</translation>
     </message>
     <message>
-        <source>Tilt the board, %1</source>
-        <translation>Incline el tablero, %1</translation>
+        <source>Turn the board: %1</source>
+        <translation>Oriente el tablero: %1</translation>
     </message>
     <message>
         <source>Move the board closer</source>
@@ -946,11 +946,11 @@
         <translation>%1 vistas comunes con otras cámaras</translation>
     </message>
     <message>
-        <source>The positions were not found: %1</source>
-        <translation>No se hallaron las posiciones: %1</translation>
+        <source>The camera positions could not be computed: %1</source>
+        <translation>No se pudieron calcular las posiciones de las cámaras: %1</translation>
     </message>
     <message>
-        <source>The accuracy cannot be estimated: two cameras saw the board together too rarely.</source>
+        <source>The accuracy cannot be estimated: the board was too rarely seen by two cameras at once.</source>
         <translation>No se puede estimar la precisión: muy pocas veces vieron dos cámaras el tablero a la vez.</translation>
     </message>
 </context>
@@ -972,16 +972,16 @@
         <translation>Todo encaja al intercambiar %1 y %2: probablemente sus vídeos están cambiados. Intercambie los dos archivos.</translation>
     </message>
     <message>
-        <source>%1 fits when its video is shifted: it likely shows everything %2 frames late. Synchronize the videos, or let time offsets be found.</source>
-        <translation>%1 encaja si se desplaza su vídeo: probablemente muestra todo %2 fotogramas tarde. Sincronice los vídeos o haga que se busquen los desfases.</translation>
+        <source>%1 fits when its video is shifted in time: the video is probably %2 frames late. Synchronize the videos, or calibrate with a wand and “Find time offsets”.</source>
+        <translation>%1 encaja si su vídeo se desplaza en el tiempo: probablemente va %2 fotogramas tarde. Sincronice los vídeos o calibre con la varita y «Buscar desfases de tiempo».</translation>
     </message>
     <message>
-        <source>%1 fits when its video is shifted: it likely shows everything %2 frames early. Synchronize the videos, or let time offsets be found.</source>
-        <translation>%1 encaja si se desplaza su vídeo: probablemente muestra todo %2 fotogramas antes. Sincronice los vídeos o haga que se busquen los desfases.</translation>
+        <source>%1 fits when its video is shifted in time: the video is probably %2 frames early. Synchronize the videos, or calibrate with a wand and “Find time offsets”.</source>
+        <translation>%1 encaja si su vídeo se desplaza en el tiempo: probablemente va %2 fotogramas adelantado. Sincronice los vídeos o calibre con la varita y «Buscar desfases de tiempo».</translation>
     </message>
     <message>
-        <source>%1 fits one pose before %2 and another after it: the camera was probably moved. Calibrate with the part after that time.</source>
-        <translation>%1 encaja con una pose antes de %2 y con otra después: probablemente la cámara se movió. Calibre con la parte posterior.</translation>
+        <source>%1 fits one pose before %2 and another pose after that time: the camera was probably moved. Calibrate with the later part only.</source>
+        <translation>%1 encaja con una pose antes de %2 y con otra después: probablemente la cámara se movió. Calibre solo con la parte posterior.</translation>
     </message>
     <message>
         <source>%1 fits only with flipped images: its video is probably mirrored or upside down. Set the rotation and mirroring of its images.</source>
@@ -992,12 +992,12 @@
         <translation>%1 encaja con %2 veces la distancia focal indicada: probablemente cambió su zoom o su recorte. Calibre de nuevo sus parámetros intrínsecos.</translation>
     </message>
     <message>
-        <source>The lens data of %1 are likely for another resolution: its images are %2 times as large. Convert them, or record at the calibrated size.</source>
-        <translation>Los datos del objetivo de %1 son probablemente de otra resolución: sus imágenes son %2 veces mayores. Conviértalos o grabe con el tamaño calibrado.</translation>
+        <source>The intrinsics of %1 are probably for another resolution: its images are %2 times as large. Convert the intrinsics, or record at the calibrated size.</source>
+        <translation>Los parámetros intrínsecos de %1 son probablemente de otra resolución: sus imágenes son %2 veces mayores. Convierta los parámetros o grabe con el tamaño calibrado.</translation>
     </message>
     <message>
-        <source>In this volume ±%1 (95 %)</source>
-        <translation>En este volumen ±%1 (95 %)</translation>
+        <source>In this volume: position ±%1 (95 %)</source>
+        <translation>En este volumen: posición ±%1 (95 %)</translation>
     </message>
     <message>
         <source>, scale ±%1 %</source>
@@ -1008,20 +1008,20 @@
         <translation>, escala desconocida</translation>
     </message>
     <message>
-        <source>, up ±%1</source>
-        <translation>, vertical ±%1</translation>
+        <source>, upward direction ±%1</source>
+        <translation>, dirección vertical ±%1</translation>
     </message>
     <message>
-        <source>, up not measured</source>
-        <translation>, vertical sin medir</translation>
+        <source>, upward direction not measured</source>
+        <translation>, dirección vertical sin medir</translation>
     </message>
     <message>
         <source>all cameras</source>
         <translation>todas las cámaras</translation>
     </message>
     <message>
-        <source>The cameras would all look at the back of the board or floor: its points are likely mirrored. Check the direction of its axes, and that the print is not reversed.</source>
-        <translation>Todas las cámaras mirarían el reverso del tablero o del suelo: probablemente sus puntos están reflejados. Compruebe la dirección de los ejes y que la impresión no esté invertida.</translation>
+        <source>All cameras seem to see the back of the board or floor: its points are probably mirrored. Check the direction of the axes, and that the print is not reversed.</source>
+        <translation>Todas las cámaras parecen ver el reverso del tablero o del suelo: probablemente sus puntos están reflejados. Compruebe la dirección de los ejes y que la impresión no esté invertida.</translation>
     </message>
     <message>
         <source>The given length is %1 times what the cameras see: millimeters and meters are likely mixed up.</source>
@@ -1040,8 +1040,8 @@
         <translation>El tamaño indicado de las casillas es %1 veces lo que ven las cámaras: mida una fila con una regla (las impresiones suelen cambiar de escala).</translation>
     </message>
     <message>
-        <source>The images fit when shifted by %1 along both axes: a program likely counts pixels from their corners. Convert the principal points.</source>
-        <translation>Las imágenes encajan desplazadas %1 en ambos ejes: algún programa cuenta los píxeles desde sus esquinas. Convierta los puntos principales.</translation>
+        <source>The images fit when shifted by %1 along both axes: the calibration probably counts pixels from their corners, not their centers. Convert the principal points.</source>
+        <translation>Las imágenes encajan desplazadas %1 en ambos ejes: probablemente la calibración cuenta los píxeles desde sus esquinas y no desde sus centros. Convierta los puntos principales.</translation>
     </message>
 </context>
 <context>
@@ -1067,12 +1067,12 @@
         <translation>%1 y %2 parecen estar intercambiadas.</translation>
     </message>
     <message>
-        <source>%1 or %2 looks at least %3 away from its calibration.</source>
-        <translation>%1 o %2 mira al menos %3 fuera de su calibración.</translation>
+        <source>%1 or %2 points at least %3 away from its calibrated direction.</source>
+        <translation>%1 o %2 apunta al menos %3 fuera de su dirección calibrada.</translation>
     </message>
     <message>
-        <source>%1 looks about %2 away from its calibration.</source>
-        <translation>%1 mira unos %2 fuera de su calibración.</translation>
+        <source>%1 points about %2 away from its calibrated direction.</source>
+        <translation>%1 apunta unos %2 fuera de su dirección calibrada.</translation>
     </message>
     <message>
         <source>%1 and %2 disagree about where the target is. Calibrate them again.</source>
@@ -1083,16 +1083,16 @@
         <translation>%1 no concuerda con las demás cámaras. Calíbrela de nuevo.</translation>
     </message>
     <message>
-        <source>%1 is about %2 late.</source>
-        <translation>%1 lleva un retraso de unos %2.</translation>
+        <source>The images of %1 are about %2 late.</source>
+        <translation>Las imágenes de %1 llevan un retraso de unos %2.</translation>
     </message>
     <message>
-        <source>%1 is about %2 early.</source>
-        <translation>%1 lleva un adelanto de unos %2.</translation>
+        <source>The images of %1 are about %2 early.</source>
+        <translation>Las imágenes de %1 llevan un adelanto de unos %2.</translation>
     </message>
     <message>
-        <source>The calibration seems to be in %1.</source>
-        <translation>La calibración parece estar en %1.</translation>
+        <source>The calibration seems to be in %1 instead of meters.</source>
+        <translation>La calibración parece estar en %1 en vez de en metros.</translation>
     </message>
     <message>
         <source>%1 and %2 have the same pose.</source>
@@ -1107,8 +1107,8 @@
         <translation>Ajustar el retraso de %1</translation>
     </message>
     <message>
-        <source>Rotate %1</source>
-        <translation>Girar %1</translation>
+        <source>Correct direction of %1</source>
+        <translation>Corregir dirección de %1</translation>
     </message>
     <message>
         <source>Convert to meters</source>
@@ -1139,20 +1139,20 @@
 <context>
     <name>ClickRadiusText</name>
     <message>
-        <source>Its radius seems to be about %1.</source>
-        <translation>Su radio parece ser de unos %1.</translation>
+        <source>The target&apos;s radius seems to be about %1.</source>
+        <translation>El radio del objetivo parece ser de unos %1.</translation>
     </message>
     <message>
-        <source>Its radius seems to be about %1, but %2 is given. Is that its diameter?</source>
-        <translation>Su radio parece ser de unos %1, pero se indicó %2. ¿Es ese su diámetro?</translation>
+        <source>The target&apos;s radius seems to be about %1, but %2 is given. Is that the diameter?</source>
+        <translation>El radio del objetivo parece ser de unos %1, pero se indicó %2. ¿Es ese el diámetro?</translation>
     </message>
     <message>
-        <source>Its radius seems to be about %1, but %2 is given.</source>
-        <translation>Su radio parece ser de unos %1, pero se indicó %2.</translation>
+        <source>The target&apos;s radius seems to be about %1, but %2 is given.</source>
+        <translation>El radio del objetivo parece ser de unos %1, pero se indicó %2.</translation>
     </message>
     <message>
-        <source>This is part of a larger object of the same color. It is tracked as a ball with radius %1, starting at the marked spot.</source>
-        <translation>Esto es parte de un objeto mayor del mismo color. Se sigue como una bola con radio %1, desde el punto marcado.</translation>
+        <source>The marked spot is part of a larger object of the same color. Only this spot is tracked, as a ball with radius %1.</source>
+        <translation>El punto marcado es parte de un objeto mayor del mismo color. Solo se sigue este punto, como una bola con radio %1.</translation>
     </message>
 </context>
 <context>
@@ -1201,20 +1201,20 @@
         <translation>abajo a la derecha</translation>
     </message>
     <message>
-        <source>Stands out well: %1 of 100.</source>
-        <translation>Destaca bien: %1 de 100.</translation>
+        <source>Stands out well (%1 of 100 points).</source>
+        <translation>Destaca bien (%1 de 100 puntos).</translation>
     </message>
     <message>
-        <source>Stands out: %1 of 100.</source>
-        <translation>Destaca: %1 de 100.</translation>
+        <source>Stands out (%1 of 100 points).</source>
+        <translation>Destaca (%1 de 100 puntos).</translation>
     </message>
     <message>
-        <source>Hard to tell apart: %1 of 100.</source>
-        <translation>Difícil de distinguir: %1 de 100.</translation>
+        <source>Hard to tell apart (%1 of 100 points).</source>
+        <translation>Difícil de distinguir (%1 de 100 puntos).</translation>
     </message>
     <message>
-        <source>Hardly stands out: %1 of 100.</source>
-        <translation>Apenas destaca: %1 de 100.</translation>
+        <source>Hardly stands out (%1 of 100 points).</source>
+        <translation>Apenas destaca (%1 de 100 puntos).</translation>
     </message>
     <message>
         <source>black</source>
@@ -1269,8 +1269,8 @@
         <translation>Gran parte del objetivo no coincide: Mayús-clic en su lado claro y en su lado oscuro.</translation>
     </message>
     <message>
-        <source>Alt-click what also matches to exclude it.</source>
-        <translation>Alt-clic en lo que también coincide para excluirlo.</translation>
+        <source>Exclude the other matching objects: Alt-click them.</source>
+        <translation>Excluya los otros objetos que coinciden: Alt-clic en ellos.</translation>
     </message>
     <message>
         <source>Cover objects of the same color, or take them out of view.</source>
@@ -1289,12 +1289,12 @@
         <translation>El objetivo es casi gris: un color más vivo ayudaría.</translation>
     </message>
     <message>
-        <source>This fills much of the image: click only the target, or drag a box on it.</source>
-        <translation>Esto llena gran parte de la imagen: haga clic solo en el objetivo o dibuje un recuadro sobre él.</translation>
+        <source>The clicked region fills much of the image: click only the target, or drag a box on it.</source>
+        <translation>La zona elegida llena gran parte de la imagen: haga clic solo en el objetivo o dibuje un recuadro sobre él.</translation>
     </message>
     <message>
-        <source>%1 % of the images match. Shift-click the target to learn how well it stands out.</source>
-        <translation>Coincide el %1 % de las imágenes. Mayús-clic en el objetivo para saber cuánto destaca.</translation>
+        <source>%1 % of the pixels match. Shift-click the target to see how well it stands out.</source>
+        <translation>Coincide el %1 % de los píxeles. Mayús-clic en el objetivo para ver cuánto destaca.</translation>
     </message>
     <message>
         <source>%1 % of the background matches too.</source>
@@ -1305,8 +1305,8 @@
         <translation>Una muestra apenas coincide con el color aprendido: su entorno se ve igual, o muestra otro objeto.</translation>
     </message>
     <message>
-        <source>A %1 region %2 of %3 also matches.</source>
-        <translation>También coincide una zona (%1) %2 de %3.</translation>
+        <source>In the image of %3, a region %2 also matches (%1).</source>
+        <translation>En la imagen de %3 también coincide una zona %2 (%1).</translation>
     </message>
     <message>
         <source>Several objects have this color: another color would help.</source>
@@ -1317,8 +1317,8 @@
         <translation>Hizo clic solo en una mota: dibuje un recuadro sobre todo el objetivo.</translation>
     </message>
     <message>
-        <source>Only %1 % of the target and %2 % of the background match.</source>
-        <translation>Solo coinciden el %1 % del objetivo y el %2 % del fondo.</translation>
+        <source>Only %1 % of the target matches, and %2 % of the background matches too.</source>
+        <translation>Solo coincide el %1 % del objetivo, y también el %2 % del fondo.</translation>
     </message>
     <message>
         <source>A range that covers the whole target would match %1 % of the background.</source>
@@ -1359,12 +1359,12 @@
         <translation>no se puede escribir</translation>
     </message>
     <message>
-        <source>does not fit the rest</source>
-        <translation>no concuerda con lo demás</translation>
+        <source>does not match the other data</source>
+        <translation>no concuerda con los demás datos</translation>
     </message>
     <message>
-        <source>ended before its announced end</source>
-        <translation>terminó antes del final anunciado</translation>
+        <source>ended before its expected end</source>
+        <translation>terminó antes del final previsto</translation>
     </message>
     <message>
         <source>failed</source>
@@ -1395,16 +1395,16 @@
         <translation>el archivo no existe</translation>
     </message>
     <message>
-        <source>the observations do not determine it</source>
-        <translation>las observaciones no lo determinan</translation>
+        <source>cannot be determined from the observations</source>
+        <translation>no se puede determinar con las observaciones</translation>
     </message>
     <message>
         <source>the text cannot be understood</source>
         <translation>no se entiende el texto</translation>
     </message>
     <message>
-        <source>there is nothing of this name</source>
-        <translation>no hay nada con este nombre</translation>
+        <source>not found</source>
+        <translation>no encontrado</translation>
     </message>
     <message>
         <source>this key is missing</source>
@@ -1426,24 +1426,24 @@
         <translation>Barrera et al. 2005, figura 3: las partículas proyectadas en ambas cámaras mientras la nube encuentra la pelota.</translation>
     </message>
     <message>
-        <source>Barrera et al. 2005, figure 4: the same cloud from above.</source>
-        <translation>Barrera et al. 2005, figura 4: la misma nube desde arriba.</translation>
+        <source>Barrera et al. 2005, figure 4: the particle cloud of figure 3 from above.</source>
+        <translation>Barrera et al. 2005, figura 4: la nube de partículas de la figura 3 desde arriba.</translation>
     </message>
     <message>
         <source>Barrera et al. 2005, figure 6: the object jumps 2 m at iteration 30.</source>
         <translation>Barrera et al. 2005, figura 6: el objeto salta 2 m en la iteración 30.</translation>
     </message>
     <message>
-        <source>Barrera et al. 2005, figure 7: the same for motion sigmas from 0.001 to 0.3 m, as an image.</source>
-        <translation>Barrera et al. 2005, figura 7: lo mismo para sigmas de movimiento de 0,001 a 0,3 m, como imagen.</translation>
+        <source>Barrera et al. 2005, figure 7: the error for the jump of figure 6 and motion sigmas from 0.001 to 0.3 m, as an image.</source>
+        <translation>Barrera et al. 2005, figura 7: el error con el salto de la figura 6 para sigmas de movimiento de 0,001 a 0,3 m, como imagen.</translation>
     </message>
     <message>
         <source>Barrera et al. 2005, figure 8: the cloud at six instants, with a small and a large motion sigma.</source>
         <translation>Barrera et al. 2005, figura 8: la nube en seis instantes, con sigma de movimiento pequeña y grande.</translation>
     </message>
     <message>
-        <source>Barrera et al. 2005, section III-B: the share of runs that converge for each start volume, and starts behind the ball.</source>
-        <translation>Barrera et al. 2005, sección III-B: la proporción de ejecuciones que convergen para cada volumen inicial, e inicios detrás de la pelota.</translation>
+        <source>Barrera et al. 2005, section III-B: the share of runs that converge, for several start volumes and for starts behind the ball.</source>
+        <translation>Barrera et al. 2005, sección III-B: la proporción de ejecuciones que convergen, para varios volúmenes iniciales y para inicios detrás de la pelota.</translation>
     </message>
     <message>
         <source>Barrera et al. 2005, section III-B: with one camera, the cloud moves away from the camera.</source>
@@ -1498,11 +1498,11 @@
         <translation>Recuadros: error, éxito y precisión</translation>
     </message>
     <message>
-        <source>Mohedano et al. 2009: people enter and leave; how long an estimate stays without a person, and a person without an estimate.</source>
-        <translation>Mohedano et al. 2009: la gente entra y sale; cuánto tiempo queda una estimación sin persona y una persona sin estimación.</translation>
+        <source>Mohedano et al. 2009: people enter and leave; how long estimates exist without a person, and how long people have no estimate.</source>
+        <translation>Mohedano et al. 2009: la gente entra y sale; cuánto tiempo hay estimaciones sin persona y cuánto están las personas sin estimación.</translation>
     </message>
     <message>
-        <source>Mohedano et al. 2009: two people meet and walk on; motion alone may confuse them, color keeps them apart when their clothes differ.</source>
+        <source>Mohedano et al. 2009: two people meet and walk on; motion alone may mix them up, color tells them apart when their clothes differ.</source>
         <translation>Mohedano et al. 2009: dos personas se encuentran y siguen; el movimiento solo puede confundirlas, el color las distingue cuando su ropa es distinta.</translation>
     </message>
     <message>
@@ -1530,11 +1530,11 @@
         <translation>Personas que se encuentran y dan la vuelta</translation>
     </message>
     <message>
-        <source>Sugandi et al. 2009, section 4: 100 and 300 particles, method histogram and four trackers of OpenCV on the same clips.</source>
-        <translation>Sugandi et al. 2009, sección 4: 100 y 300 partículas, el método histogram y cuatro seguidores de OpenCV en los mismos vídeos.</translation>
+        <source>Sugandi et al. 2009, section 4: compares 100 and 300 particles, method histogram and four OpenCV trackers on the same clips.</source>
+        <translation>Sugandi et al. 2009, sección 4: compara 100 y 300 partículas, el método histogram y cuatro seguidores de OpenCV en los mismos vídeos.</translation>
     </message>
     <message>
-        <source>Mohedano et al. 2009: two people far apart. This is the easy case: no method may confuse them.</source>
+        <source>Mohedano et al. 2009: two people far apart. This is the easy case: no method may mix them up.</source>
         <translation>Mohedano et al. 2009: dos personas lejos una de la otra, el caso fácil, en el que ningún método debe confundirlas.</translation>
     </message>
     <message>
@@ -1618,7 +1618,7 @@
         <translation>Ropa con los colores de la sala</translation>
     </message>
     <message>
-        <source>Two people in clothes of the colors of walls, furniture and floor walk past each other.</source>
+        <source>Two people whose clothes have the colors of walls, furniture and floor walk past each other.</source>
         <translation>Se cruzan dos personas con ropa de los colores de las paredes, los muebles y el suelo.</translation>
     </message>
     <message>
@@ -1770,7 +1770,7 @@
         <translation>◌ nadie a la vista</translation>
     </message>
     <message>
-        <source>– not there</source>
+        <source>– not present</source>
         <translation>– ausente</translation>
     </message>
     <message>
@@ -1793,8 +1793,8 @@
         <translation>vacío: menos de dos cámaras</translation>
     </message>
     <message>
-        <source>Cameras that see it</source>
-        <translation>Cámaras que lo ven</translation>
+        <source>Cameras that see a point</source>
+        <translation>Cámaras que ven un punto</translation>
     </message>
     <message>
         <source>Expected error (1 σ)</source>
@@ -1804,12 +1804,12 @@
 <context>
     <name>MapOverlay</name>
     <message>
-        <source>Cameras that see it: %1</source>
-        <translation>Cámaras que lo ven: %1</translation>
+        <source>Cameras that see this point: %1</source>
+        <translation>Cámaras que ven este punto: %1</translation>
     </message>
     <message>
-        <source>±%1 (1 σ); cameras that see it: %2</source>
-        <translation>±%1 (1 σ); cámaras que lo ven: %2</translation>
+        <source>Expected error: ±%1 (1 σ); cameras that see this point: %2</source>
+        <translation>Error esperado: ±%1 (1 σ); cámaras que ven este punto: %2</translation>
     </message>
 </context>
 <context>
@@ -1847,8 +1847,8 @@
         <translation>Sigue los colores y el tamaño del objetivo, y lo reencuentra tras una ocultación.</translation>
     </message>
     <message>
-        <source>For comparison: confuses people who come close.</source>
-        <translation>Para comparar: confunde a quienes se acercan.</translation>
+        <source>For comparison: mixes up people who come close to each other.</source>
+        <translation>Para comparar: confunde entre sí a quienes se acercan.</translation>
     </message>
     <message>
         <source>For comparison: distinguishes people by their clothes.</source>
@@ -1909,16 +1909,16 @@
 <context>
     <name>Parameter</name>
     <message>
-        <source>Half the x size of the box around the start in which particles start evenly spread; 0 starts them all at the same x.</source>
-        <translation>Mitad del tamaño en x de la caja alrededor del inicio en la que las partículas empiezan repartidas por igual; con 0 todas empiezan en el mismo x.</translation>
+        <source>Half the x size of the start box: the particles start evenly spread in this box; 0 starts them all at the same x.</source>
+        <translation>Mitad del tamaño en x de la caja inicial: las partículas empiezan repartidas por igual en ella; con 0 todas empiezan en el mismo x.</translation>
     </message>
     <message>
-        <source>Half the y size of the box around the start in which particles start evenly spread; 0 starts them all at the same y.</source>
-        <translation>Mitad del tamaño en y de la caja alrededor del inicio en la que las partículas empiezan repartidas por igual; con 0 todas empiezan en el mismo y.</translation>
+        <source>Half the y size of the start box: the particles start evenly spread in this box; 0 starts them all at the same y.</source>
+        <translation>Mitad del tamaño en y de la caja inicial: las partículas empiezan repartidas por igual en ella; con 0 todas empiezan en el mismo y.</translation>
     </message>
     <message>
-        <source>Half the z size of the box around the start in which particles start evenly spread; 0 starts them all at the same z.</source>
-        <translation>Mitad del tamaño en z de la caja alrededor del inicio en la que las partículas empiezan repartidas por igual; con 0 todas empiezan en el mismo z.</translation>
+        <source>Half the z size of the start box: the particles start evenly spread in this box; 0 starts them all at the same z.</source>
+        <translation>Mitad del tamaño en z de la caja inicial: las partículas empiezan repartidas por igual en ella; con 0 todas empiezan en el mismo z.</translation>
     </message>
     <message>
         <source>How far particles move at random along each axis in one iteration: larger values follow faster objects, but spread the particles wider.</source>
@@ -1993,12 +1993,12 @@
         <translation>Mínimo de partículas</translation>
     </message>
     <message>
-        <source>How far the particles may be from the distribution that they represent (Kullback-Leibler divergence): smaller values use more particles where they are spread; 0 always uses all of them.</source>
-        <translation>Cuánto pueden apartarse las partículas de la distribución que representan (divergencia de Kullback-Leibler): valores menores usan más partículas donde están dispersas; 0 las usa siempre todas.</translation>
+        <source>How far the particles may be from the distribution that they represent (Kullback-Leibler divergence): smaller values use more particles when they are spread out; 0 always uses the largest number.</source>
+        <translation>Cuánto pueden apartarse las partículas de la distribución que representan (divergencia de Kullback-Leibler): valores menores usan más partículas cuando están dispersas; 0 usa siempre el número máximo.</translation>
     </message>
     <message>
-        <source>How long a target still counts as present when no camera can see where it should be.</source>
-        <translation>Cuánto tiempo se considera presente un objetivo cuando ninguna cámara puede ver dónde debería estar.</translation>
+        <source>How long a target still counts as present when no camera can see its expected position.</source>
+        <translation>Cuánto tiempo se considera presente un objetivo cuando ninguna cámara puede ver su posición esperada.</translation>
     </message>
     <message>
         <source>Smallest number of particles of each target, used when all particles agree.</source>
@@ -2029,8 +2029,8 @@
         <translation>Límite de tiempo</translation>
     </message>
     <message>
-        <source>How long one iteration may take. To meet it, fewer particles are used and searches are spread over several frames. 0 sets no limit. With a limit, a run depends on the speed of the computer and cannot be repeated bit by bit.</source>
-        <translation>Cuánto puede durar una iteración: para respetarlo se usan menos partículas y las búsquedas se reparten entre varios fotogramas. 0 no pone límite; con un límite, una ejecución depende de la velocidad del equipo y no se puede repetir bit a bit.</translation>
+        <source>How long one iteration may take. To meet this limit, fewer particles are used and searches are spread over several frames. 0 sets no limit. With a limit, a run depends on the speed of the computer and cannot be repeated exactly.</source>
+        <translation>Cuánto puede durar una iteración. Para respetar este límite se usan menos partículas y las búsquedas se reparten entre varios fotogramas. 0 no pone límite. Con un límite, una ejecución depende de la velocidad del equipo y no se puede repetir exactamente.</translation>
     </message>
     <message>
         <source>Color adaptation</source>
@@ -2065,16 +2065,16 @@
         <translation>Cuánto pueden diferir los colores de la referencia (distancia de Bhattacharyya): un valor menor confía más en las mejores partículas.</translation>
     </message>
     <message>
-        <source>How far particles move at random along each axis between images, in sizes of the target, in addition to their constant velocity.</source>
-        <translation>Cuánto se mueven al azar las partículas a lo largo de cada eje de una imagen a otra, en tamaños del objetivo, además de su velocidad constante.</translation>
+        <source>How far particles move at random along each axis between images, in multiples of the target size, in addition to their constant velocity.</source>
+        <translation>Cuánto se mueven al azar las partículas a lo largo de cada eje de una imagen a otra, en múltiplos del tamaño del objetivo, además de su velocidad constante.</translation>
     </message>
     <message>
         <source>How far particles move at random along each axis between images, in addition to their constant velocity: larger values follow sudden motion, but spread the particles wider.</source>
         <translation>Cuánto se mueven al azar las partículas a lo largo de cada eje de una imagen a otra, además de su velocidad constante: valores mayores siguen movimientos repentinos, pero las dispersan más.</translation>
     </message>
     <message>
-        <source>How far the target may be from its predicted position, in sizes of the target, before a position counts as unlikely.</source>
-        <translation>Cuánto puede alejarse el objetivo de su posición prevista, en tamaños del objetivo, antes de que una posición se considere improbable.</translation>
+        <source>Largest distance of the target from its predicted position, in multiples of the target size; positions farther away count as unlikely.</source>
+        <translation>Mayor distancia del objetivo a su posición prevista, en múltiplos del tamaño del objetivo; las posiciones más lejanas se consideran improbables.</translation>
     </message>
     <message>
         <source>How strongly positions with more of the target&apos;s colors are preferred.</source>
@@ -2121,8 +2121,8 @@
         <translation>Nitidez</translation>
     </message>
     <message>
-        <source>If less than this share of its usual colors is found, the target counts as hidden and keeps its position.</source>
-        <translation>Si se encuentra menos de esta proporción de sus colores habituales, el objetivo se considera oculto y conserva su posición.</translation>
+        <source>The target counts as hidden and keeps its position if less than this share of its usual colors is found.</source>
+        <translation>El objetivo se considera oculto y conserva su posición si se encuentra menos de esta proporción de sus colores habituales.</translation>
     </message>
     <message>
         <source>1: tracks everyone that several cameras see; 0: tracks only people that you add by hand.</source>
@@ -2241,8 +2241,8 @@
         <translation>Con cuánta fuerza las personas aceleran, frenan y giran.</translation>
     </message>
     <message>
-        <source>Hue floor</source>
-        <translation>Mínimo del tono</translation>
+        <source>Least hue likelihood</source>
+        <translation>Verosimilitud mínima del tono</translation>
     </message>
     <message>
         <source>Hue sigma</source>
@@ -2265,8 +2265,8 @@
         <translation>Distancia mínima</translation>
     </message>
     <message>
-        <source>Smallest likelihood of a hue (h_B in the paper), because another object may be seen.</source>
-        <translation>Verosimilitud mínima de un tono (h_B del artículo), pues puede verse otro objeto.</translation>
+        <source>Smallest likelihood of a hue (h_B in the paper); above 0 because another object may hide the person.</source>
+        <translation>Verosimilitud mínima de un tono (h_B del artículo); mayor que 0 porque otro objeto puede tapar a la persona.</translation>
     </message>
     <message>
         <source>Smallest likelihood of a saturation (s_B in the paper).</source>
@@ -2285,16 +2285,16 @@
         <translation>Centro del suelo vigilado.</translation>
     </message>
     <message>
-        <source>Motion floor</source>
-        <translation>Mínimo de movimiento</translation>
+        <source>Least motion likelihood</source>
+        <translation>Verosimilitud mínima de movimiento</translation>
     </message>
     <message>
         <source>Position noise</source>
         <translation>Ruido de posición</translation>
     </message>
     <message>
-        <source>Saturation floor</source>
-        <translation>Mínimo de la saturación</translation>
+        <source>Least saturation likelihood</source>
+        <translation>Verosimilitud mínima de la saturación</translation>
     </message>
     <message>
         <source>Saturation sigma</source>
@@ -2390,9 +2390,9 @@ De %2 a %3%4; por defecto %5%4.</translation>
     </message>
     <message>
         <source>%1
-From %2 to %3%4; what the cameras see unless you change it.</source>
+From %2 to %3%4; the default comes from the region that the cameras see.</source>
         <translation>%1
-De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
+De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</translation>
     </message>
     <message>
         <source>Changed: the default is %1.</source>
@@ -2410,8 +2410,8 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>aprendiendo el fondo: %1 % · no entre en la imagen</translation>
     </message>
     <message>
-        <source>%1 % of the image moves: ignored</source>
-        <translation>se mueve el %1 % de la imagen: se ignora</translation>
+        <source>image ignored: %1 % of it moves</source>
+        <translation>imagen ignorada: se mueve el %1 %</translation>
     </message>
     <message>
         <source>learning: %1 %</source>
@@ -2533,12 +2533,12 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>a %1 de un distractor</translation>
     </message>
     <message>
-        <source>no color matches</source>
-        <translation>ningún color coincide</translation>
+        <source>no matching color</source>
+        <translation>sin color que coincida</translation>
     </message>
     <message>
-        <source>its color is %1 away</source>
-        <translation>su color está a %1</translation>
+        <source>color found %1 away</source>
+        <translation>color hallado a %1</translation>
     </message>
     <message>
         <source>right color, wrong shape</source>
@@ -2635,20 +2635,20 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>✕ %1</translation>
     </message>
     <message>
-        <source>history %1 of %2 MB</source>
-        <translation>historial %1 de %2 MB</translation>
+        <source>history: %1 of %2 MB</source>
+        <translation>historial: %1 de %2 MB</translation>
     </message>
     <message>
-        <source>, the last %1</source>
-        <translation>, los últimos %1</translation>
+        <source>history: %1 of %2 MB (the last %3)</source>
+        <translation>historial: %1 de %2 MB (los últimos %3)</translation>
     </message>
     <message>
-        <source>tracking again: frame %1 of %2 to %3</source>
-        <translation>siguiendo de nuevo: fotograma %1 de %2 a %3</translation>
+        <source>tracking frames %2 to %3 again: now at %1</source>
+        <translation>siguiendo de nuevo los fotogramas %2 a %3: ahora en %1</translation>
     </message>
     <message>
-        <source>✕ cameras</source>
-        <translation>✕ cámaras</translation>
+        <source>✕ no image</source>
+        <translation>✕ sin imagen</translation>
     </message>
     <message>
         <source>corrected</source>
@@ -2666,8 +2666,8 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
 <context>
     <name>TransportBar</name>
     <message>
-        <source>Transport</source>
-        <translation>Reproducción</translation>
+        <source>Toolbar</source>
+        <translation>Barra de herramientas</translation>
     </message>
     <message>
         <source>Pause</source>
@@ -2744,7 +2744,7 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Dos o más cámaras deben ver la pelota.</translation>
     </message>
     <message>
-        <source>Learn the color of the ball first: press L and click it in an image.</source>
+        <source>Learn the color of the ball first: press L and click the ball in an image.</source>
         <translation>Aprenda primero el color de la pelota: pulse L y haga clic en ella en una imagen.</translation>
     </message>
     <message>
@@ -2756,8 +2756,8 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Los dos extremos de la varita son el mismo objetivo: elija otro.</translation>
     </message>
     <message>
-        <source>The size comes from a distance: add the times at which the ball is at its two ends.</source>
-        <translation>El tamaño se toma de una distancia: añada los instantes en que la pelota está en sus dos extremos.</translation>
+        <source>The scale comes from a known distance: add the times at which the ball is at each end of this distance.</source>
+        <translation>La escala se toma de una distancia conocida: añada los instantes en que la pelota está en cada extremo de esa distancia.</translation>
     </message>
     <message>
         <source>A fall needs two times: one at which the ball starts to fall, and one at which it is still falling.</source>
@@ -2856,8 +2856,8 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Corregir la posición</translation>
     </message>
     <message>
-        <source>The target was tracked back to frame %1. From there, it is tracked again.</source>
-        <translation>El objetivo se siguió hacia atrás hasta el fotograma %1; desde ahí se sigue de nuevo.</translation>
+        <source>The target was tracked backward to frame %1 and is now tracked forward again from there.</source>
+        <translation>El objetivo se siguió hacia atrás hasta el fotograma %1 y desde ahí se sigue de nuevo hacia delante.</translation>
     </message>
     <message>
         <source>Tracking the target backward: frame %1.</source>
@@ -2934,8 +2934,8 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Muestre un tablero impreso a las cámaras. Esta página indica qué mostrar después. Se captura una vista cuando mantiene quieto el tablero.</translation>
     </message>
     <message>
-        <source>To calibrate from a recording, record a printed board that you hold still in many positions, also close and tilted.</source>
-        <translation>Para calibrar con una grabación, grabe un tablero impreso que mantiene quieto en muchas posiciones, también cerca e inclinado.</translation>
+        <source>To calibrate from a recording, record a printed board that you hold still in many positions, some of them close to the camera or tilted.</source>
+        <translation>Para calibrar con una grabación, grabe un tablero impreso que mantiene quieto en muchas posiciones, en algunas cerca de la cámara o inclinado.</translation>
     </message>
     <message>
         <source>Live cameras</source>
@@ -3195,16 +3195,16 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Precisión deseada de los parámetros intrínsecos</translation>
     </message>
     <message>
-        <source>The guidance ends when rays are known to this accuracy all over the image</source>
-        <translation>La guía termina cuando los rayos se conocen con esta precisión en toda la imagen</translation>
+        <source>Guidance ends when the intrinsics are this accurate all over the image</source>
+        <translation>La guía termina cuando los parámetros intrínsecos tienen esta precisión en toda la imagen</translation>
     </message>
     <message>
         <source>Desired accuracy of the positions</source>
         <translation>Precisión deseada de las posiciones</translation>
     </message>
     <message>
-        <source>The guidance ends when the position of each camera is known to this accuracy</source>
-        <translation>La guía termina cuando la posición de cada cámara se conoce con esta precisión</translation>
+        <source>Guidance ends when the position of each camera is this accurate</source>
+        <translation>La guía termina cuando la posición de cada cámara tiene esta precisión</translation>
     </message>
 </context>
 <context>
@@ -3242,16 +3242,16 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Siguiente: posiciones</translation>
     </message>
     <message>
-        <source>Keep the accuracy of the intrinsics as it is, and show the board to several cameras at once</source>
-        <translation>Dejar la precisión de los parámetros intrínsecos como está y mostrar el tablero a varias cámaras a la vez</translation>
+        <source>Accept the present accuracy of the intrinsics, then show the board to several cameras at once</source>
+        <translation>Aceptar la precisión actual de los parámetros intrínsecos y mostrar luego el tablero a varias cámaras a la vez</translation>
     </message>
     <message>
         <source>Calibrate with these views</source>
         <translation>Calibrar con estas vistas</translation>
     </message>
     <message>
-        <source>Finish now: the captured views are enough</source>
-        <translation>Terminar ahora: bastan las vistas capturadas</translation>
+        <source>Finish now with the views captured so far</source>
+        <translation>Terminar ahora con las vistas capturadas hasta el momento</translation>
     </message>
     <message>
         <source>Start over</source>
@@ -3270,8 +3270,8 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Esperando imágenes. Compruebe que las cámaras estén en marcha.</translation>
     </message>
     <message>
-        <source>Show the board to one camera after the other, as each of them asks.</source>
-        <translation>Muestre el tablero a una cámara tras otra, como pida cada una.</translation>
+        <source>Show the board to one camera after the other, following the instructions for each.</source>
+        <translation>Muestre el tablero a una cámara tras otra, según las instrucciones de cada una.</translation>
     </message>
 </context>
 <context>
@@ -3424,8 +3424,8 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>estado</translation>
     </message>
     <message>
-        <source>Hidden: held at its estimated position</source>
-        <translation>Oculto: se mantiene en su posición estimada</translation>
+        <source>Hidden: the box stays at its estimated position</source>
+        <translation>Oculto: el recuadro se queda en su posición estimada</translation>
     </message>
 </context>
 <context>
@@ -3589,8 +3589,8 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>%1: mayor diferencia de reproyección %2</translation>
     </message>
     <message>
-        <source>%1: %2 of 81 directions no longer map to a pixel</source>
-        <translation>%1: %2 de 81 direcciones ya no corresponden a un píxel</translation>
+        <source>%1: %2 of 81 test directions no longer map to a pixel</source>
+        <translation>%1: %2 de 81 direcciones de prueba ya no corresponden a un píxel</translation>
     </message>
     <message>
         <source>%1 exists and will be replaced.</source>
@@ -3616,8 +3616,8 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>por nombre</translation>
     </message>
     <message>
-        <source>only %1</source>
-        <translation>solo %1</translation>
+        <source>for %1 only</source>
+        <translation>solo para %1</translation>
     </message>
     <message>
         <source>File</source>
@@ -3752,7 +3752,7 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>%1 (en el archivo: %2): se desplaza %3 y gira %4</translation>
     </message>
     <message>
-        <source>Largest reprojection difference to the file: %1</source>
+        <source>Largest reprojection difference from the file: %1</source>
         <translation>Mayor diferencia de reproyección con el archivo: %1</translation>
     </message>
     <message>
@@ -3873,8 +3873,8 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Efecto de arrastrar</translation>
     </message>
     <message>
-        <source>What the camera does while the grid is dragged and nothing is held. Click points of the grid to hold up to three of them.</source>
-        <translation>Lo que hace la cámara mientras se arrastra la cuadrícula sin nada sujeto. Haga clic en puntos de la cuadrícula para sujetar hasta tres.</translation>
+        <source>What the camera does while you drag the grid and no point is held. Click points of the grid to hold up to three of them.</source>
+        <translation>Lo que hace la cámara al arrastrar la cuadrícula sin ningún punto sujeto. Haga clic en puntos de la cuadrícula para sujetar hasta tres.</translation>
     </message>
     <message>
         <source>Also fit the focal length when three points are held</source>
@@ -3945,8 +3945,8 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Coordenada %1 del punto al que mira la cámara</translation>
     </message>
     <message>
-        <source>Direction from above: 0° along x, 90° along y</source>
-        <translation>Dirección desde arriba: 0° según x, 90° según y</translation>
+        <source>Direction seen from above: 0° along x, 90° along y</source>
+        <translation>Dirección vista desde arriba: 0° según x, 90° según y</translation>
     </message>
     <message>
         <source>Angle above the horizon; straight down is −90°</source>
@@ -3988,24 +3988,24 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
 <context>
     <name>dewpoint::ui::CameraMotionAlerts</name>
     <message>
-        <source>%1 was %2 (frame %3).</source>
-        <translation>%1 fue %2 (fotograma %3).</translation>
+        <source>%1 was rotated by %2 (frame %3).</source>
+        <translation>%1 giró %2 (fotograma %3).</translation>
     </message>
     <message>
-        <source>Its new pose is being worked out.</source>
+        <source>Its new pose is being computed.</source>
         <translation>Se está calculando su nueva pose.</translation>
     </message>
     <message>
-        <source>Its pose can be recomputed from what it sees.</source>
-        <translation>Su pose se puede recalcular a partir de lo que ve.</translation>
+        <source>Its pose can be recomputed from its images.</source>
+        <translation>Su pose se puede recalcular a partir de sus imágenes.</translation>
     </message>
     <message>
-        <source>Recompute %1</source>
-        <translation>Recalcular %1</translation>
+        <source>Recompute pose of %1</source>
+        <translation>Recalcular pose de %1</translation>
     </message>
     <message>
-        <source>Its pose cannot be recomputed from what it sees: calibrate the camera again, or put it back.</source>
-        <translation>Su pose no se puede recalcular a partir de lo que ve: calibre la cámara otra vez o devuélvala a su sitio.</translation>
+        <source>Its pose cannot be recomputed from its images: calibrate the camera again, or move it back.</source>
+        <translation>Su pose no se puede recalcular a partir de sus imágenes: calibre la cámara otra vez o devuélvala a su sitio.</translation>
     </message>
     <message>
         <source>Calibrate %1…</source>
@@ -4027,7 +4027,7 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Cambiar el origen de las imágenes</translation>
     </message>
     <message>
-        <source>Turn images</source>
+        <source>Rotate images</source>
         <translation>Girar las imágenes</translation>
     </message>
     <message>
@@ -4157,8 +4157,8 @@ en %4, %5, %6</translation>
         <translation> ms</translation>
     </message>
     <message>
-        <source>Delay of this camera&apos;s images in ms, used to synchronize it with the other cameras. Calibration with a wand can measure it</source>
-        <translation>Retraso de las imágenes de esta cámara en ms, para sincronizarla con las demás cámaras. La calibración con varita puede medirlo</translation>
+        <source>Delay of this camera&apos;s images in ms, used to synchronize it with the other cameras. Calibration with a wand can measure the delay</source>
+        <translation>Retraso de las imágenes de esta cámara en ms, para sincronizarla con las demás cámaras. La calibración con varita puede medir el retraso</translation>
     </message>
     <message>
         <source>Delay of the images in milliseconds</source>
@@ -4221,7 +4221,7 @@ en %4, %5, %6</translation>
         </translation>
     </message>
     <message>
-        <source>Videos differ in size: each camera keeps its own.</source>
+        <source>Videos differ in size: each camera keeps its own size.</source>
         <translation>Los vídeos tienen distinto tamaño: cada cámara conserva el suyo.</translation>
     </message>
 </context>
@@ -4317,8 +4317,8 @@ en %4, %5, %6</translation>
         <translation>Añadir este color a los del objetivo (Mayús-clic hace lo mismo)</translation>
     </message>
     <message>
-        <source>Learn that this color is not the target (or Alt-click)</source>
-        <translation>Aprender que este color no es el objetivo (o Alt-clic)</translation>
+        <source>Learn that the target does not have this color (or Alt-click)</source>
+        <translation>Aprender que el objetivo no tiene este color (o Alt-clic)</translation>
     </message>
 </context>
 <context>
@@ -4410,8 +4410,8 @@ en %4, %5, %6</translation>
         <translation>&amp;Intensidad</translation>
     </message>
     <message>
-        <source>First hue, 0 to 360 degrees; above the last hue the range goes through red</source>
-        <translation>Primer tono, de 0 a 360 grados; por encima del último tono el intervalo pasa por el rojo</translation>
+        <source>First hue, 0 to 360 degrees; if it is above the last hue, the range goes through red</source>
+        <translation>Primer tono, de 0 a 360 grados; si supera el último tono, el intervalo pasa por el rojo</translation>
     </message>
     <message>
         <source>Last hue, 0 to 360 degrees</source>
@@ -4579,8 +4579,8 @@ en %4, %5, %6</translation>
         <translation>Cambiar «%1»</translation>
     </message>
     <message>
-        <source>Track by “%1”</source>
-        <translation>Seguir con «%1»</translation>
+        <source>Track with method “%1”</source>
+        <translation>Seguir con el método «%1»</translation>
     </message>
     <message>
         <source>Reset “%1”</source>
@@ -4756,8 +4756,8 @@ en %4, %5, %6</translation>
         <translation>ninguna: solo un vídeo generado</translation>
     </message>
     <message>
-        <source>Folder with the recordings juggle1 and otb; without one, a rendered clip only</source>
-        <translation>Carpeta con las grabaciones juggle1 y otb; sin ella, solo un vídeo generado</translation>
+        <source>Folder with the recordings juggle1 and otb; without a folder, only a rendered clip is used</source>
+        <translation>Carpeta con las grabaciones juggle1 y otb; sin carpeta solo se usa un vídeo generado</translation>
     </message>
     <message>
         <source>Choose the folder of the recordings</source>
@@ -5020,19 +5020,19 @@ en %4, %5, %6</translation>
 <context>
     <name>dewpoint::ui::FollowAllButton</name>
     <message numerus="yes">
-        <source>Follow all %n of them</source>
+        <source>Follow all %n objects</source>
         <translation>
-            <numerusform>Seguir %n</numerusform>
-            <numerusform>Seguir las %n</numerusform>
+            <numerusform>Seguir %n objeto</numerusform>
+            <numerusform>Seguir los %n objetos</numerusform>
         </translation>
     </message>
     <message>
-        <source>Add a target of the same color and size for each of the others</source>
-        <translation>Añadir un objetivo del mismo color y tamaño por cada una de las demás</translation>
+        <source>Add a target for each of the other objects of this color and size</source>
+        <translation>Añadir un objetivo por cada uno de los otros objetos de este color y tamaño</translation>
     </message>
     <message>
-        <source>Follow all of one color</source>
-        <translation>Seguir todo lo de un color</translation>
+        <source>Follow all objects of one color</source>
+        <translation>Seguir todos los objetos de un color</translation>
     </message>
 </context>
 <context>
@@ -5179,8 +5179,8 @@ en %4, %5, %6</translation>
         <translation>Antes</translation>
     </message>
     <message>
-        <source>Show the cameras as they were before</source>
-        <translation>Mostrar las cámaras como estaban antes</translation>
+        <source>Show the grid before your changes</source>
+        <translation>Mostrar la cuadrícula anterior a sus cambios</translation>
     </message>
     <message>
         <source>Hold down (or hold B over an image) to show the grid as it was when the calibration was opened</source>
@@ -5278,16 +5278,16 @@ en %4, %5, %6</translation>
         <translation>Aprenda primero el color: haga clic en el objetivo en una imagen de cámara.</translation>
     </message>
     <message>
-        <source>Click: add a sample · Alt: exclude · Esc</source>
-        <translation>Clic: añadir una muestra · Alt: excluir · Esc</translation>
+        <source>Click: add a sample · Alt: exclude · Esc: stop</source>
+        <translation>Clic: añadir una muestra · Alt: excluir · Esc: terminar</translation>
     </message>
     <message>
-        <source>Click a color to exclude · Esc</source>
-        <translation>Clic: excluir un color · Esc</translation>
+        <source>Click: exclude a color · Esc: stop</source>
+        <translation>Clic: excluir un color · Esc: terminar</translation>
     </message>
     <message>
-        <source>Click: learn · Shift: add · Alt: exclude · Esc</source>
-        <translation>Clic: aprender · Mayús: añadir · Alt: excluir · Esc</translation>
+        <source>Click: learn · Shift: add · Alt: exclude · Esc: stop</source>
+        <translation>Clic: aprender · Mayús: añadir · Alt: excluir · Esc: terminar</translation>
     </message>
     <message>
         <source>Click the object in a camera image, or drag a box around it.
@@ -5375,8 +5375,8 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Límite alcanzado: un punto saldría del campo de visión de la cámara</translation>
     </message>
     <message>
-        <source>Limit reached: the held points and this point lie on one ray or line</source>
-        <translation>Límite alcanzado: los puntos sujetos y este están en un mismo rayo o recta</translation>
+        <source>Limit reached: this point and the held points lie on one line</source>
+        <translation>Límite alcanzado: este punto y los puntos sujetos están en una misma recta</translation>
     </message>
     <message>
         <source>Limit reached: no nearby pose keeps the held points in place</source>
@@ -5717,12 +5717,12 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Parámetros</translation>
     </message>
     <message>
-        <source>More than “%1”: %2 is used.</source>
-        <translation>Mayor que «%1»: se usa %2.</translation>
+        <source>This is more than “%1”: %2 is used instead.</source>
+        <translation>Es mayor que «%1»: en su lugar se usa %2.</translation>
     </message>
     <message>
-        <source>Less than “%1”, which has no effect then.</source>
-        <translation>Menor que «%1», que entonces no tiene efecto.</translation>
+        <source>This is less than “%1”, which therefore has no effect.</source>
+        <translation>Es menor que «%1», que por eso no tiene efecto.</translation>
     </message>
     <message>
         <source>Tracking method. Changing it restarts tracking; other settings are kept.</source>
@@ -5807,7 +5807,7 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>N.º</translation>
     </message>
     <message>
-        <source>Number of the person; it is not used again in this run</source>
+        <source>Number of the person; nobody else gets it in this run</source>
         <translation>Número de la persona; no se reutiliza en esta ejecución</translation>
     </message>
     <message>
@@ -6161,8 +6161,8 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>%1: sus puntos están en una recta, añada un punto fuera de ella</translation>
     </message>
     <message>
-        <source>%1: %2, but a second pose fits equally well: add a point outside the plane</source>
-        <translation>%1: %2, pero otra pose encaja igual: añada un punto fuera del plano</translation>
+        <source>%1: average error %2, but a second pose fits equally well: add a point outside the plane of the others</source>
+        <translation>%1: error medio %2, pero otra pose encaja igual: añada un punto fuera del plano de los demás</translation>
     </message>
     <message>
         <source>%1: no pose fits the clicked points</source>
@@ -6173,8 +6173,8 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>%1 (ignore esto si la cámara está montada así)</translation>
     </message>
     <message>
-        <source>%1: after that, its points fit within %2</source>
-        <translation>%1: después, sus puntos encajan a %2</translation>
+        <source>%1. Once corrected, the average error is %2</source>
+        <translation>%1. Una vez corregido, el error medio es de %2</translation>
     </message>
     <message>
         <source>%1 does not fit the other points (%2, %3): measure or click it again</source>
@@ -6380,11 +6380,11 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Otro objeto encaja casi igual de bien. Pulse X y arrastre el objetivo a su posición real.</translation>
     </message>
     <message>
-        <source>Not found yet, or not seen for less than a second.</source>
+        <source>Not found yet, or out of sight for less than a second.</source>
         <translation>Aún no encontrado, o sin verse desde hace menos de un segundo.</translation>
     </message>
     <message>
-        <source>Not seen for more than a second. The status bar shows why.</source>
+        <source>Out of sight for more than a second. The status bar shows why.</source>
         <translation>Sin verse desde hace más de un segundo. La barra de estado muestra por qué.</translation>
     </message>
     <message>
@@ -6432,7 +6432,7 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Mostrar leyenda…</translation>
     </message>
     <message>
-        <source>Open the legend of all that is drawn over the images</source>
+        <source>Open the legend of everything drawn over the images</source>
         <translation>Abrir la leyenda de todo lo que se dibuja sobre las imágenes</translation>
     </message>
     <message>
@@ -6496,8 +6496,8 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
 <context>
     <name>dewpoint::ui::RigPlanner</name>
     <message>
-        <source>With %1 here (x %2, y %3, z %4), %5 of the volume is within %6, instead of %7.</source>
-        <translation>Con %1 aquí (x %2, y %3, z %4), el %5 del volumen queda dentro de %6, en vez del %7.</translation>
+        <source>With %1 here (x %2, y %3, z %4), the error is at most %6 in %5 of the volume, instead of %7.</source>
+        <translation>Con %1 aquí (x %2, y %3, z %4), el error es como mucho %6 en el %5 del volumen, en vez de en el %7.</translation>
     </message>
 </context>
 <context>
@@ -6511,8 +6511,8 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>La pose de %1 no se puede recalcular ahora.</translation>
     </message>
     <message>
-        <source>Recompute %1</source>
-        <translation>Recalcular %1</translation>
+        <source>Recompute pose of %1</source>
+        <translation>Recalcular pose de %1</translation>
     </message>
     <message>
         <source>The pose of %1 was recomputed. Undo restores the previous pose.</source>
@@ -6538,7 +6538,7 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>sin fijar</translation>
     </message>
     <message>
-        <source>%1, kept in %2 % of the iterations of this run</source>
+        <source>%1, met in %2 % of the iterations of this run</source>
         <translation>%1, cumplido en el %2 % de las iteraciones de esta ejecución</translation>
     </message>
     <message>
@@ -6570,7 +6570,7 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Semilla aleatoria</translation>
     </message>
     <message>
-        <source>History memory</source>
+        <source>Memory used by the history</source>
         <translation>Memoria del historial</translation>
     </message>
     <message>
@@ -6720,8 +6720,8 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>También puede soltar un proyecto o vídeos sobre esta ventana.</translation>
     </message>
     <message>
-        <source>Watch it converge</source>
-        <translation>Vea cómo converge</translation>
+        <source>Watch the filter converge</source>
+        <translation>Vea cómo converge el filtro</translation>
     </message>
     <message>
         <source>A cloud of guesses slides along a line of sight and snaps onto the ball.</source>
@@ -6855,12 +6855,12 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>mirando atrás</translation>
     </message>
     <message>
-        <source>Playing, paused, at the end, looking back at an earlier frame, or tracking it again</source>
-        <translation>En marcha, en pausa, al final, mirando un fotograma anterior o siguiéndolo de nuevo</translation>
+        <source>Playing, paused, at the end, looking back at an earlier frame, or tracking again</source>
+        <translation>En marcha, en pausa, al final, mirando un fotograma anterior o siguiendo de nuevo</translation>
     </message>
     <message>
-        <source>held at its estimated position</source>
-        <translation>se mantiene en su posición estimada</translation>
+        <source>the box stays at its estimated position</source>
+        <translation>el recuadro se queda en su posición estimada</translation>
     </message>
     <message>
         <source>click the object or drag a box around it</source>
@@ -6907,8 +6907,8 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Detalles</translation>
     </message>
     <message>
-        <source>Times, particles and history memory</source>
-        <translation>Tiempos, partículas y memoria del historial</translation>
+        <source>Timing, particles and memory used</source>
+        <translation>Tiempos, partículas y memoria usada</translation>
     </message>
 </context>
 <context>
@@ -7016,8 +7016,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>radio %1</translation>
     </message>
     <message>
-        <source>radius %1 (found)</source>
-        <translation>radio %1 (encontrado)</translation>
+        <source>radius %1 (estimated)</source>
+        <translation>radio %1 (estimado)</translation>
     </message>
     <message>
         <source>radius unknown</source>
@@ -7086,8 +7086,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
 <context>
     <name>dewpoint::ui::Timeline</name>
     <message>
-        <source>Memory for looking back: images, particles and copies of the method. When it is full, only the estimates of older frames are kept.</source>
-        <translation>Memoria para mirar atrás: imágenes, partículas y copias del método. Cuando se llena, de los fotogramas antiguos solo se conservan las estimaciones.</translation>
+        <source>Memory for looking back: images, particles and saved states of the method. When it is full, only the estimates of older frames are kept.</source>
+        <translation>Memoria para mirar atrás: imágenes, partículas y estados guardados del método. Cuando se llena, de los fotogramas antiguos solo se conservan las estimaciones.</translation>
     </message>
     <message>
         <source>Nothing tracked yet: press play (Space), then drag here to move through time.</source>
@@ -7121,8 +7121,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Añadir instante actual</translation>
     </message>
     <message>
-        <source>Add the time of the images shown as one at which the ball does this</source>
-        <translation>Añadir el instante de las imágenes mostradas como uno en que la pelota hace esto</translation>
+        <source>Add the time of the images shown to the list; the ball must do this in them</source>
+        <translation>Añadir a la lista el instante de las imágenes mostradas; la pelota debe hacer esto en ellas</translation>
     </message>
     <message>
         <source>Remove time</source>
@@ -7331,7 +7331,7 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Error aceptable</translation>
     </message>
     <message>
-        <source>Errors up to this value are blue in the map. The summary and the search for a camera position use it, too</source>
+        <source>Errors up to this value are blue in the map. The summary and the search for a camera position also use this value</source>
         <translation>Los errores hasta este valor son azules en el mapa. También lo usan el resumen y la búsqueda de una posición de cámara</translation>
     </message>
     <message>
@@ -7367,8 +7367,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Superficies en torno a zonas buenas y aceptables</translation>
     </message>
     <message>
-        <source>Show surfaces in the room where the error is at most 0.4, 1 and 2 times the acceptable error, or where two, three and four cameras see</source>
-        <translation>Mostrar en la sala superficies donde el error es como mucho 0,4, 1 y 2 veces el error aceptable, o donde ven dos, tres y cuatro cámaras</translation>
+        <source>Show surfaces in the room around the regions where the error is at most 0.4, 1 and 2 times the acceptable error, or that two, three and four cameras see</source>
+        <translation>Mostrar en la sala superficies alrededor de las regiones donde el error es como mucho 0,4, 1 y 2 veces el error aceptable, o que ven dos, tres y cuatro cámaras</translation>
     </message>
     <message>
         <source>Volume from x, y, z</source>
@@ -7403,8 +7403,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>El volumen sobre la cuadrícula de referencia, hasta la cámara más alta</translation>
     </message>
     <message>
-        <source>%1 of the volume within %2, %3 seen by fewer than two cameras</source>
-        <translation>%1 del volumen dentro de %2, %3 visto por menos de dos cámaras</translation>
+        <source>Error within %2 in %1 of the volume; %3 seen by fewer than two cameras</source>
+        <translation>Error de hasta %2 en %1 del volumen; %3 visto por menos de dos cámaras</translation>
     </message>
 </context>
 <context>
@@ -7562,7 +7562,7 @@ Tamaño efectivo de la muestra %8 de %9</translation>
 <context>
     <name>dewpoint::ui::WandCalibrator</name>
     <message>
-        <source>Press Start waving, then wave for half a minute in the volume in which you want to track.</source>
+        <source>Press “Start waving”, then wave for half a minute in the volume in which you want to track.</source>
         <translation>Pulse «Empezar a agitar» y agite durante medio minuto en el volumen en que quiere seguir.</translation>
     </message>
     <message>
@@ -7609,8 +7609,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Tipo de varita</translation>
     </message>
     <message>
-        <source>A wand with two balls also gives the size, more accurately than the other ways</source>
-        <translation>Una varita con dos pelotas da también el tamaño, con más precisión que las otras formas</translation>
+        <source>A wand with two balls also gives the scale, more accurately than the other ways</source>
+        <translation>Una varita con dos pelotas da también la escala, con más precisión que las otras formas</translation>
     </message>
     <message>
         <source>Ball</source>
@@ -7645,12 +7645,12 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation> cm</translation>
     </message>
     <message>
-        <source>Size from</source>
-        <translation>Tamaño de</translation>
+        <source>Scale from</source>
+        <translation>Escala de</translation>
     </message>
     <message>
-        <source>Source of the size</source>
-        <translation>Origen del tamaño</translation>
+        <source>Source of the scale</source>
+        <translation>Origen de la escala</translation>
     </message>
     <message>
         <source>Images alone cannot show whether a room is large or small. A diameter is accurate to about one percent, a distance as accurately as you measure it</source>
@@ -7836,8 +7836,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Retraso adicional de las imágenes de esta cámara respecto a la primera</translation>
     </message>
     <message>
-        <source>This is less accurate than the initial cameras (error up to %1): wave through more of the volume.</source>
-        <translation>Esto es menos preciso que las cámaras iniciales (error de hasta %1): agite por una parte mayor del volumen.</translation>
+        <source>The result is less accurate than the initial camera positions (error up to %1): wave through more of the volume.</source>
+        <translation>El resultado es menos preciso que las posiciones iniciales de las cámaras (error de hasta %1): agite por una parte mayor del volumen.</translation>
     </message>
     <message>
         <source>Camera delays are saved in the project and used to synchronize images from now on.</source>
@@ -7847,8 +7847,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
 <context>
     <name>dewpoint::ui::WandWaving</name>
     <message>
-        <source>Collect the positions of the ball in every camera; starting again discards what was collected before</source>
-        <translation>Reunir las posiciones de la pelota en cada cámara; empezar de nuevo descarta lo reunido antes</translation>
+        <source>Collect positions of the ball from all camera images; starting again discards those collected before</source>
+        <translation>Reunir posiciones de la pelota de todas las imágenes; empezar de nuevo descarta las reunidas antes</translation>
     </message>
     <message>
         <source>■ Stop waving</source>
@@ -7875,12 +7875,12 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>%1 reunidos.</translation>
     </message>
     <message>
-        <source>Every camera saw enough: stop, or refine.</source>
-        <translation>Cada cámara vio bastante: pare o refine.</translation>
+        <source>Every camera has seen the ball often enough: stop waving, or refine.</source>
+        <translation>Cada cámara ha visto la pelota bastantes veces: deje de agitar o refine.</translation>
     </message>
     <message>
-        <source>Continue: each camera should see the ball 150 times, in half of its image.</source>
-        <translation>Siga: cada cámara debería ver la pelota 150 veces, en la mitad de su imagen.</translation>
+        <source>Keep waving: each camera should see the ball 150 times, spread over half of its image.</source>
+        <translation>Siga agitando: cada cámara debería ver la pelota 150 veces, repartidas por la mitad de su imagen.</translation>
     </message>
     <message>
         <source>Frames skipped because they arrived too fast: %1.</source>

@@ -168,8 +168,8 @@
         <translation>ビューの配置を既定に戻します</translation>
     </message>
     <message>
-        <source>Colors of the system</source>
-        <translation>システムの配色</translation>
+        <source>Use the system&apos;s light or dark colors</source>
+        <translation>システムの配色（ライトまたはダーク）を使います</translation>
     </message>
     <message>
         <source>Light</source>
@@ -248,7 +248,7 @@
         <translation>ここから再追跡</translation>
     </message>
     <message>
-        <source>Track again from the frame shown with the current method, parameters and colors; pause to stop</source>
+        <source>Starting at the frame shown, track again with the current method, parameters and colors; pause to stop</source>
         <translation>表示中のフレームから、現在の手法・パラメータ・色で追跡し直します。一時停止で止まります</translation>
     </message>
     <message>
@@ -348,7 +348,7 @@
         <translation>誤差を表示</translation>
     </message>
     <message>
-        <source>Distance between estimate and ground truth, if it is known</source>
+        <source>Distance between estimate and ground truth, if the truth is known</source>
         <translation>真値がわかる場合の、推定と真値の距離</translation>
     </message>
     <message>
@@ -360,15 +360,15 @@
         <translation>ターゲットごとの各フィルター反復にかかった時間（マイクロ秒）</translation>
     </message>
     <message>
-        <source>Over time</source>
-        <translation>時間軸</translation>
+        <source>Plot over time</source>
+        <translation>時間軸で表示</translation>
     </message>
     <message>
         <source>Plot against time in seconds instead of filter iterations</source>
         <translation>フィルター反復ではなく時間（秒）に対して表示します</translation>
     </message>
     <message>
-        <source>Whole run</source>
+        <source>Show whole run</source>
         <translation>全体を表示</translation>
     </message>
     <message>
@@ -396,7 +396,7 @@
         <translation>軌跡を CSV でコピー</translation>
     </message>
     <message>
-        <source>Copy the selected rows of the trajectory, or all</source>
+        <source>Copy the selected rows of the trajectory, or all rows if none is selected</source>
         <translation>軌跡の選択行（なければ全行）をコピー</translation>
     </message>
     <message>
@@ -428,8 +428,8 @@
         <translation>ワンドで較正…</translation>
     </message>
     <message>
-        <source>Refine the cameras with a ball, or a wand with two balls, that you wave</source>
-        <translation>ボール、または2つのボールの付いたワンドを振ってカメラを精密化します</translation>
+        <source>Refine the calibration by waving a ball, or a wand with two balls</source>
+        <translation>ボール、または2つのボールの付いたワンドを振ってキャリブレーションを精密化します</translation>
     </message>
     <message>
         <source>Calibration</source>
@@ -532,8 +532,8 @@
         <translation>人物の体積を表示</translation>
     </message>
     <message>
-        <source>Show the hull that holds 95 % of each person, and the density of each on the floor</source>
-        <translation>各人物の 95 % を含む凸包と、床の上での密度を表示</translation>
+        <source>Show the hull that contains 95 % of each person, and contour lines of the person&apos;s density on the floor</source>
+        <translation>各人物の 95 % を含む凸包と、床の上での密度の等高線を表示</translation>
     </message>
     <message>
         <source>Filter threads…</source>
@@ -708,8 +708,8 @@
         <translation>マニュアル</translation>
     </message>
     <message>
-        <source>Open the manual at the page of the view that is in use</source>
-        <translation>使用中のビューのページでマニュアルを開きます</translation>
+        <source>Open the manual at the page about the active view</source>
+        <translation>アクティブなビューについてのページでマニュアルを開きます</translation>
     </message>
     <message>
         <source>Quick start</source>
@@ -771,12 +771,12 @@
 <context>
     <name>AssessedRegions</name>
     <message>
-        <source>matches too</source>
+        <source>also matches</source>
         <translation>これも一致</translation>
     </message>
     <message>
-        <source>also the target (Alt-click if not)</source>
-        <translation>これもターゲット (違う場合は Alt+クリック)</translation>
+        <source>recognized as the target (Alt-click if not)</source>
+        <translation>ターゲットと認識 (違う場合は Alt+クリック)</translation>
     </message>
 </context>
 <context>
@@ -786,8 +786,8 @@
         <translation>%1: RMS %2、焦点距離 %3、画像 %4 枚、精度 %5</translation>
     </message>
     <message>
-        <source>The corners cover only %1 % of its image: show the board in every part of the image, also tilted.</source>
-        <translation>角が覆うのは画像の %1 % だけです。画像のあらゆる場所で、傾けても見せてください。</translation>
+        <source>The board&apos;s corners cover only %1 % of the image: show the board in every part of the image, and tilt it too.</source>
+        <translation>ボードの角が覆うのは画像の %1 % だけです。画像のあらゆる場所で、傾けても見せてください。</translation>
     </message>
     <message>
         <source>%1 keeps its position: it never saw the board.</source>
@@ -798,8 +798,8 @@
         <translation>%1: RMS %2</translation>
     </message>
     <message>
-        <source>, position ±%1, direction ±%2</source>
-        <translation>、位置 ±%1、向き ±%2</translation>
+        <source>%1: RMS %2, position ±%3, direction ±%4</source>
+        <translation>%1: RMS %2、位置 ±%3、向き ±%4</translation>
     </message>
     <message>
         <source>Intrinsics</source>
@@ -882,8 +882,8 @@
         <translation>ボードを動かす: %1</translation>
     </message>
     <message>
-        <source>Tilt the board, %1</source>
-        <translation>ボードを傾ける: %1</translation>
+        <source>Turn the board: %1</source>
+        <translation>ボードの向き: %1</translation>
     </message>
     <message>
         <source>Move the board closer</source>
@@ -946,11 +946,11 @@
         <translation>他のカメラと共通のビュー %1</translation>
     </message>
     <message>
-        <source>The positions were not found: %1</source>
-        <translation>位置は求められませんでした: %1</translation>
+        <source>The camera positions could not be computed: %1</source>
+        <translation>カメラの位置を計算できませんでした: %1</translation>
     </message>
     <message>
-        <source>The accuracy cannot be estimated: two cameras saw the board together too rarely.</source>
+        <source>The accuracy cannot be estimated: the board was too rarely seen by two cameras at once.</source>
         <translation>精度を見積もれません。2台のカメラが同時にボードを見た回数が少なすぎます。</translation>
     </message>
 </context>
@@ -972,16 +972,16 @@
         <translation>%1 と %2 を入れ替えるとすべて合います。動画が逆になっているようです。2つのファイルを入れ替えてください。</translation>
     </message>
     <message>
-        <source>%1 fits when its video is shifted: it likely shows everything %2 frames late. Synchronize the videos, or let time offsets be found.</source>
-        <translation>%1 は動画をずらすと合います。おそらくすべてが %2 フレーム遅れています。動画を同期させるか、時間のずれを求めてください。</translation>
+        <source>%1 fits when its video is shifted in time: the video is probably %2 frames late. Synchronize the videos, or calibrate with a wand and “Find time offsets”.</source>
+        <translation>%1 は動画の時間をずらすと合います。おそらく %2 フレーム遅れています。動画を同期させるか、「時間のずれを求める」を選んでワンドで校正してください。</translation>
     </message>
     <message>
-        <source>%1 fits when its video is shifted: it likely shows everything %2 frames early. Synchronize the videos, or let time offsets be found.</source>
-        <translation>%1 は動画をずらすと合います。おそらくすべてが %2 フレーム早まっています。動画を同期させるか、時間のずれを求めてください。</translation>
+        <source>%1 fits when its video is shifted in time: the video is probably %2 frames early. Synchronize the videos, or calibrate with a wand and “Find time offsets”.</source>
+        <translation>%1 は動画の時間をずらすと合います。おそらく %2 フレーム早まっています。動画を同期させるか、「時間のずれを求める」を選んでワンドで校正してください。</translation>
     </message>
     <message>
-        <source>%1 fits one pose before %2 and another after it: the camera was probably moved. Calibrate with the part after that time.</source>
-        <translation>%1 は %2 より前と後で姿勢が異なります。カメラが動かされたようです。その後の部分で較正してください。</translation>
+        <source>%1 fits one pose before %2 and another pose after that time: the camera was probably moved. Calibrate with the later part only.</source>
+        <translation>%1 は %2 より前と後で姿勢が異なります。カメラが動かされたようです。後の部分だけで較正してください。</translation>
     </message>
     <message>
         <source>%1 fits only with flipped images: its video is probably mirrored or upside down. Set the rotation and mirroring of its images.</source>
@@ -992,12 +992,12 @@
         <translation>%1 は焦点距離を %2 倍にすると合います。ズームまたは切り出しが変わったようです。内部パラメータを較正し直してください。</translation>
     </message>
     <message>
-        <source>The lens data of %1 are likely for another resolution: its images are %2 times as large. Convert them, or record at the calibrated size.</source>
-        <translation>%1 のレンズデータは別の解像度のもののようです。画像は %2 倍の大きさです。換算するか、較正した大きさで録画してください。</translation>
+        <source>The intrinsics of %1 are probably for another resolution: its images are %2 times as large. Convert the intrinsics, or record at the calibrated size.</source>
+        <translation>%1 の内部パラメータは別の解像度のもののようです。画像は %2 倍の大きさです。内部パラメータを換算するか、較正した大きさで録画してください。</translation>
     </message>
     <message>
-        <source>In this volume ±%1 (95 %)</source>
-        <translation>この空間内で ±%1 (95 %)</translation>
+        <source>In this volume: position ±%1 (95 %)</source>
+        <translation>この空間内: 位置 ±%1 (95 %)</translation>
     </message>
     <message>
         <source>, scale ±%1 %</source>
@@ -1008,20 +1008,20 @@
         <translation>、縮尺は不明</translation>
     </message>
     <message>
-        <source>, up ±%1</source>
-        <translation>、鉛直 ±%1</translation>
+        <source>, upward direction ±%1</source>
+        <translation>、鉛直方向 ±%1</translation>
     </message>
     <message>
-        <source>, up not measured</source>
-        <translation>、鉛直は未測定</translation>
+        <source>, upward direction not measured</source>
+        <translation>、鉛直方向は未測定</translation>
     </message>
     <message>
         <source>all cameras</source>
         <translation>全カメラ</translation>
     </message>
     <message>
-        <source>The cameras would all look at the back of the board or floor: its points are likely mirrored. Check the direction of its axes, and that the print is not reversed.</source>
-        <translation>すべてのカメラがボードまたは床の裏側を見ていることになります。点が鏡像になっているようです。軸の向きと、印刷が反転していないことを確かめてください。</translation>
+        <source>All cameras seem to see the back of the board or floor: its points are probably mirrored. Check the direction of the axes, and that the print is not reversed.</source>
+        <translation>すべてのカメラがボードまたは床の裏側を見ているようです。点がおそらく鏡像になっています。軸の向きと、印刷が反転していないことを確かめてください。</translation>
     </message>
     <message>
         <source>The given length is %1 times what the cameras see: millimeters and meters are likely mixed up.</source>
@@ -1040,8 +1040,8 @@
         <translation>指定したマス目の大きさはカメラの見る大きさの %1 倍です。定規で1列を測ってください（印刷はよく拡大縮小されます）。</translation>
     </message>
     <message>
-        <source>The images fit when shifted by %1 along both axes: a program likely counts pixels from their corners. Convert the principal points.</source>
-        <translation>画像は両軸に %1 ずらすと合います。ピクセルの角を原点に数えるツールがあるようです。主点を換算してください。</translation>
+        <source>The images fit when shifted by %1 along both axes: the calibration probably counts pixels from their corners, not their centers. Convert the principal points.</source>
+        <translation>画像は両軸に %1 ずらすと合います。おそらくキャリブレーションがピクセルを中心ではなく角から数えています。主点を換算してください。</translation>
     </message>
 </context>
 <context>
@@ -1067,12 +1067,12 @@
         <translation>%1 と %2 が入れ替わっているようです。</translation>
     </message>
     <message>
-        <source>%1 or %2 looks at least %3 away from its calibration.</source>
-        <translation>%1 または %2 の向きが、キャリブレーションから少なくとも %3 ずれています。</translation>
+        <source>%1 or %2 points at least %3 away from its calibrated direction.</source>
+        <translation>%1 または %2 の向きが、キャリブレーションの向きから少なくとも %3 ずれています。</translation>
     </message>
     <message>
-        <source>%1 looks about %2 away from its calibration.</source>
-        <translation>%1 の向きが、キャリブレーションから約 %2 ずれています。</translation>
+        <source>%1 points about %2 away from its calibrated direction.</source>
+        <translation>%1 の向きが、キャリブレーションの向きから約 %2 ずれています。</translation>
     </message>
     <message>
         <source>%1 and %2 disagree about where the target is. Calibrate them again.</source>
@@ -1083,16 +1083,16 @@
         <translation>%1 が他のカメラと一致しません。キャリブレーションをやり直してください。</translation>
     </message>
     <message>
-        <source>%1 is about %2 late.</source>
-        <translation>%1 は約 %2 遅れています。</translation>
+        <source>The images of %1 are about %2 late.</source>
+        <translation>%1 の画像は約 %2 遅れています。</translation>
     </message>
     <message>
-        <source>%1 is about %2 early.</source>
-        <translation>%1 は約 %2 早くなっています。</translation>
+        <source>The images of %1 are about %2 early.</source>
+        <translation>%1 の画像は約 %2 早くなっています。</translation>
     </message>
     <message>
-        <source>The calibration seems to be in %1.</source>
-        <translation>キャリブレーションの単位が%1になっているようです。</translation>
+        <source>The calibration seems to be in %1 instead of meters.</source>
+        <translation>キャリブレーションの単位がメートルではなく%1になっているようです。</translation>
     </message>
     <message>
         <source>%1 and %2 have the same pose.</source>
@@ -1107,8 +1107,8 @@
         <translation>%1 の遅れを設定</translation>
     </message>
     <message>
-        <source>Rotate %1</source>
-        <translation>%1 を回転</translation>
+        <source>Correct direction of %1</source>
+        <translation>%1 の向きを修正</translation>
     </message>
     <message>
         <source>Convert to meters</source>
@@ -1139,20 +1139,20 @@
 <context>
     <name>ClickRadiusText</name>
     <message>
-        <source>Its radius seems to be about %1.</source>
-        <translation>半径は約 %1 のようです。</translation>
+        <source>The target&apos;s radius seems to be about %1.</source>
+        <translation>ターゲットの半径は約 %1 のようです。</translation>
     </message>
     <message>
-        <source>Its radius seems to be about %1, but %2 is given. Is that its diameter?</source>
-        <translation>半径は約 %1 のようですが、%2 と指定されています。それは直径ではありませんか?</translation>
+        <source>The target&apos;s radius seems to be about %1, but %2 is given. Is that the diameter?</source>
+        <translation>ターゲットの半径は約 %1 のようですが、%2 と指定されています。それは直径ではありませんか?</translation>
     </message>
     <message>
-        <source>Its radius seems to be about %1, but %2 is given.</source>
-        <translation>半径は約 %1 のようですが、%2 と指定されています。</translation>
+        <source>The target&apos;s radius seems to be about %1, but %2 is given.</source>
+        <translation>ターゲットの半径は約 %1 のようですが、%2 と指定されています。</translation>
     </message>
     <message>
-        <source>This is part of a larger object of the same color. It is tracked as a ball with radius %1, starting at the marked spot.</source>
-        <translation>これは同じ色のより大きな物体の一部です。印を付けた場所から、半径 %1 の球として追跡します。</translation>
+        <source>The marked spot is part of a larger object of the same color. Only this spot is tracked, as a ball with radius %1.</source>
+        <translation>印を付けた場所は、同じ色のより大きな物体の一部です。この場所だけを、半径 %1 の球として追跡します。</translation>
     </message>
 </context>
 <context>
@@ -1201,19 +1201,19 @@
         <translation>右下</translation>
     </message>
     <message>
-        <source>Stands out well: %1 of 100.</source>
+        <source>Stands out well (%1 of 100 points).</source>
         <translation>よく見分けられます: 100点中%1点。</translation>
     </message>
     <message>
-        <source>Stands out: %1 of 100.</source>
+        <source>Stands out (%1 of 100 points).</source>
         <translation>見分けられます: 100点中%1点。</translation>
     </message>
     <message>
-        <source>Hard to tell apart: %1 of 100.</source>
+        <source>Hard to tell apart (%1 of 100 points).</source>
         <translation>見分けにくい色です: 100点中%1点。</translation>
     </message>
     <message>
-        <source>Hardly stands out: %1 of 100.</source>
+        <source>Hardly stands out (%1 of 100 points).</source>
         <translation>ほとんど見分けられません: 100点中%1点。</translation>
     </message>
     <message>
@@ -1269,7 +1269,7 @@
         <translation>ターゲットの多くが一致しません。明るい側と暗い側を Shift クリックしてください。</translation>
     </message>
     <message>
-        <source>Alt-click what also matches to exclude it.</source>
+        <source>Exclude the other matching objects: Alt-click them.</source>
         <translation>一致している別の物を Alt クリックして除外してください。</translation>
     </message>
     <message>
@@ -1289,12 +1289,12 @@
         <translation>ターゲットがほぼ灰色です。もっと鮮やかな色が良いでしょう。</translation>
     </message>
     <message>
-        <source>This fills much of the image: click only the target, or drag a box on it.</source>
-        <translation>画像の大部分を占めています。ターゲットだけをクリックするか、その上で枠を引いてください。</translation>
+        <source>The clicked region fills much of the image: click only the target, or drag a box on it.</source>
+        <translation>クリックした領域が画像の大部分を占めています。ターゲットだけをクリックするか、その上で枠を引いてください。</translation>
     </message>
     <message>
-        <source>%1 % of the images match. Shift-click the target to learn how well it stands out.</source>
-        <translation>画像の %1 % が一致します。ターゲットを Shift クリックすると、どれだけ見分けやすいか分かります。</translation>
+        <source>%1 % of the pixels match. Shift-click the target to see how well it stands out.</source>
+        <translation>ピクセルの %1 % が一致します。ターゲットを Shift クリックすると、どれだけ見分けやすいか分かります。</translation>
     </message>
     <message>
         <source>%1 % of the background matches too.</source>
@@ -1305,7 +1305,7 @@
         <translation>学習した色にほとんど合わない見本があります。周りが同じ色か、別の物体を示しています。</translation>
     </message>
     <message>
-        <source>A %1 region %2 of %3 also matches.</source>
+        <source>In the image of %3, a region %2 also matches (%1).</source>
         <translation>%3 の%2にある%1も一致します。</translation>
     </message>
     <message>
@@ -1317,8 +1317,8 @@
         <translation>小さな点だけがクリックされました。ターゲット全体の上で枠を引いてください。</translation>
     </message>
     <message>
-        <source>Only %1 % of the target and %2 % of the background match.</source>
-        <translation>ターゲットの %1 % と背景の %2 % だけが一致します。</translation>
+        <source>Only %1 % of the target matches, and %2 % of the background matches too.</source>
+        <translation>ターゲットの %1 % しか一致せず、背景の %2 % も一致します。</translation>
     </message>
     <message>
         <source>A range that covers the whole target would match %1 % of the background.</source>
@@ -1358,12 +1358,12 @@
         <translation>書き込めません</translation>
     </message>
     <message>
-        <source>does not fit the rest</source>
+        <source>does not match the other data</source>
         <translation>ほかの内容と合いません</translation>
     </message>
     <message>
-        <source>ended before its announced end</source>
-        <translation>示された終わりより前に途切れました</translation>
+        <source>ended before its expected end</source>
+        <translation>予定の終わりより前に途切れました</translation>
     </message>
     <message>
         <source>failed</source>
@@ -1394,7 +1394,7 @@
         <translation>ファイルがありません</translation>
     </message>
     <message>
-        <source>the observations do not determine it</source>
+        <source>cannot be determined from the observations</source>
         <translation>観測からは決まりません</translation>
     </message>
     <message>
@@ -1402,8 +1402,8 @@
         <translation>内容を解釈できません</translation>
     </message>
     <message>
-        <source>there is nothing of this name</source>
-        <translation>この名前のものはありません</translation>
+        <source>not found</source>
+        <translation>見つかりません</translation>
     </message>
     <message>
         <source>this key is missing</source>
@@ -1425,24 +1425,24 @@
         <translation>Barrera ら 2005、図3:雲がボールを見つけるまで、両カメラに投影したパーティクル。</translation>
     </message>
     <message>
-        <source>Barrera et al. 2005, figure 4: the same cloud from above.</source>
-        <translation>Barrera ら 2005、図4:同じ雲を上から見たもの。</translation>
+        <source>Barrera et al. 2005, figure 4: the particle cloud of figure 3 from above.</source>
+        <translation>Barrera ら 2005、図4:図3のパーティクルの雲を上から見たもの。</translation>
     </message>
     <message>
         <source>Barrera et al. 2005, figure 6: the object jumps 2 m at iteration 30.</source>
         <translation>Barrera ら 2005、図6:30回目の反復で物体が2 m移動します。</translation>
     </message>
     <message>
-        <source>Barrera et al. 2005, figure 7: the same for motion sigmas from 0.001 to 0.3 m, as an image.</source>
-        <translation>Barrera ら 2005、図7:モーションシグマ0.001〜0.3 mについて画像で示します。</translation>
+        <source>Barrera et al. 2005, figure 7: the error for the jump of figure 6 and motion sigmas from 0.001 to 0.3 m, as an image.</source>
+        <translation>Barrera ら 2005、図7:図6の移動での誤差を、モーションシグマ0.001〜0.3 mについて画像で示します。</translation>
     </message>
     <message>
         <source>Barrera et al. 2005, figure 8: the cloud at six instants, with a small and a large motion sigma.</source>
         <translation>Barrera ら 2005、図8:小さいシグマと大きいシグマでの6時点の雲。</translation>
     </message>
     <message>
-        <source>Barrera et al. 2005, section III-B: the share of runs that converge for each start volume, and starts behind the ball.</source>
-        <translation>Barrera ら 2005、III-B節：開始体積ごとの収束した実行の割合と、ボールの後ろからの開始。</translation>
+        <source>Barrera et al. 2005, section III-B: the share of runs that converge, for several start volumes and for starts behind the ball.</source>
+        <translation>Barrera ら 2005、III-B節：いくつかの開始体積と、ボールの後ろからの開始について、収束した実行の割合。</translation>
     </message>
     <message>
         <source>Barrera et al. 2005, section III-B: with one camera, the cloud moves away from the camera.</source>
@@ -1497,11 +1497,11 @@
         <translation>枠：誤差、成功率、精度</translation>
     </message>
     <message>
-        <source>Mohedano et al. 2009: people enter and leave; how long an estimate stays without a person, and a person without an estimate.</source>
+        <source>Mohedano et al. 2009: people enter and leave; how long estimates exist without a person, and how long people have no estimate.</source>
         <translation>Mohedano ら 2009：人が出入りします。人のいない推定が続く時間と、推定のない人がいる時間を調べます。</translation>
     </message>
     <message>
-        <source>Mohedano et al. 2009: two people meet and walk on; motion alone may confuse them, color keeps them apart when their clothes differ.</source>
+        <source>Mohedano et al. 2009: two people meet and walk on; motion alone may mix them up, color tells them apart when their clothes differ.</source>
         <translation>Mohedano ら 2009：2 人が出会って通り過ぎます。動きだけでは取り違えることがあり、服が違えば色で区別できます。</translation>
     </message>
     <message>
@@ -1529,11 +1529,11 @@
         <translation>出会って引き返す人</translation>
     </message>
     <message>
-        <source>Sugandi et al. 2009, section 4: 100 and 300 particles, method histogram and four trackers of OpenCV on the same clips.</source>
+        <source>Sugandi et al. 2009, section 4: compares 100 and 300 particles, method histogram and four OpenCV trackers on the same clips.</source>
         <translation>Sugandi ら 2009、第 4 節：粒子 100 個と 300 個、手法 histogram、OpenCV の 4 つの追跡器を同じ映像で比べます。</translation>
     </message>
     <message>
-        <source>Mohedano et al. 2009: two people far apart. This is the easy case: no method may confuse them.</source>
+        <source>Mohedano et al. 2009: two people far apart. This is the easy case: no method may mix them up.</source>
         <translation>Mohedano ほか 2009: 互いに離れた二人。どの方法も取り違えてはならない易しい場合。</translation>
     </message>
     <message>
@@ -1617,7 +1617,7 @@
         <translation>部屋と同じ色の服</translation>
     </message>
     <message>
-        <source>Two people in clothes of the colors of walls, furniture and floor walk past each other.</source>
+        <source>Two people whose clothes have the colors of walls, furniture and floor walk past each other.</source>
         <translation>壁、家具、床と同じ色の服を着た 2 人がすれ違います。</translation>
     </message>
     <message>
@@ -1769,7 +1769,7 @@
         <translation>◌ 誰もいません</translation>
     </message>
     <message>
-        <source>– not there</source>
+        <source>– not present</source>
         <translation>– 不在</translation>
     </message>
     <message>
@@ -1792,8 +1792,8 @@
         <translation>空白：2台未満</translation>
     </message>
     <message>
-        <source>Cameras that see it</source>
-        <translation>見えるカメラの数</translation>
+        <source>Cameras that see a point</source>
+        <translation>点が見えるカメラの数</translation>
     </message>
     <message>
         <source>Expected error (1 σ)</source>
@@ -1803,12 +1803,12 @@
 <context>
     <name>MapOverlay</name>
     <message>
-        <source>Cameras that see it: %1</source>
-        <translation>見えるカメラ：%1台</translation>
+        <source>Cameras that see this point: %1</source>
+        <translation>この点が見えるカメラ：%1台</translation>
     </message>
     <message>
-        <source>±%1 (1 σ); cameras that see it: %2</source>
-        <translation>±%1（1 σ）、見えるカメラ：%2台</translation>
+        <source>Expected error: ±%1 (1 σ); cameras that see this point: %2</source>
+        <translation>予想誤差：±%1（1 σ）、この点が見えるカメラ：%2台</translation>
     </message>
 </context>
 <context>
@@ -1846,7 +1846,7 @@
         <translation>ターゲットの色と大きさを追跡し、隠れた後も見つけ直します。</translation>
     </message>
     <message>
-        <source>For comparison: confuses people who come close.</source>
+        <source>For comparison: mixes up people who come close to each other.</source>
         <translation>比較用：近づいた人を取り違えます。</translation>
     </message>
     <message>
@@ -1908,15 +1908,15 @@
 <context>
     <name>Parameter</name>
     <message>
-        <source>Half the x size of the box around the start in which particles start evenly spread; 0 starts them all at the same x.</source>
+        <source>Half the x size of the start box: the particles start evenly spread in this box; 0 starts them all at the same x.</source>
         <translation>開始点を囲む箱の x 方向の大きさの半分。粒子はこの箱の中に一様に散らばって始まります。0 ではすべて同じ x から始まります。</translation>
     </message>
     <message>
-        <source>Half the y size of the box around the start in which particles start evenly spread; 0 starts them all at the same y.</source>
+        <source>Half the y size of the start box: the particles start evenly spread in this box; 0 starts them all at the same y.</source>
         <translation>開始点を囲む箱の y 方向の大きさの半分。粒子はこの箱の中に一様に散らばって始まります。0 ではすべて同じ y から始まります。</translation>
     </message>
     <message>
-        <source>Half the z size of the box around the start in which particles start evenly spread; 0 starts them all at the same z.</source>
+        <source>Half the z size of the start box: the particles start evenly spread in this box; 0 starts them all at the same z.</source>
         <translation>開始点を囲む箱の z 方向の大きさの半分。粒子はこの箱の中に一様に散らばって始まります。0 ではすべて同じ z から始まります。</translation>
     </message>
     <message>
@@ -1992,11 +1992,11 @@
         <translation>最小粒子数</translation>
     </message>
     <message>
-        <source>How far the particles may be from the distribution that they represent (Kullback-Leibler divergence): smaller values use more particles where they are spread; 0 always uses all of them.</source>
-        <translation>粒子が、それらの表す分布からどれだけ離れてよいか（カルバック・ライブラー情報量）。小さいほど、粒子が散らばる所で多くの粒子を使います。0 では常にすべてを使います。</translation>
+        <source>How far the particles may be from the distribution that they represent (Kullback-Leibler divergence): smaller values use more particles when they are spread out; 0 always uses the largest number.</source>
+        <translation>粒子が、それらの表す分布からどれだけ離れてよいか（カルバック・ライブラー情報量）。小さいほど、粒子が散らばっているときに多くの粒子を使います。0 では常に最大数を使います。</translation>
     </message>
     <message>
-        <source>How long a target still counts as present when no camera can see where it should be.</source>
+        <source>How long a target still counts as present when no camera can see its expected position.</source>
         <translation>ターゲットがあるはずの場所をどのカメラからも見られないとき、まだそこにあるとみなす時間。</translation>
     </message>
     <message>
@@ -2028,8 +2028,8 @@
         <translation>時間の上限</translation>
     </message>
     <message>
-        <source>How long one iteration may take. To meet it, fewer particles are used and searches are spread over several frames. 0 sets no limit. With a limit, a run depends on the speed of the computer and cannot be repeated bit by bit.</source>
-        <translation>1 回の反復にかけてよい時間です。これを守るために粒子を減らし、探索を複数のフレームに分けます。0 は上限なしです。上限があると、実行はマシンの速度に左右され、ビット単位では再現できません。</translation>
+        <source>How long one iteration may take. To meet this limit, fewer particles are used and searches are spread over several frames. 0 sets no limit. With a limit, a run depends on the speed of the computer and cannot be repeated exactly.</source>
+        <translation>1 回の反復にかけてよい時間です。この上限を守るために粒子を減らし、探索を複数のフレームに分けます。0 は上限なしです。上限があると、実行はコンピューターの速度に左右され、正確には再現できません。</translation>
     </message>
     <message>
         <source>Color adaptation</source>
@@ -2064,7 +2064,7 @@
         <translation>色が基準からどれだけ違ってよいか（バタチャリヤ距離）。小さいほど最良の粒子を重んじます。</translation>
     </message>
     <message>
-        <source>How far particles move at random along each axis between images, in sizes of the target, in addition to their constant velocity.</source>
+        <source>How far particles move at random along each axis between images, in multiples of the target size, in addition to their constant velocity.</source>
         <translation>画像ごとに、等速の動きに加えて、粒子が各軸方向にランダムに動く大きさ。ターゲットの大きさを単位とします。</translation>
     </message>
     <message>
@@ -2072,7 +2072,7 @@
         <translation>画像ごとに、等速の動きに加えて、粒子が各軸方向にランダムに動く大きさ。大きいほど急な動きを追えますが、広く散らばります。</translation>
     </message>
     <message>
-        <source>How far the target may be from its predicted position, in sizes of the target, before a position counts as unlikely.</source>
+        <source>Largest distance of the target from its predicted position, in multiples of the target size; positions farther away count as unlikely.</source>
         <translation>ターゲットが予測位置からどれだけ離れてよいか（ターゲットの大きさを単位とする）。これを超える位置はありそうもないとみなします。</translation>
     </message>
     <message>
@@ -2120,7 +2120,7 @@
         <translation>鋭さ</translation>
     </message>
     <message>
-        <source>If less than this share of its usual colors is found, the target counts as hidden and keeps its position.</source>
+        <source>The target counts as hidden and keeps its position if less than this share of its usual colors is found.</source>
         <translation>ふだんの色のこの割合未満しか見つからないとき、ターゲットは隠れたとみなされ、位置を保ちます。</translation>
     </message>
     <message>
@@ -2240,8 +2240,8 @@
         <translation>人がどれだけ強く加速、減速、方向転換するか。</translation>
     </message>
     <message>
-        <source>Hue floor</source>
-        <translation>色相の下限</translation>
+        <source>Least hue likelihood</source>
+        <translation>色相の尤度の下限</translation>
     </message>
     <message>
         <source>Hue sigma</source>
@@ -2264,8 +2264,8 @@
         <translation>最小距離</translation>
     </message>
     <message>
-        <source>Smallest likelihood of a hue (h_B in the paper), because another object may be seen.</source>
-        <translation>色相の尤度の下限（論文の h_B）。別の物体が写っている可能性があるためです。</translation>
+        <source>Smallest likelihood of a hue (h_B in the paper); above 0 because another object may hide the person.</source>
+        <translation>色相の尤度の下限（論文の h_B）。別の物体が人を隠すことがあるため、0 より大きくします。</translation>
     </message>
     <message>
         <source>Smallest likelihood of a saturation (s_B in the paper).</source>
@@ -2284,16 +2284,16 @@
         <translation>追跡する床の中心。</translation>
     </message>
     <message>
-        <source>Motion floor</source>
-        <translation>動きの下限</translation>
+        <source>Least motion likelihood</source>
+        <translation>動きの尤度の下限</translation>
     </message>
     <message>
         <source>Position noise</source>
         <translation>位置のノイズ</translation>
     </message>
     <message>
-        <source>Saturation floor</source>
-        <translation>彩度の下限</translation>
+        <source>Least saturation likelihood</source>
+        <translation>彩度の尤度の下限</translation>
     </message>
     <message>
         <source>Saturation sigma</source>
@@ -2389,9 +2389,9 @@ From %2 to %3%4; default %5%4.</source>
     </message>
     <message>
         <source>%1
-From %2 to %3%4; what the cameras see unless you change it.</source>
+From %2 to %3%4; the default comes from the region that the cameras see.</source>
         <translation>%1
-%2 から %3%4 まで。変更しない限り、カメラに映る範囲。</translation>
+%2 から %3%4 まで。既定値はカメラに映る範囲から決まります。</translation>
     </message>
     <message>
         <source>Changed: the default is %1.</source>
@@ -2409,8 +2409,8 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>背景を学習中：%1 % · 画面に入らないでください</translation>
     </message>
     <message>
-        <source>%1 % of the image moves: ignored</source>
-        <translation>画像の %1 % が動いています：使いません</translation>
+        <source>image ignored: %1 % of it moves</source>
+        <translation>画像を使いません：%1 % が動いています</translation>
     </message>
     <message>
         <source>learning: %1 %</source>
@@ -2532,12 +2532,12 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>似た物から %1</translation>
     </message>
     <message>
-        <source>no color matches</source>
+        <source>no matching color</source>
         <translation>一致する色なし</translation>
     </message>
     <message>
-        <source>its color is %1 away</source>
-        <translation>その色は %1 離れている</translation>
+        <source>color found %1 away</source>
+        <translation>%1 離れた所に色を検出</translation>
     </message>
     <message>
         <source>right color, wrong shape</source>
@@ -2634,20 +2634,20 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>✕ %1</translation>
     </message>
     <message>
-        <source>history %1 of %2 MB</source>
-        <translation>履歴 %1 / %2 MB</translation>
+        <source>history: %1 of %2 MB</source>
+        <translation>履歴: %1 / %2 MB</translation>
     </message>
     <message>
-        <source>, the last %1</source>
-        <translation>、直近 %1</translation>
+        <source>history: %1 of %2 MB (the last %3)</source>
+        <translation>履歴: %1 / %2 MB（直近 %3）</translation>
     </message>
     <message>
-        <source>tracking again: frame %1 of %2 to %3</source>
-        <translation>再追跡中: フレーム %1 (%2～%3)</translation>
+        <source>tracking frames %2 to %3 again: now at %1</source>
+        <translation>フレーム %2～%3 を再追跡中: 現在 %1</translation>
     </message>
     <message>
-        <source>✕ cameras</source>
-        <translation>✕ カメラ</translation>
+        <source>✕ no image</source>
+        <translation>✕ 画像なし</translation>
     </message>
     <message>
         <source>corrected</source>
@@ -2665,8 +2665,8 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
 <context>
     <name>TransportBar</name>
     <message>
-        <source>Transport</source>
-        <translation>再生の操作</translation>
+        <source>Toolbar</source>
+        <translation>ツールバー</translation>
     </message>
     <message>
         <source>Pause</source>
@@ -2743,7 +2743,7 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>2台以上のカメラがボールを見る必要があります。</translation>
     </message>
     <message>
-        <source>Learn the color of the ball first: press L and click it in an image.</source>
+        <source>Learn the color of the ball first: press L and click the ball in an image.</source>
         <translation>まずボールの色を学習させてください。L を押して画像の中のボールをクリックします。</translation>
     </message>
     <message>
@@ -2755,8 +2755,8 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>ワンドの両端が同じターゲットです。別のものを選んでください。</translation>
     </message>
     <message>
-        <source>The size comes from a distance: add the times at which the ball is at its two ends.</source>
-        <translation>大きさは距離から求めます。ボールがその両端にある時刻を追加してください。</translation>
+        <source>The scale comes from a known distance: add the times at which the ball is at each end of this distance.</source>
+        <translation>縮尺は既知の距離から求めます。ボールがその距離の両端にある時刻を追加してください。</translation>
     </message>
     <message>
         <source>A fall needs two times: one at which the ball starts to fall, and one at which it is still falling.</source>
@@ -2855,8 +2855,8 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>位置を修正</translation>
     </message>
     <message>
-        <source>The target was tracked back to frame %1. From there, it is tracked again.</source>
-        <translation>ターゲットをフレーム%1までさかのぼって追跡しました。そこから追跡し直します。</translation>
+        <source>The target was tracked backward to frame %1 and is now tracked forward again from there.</source>
+        <translation>ターゲットをフレーム%1までさかのぼって追跡しました。そこから先へ追跡し直します。</translation>
     </message>
     <message>
         <source>Tracking the target backward: frame %1.</source>
@@ -2933,7 +2933,7 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>印刷したボードをカメラに見せてください。次に何を見せるかがこのページに示されます。ボードを静止させるとビューが取り込まれます。</translation>
     </message>
     <message>
-        <source>To calibrate from a recording, record a printed board that you hold still in many positions, also close and tilted.</source>
+        <source>To calibrate from a recording, record a printed board that you hold still in many positions, some of them close to the camera or tilted.</source>
         <translation>録画からキャリブレーションするには、印刷したボードを多くの位置で、近づけたり傾けたりして静止させながら録画します。</translation>
     </message>
     <message>
@@ -3194,16 +3194,16 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>内部パラメータの目標精度</translation>
     </message>
     <message>
-        <source>The guidance ends when rays are known to this accuracy all over the image</source>
-        <translation>画像全体で光線がこの精度で分かると案内が終わります</translation>
+        <source>Guidance ends when the intrinsics are this accurate all over the image</source>
+        <translation>内部パラメータが画像全体でこの精度になると案内が終わります</translation>
     </message>
     <message>
         <source>Desired accuracy of the positions</source>
         <translation>位置の目標精度</translation>
     </message>
     <message>
-        <source>The guidance ends when the position of each camera is known to this accuracy</source>
-        <translation>各カメラの位置がこの精度で分かると案内が終わります</translation>
+        <source>Guidance ends when the position of each camera is this accurate</source>
+        <translation>各カメラの位置がこの精度になると案内が終わります</translation>
     </message>
 </context>
 <context>
@@ -3241,16 +3241,16 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>次へ: 位置</translation>
     </message>
     <message>
-        <source>Keep the accuracy of the intrinsics as it is, and show the board to several cameras at once</source>
-        <translation>内部パラメータの精度は今のままにして、ボードを複数のカメラに同時に見せます</translation>
+        <source>Accept the present accuracy of the intrinsics, then show the board to several cameras at once</source>
+        <translation>内部パラメータは今の精度でよいことにして、次にボードを複数のカメラに同時に見せます</translation>
     </message>
     <message>
         <source>Calibrate with these views</source>
         <translation>これらのビューでキャリブレーション</translation>
     </message>
     <message>
-        <source>Finish now: the captured views are enough</source>
-        <translation>ここで終わります。取り込んだビューで十分です</translation>
+        <source>Finish now with the views captured so far</source>
+        <translation>これまでに取り込んだビューで終わります</translation>
     </message>
     <message>
         <source>Start over</source>
@@ -3269,7 +3269,7 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>画像を待っています。カメラが動作していることを確かめてください。</translation>
     </message>
     <message>
-        <source>Show the board to one camera after the other, as each of them asks.</source>
+        <source>Show the board to one camera after the other, following the instructions for each.</source>
         <translation>各カメラの案内に従って、順番にボードを見せてください。</translation>
     </message>
 </context>
@@ -3423,8 +3423,8 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>状態</translation>
     </message>
     <message>
-        <source>Hidden: held at its estimated position</source>
-        <translation>隠れている：推定位置に保たれます</translation>
+        <source>Hidden: the box stays at its estimated position</source>
+        <translation>隠れている：枠は推定位置にとどまります</translation>
     </message>
 </context>
 <context>
@@ -3586,8 +3586,8 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>%1: 再投影の最大差 %2</translation>
     </message>
     <message>
-        <source>%1: %2 of 81 directions no longer map to a pixel</source>
-        <translation>%1: 81方向のうち %2 方向が画素に対応しなくなりました</translation>
+        <source>%1: %2 of 81 test directions no longer map to a pixel</source>
+        <translation>%1: 81の検査方向のうち %2 方向が画素に対応しなくなりました</translation>
     </message>
     <message>
         <source>%1 exists and will be replaced.</source>
@@ -3613,8 +3613,8 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>名前で対応</translation>
     </message>
     <message>
-        <source>only %1</source>
-        <translation>%1 だけ</translation>
+        <source>for %1 only</source>
+        <translation>%1 だけに</translation>
     </message>
     <message>
         <source>File</source>
@@ -3749,7 +3749,7 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>%1（ファイルでは %2）: 移動 %3、回転 %4</translation>
     </message>
     <message>
-        <source>Largest reprojection difference to the file: %1</source>
+        <source>Largest reprojection difference from the file: %1</source>
         <translation>ファイルとの再投影の最大差: %1</translation>
     </message>
     <message>
@@ -3870,8 +3870,8 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>ドラッグの働き</translation>
     </message>
     <message>
-        <source>What the camera does while the grid is dragged and nothing is held. Click points of the grid to hold up to three of them.</source>
-        <translation>何も固定せずに格子をドラッグしたときのカメラの動き。格子の点をクリックすると三つまで固定できます。</translation>
+        <source>What the camera does while you drag the grid and no point is held. Click points of the grid to hold up to three of them.</source>
+        <translation>点を固定せずに格子をドラッグしたときのカメラの動き。格子の点をクリックすると三つまで固定できます。</translation>
     </message>
     <message>
         <source>Also fit the focal length when three points are held</source>
@@ -3942,7 +3942,7 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>カメラの注視点の %1 座標</translation>
     </message>
     <message>
-        <source>Direction from above: 0° along x, 90° along y</source>
+        <source>Direction seen from above: 0° along x, 90° along y</source>
         <translation>上から見た向き: x 方向が 0°、y 方向が 90°</translation>
     </message>
     <message>
@@ -3985,24 +3985,24 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
 <context>
     <name>dewpoint::ui::CameraMotionAlerts</name>
     <message>
-        <source>%1 was %2 (frame %3).</source>
-        <translation>%1 が %2 しました（フレーム %3）。</translation>
+        <source>%1 was rotated by %2 (frame %3).</source>
+        <translation>%1 が %2 回転しました（フレーム %3）。</translation>
     </message>
     <message>
-        <source>Its new pose is being worked out.</source>
+        <source>Its new pose is being computed.</source>
         <translation>新しい姿勢を計算しています。</translation>
     </message>
     <message>
-        <source>Its pose can be recomputed from what it sees.</source>
-        <translation>見えているものから姿勢を計算し直せます。</translation>
+        <source>Its pose can be recomputed from its images.</source>
+        <translation>画像から姿勢を計算し直せます。</translation>
     </message>
     <message>
-        <source>Recompute %1</source>
-        <translation>%1 を再計算</translation>
+        <source>Recompute pose of %1</source>
+        <translation>%1 の姿勢を再計算</translation>
     </message>
     <message>
-        <source>Its pose cannot be recomputed from what it sees: calibrate the camera again, or put it back.</source>
-        <translation>見えているものからは姿勢を計算し直せません。カメラを再校正するか、元に戻してください。</translation>
+        <source>Its pose cannot be recomputed from its images: calibrate the camera again, or move it back.</source>
+        <translation>画像からは姿勢を計算し直せません。カメラを再校正するか、元に戻してください。</translation>
     </message>
     <message>
         <source>Calibrate %1…</source>
@@ -4024,7 +4024,7 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>画像の元を変更</translation>
     </message>
     <message>
-        <source>Turn images</source>
+        <source>Rotate images</source>
         <translation>画像を回転</translation>
     </message>
     <message>
@@ -4154,7 +4154,7 @@ at %4, %5, %6</source>
         <translation> ms</translation>
     </message>
     <message>
-        <source>Delay of this camera&apos;s images in ms, used to synchronize it with the other cameras. Calibration with a wand can measure it</source>
+        <source>Delay of this camera&apos;s images in ms, used to synchronize it with the other cameras. Calibration with a wand can measure the delay</source>
         <translation>このカメラの画像の遅れ（ミリ秒）。ほかのカメラと同期させるために使います。ワンドによる較正で測定できます</translation>
     </message>
     <message>
@@ -4215,7 +4215,7 @@ at %4, %5, %6</source>
         </translation>
     </message>
     <message>
-        <source>Videos differ in size: each camera keeps its own.</source>
+        <source>Videos differ in size: each camera keeps its own size.</source>
         <translation>動画の大きさが異なります: 各カメラはそれぞれの大きさのままです。</translation>
     </message>
 </context>
@@ -4311,8 +4311,8 @@ at %4, %5, %6</source>
         <translation>この色をターゲットの色に加えます（Shift クリックでも可）</translation>
     </message>
     <message>
-        <source>Learn that this color is not the target (or Alt-click)</source>
-        <translation>この色がターゲットではないことを学習します（Alt クリックでも可）</translation>
+        <source>Learn that the target does not have this color (or Alt-click)</source>
+        <translation>ターゲットがこの色ではないことを学習します（Alt クリックでも可）</translation>
     </message>
 </context>
 <context>
@@ -4404,7 +4404,7 @@ at %4, %5, %6</source>
         <translation>輝度(&amp;I)</translation>
     </message>
     <message>
-        <source>First hue, 0 to 360 degrees; above the last hue the range goes through red</source>
+        <source>First hue, 0 to 360 degrees; if it is above the last hue, the range goes through red</source>
         <translation>最初の色相（0〜360度）。最後の色相より大きいと赤をまたぎます</translation>
     </message>
     <message>
@@ -4573,8 +4573,8 @@ at %4, %5, %6</source>
         <translation>「%1」を変更</translation>
     </message>
     <message>
-        <source>Track by “%1”</source>
-        <translation>「%1」で追跡</translation>
+        <source>Track with method “%1”</source>
+        <translation>手法「%1」で追跡</translation>
     </message>
     <message>
         <source>Reset “%1”</source>
@@ -4750,8 +4750,8 @@ at %4, %5, %6</source>
         <translation>なし：計算で作った映像のみ</translation>
     </message>
     <message>
-        <source>Folder with the recordings juggle1 and otb; without one, a rendered clip only</source>
-        <translation>記録 juggle1 と otb のあるフォルダー。なければ計算で作った映像のみ</translation>
+        <source>Folder with the recordings juggle1 and otb; without a folder, only a rendered clip is used</source>
+        <translation>記録 juggle1 と otb のあるフォルダー。なければ計算で作った映像だけを使います</translation>
     </message>
     <message>
         <source>Choose the folder of the recordings</source>
@@ -5014,17 +5014,17 @@ at %4, %5, %6</source>
 <context>
     <name>dewpoint::ui::FollowAllButton</name>
     <message numerus="yes">
-        <source>Follow all %n of them</source>
+        <source>Follow all %n objects</source>
         <translation>
             <numerusform>%n 個すべてを追跡</numerusform>
         </translation>
     </message>
     <message>
-        <source>Add a target of the same color and size for each of the others</source>
-        <translation>ほかの物それぞれに、同じ色と大きさのターゲットを追加します</translation>
+        <source>Add a target for each of the other objects of this color and size</source>
+        <translation>この色と大きさのほかの物体それぞれに、ターゲットを追加します</translation>
     </message>
     <message>
-        <source>Follow all of one color</source>
+        <source>Follow all objects of one color</source>
         <translation>同じ色の物をすべて追跡</translation>
     </message>
 </context>
@@ -5171,8 +5171,8 @@ at %4, %5, %6</source>
         <translation>前の状態</translation>
     </message>
     <message>
-        <source>Show the cameras as they were before</source>
-        <translation>カメラの以前の状態を表示</translation>
+        <source>Show the grid before your changes</source>
+        <translation>変更前の格子を表示</translation>
     </message>
     <message>
         <source>Hold down (or hold B over an image) to show the grid as it was when the calibration was opened</source>
@@ -5270,16 +5270,16 @@ at %4, %5, %6</source>
         <translation>先に色を学習してください。カメラ画像のターゲットをクリックします。</translation>
     </message>
     <message>
-        <source>Click: add a sample · Alt: exclude · Esc</source>
-        <translation>クリック：見本を追加 · Alt：除外 · Esc</translation>
+        <source>Click: add a sample · Alt: exclude · Esc: stop</source>
+        <translation>クリック：見本を追加 · Alt：除外 · Esc：終了</translation>
     </message>
     <message>
-        <source>Click a color to exclude · Esc</source>
-        <translation>除外する色をクリック · Esc</translation>
+        <source>Click: exclude a color · Esc: stop</source>
+        <translation>クリック：色を除外 · Esc：終了</translation>
     </message>
     <message>
-        <source>Click: learn · Shift: add · Alt: exclude · Esc</source>
-        <translation>クリック：学習 · Shift：追加 · Alt：除外 · Esc</translation>
+        <source>Click: learn · Shift: add · Alt: exclude · Esc: stop</source>
+        <translation>クリック：学習 · Shift：追加 · Alt：除外 · Esc：終了</translation>
     </message>
     <message>
         <source>Click the object in a camera image, or drag a box around it.
@@ -5367,8 +5367,8 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>これ以上は動きません: 点がカメラの視界から外れます</translation>
     </message>
     <message>
-        <source>Limit reached: the held points and this point lie on one ray or line</source>
-        <translation>これ以上は動きません: 固定点とこの点が一直線上にあります</translation>
+        <source>Limit reached: this point and the held points lie on one line</source>
+        <translation>これ以上は動きません: この点と固定点が一直線上にあります</translation>
     </message>
     <message>
         <source>Limit reached: no nearby pose keeps the held points in place</source>
@@ -5708,11 +5708,11 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>パラメーター</translation>
     </message>
     <message>
-        <source>More than “%1”: %2 is used.</source>
-        <translation>「%1」より大きいため、%2 を使います。</translation>
+        <source>This is more than “%1”: %2 is used instead.</source>
+        <translation>「%1」より大きいため、代わりに %2 を使います。</translation>
     </message>
     <message>
-        <source>Less than “%1”, which has no effect then.</source>
+        <source>This is less than “%1”, which therefore has no effect.</source>
         <translation>「%1」より小さいため、そちらは効果がありません。</translation>
     </message>
     <message>
@@ -5798,7 +5798,7 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>番号</translation>
     </message>
     <message>
-        <source>Number of the person; it is not used again in this run</source>
+        <source>Number of the person; nobody else gets it in this run</source>
         <translation>人物の番号。この実行では再び使われません</translation>
     </message>
     <message>
@@ -6152,8 +6152,8 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>%1: 点が一直線上にあります。外れた点を加えてください</translation>
     </message>
     <message>
-        <source>%1: %2, but a second pose fits equally well: add a point outside the plane</source>
-        <translation>%1: %2 ですが、別の姿勢も同じくらい合います。平面の外の点を加えてください</translation>
+        <source>%1: average error %2, but a second pose fits equally well: add a point outside the plane of the others</source>
+        <translation>%1: 平均誤差 %2 ですが、別の姿勢も同じくらい合います。ほかの点がのる平面の外に点を加えてください</translation>
     </message>
     <message>
         <source>%1: no pose fits the clicked points</source>
@@ -6164,8 +6164,8 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>%1（カメラをそのように取り付けている場合は無視してください）</translation>
     </message>
     <message>
-        <source>%1: after that, its points fit within %2</source>
-        <translation>%1: そうすると点が %2 で合います</translation>
+        <source>%1. Once corrected, the average error is %2</source>
+        <translation>%1。直すと平均誤差は %2 です</translation>
     </message>
     <message>
         <source>%1 does not fit the other points (%2, %3): measure or click it again</source>
@@ -6371,11 +6371,11 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>別の物体も同じくらい合います。X を押してターゲットを実際の位置へドラッグしてください。</translation>
     </message>
     <message>
-        <source>Not found yet, or not seen for less than a second.</source>
+        <source>Not found yet, or out of sight for less than a second.</source>
         <translation>まだ見つかっていないか、見えなくなって 1 秒未満です。</translation>
     </message>
     <message>
-        <source>Not seen for more than a second. The status bar shows why.</source>
+        <source>Out of sight for more than a second. The status bar shows why.</source>
         <translation>1 秒以上見えていません。理由はステータスバーに表示されます。</translation>
     </message>
     <message>
@@ -6423,7 +6423,7 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>凡例を表示…</translation>
     </message>
     <message>
-        <source>Open the legend of all that is drawn over the images</source>
+        <source>Open the legend of everything drawn over the images</source>
         <translation>画像に重ねて描かれるすべての凡例を開きます</translation>
     </message>
     <message>
@@ -6487,8 +6487,8 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
 <context>
     <name>dewpoint::ui::RigPlanner</name>
     <message>
-        <source>With %1 here (x %2, y %3, z %4), %5 of the volume is within %6, instead of %7.</source>
-        <translation>%1 をここ（x %2、y %3、z %4）に置くと、空間の %5 が %6 以内になります（現在は %7）。</translation>
+        <source>With %1 here (x %2, y %3, z %4), the error is at most %6 in %5 of the volume, instead of %7.</source>
+        <translation>%1 をここ（x %2、y %3、z %4）に置くと、誤差が %6 以内の空間が %5 になります（現在は %7）。</translation>
     </message>
 </context>
 <context>
@@ -6502,8 +6502,8 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>%1 の姿勢は今は計算し直せません。</translation>
     </message>
     <message>
-        <source>Recompute %1</source>
-        <translation>%1 を再計算</translation>
+        <source>Recompute pose of %1</source>
+        <translation>%1 の姿勢を再計算</translation>
     </message>
     <message>
         <source>The pose of %1 was recomputed. Undo restores the previous pose.</source>
@@ -6529,7 +6529,7 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>設定なし</translation>
     </message>
     <message>
-        <source>%1, kept in %2 % of the iterations of this run</source>
+        <source>%1, met in %2 % of the iterations of this run</source>
         <translation>%1、この実行の反復の %2 % で守られました</translation>
     </message>
     <message>
@@ -6561,7 +6561,7 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>乱数のシード</translation>
     </message>
     <message>
-        <source>History memory</source>
+        <source>Memory used by the history</source>
         <translation>履歴のメモリ</translation>
     </message>
     <message>
@@ -6711,8 +6711,8 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>プロジェクトや動画をこのウィンドウにドロップすることもできます。</translation>
     </message>
     <message>
-        <source>Watch it converge</source>
-        <translation>収束を見る</translation>
+        <source>Watch the filter converge</source>
+        <translation>フィルターの収束を見る</translation>
     </message>
     <message>
         <source>A cloud of guesses slides along a line of sight and snaps onto the ball.</source>
@@ -6846,12 +6846,12 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>過去を表示中</translation>
     </message>
     <message>
-        <source>Playing, paused, at the end, looking back at an earlier frame, or tracking it again</source>
+        <source>Playing, paused, at the end, looking back at an earlier frame, or tracking again</source>
         <translation>再生中、一時停止、終端、過去のフレームを表示中、または再追跡中</translation>
     </message>
     <message>
-        <source>held at its estimated position</source>
-        <translation>推定位置に保っています</translation>
+        <source>the box stays at its estimated position</source>
+        <translation>枠は推定位置にとどまっています</translation>
     </message>
     <message>
         <source>click the object or drag a box around it</source>
@@ -6898,8 +6898,8 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>詳細</translation>
     </message>
     <message>
-        <source>Times, particles and history memory</source>
-        <translation>時間、粒子、履歴のメモリ</translation>
+        <source>Timing, particles and memory used</source>
+        <translation>時間、粒子、使用メモリ</translation>
     </message>
 </context>
 <context>
@@ -7007,7 +7007,7 @@ Effective sample size %8 of %9</source>
         <translation>半径 %1</translation>
     </message>
     <message>
-        <source>radius %1 (found)</source>
+        <source>radius %1 (estimated)</source>
         <translation>半径 %1（推定）</translation>
     </message>
     <message>
@@ -7077,8 +7077,8 @@ Effective sample size %8 of %9</source>
 <context>
     <name>dewpoint::ui::Timeline</name>
     <message>
-        <source>Memory for looking back: images, particles and copies of the method. When it is full, only the estimates of older frames are kept.</source>
-        <translation>過去を表示するためのメモリ: 画像、パーティクル、手法の複製。いっぱいになると、古いフレームは推定値だけが残ります。</translation>
+        <source>Memory for looking back: images, particles and saved states of the method. When it is full, only the estimates of older frames are kept.</source>
+        <translation>過去を表示するためのメモリ: 画像、パーティクル、手法の保存状態。いっぱいになると、古いフレームは推定値だけが残ります。</translation>
     </message>
     <message>
         <source>Nothing tracked yet: press play (Space), then drag here to move through time.</source>
@@ -7112,8 +7112,8 @@ Effective sample size %8 of %9</source>
         <translation>現在の時刻を追加</translation>
     </message>
     <message>
-        <source>Add the time of the images shown as one at which the ball does this</source>
-        <translation>表示中の画像の時刻を、ボールがこの状態にある時刻として追加します</translation>
+        <source>Add the time of the images shown to the list; the ball must do this in them</source>
+        <translation>表示中の画像の時刻を一覧に追加します。画像の中でボールがこの状態にある必要があります</translation>
     </message>
     <message>
         <source>Remove time</source>
@@ -7319,7 +7319,7 @@ Effective sample size %8 of %9</source>
         <translation>許容誤差</translation>
     </message>
     <message>
-        <source>Errors up to this value are blue in the map. The summary and the search for a camera position use it, too</source>
+        <source>Errors up to this value are blue in the map. The summary and the search for a camera position also use this value</source>
         <translation>この値までの誤差はマップで青になります。要約とカメラ位置の探索にも使われます</translation>
     </message>
     <message>
@@ -7355,7 +7355,7 @@ Effective sample size %8 of %9</source>
         <translation>良い範囲とまずまずの範囲を囲む面</translation>
     </message>
     <message>
-        <source>Show surfaces in the room where the error is at most 0.4, 1 and 2 times the acceptable error, or where two, three and four cameras see</source>
+        <source>Show surfaces in the room around the regions where the error is at most 0.4, 1 and 2 times the acceptable error, or that two, three and four cameras see</source>
         <translation>誤差が許容誤差の 0.4 倍、1 倍、2 倍以下の範囲、または 2 台、3 台、4 台のカメラから見える範囲の面を部屋に表示</translation>
     </message>
     <message>
@@ -7391,8 +7391,8 @@ Effective sample size %8 of %9</source>
         <translation>基準グリッドの上、最も高いカメラまでの空間</translation>
     </message>
     <message>
-        <source>%1 of the volume within %2, %3 seen by fewer than two cameras</source>
-        <translation>空間の %1 が %2 以内、%3 は見えるカメラが2台未満</translation>
+        <source>Error within %2 in %1 of the volume; %3 seen by fewer than two cameras</source>
+        <translation>誤差が %2 以内の空間は %1、見えるカメラが2台未満の空間は %3</translation>
     </message>
 </context>
 <context>
@@ -7550,7 +7550,7 @@ Effective sample size %8 of %9</source>
 <context>
     <name>dewpoint::ui::WandCalibrator</name>
     <message>
-        <source>Press Start waving, then wave for half a minute in the volume in which you want to track.</source>
+        <source>Press “Start waving”, then wave for half a minute in the volume in which you want to track.</source>
         <translation>「振り始める」を押し、追跡したい空間で30秒ほど振ってください。</translation>
     </message>
     <message>
@@ -7597,8 +7597,8 @@ Effective sample size %8 of %9</source>
         <translation>ワンドの種類</translation>
     </message>
     <message>
-        <source>A wand with two balls also gives the size, more accurately than the other ways</source>
-        <translation>2つのボールの付いたワンドからは大きさも求まり、ほかの方法より正確です</translation>
+        <source>A wand with two balls also gives the scale, more accurately than the other ways</source>
+        <translation>2つのボールの付いたワンドからは縮尺も求まり、ほかの方法より正確です</translation>
     </message>
     <message>
         <source>Ball</source>
@@ -7633,12 +7633,12 @@ Effective sample size %8 of %9</source>
         <translation> cm</translation>
     </message>
     <message>
-        <source>Size from</source>
-        <translation>大きさの基準</translation>
+        <source>Scale from</source>
+        <translation>縮尺の基準</translation>
     </message>
     <message>
-        <source>Source of the size</source>
-        <translation>大きさの求め方</translation>
+        <source>Source of the scale</source>
+        <translation>縮尺の求め方</translation>
     </message>
     <message>
         <source>Images alone cannot show whether a room is large or small. A diameter is accurate to about one percent, a distance as accurately as you measure it</source>
@@ -7824,8 +7824,8 @@ Effective sample size %8 of %9</source>
         <translation>最初のカメラに対する、このカメラの画像の追加の遅れ</translation>
     </message>
     <message>
-        <source>This is less accurate than the initial cameras (error up to %1): wave through more of the volume.</source>
-        <translation>最初のカメラ（誤差は最大 %1）より不正確です。もっと広い範囲で振ってください。</translation>
+        <source>The result is less accurate than the initial camera positions (error up to %1): wave through more of the volume.</source>
+        <translation>結果は最初のカメラの位置（誤差は最大 %1）より不正確です。もっと広い範囲で振ってください。</translation>
     </message>
     <message>
         <source>Camera delays are saved in the project and used to synchronize images from now on.</source>
@@ -7835,8 +7835,8 @@ Effective sample size %8 of %9</source>
 <context>
     <name>dewpoint::ui::WandWaving</name>
     <message>
-        <source>Collect the positions of the ball in every camera; starting again discards what was collected before</source>
-        <translation>各カメラでのボールの位置を集めます。始め直すと前のものは破棄されます</translation>
+        <source>Collect positions of the ball from all camera images; starting again discards those collected before</source>
+        <translation>すべてのカメラの画像からボールの位置を集めます。始め直すと前に集めたものは破棄されます</translation>
     </message>
     <message>
         <source>■ Stop waving</source>
@@ -7863,12 +7863,12 @@ Effective sample size %8 of %9</source>
         <translation>%1間集めました。</translation>
     </message>
     <message>
-        <source>Every camera saw enough: stop, or refine.</source>
-        <translation>どのカメラも十分に見ました。終えるか、精密化してください。</translation>
+        <source>Every camera has seen the ball often enough: stop waving, or refine.</source>
+        <translation>どのカメラもボールを十分に見ました。振り終えるか、精密化してください。</translation>
     </message>
     <message>
-        <source>Continue: each camera should see the ball 150 times, in half of its image.</source>
-        <translation>続けてください。各カメラが画像の半分でボールを150回見る必要があります。</translation>
+        <source>Keep waving: each camera should see the ball 150 times, spread over half of its image.</source>
+        <translation>振り続けてください。各カメラがボールを150回、画像の半分にわたって見る必要があります。</translation>
     </message>
     <message>
         <source>Frames skipped because they arrived too fast: %1.</source>

@@ -24,17 +24,17 @@ const char* phrase(ErrorCode code) {
   case ErrorCode::BadValue:
     return "not a usable value";
   case ErrorCode::Mismatch:
-    return "does not fit the rest";
+    return "does not match the other data";
   case ErrorCode::EndedEarly:
-    return "ended before its announced end";
+    return "ended before its expected end";
   case ErrorCode::DeviceUnavailable:
     return "the camera cannot be opened";
   case ErrorCode::ConnectionLost:
     return "the camera stopped delivering images";
   case ErrorCode::NotFound:
-    return "there is nothing of this name";
+    return "not found";
   case ErrorCode::Undetermined:
-    return "the observations do not determine it";
+    return "cannot be determined from the observations";
   case ErrorCode::Canceled:
     return "stopped on request";
   }

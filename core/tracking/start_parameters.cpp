@@ -40,7 +40,7 @@ ParameterDeclaration startHalfSize(const std::string& axis, double defaultValue)
           0.01,
           defaultValue,
           "Half the " + axis +
-              " size of the box around the start in which particles start evenly spread; 0 starts "
+              " size of the start box: the particles start evenly spread in this box; 0 starts "
               "them all at the same " +
               axis + ".",
           false,

@@ -97,7 +97,7 @@ std::vector<ActionDeclaration> calibrationActions() {
        QT_TRANSLATE_NOOP("Actions", "Save the calibration board as a PDF at its true size")},
       {"actionCalibrateWand", group, QT_TRANSLATE_NOOP("Actions", "Calibrate with wand…"),
        QT_TRANSLATE_NOOP("Actions",
-                         "Refine the cameras with a ball, or a wand with two balls, that you wave"),
+                         "Refine the calibration by waving a ball, or a wand with two balls"),
        nullptr, Qt::SHIFT | Qt::Key_V},
       {"actionCalibrateWorld", group, QT_TRANSLATE_NOOP("Actions", "Set floor and origin…"),
        QT_TRANSLATE_NOOP("Actions", "Set the floor, the origin, the axes and the scale of the "
@@ -152,8 +152,8 @@ std::vector<ActionDeclaration> runActions() {
        QT_TRANSLATE_NOOP("Actions", "Stop looking back and show the latest tracked frame"), "now",
        Qt::Key_N},
       {"actionRerun", group, QT_TRANSLATE_NOOP("Actions", "Track again from here"),
-       QT_TRANSLATE_NOOP("Actions", "Track again from the frame shown with the current method, "
-                                    "parameters and colors; pause to stop"),
+       QT_TRANSLATE_NOOP("Actions", "Starting at the frame shown, track again with the current "
+                                    "method, parameters and colors; pause to stop"),
        "rerun", Qt::CTRL | Qt::Key_R},
       {"actionTrackAgain", group, QT_TRANSLATE_NOOP("Actions", "Track again"),
        QT_TRANSLATE_NOOP("Actions",
@@ -236,8 +236,8 @@ std::vector<ActionDeclaration> viewActions() {
                                     "and in the bird's-eye view"),
        nullptr, Qt::SHIFT | Qt::Key_H, true},
       {"actionShowVolumes", group, QT_TRANSLATE_NOOP("Actions", "Show people's volumes"),
-       QT_TRANSLATE_NOOP("Actions", "Show the hull that holds 95 % of each person, and the density "
-                                    "of each on the floor"),
+       QT_TRANSLATE_NOOP("Actions", "Show the hull that contains 95 % of each person, and contour "
+                                    "lines of the person's density on the floor"),
        nullptr, Qt::Key_H, true},
       {"actionZoomIn", group, QT_TRANSLATE_NOOP("Actions", "Zoom in"),
        QT_TRANSLATE_NOOP("Actions", "Zoom in on the camera image under the pointer, or on the "
@@ -271,7 +271,7 @@ std::vector<ActionDeclaration> viewActions() {
        QT_TRANSLATE_NOOP("Actions", "Switch between full screen and a normal window"), nullptr,
        Qt::Key_F11, true},
       {"actionThemeSystem", group, QT_TRANSLATE_NOOP("Actions", "Follow system"),
-       QT_TRANSLATE_NOOP("Actions", "Colors of the system"), nullptr,
+       QT_TRANSLATE_NOOP("Actions", "Use the system's light or dark colors"), nullptr,
        Qt::CTRL | Qt::ALT | Qt::Key_7, true},
       {"actionThemeLight", group, QT_TRANSLATE_NOOP("Actions", "Light"),
        QT_TRANSLATE_NOOP("Actions", "Light colors"), nullptr, Qt::CTRL | Qt::ALT | Qt::Key_8, true},
@@ -302,16 +302,17 @@ std::vector<ActionDeclaration> plotActions() {
            "Existence probability: from all cameras together, and from each camera alone"),
        nullptr, Qt::CTRL | Qt::Key_5, true},
       {"actionPlotError", group, QT_TRANSLATE_NOOP("Actions", "Plot error"),
-       QT_TRANSLATE_NOOP("Actions", "Distance between estimate and ground truth, if it is known"),
+       QT_TRANSLATE_NOOP("Actions",
+                         "Distance between estimate and ground truth, if the truth is known"),
        nullptr, Qt::CTRL | Qt::Key_6, true},
       {"actionPlotDuration", group, QT_TRANSLATE_NOOP("Actions", "Plot time per step"),
        QT_TRANSLATE_NOOP("Actions",
                          "Duration of each filter iteration per target, in microseconds"),
        nullptr, Qt::CTRL | Qt::Key_7, true},
-      {"actionPlotOverTime", group, QT_TRANSLATE_NOOP("Actions", "Over time"),
+      {"actionPlotOverTime", group, QT_TRANSLATE_NOOP("Actions", "Plot over time"),
        QT_TRANSLATE_NOOP("Actions", "Plot against time in seconds instead of filter iterations"),
        nullptr, Qt::SHIFT | Qt::Key_T, true},
-      {"actionPlotAll", group, QT_TRANSLATE_NOOP("Actions", "Whole run"),
+      {"actionPlotAll", group, QT_TRANSLATE_NOOP("Actions", "Show whole run"),
        QT_TRANSLATE_NOOP("Actions", "Show the whole run in the plots again (or double-click)"),
        nullptr, Qt::CTRL | Qt::SHIFT | Qt::Key_0},
       {"actionPlotCopy", group, QT_TRANSLATE_NOOP("Actions", "Copy plots as CSV"),
@@ -321,8 +322,9 @@ std::vector<ActionDeclaration> plotActions() {
        QT_TRANSLATE_NOOP("Actions", "Save the plots as shown, as SVG or PNG"), nullptr,
        Qt::CTRL | Qt::ALT | Qt::Key_S},
       {"actionTrajectoryCopy", group, QT_TRANSLATE_NOOP("Actions", "Copy trajectory as CSV"),
-       QT_TRANSLATE_NOOP("Actions", "Copy the selected rows of the trajectory, or all"), nullptr,
-       Qt::CTRL | Qt::ALT | Qt::Key_T},
+       QT_TRANSLATE_NOOP(
+           "Actions", "Copy the selected rows of the trajectory, or all rows if none is selected"),
+       nullptr, Qt::CTRL | Qt::ALT | Qt::Key_T},
   };
 }
 
@@ -330,8 +332,8 @@ std::vector<ActionDeclaration> helpActions() {
   const char* group = QT_TRANSLATE_NOOP("Actions", "Help");
   return {
       {"actionManual", group, QT_TRANSLATE_NOOP("Actions", "Manual"),
-       QT_TRANSLATE_NOOP("Actions", "Open the manual at the page of the view that is in use"),
-       nullptr, Qt::Key_F1},
+       QT_TRANSLATE_NOOP("Actions", "Open the manual at the page about the active view"), nullptr,
+       Qt::Key_F1},
       {"actionQuickStart", group, QT_TRANSLATE_NOOP("Actions", "Quick start"),
        QT_TRANSLATE_NOOP("Actions", "What you see in the window, and how to begin in five steps"),
        nullptr, Qt::SHIFT | Qt::Key_F1},

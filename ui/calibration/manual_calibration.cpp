@@ -198,7 +198,7 @@ void ManualCalibration::reportLimit(const Drag& result) {
     sentence = tr("Limit reached: a point would leave the camera's field of view");
     break;
   case DragLimit::OneRay:
-    sentence = tr("Limit reached: the held points and this point lie on one ray or line");
+    sentence = tr("Limit reached: this point and the held points lie on one line");
     break;
   case DragLimit::OutOfReach:
     sentence = tr("Limit reached: no nearby pose keeps the held points in place");

@@ -28,9 +28,9 @@ std::map<int, std::vector<ImagePickOverlay::Region>>
 assessedRegions(const ColorAssessment& assessment, const std::vector<setup::FoundOutline>& found) {
   std::map<int, std::vector<ImagePickOverlay::Region>> regions;
   for (const DistractorRegion& region : assessment.distractors) {
-    regions[region.camera].push_back(regionOf(region.outline, AssessedRegions::tr("matches too")));
+    regions[region.camera].push_back(regionOf(region.outline, AssessedRegions::tr("also matches")));
   }
-  const QString also = AssessedRegions::tr("also the target (Alt-click if not)");
+  const QString also = AssessedRegions::tr("recognized as the target (Alt-click if not)");
   for (const setup::FoundOutline& target : found) {
     auto& shown = regions[target.camera];
     const bool isSaid = std::ranges::any_of(

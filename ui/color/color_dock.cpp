@@ -62,7 +62,7 @@ std::vector<ImageMenuEntry> ColorDock::menuEntries(ImagePickTool& pick, int came
            tr("Add this color to the target's (Shift-click does the same)"), panel_->hasTarget(),
            point(Qt::ShiftModifier)},
           {QStringLiteral("imageExclude"), tr("Exclude this color"),
-           tr("Learn that this color is not the target (or Alt-click)"), panel_->hasTarget(),
+           tr("Learn that the target does not have this color (or Alt-click)"), panel_->hasTarget(),
            point(Qt::AltModifier)}};
 }
 

@@ -23,15 +23,15 @@ void FollowAllButton::offer(const ColorAssessment* assessment, int target) {
                                          *assessment)
                  : 0;
   if (missing_ > 0) {
-    setText(tr("Follow all %n of them", nullptr, assessment->alike));
-    setToolTip(tr("Add a target of the same color and size for each of the others"));
+    setText(tr("Follow all %n objects", nullptr, assessment->alike));
+    setToolTip(tr("Add a target for each of the other objects of this color and size"));
   }
   setVisible(missing_ > 0);
 }
 
 void FollowAllButton::follow() {
   const int count = missing_;
-  (void)document_.edit(tr("Follow all of one color"), [&](Project& project) {
+  (void)document_.edit(tr("Follow all objects of one color"), [&](Project& project) {
     setup::addTargetsLike(project, static_cast<std::size_t>(target_), count, freshTargetName);
   });
 }

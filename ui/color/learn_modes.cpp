@@ -92,11 +92,11 @@ QString LearnModes::hintOf(ColorLearner::SampleAction mode) {
   case SampleAction::Replace:
     break;
   case SampleAction::Add:
-    return tr("Click: add a sample · Alt: exclude · Esc");
+    return tr("Click: add a sample · Alt: exclude · Esc: stop");
   case SampleAction::Exclude:
-    return tr("Click a color to exclude · Esc");
+    return tr("Click: exclude a color · Esc: stop");
   }
-  return tr("Click: learn · Shift: add · Alt: exclude · Esc");
+  return tr("Click: learn · Shift: add · Alt: exclude · Esc: stop");
 }
 
 } // namespace dewpoint::ui

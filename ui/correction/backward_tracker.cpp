@@ -88,7 +88,7 @@ void BackwardTracker::keep(const PositionCorrection& from,
   }
   clearProgress();
   bench_.messages.showNotice(
-      tr("The target was tracked back to frame %1. From there, it is tracked again.")
+      tr("The target was tracked backward to frame %1 and is now tracked forward again from there.")
           .arg(QLocale().toString(found.front().frame + 1)));
 }
 

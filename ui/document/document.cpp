@@ -160,12 +160,13 @@ void Document::setMethod(const std::string& method) {
   if (methodParameters(method).empty()) {
     return;
   }
-  (void)edit(tr("Track by “%1”").arg(QString::fromStdString(method)), [&](Project& project) {
-    if (project.method != method) {
-      project.parameters = carriedOver(project.parameters, method);
-      project.method = method;
-    }
-  });
+  (void)edit(tr("Track with method “%1”").arg(QString::fromStdString(method)),
+             [&](Project& project) {
+               if (project.method != method) {
+                 project.parameters = carriedOver(project.parameters, method);
+                 project.method = method;
+               }
+             });
 }
 
 void Document::setLayout(const std::string& layout) {

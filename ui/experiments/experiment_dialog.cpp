@@ -174,8 +174,8 @@ void ExperimentDialog::retranslateUi() {
   clothes_->setItemText(2, tr("similar"));
   recordingsLabel_->setText(tr("Recordings"));
   recordings_->setPlaceholderText(tr("none: a rendered clip only"));
-  recordings_->setToolTip(
-      tr("Folder with the recordings juggle1 and otb; without one, a rendered clip only"));
+  recordings_->setToolTip(tr("Folder with the recordings juggle1 and otb; without a folder, only a "
+                             "rendered clip is used"));
   browseRecordings_->setText(tr("Choose…"));
   browseRecordings_->setToolTip(tr("Choose the folder of the recordings"));
   folderLabel_->setText(tr("Folder"));

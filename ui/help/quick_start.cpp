@@ -35,9 +35,9 @@ QString stateMeaning(HoldState state) {
     return QuickStart::tr(
         "Another object fits about as well. Press X and drag the target to its true position.");
   case HoldState::Searching:
-    return QuickStart::tr("Not found yet, or not seen for less than a second.");
+    return QuickStart::tr("Not found yet, or out of sight for less than a second.");
   default:
-    return QuickStart::tr("Not seen for more than a second. The status bar shows why.");
+    return QuickStart::tr("Out of sight for more than a second. The status bar shows why.");
   }
 }
 
@@ -162,7 +162,7 @@ void QuickStart::retranslateUi() {
     steps_[step]->setText(steps[step]);
   }
   legend_->setText(tr("Show legend…"));
-  legend_->setToolTip(tr("Open the legend of all that is drawn over the images"));
+  legend_->setToolTip(tr("Open the legend of everything drawn over the images"));
   manual_->setText(tr("Manual…"));
   manual_->setToolTip(tr("Open the manual"));
   close_->setText(tr("Close"));

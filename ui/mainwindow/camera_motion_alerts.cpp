@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/mainwindow/camera_motion_alerts.h"
 
-#include "ui/text/camera_motion_text.h"
+#include "ui/text/quantity_text.h"
 #include "ui/text/reason_text.h"
 #include "ui/widgets/message_bar.h"
 
@@ -42,21 +42,22 @@ void CameraMotionAlerts::withdraw() {
 void CameraMotionAlerts::showAlert(const CameraMotionReport& report, CameraMotionStage stage,
                                    const QString& name) {
   const int camera = static_cast<int>(report.event.camera);
-  const QString what = tr("%1 was %2 (frame %3).")
-                           .arg(name, cameraMotionText(&report))
+  const QString what = tr("%1 was rotated by %2 (frame %3).")
+                           .arg(name, angleText(report.event.turn.turn.norm(), 2))
                            .arg(static_cast<qlonglong>(report.event.frame));
   switch (stage) {
   case CameraMotionStage::Waiting:
-    bar_.showNotice(what + QLatin1Char(' ') + tr("Its new pose is being worked out."));
+    bar_.showNotice(what + QLatin1Char(' ') + tr("Its new pose is being computed."));
     break;
   case CameraMotionStage::Solved:
-    bar_.ask(what + QLatin1Char(' ') + tr("Its pose can be recomputed from what it sees."),
-             {{tr("Recompute %1").arg(name), [this, camera] { Q_EMIT newPoseWanted(camera); }}});
+    bar_.ask(
+        what + QLatin1Char(' ') + tr("Its pose can be recomputed from its images."),
+        {{tr("Recompute pose of %1").arg(name), [this, camera] { Q_EMIT newPoseWanted(camera); }}});
     break;
   case CameraMotionStage::Unsolvable:
     bar_.ask(what + QLatin1Char(' ') +
-                 tr("Its pose cannot be recomputed from what it sees: calibrate the camera again, "
-                    "or put it back."),
+                 tr("Its pose cannot be recomputed from its images: calibrate the camera again, or "
+                    "move it back."),
              {{tr("Calibrate %1…").arg(name), [this, camera] { Q_EMIT calibrateWanted(camera); }}});
     break;
   case CameraMotionStage::Back:

@@ -99,7 +99,7 @@ void RunAlerts::applyNewPose(int camera) {
   const MovedCameraPose solved = *report->newPose; // the report goes with the next snapshot
   Camera now = manual_.cameraAt(camera);
   now.cameraFromWorld = solved.camera.cameraFromWorld;
-  manual_.change(camera, tr("Recompute %1").arg(name), now);
+  manual_.change(camera, tr("Recompute pose of %1").arg(name), now);
   QString sentence =
       tr("The pose of %1 was recomputed. Undo restores the previous pose.").arg(name);
   if (solved.used > 0) {

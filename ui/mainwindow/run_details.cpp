@@ -33,7 +33,7 @@ QString budgetText(const BudgetFigures& budget) {
   }
   const double kept =
       1.0 - static_cast<double>(budget.late) / static_cast<double>(budget.iterations);
-  return RunDetails::tr("%1, kept in %2 % of the iterations of this run")
+  return RunDetails::tr("%1, met in %2 % of the iterations of this run")
       .arg(millisecondsText(budget.milliseconds), percentText(kept, 1));
 }
 
@@ -81,7 +81,7 @@ void RunDetails::retranslateUi() {
   names_[iterations_]->setText(tr("Iterations since the start"));
   names_[dropped_]->setText(tr("Frames skipped"));
   names_[seed_]->setText(tr("Random seed"));
-  names_[history_]->setText(tr("History memory"));
+  names_[history_]->setText(tr("Memory used by the history"));
 }
 
 void RunDetails::setSnapshot(const TrackSnapshotPtr& snapshot, const TargetSnapshot* target) {

@@ -67,7 +67,8 @@ QString reasonOf(const TrackSnapshot& snapshot, const TargetSnapshot& target) {
   };
   return std::visit(Overloaded{[&](const SphereEstimate&) { return ofCameras(); },
                                [](const BoxEstimate&) {
-                                 return StatusBarPanel::tr("held at its estimated position");
+                                 return StatusBarPanel::tr(
+                                     "the box stays at its estimated position");
                                },
                                [&](const PersonEstimate&) { return ofCameras(); },
                                [&](const AbsentEstimate&) { return ofCameras(); }},
@@ -113,9 +114,8 @@ void StatusBarPanel::retranslateUi() {
     label->setMinimumWidth(label->fontMetrics().horizontalAdvance(widest) + 8);
     label->setToolTip(hint);
   };
-  explain(
-      playing_, tr("tracking again"),
-      tr("Playing, paused, at the end, looking back at an earlier frame, or tracking it again"));
+  explain(playing_, tr("tracking again"),
+          tr("Playing, paused, at the end, looking back at an earlier frame, or tracking again"));
   explain(frame_, tr("frame %1 / %2").arg("0000", "0000"), tr("Frame shown, of all frames"));
   explain(rate_, tr("%1 /s").arg("0000.0"), tr("Frames tracked per second"));
   explain(spread_, tr("± %1").arg("0000 mm"),
@@ -128,7 +128,7 @@ void StatusBarPanel::retranslateUi() {
           tr("Held: the cameras confirm the estimate. Ambiguous: another object fits about as "
              "well. Lost: not held for more than a second."));
   more_->setText(tr("Details"));
-  more_->setToolTip(tr("Times, particles and history memory"));
+  more_->setToolTip(tr("Timing, particles and memory used"));
   refresh();
   fit();
 }

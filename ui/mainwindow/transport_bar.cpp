@@ -27,7 +27,7 @@ private:
 };
 
 TransportBar::TransportBar(const Workbench& bench) {
-  onRetranslate(this, [this] { setWindowTitle(tr("Transport")); });
+  onRetranslate(this, [this] { setWindowTitle(tr("Toolbar")); });
   setObjectName(QStringLiteral("transportBar"));
   setMovable(false);
   setIconSize({20, 20});

@@ -125,7 +125,7 @@ void CameraPanel::connectFields() {
     });
   });
   connect(turn_, &QComboBox::activated, this, [this](int index) {
-    edit(tr("Turn images"),
+    edit(tr("Rotate images"),
          [&](ProjectCamera& camera) { camera.rotateDegrees = turn_->itemData(index).toInt(); });
   });
   connect(mirror_, &QCheckBox::clicked, this, [this](bool mirrored) {
@@ -170,7 +170,7 @@ void CameraPanel::retranslateUi() {
   lateLabel_->setText(tr("Delay"));
   late_->setSuffix(tr(" ms"));
   late_->setToolTip(tr("Delay of this camera's images in ms, used to synchronize it with the other "
-                       "cameras. Calibration with a wand can measure it"));
+                       "cameras. Calibration with a wand can measure the delay"));
   late_->setAccessibleName(tr("Delay of the images in milliseconds"));
   emptyRoomLabel_->setText(tr("Background image"));
   emptyRoom_->setToolTip(

@@ -60,7 +60,7 @@ QString boundNote(const ParameterValues& used, const ParameterDeclaration& decla
   if (tracking::exceedsBound(used, declaration)) {
     const auto bound =
         std::ranges::find(declarations, declaration.bound, &ParameterDeclaration::key);
-    return ParameterPanel::tr("More than “%1”: %2 is used.")
+    return ParameterPanel::tr("This is more than “%1”: %2 is used instead.")
         .arg(labelText(*bound), declaredText(used.at(declaration.bound)));
   }
   const auto bounded = std::ranges::find_if(declarations, [&](const ParameterDeclaration& other) {
@@ -68,7 +68,7 @@ QString boundNote(const ParameterValues& used, const ParameterDeclaration& decla
   });
   return bounded == declarations.end()
              ? QString()
-             : ParameterPanel::tr("Less than “%1”, which has no effect then.")
+             : ParameterPanel::tr("This is less than “%1”, which therefore has no effect.")
                    .arg(labelText(*bounded));
 }
 

@@ -199,7 +199,8 @@ int ParameterRow::toSlider(double value) const {
 QString ParameterRow::tooltip() const {
   if (declaration_.fromCameras) {
     return QCoreApplication::translate(
-               "ParameterRow", "%1\nFrom %2 to %3%4; what the cameras see unless you change it.")
+               "ParameterRow",
+               "%1\nFrom %2 to %3%4; the default comes from the region that the cameras see.")
         .arg(QCoreApplication::translate("Parameter", declaration_.sentence.c_str()),
              declaredText(declaration_.minimum), declaredText(declaration_.maximum),
              unitSuffix(declaration_));

@@ -58,9 +58,9 @@ QString radiusText(double given, double found) {
   if (given > 0.0) {
     return TargetPanel::tr("radius %1").arg(lengthText(given, LengthForm::TwoDigits));
   }
-  return found > 0.0
-             ? TargetPanel::tr("radius %1 (found)").arg(lengthText(found, LengthForm::TwoDigits))
-             : TargetPanel::tr("radius unknown");
+  return found > 0.0 ? TargetPanel::tr("radius %1 (estimated)")
+                           .arg(lengthText(found, LengthForm::TwoDigits))
+                     : TargetPanel::tr("radius unknown");
 }
 
 QString sizeText(const Target& target, const TrackEstimate& estimate) {

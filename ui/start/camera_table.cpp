@@ -275,7 +275,7 @@ QString CameraTable::differenceText() const {
                     static_cast<int>(*differences.shortest));
   }
   if (differences.sizes) {
-    sentences << tr("Videos differ in size: each camera keeps its own.");
+    sentences << tr("Videos differ in size: each camera keeps its own size.");
   }
   return sentences.join(QLatin1Char('\n'));
 }

@@ -37,7 +37,7 @@ struct GalleryEntry {
 };
 constexpr std::array kGallery = std::to_array<GalleryEntry>({
     {"startConverge", "converge", "converge", false,
-     QT_TRANSLATE_NOOP("dewpoint::ui::StartPage", "Watch it converge"),
+     QT_TRANSLATE_NOOP("dewpoint::ui::StartPage", "Watch the filter converge"),
      QT_TRANSLATE_NOOP("dewpoint::ui::StartPage",
                        "A cloud of guesses slides along a line of sight and snaps onto the ball.")},
     {"startOccluder", "occluder", "occluder", false,

@@ -53,7 +53,7 @@ void paintMapLegend(QPainter& painter, const QRect& area, const MapLook& look,
                     const QPalette& palette) {
   painter.save();
   const QString title = look.quantity == MapQuantity::CameraCount
-                            ? QCoreApplication::translate("MapLegend", "Cameras that see it")
+                            ? QCoreApplication::translate("MapLegend", "Cameras that see a point")
                             : QCoreApplication::translate("MapLegend", "Expected error (1 σ)");
   const std::vector<Entry> all = entries(look);
   const QFontMetrics metrics = painter.fontMetrics();

@@ -26,16 +26,16 @@ QString cameraFault(const NamedFault& fault, const QString& first, const QString
         .arg(first, second);
   case CalibrationFault::CameraLate:
     return (fault.value > 0.0
-                ? CalibrationText::tr(
-                      "%1 fits when its video is shifted: it likely shows everything %2 "
-                      "frames late. Synchronize the videos, or let time offsets be found.")
-                : CalibrationText::tr(
-                      "%1 fits when its video is shifted: it likely shows everything %2 "
-                      "frames early. Synchronize the videos, or let time offsets be found."))
+                ? CalibrationText::tr("%1 fits when its video is shifted in time: the video is "
+                                      "probably %2 frames late. Synchronize the videos, or "
+                                      "calibrate with a wand and “Find time offsets”.")
+                : CalibrationText::tr("%1 fits when its video is shifted in time: the video is "
+                                      "probably %2 frames early. Synchronize the videos, or "
+                                      "calibrate with a wand and “Find time offsets”."))
         .arg(first, numberText(std::abs(fault.value), 0));
   case CalibrationFault::CameraMoved:
-    return CalibrationText::tr("%1 fits one pose before %2 and another after it: the camera was "
-                               "probably moved. Calibrate with the part after that time.")
+    return CalibrationText::tr("%1 fits one pose before %2 and another pose after that time: the "
+                               "camera was probably moved. Calibrate with the later part only.")
         .arg(first, secondsText(fault.value, 1));
   case CalibrationFault::VideoFlipped:
     return CalibrationText::tr("%1 fits only with flipped images: its video is probably mirrored "
@@ -47,8 +47,8 @@ QString cameraFault(const NamedFault& fault, const QString& first, const QString
         .arg(first, ratioText(fault.value));
   default:
     return CalibrationText::tr(
-               "The lens data of %1 are likely for another resolution: its images are %2 "
-               "times as large. Convert them, or record at the calibrated size.")
+               "The intrinsics of %1 are probably for another resolution: its images are %2 times "
+               "as large. Convert the intrinsics, or record at the calibrated size.")
         .arg(first, ratioText(fault.value));
   }
 }
@@ -56,13 +56,14 @@ QString cameraFault(const NamedFault& fault, const QString& first, const QString
 } // namespace
 
 QString accuracyText(const CalibrationAccuracy& accuracy) {
-  QString text = CalibrationText::tr("In this volume ±%1 (95 %)")
+  QString text = CalibrationText::tr("In this volume: position ±%1 (95 %)")
                      .arg(lengthText(accuracy.position95, LengthForm::TwoDigits));
   text += accuracy.scale95
               ? CalibrationText::tr(", scale ±%1 %").arg(percentAccuracyText(*accuracy.scale95))
               : CalibrationText::tr(", scale unknown");
-  text += accuracy.up95 ? CalibrationText::tr(", up ±%1").arg(angleAccuracyText(*accuracy.up95))
-                        : CalibrationText::tr(", up not measured");
+  text += accuracy.up95
+              ? CalibrationText::tr(", upward direction ±%1").arg(angleAccuracyText(*accuracy.up95))
+              : CalibrationText::tr(", upward direction not measured");
   return text + QStringLiteral(".");
 }
 
@@ -74,9 +75,8 @@ QString faultText(const NamedFault& fault, const QStringList& cameraNames) {
   switch (fault.fault) {
   case CalibrationFault::MirroredBoard:
     return CalibrationText::tr(
-        "The cameras would all look at the back of the board or floor: its points "
-        "are likely mirrored. Check the direction of its axes, and that the print is "
-        "not reversed.");
+        "All cameras seem to see the back of the board or floor: its points are probably mirrored. "
+        "Check the direction of the axes, and that the print is not reversed.");
   case CalibrationFault::MillimetersMixed:
     return CalibrationText::tr(
                "The given length is %1 times what the cameras see: millimeters and meters "
@@ -97,8 +97,8 @@ QString faultText(const NamedFault& fault, const QStringList& cameraNames) {
         .arg(ratioText(fault.value));
   case CalibrationFault::HalfPixel:
     return CalibrationText::tr(
-               "The images fit when shifted by %1 along both axes: a program likely "
-               "counts pixels from their corners. Convert the principal points.")
+               "The images fit when shifted by %1 along both axes: the calibration probably counts "
+               "pixels from their corners, not their centers. Convert the principal points.")
         .arg(pixelText(fault.value));
   default:
     return cameraFault(fault, name(0), name(1));

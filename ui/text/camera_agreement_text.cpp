@@ -43,12 +43,13 @@ QString swappedText(const CameraDisagreement& found, const QStringList& names) {
 QString rotatedText(const CameraDisagreement& found, const QStringList& names) {
   const QString angle = angleText(found.turns.at(0).norm(), 1);
   if (found.cameras.size() > 1) {
-    return translated(QT_TRANSLATE_NOOP("CameraAgreement",
-                                        "%1 or %2 looks at least %3 away from its calibration."))
+    return translated(
+               QT_TRANSLATE_NOOP("CameraAgreement",
+                                 "%1 or %2 points at least %3 away from its calibrated direction."))
         .arg(nameAt(found, 0, names), nameAt(found, 1, names), angle);
   }
-  return translated(
-             QT_TRANSLATE_NOOP("CameraAgreement", "%1 looks about %2 away from its calibration."))
+  return translated(QT_TRANSLATE_NOOP("CameraAgreement",
+                                      "%1 points about %2 away from its calibrated direction."))
       .arg(nameAt(found, 0, names), angle);
 }
 
@@ -74,15 +75,17 @@ QString disagreementText(const CameraDisagreement& found, const QStringList& nam
   case CameraFault::Late: {
     const QString by = secondsText(std::abs(found.delay), 2);
     const QString text =
-        found.delay > 0.0
-            ? translated(QT_TRANSLATE_NOOP("CameraAgreement", "%1 is about %2 late."))
-            : translated(QT_TRANSLATE_NOOP("CameraAgreement", "%1 is about %2 early."));
+        found.delay > 0.0 ? translated(QT_TRANSLATE_NOOP("CameraAgreement",
+                                                         "The images of %1 are about %2 late."))
+                          : translated(QT_TRANSLATE_NOOP("CameraAgreement",
+                                                         "The images of %1 are about %2 early."));
     return text.arg(nameAt(found, 0, names), by);
   }
   case CameraFault::Rotated:
     return rotatedText(found, names);
   case CameraFault::Unit:
-    return translated(QT_TRANSLATE_NOOP("CameraAgreement", "The calibration seems to be in %1."))
+    return translated(QT_TRANSLATE_NOOP("CameraAgreement",
+                                        "The calibration seems to be in %1 instead of meters."))
         .arg(unitText(found.scale));
   case CameraFault::SamePose:
     return translated(QT_TRANSLATE_NOOP("CameraAgreement", "%1 and %2 have the same pose."))
@@ -102,7 +105,7 @@ QString mendingText(const CameraDisagreement& found, std::size_t choice, const Q
     return translated(QT_TRANSLATE_NOOP("CameraAgreement", "Set the delay of %1"))
         .arg(nameAt(found, choice, names));
   case CameraFault::Rotated:
-    return translated(QT_TRANSLATE_NOOP("CameraAgreement", "Rotate %1"))
+    return translated(QT_TRANSLATE_NOOP("CameraAgreement", "Correct direction of %1"))
         .arg(nameAt(found, choice, names));
   case CameraFault::Unit:
     return translated(QT_TRANSLATE_NOOP("CameraAgreement", "Convert to meters"));

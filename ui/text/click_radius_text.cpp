@@ -22,7 +22,7 @@ QString clickRadiusText(double given, const std::optional<double>& shown) {
   }
   const QString seen = lengthText(*shown, LengthForm::TwoDigits);
   if (given <= 0.0) {
-    return ClickRadiusText::tr("Its radius seems to be about %1.").arg(seen);
+    return ClickRadiusText::tr("The target's radius seems to be about %1.").arg(seen);
   }
   const QString declared = lengthText(given, LengthForm::TwoDigits);
   switch (setup::compareRadius(given, *shown)) {
@@ -30,18 +30,18 @@ QString clickRadiusText(double given, const std::optional<double>& shown) {
     return {};
   case setup::RadiusFit::IsDiameter:
     return ClickRadiusText::tr(
-               "Its radius seems to be about %1, but %2 is given. Is that its diameter?")
+               "The target's radius seems to be about %1, but %2 is given. Is that the diameter?")
         .arg(seen, declared);
   case setup::RadiusFit::Differs:
-    return ClickRadiusText::tr("Its radius seems to be about %1, but %2 is given.")
+    return ClickRadiusText::tr("The target's radius seems to be about %1, but %2 is given.")
         .arg(seen, declared);
   }
   return {};
 }
 
 QString markedPartText(double radius) {
-  return ClickRadiusText::tr("This is part of a larger object of the same color. It is tracked as "
-                             "a ball with radius %1, starting at the marked spot.")
+  return ClickRadiusText::tr("The marked spot is part of a larger object of the same color. Only "
+                             "this spot is tracked, as a ball with radius %1.")
       .arg(lengthText(radius, LengthForm::TwoDigits));
 }
 

@@ -30,11 +30,11 @@ QString placeName(HorizontalThird horizontal, VerticalThird vertical) {
 }
 
 QString separationSentence(int score) {
-  const char* text = score >= 90   ? QT_TRANSLATE_NOOP("ColorText", "Stands out well: %1 of 100.")
-                     : score >= 70 ? QT_TRANSLATE_NOOP("ColorText", "Stands out: %1 of 100.")
-                     : score >= 40
-                         ? QT_TRANSLATE_NOOP("ColorText", "Hard to tell apart: %1 of 100.")
-                         : QT_TRANSLATE_NOOP("ColorText", "Hardly stands out: %1 of 100.");
+  const char* text =
+      score >= 90   ? QT_TRANSLATE_NOOP("ColorText", "Stands out well (%1 of 100 points).")
+      : score >= 70 ? QT_TRANSLATE_NOOP("ColorText", "Stands out (%1 of 100 points).")
+      : score >= 40 ? QT_TRANSLATE_NOOP("ColorText", "Hard to tell apart (%1 of 100 points).")
+                    : QT_TRANSLATE_NOOP("ColorText", "Hardly stands out (%1 of 100 points).");
   return ColorText::tr(text).arg(score);
 }
 
@@ -44,7 +44,7 @@ QString suggestionSentence(const ColorAssessment& assessment) {
     return ColorText::tr(
         "Much of the target does not match: Shift-click its light and its dark side.");
   case Suggestion::ExcludeDistractor:
-    return ColorText::tr("Alt-click what also matches to exclude it.");
+    return ColorText::tr("Exclude the other matching objects: Alt-click them.");
   case Suggestion::RemoveDistractor:
     return ColorText::tr("Cover objects of the same color, or take them out of view.");
   case Suggestion::MoreLight:
@@ -61,7 +61,7 @@ QString suggestionSentence(const ColorAssessment& assessment) {
         assessment.alike);
   case Suggestion::ClickObjectItself:
     return ColorText::tr(
-        "This fills much of the image: click only the target, or drag a box on it.");
+        "The clicked region fills much of the image: click only the target, or drag a box on it.");
   case Suggestion::ClickMore:
     return ColorText::tr("You clicked only a speck: drag a box on the whole target.");
   case Suggestion::None:
@@ -76,8 +76,9 @@ QString sharesSentence(const ColorAssessment& assessment) {
   if (!assessment.missesTarget()) {
     return ColorText::tr("%1 % of the background matches too.").arg(background);
   }
-  const QString few = ColorText::tr("Only %1 % of the target and %2 % of the background match.")
-                          .arg(percentText(assessment.targetShare, 0), background);
+  const QString few =
+      ColorText::tr("Only %1 % of the target matches, and %2 % of the background matches too.")
+          .arg(percentText(assessment.targetShare, 0), background);
   const double whole = assessment.backgroundShareOfWhole.value_or(0.0);
   return whole > assessment.backgroundShare
              ? few + QLatin1Char(' ') +
@@ -104,7 +105,7 @@ QString colorAssessmentText(const ColorAssessment& assessment,
                             const std::vector<QString>& cameras) {
   if (!assessment.targetKnown) {
     return ColorText::tr(
-               "%1 % of the images match. Shift-click the target to learn how well it stands out.")
+               "%1 % of the pixels match. Shift-click the target to see how well it stands out.")
         .arg(percentText(assessment.backgroundShare, 2));
   }
   QStringList sentences{separationSentence(assessment.score()), sharesSentence(assessment)};
@@ -115,7 +116,7 @@ QString colorAssessmentText(const ColorAssessment& assessment,
   if (!assessment.distractors.empty()) {
     const DistractorRegion& region = assessment.distractors.front();
     const auto camera = static_cast<std::size_t>(region.camera);
-    sentences << ColorText::tr("A %1 region %2 of %3 also matches.")
+    sentences << ColorText::tr("In the image of %3, a region %2 also matches (%1).")
                      .arg(colorName(region.color), placeName(region.horizontal, region.vertical),
                           camera < cameras.size() ? cameras[camera] : QString());
   }

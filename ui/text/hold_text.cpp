@@ -30,7 +30,7 @@ QString holdText(HoldState state) {
   case HoldState::Nobody:
     return QCoreApplication::translate("HoldState", "◌ nobody in view");
   case HoldState::Gone:
-    return QCoreApplication::translate("HoldState", "– not there");
+    return QCoreApplication::translate("HoldState", "– not present");
   case HoldState::NoImages:
     break;
   }

@@ -43,7 +43,7 @@ QString peopleObstacleText(const TrackSnapshot& snapshot, int camera) {
   if (state == nullptr || state->usable || state->foregroundShare <= 0.0) {
     return {};
   }
-  return QCoreApplication::translate("People", "%1 % of the image moves: ignored")
+  return QCoreApplication::translate("People", "image ignored: %1 % of it moves")
       .arg(percentText(state->foregroundShare));
 }
 

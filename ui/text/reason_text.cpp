@@ -40,9 +40,9 @@ QString cameraReasonText(const CameraReport& report) {
     return report.pixels < 1.0 ? Reason::tr("at a distractor")
                                : Reason::tr("%1 from a distractor").arg(distance);
   case CameraStatus::NoColor:
-    return Reason::tr("no color matches");
+    return Reason::tr("no matching color");
   case CameraStatus::Elsewhere:
-    return Reason::tr("its color is %1 away").arg(distance);
+    return Reason::tr("color found %1 away").arg(distance);
   case CameraStatus::Unclear:
     return Reason::tr("right color, wrong shape");
   }

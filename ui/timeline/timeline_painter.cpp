@@ -198,7 +198,7 @@ void paintNames(QPainter& painter, const TimelineModel& model, const TimelineRow
     }
   }
   if (rows.camerasShareRow) {
-    write(rows.cameras, QCoreApplication::translate("Timeline", "✕ cameras"),
+    write(rows.cameras, QCoreApplication::translate("Timeline", "✕ no image"),
           palette.color(QPalette::PlaceholderText));
     return;
   }
@@ -222,14 +222,15 @@ void paintFooter(QPainter& painter, const TimelineModel& model, const TimelineRo
   }
   const double shownSeconds =
       model.secondsOf(model.history.last + 1) - model.secondsOf(model.history.first);
-  QString text = QCoreApplication::translate("Timeline", "history %1 of %2 MB")
-                     .arg(megabytes(model.history.bytes), megabytes(model.history.mostBytes));
-  if (model.live && model.history.last >= 0) {
-    text +=
-        QCoreApplication::translate("Timeline", ", the last %1").arg(secondsText(shownSeconds, 0));
-  }
+  const QString used = megabytes(model.history.bytes);
+  const QString most = megabytes(model.history.mostBytes);
+  QString text =
+      model.live && model.history.last >= 0
+          ? QCoreApplication::translate("Timeline", "history: %1 of %2 MB (the last %3)")
+                .arg(used, most, secondsText(shownSeconds, 0))
+          : QCoreApplication::translate("Timeline", "history: %1 of %2 MB").arg(used, most);
   if (model.rerun) {
-    text = QCoreApplication::translate("Timeline", "tracking again: frame %1 of %2 to %3")
+    text = QCoreApplication::translate("Timeline", "tracking frames %2 to %3 again: now at %1")
                .arg(model.history.head + 1)
                .arg(model.rerun->from + 1)
                .arg(model.rerun->to + 1) +

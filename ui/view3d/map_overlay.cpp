@@ -40,8 +40,8 @@ QString MapOverlay::textAt(const ViewProjection& projection, QPointF position) c
   }
   const double sigma = double(map_->sigmas[*cell]);
   const int count = map_->counts[*cell];
-  return std::isnan(sigma) ? tr("Cameras that see it: %1").arg(count)
-                           : tr("±%1 (1 σ); cameras that see it: %2")
+  return std::isnan(sigma) ? tr("Cameras that see this point: %1").arg(count)
+                           : tr("Expected error: ±%1 (1 σ); cameras that see this point: %2")
                                  .arg(lengthText(sigma, LengthForm::Short))
                                  .arg(count);
 }

@@ -43,8 +43,8 @@ std::span<const FigureExperiment> figureExperiments() {
                        "while the cloud finds the ball.",
                        50, &intoFolder<&barreraFigure3>},
       FigureExperiment{"barrera-fig4", "Particles from above",
-                       "Barrera et al. 2005, figure 4: the same cloud from above.", 1,
-                       &intoFolder<&barreraFigure4>},
+                       "Barrera et al. 2005, figure 4: the particle cloud of figure 3 from above.",
+                       1, &intoFolder<&barreraFigure4>},
       FigureExperiment{"barrera-fig5", "The cone of one camera",
                        "Barrera et al. 2005, figure 5: where a single camera finds the color, and "
                        "why the cloud moves away from the camera.",
@@ -54,17 +54,16 @@ std::span<const FigureExperiment> figureExperiments() {
                        "from the camera.",
                        50, &intoFolder<&barreraDrift>},
       FigureExperiment{"starts", "Where the cloud may start",
-                       "Barrera et al. 2005, section III-B: the share of runs that converge for "
-                       "each start volume, and starts behind the ball.",
+                       "Barrera et al. 2005, section III-B: the share of runs that converge, for "
+                       "several start volumes and for starts behind the ball.",
                        100, &intoFolder<&barreraStarts>},
       FigureExperiment{"dynamics-fig6", "Error after a jump",
                        "Barrera et al. 2005, figure 6: the object jumps 2 m at iteration 30.", 100,
                        &intoFolder<&dynamicsFigure6>},
-      FigureExperiment{
-          "dynamics-fig7", "Error over iteration and motion sigma",
-          "Barrera et al. 2005, figure 7: the same for motion sigmas from 0.001 to 0.3 "
-          "m, as an image.",
-          20, &intoFolder<&dynamicsFigure7>},
+      FigureExperiment{"dynamics-fig7", "Error over iteration and motion sigma",
+                       "Barrera et al. 2005, figure 7: the error for the jump of figure 6 and "
+                       "motion sigmas from 0.001 to 0.3 m, as an image.",
+                       20, &intoFolder<&dynamicsFigure7>},
       FigureExperiment{"dynamics-fig8", "The cloud over time",
                        "Barrera et al. 2005, figure 8: the cloud at six instants, with a small and "
                        "a large motion sigma.",

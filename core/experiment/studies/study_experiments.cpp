@@ -100,8 +100,9 @@ std::span<const FigureExperiment> studyExperiments() {
   static const std::array kAll{
       FigureExperiment{.name = "sugandi-rmse",
                        .title = "Boxes: error, success and precision",
-                       .sentence = "Sugandi et al. 2009, section 4: 100 and 300 particles, method "
-                                   "histogram and four trackers of OpenCV on the same clips.",
+                       .sentence =
+                           "Sugandi et al. 2009, section 4: compares 100 and 300 particles, method "
+                           "histogram and four OpenCV trackers on the same clips.",
                        .runs = 2,
                        .run = &sugandiRmse,
                        .report = kBoxReport,
@@ -109,8 +110,8 @@ std::span<const FigureExperiment> studyExperiments() {
                        .group = ExperimentGroup::Sugandi},
       sceneOfPeople(
           "people-crossing", "People who cross",
-          "Mohedano et al. 2009: two people meet and walk on; motion alone may confuse them, color "
-          "keeps them apart when their clothes differ.",
+          "Mohedano et al. 2009: two people meet and walk on; motion alone may mix them up, color "
+          "tells them apart when their clothes differ.",
           [](const ExperimentOptions& options) { return studyScenario("crossing", options); },
           ExperimentGroup::Mohedano),
       sceneOfPeople(
@@ -125,14 +126,14 @@ std::span<const FigureExperiment> studyExperiments() {
           ExperimentGroup::Mohedano),
       sceneOfPeople(
           "people-enter-leave", "People who enter and leave",
-          "Mohedano et al. 2009: people enter and leave; how long an estimate stays without a "
-          "person, and a person without an estimate.",
+          "Mohedano et al. 2009: people enter and leave; how long estimates exist without a "
+          "person, and how long people have no estimate.",
           [](const ExperimentOptions& options) { return studyScenario("enter-leave", options); },
           ExperimentGroup::Mohedano),
       sceneOfPeople(
           "people-apart", "People who stay apart",
-          "Mohedano et al. 2009: two people far apart. This is the easy case: no method may "
-          "confuse them.",
+          "Mohedano et al. 2009: two people far apart. This is the easy case: no method may mix "
+          "them up.",
           [](const ExperimentOptions& options) { return studyScenario("apart", options); },
           ExperimentGroup::Mohedano),
       sceneOfPeople(
@@ -167,7 +168,8 @@ std::span<const FigureExperiment> studyExperiments() {
           }),
       sceneOfPeople(
           "people-room-clothes", "Clothes in the room's colors",
-          "Two people in clothes of the colors of walls, furniture and floor walk past each other.",
+          "Two people whose clothes have the colors of walls, furniture and floor walk past each "
+          "other.",
           [](const ExperimentOptions& options) { return studyScenario("room-clothes", options); }),
       sceneOfPeople("people-patterned-clothes", "Patterned clothes",
                     "Two people in striped, checked or blotched shirts walk past each other.",

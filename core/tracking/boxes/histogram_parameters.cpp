@@ -12,8 +12,8 @@ std::vector<ParameterDeclaration> declare() {
        "Number of particles of the filter: more particles track more reliably, but take more time.",
        true},
       {"position_sigma", ParameterKind::Real, "Position sigma", "sizes", 0.01, 5.0, 0.01, 0.12,
-       "How far particles move at random along each axis between images, in sizes of the target, "
-       "in addition to their constant velocity.",
+       "How far particles move at random along each axis between images, in multiples of the "
+       "target size, in addition to their constant velocity.",
        true},
       {"scale_sigma", ParameterKind::Real, "Scale sigma", "", 0.0, 0.5, 0.005, 0.01,
        "How much the size of the box may change between images (logarithm); 0 keeps the initial "
@@ -27,8 +27,8 @@ std::vector<ParameterDeclaration> declare() {
        "Share of the particles that are placed at other positions with the target's colors.",
        false},
       {"jump_reach", ParameterKind::Real, "Jump reach", "sizes", 0.1, 20.0, 0.1, 0.7,
-       "How far the target may be from its predicted position, in sizes of the target, before a "
-       "position counts as unlikely.",
+       "Largest distance of the target from its predicted position, in multiples of the target "
+       "size; positions farther away count as unlikely.",
        true},
       {"sharpness", ParameterKind::Real, "Sharpness", "", 1.0, 500.0, 1.0, 60.0,
        "How strongly positions with more of the target's colors are preferred.", true},
@@ -37,8 +37,8 @@ std::vector<ParameterDeclaration> declare() {
        "keeps the colors of the first image.",
        false},
       {"hidden_below", ParameterKind::Real, "Hidden below", "", 0.0, 1.0, 0.05, 0.45,
-       "If less than this share of its usual colors is found, the target counts as hidden and "
-       "keeps its position.",
+       "The target counts as hidden and keeps its position if less than this share of its usual "
+       "colors is found.",
        false},
   };
   putInGroup(ParameterGroup::Motion, {"scale_sigma", "aspect_sigma", "jump_share", "jump_reach"},

@@ -162,7 +162,7 @@ constexpr Method kMethods[] = {
      makeMohedano<true>},
     {"mohedano-ms",
      kPeople,
-     {"People by motion alone", "For comparison: confuses people who come close.",
+     {"People by motion alone", "For comparison: mixes up people who come close to each other.",
       "method-people.md", "Mohedano et al. 2009, MS"},
      mohedanoMsParameters,
      makeMohedano<false>},

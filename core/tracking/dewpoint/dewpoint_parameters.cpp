@@ -17,13 +17,13 @@ std::vector<ParameterDeclaration> declare() {
        false, ParameterGroup::Expert, "particles"},
       {"kld_error", ParameterKind::Real, "Sampling error", "", 0.0, 1.0, 0.01, 0.1,
        "How far the particles may be from the distribution that they represent (Kullback-Leibler "
-       "divergence): smaller values use more particles where they are spread; 0 always uses all of "
-       "them.",
+       "divergence): smaller values use more particles when they are spread out; 0 always uses the "
+       "largest number.",
        false},
       {"time_budget", ParameterKind::Real, "Time budget", "ms", 0.0, 1000.0, 0.5, 0.0,
-       "How long one iteration may take. To meet it, fewer particles are used and searches are "
-       "spread over several frames. 0 sets no limit. With a limit, a run depends on the speed of "
-       "the computer and cannot be repeated bit by bit.",
+       "How long one iteration may take. To meet this limit, fewer particles are used and searches "
+       "are spread over several frames. 0 sets no limit. With a limit, a run depends on the speed "
+       "of the computer and cannot be repeated exactly.",
        false},
       {"iterations_per_frame", ParameterKind::Integer, "Iterations per frame", "", 1.0, 500.0, 1.0,
        1.0, "How many filter iterations run on each frame.", false},
@@ -33,7 +33,7 @@ std::vector<ParameterDeclaration> declare() {
        "smaller values bridge gaps better.",
        true},
       {"survival_time", ParameterKind::Real, "Survival time", "s", 0.1, 60.0, 0.1, 5.0,
-       "How long a target still counts as present when no camera can see where it should be.",
+       "How long a target still counts as present when no camera can see its expected position.",
        true},
       {kSearchSizeKey, ParameterKind::Real, "Search size", "m", 0.1, 1000.0, 0.1, 4.0,
        "Edge length of the room in which a target may appear: larger values require a higher "

@@ -84,22 +84,22 @@ Declarations mohedano(bool color) {
        "Standard deviation of the noise on each component of the velocity, per frame.", false},
       {"mask_sigma", kReal, "Mask smoothing", "px", 0.0, 50.0, 0.5, 4.0,
        "Sigma of the Gaussian that smooths the motion masks (the paper: 4 px).", false},
-      {"motion_floor", kReal, "Motion floor", "", 0.001, 1.0, 0.01, 0.2,
+      {"motion_floor", kReal, "Least motion likelihood", "", 0.001, 1.0, 0.01, 0.2,
        "Smallest likelihood where a camera sees no motion (p_B in the paper: 0.2).", false},
   };
   if (color) {
-    add(all,
-        {{"hue_sigma", kReal, "Hue sigma", "", 0.001, 1.0, 0.005, 0.03,
-          "Standard deviation of a measured hue, in [0, 1].", true},
-         {"saturation_sigma", kReal, "Saturation sigma", "", 0.001, 1.0, 0.005, 0.06,
-          "Standard deviation of a measured saturation, in [0, 1].", true},
-         {"hue_floor", kReal, "Hue floor", "", 0.001, 1.0, 0.01, 0.3,
-          "Smallest likelihood of a hue (h_B in the paper), because another object may be seen.",
-          false},
-         {"saturation_floor", kReal, "Saturation floor", "", 0.001, 1.0, 0.01, 0.3,
-          "Smallest likelihood of a saturation (s_B in the paper).", false},
-         {"color_noise", kReal, "Color noise", "", 0.0, 0.5, 0.001, 0.005,
-          "Standard deviation of the noise on hue and saturation, per frame.", false}});
+    add(all, {{"hue_sigma", kReal, "Hue sigma", "", 0.001, 1.0, 0.005, 0.03,
+               "Standard deviation of a measured hue, in [0, 1].", true},
+              {"saturation_sigma", kReal, "Saturation sigma", "", 0.001, 1.0, 0.005, 0.06,
+               "Standard deviation of a measured saturation, in [0, 1].", true},
+              {"hue_floor", kReal, "Least hue likelihood", "", 0.001, 1.0, 0.01, 0.3,
+               "Smallest likelihood of a hue (h_B in the paper); above 0 because another object "
+               "may hide the person.",
+               false},
+              {"saturation_floor", kReal, "Least saturation likelihood", "", 0.001, 1.0, 0.01, 0.3,
+               "Smallest likelihood of a saturation (s_B in the paper).", false},
+              {"color_noise", kReal, "Color noise", "", 0.0, 0.5, 0.001, 0.005,
+               "Standard deviation of the noise on hue and saturation, per frame.", false}});
     putInGroup(ParameterGroup::Measurement,
                {"hue_sigma", "saturation_sigma", "hue_floor", "saturation_floor"}, all);
     putInGroup(ParameterGroup::Motion, {"color_noise"}, all);

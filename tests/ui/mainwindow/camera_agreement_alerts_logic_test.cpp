@@ -73,10 +73,11 @@ TEST_F(CameraAgreementAlertsTest, OfTwoCamerasEitherCanBeRotated) {
   CameraDisagreement rotated{.fault = CameraFault::Rotated, .cameras = {0, 1}};
   rotated.turns = {Eigen::Vector3d(2.0 * kDegree, 0.0, 0.0), Eigen::Vector3d(0.0, 0.03, 0.0)};
   alerts_.setSnapshot(with({rotated}));
-  EXPECT_EQ(bar_.text(),
-            QStringLiteral("left or camera 2 looks at least 2.0° away from its calibration."));
+  EXPECT_EQ(
+      bar_.text(),
+      QStringLiteral("left or camera 2 points at least 2.0° away from its calibrated direction."));
   ASSERT_EQ(answers().size(), 2U);
-  EXPECT_EQ(answers()[1]->text(), QStringLiteral("Rotate camera 2"));
+  EXPECT_EQ(answers()[1]->text(), QStringLiteral("Correct direction of camera 2"));
 }
 
 TEST_F(CameraAgreementAlertsTest, WhatOnlyACalibrationMendsOffersThat) {
@@ -90,9 +91,11 @@ TEST_F(CameraAgreementAlertsTest, WhatOnlyACalibrationMendsOffersThat) {
 
 TEST_F(CameraAgreementAlertsTest, OneReasonIsShownAfterTheOther) {
   alerts_.setSnapshot(with({unit(), samePose()}));
-  EXPECT_EQ(bar_.text(), QStringLiteral("The calibration seems to be in millimeters."));
+  EXPECT_EQ(bar_.text(),
+            QStringLiteral("The calibration seems to be in millimeters instead of meters."));
   alerts_.setSnapshot(with({unit(), samePose()}));
-  EXPECT_EQ(bar_.text(), QStringLiteral("The calibration seems to be in millimeters."));
+  EXPECT_EQ(bar_.text(),
+            QStringLiteral("The calibration seems to be in millimeters instead of meters."));
   alerts_.setSnapshot(with({samePose()})); // mended
   EXPECT_EQ(bar_.text(), QStringLiteral("left and camera 2 have the same pose."));
   alerts_.setSnapshot(with({}));
@@ -121,10 +124,12 @@ TEST_F(CameraAgreementAlertsTest, WhoCalibratesIsLeftAlone) {
 TEST_F(CameraAgreementAlertsTest, ADelayIsSaidInSeconds) {
   const QStringList names{QStringLiteral("left"), QStringLiteral("right")};
   CameraDisagreement late{.fault = CameraFault::Late, .cameras = {1}, .delay = 0.198};
-  EXPECT_EQ(disagreementText(late, names), QStringLiteral("right is about 0.20 s late."));
+  EXPECT_EQ(disagreementText(late, names),
+            QStringLiteral("The images of right are about 0.20 s late."));
   EXPECT_EQ(mendingText(late, 0, names), QStringLiteral("Set the delay of right"));
   late.delay = -0.1;
-  EXPECT_EQ(disagreementText(late, names), QStringLiteral("right is about 0.10 s early."));
+  EXPECT_EQ(disagreementText(late, names),
+            QStringLiteral("The images of right are about 0.10 s early."));
 }
 
 } // namespace

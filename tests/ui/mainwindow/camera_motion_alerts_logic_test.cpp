@@ -50,7 +50,7 @@ protected:
 TEST_F(CameraMotionAlertsTest, APoseThatIsKnownIsOneClickAway) {
   messages_.setSnapshot(at(10.5));
   EXPECT_TRUE(bar_.text().contains(QStringLiteral("camera 2")));
-  EXPECT_TRUE(bar_.text().contains(QStringLiteral("being worked out")));
+  EXPECT_TRUE(bar_.text().contains(QStringLiteral("being computed")));
   messages_.setSnapshot(at(11.0, true));
   QSignalSpy newPose(&messages_, &CameraMotionAlerts::newPoseWanted);
   ASSERT_NE(answer(), nullptr);

@@ -142,9 +142,10 @@ void InspectorTest::allParametersAreResetInOneStep() {
 void InspectorTest::aBoundThatCountsIsSaidAtBothParameters() {
   QVERIFY(note("particles").isEmpty() && note("fewest_particles").isEmpty());
   QVERIFY(window_->document().setParameter("particles", 50.0));
-  QCOMPARE(note("fewest_particles"), QStringLiteral("More than “Particles”: 50 is used."));
+  QCOMPARE(note("fewest_particles"),
+           QStringLiteral("This is more than “Particles”: 50 is used instead."));
   QCOMPARE(note("particles"),
-           QStringLiteral("Less than “Fewest particles”, which has no effect then."));
+           QStringLiteral("This is less than “Fewest particles”, which therefore has no effect."));
   QVERIFY(window_->document().setParameter("fewest_particles", 50.0));
   QVERIFY(note("particles").isEmpty() && note("fewest_particles").isEmpty());
 }

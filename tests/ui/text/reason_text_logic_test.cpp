@@ -28,7 +28,7 @@ TEST(ReasonText, EveryTroubleHasItsText) {
 TEST(ReasonText, PixelsAreRoundedAndNeverZero) {
   EXPECT_EQ(text(CameraStatus::Distractor, 2.6), "3 px from a distractor");
   EXPECT_EQ(text(CameraStatus::Distractor, 0.9), "at a distractor");
-  EXPECT_EQ(text(CameraStatus::Elsewhere, 0.2), "its color is 1 px away");
+  EXPECT_EQ(text(CameraStatus::Elsewhere, 0.2), "color found 1 px away");
 }
 
 TEST(ReasonText, AnImageSaysThatTheTargetIsHiddenInIt) {

@@ -247,7 +247,8 @@ void TranslationTest::anAssessmentSaysWhatItsScoreIsMadeOf() {
   assessment.backgroundShare = 0.0;
   assessment.backgroundShareOfWhole = 0.015;
   const QString missed = colorAssessmentText(assessment, {});
-  QVERIFY2(missed.contains(QStringLiteral("Only 2 % of the target and 0.00 % of the background")) &&
+  QVERIFY2(missed.contains(QStringLiteral(
+               "Only 2 % of the target matches, and 0.00 % of the background matches too")) &&
                missed.contains(QStringLiteral("would match 1.50 % of the background")),
            qPrintable(missed));
   assessment.targetShare = 0.9;

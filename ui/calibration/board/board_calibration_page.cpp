@@ -117,10 +117,11 @@ void BoardCalibrationPage::refresh() {
   const bool live = calibrator_.isLive();
   const bool computing = calibrator_.isComputing();
   const auto outcome = calibrator_.outcome();
-  guide_->setText(live ? tr("Show a printed board to the cameras. This page says what to show "
-                            "next. A view is captured when you hold the board still.")
-                       : tr("To calibrate from a recording, record a printed board that you hold "
-                            "still in many positions, also close and tilted."));
+  guide_->setText(live
+                      ? tr("Show a printed board to the cameras. This page says what to show "
+                           "next. A view is captured when you hold the board still.")
+                      : tr("To calibrate from a recording, record a printed board that you hold "
+                           "still in many positions, some of them close to the camera or tilted."));
   runTitle_->setText(live ? tr("Live cameras") : tr("This recording"));
   live_->setVisible(live);
   calibrate_->setVisible(!live && !computing);

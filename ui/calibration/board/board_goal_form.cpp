@@ -149,10 +149,10 @@ void BoardGoalForm::retranslateUi() {
   name(floorHere_, tr("Use current frame for the floor"), tr("Take the frame that is shown now"));
   accuracyLabel_->setText(tr("Stop at accuracy"));
   name(lensAccuracy_, tr("Desired accuracy of the intrinsics"),
-       tr("The guidance ends when rays are known to this accuracy all over the image"));
+       tr("Guidance ends when the intrinsics are this accurate all over the image"));
   lensAccuracy_->setSuffix(QStringLiteral(" px"));
   name(placeAccuracy_, tr("Desired accuracy of the positions"),
-       tr("The guidance ends when the position of each camera is known to this accuracy"));
+       tr("Guidance ends when the position of each camera is this accurate"));
   placeAccuracy_->setSuffix(QStringLiteral(" mm"));
   refresh();
 }

@@ -134,10 +134,10 @@ void BoardLive::retranslateUi() {
   floor_->setToolTip(tr("Use the board on the floor to define the world coordinates: X along its "
                         "rows, Y toward its upper edge, Z up"));
   next_->setText(tr("Next: positions"));
-  next_->setToolTip(tr("Keep the accuracy of the intrinsics as it is, and show the board to "
+  next_->setToolTip(tr("Accept the present accuracy of the intrinsics, then show the board to "
                        "several cameras at once"));
   finish_->setText(tr("Calibrate with these views"));
-  finish_->setToolTip(tr("Finish now: the captured views are enough"));
+  finish_->setToolTip(tr("Finish now with the views captured so far"));
   refresh();
 }
 
@@ -168,11 +168,11 @@ void BoardLive::followGuide() {
   for (std::size_t k = 0; k < rows_.size(); ++k) {
     fillRow(rows_[k], *state, k);
   }
-  overall_->setText(
-      state->frame < 0 ? tr("Waiting for images. Check that the cameras are running.")
-      : state->phase == BoardGuideState::Phase::Poses
-          ? pairText(calibrator_, state->rig)
-          : tr("Show the board to one camera after the other, as each of them asks."));
+  overall_->setText(state->frame < 0 ? tr("Waiting for images. Check that the cameras are running.")
+                    : state->phase == BoardGuideState::Phase::Poses
+                        ? pairText(calibrator_, state->rig)
+                        : tr("Show the board to one camera after the other, following the "
+                             "instructions for each."));
 }
 
 } // namespace dewpoint::ui

@@ -26,10 +26,10 @@ QString lensLine(const QString& name, const IntrinsicsResult& lens) {
                      .arg(name, pixelText(lens.rmsPx, 3), pixelText(lens.camera.intrinsics.focalX),
                           QString::number(used), pixelText(lens.worstProjectionPx, 2));
   if (lens.worstProjectionPx > kPoorlyKnownPx) {
-    line +=
-        QStringLiteral("\n⚠ ") + BoardText::tr("The corners cover only %1 % of its image: show the "
-                                               "board in every part of the image, also tilted.")
-                                     .arg(percentText(lens.coverage.imagePart()));
+    line += QStringLiteral("\n⚠ ") +
+            BoardText::tr("The board's corners cover only %1 % of the image: show the board in "
+                          "every part of the image, and tilt it too.")
+                .arg(percentText(lens.coverage.imagePart()));
   }
   return line;
 }
@@ -38,13 +38,12 @@ QString placeLine(const QString& name, const CameraFit& fit) {
   if (fit.views.empty()) {
     return BoardText::tr("%1 keeps its position: it never saw the board.").arg(name);
   }
-  QString line = BoardText::tr("%1: RMS %2").arg(name, pixelText(fit.rmsPx, 3));
   if (fit.centerSigma > 0.0) {
-    line += BoardText::tr(", position ±%1, direction ±%2")
-                .arg(lengthText(fit.centerSigma, LengthScale::Millimeters, 2),
-                     angleText(fit.turnSigma, 3));
+    return BoardText::tr("%1: RMS %2, position ±%3, direction ±%4")
+        .arg(name, pixelText(fit.rmsPx, 3),
+             lengthText(fit.centerSigma, LengthScale::Millimeters, 2), angleText(fit.turnSigma, 3));
   }
-  return line;
+  return BoardText::tr("%1: RMS %2").arg(name, pixelText(fit.rmsPx, 3));
 }
 
 void addLenses(const BoardCalibrator& calibrator, const LensesFromBoards& lenses,
@@ -119,7 +118,7 @@ QString adviceText(const BoardGuideState::PerCamera& camera) {
   case GuidanceAdvice::MoveTo:
     return BoardText::tr("Move the board to: %1").arg(regionText(camera.lens.region));
   case GuidanceAdvice::TiltTo:
-    return BoardText::tr("Tilt the board, %1").arg(tiltText(camera.lens.tilt));
+    return BoardText::tr("Turn the board: %1").arg(tiltText(camera.lens.tilt));
   case GuidanceAdvice::ComeNearer:
     return BoardText::tr("Move the board closer");
   case GuidanceAdvice::HoldStill:
@@ -183,14 +182,14 @@ QString outcomeText(const BoardCalibrator& calibrator, const BoardOutcome& outco
     addLenses(calibrator, *outcome.lenses, lines);
   }
   if (outcome.extrinsicsError) {
-    lines << QStringLiteral("⚠ ") + BoardText::tr("The positions were not found: %1")
+    lines << QStringLiteral("⚠ ") + BoardText::tr("The camera positions could not be computed: %1")
                                         .arg(errorSentence(*outcome.extrinsicsError));
   }
   if (outcome.extrinsics) {
     addPlaces(calibrator, *outcome.extrinsics, lines);
     lines << (outcome.accuracy ? accuracyText(*outcome.accuracy)
-                               : BoardText::tr("The accuracy cannot be estimated: two cameras saw "
-                                               "the board together too rarely."));
+                               : BoardText::tr("The accuracy cannot be estimated: the board was "
+                                               "too rarely seen by two cameras at once."));
     QStringList names;
     for (std::size_t k = 0; k < outcome.extrinsics->cameras.size(); ++k) {
       names << calibrator.nameOf(k);

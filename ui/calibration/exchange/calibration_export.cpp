@@ -123,7 +123,7 @@ QString CalibrationExportDialog::textOf(const CalibrationConversion& conversion,
                               : tr("%1: largest reprojection difference %2"))
                  .arg(name, pixelDifferenceText(camera.largestPixels));
     if (camera.lostDirections > 0) {
-      lines << tr("%1: %2 of 81 directions no longer map to a pixel")
+      lines << tr("%1: %2 of 81 test directions no longer map to a pixel")
                    .arg(name)
                    .arg(camera.lostDirections);
     }

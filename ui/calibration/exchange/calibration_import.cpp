@@ -62,7 +62,7 @@ void CalibrationImportDialog::chooseFile() {
 void CalibrationImportDialog::fillCameras() {
   ChoicesWithData choices = {{tr("by name"), {}}};
   for (int camera = 0; camera < cameras_.rowCount(); ++camera) {
-    choices.emplace_back(tr("only %1").arg(cameras_.nameOf(camera)), camera);
+    choices.emplace_back(tr("for %1 only").arg(cameras_.nameOf(camera)), camera);
   }
   setChoicesWithData(*camera_, choices);
 }
@@ -194,7 +194,7 @@ void CalibrationImportDialog::applyResult(const Result<CalibrationImport>& made)
                       lengthText(camera.shift.meters, LengthScale::Centimeters, 1),
                       angleText(camera.shift.radians, 2));
   }
-  lines << tr("Largest reprojection difference to the file: %1")
+  lines << tr("Largest reprojection difference from the file: %1")
                .arg(pixelDifferenceText(made->largestPixels));
   showPreview(lines.join(QLatin1Char('\n')), true);
 }

@@ -141,7 +141,7 @@ void CameraForm::retranslateUi() {
   dragLabel_->setText(tr("Dragging"));
   setChoices(*dragMode_, {tr("turns the camera"), tr("slides the camera")});
   name(dragMode_, tr("Effect of dragging"),
-       tr("What the camera does while the grid is dragged and nothing is held. Click points of the "
+       tr("What the camera does while you drag the grid and no point is held. Click points of the "
           "grid to hold up to three of them."));
   focalMay_->setText(tr("Also fit the focal length when three points are held"));
   focalMay_->setToolTip(tr("Three held points fix the pose. Dragging then changes the focal "
@@ -192,7 +192,7 @@ void CameraForm::showUnits() {
       setRange(*aim_[k], {-180.0, 180.0, 0.1, 2}, degrees);
       aim_[k]->setPrefix({});
       aim_[k]->setAccessibleName(heading[k]);
-      aim_[k]->setToolTip(k == 0 ? tr("Direction from above: 0° along x, 90° along y")
+      aim_[k]->setToolTip(k == 0 ? tr("Direction seen from above: 0° along x, 90° along y")
                                  : tr("Angle above the horizon; straight down is −90°"));
     }
   }

@@ -151,7 +151,7 @@ void GridForm::retranslateUi() {
   edges_->setText(tr("Show image edges"));
   edges_->setToolTip(tr("Dim the images except for their edges"));
   flip_->setText(tr("Before"));
-  name(flip_, tr("Show the cameras as they were before"),
+  name(flip_, tr("Show the grid before your changes"),
        tr("Hold down (or hold B over an image) to show the grid as it was when the calibration was "
           "opened"));
   refresh();

@@ -163,7 +163,7 @@ void UncertaintyMapForm::retranslateUi() {
   goodLabel_->setText(tr("Acceptable error"));
   name(good_, tr("Acceptable error"),
        tr("Errors up to this value are blue in the map. The summary and the search for a camera "
-          "position use it, too"));
+          "position also use this value"));
   good_->setSuffix(QStringLiteral(" mm"));
   pixelLabel_->setText(tr("Detection error"));
   name(pixel_, tr("Detection error"),
@@ -175,8 +175,9 @@ void UncertaintyMapForm::retranslateUi() {
   name(height_, tr("Height of the layer in meters"), tr("Height of the layer above the floor"));
   height_->setSuffix(QStringLiteral(" m"));
   volume_->setText(tr("Surfaces around good and fair regions"));
-  volume_->setToolTip(tr("Show surfaces in the room where the error is at most 0.4, 1 and 2 times "
-                         "the acceptable error, or where two, three and four cameras see"));
+  volume_->setToolTip(
+      tr("Show surfaces in the room around the regions where the error is at most 0.4, 1 and 2 "
+         "times the acceptable error, or that two, three and four cameras see"));
   lowLabel_->setText(tr("Volume from x, y, z"));
   highLabel_->setText(tr("to x, y, z"));
   for (std::size_t k = 0; k < 3; ++k) {
@@ -224,7 +225,7 @@ void UncertaintyMapForm::summarize() {
   if (plan_.isMapShown() && plan_.map()) {
     const RigMapSummary summary = summaryOf(*plan_.map(), plan_.look().goodSigma);
     text =
-        tr("%1 of the volume within %2, %3 seen by fewer than two cameras")
+        tr("Error within %2 in %1 of the volume; %3 seen by fewer than two cameras")
             .arg(shareText(summary.within), lengthText(plan_.look().goodSigma, LengthForm::Short),
                  shareText(summary.tooFew));
   }

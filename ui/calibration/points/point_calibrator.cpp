@@ -203,7 +203,8 @@ QString PointCalibrator::cameraSentence(const CameraFromPoints& camera) const {
     line = tr("%1: its points lie on one line, add a point beside the line").arg(name);
     break;
   case PoseStatus::Ambiguous:
-    line = tr("%1: %2, but a second pose fits equally well: add a point outside the plane")
+    line = tr("%1: average error %2, but a second pose fits equally well: add a point outside the "
+              "plane of the others")
                .arg(name, pixelText(camera.rmsPx, 2));
     break;
   case PoseStatus::NoPose:
@@ -215,7 +216,7 @@ QString PointCalibrator::cameraSentence(const CameraFromPoints& camera) const {
     line += QLatin1Char('\n') +
             (camera.proposal->byUprightness
                  ? tr("%1 (ignore this if the camera is mounted that way)").arg(what)
-                 : tr("%1: after that, its points fit within %2")
+                 : tr("%1. Once corrected, the average error is %2")
                        .arg(what, pixelText(camera.proposal->rmsPx, 2)));
   }
   return line;

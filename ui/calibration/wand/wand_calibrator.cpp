@@ -161,8 +161,8 @@ QString WandCalibrator::missing() const {
     return missing;
   }
   if (live_ && collector_ == nullptr) {
-    return tr("Press Start waving, then wave for half a minute in the volume in which you want to "
-              "track.");
+    return tr("Press “Start waving”, then wave for half a minute in the volume in which you want "
+              "to track.");
   }
   return {};
 }

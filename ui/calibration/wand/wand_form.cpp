@@ -202,7 +202,7 @@ void WandForm::retranslateUi() {
   kindLabel_->setText(tr("Wand"));
   setChoices(*kind_, {tr("one ball"), tr("wand with two balls")});
   name(kind_, tr("Kind of wand"),
-       tr("A wand with two balls also gives the size, more accurately than the other ways"));
+       tr("A wand with two balls also gives the scale, more accurately than the other ways"));
   ballLabel_->setText(tr("Ball"));
   name(ball_, tr("Ball"), tr("The target that you wave; it is detected by its color"));
   otherLabel_->setText(tr("Second ball"));
@@ -211,8 +211,8 @@ void WandForm::retranslateUi() {
   name(length_, tr("Length of the wand"),
        tr("From the center of one ball to the center of the other"));
   length_->setSuffix(tr(" cm"));
-  sizeLabel_->setText(tr("Size from"));
-  name(size_, tr("Source of the size"),
+  sizeLabel_->setText(tr("Scale from"));
+  name(size_, tr("Source of the scale"),
        tr("Images alone cannot show whether a room is large or small. A diameter is accurate to "
           "about one percent, a distance as accurately as you measure it"));
   distanceLabel_->setText(tr("Distance"));

@@ -172,10 +172,11 @@ void WandOutcome::showOutcome() {
       notes << QStringLiteral("⚠ ") + faultText(fault, cameraNames(found->before));
     }
     if (saysTooLittle(*found)) {
-      notes << QStringLiteral("⚠ ") + tr("This is less accurate than the initial cameras (error up "
-                                         "to %1): wave through more of the volume.")
-                                          .arg(lengthText(found->options.initialPositionError,
-                                                          LengthScale::Centimeters, 1));
+      notes << QStringLiteral("⚠ ") +
+                   tr("The result is less accurate than the initial camera positions (error up to "
+                      "%1): wave through more of the volume.")
+                       .arg(lengthText(found->options.initialPositionError,
+                                       LengthScale::Centimeters, 1));
     }
     if (!calibrator_.isApplied()) {
       notes << tr("The cameras are unchanged.");

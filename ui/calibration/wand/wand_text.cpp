@@ -36,15 +36,16 @@ QString validationMessage(const WandSettings& settings, const std::vector<Touche
   case WandObstacle::TooFewCameras:
     return WandText::tr("At least two cameras must see the ball.");
   case WandObstacle::NoBall:
-    return WandText::tr("Learn the color of the ball first: press L and click it in an image.");
+    return WandText::tr(
+        "Learn the color of the ball first: press L and click the ball in an image.");
   case WandObstacle::NoSecondBall:
     return WandText::tr(
         "A wand has two balls of different colors: learn the second color (Shift+L).");
   case WandObstacle::SameBallTwice:
     return WandText::tr("Both ends of the wand are the same target: choose another target.");
   case WandObstacle::DistanceNotTaken:
-    return WandText::tr(
-        "The size comes from a distance: add the times at which the ball is at its two ends.");
+    return WandText::tr("The scale comes from a known distance: add the times at which the ball is "
+                        "at each end of this distance.");
   case WandObstacle::HalfAFall:
     return WandText::tr("A fall needs two times: one at which the ball starts to fall, and one at "
                         "which it is still falling.");

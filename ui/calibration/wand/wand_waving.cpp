@@ -46,8 +46,8 @@ WandWaving::WandWaving(WandCalibrator& calibrator, QWidget* parent)
 }
 
 void WandWaving::retranslateUi() {
-  wave_->setToolTip(tr("Collect the positions of the ball in every camera; starting again discards "
-                       "what was collected before"));
+  wave_->setToolTip(tr("Collect positions of the ball from all camera images; starting again "
+                       "discards those collected before"));
   refresh();
 }
 
@@ -102,10 +102,10 @@ void WandWaving::showCameras() {
             .arg(static_cast<qulonglong>(seen.count)));
   }
   QString text = tr("%1 collected.").arg(secondsText(collected->seconds, 1));
-  text +=
-      QLatin1Char(' ') +
-      (enough ? tr("Every camera saw enough: stop, or refine.")
-              : tr("Continue: each camera should see the ball 150 times, in half of its image."));
+  text += QLatin1Char(' ') +
+          (enough ? tr("Every camera has seen the ball often enough: stop waving, or refine.")
+                  : tr("Keep waving: each camera should see the ball 150 times, spread over half "
+                       "of its image."));
   if (collected->dropped > 0) {
     text += QLatin1Char(' ') +
             tr("Frames skipped because they arrived too fast: %1.").arg(collected->dropped);
