@@ -114,9 +114,9 @@ void benchRange(const ColorRange& range, const std::map<int, cv::Mat>& images, c
   LabelImage labels;
   for (const auto& [frame, box] : boxes) {
     const cv::Mat& image = images.at(frame);
-    background.followLight(image);
+    background.adaptToLight(image);
     labels.begin(image, background, classifier);
-    labels.requireAll();
+    labels.ensureAllLabels();
     const cv::Mat truth = drawn(image.size(), box, 0.0);
     const cv::Mat rim = drawn(image.size(), box, kRim) & ~drawn(image.size(), box, -kRim);
     without.add(matchImage(image, classifier), truth, rim);

@@ -99,7 +99,7 @@ void BallScene::showFrame(int iterations) {
   product.prepare(count * iterations);
 }
 
-StateEstimate BallScene::iterateProduct() {
+StateEstimate BallScene::iterateColorWindow() {
   ++key.frame;
   return filter.iterate(proposal, product, resampling, count, key, team);
 }
@@ -114,7 +114,7 @@ bool versionsAgree(const CameraRig& rig, Eigen::Index particles, int iterations)
   BallScene slow(rig, particles);
   for (int i = 0; i < iterations; ++i) {
     fast.showFrame();
-    if ((fast.iterateProduct().mean - slow.iterateNaive().mean).norm() > 1e-12) {
+    if ((fast.iterateColorWindow().mean - slow.iterateNaive().mean).norm() > 1e-12) {
       return false;
     }
   }

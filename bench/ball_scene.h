@@ -49,7 +49,7 @@ struct BallScene {
 
   /// The same images again, as if they were new, for so many iterations.
   void showFrame(int iterations = 1);
-  StateEstimate iterateProduct();
+  StateEstimate iterateColorWindow();
   StateEstimate iterateNaive();
 };
 

@@ -50,7 +50,7 @@ struct Outcome {
 
 bool isWhole(const ImageBox& truth, const cv::Mat& image) {
   const ImageBox inner{1.0, 1.0, image.cols - 2.0, image.rows - 2.0};
-  return !truth.isEmpty() && commonArea(truth, inner) == truth.area();
+  return !truth.isEmpty() && intersectionArea(truth, inner) == truth.area();
 }
 
 void clickIn(const cv::Mat& image, const ImageBox& truth, double step, Click click,
@@ -68,7 +68,7 @@ void clickIn(const cv::Mat& image, const ImageBox& truth, double step, Click cli
       outcome.milliseconds +=
           std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before)
               .count();
-      const double common = box ? overlap(*box, truth) : 0.0;
+      const double common = box ? intersectionOverUnion(*box, truth) : 0.0;
       outcome.overlap += common;
       outcome.found += common >= kFound ? 1 : 0;
       ++outcome.clicks;

@@ -89,7 +89,7 @@ using Visit = std::function<void(const cv::Mat& image, const ColorTruth& truth)>
 using ForEachImage = std::function<void(const Visit& visit)>;
 
 /// The median scores of each color over the images.
-std::vector<ColorScore> scoresOf(const std::vector<TaughtColor>& colors,
+std::vector<ColorScore> scoresOf(const std::vector<PixelClassifier>& colors,
                                  const ForEachImage& forEachImage) {
   std::vector<std::vector<ColorScore>> scores(colors.size());
   forEachImage([&](const cv::Mat& image, const ColorTruth& truth) {
@@ -121,22 +121,22 @@ void printScores(const std::vector<ColorScore>& scores) {
 }
 
 /// What a lesson taught, beside the best there is; the scores by column.
-std::vector<ColorScore> benchLesson(const std::string& title, const ColorLesson& lesson,
+std::vector<ColorScore> benchLesson(const std::string& title, const LearnedColors& lesson,
                                     const ForEachImage& forEachImage) {
   fmt::print("{}   verdict {:.2f}  {}\n", title, lesson.separability, rangeText(lesson.range));
   if (lesson.colors.empty()) {
     fmt::print("  nothing learned\n");
-    return std::vector<ColorScore>(ColorLesson::kColors);
+    return std::vector<ColorScore>(LearnedColors::kColors);
   }
-  TruthLesson truthLesson;
+  TruthLearner truthLesson;
   forEachImage(
       [&](const cv::Mat& image, const ColorTruth& truth) { truthLesson.add(image, truth); });
-  std::vector<TaughtColor> colors = lesson.colors;
-  for (TaughtColor& best : truthLesson.colors()) {
+  std::vector<PixelClassifier> colors = lesson.colors;
+  for (PixelClassifier& best : truthLesson.colors()) {
     colors.push_back(std::move(best));
   }
   fmt::print("  {:26}", "");
-  for (const TaughtColor& color : colors) {
+  for (const PixelClassifier& color : colors) {
     fmt::print(" {:>10}", color.name);
   }
   fmt::print("\n");
@@ -146,10 +146,10 @@ std::vector<ColorScore> benchLesson(const std::string& title, const ColorLesson&
 }
 
 /// What one click at the target's center of one image teaches.
-ColorLesson lessonIn(const std::map<int, cv::Mat>& images, const Subject& subject, int clicked) {
+LearnedColors lessonIn(const std::map<int, cv::Mat>& images, const Subject& subject, int clicked) {
   const cv::Mat& image = images.at(clicked);
   const ImageEllipse& ellipse = subject.ellipses.at(clicked);
-  return taughtBySamples({clickAt(image, ellipse.x, ellipse.y)}, {image});
+  return learnFromSamples({clickAt(image, ellipse.x, ellipse.y)}, {image});
 }
 
 ForEachImage otherFrames(const std::map<int, cv::Mat>& images, const Subject& subject,
@@ -175,10 +175,10 @@ std::vector<ColorScore> benchSubject(const std::map<int, cv::Mat>& images, const
     frames.push_back(frame);
   }
   constexpr std::size_t kClicks = 10;
-  std::vector<std::vector<ColorScore>> others(ColorLesson::kColors);
+  std::vector<std::vector<ColorScore>> others(LearnedColors::kColors);
   for (std::size_t k = 0; k < kClicks; ++k) {
     const int clicked = frames[(2 * k + 1) * frames.size() / (2 * kClicks)];
-    const ColorLesson lesson = lessonIn(images, subject, clicked);
+    const LearnedColors lesson = lessonIn(images, subject, clicked);
     const auto taught = scoresOf(lesson.colors, otherFrames(images, subject, clicked));
     for (std::size_t column = 0; column < others.size(); ++column) {
       others[column].push_back(column < taught.size() ? taught[column] : ColorScore{});
@@ -301,7 +301,7 @@ void benchSimulation(const std::string& name, const Eigen::Vector3d& bgr) {
   const SceneRenderer renderer(scene);
   const std::vector<cv::Mat> first{renderer.render(0, 0), renderer.render(1, 0)};
   const auto at = Projector(scene.cameras[0]).project(ballPosition(scene, 0, 0.0));
-  const ColorLesson lesson = taughtBySamples({clickAt(first[0], at->x(), at->y())}, first);
+  const LearnedColors lesson = learnFromSamples({clickAt(first[0], at->x(), at->y())}, first);
   benchLesson("simulated " + name, lesson, [&](const Visit& visit) {
     for (std::int64_t frame = 5; frame < scene.frameCount; frame += 5) {
       for (std::size_t k = 0; k < scene.cameras.size(); ++k) {

@@ -93,7 +93,7 @@ void lookUp(benchmark::State& state, const cv::Mat& image) {
   rest.add(image, cv::Mat());
   TargetColorModel model(kPink);
   model.add({{hsiFromBgr(150, 80, 220), 1000.0}});
-  const ColorLikelihood likelihood = model.inCamera({}, rest.colors());
+  const ColorLikelihood likelihood = model.likelihoodForCamera({}, rest.colors());
   cv::Mat ratios(image.size(), CV_8SC1);
   for ([[maybe_unused]] auto _ : state) {
     likelihood.logRatioRow(image.ptr<std::uint8_t>(), static_cast<std::int64_t>(image.total()),

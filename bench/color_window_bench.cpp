@@ -37,7 +37,7 @@ void productIteration(benchmark::State& state) {
   BallScene scene(paperRig(), kPaperParticles);
   for ([[maybe_unused]] auto _ : state) {
     scene.showFrame();
-    benchmark::DoNotOptimize(scene.iterateProduct());
+    benchmark::DoNotOptimize(scene.iterateColorWindow());
   }
 }
 BENCHMARK(productIteration)->DenseRange(0, 2)->Unit(benchmark::kMicrosecond);

@@ -275,7 +275,7 @@ private:
 } // namespace dewpoint::bench
 
 int main(int argc, char** argv) {
-  dewpoint::app::quietLibraries();
+  dewpoint::app::silenceLibraries();
   dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
   QApplication application(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("dewpoint-bench"));

@@ -52,7 +52,7 @@ void follow(benchmark::State& state, const std::string& method) {
   auto inputs = openProject("demo").value();
   inputs.project.method = method;
   inputs.project.parameters = ParameterValues(methodParameters(method));
-  inputs.project.parameters.giveAll();
+  inputs.project.parameters.markAllGiven();
   for (const char* key : {"particles", "fewest_particles"}) { // barrera has no second
     static_cast<void>(inputs.project.parameters.set(key, kParticles));
   }

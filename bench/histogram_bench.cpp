@@ -63,7 +63,7 @@ double productAt(const HistogramSimilarity& similarity, const cv::Point& corner)
 
 bool agree(const Scene& scene) {
   HistogramSimilarity similarity = similarityOf(scene);
-  similarity.showColors(scene.image, scene.region);
+  similarity.loadColors(scene.image, scene.region);
   return std::all_of(scene.corners.begin(), scene.corners.end(), [&](const cv::Point& corner) {
     return std::abs(productAt(similarity, corner) - scene.naive(corner)) < 1e-5;
   });
@@ -89,7 +89,7 @@ void productParticles(benchmark::State& state) {
   }
   HistogramSimilarity similarity = similarityOf(scene);
   for ([[maybe_unused]] auto _ : state) {
-    similarity.showColors(scene.image, scene.region);
+    similarity.loadColors(scene.image, scene.region);
     double sum = 0.0;
     for (const cv::Point& corner : scene.corners) {
       sum += productAt(similarity, corner);

@@ -15,7 +15,7 @@ namespace {
 /// The cloud has its typical size from the second iteration on.
 void warmUp(BallScene& scene) {
   for (int i = 0; i < 3; ++i) {
-    scene.iterateProduct();
+    scene.iterateColorWindow();
   }
 }
 
@@ -25,7 +25,7 @@ void iteration(benchmark::State& state) {
   scene.showFrame(1000);
   warmUp(scene);
   for ([[maybe_unused]] auto _ : state) {
-    benchmark::DoNotOptimize(scene.iterateProduct());
+    benchmark::DoNotOptimize(scene.iterateColorWindow());
   }
 }
 BENCHMARK(iteration)
@@ -41,7 +41,7 @@ void iterationOnNewFrame(benchmark::State& state) {
   warmUp(scene);
   for ([[maybe_unused]] auto _ : state) {
     scene.showFrame();
-    benchmark::DoNotOptimize(scene.iterateProduct());
+    benchmark::DoNotOptimize(scene.iterateColorWindow());
   }
 }
 BENCHMARK(iterationOnNewFrame)

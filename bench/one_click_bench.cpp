@@ -10,7 +10,7 @@
 #include "core/experiment/scenarios/random_draws.h"
 #include "core/experiment/scenarios/scenario.h"
 #include "core/geometry/sphere_image.h"
-#include "core/setup/clicks/click_lesson.h"
+#include "core/setup/clicks/click_learning.h"
 
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
@@ -110,9 +110,9 @@ Tally tryRun(const ScenarioRun& run, bool verbose) {
   if (showing.size() < 2) {
     return tally;
   }
-  experiment::Draws draws(run.seed, run.scenario + " one click");
+  experiment::RandomDraws draws(run.seed, run.scenario + " one click");
   const std::size_t clicked =
-      showing[static_cast<std::size_t>(draws.whole(0, int(showing.size()) - 1))];
+      showing[static_cast<std::size_t>(draws.integer(0, int(showing.size()) - 1))];
   const double aside = kWithin * std::sqrt(draws.uniform(0.0, 1.0)) * discs[clicked]->radius;
   const double angle = draws.uniform(0.0, experiment::kFullTurn);
   ColorSample place;

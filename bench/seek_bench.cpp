@@ -56,7 +56,7 @@ SessionInputs inputsOf(const std::vector<std::string>& videos) {
   inputs.project.name = "seek";
   inputs.project.method = "dewpoint";
   inputs.project.parameters = ParameterValues(methodParameters("dewpoint"));
-  inputs.project.parameters.giveAll();
+  inputs.project.parameters.markAllGiven();
   inputs.project.targets = {{"ball", 0.03, {320.0, 352.0, 0.35, 1.0, 0.2, 0.9}}};
   std::vector<RecordedCamera> cameras;
   for (const std::string& video : videos) {
@@ -131,7 +131,7 @@ int main(int argc, char** argv) {
   const HistoryState history = session.newest()->history;
   fmt::print("{} frames tracked in {:.1f} s; history {:.0f} of {:.0f} MB, process {:.0f} MB\n",
              frames, millisecondsSince(begin) / 1e3, megabytes(history.bytes),
-             megabytes(history.mostBytes), residentMegabytes());
+             megabytes(history.maxBytes), residentMegabytes());
   const double cpu = cpuSeconds();
   Times jumps;
   for (std::int64_t k = 1; k <= 200; ++k) {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr ColorRange kEveryColor{0.0, 360.0};
 
-TaughtColor byRange(const std::string& name, const ColorRange& range) {
+PixelClassifier byRange(const std::string& name, const ColorRange& range) {
   return {name, [classifier = ColorClassifier(range)](const cv::Mat& bgr) {
             const cv::Mat match = matchImage(bgr, classifier);
             cv::Mat values(bgr.size(), CV_8SC1, cv::Scalar(-1));
@@ -23,7 +23,7 @@ TaughtColor byRange(const std::string& name, const ColorRange& range) {
           }};
 }
 
-TaughtColor byTable(const std::string& name, const ColorLikelihood& table) {
+PixelClassifier byTable(const std::string& name, const ColorLikelihood& table) {
   return {name, [table](const cv::Mat& bgr) {
             cv::Mat values(bgr.size(), CV_8SC1);
             for (int row = 0; row < bgr.rows; ++row) {
@@ -35,8 +35,8 @@ TaughtColor byTable(const std::string& name, const ColorLikelihood& table) {
 
 } // namespace
 
-ColorLesson taughtBySamples(const std::vector<ColorSample>& samples,
-                            const std::vector<cv::Mat>& images) {
+LearnedColors learnFromSamples(const std::vector<ColorSample>& samples,
+                               const std::vector<cv::Mat>& images) {
   const ColorEvidence evidence = colorEvidence(samples, images);
   const auto ranges = learnRanges(evidence);
   if (!ranges) {
@@ -49,26 +49,27 @@ ColorLesson taughtBySamples(const std::vector<ColorSample>& samples,
   return {range,
           assessColor(range, samples, images, evidence).separability,
           {byRange("range", range), byTable("table", learnLikelihood(evidence, range, ratio)),
-           byTable("no limits", unlimited.inCamera({}, evidence.rest, ratio)),
+           byTable("no limits", unlimited.likelihoodForCamera({}, evidence.rest, ratio)),
            byTable("likelihood", learnLikelihood(evidence, range))}};
 }
 
-void TruthLesson::add(const cv::Mat& bgr, const ColorTruth& truth) {
+void TruthLearner::add(const cv::Mat& bgr, const ColorTruth& truth) {
   target_.add(bgr, ~(truth.target & truth.whole));
   rest_.add(bgr, truth.target | ~truth.whole);
 }
 
-std::vector<TaughtColor> TruthLesson::colors() const {
+std::vector<PixelClassifier> TruthLearner::colors() const {
   if (target_.total() <= 0.0 || rest_.total() <= 0.0) {
     return {};
   }
   const auto target = target_.colors();
   const auto rest = rest_.colors();
-  const ColorRange range = withShortestHue(fitRange(target, rest), target, rest);
+  const ColorRange range = withNarrowestHue(fitRange(target, rest), target, rest);
   TargetColorModel model(range, kEveryColor);
   model.add(target);
-  return {byRange("best box", range),
-          byTable("best table", model.inCamera({}, rest, rest_.total() / target_.total()))};
+  return {
+      byRange("best box", range),
+      byTable("best table", model.likelihoodForCamera({}, rest, rest_.total() / target_.total()))};
 }
 
 } // namespace dewpoint::bench

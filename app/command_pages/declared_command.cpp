@@ -47,10 +47,10 @@ DeclaredArgument declaredArgument(const CLI::Option& option) {
   if (option.get_items_expected_max() > 0) {
     readKindOfValue(option.get_type_name(), argument);
   }
-  argument.fallback = option.get_default_str();
+  argument.defaultValue = option.get_default_str();
   argument.sentence = option.get_description();
   argument.isRequired = option.get_required();
-  argument.repeats = option.get_items_expected_max() > 1;
+  argument.isRepeatable = option.get_items_expected_max() > 1;
   return argument;
 }
 
@@ -89,10 +89,10 @@ DeclaredCommand declaredCommand(const CLI::App& app) {
   return declaredBelow(app, {app.get_name()});
 }
 
-std::vector<const DeclaredCommand*> withAllBelow(const DeclaredCommand& command) {
+std::vector<const DeclaredCommand*> withSubcommands(const DeclaredCommand& command) {
   std::vector<const DeclaredCommand*> all{&command};
   for (const DeclaredCommand& below : command.commands) {
-    const auto more = withAllBelow(below);
+    const auto more = withSubcommands(below);
     all.insert(all.end(), more.begin(), more.end());
   }
   return all;
@@ -106,7 +106,7 @@ std::string joined(const std::vector<std::string>& texts, const std::string& sep
   return whole;
 }
 
-std::string pathBelowProgram(const DeclaredCommand& command) {
+std::string pathWithoutProgram(const DeclaredCommand& command) {
   return joined({command.path.begin() + 1, command.path.end()}, " ");
 }
 

@@ -16,10 +16,10 @@ struct DeclaredArgument {
   std::string value;              ///< kind of value, such as TEXT; empty for a flag
   std::vector<std::string> choices;
   std::string range; ///< range of allowed values if they are not a list, such as "INT in [1 - 256]"
-  std::string fallback;
+  std::string defaultValue;
   std::string sentence;
   bool isRequired = false;
-  bool repeats = false;
+  bool isRepeatable = false;
 };
 
 /// A command with all its subcommands. Parts hidden from --help are omitted.
@@ -38,14 +38,14 @@ struct DeclaredCommand {
 DeclaredCommand declaredCommand(const CLI::App& app);
 
 /// Returns the command and all its subcommands; each command comes before its own subcommands.
-std::vector<const DeclaredCommand*> withAllBelow(const DeclaredCommand& command);
+std::vector<const DeclaredCommand*> withSubcommands(const DeclaredCommand& command);
 
 /// Joins strings with `separator` between them.
 std::string joined(const std::vector<std::string>& texts, const std::string& separator);
 
 /// Returns the path without the program name, such as "calibration convert"; empty for the program
 /// itself.
-std::string pathBelowProgram(const DeclaredCommand& command);
+std::string pathWithoutProgram(const DeclaredCommand& command);
 
 /// Returns the names of all options of a command.
 std::vector<std::string> optionNames(const DeclaredCommand& command);

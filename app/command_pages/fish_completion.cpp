@@ -27,9 +27,9 @@ std::string fishCompletion(const DeclaredCommand& program) {
   const std::string& name = program.path.front();
   const std::string function = "__" + shellIdentifier(name) + "_is_at";
   std::string paths;
-  for (const DeclaredCommand* command : withAllBelow(program)) {
+  for (const DeclaredCommand* command : withSubcommands(program)) {
     if (command != &program) {
-      paths += " " + fishQuoted(pathBelowProgram(*command));
+      paths += " " + fishQuoted(pathWithoutProgram(*command));
     }
   }
   // The command that was typed so far, compared with the function's argument.
@@ -46,8 +46,8 @@ std::string fishCompletion(const DeclaredCommand& program) {
                   "    test (string join -- ' ' '' $path) = (string join -- ' ' '' $argv)\n"
                   "end\n",
                   name, function, paths);
-  for (const DeclaredCommand* command : withAllBelow(program)) {
-    const std::string path = pathBelowProgram(*command);
+  for (const DeclaredCommand* command : withSubcommands(program)) {
+    const std::string path = pathWithoutProgram(*command);
     const std::string begin =
         fmt::format("complete -c {} -n '{}{}{}'", name, function, path.empty() ? "" : " ", path);
     for (const DeclaredCommand& below : command->commands) {

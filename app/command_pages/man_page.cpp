@@ -53,7 +53,8 @@ std::string usageOf(const DeclaredCommand& command) {
     line += " [" + italic("options") + "]";
   }
   for (const DeclaredArgument& positional : command.positionals) {
-    const std::string name = italic(positional.names.front()) + (positional.repeats ? " ..." : "");
+    const std::string name =
+        italic(positional.names.front()) + (positional.isRepeatable ? " ..." : "");
     line += positional.isRequired ? " " + name : " [" + name + "]";
   }
   return command.commands.empty() ? line : line + " " + italic("command") + " ...";
@@ -80,13 +81,13 @@ std::string detailsOf(const DeclaredArgument& argument) {
   std::string details = argument.choices.empty()
                             ? rangeInWords(argument.range)
                             : fmt::format(" One of {}.", joined(argument.choices, ", "));
-  if (!argument.fallback.empty()) {
-    details += fmt::format(" Default: {}.", argument.fallback);
+  if (!argument.defaultValue.empty()) {
+    details += fmt::format(" Default: {}.", argument.defaultValue);
   }
   if (argument.isRequired) {
     details += " Required.";
   }
-  return details + (argument.repeats ? " May be given several times." : "");
+  return details + (argument.isRepeatable ? " May be given several times." : "");
 }
 
 std::string paragraphOf(const DeclaredArgument& argument, bool isOption) {
@@ -129,9 +130,9 @@ std::string manPage(const DeclaredCommand& program, const std::string& version,
                       argumentsOf(program));
   if (!program.commands.empty()) {
     page += ".SH COMMANDS\n";
-    for (const DeclaredCommand* command : withAllBelow(program)) {
+    for (const DeclaredCommand* command : withSubcommands(program)) {
       if (command != &program) {
-        page += fmt::format(".SS {}\n{}\n.PP\n{}\n{}", roff(pathBelowProgram(*command)),
+        page += fmt::format(".SS {}\n{}\n.PP\n{}\n{}", roff(pathWithoutProgram(*command)),
                             usageOf(*command), roff(command->sentence), argumentsOf(*command));
       }
     }

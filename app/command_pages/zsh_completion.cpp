@@ -30,7 +30,7 @@ std::string zshOptions(const DeclaredCommand& command) {
   std::string lines;
   for (const DeclaredArgument& option : command.options) {
     for (const std::string& name : option.names) {
-      std::string specification = option.repeats ? "*" : "(" + joined(option.names, " ") + ")";
+      std::string specification = option.isRepeatable ? "*" : "(" + joined(option.names, " ") + ")";
       specification += name + "[" + zshText(option.sentence) + "]";
       if (!option.value.empty()) {
         specification += zshValue(option, option.value);
@@ -45,7 +45,7 @@ std::string zshPositionals(const DeclaredCommand& command) {
   std::string lines;
   int place = 1;
   for (const DeclaredArgument& positional : command.positionals) {
-    const std::string where = positional.repeats ? "*" : std::to_string(place++);
+    const std::string where = positional.isRepeatable ? "*" : std::to_string(place++);
     lines += " \\\n    " + singleQuoted(where + zshValue(positional, positional.names.front()));
   }
   return lines;
@@ -77,7 +77,7 @@ std::string zshCompletion(const DeclaredCommand& program) {
   const std::string& name = program.path.front();
   std::string script =
       fmt::format("#compdef {}\n# Made from the declarations of {}.\n", name, name);
-  for (const DeclaredCommand* command : withAllBelow(program)) {
+  for (const DeclaredCommand* command : withSubcommands(program)) {
     script += zshFunction(*command);
   }
   // Found by its name the first time, or read into a running shell.

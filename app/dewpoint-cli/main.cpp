@@ -48,7 +48,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     app.failure_message([&app](const CLI::App*, const CLI::Error& failed) {
       const auto* parsing = dynamic_cast<const CLI::ParseError*>(&failed);
-      return parsing != nullptr ? usageSentence(app, *parsing) : std::string(failed.what());
+      return parsing != nullptr ? describeUsageError(app, *parsing) : std::string(failed.what());
     });
     return app.exit(error) == 0 ? kExitDone : kExitUsage;
   }
@@ -59,7 +59,7 @@ int run(int argc, char** argv) {
 } // namespace dewpoint::app
 
 int main(int argc, char** argv) {
-  dewpoint::app::quietLibraries();
+  dewpoint::app::silenceLibraries();
   try {
     return dewpoint::app::run(argc, argv);
   } catch (const std::exception& error) {

@@ -5,7 +5,7 @@
 #include "app/dewpoint/screenshot.h"
 #include "app/wiring/open_project.h"
 #include "app/wiring/quiet_libraries.h"
-#include "core/base/thread_precedence.h"
+#include "core/base/thread_priority.h"
 #include "core/session/session.h"
 #include "ui/document/recovery.h"
 #include "ui/help/window_self_test.h"
@@ -118,7 +118,8 @@ int run(int argc, char** argv) {
     CLI11_PARSE(app, argc, argv);
   }
   chooseSelfTestPlatform(argc, argv);
-  dewpoint::base::setPrecedence(dewpoint::base::Precedence::Patient); // before any thread is made
+  dewpoint::base::setThreadPriority(
+      dewpoint::base::ThreadPriority::Patient); // before any thread is made
   dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
   QApplication application(argc, argv); // takes its own options out of argv
   QApplication::setApplicationName(QStringLiteral("dewpoint"));
@@ -164,7 +165,7 @@ int run(int argc, char** argv) {
   }
   window.show();
   if (!unattended) {
-    window.useRecovery(dewpoint::ui::Recovery::standardFolder());
+    window.enableRecovery(dewpoint::ui::Recovery::standardFolder());
   }
   if (unattended || !options.project.empty()) {
     window.openProject(options.project); // the demo when none is named
@@ -175,7 +176,7 @@ int run(int argc, char** argv) {
 } // namespace
 
 int main(int argc, char** argv) {
-  dewpoint::app::quietLibraries();
+  dewpoint::app::silenceLibraries();
   try {
     const int code = run(argc, argv);
     if (!dewpoint::ui::waitForDetached(std::chrono::milliseconds(0))) {

@@ -32,14 +32,14 @@ RunOutput::RunOutput(MainWindow& window, std::filesystem::path folder)
 }
 
 RunOutput::~RunOutput() {
-  for (int left = *underWay_; left > 0; left = *underWay_) {
-    underWay_->wait(left);
+  for (int left = *pendingWrites_; left > 0; left = *pendingWrites_) {
+    pendingWrites_->wait(left);
   }
 }
 
 void RunOutput::write(const std::function<void(bool)>& written) {
-  ++*underWay_;
-  window_.saveRun(folder_, [written, underWay = underWay_](bool good) {
+  ++*pendingWrites_;
+  window_.saveRun(folder_, [written, underWay = pendingWrites_](bool good) {
     if (written) {
       written(good);
     }

@@ -30,7 +30,7 @@ private:
 
   MainWindow& window_;
   std::filesystem::path folder_;
-  std::shared_ptr<std::atomic<int>> underWay_ = std::make_shared<std::atomic<int>>(0);
+  std::shared_ptr<std::atomic<int>> pendingWrites_ = std::make_shared<std::atomic<int>>(0);
   bool ended_ = false;
 };
 

@@ -34,7 +34,7 @@ bool liesRowByRow(const py::array& array) {
 
 } // namespace
 
-py::capsule keeping(std::shared_ptr<const void> owner) {
+py::capsule keepAliveCapsule(std::shared_ptr<const void> owner) {
   return py::capsule(new std::shared_ptr<const void>(std::move(owner)),
                      [](void* held) { delete static_cast<std::shared_ptr<const void>*>(held); });
 }
@@ -50,7 +50,7 @@ py::array_t<double> arrayOf(const Eigen::Matrix3d& matrix) {
 
 py::tuple arraysOf(ParticleSample particles) {
   const auto kept = std::make_shared<const ParticleSample>(std::move(particles));
-  const py::capsule base = keeping(kept);
+  const py::capsule base = keepAliveCapsule(kept);
   return py::make_tuple(
       viewOf(kept->positions.data(), {static_cast<py::ssize_t>(kept->positions.rows()), 3}, base),
       viewOf(kept->weights.data(), {static_cast<py::ssize_t>(kept->weights.size())}, base));
@@ -64,7 +64,7 @@ py::object arrayOf(const cv::Mat& image) {
   py::array_t<std::uint8_t> array(
       {static_cast<py::ssize_t>(image.rows), static_cast<py::ssize_t>(image.cols), kChannels},
       {static_cast<py::ssize_t>(image.step[0]), kChannels, static_cast<py::ssize_t>(1)}, kept->data,
-      keeping(kept));
+      keepAliveCapsule(kept));
   array.attr("flags").attr("writeable") = false;
   return array;
 }

@@ -16,7 +16,7 @@ namespace dewpoint::app {
 
 /// Returns a Python object that keeps `owner` alive. It is used as the base of arrays that refer to
 /// its memory.
-pybind11::capsule keeping(std::shared_ptr<const void> owner);
+pybind11::capsule keepAliveCapsule(std::shared_ptr<const void> owner);
 
 /// Returns a read-only array, without a copy, over memory that `base` keeps alive.
 template <class T>

@@ -42,7 +42,7 @@ std::optional<double> metersFrom(const std::optional<std::string>& unit) {
   if (!unit) {
     return std::nullopt;
   }
-  const auto meters = metersOfUnit(*unit);
+  const auto meters = parseLengthUnit(*unit);
   if (!meters) {
     raiseBadValue("unit", "a unit is m, mm, cm, in, ft or the meters of one unit");
   }
@@ -71,7 +71,7 @@ CalibrationImport importInto(ProjectHandle& handle, const std::filesystem::path&
 std::vector<std::string> exportTo(const ProjectHandle& handle, const std::filesystem::path& path,
                                   const std::string& format, const std::optional<std::string>& unit,
                                   bool replace) {
-  const CalibrationTarget target{path, format, metersFrom(unit), replace};
+  const CalibrationOutput target{path, format, metersFrom(unit), replace};
   return valueOf(exportCalibration(handle.project, target)).decisions;
 }
 
@@ -82,7 +82,7 @@ struct BoardArguments {
 
 BoardOutcome calibrateWithBoard(ProjectHandle& handle, const BoardArguments& arguments,
                                 const py::object& callback) {
-  SessionInputs inputs = openedInputs(handle);
+  SessionInputs inputs = openProjectInputs(handle);
   PythonProgress progress(callback);
   auto outcome = [&] {
     const py::gil_scoped_release release;
@@ -161,7 +161,7 @@ void bindResults(py::module_& module) {
             return outcome.extrinsics ? std::optional(outcome.extrinsics->rmsPx) : std::nullopt;
           },
           "The same over all cameras, for their poses, or None.")
-      .def_readonly("accuracy", &BoardOutcome::accuracySentence,
+      .def_readonly("accuracy", &BoardOutcome::accuracySummary,
                     "How accurate the poses are, in a sentence.")
       .def_property_readonly("remarks", remarksOn, "What else you should know, in sentences.")
       .def_property_readonly("doubtful", isDoubtful,

@@ -2,7 +2,7 @@
 #include "app/python/project_handle.h"
 #include "app/python/python_error.h"
 #include "app/wiring/open_project.h"
-#include "core/setup/clicks/footage_lesson.h"
+#include "core/setup/clicks/footage_learning.h"
 #include "core/tracking/target_shape_name.h"
 
 #include <fmt/format.h>
@@ -97,7 +97,7 @@ setup::FootageClicks clicksFrom(const Project& project, const CameraKey& camera,
   return clicks;
 }
 
-ColorLesson lessonFrom(const setup::FootageLesson& taught) {
+ColorLesson lessonFrom(const setup::FootageLearningResult& taught) {
   const ColorAssessment& assessment = taught.lesson.color.assessment;
   ColorLesson lesson{taught.project.targets[taught.target],
                      taught.lesson.radius,
@@ -124,20 +124,20 @@ ColorLesson learnColorIn(ProjectHandle& handle, const CameraKey& camera, std::in
   clicks.target = target;
   clicks.radius = radius;
   if (shape) {
-    clicks.shape = targetShapeNamed(*shape);
+    clicks.shape = targetShapeFromName(*shape);
     if (!clicks.shape) {
       raiseBadValue("shape",
                     fmt::format("one of {}; not {}", fmt::join(targetShapeNames(), ", "), *shape));
     }
   }
-  SessionInputs inputs = openedInputs(handle);
+  SessionInputs inputs = openProjectInputs(handle);
   auto taught = [&] {
     const py::gil_scoped_release release;
     return setup::learnFromFootage(std::move(inputs.project), *inputs.source,
                                    inputs.backgroundImages, std::move(clicks));
   }();
   if (!taught) {
-    raiseAbout(handle, taught.error());
+    raiseProjectError(handle, taught.error());
   }
   ColorLesson lesson = lessonFrom(*taught);
   handle.project = std::move(taught->project);

@@ -24,7 +24,7 @@ void bindAll(pybind11::module_& module) {
 } // namespace dewpoint::app
 
 PYBIND11_MODULE(_dewpoint, module) {
-  dewpoint::app::quietLibraries();
+  dewpoint::app::silenceLibraries();
   const pybind11::object ownName = module.attr("__name__");
   module.attr("__name__") = "dewpoint"; // where users find what is bound
   dewpoint::app::bindAll(module);

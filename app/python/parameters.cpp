@@ -45,7 +45,7 @@ py::object valueFor(const ParameterDeclaration& declaration, const ParameterValu
 }
 
 py::dict valuesInUse(const ParametersHandle& handle) {
-  const ParameterValues used = parametersInUse(handle.project->project);
+  const ParameterValues used = effectiveParameters(handle.project->project);
   py::dict values;
   for (const ParameterDeclaration& declaration : used.declarations()) {
     values[py::str(declaration.key)] = valueFor(declaration, used);
@@ -71,7 +71,7 @@ void bindParameters(py::module_& module, ProjectClass& project) {
       .def("__getitem__",
            [](const ParametersHandle& handle, const std::string& key) {
              return valueFor(neededDeclaration(handle, key),
-                             parametersInUse(handle.project->project));
+                             effectiveParameters(handle.project->project));
            })
       .def("__setitem__",
            [](const ParametersHandle& handle, const std::string& key, double value) {

@@ -51,7 +51,7 @@ std::vector<NewCamera> newCameras(const py::object& cameras) {
   std::vector<NewCamera> made;
   const auto add = [&](const std::string& name, const py::handle& source) {
     const std::string location = source.cast<std::filesystem::path>().string();
-    made.push_back({name, guessedSource(location), location});
+    made.push_back({name, guessSourceKind(location), location});
   };
   if (py::isinstance<py::dict>(cameras)) {
     for (const auto& [name, source] : cameras.cast<py::dict>()) {
@@ -73,7 +73,7 @@ ProjectHandlePtr makeNew(const py::object& cameras,
   wanted.calibration = calibration;
   wanted.name = name;
   wanted.framesPerSecond = framesPerSecond;
-  MadeProject made = valueOf(makeProject(wanted));
+  CreatedProject made = valueOf(createNewProject(wanted));
   if (made.lacksCalibration) {
     warn("without a calibration, the camera positions are guesses");
   }
@@ -85,11 +85,11 @@ ProjectHandlePtr makeNew(const py::object& cameras,
 
 void setMethod(ProjectHandle& handle, const std::string& name) {
   if (findMethod(name) == nullptr) {
-    raiseAbout(handle, {ErrorCode::BadValue, "", "method",
-                        fmt::format("known methods: {}", fmt::join(methodNames(), ", "))});
+    raiseProjectError(handle, {ErrorCode::BadValue, "", "method",
+                               fmt::format("known methods: {}", fmt::join(methodNames(), ", "))});
   }
   if (name != handle.project.method) {
-    handle.project.parameters = carriedOver(handle.project.parameters, name);
+    handle.project.parameters = carryOverParameters(handle.project.parameters, name);
     handle.project.method = name;
   }
 }
@@ -98,7 +98,7 @@ void setTargets(ProjectHandle& handle, std::vector<Target> targets) {
   Project changed = handle.project;
   replaceTargets(changed, std::move(targets));
   if (const auto good = checkProject(changed); !good) {
-    raiseAbout(handle, good.error());
+    raiseProjectError(handle, good.error());
   }
   handle.project = std::move(changed);
 }
@@ -122,7 +122,7 @@ void setVolume(ProjectHandle& handle, const std::optional<Volume>& corners) {
     changed.volumeOfInterest = WorldBox{vectorOf(corners->first), vectorOf(corners->second)};
   }
   if (const auto good = checkProject(changed); !good) {
-    raiseAbout(handle, good.error());
+    raiseProjectError(handle, good.error());
   }
   handle.project = std::move(changed);
 }
@@ -145,7 +145,7 @@ py::object fileOf(const ProjectHandle& handle) {
 }
 
 std::shared_ptr<TrajectoryHandle> truthOf(const ProjectHandle& handle) {
-  Trajectory truth = openedInputs(handle).truth;
+  Trajectory truth = openProjectInputs(handle).truth;
   return truth.samples.empty() ? nullptr : std::make_shared<TrajectoryHandle>(std::move(truth));
 }
 
@@ -185,21 +185,21 @@ void bindFields(ProjectClass& project) {
 
 } // namespace
 
-void raiseAbout(const ProjectHandle& handle, Error error) {
+void raiseProjectError(const ProjectHandle& handle, Error error) {
   if (error.file.empty()) {
     error.file = handle.origin;
   }
   raise(error);
 }
 
-SessionInputs openedInputs(const ProjectHandle& handle) {
+SessionInputs openProjectInputs(const ProjectHandle& handle) {
   Project project = handle.project;
   auto inputs = [&] {
     const py::gil_scoped_release release;
     return openInputs(std::move(project));
   }();
   if (!inputs) {
-    raiseAbout(handle, inputs.error());
+    raiseProjectError(handle, inputs.error());
   }
   return std::move(*inputs);
 }
@@ -217,7 +217,7 @@ void bindProject(py::module_& module) {
       .def(
           "recording",
           [](const ProjectHandle& handle) {
-            return std::make_shared<RecordingHandle>(openedInputs(handle));
+            return std::make_shared<RecordingHandle>(openProjectInputs(handle));
           },
           "Opens its cameras to read their images.")
       .def("truth", truthOf, "The true positions of its targets, or None if they are unknown.")

@@ -26,8 +26,8 @@ void bindTracking(pybind11::module_& module, ProjectClass& project);
 
 /// Throws the Python exception for an error in a project, with the text that the command line
 /// prints.
-[[noreturn]] void raiseAbout(const ProjectHandle& handle, Error error);
+[[noreturn]] void raiseProjectError(const ProjectHandle& handle, Error error);
 /// Opens the sources of a project; releases the GIL meanwhile.
-SessionInputs openedInputs(const ProjectHandle& handle);
+SessionInputs openProjectInputs(const ProjectHandle& handle);
 
 } // namespace dewpoint::app

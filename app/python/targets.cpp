@@ -37,7 +37,7 @@ ColorRange rangeFrom(const Color& color) {
 }
 
 TargetShape shapeFrom(const std::string& name) {
-  const auto shape = targetShapeNamed(name);
+  const auto shape = targetShapeFromName(name);
   if (!shape) {
     raiseBadValue("shape",
                   fmt::format("one of {}; not {}", fmt::join(targetShapeNames(), ", "), name));

@@ -69,11 +69,11 @@ std::unique_ptr<TrackerHandle> makeTrackerOf(const ProjectHandle& handle, int th
   if (threads < 1 || threads > 256) {
     raiseBadValue("threads", fmt::format("1 to 256 are expected, not {}", threads));
   }
-  auto feed = settledProject(handle.project).and_then([&](const Project& project) {
+  auto feed = completedProject(handle.project).and_then([&](const Project& project) {
     return FrameFeed::create(project, threads);
   });
   if (!feed) {
-    raiseAbout(handle, feed.error());
+    raiseProjectError(handle, feed.error());
   }
   return std::make_unique<TrackerHandle>(std::move(*feed));
 }
@@ -108,7 +108,7 @@ py::tuple particlesOfTracker(TrackerHandle& handle, const py::object& target, in
     const std::lock_guard lock(handle.mutex);
     names = targetNames(*handle.feed);
   }
-  const std::size_t number = targetNumber(target, names);
+  const std::size_t number = findTargetIndex(target, names);
   ParticleSample particles;
   {
     const py::gil_scoped_release release;

@@ -42,11 +42,11 @@ std::shared_ptr<RunHandle> track(const ProjectHandle& handle, const std::optiona
   if (particles < 0) {
     raiseBadValue("particles", fmt::format("0 or more are expected, not {}", particles));
   }
-  const RunOrder order{rangeFrom(frames), threads, particles};
+  const RecordRunOptions order{rangeFrom(frames), threads, particles};
   if (const auto good = checkMethodTargets(handle.project); !good) {
-    raiseAbout(handle, good.error()); // before anything is opened
+    raiseProjectError(handle, good.error()); // before anything is opened
   }
-  SessionInputs inputs = openedInputs(handle);
+  SessionInputs inputs = openProjectInputs(handle);
   PythonProgress progress(callback);
   auto run = [&] {
     const py::gil_scoped_release release;
@@ -57,9 +57,9 @@ std::shared_ptr<RunHandle> track(const ProjectHandle& handle, const std::optiona
   }();
   progress.rethrow();
   if (!run) {
-    raiseAbout(handle, run.error());
+    raiseProjectError(handle, run.error());
   }
-  const std::optional<Error> broken = run->broken;
+  const std::optional<Error> broken = run->endError;
   auto result = std::make_shared<RunHandle>(std::move(*run));
   if (broken) {
     const py::object error = pythonError(*broken);
@@ -70,7 +70,7 @@ std::shared_ptr<RunHandle> track(const ProjectHandle& handle, const std::optiona
 }
 
 py::tuple particlesOfRun(const RunHandle& handle, const py::object& target, std::int64_t frame) {
-  const std::size_t number = targetNumber(target, handle.run.targets);
+  const std::size_t number = findTargetIndex(target, handle.run.targets);
   const auto found = handle.run.particles.find({frame, number});
   if (found == handle.run.particles.end()) {
     throw py::key_error(fmt::format(
@@ -81,7 +81,7 @@ py::tuple particlesOfRun(const RunHandle& handle, const py::object& target, std:
 
 /// The rows of one target as arrays: frames, times, boxes (x, y, width, height), similarities.
 py::dict boxesOfRun(const RunHandle& handle, const py::object& target) {
-  const auto number = static_cast<int>(targetNumber(target, handle.run.targets)) + 1;
+  const auto number = static_cast<int>(findTargetIndex(target, handle.run.targets)) + 1;
   std::vector<std::int64_t> frames;
   std::vector<double> times;
   std::vector<std::array<double, 4>> boxes;

@@ -35,7 +35,7 @@ template <class T>
 py::array_t<T> columnOf(const TrackHandle& track, const std::vector<T>& column,
                         std::vector<py::ssize_t> width = {}) {
   width.insert(width.begin(), static_cast<py::ssize_t>(track.owner->columns.frames.size()));
-  return viewOf(column.data(), std::move(width), keeping(track.owner));
+  return viewOf(column.data(), std::move(width), keepAliveCapsule(track.owner));
 }
 
 /// A column of zeros and ones as truth values, over the same memory.
@@ -52,7 +52,7 @@ std::vector<std::string> namesOf(const TrajectoryHandle& handle) {
 }
 
 TrackHandle trackOf(const std::shared_ptr<TrajectoryHandle>& handle, const py::object& key) {
-  return {handle, targetNumber(key, namesOf(*handle))};
+  return {handle, findTargetIndex(key, namesOf(*handle))};
 }
 
 void bindTrack(py::module_& module) {
@@ -132,7 +132,7 @@ std::vector<Evaluation> evaluated(const TrajectoryHandle& estimate, const Trajec
 
 } // namespace
 
-std::size_t targetNumber(const py::object& key, const std::vector<std::string>& names) {
+std::size_t findTargetIndex(const py::object& key, const std::vector<std::string>& names) {
   if (py::isinstance<py::str>(key)) {
     const auto found = std::ranges::find(names, key.cast<std::string>());
     if (found == names.end()) {
@@ -160,14 +160,15 @@ void bindTrajectory(py::module_& module) {
           [](const std::shared_ptr<TrajectoryHandle>& handle) {
             const auto& frames = handle->columns.frames;
             return viewOf(frames.data(), {static_cast<py::ssize_t>(frames.size())},
-                          keeping(handle));
+                          keepAliveCapsule(handle));
           },
           "Numbers of the frames; -1 where a file has only times.")
       .def_property_readonly(
           "times",
           [](const std::shared_ptr<TrajectoryHandle>& handle) {
             const auto& times = handle->columns.times;
-            return viewOf(times.data(), {static_cast<py::ssize_t>(times.size())}, keeping(handle));
+            return viewOf(times.data(), {static_cast<py::ssize_t>(times.size())},
+                          keepAliveCapsule(handle));
           },
           "Seconds, one per frame.")
       .def_property_readonly(

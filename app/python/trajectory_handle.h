@@ -33,6 +33,6 @@ struct RunHandle : TrajectoryHandle {
 
 /// Returns the index of a target given by its name or its number in `names`. Throws KeyError or
 /// IndexError.
-std::size_t targetNumber(const pybind11::object& key, const std::vector<std::string>& names);
+std::size_t findTargetIndex(const pybind11::object& key, const std::vector<std::string>& names);
 
 } // namespace dewpoint::app

@@ -18,10 +18,10 @@ constexpr const char* kOfficeMethod = "people";
 } // namespace
 
 Project projectOfOffice() {
-  const OfficeScene scene = officeDay();
+  const OfficeScene scene = builtInOfficeScene();
   Project project;
-  project.name = kOfficeScene;
-  project.scene = kOfficeScene;
+  project.name = kOfficeSceneName;
+  project.scene = kOfficeSceneName;
   project.method = kOfficeMethod;
   project.parameters = ParameterValues(methodParameters(project.method));
   project.framesPerSecond = scene.framesPerSecond;
@@ -43,8 +43,8 @@ Trajectory truthOfOffice(const OfficeRenderer& renderer) {
       sample.frame = frame;
       sample.time = scene.timeOf(frame);
       sample.target = scene.people[k].name;
-      sample.position = renderer.middle(k, sample.time);
-      sample.valid = renderer.inside(k, sample.time);
+      sample.position = renderer.bodyCenter(k, sample.time);
+      sample.valid = renderer.isInsideOffice(k, sample.time);
       truth.samples.push_back(std::move(sample));
     }
   }
@@ -53,7 +53,7 @@ Trajectory truthOfOffice(const OfficeRenderer& renderer) {
 
 Result<SessionInputs> openOffice(Project project) {
   simulation::ViewCache views;
-  const auto renderer = std::make_shared<const OfficeRenderer>(officeDay(), views);
+  const auto renderer = std::make_shared<const OfficeRenderer>(builtInOfficeScene(), views);
   std::vector<RecordedCamera> cameras;
   for (std::size_t k = 0; k < renderer->scene().cameras.size(); ++k) {
     RecordedCamera& camera = cameras.emplace_back();

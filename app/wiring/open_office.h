@@ -7,7 +7,7 @@
 
 namespace dewpoint::app {
 
-/// Returns the project of the built-in scene with people (`officeDay()`).
+/// Returns the project of the built-in scene with people (`builtInOfficeScene()`).
 Project projectOfOffice();
 /// Opens a source that renders the office, together with the true positions of its people.
 Result<SessionInputs> openOffice(Project project);

@@ -53,8 +53,8 @@ void fillFromScene(Project& project, const Scene& scene) {
 }
 
 Status fillFromNamedScene(Project& project) {
-  if (project.scene == kOfficeScene) {
-    const OfficeScene office = officeDay();
+  if (project.scene == kOfficeSceneName) {
+    const OfficeScene office = builtInOfficeScene();
     takeCameras(project, office.framesPerSecond, office.cameras);
     return {};
   }
@@ -144,7 +144,7 @@ Result<std::unique_ptr<FrameSetSource>> openLiveCameras(Project& project) {
   std::vector<LiveCamera> cameras = liveCamerasOf(project);
   std::vector<std::size_t> guessed;
   for (std::size_t k = 0; k < cameras.size(); ++k) {
-    if (isGuessed(project, k)) {
+    if (hasGuessedPose(project, k)) {
       guessed.push_back(k);
       cameras[k].width = cameras[k].height = 0;
     }
@@ -156,7 +156,7 @@ Result<std::unique_ptr<FrameSetSource>> openLiveCameras(Project& project) {
   const SeenSizes sizes = seenSizes(**source, guessed);
   for (std::size_t k = 0; k < guessed.size(); ++k) {
     if (sizes[k]) {
-      guessForSize(project, guessed[k], *sizes[k]);
+      guessCalibration(project, guessed[k], *sizes[k]);
     }
   }
   return isComplete(sizes) ? std::move(source) : openLive(liveCamerasOf(project));
@@ -190,7 +190,7 @@ Project projectOfScene(const Scene& scene, const std::string& sceneName) {
   project.scene = sceneName;
   project.method = methodOfScene(sceneName, project.method);
   project.parameters = ParameterValues(methodParameters(project.method));
-  project.parameters.giveAll();
+  project.parameters.markAllGiven();
   const bool takesBoxes = !methodFamily(project.method).needsCalibration;
   for (const auto& ball : scene.balls) {
     Target& target = project.targets.emplace_back();
@@ -230,7 +230,7 @@ Result<Project> resolveProject(const std::string& nameOrFile, const MovedFiles& 
   const std::string name = nameOrFile.empty() ? "demo" : nameOrFile;
   std::error_code problem;
   const bool isFile = std::filesystem::is_regular_file(name, problem); // a folder is no project
-  if (name == kOfficeScene && !isFile) {
+  if (name == kOfficeSceneName && !isFile) {
     return projectOfOffice();
   }
   const auto& builtIn = sceneNames();
@@ -246,29 +246,30 @@ Result<Project> resolveProject(const std::string& nameOrFile, const MovedFiles& 
   return project;
 }
 
-Result<Project> settledProject(Project project) {
+Result<Project> completedProject(Project project) {
   // Only now is it known how large the images are: a box may lie beyond them.
-  if (const auto checked = guessMissing(project).and_then([&] { return checkProject(project); });
+  if (const auto checked =
+          guessMissingCameras(project).and_then([&] { return checkProject(project); });
       !checked) {
     Error error = checked.error();
     error.file = error.file.empty() ? project.file.string() : error.file;
     return tl::make_unexpected(std::move(error));
   }
-  if (!project.scene.empty() && project.scene != kOfficeScene &&
+  if (!project.scene.empty() && project.scene != kOfficeSceneName &&
       !project.scene.ends_with(".toml")) {
-    project.parameters.giveAll(); // the built-in ones were made for the methods' own defaults
+    project.parameters.markAllGiven(); // the built-in ones were made for the methods' own defaults
   }
   return project;
 }
 
 Result<SessionInputs> openInputs(Project wanted) {
   SessionInputs inputs;
-  auto settled = settledProject(std::move(wanted));
+  auto settled = completedProject(std::move(wanted));
   if (!settled) {
     return tl::make_unexpected(settled.error());
   }
   Project& project = *settled;
-  if (project.scene == kOfficeScene) {
+  if (project.scene == kOfficeSceneName) {
     auto office = openOffice(project);
     if (!office) {
       return office;

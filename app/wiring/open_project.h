@@ -24,7 +24,7 @@ Result<Project> resolveProject(const std::string& nameOrFile, const MovedFiles& 
 
 /// Completes a resolved project for tracking and checks it. Image sizes that no calibration gives
 /// are read from the sources, which are closed again.
-Result<Project> settledProject(Project project);
+Result<Project> completedProject(Project project);
 
 /// Opens the sources of a resolved project, and its ground truth if that is known.
 Result<SessionInputs> openInputs(Project project);

@@ -8,7 +8,7 @@
 
 namespace dewpoint::app {
 
-void quietLibraries() {
+void silenceLibraries() {
   setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);
   FLAGS_minloglevel = google::GLOG_FATAL;           // Ceres tells of every step it takes back
   if (std::getenv("OPENCV_LOG_LEVEL") == nullptr) { // OpenCV has read its own before main

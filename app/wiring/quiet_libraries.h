@@ -8,6 +8,6 @@ namespace dewpoint::app {
 /// Silences warnings from FFmpeg, GStreamer and OpenCV about an input, which would otherwise appear
 /// in addition to Dewpoint's own error message. Environment variables of these libraries take
 /// precedence if they are set. Call it first in main.
-void quietLibraries();
+void silenceLibraries();
 
 } // namespace dewpoint::app

@@ -33,7 +33,7 @@ struct NormalPairSingle {
 /// Returns two independent standard normal numbers as boxMuller() does, in single precision.
 [[gnu::always_inline]] inline NormalPairSingle boxMullerSingle(std::uint32_t radiusWord,
                                                                std::uint32_t angleWord) {
-  const float radius = std::sqrt(-2.0F * logarithm(unitInterval(radiusWord)));
+  const float radius = std::sqrt(-2.0F * logarithm(toUnitInterval(radiusWord)));
   const auto [cosine, sine] = cosineSineSingle(angleWord);
   return {radius * cosine, radius * sine};
 }
@@ -41,7 +41,7 @@ struct NormalPairSingle {
 /// Returns an exponentially distributed number with mean 1, computed from a random word by
 /// inverting the distribution function.
 [[gnu::always_inline]] inline float exponentialVariate(std::uint32_t word) {
-  return 0.0F - logarithm(unitInterval(word)); // never minus zero
+  return 0.0F - logarithm(toUnitInterval(word)); // never minus zero
 }
 
 } // namespace dewpoint::base

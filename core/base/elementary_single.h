@@ -68,7 +68,7 @@ struct CosineSineSingle {
 /// Returns (word + 1/2) / 2^32, rounded. The result is above 0 and at most 1. It is computed from
 /// two halves of the word because all vector units can convert such small integers to floating
 /// point.
-[[gnu::always_inline]] inline float unitInterval(std::uint32_t word) {
+[[gnu::always_inline]] inline float toUnitInterval(std::uint32_t word) {
   const auto high = static_cast<float>(static_cast<std::int32_t>(word >> 16U));
   const auto low = static_cast<float>(static_cast<std::int32_t>(word & 0xFFFFU));
   return high * 0x1.0p-16F + (low + 0.5F) * 0x1.0p-32F;

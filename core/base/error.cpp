@@ -44,14 +44,14 @@ const char* phrase(ErrorCode code) {
 std::string sentence(const Error& error) {
   std::string text;
   if (!error.file.empty()) {
-    text += onOneLine(error.file) + ": ";
+    text += toSingleLine(error.file) + ": ";
   }
   if (!error.field.empty()) {
-    text += onOneLine(error.field) + ": ";
+    text += toSingleLine(error.field) + ": ";
   }
   text += phrase(error.code);
   if (!error.detail.empty()) {
-    text += " (" + onOneLine(error.detail) + ")";
+    text += " (" + toSingleLine(error.detail) + ")";
   }
   return text;
 }

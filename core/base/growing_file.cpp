@@ -20,7 +20,7 @@ Status GrowingFile::append(std::string_view text) {
   }
   if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size() ||
       std::fflush(file_.get()) != 0) {
-    return unwritable(errno);
+    return writeError(errno);
   }
   return {};
 }
@@ -31,12 +31,12 @@ Status GrowingFile::close() {
   }
   // Some file systems report a full disk only here.
   if (std::fclose(file_.release()) != 0) {
-    return unwritable(errno);
+    return writeError(errno);
   }
   return {};
 }
 
-tl::unexpected<Error> GrowingFile::unwritable(int reason) const {
+tl::unexpected<Error> GrowingFile::writeError(int reason) const {
   return failure(ErrorCode::FileUnwritable, name_, "", std::strerror(reason));
 }
 

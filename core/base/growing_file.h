@@ -26,15 +26,15 @@ public:
   Status close();
 
 private:
-  struct Close {
+  struct FileCloser {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
 
   GrowingFile(std::string name, std::FILE* file) : name_(std::move(name)), file_(file) {}
-  tl::unexpected<Error> unwritable(int reason) const;
+  tl::unexpected<Error> writeError(int reason) const;
 
   std::string name_;
-  std::unique_ptr<std::FILE, Close> file_;
+  std::unique_ptr<std::FILE, FileCloser> file_;
 };
 
 } // namespace dewpoint::base

@@ -13,47 +13,47 @@ namespace dewpoint::base::limits {
 
 /// Maximum size of a text file that is read as a whole, in bytes. A project with 100,000
 /// corrections takes 15 MiB.
-inline constexpr std::uintmax_t kMostTextBytes = std::uintmax_t{64} << 20U;
+inline constexpr std::uintmax_t kMaxTextBytes = std::uintmax_t{64} << 20U;
 /// Maximum size of a table with one row per frame, in bytes. A one-day trajectory at 30 frames/s
 /// takes 0.5 GiB.
-inline constexpr std::uintmax_t kMostTableBytes = std::uintmax_t{4} << 30U;
+inline constexpr std::uintmax_t kMaxTableBytes = std::uintmax_t{4} << 30U;
 /// Maximum size of a calibration, in bytes. A calibration of 1000 cameras takes less than 1 MiB,
 /// but the objects that parsers build from text take up to 200 times its size. Files from mrcal
-/// also contain the data they were computed from; they may have up to kMostTextBytes before that
+/// also contain the data they were computed from; they may have up to kMaxTextBytes before that
 /// data is removed.
-inline constexpr std::uintmax_t kMostCalibrationBytes = std::uintmax_t{4} << 20U;
+inline constexpr std::uintmax_t kMaxCalibrationBytes = std::uintmax_t{4} << 20U;
 
 /// Maximum number of cameras in a project, calibration or scene. The largest motion capture stages
 /// have a few hundred.
-inline constexpr std::size_t kMostCameras = 1000;
+inline constexpr std::size_t kMaxCameras = 1000;
 /// Maximum number of targets in a project, or of balls and lights in a scene.
-inline constexpr std::size_t kMostTargets = 1000;
+inline constexpr std::size_t kMaxTargets = 1000;
 /// Maximum width or height of an image, in pixels. Line-scan cameras reach 32,768.
-inline constexpr int kMostImageSide = 100'000;
+inline constexpr int kMaxImageSide = 100'000;
 /// Maximum number of pixels in an image: 268 megapixels. The largest cameras have 150 megapixels.
 /// An image of the maximum size takes 0.8 GB.
-inline constexpr std::int64_t kMostImagePixels = std::int64_t{1} << 28U;
+inline constexpr std::int64_t kMaxImagePixels = std::int64_t{1} << 28U;
 
 /// Maximum number of rows in a trajectory or table of times: four days at 30 frames/s. A row takes
 /// up to 0.5 kB.
-inline constexpr std::size_t kMostRows = 10'000'000;
+inline constexpr std::size_t kMaxRows = 10'000'000;
 /// Maximum number of columns in a table. Tables written by this program have fewer than 40.
-inline constexpr std::size_t kMostColumns = 1000;
+inline constexpr std::size_t kMaxColumns = 1000;
 /// Maximum number of comment lines kept from the header of a trajectory. The header has one line
 /// per parameter.
-inline constexpr std::size_t kMostHeaderEntries = 10'000;
+inline constexpr std::size_t kMaxHeaderEntries = 10'000;
 /// Maximum frame number in a recording: ten years at 30 frames/s. The difference between two frame
 /// numbers fits in any integer type.
-inline constexpr std::int64_t kMostFrames = 10'000'000'000;
+inline constexpr std::int64_t kMaxFrames = 10'000'000'000;
 
 /// Maximum number of parts in a TOML key ("a.b.c" has 3), and maximum depth of nested brackets.
 /// Both use stack memory.
-inline constexpr std::size_t kMostNesting = 64;
+inline constexpr std::size_t kMaxNesting = 64;
 
 /// Returns whether an image of this size (pixels) is within the limits.
 constexpr bool isImageSize(std::int64_t width, std::int64_t height) {
-  return width >= 1 && height >= 1 && width <= kMostImageSide && height <= kMostImageSide &&
-         width * height <= kMostImagePixels;
+  return width >= 1 && height >= 1 && width <= kMaxImageSide && height <= kMaxImageSide &&
+         width * height <= kMaxImagePixels;
 }
 
 } // namespace dewpoint::base::limits

@@ -3,7 +3,7 @@
 
 namespace dewpoint::base {
 
-std::string inLowerCase(std::string_view text) {
+std::string toLowerCase(std::string_view text) {
   std::string lower(text);
   for (char& letter : lower) {
     // Not std::tolower(), which asks the locale.

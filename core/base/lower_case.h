@@ -9,6 +9,6 @@
 namespace dewpoint::base {
 
 /// Returns the text with the letters A to Z in lower case, for comparing names and file extensions.
-std::string inLowerCase(std::string_view text);
+std::string toLowerCase(std::string_view text);
 
 } // namespace dewpoint::base

@@ -3,7 +3,7 @@
 
 namespace dewpoint::base {
 
-std::string escaped(const std::string& text) {
+std::string htmlEscaped(const std::string& text) {
   std::string result;
   for (const char letter : text) {
     switch (letter) {

@@ -8,6 +8,6 @@
 namespace dewpoint::base {
 
 /// Escapes text for HTML and SVG, including attributes in double quotes.
-std::string escaped(const std::string& text);
+std::string htmlEscaped(const std::string& text);
 
 } // namespace dewpoint::base

@@ -38,7 +38,7 @@ std::size_t utf8Bytes(std::string_view text) {
   return isForbidden ? 0 : length;
 }
 
-std::string onOneLine(std::string_view text) {
+std::string toSingleLine(std::string_view text) {
   std::string line;
   while (!text.empty()) {
     const std::size_t length = utf8Bytes(text);

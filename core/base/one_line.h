@@ -16,6 +16,6 @@ std::size_t utf8Bytes(std::string_view text);
 /// Makes part of a message fit on one line. Line breaks, other control characters and invalid
 /// UTF-8, which files may contain, become question marks. Text of more than 4000 bytes is
 /// truncated.
-std::string onOneLine(std::string_view text);
+std::string toSingleLine(std::string_view text);
 
 } // namespace dewpoint::base

@@ -160,19 +160,19 @@ struct RandomBatch {
   }
 };
 
-void RandomStream::normals(std::uint32_t firstIndex, std::int64_t count,
-                           const std::array<double*, 3>& columns) const {
+void RandomStream::fillNormal3(std::uint32_t firstIndex, std::int64_t count,
+                               const std::array<double*, 3>& columns) const {
   RandomBatch::run<RandomBatch::Normals>(this, firstIndex, count, columns[0], columns[1],
                                          columns[2]);
 }
 
-void RandomStream::normals4(std::uint32_t firstIndex, std::uint32_t block, std::int64_t count,
-                            const std::array<double*, 4>& columns) const {
+void RandomStream::fillNormal4(std::uint32_t firstIndex, std::uint32_t block, std::int64_t count,
+                               const std::array<double*, 4>& columns) const {
   RandomBatch::run<RandomBatch::NormalsInDouble>(this, firstIndex, block, count, &columns);
 }
 
-void RandomStream::exponentials(std::uint32_t firstIndex, std::int64_t count,
-                                const std::array<float*, 4>& columns) const {
+void RandomStream::fillExponential4(std::uint32_t firstIndex, std::int64_t count,
+                                    const std::array<float*, 4>& columns) const {
   RandomBatch::run<RandomBatch::Exponentials>(this, firstIndex, count, &columns);
 }
 

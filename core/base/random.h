@@ -50,14 +50,14 @@ public:
 
   /// Writes normal3(i) for `count` elements, starting at `firstIndex`, into three columns, which
   /// must not overlap.
-  void normals(std::uint32_t firstIndex, std::int64_t count,
-               const std::array<double*, 3>& columns) const;
+  void fillNormal3(std::uint32_t firstIndex, std::int64_t count,
+                   const std::array<double*, 3>& columns) const;
   /// Writes normal4(i, block) for `count` elements into four columns, which must not overlap.
-  void normals4(std::uint32_t firstIndex, std::uint32_t block, std::int64_t count,
-                const std::array<double*, 4>& columns) const;
+  void fillNormal4(std::uint32_t firstIndex, std::uint32_t block, std::int64_t count,
+                   const std::array<double*, 4>& columns) const;
   /// Writes exponential4(i) for `count` elements into four columns, which must not overlap.
-  void exponentials(std::uint32_t firstIndex, std::int64_t count,
-                    const std::array<float*, 4>& columns) const;
+  void fillExponential4(std::uint32_t firstIndex, std::int64_t count,
+                        const std::array<float*, 4>& columns) const;
 
 private:
   friend struct RandomBatch;

@@ -33,13 +33,13 @@ void Sha256::add(std::string_view bytes) {
     waitingBytes_ += taken;
     bytes.remove_prefix(taken);
     if (waitingBytes_ == kBlock) {
-      takeBlock(waiting_.data());
+      processBlock(waiting_.data());
       waitingBytes_ = 0;
     }
   }
 }
 
-std::string Sha256::text() {
+std::string Sha256::hexDigest() {
   const std::uint64_t bits = 8 * allBytes_;
   // A one, zeros up to the last eight bytes of a block, and there the length in bits.
   std::string end(1 + (kBlock + kBlock - 9 - waitingBytes_) % kBlock, '\0');
@@ -55,7 +55,7 @@ std::string Sha256::text() {
   return text;
 }
 
-void Sha256::takeBlock(const unsigned char* bytes) {
+void Sha256::processBlock(const unsigned char* bytes) {
   std::array<std::uint32_t, 64> w{};
   for (std::size_t k = 0; k < 16; ++k) {
     for (std::size_t byte = 0; byte < 4; ++byte) {
@@ -91,7 +91,7 @@ void Sha256::takeBlock(const unsigned char* bytes) {
 std::string sha256(std::string_view text) {
   Sha256 sum;
   sum.add(text);
-  return sum.text();
+  return sum.hexDigest();
 }
 
 Result<std::string> sha256OfFile(const std::filesystem::path& file) {
@@ -109,7 +109,7 @@ Result<std::string> sha256OfFile(const std::filesystem::path& file) {
   if (!stream.eof()) {
     return failure(ErrorCode::FileUnreadable, file.string(), "", "");
   }
-  return sum.text();
+  return sum.hexDigest();
 }
 
 } // namespace dewpoint::base

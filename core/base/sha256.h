@@ -20,12 +20,12 @@ public:
   void add(std::string_view bytes);
   /// Returns the checksum of all bytes added so far, as 64 hexadecimal digits. Nothing may be added
   /// afterwards.
-  std::string text();
+  std::string hexDigest();
 
 private:
   static constexpr std::size_t kBlock = 64; ///< bytes
 
-  void takeBlock(const unsigned char* bytes);
+  void processBlock(const unsigned char* bytes);
 
   std::array<std::uint32_t, 8> state_{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
                                       0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};

@@ -8,7 +8,7 @@
 
 namespace dewpoint::base {
 
-/// Reads a whole text file like readTextFile(), but with the larger limit limits::kMostTableBytes,
+/// Reads a whole text file like readTextFile(), but with the larger limit limits::kMaxTableBytes,
 /// for tables with one row per frame.
 Result<std::string> readTableText(const std::filesystem::path& file);
 

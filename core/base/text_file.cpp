@@ -84,14 +84,14 @@ Result<std::string> readUpTo(std::uintmax_t most, const std::filesystem::path& f
 } // namespace
 
 Result<std::string> readTextFile(const std::filesystem::path& file) {
-  return readUpTo(limits::kMostTextBytes, file);
+  return readUpTo(limits::kMaxTextBytes, file);
 }
 
 Result<std::string> readTableText(const std::filesystem::path& file) {
-  return readUpTo(limits::kMostTableBytes, file);
+  return readUpTo(limits::kMaxTableBytes, file);
 }
 
-Status writeFlushed(const std::filesystem::path& file, const std::string& text) {
+Status writeAndFlush(const std::filesystem::path& file, const std::string& text) {
   errno = 0;
   return writeAndSync(file, text)
              ? Status()
@@ -101,7 +101,7 @@ Status writeFlushed(const std::filesystem::path& file, const std::string& text) 
 Status writeTextFile(const std::filesystem::path& file, const std::string& text) {
   auto beside = file;
   beside += ".part";
-  if (auto written = writeFlushed(beside, text); !written) {
+  if (auto written = writeAndFlush(beside, text); !written) {
     std::error_code ignored;
     std::filesystem::remove(beside, ignored);
     written.error().file = file.string();

@@ -19,6 +19,6 @@ Status writeTextFile(const std::filesystem::path& file, const std::string& text)
 /// First half of writeTextFile(): writes the text directly into `file` and flushes it to disk.
 /// Intended for a set of files that are renamed only when all of them are complete. After
 /// FileUnwritable, the file may be incomplete.
-Status writeFlushed(const std::filesystem::path& file, const std::string& text);
+Status writeAndFlush(const std::filesystem::path& file, const std::string& text);
 
 } // namespace dewpoint::base

@@ -13,7 +13,7 @@ namespace dewpoint::base {
 /// Parses an entire text as a number with a decimal point, regardless of the locale. Returns
 /// nothing if any part is not numeric (such as a leading space or plus sign) or the number is out
 /// of range for the type. Floating-point types also accept infinity and NaN.
-template <class Number> std::optional<Number> numberFrom(std::string_view text) {
+template <class Number> std::optional<Number> toNumber(std::string_view text) {
   Number number{};
   const char* const end = text.data() + text.size();
   const auto [stop, problem] = std::from_chars(text.data(), end, number);

@@ -14,11 +14,11 @@ int processors() {
 
 } // namespace
 
-int filterThreads(int wanted) {
+int filterThreadCount(int wanted) {
   return wanted > 0 ? wanted : std::max(1, processors() - 1);
 }
 
-int threadsForTasks(std::size_t tasks) {
+int threadCountForTasks(std::size_t tasks) {
   return static_cast<int>(
       std::clamp(tasks, std::size_t{1}, static_cast<std::size_t>(processors())));
 }

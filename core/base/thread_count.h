@@ -10,10 +10,10 @@ namespace dewpoint::base {
 
 /// Returns the number of threads for the filter when `wanted` are requested. 0 means all hardware
 /// threads except one, which is left for the cameras and the user interface.
-int filterThreads(int wanted);
+int filterThreadCount(int wanted);
 
 /// Returns the number of threads for `tasks` independent tasks: one per task, but at least 1 and at
 /// most the number of hardware threads.
-int threadsForTasks(std::size_t tasks);
+int threadCountForTasks(std::size_t tasks);
 
 } // namespace dewpoint::base

@@ -83,7 +83,7 @@ std::size_t lineTooDeep(std::string_view text) {
       continue;
     }
     nesting.pass(letter);
-    if (nesting.depth() > limits::kMostNesting) {
+    if (nesting.depth() > limits::kMaxNesting) {
       return line;
     }
     line += letter == '\n' ? 1 : 0;
@@ -98,7 +98,7 @@ Result<toml::table> parseToml(const std::string& text, const std::string& file) 
   if (const std::size_t line = lineTooDeep(text); line > 0) {
     return failure(
         ErrorCode::NotParsed, file, fmt::format("line {}", line),
-        fmt::format("more than {} levels of keys, arrays and tables", limits::kMostNesting));
+        fmt::format("more than {} levels of keys, arrays and tables", limits::kMaxNesting));
   }
   try {
     return toml::parse(text, file);
@@ -118,7 +118,7 @@ Result<toml::table> readTomlFile(const std::filesystem::path& file) {
       [&](const std::string& text) { return parseToml(text, file.string()); });
 }
 
-std::string quoted(const std::string& text) {
+std::string tomlQuoted(const std::string& text) {
   std::string result = "\"";
   for (std::string_view rest = text; !rest.empty();) {
     const std::size_t bytes = utf8Bytes(rest);

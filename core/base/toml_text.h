@@ -11,7 +11,7 @@
 namespace dewpoint::base {
 
 /// Parses TOML. A NotParsed error contains the line and what was expected there. Keys, arrays and
-/// tables nested deeper than limits::kMostNesting are also NotParsed. `file` is used in the error
+/// tables nested deeper than limits::kMaxNesting are also NotParsed. `file` is used in the error
 /// message.
 Result<toml::table> parseToml(const std::string& text, const std::string& file);
 
@@ -20,6 +20,6 @@ Result<toml::table> readTomlFile(const std::filesystem::path& file);
 
 /// Quotes a string for TOML. Bytes that are not valid UTF-8, which TOML does not allow, become
 /// question marks.
-std::string quoted(const std::string& text);
+std::string tomlQuoted(const std::string& text);
 
 } // namespace dewpoint::base

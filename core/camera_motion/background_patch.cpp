@@ -144,16 +144,16 @@ std::optional<BackgroundPatch::Match> BackgroundPatch::find(const cv::Mat& image
     if (!sample(image, origin + match.shift, seen) || normalize(seen) <= 0.0F) {
       return std::nullopt;
     }
-    float likeness = 0.0F;
+    float correlation = 0.0F;
     float byX = 0.0F;
     float byY = 0.0F;
     for (std::size_t i = 0; i < kCount; ++i) {
       const float error = seen[i] - values_[i];
-      likeness += seen[i] * values_[i];
+      correlation += seen[i] * values_[i];
       byX += gradientX_[i] * error;
       byY += gradientY_[i] * error;
     }
-    match.likeness = likeness;
+    match.correlation = correlation;
     const Eigen::Vector2d change = inverseHessian_ * Eigen::Vector2d(byX, byY);
     if (!(change.norm() < kFarthest)) {
       return std::nullopt;

@@ -26,7 +26,7 @@ public:
   /// Position of the patch in another image.
   struct Match {
     Eigen::Vector2d shift = Eigen::Vector2d::Zero(); ///< displacement from center(), pixels
-    double likeness = 0.0;                           ///< normalized correlation, -1 to 1
+    double correlation = 0.0;                        ///< normalized correlation, -1 to 1
   };
   /// Locates the patch in an image, near `guess` (pixels from center()). Uses inverse compositional
   /// alignment (Baker and Matthews 2004, "Lucas-Kanade 20 years on") of a shift, normalized for

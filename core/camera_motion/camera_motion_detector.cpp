@@ -88,7 +88,7 @@ void CameraMotionDetector::restart() {
 }
 
 void CameraMotionDetector::accept(std::size_t camera, const Camera& now) {
-  Watched anew;
+  WatchedCamera anew;
   anew.camera = now;
   watched_[camera] = std::move(anew);
 }
@@ -114,7 +114,7 @@ void CameraMotionDetector::watch(const FrameSet& frames) {
   }
 }
 
-void CameraMotionDetector::learn(Watched& watched, const cv::Mat& image, double time,
+void CameraMotionDetector::learn(WatchedCamera& watched, const cv::Mat& image, double time,
                                  const Eigen::Vector3d& turn, int parts) {
   watched.learned = time;
   const int width = image.cols / kGridColumns;
@@ -122,36 +122,36 @@ void CameraMotionDetector::learn(Watched& watched, const cv::Mat& image, double 
   for (int tried = 0; tried < kParts && parts > 0; ++tried) {
     const int part = std::exchange(watched.nextPart, (watched.nextPart + 1) % kParts);
     const cv::Rect cell(part % kGridColumns * width, part / kGridColumns * height, width, height);
-    if (std::ranges::any_of(watched.pieces, [&](const Piece& piece) {
+    if (std::ranges::any_of(watched.pieces, [&](const TrackedPatch& piece) {
           return cell.contains(piece.patch.center());
         })) {
       continue;
     }
     --parts;
     auto patch = bestPiece(image, cell);
-    const auto byTurn =
-        patch ? pixelsByTurn(watched.camera, Eigen::Vector2d(patch->center().x, patch->center().y))
-              : std::nullopt;
+    const auto byTurn = patch ? rotationJacobian(watched.camera, Eigen::Vector2d(patch->center().x,
+                                                                                 patch->center().y))
+                              : std::nullopt;
     if (byTurn) {
       watched.pieces.push_back({std::move(*patch), *byTurn, turn, time});
     }
   }
 }
 
-std::optional<CameraRotation> CameraMotionDetector::measure(Watched& watched, const cv::Mat& image,
-                                                            double time,
+std::optional<CameraRotation> CameraMotionDetector::measure(WatchedCamera& watched,
+                                                            const cv::Mat& image, double time,
                                                             const Eigen::Vector3d& guess) {
   std::vector<BackgroundShift> shifts;
-  std::vector<Piece*> found;
-  for (Piece& piece : watched.pieces) {
-    const auto match = piece.patch.find(image, piece.byTurn * (guess - piece.turnThen));
-    if (match && match->likeness > kAlike) {
-      shifts.push_back({match->shift + piece.byTurn * piece.turnThen, piece.byTurn,
+  std::vector<TrackedPatch*> found;
+  for (TrackedPatch& piece : watched.pieces) {
+    const auto match = piece.patch.find(image, piece.byTurn * (guess - piece.initialTurn));
+    if (match && match->correlation > kAlike) {
+      shifts.push_back({match->shift + piece.byTurn * piece.initialTurn, piece.byTurn,
                         piece.patch.shiftCovariance()});
       found.push_back(&piece);
     }
   }
-  const auto turn = fitTurn(shifts);
+  const auto turn = fitRotation(shifts);
   // Fewer than half of what is known: rather something that covers and moves with its own pattern.
   if (!turn || turn->used < kFewestPieces || 2 * std::size_t(turn->used) < shifts.size() ||
       3 * std::size_t(turn->used) < watched.pieces.size()) {
@@ -165,8 +165,8 @@ std::optional<CameraRotation> CameraMotionDetector::measure(Watched& watched, co
   return turn;
 }
 
-std::optional<Eigen::Vector3d> CameraMotionDetector::largeTurn(const Watched& watched,
-                                                               const cv::Mat& image) {
+std::optional<Eigen::Vector3d>
+CameraMotionDetector::estimateLargeRotation(const WatchedCamera& watched, const cv::Mat& image) {
   if (watched.thumbnail.empty() || image.cols / kThumbnail != watched.thumbnail.cols ||
       image.rows / kThumbnail != watched.thumbnail.rows) {
     return std::nullopt;
@@ -179,7 +179,7 @@ std::optional<Eigen::Vector3d> CameraMotionDetector::largeTurn(const Watched& wa
   if (response < kThumbnailResponse) {
     return std::nullopt;
   }
-  const auto byTurn = pixelsByTurn(watched.camera, {image.cols / 2.0, image.rows / 2.0});
+  const auto byTurn = rotationJacobian(watched.camera, {image.cols / 2.0, image.rows / 2.0});
   if (!byTurn) {
     return std::nullopt;
   }
@@ -189,7 +189,7 @@ std::optional<Eigen::Vector3d> CameraMotionDetector::largeTurn(const Watched& wa
 }
 
 void CameraMotionDetector::check(std::size_t camera, const Frame& frame, const FrameSet& frames) {
-  Watched& watched = watched_[camera];
+  WatchedCamera& watched = watched_[camera];
   const double time = seconds(frames.time);
   if (watched.thumbnail.empty()) {
     watched.thumbnail = thumbnailOf(frame.image);
@@ -200,7 +200,7 @@ void CameraMotionDetector::check(std::size_t camera, const Frame& frame, const F
       watched.turns.empty() ? Eigen::Vector3d::Zero() : watched.turns.back();
   auto turn = measure(watched, frame.image, time, guess);
   if (!turn && watched.pieces.size() >= std::size_t(kFewestPieces)) {
-    if (const auto large = largeTurn(watched, frame.image)) {
+    if (const auto large = estimateLargeRotation(watched, frame.image)) {
       turn = measure(watched, frame.image, time, *large);
       // Something large that moves has a shift of its own: most of the pieces must agree.
       if (turn && 2 * std::size_t(turn->used) < watched.pieces.size()) {
@@ -214,14 +214,14 @@ void CameraMotionDetector::check(std::size_t camera, const Frame& frame, const F
   }
   if (turn && time - watched.learned > kLearnEvery) {
     std::erase_if(watched.pieces,
-                  [&](const Piece& piece) { return time - piece.lastSeen > kForgetAfter; });
+                  [&](const TrackedPatch& piece) { return time - piece.lastSeen > kForgetAfter; });
     learn(watched, frame.image, time, watched.state.turn.turn, kPartsAtOnce);
   }
 }
 
 void CameraMotionDetector::assess(std::size_t camera, const CameraRotation& turn,
                                   const FrameSet& frames) {
-  Watched& watched = watched_[camera];
+  WatchedCamera& watched = watched_[camera];
   watched.turns.push_back(turn.turn);
   if (watched.turns.size() > kChecks) {
     watched.turns.pop_front();

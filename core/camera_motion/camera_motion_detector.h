@@ -58,15 +58,15 @@ public:
   void restart();
 
 private:
-  struct Piece {
+  struct TrackedPatch {
     BackgroundPatch patch;
     Eigen::Matrix<double, 2, 3> byTurn;
-    Eigen::Vector3d turnThen; ///< rotation of the camera when the piece was learned
-    double lastSeen = 0.0;    ///< seconds
+    Eigen::Vector3d initialTurn; ///< rotation of the camera when the piece was learned
+    double lastSeen = 0.0;       ///< seconds
   };
-  struct Watched {
+  struct WatchedCamera {
     Camera camera;
-    std::vector<Piece> pieces;
+    std::vector<TrackedPatch> pieces;
     std::deque<Eigen::Vector3d> turns; ///< results of the last checks
     double due = 0.0;                  ///< time of the next check, seconds
     double learned = 0.0;              ///< time of the last search for pieces, seconds
@@ -76,14 +76,15 @@ private:
   };
   void check(std::size_t camera, const Frame& frame, const FrameSet& frames);
   /// Searches the next `parts` image parts without pieces for new pieces.
-  static void learn(Watched& watched, const cv::Mat& image, double time,
+  static void learn(WatchedCamera& watched, const cv::Mat& image, double time,
                     const Eigen::Vector3d& turn, int parts);
-  static std::optional<CameraRotation> measure(Watched& watched, const cv::Mat& image, double time,
-                                               const Eigen::Vector3d& guess);
-  static std::optional<Eigen::Vector3d> largeTurn(const Watched& watched, const cv::Mat& image);
+  static std::optional<CameraRotation> measure(WatchedCamera& watched, const cv::Mat& image,
+                                               double time, const Eigen::Vector3d& guess);
+  static std::optional<Eigen::Vector3d> estimateLargeRotation(const WatchedCamera& watched,
+                                                              const cv::Mat& image);
   void assess(std::size_t camera, const CameraRotation& turn, const FrameSet& frames);
 
-  std::vector<Watched> watched_;
+  std::vector<WatchedCamera> watched_;
   std::vector<CameraMotionEvent> events_;
   double lastTime_ = -1e18;
 };

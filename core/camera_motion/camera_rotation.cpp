@@ -67,11 +67,11 @@ Eigen::Vector3d medianTurn(const std::vector<BackgroundShift>& shifts) {
 
 } // namespace
 
-std::optional<Eigen::Matrix<double, 2, 3>> pixelsByTurn(const Camera& camera,
-                                                        const Eigen::Vector2d& pixel) {
+std::optional<Eigen::Matrix<double, 2, 3>> rotationJacobian(const Camera& camera,
+                                                            const Eigen::Vector2d& pixel) {
   Camera lens = camera;
   lens.cameraFromWorld.setIdentity();
-  const auto direction = Unprojector(lens).rayWorld(pixel);
+  const auto direction = Unprojector(lens).worldDirection(pixel);
   if (!direction) {
     return std::nullopt;
   }
@@ -89,7 +89,7 @@ std::optional<Eigen::Matrix<double, 2, 3>> pixelsByTurn(const Camera& camera,
   return byTurn;
 }
 
-std::optional<CameraRotation> fitTurn(const std::vector<BackgroundShift>& shifts) {
+std::optional<CameraRotation> fitRotation(const std::vector<BackgroundShift>& shifts) {
   if (shifts.size() < kFewestShifts) {
     return std::nullopt;
   }

@@ -29,12 +29,12 @@ struct CameraRotation {
 
 /// Returns the derivative d(pixel) / d(turn) at a pixel, in pixels per radian. Returns nothing
 /// where the lens model has no direction for the pixel.
-std::optional<Eigen::Matrix<double, 2, 3>> pixelsByTurn(const Camera& camera,
-                                                        const Eigen::Vector2d& pixel);
+std::optional<Eigen::Matrix<double, 2, 3>> rotationJacobian(const Camera& camera,
+                                                            const Eigen::Vector2d& pixel);
 
 /// Fits the rotation that most shifts agree on, using least squares with Tukey's biweight, scaled
 /// by the median of the residuals. Returns nothing if there are fewer than four shifts or if fewer
 /// than four agree.
-std::optional<CameraRotation> fitTurn(const std::vector<BackgroundShift>& shifts);
+std::optional<CameraRotation> fitRotation(const std::vector<BackgroundShift>& shifts);
 
 } // namespace dewpoint::camera_motion

@@ -21,8 +21,8 @@ struct ReprojectionResidual {
       Eigen::Vector3d::Zero(); ///< position derived from the other cameras alone; meters
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero(); ///< center of the target in the image
   Eigen::Vector2d residual =
-      Eigen::Vector2d::Zero(); ///< `pixel` minus the projection of `world`, pixels
-  double othersOff = 0.0;      ///< disagreement among the other cameras about `world`, pixels
+      Eigen::Vector2d::Zero();     ///< `pixel` minus the projection of `world`, pixels
+  double othersDisagreement = 0.0; ///< disagreement among the other cameras about `world`, pixels
 };
 
 /// Returns the centroid (pixels) of the pixels in the target's color around its expected position
@@ -47,13 +47,13 @@ public:
   void add(const FrameSet& frames, const std::vector<Target>& targets,
            const std::vector<SphereEstimate>& estimates);
   /// Returns the sightings of a camera, oldest first.
-  const std::deque<ReprojectionResidual>& of(std::size_t camera) const {
+  const std::deque<ReprojectionResidual>& sightings(std::size_t camera) const {
     return sightings_[camera];
   }
   /// Component-wise medians over the sightings of a camera.
   struct Summary {
     Eigen::Vector2d residual = Eigen::Vector2d::Zero(); ///< per component, pixels
-    double othersOff = 0.0;                             ///< pixels
+    double othersDisagreement = 0.0;                    ///< pixels
   };
   /// Returns a summary of a camera's sightings since a time (seconds). Returns nothing if there are
   /// fewer than `fewest` sightings.

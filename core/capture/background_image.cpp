@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/background_image.h"
 
+#include "core/capture/frame_reader.h"
 #include "core/capture/image_reader.h"
-#include "core/capture/picture_reader.h"
 #include "core/capture/video_reader.h"
 
 #include <algorithm>
@@ -14,16 +14,16 @@
 namespace dewpoint::capture {
 namespace {
 
-Result<PictureReaderPtr> openReader(const std::string& location, const std::string& field) {
+Result<FrameReaderPtr> openReader(const std::string& location, const std::string& field) {
   if (std::filesystem::is_directory(location)) {
-    return openImageReader(location, field);
+    return openImageFolderReader(location, field);
   }
-  return isPictureFile(location) ? openPictureReader(location, field)
-                                 : openVideoReader(location, field);
+  return isImageFile(location) ? openImageFileReader(location, field)
+                               : openVideoReader(location, field);
 }
 
-Result<std::vector<cv::Mat>> readSome(PictureReader& reader, const PictureShape& camera) {
-  const std::int64_t count = std::min<std::int64_t>(kBackgroundImagePictures, reader.frameCount());
+Result<std::vector<cv::Mat>> readSome(FrameReader& reader, const ImageShape& camera) {
+  const std::int64_t count = std::min<std::int64_t>(kMaxMedianImages, reader.frameCount());
   std::vector<cv::Mat> pictures;
   for (std::int64_t k = 0; k < count; ++k) {
     const std::int64_t frame = k * reader.frameCount() / count;
@@ -34,7 +34,7 @@ Result<std::vector<cv::Mat>> readSome(PictureReader& reader, const PictureShape&
     if (picture->empty()) {
       break;
     }
-    auto rotated = shaped(*picture, camera, reader.fileOf(frame));
+    auto rotated = prepareImage(*picture, camera, reader.fileOf(frame));
     if (!rotated) {
       return tl::make_unexpected(rotated.error());
     }
@@ -49,12 +49,12 @@ Result<std::vector<cv::Mat>> readSome(PictureReader& reader, const PictureShape&
 
 /// The median of every byte. Not upperMedian(): that copies to floating point, here for each of the
 /// millions of bytes.
-cv::Mat medianPicture(const std::vector<cv::Mat>& pictures) {
+cv::Mat medianImage(const std::vector<cv::Mat>& pictures) {
   if (pictures.size() == 1) {
     return pictures.front();
   }
   cv::Mat median(pictures.front().size(), CV_8UC3);
-  std::array<std::uint8_t, kBackgroundImagePictures> values{};
+  std::array<std::uint8_t, kMaxMedianImages> values{};
   const auto end = values.begin() + std::ssize(pictures);
   const auto middle = values.begin() + std::ssize(pictures) / 2;
   for (int row = 0; row < median.rows; ++row) {
@@ -72,15 +72,15 @@ cv::Mat medianPicture(const std::vector<cv::Mat>& pictures) {
 
 } // namespace
 
-Result<cv::Mat> readBackgroundImage(const std::string& location, const PictureShape& camera) {
+Result<cv::Mat> readBackgroundImage(const std::string& location, const ImageShape& camera) {
   const std::string field = cameraField(camera.camera);
   std::error_code problem;
   if (!std::filesystem::exists(location, problem)) {
     return failure(ErrorCode::FileMissing, location, field, "");
   }
   return openReader(location, field)
-      .and_then([&](const PictureReaderPtr& reader) { return readSome(*reader, camera); })
-      .map([](const std::vector<cv::Mat>& pictures) { return medianPicture(pictures); });
+      .and_then([&](const FrameReaderPtr& reader) { return readSome(*reader, camera); })
+      .map([](const std::vector<cv::Mat>& pictures) { return medianImage(pictures); });
 }
 
 } // namespace dewpoint::capture

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/capture/picture.h"
+#include "core/capture/image_shape.h"
 
 #include <opencv2/core/mat.hpp>
 
@@ -11,11 +11,11 @@ namespace dewpoint::capture {
 
 /// Reads the background image of a camera, which shows the scene without targets (CV_8UC3,
 /// rotated). `location` is an image file, a video or a folder of images. For a video or folder, the
-/// result is the pixel-by-pixel median of up to kBackgroundImagePictures evenly spaced images.
+/// result is the pixel-by-pixel median of up to kMaxMedianImages evenly spaced images.
 /// FileMissing, FileUnreadable and Mismatch errors name the file and the camera.
-Result<cv::Mat> readBackgroundImage(const std::string& location, const PictureShape& camera);
+Result<cv::Mat> readBackgroundImage(const std::string& location, const ImageShape& camera);
 
 /// Maximum number of images from which the median is computed.
-inline constexpr int kBackgroundImagePictures = 15;
+inline constexpr int kMaxMedianImages = 15;
 
 } // namespace dewpoint::capture

@@ -17,7 +17,7 @@ constexpr double kTimeRounding = 1e-5;
 
 } // namespace
 
-CaptureSchedule::CaptureSchedule(std::vector<CameraPictures> cameras, double rate)
+CaptureSchedule::CaptureSchedule(std::vector<CameraImages> cameras, double rate)
     : cameras_(std::move(cameras)), rate_(rate) {
   if (!hasTimes()) {
     count_ = lengthOf(*std::ranges::min_element(cameras_, {}, lengthOf));
@@ -25,7 +25,7 @@ CaptureSchedule::CaptureSchedule(std::vector<CameraPictures> cameras, double rat
   }
   double end = std::numeric_limits<double>::infinity();
   origin_ = -end;
-  for (const CameraPictures& camera : cameras_) {
+  for (const CameraImages& camera : cameras_) {
     origin_ = std::max(origin_, camera.times->front() - camera.delay);
     end = std::min(end, camera.times->back() - camera.delay);
   }
@@ -33,9 +33,9 @@ CaptureSchedule::CaptureSchedule(std::vector<CameraPictures> cameras, double rat
   count_ = frames < 0.0 ? 0 : static_cast<std::int64_t>(std::floor(frames)) + 1;
 }
 
-std::optional<CaptureSchedule::Picture> CaptureSchedule::pictureOf(std::size_t camera,
-                                                                   std::int64_t frame) const {
-  const CameraPictures& pictures = cameras_[camera];
+std::optional<CaptureSchedule::ScheduledImage> CaptureSchedule::imageAt(std::size_t camera,
+                                                                        std::int64_t frame) const {
+  const CameraImages& pictures = cameras_[camera];
   if (hasTimes()) {
     return byTime(pictures, frame);
   }
@@ -43,16 +43,16 @@ std::optional<CaptureSchedule::Picture> CaptureSchedule::pictureOf(std::size_t c
   const double time = static_cast<double>(number) / rate_ - pictures.delay;
   if (pictures.sequenceNumbers.empty()) {
     const bool isThere = number >= 0 && number < pictures.count;
-    return isThere ? std::optional(Picture{number, time}) : std::nullopt;
+    return isThere ? std::optional(ScheduledImage{number, time}) : std::nullopt;
   }
   const auto found = std::ranges::lower_bound(pictures.sequenceNumbers, number);
   const bool isThere = found != pictures.sequenceNumbers.end() && *found == number;
-  return isThere ? std::optional(Picture{found - pictures.sequenceNumbers.begin(), time})
+  return isThere ? std::optional(ScheduledImage{found - pictures.sequenceNumbers.begin(), time})
                  : std::nullopt;
 }
 
-std::optional<CaptureSchedule::Picture> CaptureSchedule::byTime(const CameraPictures& camera,
-                                                                std::int64_t frame) const {
+std::optional<CaptureSchedule::ScheduledImage> CaptureSchedule::byTime(const CameraImages& camera,
+                                                                       std::int64_t frame) const {
   const CaptureTimes& times = *camera.times;
   const double wanted = static_cast<double>(frame) / rate_;
   const auto since = [&](CaptureTimes::const_iterator at) { return *at - camera.delay - origin_; };
@@ -65,12 +65,12 @@ std::optional<CaptureSchedule::Picture> CaptureSchedule::byTime(const CameraPict
   if (std::abs(time - wanted) > 0.5 / rate_ + kTimeRounding) {
     return std::nullopt;
   }
-  return Picture{nearest - times.begin(), time};
+  return ScheduledImage{nearest - times.begin(), time};
 }
 
-double CaptureSchedule::rateOf(const std::vector<CameraPictures>& cameras) {
+double CaptureSchedule::rateOf(const std::vector<CameraImages>& cameras) {
   double rate = 0.0;
-  for (const CameraPictures& camera : cameras) {
+  for (const CameraImages& camera : cameras) {
     if (camera.times && camera.times->size() > 1) {
       std::vector<double> intervals(camera.times->size() - 1);
       std::ranges::transform(camera.times->begin() + 1, camera.times->end(), camera.times->begin(),

@@ -18,7 +18,7 @@ namespace dewpoint::capture {
 class CaptureSchedule {
 public:
   /// Images of one camera.
-  struct CameraPictures {
+  struct CameraImages {
     std::int64_t count = 0; ///< number of images, > 0
     double delay = 0.0;     ///< delay of the images, seconds
     /// Capture time of each image, by a common clock. Either all cameras have capture times or
@@ -29,33 +29,33 @@ public:
     std::vector<std::int64_t> sequenceNumbers = {};
   };
   /// `rate`: frame sets per second, > 0. `cameras`: at least one.
-  CaptureSchedule(std::vector<CameraPictures> cameras, double rate);
+  CaptureSchedule(std::vector<CameraImages> cameras, double rate);
 
   /// Returns the number of frame sets. The last set is where the first camera ends. Except for
   /// missing images, each camera has an image in every set.
   std::int64_t frameCount() const { return count_; }
 
   /// Image of one camera in a frame set.
-  struct Picture {
+  struct ScheduledImage {
     std::int64_t number = 0; ///< index of the image
     double time = 0.0; ///< time at which the scene looked like this, seconds since frame set 0
   };
   /// Returns the image of a camera in a frame set, or nothing if the camera has none.
-  std::optional<Picture> pictureOf(std::size_t camera, std::int64_t frame) const;
+  std::optional<ScheduledImage> imageAt(std::size_t camera, std::int64_t frame) const;
 
   /// Returns the number of frame sets spanned by the images of a camera, including missing images.
-  static std::int64_t lengthOf(const CameraPictures& camera) {
+  static std::int64_t lengthOf(const CameraImages& camera) {
     return camera.sequenceNumbers.empty() ? camera.count : camera.sequenceNumbers.back() + 1;
   }
   /// Returns the frame rate of the fastest camera in images per second, computed from the capture
   /// times; 0 if unknown.
-  static double rateOf(const std::vector<CameraPictures>& cameras);
+  static double rateOf(const std::vector<CameraImages>& cameras);
 
 private:
   bool hasTimes() const { return cameras_.front().times.has_value(); }
-  std::optional<Picture> byTime(const CameraPictures& camera, std::int64_t frame) const;
+  std::optional<ScheduledImage> byTime(const CameraImages& camera, std::int64_t frame) const;
 
-  std::vector<CameraPictures> cameras_;
+  std::vector<CameraImages> cameras_;
   double rate_;
   double origin_ = 0.0; ///< zero point of the capture times, seconds
   std::int64_t count_ = 0;

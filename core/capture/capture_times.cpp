@@ -60,7 +60,7 @@ Cells cellsOf(std::string_view line) {
     if (separator != ' ' || !cell.empty()) {
       cells.push_back(cell);
     }
-    if (end == std::string_view::npos || cells.size() == limits::kMostColumns) {
+    if (end == std::string_view::npos || cells.size() == limits::kMaxColumns) {
       return cells;
     }
     line.remove_prefix(end + 1);
@@ -68,7 +68,7 @@ Cells cellsOf(std::string_view line) {
 }
 
 std::optional<double> numberIn(std::string_view cell) {
-  const auto number = numberFrom<double>(cell);
+  const auto number = toNumber<double>(cell);
   return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
@@ -83,7 +83,7 @@ std::optional<Columns> columnsOf(const Cells& heading) {
   Columns columns;
   bool isFound = false;
   for (std::size_t k = 0; k < heading.size(); ++k) {
-    const std::string name = inLowerCase(heading[k]);
+    const std::string name = toLowerCase(heading[k]);
     for (const auto& [ending, unit] : kTimeUnits) {
       const bool isTime =
           std::ranges::any_of(kTimeColumns, [&, ending = ending](const char* column) {
@@ -158,9 +158,9 @@ Status TimeTable::readLine(std::string_view line) {
     return failure(ErrorCode::NotParsed, file_, field_,
                    fmt::format("line {} has no time in column {}", number_, columns_->time + 1));
   }
-  if (lines_.size() == limits::kMostRows) {
+  if (lines_.size() == limits::kMaxRows) {
     return failure(ErrorCode::NotParsed, file_, field_,
-                   fmt::format("line {} is one more than {} times", number_, limits::kMostRows));
+                   fmt::format("line {} is one more than {} times", number_, limits::kMaxRows));
   }
   lines_.push_back(
       {columns_->camera ? cells[*columns_->camera] : std::string_view(), *time * columns_->unit});
@@ -169,7 +169,7 @@ Status TimeTable::readLine(std::string_view line) {
 
 } // namespace
 
-std::vector<std::string> timesNames(const std::string& camera, const std::string& file) {
+std::vector<std::string> captureTimeIds(const std::string& camera, const std::string& file) {
   std::vector<std::string> names{camera};
   for (const std::string& name : {std::filesystem::path(file).stem().string(), camera}) {
     if (const auto number = numberAtEnd(name)) {

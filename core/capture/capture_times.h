@@ -14,7 +14,7 @@ using CaptureTimes = std::vector<double>;
 
 /// Returns the names by which a table of times may identify a camera: its name, and the number at
 /// the end of its name or its file name.
-std::vector<std::string> timesNames(const std::string& camera, const std::string& file);
+std::vector<std::string> captureTimeIds(const std::string& camera, const std::string& file);
 
 /// Reads the capture times of one camera from a table.
 ///

@@ -79,7 +79,8 @@ bool writeLossy(const CheckedCodec& codec, const std::string& file) {
 }
 
 void readBack(const CheckedCodec& codec, const std::string& file, CodecOutcome& outcome) {
-  const auto reader = isFolderOf(codec) ? openImageReader(file, "") : openVideoReader(file, "");
+  const auto reader =
+      isFolderOf(codec) ? openImageFolderReader(file, "") : openVideoReader(file, "");
   if (!reader) {
     outcome.problem = sentence(reader.error());
     return;

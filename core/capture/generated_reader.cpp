@@ -10,7 +10,7 @@
 namespace dewpoint::capture {
 namespace {
 
-class GeneratedReader final : public PictureReader {
+class GeneratedReader final : public FrameReader {
 public:
   GeneratedReader(const RecordedCamera& camera, std::string field)
       : camera_(camera), field_(std::move(field)) {}
@@ -37,8 +37,7 @@ private:
 
 } // namespace
 
-Result<PictureReaderPtr> openGeneratedReader(const RecordedCamera& camera,
-                                             const std::string& field) {
+Result<FrameReaderPtr> openGeneratedReader(const RecordedCamera& camera, const std::string& field) {
   if (!camera.generate || camera.generatedFrames < 1) {
     return failure(ErrorCode::BadValue, camera.path, field, "there is nothing that makes pictures");
   }

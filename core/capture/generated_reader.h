@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/capture/picture_reader.h"
+#include "core/capture/frame_reader.h"
 #include "core/capture/recorded_camera.h"
 
 #include <string>
@@ -10,7 +10,6 @@ namespace dewpoint::capture {
 
 /// Opens a reader for the images created by RecordedCamera::generate. `field` names the camera in
 /// errors. Error: BadValue if the camera has no such function.
-Result<PictureReaderPtr> openGeneratedReader(const RecordedCamera& camera,
-                                             const std::string& field);
+Result<FrameReaderPtr> openGeneratedReader(const RecordedCamera& camera, const std::string& field);
 
 } // namespace dewpoint::capture

@@ -18,14 +18,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool isPicture(const fs::path& path) {
+bool hasImageExtension(const fs::path& path) {
   constexpr std::array kEndings{".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff"};
-  const std::string ending = inLowerCase(path.extension().string());
+  const std::string ending = toLowerCase(path.extension().string());
   return !path.filename().string().starts_with('.') &&
          std::ranges::find(kEndings, ending) != kEndings.end();
 }
 
-class ImageReader final : public PictureReader {
+class ImageReader final : public FrameReader {
 public:
   ImageReader(std::vector<std::string> files, std::string field)
       : files_(std::move(files)), field_(std::move(field)) {}
@@ -56,11 +56,11 @@ private:
 
 } // namespace
 
-bool isPictureFile(const std::string& path) {
-  return isPicture(path);
+bool isImageFile(const std::string& path) {
+  return hasImageExtension(path);
 }
 
-Result<PictureReaderPtr> openImageReader(const std::string& folder, const std::string& field) {
+Result<FrameReaderPtr> openImageFolderReader(const std::string& folder, const std::string& field) {
   std::error_code problem;
   if (!fs::exists(folder, problem)) {
     return failure(ErrorCode::FileMissing, folder, field, "");
@@ -73,7 +73,7 @@ Result<PictureReaderPtr> openImageReader(const std::string& folder, const std::s
   for (fs::directory_iterator item(folder, problem), end; !problem && item != end;
        item.increment(problem)) {
     std::error_code ignored;
-    if (isPicture(item->path()) && item->is_regular_file(ignored)) {
+    if (hasImageExtension(item->path()) && item->is_regular_file(ignored)) {
       files.push_back(item->path().string());
     }
   }
@@ -88,7 +88,7 @@ Result<PictureReaderPtr> openImageReader(const std::string& folder, const std::s
   return std::make_unique<ImageReader>(std::move(files), field);
 }
 
-Result<PictureReaderPtr> openPictureReader(const std::string& file, const std::string& field) {
+Result<FrameReaderPtr> openImageFileReader(const std::string& file, const std::string& field) {
   return std::make_unique<ImageReader>(std::vector<std::string>{file}, field);
 }
 

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/capture/picture_reader.h"
+#include "core/capture/frame_reader.h"
 
 #include <string>
 
 namespace dewpoint::capture {
 
 /// Returns whether a file is an image, based on its file name extension.
-bool isPictureFile(const std::string& path);
+bool isImageFile(const std::string& path);
 
 /// Opens a reader for the images in a folder, in the order of naturallyBefore(). `field` names the
 /// camera in errors. Errors: FileMissing, FileUnreadable.
-Result<PictureReaderPtr> openImageReader(const std::string& folder, const std::string& field);
+Result<FrameReaderPtr> openImageFolderReader(const std::string& folder, const std::string& field);
 
 /// Opens a reader for a single image file. An unreadable file is not detected until the first read.
-Result<PictureReaderPtr> openPictureReader(const std::string& file, const std::string& field);
+Result<FrameReaderPtr> openImageFileReader(const std::string& file, const std::string& field);
 
 } // namespace dewpoint::capture

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/live_camera_thread.h"
 
-#include "core/base/thread_precedence.h"
-#include "core/capture/shown_location.h"
+#include "core/base/thread_priority.h"
+#include "core/capture/redacted_location.h"
 
 #include <algorithm>
 #include <utility>
@@ -17,30 +17,30 @@ constexpr auto kFirstPause = 250ms; ///< before the first new attempt; doubles u
 /// Between two attempts.
 constexpr auto kLongestPause = 4000ms;
 /// A connected camera that is silent for so long is called lost, though its read still waits.
-constexpr auto kSilence = 2s;
-constexpr auto kReadPatience = 1s; ///< with a read that does not return, when the thread has to end
+constexpr auto kSilenceTimeout = 2s;
+constexpr auto kReadTimeout = 1s; ///< with a read that does not return, when the thread has to end
 // Tuned; where no source is named here or in the docs, the origin is not recorded.
 /// Weight of the newest interval in a camera's rate.
 constexpr double kRateSmoothing = 0.1;
 
 } // namespace
 
-void Bell::ring() {
+void WakeSignal::notify() {
   {
     std::scoped_lock lock(mutex_);
-    ++rings_;
+    ++notifyCount_;
   }
-  rung_.notify_all();
+  notified_.notify_all();
 }
 
-std::uint64_t Bell::rings() const {
+std::uint64_t WakeSignal::notifyCount() const {
   std::scoped_lock lock(mutex_);
-  return rings_;
+  return notifyCount_;
 }
 
-void Bell::waitBeyond(std::uint64_t known, Clock::time_point deadline) {
+void WakeSignal::waitBeyond(std::uint64_t known, Clock::time_point deadline) {
   std::unique_lock lock(mutex_);
-  rung_.wait_until(lock, deadline, [&] { return rings_ > known; });
+  notified_.wait_until(lock, deadline, [&] { return notifyCount_ > known; });
 }
 
 /// What the camera's thread alone knows.
@@ -51,17 +51,17 @@ struct LiveCameraThread::Progress {
 };
 
 LiveCameraThread::LiveCameraThread(const LiveCamera& camera, LiveStreamFactory factory,
-                                   std::shared_ptr<Bell> bell, Clock::time_point zero)
+                                   std::shared_ptr<WakeSignal> wakeSignal, Clock::time_point zero)
     : shared_(std::make_shared<Shared>()) {
   shared_->camera = camera;
   shared_->shape = {camera.name, camera.rotateDegrees, camera.width, camera.height,
                     camera.mirrored};
   shared_->factory = std::move(factory);
-  shared_->bell = std::move(bell);
+  shared_->wakeSignal = std::move(wakeSignal);
   shared_->zero = zero;
   shared_->openingSince = Clock::now();
   thread_ = std::jthread([shared = shared_](const std::stop_token& stop) {
-    setPrecedence(Precedence::Prompt); // frames are stamped here
+    setThreadPriority(ThreadPriority::Prompt); // frames are stamped here
     run(stop, *shared);
     std::scoped_lock lock(shared->mutex);
     shared->finished = true;
@@ -72,7 +72,7 @@ LiveCameraThread::LiveCameraThread(const LiveCamera& camera, LiveStreamFactory f
 LiveCameraThread::~LiveCameraThread() {
   if (thread_.joinable()) {
     requestStop();
-    joinUntil(Clock::now() + kReadPatience);
+    joinUntil(Clock::now() + kReadTimeout);
   }
 }
 
@@ -96,7 +96,8 @@ void LiveCameraThread::joinUntil(Clock::time_point deadline) {
 
 bool LiveCameraThread::delivers() const {
   std::scoped_lock lock(shared_->mutex);
-  return shared_->connected && !shared_->problem && Clock::now() - shared_->lastGrab < kSilence;
+  return shared_->connected && !shared_->problem &&
+         Clock::now() - shared_->lastGrab < kSilenceTimeout;
 }
 
 std::optional<Error> LiveCameraThread::problem() const {
@@ -105,12 +106,12 @@ std::optional<Error> LiveCameraThread::problem() const {
     return shared_->problem;
   }
   const auto silentSince = shared_->connected ? shared_->lastGrab : shared_->openingSince;
-  if (Clock::now() - silentSince < kSilence) {
+  if (Clock::now() - silentSince < kSilenceTimeout) {
     return std::nullopt;
   }
   // A pipeline without a sender opens for as long as nothing comes.
   return Error{shared_->connected ? ErrorCode::ConnectionLost : ErrorCode::DeviceUnavailable,
-               shownLocation(shared_->camera.location), cameraField(shared_->camera.name),
+               redactedLocation(shared_->camera.location), cameraField(shared_->camera.name),
                shared_->connected ? "connected, but no picture for two seconds"
                                   : "no answer for two seconds; still waiting"};
 }
@@ -120,20 +121,20 @@ void LiveCameraThread::setProblem(Shared& shared, Error problem) {
     std::scoped_lock lock(shared.mutex);
     shared.problem = std::move(problem);
   }
-  shared.bell->ring();
+  shared.wakeSignal->notify();
 }
 
 /// Without a connection: never had one, or lost it.
-void LiveCameraThread::setDown(Shared& shared, const std::string& detail) {
+void LiveCameraThread::setDisconnected(Shared& shared, const std::string& detail) {
   {
     std::scoped_lock lock(shared.mutex);
     shared.connected = false;
     const auto code =
         shared.everDelivered ? ErrorCode::ConnectionLost : ErrorCode::DeviceUnavailable;
-    shared.problem =
-        Error{code, shownLocation(shared.camera.location), cameraField(shared.camera.name), detail};
+    shared.problem = Error{code, redactedLocation(shared.camera.location),
+                           cameraField(shared.camera.name), detail};
   }
-  shared.bell->ring();
+  shared.wakeSignal->notify();
 }
 
 void LiveCameraThread::run(const std::stop_token& stop, Shared& shared) {
@@ -142,13 +143,13 @@ void LiveCameraThread::run(const std::stop_token& stop, Shared& shared) {
     try {
       const LiveStreamPtr stream = shared.factory(shared.camera);
       if (const auto opened = stream->open(); !opened) {
-        setDown(shared, opened.error() + "; trying again");
+        setDisconnected(shared, opened.error() + "; trying again");
       } else {
         readAll(stop, shared, *stream, progress);
-        setDown(shared, "trying to connect again");
+        setDisconnected(shared, "trying to connect again");
       }
     } catch (const std::exception& problem) {
-      setDown(shared, problem.what());
+      setDisconnected(shared, problem.what());
     }
     std::unique_lock lock(shared.mutex);
     shared.changed.wait_for(lock, stop, progress.pause, [] { return false; });
@@ -188,7 +189,7 @@ void LiveCameraThread::publish(Shared& shared, const cv::Mat& picture, Clock::ti
     shared.lastGrab = grabbed;
     shared.everDelivered = true;
   }
-  auto image = shaped(picture, shared.shape, shownLocation(shared.camera.location));
+  auto image = prepareImage(picture, shared.shape, redactedLocation(shared.camera.location));
   if (!image) {
     setProblem(shared, image.error());
     return;
@@ -203,7 +204,7 @@ void LiveCameraThread::publish(Shared& shared, const cv::Mat& picture, Clock::ti
   shared.frames.put(std::make_shared<Frame>(
       Frame{progress.frames++, std::chrono::duration_cast<TimeStamp>(grabbed - shared.zero),
             std::move(*image)}));
-  shared.bell->ring();
+  shared.wakeSignal->notify();
 }
 
 } // namespace dewpoint::capture

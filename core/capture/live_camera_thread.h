@@ -3,8 +3,8 @@
 
 #include "core/capture/frame.h"
 #include "core/capture/frame_queue.h"
+#include "core/capture/image_shape.h"
 #include "core/capture/live_stream.h"
-#include "core/capture/picture.h"
 
 #include <atomic>
 #include <chrono>
@@ -19,21 +19,21 @@
 namespace dewpoint::capture {
 
 /// Wakes up the reader of several cameras whenever one of them has a new frame or changes state.
-class Bell {
+class WakeSignal {
 public:
   using Clock = std::chrono::steady_clock;
 
-  /// Rings the bell and wakes up the waiting reader.
-  void ring();
-  /// Returns the number of rings so far.
-  std::uint64_t rings() const;
-  /// Waits until the bell has rung more than `known` times, or until the deadline.
+  /// Counts a notification and wakes up the waiting reader.
+  void notify();
+  /// Returns the number of notifications so far.
+  std::uint64_t notifyCount() const;
+  /// Waits until there have been more than `known` notifications, or until the deadline.
   void waitBeyond(std::uint64_t known, Clock::time_point deadline);
 
 private:
   mutable std::mutex mutex_;
-  std::condition_variable rung_;
-  std::uint64_t rings_ = 0;
+  std::condition_variable notified_;
+  std::uint64_t notifyCount_ = 0;
 };
 
 /// Opens and reads one camera in its own thread, and reopens it when the connection is lost. The
@@ -42,9 +42,10 @@ class LiveCameraThread {
 public:
   using Clock = std::chrono::steady_clock;
 
-  /// Rings `bell` for each new frame and each change of state. Times are measured from `zero`.
-  LiveCameraThread(const LiveCamera& camera, LiveStreamFactory factory, std::shared_ptr<Bell> bell,
-                   Clock::time_point zero);
+  /// Notifies `wakeSignal` for each new frame and each change of state. Times are measured from
+  /// `zero`.
+  LiveCameraThread(const LiveCamera& camera, LiveStreamFactory factory,
+                   std::shared_ptr<WakeSignal> wakeSignal, Clock::time_point zero);
   ~LiveCameraThread();
   LiveCameraThread(LiveCameraThread&&) noexcept = default;
   LiveCameraThread& operator=(LiveCameraThread&&) = delete;
@@ -67,16 +68,16 @@ public:
 
 private:
   /// Maximum number of waiting frames, more than a camera sends between two reads.
-  static constexpr std::size_t kMostFrames = 16;
+  static constexpr std::size_t kMaxFrames = 16;
 
   struct Shared {
     LiveCamera camera;
-    PictureShape shape; ///< used only by the camera's thread
+    ImageShape shape; ///< used only by the camera's thread
     LiveStreamFactory factory;
-    std::shared_ptr<Bell> bell;
+    std::shared_ptr<WakeSignal> wakeSignal;
     Clock::time_point zero;
 
-    FrameQueue frames{kMostFrames};
+    FrameQueue frames{kMaxFrames};
     std::atomic<double> rate{0};
 
     mutable std::mutex mutex; ///< guards all members below
@@ -97,7 +98,7 @@ private:
   static void publish(Shared& shared, const cv::Mat& picture, Clock::time_point grabbed,
                       Progress& progress);
   static void setProblem(Shared& shared, Error problem);
-  static void setDown(Shared& shared, const std::string& detail);
+  static void setDisconnected(Shared& shared, const std::string& detail);
 
   std::shared_ptr<Shared> shared_;
   std::jthread thread_;

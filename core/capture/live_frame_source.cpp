@@ -4,7 +4,7 @@
 #include "core/capture/frame_source.h"
 #include "core/capture/live_camera_thread.h"
 #include "core/capture/live_pairing.h"
-#include "core/capture/shown_location.h"
+#include "core/capture/redacted_location.h"
 
 #include <algorithm>
 #include <iterator>
@@ -19,7 +19,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr auto kLongestWait = 100ms; ///< so that whoever asks stays responsive
-constexpr auto kStopPatience = 1s;   ///< with threads that do not end, for all cameras together
+constexpr auto kStopTimeout = 1s;    ///< with threads that do not end, for all cameras together
 
 /// The frame at the time of what it shows.
 FramePtr inTime(FramePtr frame, TimeStamp delay) {
@@ -43,7 +43,7 @@ public:
       : delays_(delaysOf(cameras)), pairing_(delays_) {
     cameras_.reserve(cameras.size());
     for (const LiveCamera& camera : cameras) {
-      cameras_.emplace_back(camera, factory, bell_, zero_);
+      cameras_.emplace_back(camera, factory, wakeSignal_, zero_);
     }
   }
 
@@ -51,7 +51,7 @@ public:
     for (LiveCameraThread& camera : cameras_) {
       camera.requestStop();
     }
-    const auto deadline = Clock::now() + kStopPatience;
+    const auto deadline = Clock::now() + kStopTimeout;
     for (LiveCameraThread& camera : cameras_) {
       camera.joinUntil(deadline);
     }
@@ -71,7 +71,7 @@ private:
   std::optional<std::vector<FramePtr>> awaited(Clock::time_point deadline);
 
   Clock::time_point zero_ = Clock::now();
-  std::shared_ptr<Bell> bell_ = std::make_shared<Bell>();
+  std::shared_ptr<WakeSignal> wakeSignal_ = std::make_shared<WakeSignal>();
   std::vector<LiveCameraThread> cameras_;
   std::vector<TimeStamp> delays_; ///< of the cameras
   LivePairing pairing_;
@@ -100,7 +100,7 @@ void LiveFrameSource::collect() {
 
 std::optional<std::vector<FramePtr>> LiveFrameSource::awaited(Clock::time_point deadline) {
   for (;;) {
-    const auto rings = bell_->rings();
+    const auto notifyCount = wakeSignal_->notifyCount();
     collect();
     if (auto frames = pairing_.take(now())) {
       return frames;
@@ -109,7 +109,7 @@ std::optional<std::vector<FramePtr>> LiveFrameSource::awaited(Clock::time_point 
       return std::nullopt;
     }
     const auto due = pairing_.due();
-    bell_->waitBeyond(rings, due ? std::min(zero_ + *due, deadline) : deadline);
+    wakeSignal_->waitBeyond(notifyCount, due ? std::min(zero_ + *due, deadline) : deadline);
   }
 }
 
@@ -156,9 +156,9 @@ Result<std::unique_ptr<FrameSetSource>> openLive(const std::vector<LiveCamera>& 
     return failure(ErrorCode::MissingKey, "", "camera", "there is no camera to open");
   }
   for (const LiveCamera& camera : cameras) {
-    const PictureShape shape{camera.name, camera.rotateDegrees, camera.width, camera.height,
-                             camera.mirrored};
-    if (auto usable = checkShape(shape, shownLocation(camera.location)); !usable) {
+    const ImageShape shape{camera.name, camera.rotateDegrees, camera.width, camera.height,
+                           camera.mirrored};
+    if (auto usable = checkShape(shape, redactedLocation(camera.location)); !usable) {
       return tl::make_unexpected(usable.error());
     }
   }

@@ -16,7 +16,7 @@ namespace {
 /// and the pairing does not go back and forth when they are half an interval apart.
 constexpr double kWindow = 0.75;
 /// How long after it was due a camera's frame is still waited for.
-constexpr TimeStamp kPatience = 40ms;
+constexpr TimeStamp kLateTimeout = 40ms;
 /// Without a frame for so many intervals a camera has stopped: nobody waits for it.
 constexpr int kStopped = 3;
 /// By how much a frame may come earlier than one interval after the last: a share of it, at most.
@@ -25,7 +25,7 @@ constexpr TimeStamp kMostJitter = 8ms;
 constexpr TimeStamp kUsualInterval = 33ms; ///< until the cameras' own are known
 /// How far whoever takes the groups may fall behind, as after a burst from the network, before the
 /// older ones are dropped.
-constexpr TimeStamp kMostBehind = 100ms;
+constexpr TimeStamp kMaxBacklog = 100ms;
 
 TimeStamp times(double factor, TimeStamp interval) {
   return std::chrono::duration_cast<TimeStamp>(factor * interval);
@@ -69,7 +69,7 @@ TimeStamp LivePairing::window() const {
 }
 
 TimeStamp LivePairing::deadlineOf(const Camera& camera, TimeStamp begin) const {
-  return begin + camera.delay + kPatience;
+  return begin + camera.delay + kLateTimeout;
 }
 
 bool LivePairing::canStillAdd(const Camera& camera, TimeStamp begin, TimeStamp now) const {
@@ -97,7 +97,7 @@ std::optional<TimeStamp> LivePairing::oldest() const {
   return begin;
 }
 
-std::optional<LivePairing::Group> LivePairing::settledGroup(TimeStamp now) {
+std::optional<LivePairing::Group> LivePairing::takeCompleteGroup(TimeStamp now) {
   const auto begin = oldest();
   if (!begin || std::ranges::any_of(cameras_, [&](const Camera& camera) {
         return canStillAdd(camera, *begin, now);
@@ -117,27 +117,28 @@ std::optional<LivePairing::Group> LivePairing::settledGroup(TimeStamp now) {
 }
 
 std::optional<std::vector<FramePtr>> LivePairing::take(TimeStamp now) {
-  while (auto group = settledGroup(now)) {
-    settled_.push_back(std::move(*group));
+  while (auto group = takeCompleteGroup(now)) {
+    completeGroups_.push_back(std::move(*group));
   }
-  if (!settled_.empty() && settled_.back().begin - settled_.front().begin > kMostBehind) {
-    for (; settled_.size() > 1; settled_.pop_front()) {
-      const auto& frames = settled_.front().frames;
+  if (!completeGroups_.empty() &&
+      completeGroups_.back().begin - completeGroups_.front().begin > kMaxBacklog) {
+    for (; completeGroups_.size() > 1; completeGroups_.pop_front()) {
+      const auto& frames = completeGroups_.front().frames;
       dropped_ += std::ranges::count_if(frames, [](const auto& frame) { return frame != nullptr; });
     }
   }
-  if (settled_.empty()) {
+  if (completeGroups_.empty()) {
     return std::nullopt;
   }
-  Group group = std::move(settled_.front());
-  settled_.pop_front();
+  Group group = std::move(completeGroups_.front());
+  completeGroups_.pop_front();
   taken_ = group.begin;
   return std::move(group.frames);
 }
 
 std::optional<TimeStamp> LivePairing::due() const {
-  if (!settled_.empty()) {
-    return settled_.front().begin;
+  if (!completeGroups_.empty()) {
+    return completeGroups_.front().begin;
   }
   const auto begin = oldest();
   if (!begin) {

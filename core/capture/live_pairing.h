@@ -60,10 +60,10 @@ private:
   std::optional<TimeStamp> oldest() const;
   /// Removes and returns the group that starts with the oldest frame; nothing if it is not
   /// complete.
-  std::optional<Group> settledGroup(TimeStamp now);
+  std::optional<Group> takeCompleteGroup(TimeStamp now);
 
   std::vector<Camera> cameras_;
-  std::deque<Group> settled_;
+  std::deque<Group> completeGroups_;
   std::optional<TimeStamp> taken_; ///< start of the last group taken
   std::int64_t dropped_ = 0;
 };

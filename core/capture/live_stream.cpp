@@ -2,8 +2,8 @@
 #include "core/capture/live_stream.h"
 
 #include "core/base/text_number.h"
-#include "core/capture/picture.h"
-#include "core/capture/shown_location.h"
+#include "core/capture/image_shape.h"
+#include "core/capture/redacted_location.h"
 
 #include <opencv2/videoio.hpp>
 
@@ -29,7 +29,7 @@ std::optional<int> deviceNumber(std::string_view location) {
   if (location.starts_with(kDevicePrefix)) {
     location.remove_prefix(kDevicePrefix.size());
   }
-  const auto number = numberFrom<int>(location);
+  const auto number = toNumber<int>(location);
   return number && *number >= 0 ? number : std::nullopt;
 }
 
@@ -102,7 +102,7 @@ Status checkLocation(const LiveCamera& camera) {
   if (pipeline || isStream(location) || deviceNumber(location)) {
     return {};
   }
-  return failure(ErrorCode::BadValue, shownLocation(camera.location), cameraField(camera.name),
+  return failure(ErrorCode::BadValue, redactedLocation(camera.location), cameraField(camera.name),
                  "expected a device number, /dev/videoN, a stream address such as http://... or "
                  "rtsp://..., or gst: and a GStreamer pipeline");
 }

@@ -3,11 +3,11 @@
 
 #include "core/capture/capture_schedule.h"
 #include "core/capture/capture_times.h"
+#include "core/capture/frame_reader.h"
 #include "core/capture/frame_source.h"
 #include "core/capture/generated_reader.h"
 #include "core/capture/image_reader.h"
-#include "core/capture/picture.h"
-#include "core/capture/picture_reader.h"
+#include "core/capture/image_shape.h"
 #include "core/capture/video_reader.h"
 
 #include <fmt/format.h>
@@ -21,14 +21,14 @@ namespace dewpoint::capture {
 namespace {
 
 struct Camera {
-  PictureShape shape;
+  ImageShape shape;
   std::string path;
-  PictureReaderPtr reader;
+  FrameReaderPtr reader;
   cv::Mat first; ///< frame 0, decoded when the recording was opened; handed out once
-  CaptureSchedule::CameraPictures pictures;
+  CaptureSchedule::CameraImages pictures;
 };
 
-Result<cv::Mat> readShaped(Camera& camera, std::int64_t frame) {
+Result<cv::Mat> readPrepared(Camera& camera, std::int64_t frame) {
   if (frame == 0 && !camera.first.empty()) {
     return std::exchange(camera.first, cv::Mat());
   }
@@ -36,11 +36,11 @@ Result<cv::Mat> readShaped(Camera& camera, std::int64_t frame) {
   if (!picture || picture->empty()) {
     return picture;
   }
-  return shaped(*picture, camera.shape, camera.reader->fileOf(frame));
+  return prepareImage(*picture, camera.shape, camera.reader->fileOf(frame));
 }
 
-std::vector<CaptureSchedule::CameraPictures> picturesOf(const std::vector<Camera>& cameras) {
-  std::vector<CaptureSchedule::CameraPictures> pictures(cameras.size());
+std::vector<CaptureSchedule::CameraImages> cameraImages(const std::vector<Camera>& cameras) {
+  std::vector<CaptureSchedule::CameraImages> pictures(cameras.size());
   std::ranges::transform(cameras, pictures.begin(), &Camera::pictures);
   return pictures;
 }
@@ -48,7 +48,7 @@ std::vector<CaptureSchedule::CameraPictures> picturesOf(const std::vector<Camera
 class Recording final : public FrameSetSource {
 public:
   Recording(std::vector<Camera> cameras, double rate, std::vector<Error> notices)
-      : cameras_(std::move(cameras)), schedule_(picturesOf(cameras_), rate), rate_(rate),
+      : cameras_(std::move(cameras)), schedule_(cameraImages(cameras_), rate), rate_(rate),
         notices_(std::move(notices)) {}
 
   std::optional<std::int64_t> frameCount() const override { return schedule_.frameCount(); }
@@ -63,12 +63,12 @@ public:
     set->index = next_;
     set->time = timeStamp(static_cast<double>(next_) / rate_);
     for (std::size_t k = 0; k < cameras_.size(); ++k) {
-      const auto scheduled = schedule_.pictureOf(k, next_);
+      const auto scheduled = schedule_.imageAt(k, next_);
       if (!scheduled) {
         set->frames.push_back(nullptr);
         continue;
       }
-      auto picture = readShaped(cameras_[k], scheduled->number);
+      auto picture = readPrepared(cameras_[k], scheduled->number);
       if (!picture) {
         return tl::make_unexpected(picture.error());
       }
@@ -99,26 +99,26 @@ private:
   std::int64_t next_ = 0;
 };
 
-Result<PictureReaderPtr> openReader(const RecordedCamera& camera) {
+Result<FrameReaderPtr> openReader(const RecordedCamera& camera) {
   const std::string field = cameraField(camera.name);
   switch (camera.kind) {
   case RecordedCamera::Kind::Video:
     return openVideoReader(camera.path, field);
   case RecordedCamera::Kind::Images:
-    return openImageReader(camera.path, field);
+    return openImageFolderReader(camera.path, field);
   case RecordedCamera::Kind::Generated:
     break;
   }
   return openGeneratedReader(camera, field);
 }
 
-Status addTimes(const RecordedCamera& description, CaptureSchedule::CameraPictures& pictures) {
+Status addTimes(const RecordedCamera& description, CaptureSchedule::CameraImages& pictures) {
   if (description.times.empty()) {
     return {};
   }
   const std::string field = cameraField(description.name);
-  auto times =
-      readCaptureTimes(description.times, timesNames(description.name, description.path), field);
+  auto times = readCaptureTimes(description.times,
+                                captureTimeIds(description.name, description.path), field);
   if (!times) {
     return tl::make_unexpected(times.error());
   }
@@ -145,7 +145,7 @@ Result<Camera> openCamera(const RecordedCamera& description) {
     return tl::make_unexpected(reader.error());
   }
   camera.reader = std::move(*reader);
-  auto first = readShaped(camera, 0);
+  auto first = readPrepared(camera, 0);
   if (!first) {
     return tl::make_unexpected(first.error());
   }
@@ -191,7 +191,7 @@ void noteDifferences(const std::vector<Camera>& cameras, std::vector<Error>& not
       continue;
     }
     const double first = reference->reader->framesPerSecond();
-    if (std::abs(rate - first) > kSameRate * first) {
+    if (std::abs(rate - first) > kRateTolerance * first) {
       notices.push_back({ErrorCode::Mismatch, camera.path, cameraField(camera.shape.camera),
                          fmt::format("{:.4g} pictures per second, but {} has {:.4g}", rate,
                                      nameOf(*reference), first)});
@@ -226,7 +226,7 @@ double rateOf(const std::vector<Camera>& cameras, double requested) {
   if (requested > 0) {
     return requested;
   }
-  if (const double byTimes = CaptureSchedule::rateOf(picturesOf(cameras)); byTimes > 0) {
+  if (const double byTimes = CaptureSchedule::rateOf(cameraImages(cameras)); byTimes > 0) {
     return byTimes;
   }
   for (const Camera& camera : cameras) {

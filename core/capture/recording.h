@@ -12,7 +12,7 @@ namespace dewpoint::capture {
 
 /// Largest relative difference between two frame rates that are the same rate rounded differently.
 /// A judgment.
-inline constexpr double kSameRate = 0.01;
+inline constexpr double kRateTolerance = 0.01;
 
 /// Opens synchronized recordings.
 ///

@@ -18,7 +18,7 @@ constexpr std::int64_t kSkipInsteadOfSeek = 32;
 /// A header that announces more frames than this (a year at 100 per second) is a mistake.
 constexpr double kMostFrames = 3.2e9;
 
-class VideoReader final : public PictureReader {
+class VideoReader final : public FrameReader {
 public:
   VideoReader(std::string path, std::string field)
       : path_(std::move(path)), field_(std::move(field)) {}
@@ -168,7 +168,7 @@ Result<cv::Mat> VideoReader::read(std::int64_t frame) {
 }
 
 Result<cv::Mat> VideoReader::missing(std::int64_t frame) const {
-  const std::string kind = inLowerCase(std::filesystem::path(path_).extension().string());
+  const std::string kind = toLowerCase(std::filesystem::path(path_).extension().string());
   // Only these containers store the number of frames; for the others it is the duration times the
   // rate, which may be one too many.
   const bool exact = kind == ".mp4" || kind == ".mov" || kind == ".m4v" || kind == ".avi";
@@ -181,7 +181,7 @@ Result<cv::Mat> VideoReader::missing(std::int64_t frame) const {
 
 } // namespace
 
-Result<PictureReaderPtr> openVideoReader(const std::string& path, const std::string& field) {
+Result<FrameReaderPtr> openVideoReader(const std::string& path, const std::string& field) {
   auto reader = std::make_unique<VideoReader>(path, field);
   if (auto opened = reader->open(); !opened) {
     return tl::make_unexpected(opened.error());

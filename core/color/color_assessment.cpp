@@ -102,7 +102,8 @@ bool isAlike(const FoundRegion& region, const ColorEvidence& evidence) {
          colorDistance(region.color, evidence.typicalColor) <= kDistinguishable;
 }
 
-/// As ColorAssessment::alike; only images in which the target is told from the rest count.
+/// As ColorAssessment::similarObjectCount; only images in which the target is told from the rest
+/// count.
 int countAlike(const ColorEvidence& evidence, const std::vector<FoundRegion>& found) {
   int most = 0;
   for (std::size_t camera = 0; camera < evidence.targetMasks.size(); ++camera) {
@@ -152,7 +153,8 @@ Suggestion suggestionFor(const ColorAssessment& assessment, const ColorEvidence&
     all += region.area;
     alike += isAlike(region, evidence) ? region.area : 0.0;
   }
-  if (assessment.alike > 1 && assessment.alike <= kMostAlike && alike > kOneObject * all) {
+  if (assessment.similarObjectCount > 1 && assessment.similarObjectCount <= kMostAlike &&
+      alike > kOneObject * all) {
     return Suggestion::FollowAll;
   }
   if (!found.empty() && found.front().area > kOneObject * all) {
@@ -205,7 +207,7 @@ ColorAssessment assessRange(const ColorRanges& ranges, const ColorEvidence& evid
   }
   if (assessment.missesTarget()) {
     const RangeScore whole = scoreRange(evidence.typicalRanges, {}, evidence.rest);
-    assessment.backgroundShareOfWhole =
+    assessment.backgroundShareOfFullRange =
         evidence.restWeight > 0.0 ? whole.rest / evidence.restWeight : 0.0;
   }
   std::vector<FoundRegion> found;
@@ -217,7 +219,7 @@ ColorAssessment assessRange(const ColorRanges& ranges, const ColorEvidence& evid
     }
   }
   std::ranges::stable_sort(found, std::greater(), &FoundRegion::area);
-  assessment.alike = countAlike(evidence, found);
+  assessment.similarObjectCount = countAlike(evidence, found);
   assessment.suggestion = suggestionFor(assessment, evidence, found);
   found.resize(std::min(found.size(), ColorAssessment::kMostDistractors));
   for (FoundRegion& region : found) {

@@ -60,7 +60,8 @@ enum class Suggestion : std::uint8_t {
   LessExposure,      ///< the target is nearly white, so its color is lost
   UseStrongerColor,  ///< the target is nearly gray
   UseAnotherColor,   ///< several objects in the room have this color
-  FollowAll,         ///< a few objects have this color and size: each may be a target (`alike`)
+  FollowAll,         ///< a few objects have this color and size: each may be a target
+                     ///< (`similarObjectCount`)
   ClickObjectItself, ///< the clicked region fills much of an image: a wall, not an object
   ClickMore,         ///< the clicked region is tiny, and little of it matches
 };
@@ -78,24 +79,24 @@ struct ColorAssessment {
   /// backgroundShare of a range that covers the whole target. If little of the target matches, this
   /// shows the reason: covering more of the target would match too much background. Empty while
   /// missesTarget() is false.
-  std::optional<double> backgroundShareOfWhole;
+  std::optional<double> backgroundShareOfFullRange;
   std::vector<DistractorRegion> distractors; ///< largest first, at most kMostDistractors
   /// Number of objects in one image with the target's color and about its size, including the
   /// target.
-  int alike = 1;
+  int similarObjectCount = 1;
   /// True if at least one sample hardly matches the range found for all samples.
   bool sampleLeftOut = false;
   Suggestion suggestion = Suggestion::None;
 
   /// Maximum number of distractors in the list.
   static constexpr std::size_t kMostDistractors = 5;
-  static constexpr double kFewMatch =
+  static constexpr double kMinTargetShare =
       0.75; ///< fraction of the target below which missesTarget() is true
 
   /// Returns the separability as displayed, 0 to 100.
   int score() const { return static_cast<int>(std::lround(inPercent(separability))); }
   /// Returns whether much of the target does not match, which lowers the score.
-  bool missesTarget() const { return targetKnown && targetShare < kFewMatch; }
+  bool missesTarget() const { return targetKnown && targetShare < kMinTargetShare; }
 };
 
 /// Assesses color ranges using evidence collected from these images.

@@ -57,7 +57,7 @@ struct MatchingObjects {
   cv::Mat labels, statistics;
   int count = 0;
 
-  MatchingObjects(const cv::Mat& image, const ColorRanges& ranges, EvidenceWork& work) {
+  MatchingObjects(const cv::Mat& image, const ColorRanges& ranges, EvidenceCost& work) {
     ++work.floods;
     cv::Mat centers;
     count = cv::connectedComponentsWithStats(matchImage(image, ColorClassifier(ranges)), labels,
@@ -72,7 +72,7 @@ struct MatchingObjects {
 
 /// The largest thing that matches, if it can be the target by its size; else nothing.
 cv::Mat likelyTarget(const cv::Mat& image, const ColorRanges& ranges, double area,
-                     EvidenceWork& work) {
+                     EvidenceCost& work) {
   const MatchingObjects objects(image, ranges, work);
   int largest = 0;
   for (int i = 1; i < objects.count; ++i) {
@@ -90,7 +90,7 @@ cv::Mat likelyTarget(const cv::Mat& image, const ColorRanges& ranges, double are
 /// Adds the rest of things that are in the mask already, by part: shading makes a target of one
 /// color many.
 void completeObjects(const cv::Mat& image, const ColorRanges& ranges, double area, cv::Mat& mask,
-                     EvidenceWork& work) {
+                     EvidenceCost& work) {
   const MatchingObjects objects(image, ranges, work);
   std::vector<bool> inMask(std::size_t(objects.count), false);
   for (int y = 0; y < mask.rows; ++y) {
@@ -116,7 +116,7 @@ ColorSample clickInMiddle(ColorSample box) {
 
 /// Where the clicks of one camera still show what was clicked; empty if nowhere.
 cv::Mat clickedTargets(const std::vector<ColorSample>& samples, int camera, const cv::Mat& image,
-                       EvidenceWork& work) {
+                       EvidenceCost& work) {
   cv::Mat mask;
   for (const ColorSample& sample : samples) {
     if (sample.camera != camera || sample.excluded) {
@@ -137,7 +137,7 @@ cv::Mat clickedTargets(const std::vector<ColorSample>& samples, int camera, cons
 
 /// Where no click shows it: `similar`, an object of the typical colors, as far as it matches.
 cv::Mat unclickedTarget(const cv::Mat& image, const cv::Mat& similar,
-                        const std::optional<ColorRanges>& ranges, double area, EvidenceWork& work) {
+                        const std::optional<ColorRanges>& ranges, double area, EvidenceCost& work) {
   if (!ranges) {
     return similar.clone();
   }
@@ -161,14 +161,14 @@ void addColors(const ColorSample& sample, double weight, HsiCounts& counts) {
 
 } // namespace
 
-std::vector<HsiColors> inOtherLight(const std::vector<HsiColors>& colors) {
-  std::vector<HsiColors> result;
+std::vector<WeightedHsiColor> withLightVariations(const std::vector<WeightedHsiColor>& colors) {
+  std::vector<WeightedHsiColor> result;
   result.reserve(colors.size() * kBrightness.size() * kFullness.size() * kTint.size());
-  for (const HsiColors& cell : colors) {
+  for (const WeightedHsiColor& cell : colors) {
     for (const Variant& light : kBrightness) {
       for (const Variant& full : kFullness) {
         for (const Variant& tint : kTint) {
-          HsiColors& varied = result.emplace_back(cell);
+          WeightedHsiColor& varied = result.emplace_back(cell);
           varied.color.intensity = std::min(1.0, cell.color.intensity * light.amount);
           varied.color.saturation = std::min(1.0, cell.color.saturation * full.amount);
           varied.color.hueDegrees = std::fmod(cell.color.hueDegrees + tint.amount + 360.0, 360.0);
@@ -276,7 +276,7 @@ void EvidenceCollector::takeSamples(std::int64_t views) {
 }
 
 void EvidenceCollector::divideColors(double weight) {
-  const auto groups = colorsOfSamples(samples_);
+  const auto groups = groupSamplesByColor(samples_);
   if (groups.size() < 2) {
     evidence_.typicalRanges = fitRange(evidence_.target, {});
     return;

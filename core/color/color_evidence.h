@@ -26,7 +26,7 @@ struct ImageEvidence {
 };
 
 /// Number of steps used for collecting evidence, by type.
-struct EvidenceWork {
+struct EvidenceCost {
   int growths = 0; ///< number of regions grown from samples
   int floods = 0;  ///< number of times an image was divided into matching objects
   int counts = 0;  ///< number of images in which all or some pixels were counted
@@ -35,11 +35,11 @@ struct EvidenceWork {
 /// Evidence about a color from samples and images: colors of the target, and colors of everything
 /// else (the rest). Weights are in pixels.
 struct ColorEvidence {
-  std::vector<HsiColors> target;
-  /// Target colors, divided into the separate colors of the samples (colorsOfSamples()). Empty if
-  /// the samples have only one color.
-  std::vector<std::vector<HsiColors>> targetByColor;
-  std::vector<HsiColors> rest;
+  std::vector<WeightedHsiColor> target;
+  /// Target colors, divided into the separate colors of the samples (groupSamplesByColor()). Empty
+  /// if the samples have only one color.
+  std::vector<std::vector<WeightedHsiColor>> targetByColor;
+  std::vector<WeightedHsiColor> rest;
   double targetWeight = 0.0;
   double restWeight = 0.0;
   double targetArea =
@@ -55,7 +55,7 @@ struct ColorEvidence {
   ColorRanges typicalRanges = ColorRange{};    ///< ranges of the target colors alone
   std::vector<ImageEvidence> images;           ///< evidence in the image of each camera
   std::shared_ptr<const HsiCounts> restCounts; ///< counts of `rest`
-  EvidenceWork work;                           ///< cost of collecting this evidence
+  EvidenceCost work;                           ///< cost of collecting this evidence
 };
 
 /// Collects evidence from samples and images. In an image that still shows a clicked object, the
@@ -82,6 +82,6 @@ ColorEvidence colorEvidence(const std::vector<ColorSample>& samples,
 
 /// Returns the target colors as they appear in other positions and at other times: lighter and
 /// darker, paler and more saturated, with slightly different hues. The total weight is unchanged.
-std::vector<HsiColors> inOtherLight(const std::vector<HsiColors>& colors);
+std::vector<WeightedHsiColor> withLightVariations(const std::vector<WeightedHsiColor>& colors);
 
 } // namespace dewpoint::color

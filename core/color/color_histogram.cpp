@@ -16,7 +16,7 @@ ColorHistogram histogramOf(const std::vector<cv::Mat>& images) {
   }
   ColorHistogram histogram;
   double total = 0.0;
-  for (const HsiColors& cell : counts.colors()) {
+  for (const WeightedHsiColor& cell : counts.colors()) {
     total += cell.weight;
     if (!std::isnan(cell.color.hueDegrees)) {
       histogram.hue[std::size_t(std::lround(cell.color.hueDegrees)) % 360] += cell.weight;

@@ -35,21 +35,21 @@ ColorAssessment assessmentFrom(const ColorEvidence& evidence, const ColorRanges&
   return assessment;
 }
 
-bool anyRoom(const std::vector<cv::Mat>& rooms) {
-  return std::ranges::any_of(rooms, [](const cv::Mat& room) { return !room.empty(); });
+bool anyBackgroundImage(const std::vector<cv::Mat>& backgroundImages) {
+  return std::ranges::any_of(backgroundImages, [](const cv::Mat& room) { return !room.empty(); });
 }
 
 } // namespace
 
 Result<ColorRanges> learnRanges(const ColorEvidence& evidence) {
   const bool anyColor = std::ranges::any_of(
-      evidence.target, [](const HsiColors& cell) { return cell.color.intensity > 0.0; });
+      evidence.target, [](const WeightedHsiColor& cell) { return cell.color.intensity > 0.0; });
   if (!anyColor) {
     return failure(ErrorCode::BadValue, {}, "samples", "all samples are black");
   }
-  const auto target = inOtherLight(evidence.target);
-  const ColorRange one = withShortestHue(fitRange(target, evidence.rest), target, evidence.rest);
-  return severalRanges(evidence, one).value_or(ColorRanges(one));
+  const auto target = withLightVariations(evidence.target);
+  const ColorRange one = withNarrowestHue(fitRange(target, evidence.rest), target, evidence.rest);
+  return multicolorRanges(evidence, one).value_or(ColorRanges(one));
 }
 
 Result<LearnedColor> learnColor(const std::vector<ColorSample>& samples,
@@ -73,18 +73,22 @@ ColorAssessment assessColor(const ColorRanges& ranges, const std::vector<ColorSa
 ColorAssessment assessColorWithBackground(const ColorRanges& ranges,
                                           const std::vector<ColorSample>& samples,
                                           const std::vector<cv::Mat>& images,
-                                          const std::vector<cv::Mat>& rooms) {
+                                          const std::vector<cv::Mat>& backgroundImages) {
   return assessColor(ranges, samples,
-                     anyRoom(rooms) ? withoutBackgroundColors(ranges, images, rooms) : images);
+                     anyBackgroundImage(backgroundImages)
+                         ? withoutBackgroundColors(ranges, images, backgroundImages)
+                         : images);
 }
 
 Result<LearnedColor> learnColorWithBackground(const std::vector<ColorSample>& samples,
                                               const std::vector<cv::Mat>& images,
-                                              const std::vector<cv::Mat>& rooms,
+                                              const std::vector<cv::Mat>& backgroundImages,
                                               const std::vector<cv::Mat>& undecided) {
   const ColorEvidence evidence = colorEvidence(samples, images, std::nullopt, undecided);
   return learnRanges(evidence).map([&](const ColorRanges& ranges) {
-    const auto shown = anyRoom(rooms) ? withoutBackgroundColors(ranges, images, rooms) : images;
+    const auto shown = anyBackgroundImage(backgroundImages)
+                           ? withoutBackgroundColors(ranges, images, backgroundImages)
+                           : images;
     return LearnedColor{ranges[0], assessColor(ranges, samples, shown, evidence), ranges.others()};
   });
 }

@@ -42,14 +42,14 @@ ColorAssessment assessColor(const ColorRanges& ranges, const std::vector<ColorSa
 /// are ignored.
 Result<LearnedColor> learnColorWithBackground(const std::vector<ColorSample>& samples,
                                               const std::vector<cv::Mat>& images,
-                                              const std::vector<cv::Mat>& rooms,
+                                              const std::vector<cv::Mat>& backgroundImages,
                                               const std::vector<cv::Mat>& undecided = {});
 
 /// Same as assessColor(), for trackers that use background images.
 ColorAssessment assessColorWithBackground(const ColorRanges& ranges,
                                           const std::vector<ColorSample>& samples,
                                           const std::vector<cv::Mat>& images,
-                                          const std::vector<cv::Mat>& rooms);
+                                          const std::vector<cv::Mat>& backgroundImages);
 
 /// First step of learnColor(): finds the ranges, from evidence that was collected without ranges.
 /// Intended for callers that also use the evidence for other purposes, because collecting it is

@@ -67,7 +67,7 @@ ColorPalette::Colors ColorPalette::farthestFirst(const cv::Mat& lab, cv::Point f
   return colors;
 }
 
-void ColorPalette::settle(Colors& colors, const cv::Mat& lab) {
+void ColorPalette::refineClusters(Colors& colors, const cv::Mat& lab) {
   for (int round = 0; round < kClusterRounds; ++round) {
     Colors sums{};
     std::array<int, kColors> counts{};
@@ -88,7 +88,7 @@ void ColorPalette::settle(Colors& colors, const cv::Mat& lab) {
 ColorPalette::ColorPalette(const cv::Mat& bgr, cv::Point first) : labels_(bgr.size(), CV_8UC1) {
   const cv::Mat lab = labOf(bgr);
   Colors colors = farthestFirst(lab, first);
-  settle(colors, lab);
+  refineClusters(colors, lab);
   for (int y = 0; y < lab.rows; ++y) {
     for (int x = 0; x < lab.cols; ++x) {
       labels_.at<std::uint8_t>(y, x) = nearest(colors, lab.at<cv::Vec3f>(y, x));
@@ -102,7 +102,7 @@ ColorPalette::ColorPalette(const cv::Mat& bgr, cv::Point first) : labels_(bgr.si
   }
 }
 
-ColorPalette::Shares ColorPalette::softened(const Shares& counts) const {
+ColorPalette::Shares ColorPalette::spreadOverSimilarColors(const Shares& counts) const {
   Shares soft{};
   for (std::size_t i = 0; i < kColors; ++i) {
     for (std::size_t j = 0; j < kColors; ++j) {

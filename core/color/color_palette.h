@@ -28,13 +28,13 @@ public:
   /// image.
   const cv::Mat& labels() const { return labels_; }
   /// Returns the counts spread over similar colors.
-  Shares softened(const Shares& counts) const;
+  Shares spreadOverSimilarColors(const Shares& counts) const;
 
 private:
   using Colors = std::array<cv::Vec3f, kColors>;
   static std::uint8_t nearest(const Colors& colors, const cv::Vec3f& color);
   static Colors farthestFirst(const cv::Mat& lab, cv::Point first);
-  static void settle(Colors& colors, const cv::Mat& lab);
+  static void refineClusters(Colors& colors, const cv::Mat& lab);
 
   cv::Mat labels_;
   std::array<Shares, kColors> alike_{};

@@ -34,7 +34,7 @@ bool spansEveryHue(const ColorRange& range) {
   return range.hueMax - range.hueMin >= 360.0;
 }
 
-double hueOf(double angle) {
+double normalizedHue(double angle) {
   return angle - 360.0 * std::floor(angle / 360.0);
 }
 

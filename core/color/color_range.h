@@ -24,7 +24,7 @@ struct ColorRange {
 bool spansEveryHue(const ColorRange& range);
 
 /// Maps any angle in degrees to the equivalent hue in [0, 360).
-double hueOf(double angle);
+double normalizedHue(double angle);
 
 /// Checks a range. BadValue names "hue", "saturation" or "intensity" if a bound is not finite or
 /// out of bounds, or if no color could ever match. A hue bound of 360 is allowed: 0 to 360 is every

@@ -302,7 +302,7 @@ cv::Mat regionOfSample(const cv::Mat& bgr, const ColorSample& sample) {
   if (!within.empty() && cv::countNonZero(region) == within.area()) { // no outline in it
     cv::Mat thing = growRegion(bgr, at);
     thing &= region;
-    region = cv::countNonZero(thing) < kLeastOfBox * within.area() ? region : thing;
+    region = cv::countNonZero(thing) < kMinBoxFill * within.area() ? region : thing;
   }
   return region;
 }

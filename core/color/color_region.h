@@ -33,7 +33,7 @@ cv::Mat growRegion(const cv::Mat& bgr, cv::Point click, cv::Rect within = {});
 
 /// Minimum fraction of a dragged box that an object must fill. With less, the region is the box
 /// itself. A judgment.
-inline constexpr double kLeastOfBox = 0.35;
+inline constexpr double kMinBoxFill = 0.35;
 
 /// Returns the region of a sample in an image, as grown by takeSample(). A box may have no clear
 /// outline in it, for instance if it contains part of a larger object. Then the region is grown

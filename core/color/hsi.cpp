@@ -41,7 +41,7 @@ Hsi hsiFromBgr(std::uint8_t b, std::uint8_t g, std::uint8_t r) {
   const double redBlue = double(r) - b;
   const double cosine =
       0.5 * (redGreen + redBlue) / std::sqrt(redGreen * redGreen + redBlue * (double(g) - b));
-  const double theta = hueDegreesOf(std::acos(std::clamp(cosine, -1.0, 1.0)));
+  const double theta = radiansToHueDegrees(std::acos(std::clamp(cosine, -1.0, 1.0)));
   color.hueDegrees = b <= g ? theta : 360.0 - theta;
   return color;
 }

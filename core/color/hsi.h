@@ -24,7 +24,7 @@ struct Hsi {
 
 /// Converts a hue angle from radians to degrees. Does not use base::inDegrees(), which rounds
 /// differently and would move colors that lie on a bound to its other side.
-inline double hueDegreesOf(double radians) {
+inline double radiansToHueDegrees(double radians) {
   return radians * 180.0 / std::numbers::pi;
 }
 

@@ -38,8 +38,8 @@ void HsiCounts::add(const cv::Mat& image, const cv::Mat& skip, double weight) {
   }
 }
 
-std::vector<HsiColors> HsiCounts::colors() const {
-  std::vector<HsiColors> colors;
+std::vector<WeightedHsiColor> HsiCounts::colors() const {
+  std::vector<WeightedHsiColor> colors;
   for (const Cell& cell : cells_) {
     if (cell.weight > 0.0) {
       std::array<std::uint8_t, 3> mean{};

@@ -12,7 +12,7 @@
 namespace dewpoint::color {
 
 /// Group of similar colors with its total weight.
-struct HsiColors {
+struct WeightedHsiColor {
   Hsi color;
   double weight = 0.0;
 };
@@ -28,7 +28,7 @@ public:
   void add(const cv::Mat& image, const cv::Mat& skip, double weight = 1.0);
   void add(const BgrColor& color, double weight);
   double total() const { return total_; }
-  std::vector<HsiColors> colors() const;
+  std::vector<WeightedHsiColor> colors() const;
 
 private:
   static constexpr int kBits = 6; ///< bits per channel: a cell spans 4 gray levels

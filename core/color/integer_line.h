@@ -18,7 +18,7 @@ template <class Factor> struct IntegerLine {
   std::uint16_t scale = 1;
 
   /// Returns whether y > slope * x, that is, whether the line is below the point (x, y).
-  bool below(int x, int y) const noexcept { return scale * y > ((factor * x) >> 16); }
+  bool isBelow(int x, int y) const noexcept { return scale * y > ((factor * x) >> 16); }
 };
 
 /// Line for |x|, |y| <= 255 and -1/2 <= slope <= 0, with scale 1. Neighboring fractions are at

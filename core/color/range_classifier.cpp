@@ -25,9 +25,9 @@ RangeClassifier::RangeClassifier(const ColorRange& range)
   // Widening both ends by the slack keeps all colors off the lines, and a range of a single hue
   // from being a whole line, which would take in the opposite hue.
   const double width = std::fmod(range.hueMax - range.hueMin + 720.0, 360.0) + 2.0 * kBoundSlack;
-  hueRange_ = spansEveryHue(range) ? HueRange::Every
-              : width > 180.0      ? HueRange::Either
-                                   : HueRange::Both;
+  hueRange_ = spansEveryHue(range) ? HueCombination::Every
+              : width > 180.0      ? HueCombination::Either
+                                   : HueCombination::Both;
   const double degree = std::numbers::pi / 180.0;
   const double low = (range.hueMin - kBoundSlack) * degree;
   const double high = (range.hueMax + kBoundSlack) * degree;
@@ -141,7 +141,7 @@ struct HalvesSplit {
 
 /// RangeClassifier::matches() for a row of pixels.
 struct MatchRowKernel {
-  using Hue = RangeClassifier::HueRange;
+  using Hue = RangeClassifier::HueCombination;
   /// What a saturation bound compares.
   enum class Ratio { LeastOverExcess, ExcessOverLeast, None };
 

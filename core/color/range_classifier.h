@@ -45,7 +45,7 @@ private:
   friend struct MatchRowKernel;
 
   /// How the two hue half-planes are combined.
-  enum class HueRange { Both, Either, Every };
+  enum class HueCombination { Both, Either, Every };
 
   /// Hue bound. Colors on its side have channel[yPlus] - channel[yMinus] above the line at x =
   /// channel[xPlus] - channel[xMinus]. Gray is on neither side.
@@ -56,7 +56,7 @@ private:
     /// Returns the half-plane where alongRed (2R - G - B) + alongGreenBlue (G - B) > 0.
     static HuePlane positive(double alongRed, double alongGreenBlue);
     bool contains(const std::array<int, 3>& bgr) const noexcept {
-      return line.below(bgr[xPlus] - bgr[xMinus], bgr[yPlus] - bgr[yMinus]);
+      return line.isBelow(bgr[xPlus] - bgr[xMinus], bgr[yPlus] - bgr[yMinus]);
     }
   };
 
@@ -69,17 +69,17 @@ private:
     /// Returns the half-plane where 3 min / sum is greater than `bound` (if `greater`), or smaller.
     static RatioPlane beyond(double bound, bool greater);
     bool contains(const std::array<int, 2>& leastAndExcess) const noexcept {
-      return line.below(leastAndExcess[x], leastAndExcess[y]) == above;
+      return line.isBelow(leastAndExcess[x], leastAndExcess[y]) == above;
     }
   };
 
   bool hueMatches(const std::array<int, 3>& bgr) const noexcept {
     switch (hueRange_) {
-    case HueRange::Both:
+    case HueCombination::Both:
       return fromMin_.contains(bgr) && untilMax_.contains(bgr);
-    case HueRange::Either:
+    case HueCombination::Either:
       return fromMin_.contains(bgr) || untilMax_.contains(bgr);
-    case HueRange::Every:
+    case HueCombination::Every:
       break;
     }
     return true;
@@ -91,7 +91,7 @@ private:
   RatioPlane leastBelow_;
   HuePlane fromMin_;
   HuePlane untilMax_;
-  HueRange hueRange_ = HueRange::Both;
+  HueCombination hueRange_ = HueCombination::Both;
 };
 
 } // namespace dewpoint::color

@@ -69,10 +69,10 @@ void openAxis(Axis axis, ColorRange& range) {
   }
 }
 
-void count(Axis axis, const ColorRange& open, const std::vector<HsiColors>& colors,
+void count(Axis axis, const ColorRange& open, const std::vector<WeightedHsiColor>& colors,
            std::vector<double>& bins, double& gray) {
   bins.assign(axis == Axis::Hue ? kHues : kHundredths, 0.0);
-  for (const HsiColors& cell : colors) {
+  for (const WeightedHsiColor& cell : colors) {
     if (!matches(cell.color, open)) {
       continue;
     }
@@ -140,8 +140,8 @@ void setAxis(Axis axis, const Interval& interval, ColorRange& range) {
 }
 
 /// One axis is made the best for the other two; the F1 score after it.
-double improve(Axis axis, const std::vector<HsiColors>& target, const std::vector<HsiColors>& rest,
-               double all, ColorRange& range) {
+double improve(Axis axis, const std::vector<WeightedHsiColor>& target,
+               const std::vector<WeightedHsiColor>& rest, double all, ColorRange& range) {
   ColorRange open = range;
   openAxis(axis, open);
   Profile profile;
@@ -195,11 +195,11 @@ int oppositeHue(const std::vector<double>& bins) {
     x += bins[i] * std::cos(double(i) * std::numbers::pi / 180.0);
     y += bins[i] * std::sin(double(i) * std::numbers::pi / 180.0);
   }
-  const double opposite = hueDegreesOf(std::atan2(-y, -x));
+  const double opposite = radiansToHueDegrees(std::atan2(-y, -x));
   return (static_cast<int>(std::lround(opposite)) + kHues) % kHues;
 }
 
-ColorRange quantileBox(const std::vector<HsiColors>& target, double tail) {
+ColorRange quantileBox(const std::vector<WeightedHsiColor>& target, double tail) {
   ColorRange range{0.0, 360.0};
   const ColorRange open = range;
   double gray = 0.0;
@@ -217,24 +217,25 @@ ColorRange quantileBox(const std::vector<HsiColors>& target, double tail) {
 
 } // namespace
 
-RangeScore scoreRange(const ColorRanges& ranges, const std::vector<HsiColors>& target,
-                      const std::vector<HsiColors>& rest) {
+RangeScore scoreRange(const ColorRanges& ranges, const std::vector<WeightedHsiColor>& target,
+                      const std::vector<WeightedHsiColor>& rest) {
   RangeScore score;
   double all = 0.0;
-  for (const HsiColors& cell : target) {
+  for (const WeightedHsiColor& cell : target) {
     all += cell.weight;
     score.target += matches(cell.color, ranges) ? cell.weight : 0.0;
   }
-  for (const HsiColors& cell : rest) {
+  for (const WeightedHsiColor& cell : rest) {
     score.rest += matches(cell.color, ranges) ? cell.weight : 0.0;
   }
   score.f1 = all > 0.0 ? f1Score(score.target, score.rest, all) : 0.0;
   return score;
 }
 
-ColorRange fitRange(const std::vector<HsiColors>& target, const std::vector<HsiColors>& rest) {
+ColorRange fitRange(const std::vector<WeightedHsiColor>& target,
+                    const std::vector<WeightedHsiColor>& rest) {
   double all = 0.0;
-  for (const HsiColors& cell : target) {
+  for (const WeightedHsiColor& cell : target) {
     all += cell.weight;
   }
   ColorRange best;
@@ -260,8 +261,8 @@ ColorRange fitRange(const std::vector<HsiColors>& target, const std::vector<HsiC
   return best;
 }
 
-ColorRange withShortestHue(const ColorRange& range, const std::vector<HsiColors>& target,
-                           const std::vector<HsiColors>& rest) {
+ColorRange withNarrowestHue(const ColorRange& range, const std::vector<WeightedHsiColor>& target,
+                            const std::vector<WeightedHsiColor>& rest) {
   ColorRange open = range;
   openAxis(Axis::Hue, open);
   if (range == open) {
@@ -271,7 +272,7 @@ ColorRange withShortestHue(const ColorRange& range, const std::vector<HsiColors>
   count(Axis::Hue, open, target, profile.target, profile.targetGray);
   count(Axis::Hue, open, rest, profile.rest, profile.restGray);
   double all = 0.0;
-  for (const HsiColors& cell : target) {
+  for (const WeightedHsiColor& cell : target) {
     all += cell.weight;
   }
   const double f1 = scoreRange(range, target, rest).f1;

@@ -51,18 +51,18 @@ Pair nearestGroups(const std::vector<Group>& groups, const std::vector<BgrColor>
   return nearest;
 }
 
-bool isBlack(const std::vector<HsiColors>& colors) {
-  return std::ranges::none_of(colors,
-                              [](const HsiColors& cell) { return cell.color.intensity > 0.0; });
+bool isBlack(const std::vector<WeightedHsiColor>& colors) {
+  return std::ranges::none_of(
+      colors, [](const WeightedHsiColor& cell) { return cell.color.intensity > 0.0; });
 }
 
 /// The best range for each color of the target, but for black.
 std::vector<ColorRange> rangeOfEach(const ColorEvidence& evidence) {
   std::vector<ColorRange> ranges;
-  for (const std::vector<HsiColors>& seen : evidence.targetByColor) {
+  for (const std::vector<WeightedHsiColor>& seen : evidence.targetByColor) {
     if (!isBlack(seen)) {
-      const auto color = inOtherLight(seen);
-      ranges.push_back(withShortestHue(fitRange(color, evidence.rest), color, evidence.rest));
+      const auto color = withLightVariations(seen);
+      ranges.push_back(withNarrowestHue(fitRange(color, evidence.rest), color, evidence.rest));
     }
   }
   return ranges;
@@ -70,7 +70,7 @@ std::vector<ColorRange> rangeOfEach(const ColorEvidence& evidence) {
 
 } // namespace
 
-std::vector<std::vector<std::size_t>> colorsOfSamples(const std::vector<ColorSample>& samples) {
+std::vector<std::vector<std::size_t>> groupSamplesByColor(const std::vector<ColorSample>& samples) {
   std::vector<Group> groups;
   std::vector<BgrColor> colors(samples.size());
   for (std::size_t k = 0; k < samples.size(); ++k) {
@@ -91,11 +91,11 @@ std::vector<std::vector<std::size_t>> colorsOfSamples(const std::vector<ColorSam
   return groups;
 }
 
-std::optional<ColorRanges> severalRanges(const ColorEvidence& evidence, const ColorRange& one) {
+std::optional<ColorRanges> multicolorRanges(const ColorEvidence& evidence, const ColorRange& one) {
   if (evidence.targetByColor.size() < 2) {
     return std::nullopt;
   }
-  const auto target = inOtherLight(evidence.target);
+  const auto target = withLightVariations(evidence.target);
   const std::vector<ColorRange> each = rangeOfEach(evidence);
   double bestF1 = scoreRange(one, target, evidence.rest).f1 + kWorthSeveral;
   std::optional<ColorRanges> best;

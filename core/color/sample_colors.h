@@ -20,12 +20,12 @@ inline constexpr std::size_t kMostColorsOfTarget = 3;
 /// the order of each color's first sample. Samples of one color in different light, or in cameras
 /// with different white balance, stay together. If there are more than kMostColorsOfTarget colors,
 /// the closest ones are merged.
-std::vector<std::vector<std::size_t>> colorsOfSamples(const std::vector<ColorSample>& samples);
+std::vector<std::vector<std::size_t>> groupSamplesByColor(const std::vector<ColorSample>& samples);
 
 /// Returns at least two ranges for a multicolored target, in the order of
 /// ColorEvidence::targetByColor. A color that is also common in the surroundings is left out.
 /// Returns nothing if the samples show one color, or if the single range `one` for all of them
 /// separates about as well.
-std::optional<ColorRanges> severalRanges(const ColorEvidence& evidence, const ColorRange& one);
+std::optional<ColorRanges> multicolorRanges(const ColorEvidence& evidence, const ColorRange& one);
 
 } // namespace dewpoint::color

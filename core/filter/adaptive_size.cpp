@@ -20,7 +20,7 @@ Eigen::Index kldSampleSize(std::int64_t occupiedBins, double error) {
   return static_cast<Eigen::Index>(std::ceil(degrees / (2.0 * error) * root * root * root));
 }
 
-std::int64_t occupiedBins(const Eigen::ArrayXXd& states, double binSize) {
+std::int64_t countOccupiedBins(const Eigen::ArrayXXd& states, double binSize) {
   std::vector<std::array<std::int64_t, 3>> bins(static_cast<std::size_t>(states.rows()));
   for (std::size_t i = 0; i < bins.size(); ++i) {
     for (std::size_t axis = 0; axis < 3; ++axis) {

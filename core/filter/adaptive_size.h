@@ -17,6 +17,6 @@ Eigen::Index kldSampleSize(std::int64_t occupiedBins, double error);
 
 /// Returns the number of cubes with edges of `binSize` meters that contain at least one particle.
 /// The first three columns of `states` are x, y and z in meters.
-std::int64_t occupiedBins(const Eigen::ArrayXXd& states, double binSize);
+std::int64_t countOccupiedBins(const Eigen::ArrayXXd& states, double binSize);
 
 } // namespace dewpoint::filter

@@ -68,7 +68,7 @@ struct TileKernel {
 AncestorSearch::AncestorSearch(const CumulativeWeights& cumulative, const SortedDraws& draws)
     : cumulative_(cumulative), draws_(draws) {}
 
-void AncestorSearch::load(std::int64_t weightBlock) {
+void AncestorSearch::loadWeights(std::int64_t weightBlock) {
   weightBlock_ = weightBlock;
   const std::int64_t length = cumulative_.write(weightBlock, weights_.data());
   weights_[std::size_t(length)] = std::numeric_limits<double>::infinity();
@@ -78,20 +78,20 @@ void AncestorSearch::load(std::int64_t weightBlock) {
 std::int64_t AncestorSearch::ancestors(std::int64_t block, std::int32_t* found) {
   const std::int64_t count = draws_.write(block, block_.data());
   if (count % kTile == 0) {
-    walk(count, found);
+    searchBlock(count, found);
     return count;
   }
   const std::int64_t padded = (count + kTile - 1) / kTile * kTile;
   std::fill(block_.begin() + count, block_.begin() + padded, block_[std::size_t(count - 1)]);
   std::array<std::int32_t, SortedDraws::kBlock> all;
-  walk(padded, all.data());
+  searchBlock(padded, all.data());
   std::copy_n(all.begin(), count, found);
   return count;
 }
 
-void AncestorSearch::walk(std::int64_t drawCount, std::int32_t* found) {
+void AncestorSearch::searchBlock(std::int64_t drawCount, std::int32_t* found) {
   if (weightBlock_ < 0) {
-    load(cumulative_.blockOf(block_.front()));
+    loadWeights(cumulative_.blockOf(block_.front()));
     position_.particle = weightBlock_ * kPrefixBlock;
     position_.base = position_.particle;
   }
@@ -103,7 +103,7 @@ void AncestorSearch::walk(std::int64_t drawCount, std::int32_t* found) {
     if (position_.firstDraw == drawCount) {
       return;
     }
-    load(weightBlock_ + 1);
+    loadWeights(weightBlock_ + 1);
   }
 }
 

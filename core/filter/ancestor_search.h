@@ -33,8 +33,8 @@ public:
   };
 
 private:
-  void walk(std::int64_t drawCount, std::int32_t* found);
-  void load(std::int64_t weightBlock);
+  void searchBlock(std::int64_t drawCount, std::int32_t* found);
+  void loadWeights(std::int64_t weightBlock);
 
   const CumulativeWeights& cumulative_;
   const SortedDraws& draws_;

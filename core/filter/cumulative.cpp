@@ -19,14 +19,14 @@ void CumulativeWeights::append(const StretchSums& sums, double factor) {
   }
 }
 
-void CumulativeWeights::build(const BlockWeights& weights) {
+void CumulativeWeights::compute(const BlockWeights& weights) {
   reset(weights.relative(0), weights.count());
   for (std::int64_t block = 0; block * kPrefixBlock < count_; ++block) {
     append(weights.sums(block), weights.factor(block));
   }
 }
 
-void CumulativeWeights::build(const Eigen::ArrayXd& weights) {
+void CumulativeWeights::compute(const Eigen::ArrayXd& weights) {
   reset(weights.data(), weights.size());
   for (std::int64_t begin = 0; begin < count_; begin += kPrefixBlock) {
     append(prefixSums(weights_ + begin, std::min(kPrefixBlock, count_ - begin),
@@ -37,11 +37,11 @@ void CumulativeWeights::build(const Eigen::ArrayXd& weights) {
 
 std::int64_t CumulativeWeights::blockOf(double draw) const {
   const auto end = std::upper_bound(before_.begin() + 1, before_.end(), draw);
-  return (end - before_.begin() - 1) / kAbreast;
+  return (end - before_.begin() - 1) / kLanes;
 }
 
 std::int64_t CumulativeWeights::write(std::int64_t block, double* cumulative) const {
-  const double* before = before_.data() + block * kAbreast;
+  const double* before = before_.data() + block * kLanes;
   const double factor = factors_[std::size_t(block)];
   const std::int64_t begin = block * kPrefixBlock;
   const std::int64_t length = std::min(kPrefixBlock, count_ - begin);

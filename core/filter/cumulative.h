@@ -17,8 +17,8 @@ namespace dewpoint::filter {
 class CumulativeWeights {
 public:
   /// Computes the sums. The weights are not copied, so they must stay in memory unchanged.
-  void build(const BlockWeights& weights);
-  void build(const Eigen::ArrayXd& weights);
+  void compute(const BlockWeights& weights);
+  void compute(const Eigen::ArrayXd& weights);
 
   std::int64_t count() const { return count_; }
   /// Returns the sum of all weights.

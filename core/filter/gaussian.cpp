@@ -5,7 +5,7 @@
 
 namespace dewpoint::filter {
 
-void condition(Gaussian6& state, const Gaussian3& position) {
+void conditionOnPosition(Gaussian6& state, const Gaussian3& position) {
   const Eigen::Matrix3d prior = state.covariance.topLeftCorner<3, 3>();
   const Eigen::Matrix3d gain = state.covariance.bottomLeftCorner<3, 3>() * prior.inverse();
   state.mean.tail<3>() += gain * (position.mean - state.mean.head<3>());

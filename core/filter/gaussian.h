@@ -22,6 +22,6 @@ using Gaussian6 = Gaussian<6>;
 /// Replaces the position of a state by the posterior `position`. The velocity is updated according
 /// to its correlation with the position. This is the Kalman update, written for the posterior of
 /// the observed part.
-void condition(Gaussian6& state, const Gaussian3& position);
+void conditionOnPosition(Gaussian6& state, const Gaussian3& position);
 
 } // namespace dewpoint::filter

@@ -31,8 +31,8 @@ struct IsotropicMotion {
     std::array<std::array<double, kBlock>, 3> normal;
     for (Eigen::Index begin = 0; begin < rows.rows(); begin += kBlock) {
       const Eigen::Index count = std::min(kBlock, rows.rows() - begin);
-      stream.normals(firstIndex + static_cast<std::uint32_t>(begin), count,
-                     {normal[0].data(), normal[1].data(), normal[2].data()});
+      stream.fillNormal3(firstIndex + static_cast<std::uint32_t>(begin), count,
+                         {normal[0].data(), normal[1].data(), normal[2].data()});
       for (Eigen::Index axis = 0; axis < 3; ++axis) {
         const double* step = normal[static_cast<std::size_t>(axis)].data();
         runKernel<StepKernel>(std::int64_t{count}, step, sigma, rows.col(axis).data() + begin);

@@ -14,7 +14,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct LargestKernel {
   DEWPOINT_KERNEL void run(const double* logWeights, std::int64_t count, double* largest) {
-    *largest = strandMax(
+    *largest = maxInLanes(
         count, -kInfinity, [&](std::int64_t i) __attribute__((always_inline)) {
           return logWeights[i] < kInfinity ? logWeights[i] : -kInfinity; // NaN too
         });
@@ -28,7 +28,7 @@ struct ExponentialKernel {
       const double difference = logWeights[i] - largest;
       weights[i] = exponential(difference <= 0.0 ? difference : -kInfinity);
     }
-    *sum = strandSum(
+    *sum = sumInLanes(
         count, [&](std::int64_t i) __attribute__((always_inline)) { return weights[i]; });
   }
 };

@@ -11,12 +11,12 @@ namespace {
 
 struct WeightKernel {
   DEWPOINT_KERNEL void run(const double* weights, std::int64_t count, Moments* moments) {
-    moments->weight = strandSum(
+    moments->weight = sumInLanes(
         count, [&](std::int64_t i) __attribute__((always_inline)) { return weights[i]; });
-    moments->squares = strandSum(
+    moments->squares = sumInLanes(
         count, [&](std::int64_t i)
                    __attribute__((always_inline)) { return weights[i] * weights[i]; });
-    moments->largest = strandMax(
+    moments->largest = maxInLanes(
         count, -1.0, [&](std::int64_t i) __attribute__((always_inline)) { return weights[i]; });
   }
 };
@@ -24,7 +24,7 @@ struct WeightKernel {
 struct MeanKernel {
   DEWPOINT_KERNEL void run(const double* weights, const double* x, std::int64_t count,
                            double* sum) {
-    *sum = strandSum(
+    *sum = sumInLanes(
         count, [&](std::int64_t i) __attribute__((always_inline)) { return weights[i] * x[i]; });
   }
 };
@@ -32,7 +32,7 @@ struct MeanKernel {
 struct ScatterKernel {
   DEWPOINT_KERNEL void run(const double* weights, const double* x, double meanX, const double* y,
                            double meanY, std::int64_t count, double* sum) {
-    *sum = strandSum(
+    *sum = sumInLanes(
         count, [&](std::int64_t i) __attribute__((always_inline)) {
           return weights[i] * (x[i] - meanX) * (y[i] - meanY);
         });

@@ -35,14 +35,14 @@ void MultinomialResampling::ancestors(const BlockWeights& weights, Eigen::Index 
                                       const RandomStream& stream, ThreadTeam& team,
                                       Ancestors& picked) const {
   CumulativeWeights& cumulative = cumulativeWeights();
-  cumulative.build(weights);
+  cumulative.compute(weights);
   lookUp(cumulative, count, stream, team, picked);
 }
 
 void MultinomialResampling::ancestors(const Eigen::ArrayXd& weights, Eigen::Index count,
                                       const RandomStream& stream, Ancestors& picked) const {
   CumulativeWeights& cumulative = cumulativeWeights();
-  cumulative.build(weights);
+  cumulative.compute(weights);
   ThreadTeam alone(1);
   lookUp(cumulative, count, stream, alone, picked);
 }

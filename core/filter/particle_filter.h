@@ -97,7 +97,7 @@ private:
     moments_.resize(static_cast<std::size_t>((count + kSumBlock - 1) / kSumBlock));
     team.forEachBlock(count, kSumBlock, [&](std::int64_t begin, std::int64_t end) {
       const std::int64_t length = end - begin;
-      takeFromParents(begin, end);
+      copyFromParents(begin, end);
       std::array<double, kSumBlock> buffer;
       Eigen::Map<Eigen::ArrayXd> logWeights(buffer.data(), length);
       logWeights.setZero();
@@ -110,19 +110,19 @@ private:
     });
   }
 
-  void takeFromParents(std::int64_t begin, std::int64_t end) {
+  void copyFromParents(std::int64_t begin, std::int64_t end) {
     Eigen::Index column = 0;
     for (; column + 3 <= states_.cols(); column += 3) {
-      takeColumns<3>(column, begin, end);
+      copyColumns<3>(column, begin, end);
     }
     for (; column < states_.cols(); ++column) {
-      takeColumns<1>(column, begin, end);
+      copyColumns<1>(column, begin, end);
     }
     prefetchParents(end, std::min(end + kSumBlock, nextCount()));
   }
 
   template <int Columns>
-  void takeColumns(Eigen::Index column, std::int64_t begin, std::int64_t end) {
+  void copyColumns(Eigen::Index column, std::int64_t begin, std::int64_t end) {
     const double* from = parents_.col(column).data();
     double* to = states_.col(column).data();
     const Eigen::Index fromStride = parents_.rows();

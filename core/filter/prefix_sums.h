@@ -16,12 +16,12 @@ namespace dewpoint::filter {
 inline constexpr std::int64_t kStretch = 256;
 /// Number of stretches summed in parallel. Each addition waits for the previous addition in its
 /// stretch, but not for additions in other stretches.
-inline constexpr std::int64_t kAbreast = 4;
+inline constexpr std::int64_t kLanes = 4;
 /// Number of elements in a block of stretches.
-inline constexpr std::int64_t kPrefixBlock = kStretch * kAbreast;
+inline constexpr std::int64_t kPrefixBlock = kStretch * kLanes;
 
 /// Sums of the stretches of a block, one per stretch.
-using StretchSums = std::array<double, kAbreast>;
+using StretchSums = std::array<double, kLanes>;
 
 /// Computes the running sums of each stretch of a block of `count` <= kPrefixBlock values. Each
 /// running sum is passed to put(index, sum). Returns the total of each stretch, which is zero for
@@ -31,7 +31,7 @@ template <class Value, class Put>
                                                      const Put& put) {
   StretchSums sums{};
   double* sum = sums.data();
-  const auto abreast = [&](std::int64_t stretches, std::int64_t begin, std::int64_t end)
+  const auto advance = [&](std::int64_t stretches, std::int64_t begin, std::int64_t end)
       __attribute__((always_inline)) {
     for (std::int64_t i = begin; i < end; ++i) {
       for (std::int64_t k = 0; k < stretches; ++k) {
@@ -42,13 +42,13 @@ template <class Value, class Put>
   };
   const std::int64_t whole = count / kStretch;
   const std::int64_t rest = count % kStretch;
-  if (whole == kAbreast) {
-    abreast(kAbreast, 0, kStretch);
-  } else if (whole == kAbreast - 1) {
-    abreast(kAbreast, 0, rest);
-    abreast(kAbreast - 1, rest, kStretch);
+  if (whole == kLanes) {
+    advance(kLanes, 0, kStretch);
+  } else if (whole == kLanes - 1) {
+    advance(kLanes, 0, rest);
+    advance(kLanes - 1, rest, kStretch);
   } else {
-    abreast(whole, 0, kStretch);
+    advance(whole, 0, kStretch);
     for (std::int64_t i = 0; i < rest; ++i) {
       sum[whole] += double{values[whole * kStretch + i]};
       put(whole * kStretch + i, sum[whole]);

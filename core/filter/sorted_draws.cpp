@@ -65,9 +65,9 @@ std::int64_t SortedDraws::write(std::int64_t block, double* draws) const {
   const std::int64_t spacings = std::min(kBlock, count_ + 1 - block * kBlock);
   std::array<float, kBlock> spacing;
   const std::int64_t elements = std::min(kStretch, spacings);
-  stream_.exponentials(static_cast<std::uint32_t>(block * kStretch), elements,
-                       {spacing.data(), spacing.data() + kStretch, spacing.data() + 2 * kStretch,
-                        spacing.data() + 3 * kStretch});
+  stream_.fillExponential4(static_cast<std::uint32_t>(block * kStretch), elements,
+                           {spacing.data(), spacing.data() + kStretch,
+                            spacing.data() + 2 * kStretch, spacing.data() + 3 * kStretch});
   std::array<double, kBlock> sums; // the last of them has no draw
   StretchSums before = prefixSums(spacing.data(), spacings, [&](std::int64_t index, double sum) {
     sums[std::size_t(index)] = sum;

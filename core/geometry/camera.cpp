@@ -19,7 +19,7 @@ bool Camera::operator==(const Camera& other) const {
          lens == other.lens && cameraFromWorld.matrix() == other.cameraFromWorld.matrix();
 }
 
-bool Camera::distorted() const {
+bool Camera::hasDistortion() const {
   return lens != LensModel::Pinhole ||
          std::any_of(distortion.begin(), distortion.end(), [](double k) { return k != 0.0; });
 }

@@ -39,7 +39,7 @@ struct Camera {
   Eigen::Vector3d opticalAxis() const;
 
   /// Returns whether the lens differs from an ideal pinhole.
-  bool distorted() const;
+  bool hasDistortion() const;
 
   bool operator==(const Camera& other) const;
 };

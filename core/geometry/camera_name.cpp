@@ -15,12 +15,12 @@ std::string nameOrNumber(const Camera& camera, std::size_t index) {
   return camera.name.empty() ? defaultCameraName(index) : camera.name;
 }
 
-std::string freeCameraName(const CameraRig& rig) {
-  return freeCameraName(rig, rig.size(), defaultCameraName);
+std::string unusedCameraName(const CameraRig& rig) {
+  return unusedCameraName(rig, rig.size(), defaultCameraName);
 }
 
-std::string freeCameraName(const CameraRig& rig, std::size_t first,
-                           const std::function<std::string(std::size_t)>& nameOf) {
+std::string unusedCameraName(const CameraRig& rig, std::size_t first,
+                             const std::function<std::string(std::size_t)>& nameOf) {
   std::size_t index = first;
   while (std::ranges::find(rig, nameOf(index), &Camera::name) != rig.end()) {
     ++index;

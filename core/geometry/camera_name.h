@@ -17,11 +17,11 @@ std::string defaultCameraName(std::size_t index);
 std::string nameOrNumber(const Camera& camera, std::size_t index);
 
 /// Returns the first default name, counting from the rig's size, that no camera of the rig has.
-std::string freeCameraName(const CameraRig& rig);
+std::string unusedCameraName(const CameraRig& rig);
 
 /// Returns the first unused name, counting from number `first`. `nameOf` returns the name for a
 /// number.
-std::string freeCameraName(const CameraRig& rig, std::size_t first,
-                           const std::function<std::string(std::size_t)>& nameOf);
+std::string unusedCameraName(const CameraRig& rig, std::size_t first,
+                             const std::function<std::string(std::size_t)>& nameOf);
 
 } // namespace dewpoint::geometry

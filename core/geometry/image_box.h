@@ -31,7 +31,7 @@ struct ImageBox {
 };
 
 /// Returns the area of the intersection of two boxes, px². 0 if they do not intersect.
-inline double commonArea(const ImageBox& one, const ImageBox& other) {
+inline double intersectionArea(const ImageBox& one, const ImageBox& other) {
   const double across =
       std::min(one.x + one.width, other.x + other.width) - std::max(one.x, other.x);
   const double down =
@@ -40,8 +40,8 @@ inline double commonArea(const ImageBox& one, const ImageBox& other) {
 }
 
 /// Returns the intersection over union, in [0, 1]. 0 if a box is empty.
-inline double overlap(const ImageBox& one, const ImageBox& other) {
-  const double common = commonArea(one, other);
+inline double intersectionOverUnion(const ImageBox& one, const ImageBox& other) {
+  const double common = intersectionArea(one, other);
   return common > 0.0 ? common / (one.area() + other.area() - common) : 0.0;
 }
 

@@ -110,7 +110,7 @@ std::vector<LevelCurve> levelCurves(const GroundGrid& grid, double level) {
   return curves;
 }
 
-double levelHolding(const GroundGrid& grid, double probability) {
+double levelForProbability(const GroundGrid& grid, double probability) {
   std::vector<double> values(grid.values.data(), grid.values.data() + grid.values.size());
   std::ranges::sort(values, std::greater<>{});
   double total = 0.0;

@@ -29,6 +29,6 @@ std::vector<LevelCurve> levelCurves(const GroundGrid& grid, double level);
 /// Returns the level above which the values add up to the fraction `probability` of the sum of all
 /// values. The level curve is the border of the smallest region with that probability. 0 if the sum
 /// is zero.
-double levelHolding(const GroundGrid& grid, double probability);
+double levelForProbability(const GroundGrid& grid, double probability);
 
 } // namespace dewpoint::geometry

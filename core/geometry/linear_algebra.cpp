@@ -40,7 +40,7 @@ Eigen::MatrixXd solveSymmetric(const Eigen::MatrixXd& matrix, const Eigen::Matri
   return matrix.ldlt().solve(right);
 }
 
-std::optional<Eigen::MatrixXd> inversePositive(const Eigen::MatrixXd& matrix) {
+std::optional<Eigen::MatrixXd> inversePositiveDefinite(const Eigen::MatrixXd& matrix) {
   const Eigen::LLT<Eigen::MatrixXd> factor(matrix);
   if (factor.info() != Eigen::Success) {
     return std::nullopt;

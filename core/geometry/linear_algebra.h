@@ -31,7 +31,7 @@ Eigen::MatrixXd solveSymmetric(const Eigen::MatrixXd& matrix, const Eigen::Matri
 
 /// Returns the inverse of a symmetric positive definite matrix, by Cholesky decomposition. Nothing
 /// for any other matrix.
-std::optional<Eigen::MatrixXd> inversePositive(const Eigen::MatrixXd& matrix);
+std::optional<Eigen::MatrixXd> inversePositiveDefinite(const Eigen::MatrixXd& matrix);
 
 /// Singular value decomposition by Jacobi rotations.
 class SingularValues {

@@ -80,7 +80,7 @@ template <bool Distorted> struct ProjectKernel {
 } // namespace
 
 Projector::Projector(const Camera& camera)
-    : intrinsics_(camera.intrinsics), lens_(camera.lens), distorted_(camera.distorted()) {
+    : intrinsics_(camera.intrinsics), lens_(camera.lens), distorted_(camera.hasDistortion()) {
   const Eigen::Isometry3d& pose = camera.cameraFromWorld;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {

@@ -84,7 +84,7 @@ double unbent(const std::array<double, 8>& k, double bent) {
 
 Unprojector::Unprojector(const Camera& camera)
     : intrinsics_(camera.intrinsics), worldFromCamera_(camera.cameraFromWorld.linear().transpose()),
-      center_(camera.center()), distorted_(camera.distorted()),
+      center_(camera.center()), distorted_(camera.hasDistortion()),
       fisheye_(camera.lens == LensModel::Fisheye), distortion_(camera.distortion),
       lens_(withoutPose(camera)) {}
 
@@ -124,7 +124,7 @@ std::optional<Eigen::Vector2d> Unprojector::normalized(const Eigen::Vector2d& pi
   return std::nullopt;
 }
 
-std::optional<Eigen::Vector3d> Unprojector::rayWorld(const Eigen::Vector2d& pixel) const {
+std::optional<Eigen::Vector3d> Unprojector::worldDirection(const Eigen::Vector2d& pixel) const {
   const auto place = normalized(pixel);
   if (!place) {
     return std::nullopt;
@@ -133,7 +133,7 @@ std::optional<Eigen::Vector3d> Unprojector::rayWorld(const Eigen::Vector2d& pixe
 }
 
 std::optional<Ray> Unprojector::ray(const Eigen::Vector2d& pixel) const {
-  const auto direction = rayWorld(pixel);
+  const auto direction = worldDirection(pixel);
   return direction ? std::optional(Ray{center_, *direction}) : std::nullopt;
 }
 

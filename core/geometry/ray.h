@@ -27,7 +27,7 @@ public:
   /// outside the image. Lens distortion is inverted by Newton's method on Projector's model, to
   /// 1e-9 px. Returns nothing if the model has no such direction (beyond its fold-back) or the
   /// pixel is not finite.
-  std::optional<Eigen::Vector3d> rayWorld(const Eigen::Vector2d& pixel) const;
+  std::optional<Eigen::Vector3d> worldDirection(const Eigen::Vector2d& pixel) const;
 
   /// Returns the same direction as a ray from the camera's center.
   std::optional<Ray> ray(const Eigen::Vector2d& pixel) const;

@@ -51,7 +51,7 @@ bool isOneCamera(const BoxedRig& before, const BoxedRig& now) {
 
 } // namespace
 
-Eigen::Vector3d aimOf(const CameraRig& rig) {
+Eigen::Vector3d rigAimPoint(const CameraRig& rig) {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
   for (const Camera& camera : rig) {
@@ -70,7 +70,7 @@ Eigen::Vector3d aimOf(const CameraRig& rig) {
   return point.allFinite() ? point : Eigen::Vector3d::Zero();
 }
 
-Eigen::AlignedBox3d boxAround(const CameraRig& rig) {
+Eigen::AlignedBox3d rigBounds(const CameraRig& rig) {
   Eigen::AlignedBox3d box;
   for (const Camera& each : rig) {
     if (hasPose(each)) {
@@ -78,14 +78,14 @@ Eigen::AlignedBox3d boxAround(const CameraRig& rig) {
     }
   }
   if (!box.isEmpty()) {
-    box.extend(aimOf(rig));
+    box.extend(rigAimPoint(rig));
   }
   return box;
 }
 
 RigChange rigChange(const CameraRig& before, const CameraRig& now) {
-  const BoxedRig was{before, boxAround(before)};
-  const BoxedRig is{now, boxAround(now)};
+  const BoxedRig was{before, rigBounds(before)};
+  const BoxedRig is{now, rigBounds(now)};
   if (!haveSameCameras(was, is)) {
     return RigChange::Elsewhere;
   }

@@ -11,11 +11,11 @@ namespace dewpoint::geometry {
 /// Returns the point at which a rig is aimed: the point nearest to all optical axes (world,
 /// meters). For a single camera or parallel axes, it is two meters in front of the cameras. If no
 /// camera has a pose, it is the origin.
-Eigen::Vector3d aimOf(const CameraRig& rig);
+Eigen::Vector3d rigAimPoint(const CameraRig& rig);
 
 /// Returns a box (world, meters) around the cameras and the point at which they are aimed. Empty if
 /// no camera has a pose.
-Eigen::AlignedBox3d boxAround(const CameraRig& rig);
+Eigen::AlignedBox3d rigBounds(const CameraRig& rig);
 
 /// Kind of change in a rig's calibration. It determines whether a previous view of the rig is still
 /// useful.

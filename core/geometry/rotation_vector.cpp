@@ -5,13 +5,13 @@
 
 namespace dewpoint::geometry {
 
-Eigen::Matrix3d rotationOfVector(const Eigen::Vector3d& vector) {
+Eigen::Matrix3d rotationFromVector(const Eigen::Vector3d& vector) {
   const double angle = vector.norm();
   return angle > 0.0 ? Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix()
                      : Eigen::Matrix3d::Identity();
 }
 
-Eigen::Vector3d vectorOfRotation(const Eigen::Matrix3d& rotation) {
+Eigen::Vector3d vectorFromRotation(const Eigen::Matrix3d& rotation) {
   const Eigen::AngleAxisd angleAxis(rotation);
   return angleAxis.angle() * angleAxis.axis();
 }

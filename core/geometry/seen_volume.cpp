@@ -74,7 +74,7 @@ double reachOf(const CameraRig& rig, std::size_t camera, double farthest) {
 
 std::vector<View> viewsOf(const CameraRig& rig) {
   const double distance = greatestDistance(rig);
-  const double farthest = distance > 0.0 ? kReachInBaselines * distance : kReachOfOneCamera;
+  const double farthest = distance > 0.0 ? kReachInBaselines * distance : kSingleCameraRange;
   std::vector<View> views;
   for (std::size_t camera = 0; camera < rig.size(); ++camera) {
     views.push_back(

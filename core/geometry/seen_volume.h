@@ -11,12 +11,12 @@ namespace dewpoint::geometry {
 
 /// Assumed range of a single camera, meters, used when the rig itself implies no distance. Chosen
 /// to be about the size of a room.
-inline constexpr double kReachOfOneCamera = 4.0;
+inline constexpr double kSingleCameraRange = 4.0;
 
 /// Returns the bounding box of the volume that at least `cameras` cameras of a rig see. World
 /// frame, meters. Each camera is assumed to see up to 1.5 times the distance at which its optical
 /// axis meets those of the others (the median), and at most 20 times the largest distance between
-/// two cameras. If the cameras imply no distance, the limit is kReachOfOneCamera. Cameras without
+/// two cameras. If the cameras imply no distance, the limit is kSingleCameraRange. Cameras without
 /// an image size or a focal length do not count. Nothing if no volume is seen by that number of
 /// cameras.
 ///

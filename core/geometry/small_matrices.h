@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Eigen's decompositions of small matrices of fixed size that several files need. Each one would add
-// up to ten seconds to the compilation of such a file, so they are compiled in one place.
+// Eigen's decompositions of small matrices of fixed size that several files need. Each one would
+// add up to ten seconds to the compilation of such a file, so they are compiled in one place.
 // Decompositions that compile faster are called directly from Eigen.
 #pragma once
 

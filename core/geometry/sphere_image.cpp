@@ -13,7 +13,7 @@ constexpr double kStep = 1e-4; ///< of the plane z = 1, for the lens's local mag
 SphereProjector::SphereProjector(const Camera& camera)
     : projector_(camera), cameraCenter_(camera.center()), axis_(camera.opticalAxis()),
       right_(camera.cameraFromWorld.linear().row(0).transpose()),
-      down_(camera.cameraFromWorld.linear().row(1).transpose()), distorted_(camera.distorted()),
+      down_(camera.cameraFromWorld.linear().row(1).transpose()), distorted_(camera.hasDistortion()),
       focal_(std::sqrt(camera.intrinsics.focalX * camera.intrinsics.focalY)) {}
 
 std::optional<SphereImage> SphereProjector::project(const Eigen::Vector3d& centerWorld,

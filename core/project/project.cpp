@@ -8,11 +8,12 @@
 
 namespace dewpoint::project {
 
-ParameterValues parametersInUse(const Project& project) {
-  return tracking::parametersInUse(project.parameters, rigOf(project), project.volumeOfInterest);
+ParameterValues effectiveParameters(const Project& project) {
+  return tracking::effectiveParameters(project.parameters, rigOf(project),
+                                       project.volumeOfInterest);
 }
 
-void addPerson(Project& project, const PersonCorrection& person) {
+void addPersonCorrection(Project& project, const PersonCorrection& person) {
   const auto found =
       std::ranges::upper_bound(project.people, person.frame, {}, &PersonCorrection::frame);
   project.people.insert(found, person);

@@ -120,11 +120,11 @@ struct Project {
   bool operator==(const Project&) const = default;
 };
 
-/// Returns the parameters used to track a project; see tracking::parametersInUse().
-ParameterValues parametersInUse(const Project& project);
+/// Returns the parameters used to track a project; see tracking::effectiveParameters().
+ParameterValues effectiveParameters(const Project& project);
 
 /// Inserts a correction after the others for the same frame.
-void addPerson(Project& project, const PersonCorrection& person);
+void addPersonCorrection(Project& project, const PersonCorrection& person);
 /// Inserts a correction after the others for its frame, or replaces the correction for the same
 /// target and frame. A correction made by the user also removes corrections that were obtained by
 /// tracking backward and no longer hold. They are those that started from the replaced correction,

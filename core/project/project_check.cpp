@@ -121,9 +121,9 @@ Status checkCameras(const Project& project) {
       return wrong(ErrorCode::BadValue, fmt::format("camera {}.calibration", i + 1),
                    "a positive size and focal length, and a finite pose are expected");
     }
-    if (!(std::abs(project.cameras[i].delay) <= kLatest)) {
+    if (!(std::abs(project.cameras[i].delay) <= kMaxDelay)) {
       return wrong(ErrorCode::BadValue, fmt::format("camera {}.late_by", i + 1),
-                   fmt::format("{} to {} s are expected", -kLatest, kLatest));
+                   fmt::format("{} to {} s are expected", -kMaxDelay, kMaxDelay));
     }
   }
   return {};
@@ -153,7 +153,7 @@ Status checkProject(const Project& project) {
 Status checkMethodTargets(const Project& project) {
   const MethodFamily family = methodFamily(project.method);
   if (family.lacksTargets(project.targets)) {
-    return wrong(ErrorCode::MissingKey, "target", family.lack(project.method));
+    return wrong(ErrorCode::MissingKey, "target", family.noTargetsText(project.method));
   }
   return {};
 }

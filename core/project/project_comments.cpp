@@ -107,7 +107,7 @@ Table tableOf(const std::string& path, const std::vector<Table>& before) {
 }
 
 /// The name that an entry of an array of tables has, read ahead; empty: none.
-std::string nameAhead(const Lines& lines, std::size_t header) {
+std::string peekName(const Lines& lines, std::size_t header) {
   for (std::size_t k = header + 1; k < lines.size() && !trimmed(lines[k], kSpace).starts_with('[');
        ++k) {
     const auto equals = lines[k].find('=');
@@ -139,7 +139,7 @@ Text read(const std::string& text) {
       const auto end = line.find(']');
       Table table = tableOf(trimmed(line.substr(isArray ? 2 : 1, end - (isArray ? 2 : 1))), tables);
       if (isArray) {
-        table.id = fmt::format("{}:{}", table.id, nameAhead(found.lines, k));
+        table.id = fmt::format("{}:{}", table.id, peekName(found.lines, k));
         table.id = fmt::format("{}/{}", table.id, seen[table.id]++);
       }
       tables.push_back(table);

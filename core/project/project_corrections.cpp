@@ -24,10 +24,10 @@ PositionCorrection readCorrection(const toml::table& table, const std::string& f
   TableReader reader(table, file, prefix);
   PositionCorrection correction;
   reader.require("frame");
-  reader.integer("frame", correction.frame, 0, limits::kMostFrames);
+  reader.integer("frame", correction.frame, 0, limits::kMaxFrames);
   int target = 1;
   reader.require("target");
-  reader.integer("target", target, 1, limits::kMostTargets);
+  reader.integer("target", target, 1, limits::kMaxTargets);
   correction.target = target - 1;
   reader.require("position");
   reader.numbers("position", correction.position.data(), 3, -kMostMeters, kMostMeters);
@@ -37,7 +37,7 @@ PositionCorrection readCorrection(const toml::table& table, const std::string& f
     correction.covariance << c[0], c[1], c[2], c[1], c[3], c[4], c[2], c[4], c[5];
   }
   std::int64_t from = -1;
-  reader.integer("tracked_from", from, 0, limits::kMostFrames);
+  reader.integer("tracked_from", from, 0, limits::kMaxFrames);
   if (from >= 0) {
     correction.trackedFrom = from;
   }
@@ -45,7 +45,7 @@ PositionCorrection readCorrection(const toml::table& table, const std::string& f
     TableReader click(*one, file, fmt::format("{}click {}.", prefix, correction.clicks.size() + 1));
     int camera = 1;
     click.require("camera");
-    click.integer("camera", camera, 1, limits::kMostCameras);
+    click.integer("camera", camera, 1, limits::kMaxCameras);
     PointClick& read = correction.clicks.emplace_back();
     read.camera = camera - 1;
     click.require("pixel");

@@ -18,7 +18,7 @@ std::filesystem::path folderOf(const Project& project) {
 
 } // namespace
 
-std::vector<ProjectFile> filesOfRun(const Project& project) {
+std::vector<ProjectFile> runInputFiles(const Project& project) {
   const std::filesystem::path folder = folderOf(project);
   std::vector<ProjectFile> files;
   const auto add = [&](const std::filesystem::path& path) {
@@ -48,7 +48,7 @@ bool isRepeatable(const Project& project) {
   });
 }
 
-std::string textOfRun(const Project& project) {
+std::string runInputText(const Project& project) {
   Project run = project;
   run.markers.clear();
   run.grid.reset();
@@ -58,7 +58,7 @@ std::string textOfRun(const Project& project) {
   return projectText(run, folderOf(project));
 }
 
-std::string settingsOfRun(const Project& project) {
+std::string nonDefaultSettings(const Project& project) {
   std::vector<std::string> settings;
   for (const ParameterDeclaration& one : project.parameters.declarations()) {
     const double value = project.parameters.at(one.key);

@@ -19,17 +19,17 @@ struct ProjectFile {
 /// Returns the files that a run reads in addition to the project file: recordings, their capture
 /// times, background images and the scene file. The ground truth is not included, because no result
 /// depends on it.
-std::vector<ProjectFile> filesOfRun(const Project& project);
+std::vector<ProjectFile> runInputFiles(const Project& project);
 
 /// Returns whether a new run would use the same images; false for live cameras.
 bool isRepeatable(const Project& project);
 
 /// Returns the project as text, without parts that do not affect a run: markers, grid, measured
 /// points, truth and window layout.
-std::string textOfRun(const Project& project);
+std::string runInputText(const Project& project);
 
 /// Returns the parameters that differ from the method's defaults, in declaration order, and the
 /// volume of interest, for example "particles=200 kld_error=0". Empty if there are none.
-std::string settingsOfRun(const Project& project);
+std::string nonDefaultSettings(const Project& project);
 
 } // namespace dewpoint::project

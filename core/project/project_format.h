@@ -21,7 +21,7 @@ inline constexpr std::array<std::pair<const char*, SourceKind>, 4> kSourceKeys{{
 }};
 
 /// Largest allowed absolute value of a camera's delay, in seconds.
-inline constexpr double kLatest = 3600.0;
+inline constexpr double kMaxDelay = 3600.0;
 
 /// Largest allowed target radius, in meters.
 inline constexpr double kLargestRadius = 1000.0;

@@ -26,7 +26,7 @@ using std::filesystem::path;
 
 /// The text with its variables replaced.
 std::string expanded(TableReader& reader, const char* key, const std::string& text) {
-  const auto found = withVariables(text);
+  const auto found = expandVariables(text);
   if (!found) {
     reader.fail(found.error().code, key, found.error().detail);
   }
@@ -34,7 +34,7 @@ std::string expanded(TableReader& reader, const char* key, const std::string& te
 }
 
 /// A path of the file, absolute.
-path readPath(TableReader& reader, const char* key, const ProjectPlace& place) {
+path readPath(TableReader& reader, const char* key, const ProjectPaths& place) {
   std::string text;
   reader.text(key, text);
   if (text.empty()) {
@@ -47,7 +47,7 @@ path readPath(TableReader& reader, const char* key, const ProjectPlace& place) {
 }
 
 /// Where the images come from: exactly one of the source keys.
-void readSource(TableReader& reader, const ProjectPlace& place, ProjectCamera& camera) {
+void readSource(TableReader& reader, const ProjectPaths& place, ProjectCamera& camera) {
   const bool hasVideo = reader.has("video");
   int sources = 0;
   for (const auto& [key, kind] : kSourceKeys) {
@@ -73,7 +73,7 @@ void readSource(TableReader& reader, const ProjectPlace& place, ProjectCamera& c
     reader.fail(ErrorCode::BadValue, "rotate", "0, 90, 180 or 270 degrees are expected");
   }
   reader.boolean("mirror", camera.mirrored);
-  reader.number("late_by", camera.delay, -kLatest, kLatest);
+  reader.number("late_by", camera.delay, -kMaxDelay, kMaxDelay);
   camera.times = readPath(reader, "times", place).string();
 }
 
@@ -83,7 +83,7 @@ bool hasSource(const toml::table& camera) {
 }
 
 ProjectCamera readCamera(const toml::table& table, const std::string& file,
-                         const ProjectPlace& place, std::size_t index, bool ofScene,
+                         const ProjectPaths& place, std::size_t index, bool ofScene,
                          const CameraRig& calibrated, bool withoutCalibration,
                          std::optional<Error>& error) {
   const std::string prefix = fmt::format("camera {}.", index + 1);
@@ -139,7 +139,7 @@ void readParameters(const toml::table& table, const std::string& file, Project& 
   }
 }
 
-void readHead(TableReader& reader, const ProjectPlace& place, Project& project) {
+void readHead(TableReader& reader, const ProjectPaths& place, Project& project) {
   std::int64_t format = kProjectFormat;
   reader.require("format");
   reader.integer("format", format, 1, std::int64_t{1} << 30);
@@ -166,7 +166,7 @@ void readHead(TableReader& reader, const ProjectPlace& place, Project& project) 
   }
 }
 
-CameraRig readCalibrationFile(TableReader& reader, const ProjectPlace& place) {
+CameraRig readCalibrationFile(TableReader& reader, const ProjectPaths& place) {
   const path file = readPath(reader, "calibration", place);
   if (file.empty()) {
     return {};
@@ -179,7 +179,7 @@ CameraRig readCalibrationFile(TableReader& reader, const ProjectPlace& place) {
   return std::move(*rig);
 }
 
-void readParts(TableReader& reader, const std::string& file, const ProjectPlace& place,
+void readParts(TableReader& reader, const std::string& file, const ProjectPaths& place,
                Project& project) {
   const CameraRig calibrated = readCalibrationFile(reader, place);
   project.parameters = ParameterValues(methodParameters(project.method));
@@ -189,11 +189,11 @@ void readParts(TableReader& reader, const std::string& file, const ProjectPlace&
     readParameters(*parameters, file, project, error);
     reader.recordError(error);
   }
-  for (const toml::table* table : reader.tables("target", limits::kMostTargets)) {
+  for (const toml::table* table : reader.tables("target", limits::kMaxTargets)) {
     project.targets.push_back(readTarget(*table, file, project.targets.size(), error));
     reader.recordError(error);
   }
-  for (const toml::table* table : reader.tables("camera", limits::kMostCameras)) {
+  for (const toml::table* table : reader.tables("camera", limits::kMaxCameras)) {
     project.cameras.push_back(readCamera(*table, file, place, project.cameras.size(),
                                          !project.scene.empty() && !hasSource(*table), calibrated,
                                          !methodFamily(project.method).needsCalibration, error));
@@ -206,7 +206,7 @@ void readMarkers(TableReader& reader, const std::string& file, Project& project)
     TableReader one(*table, file, fmt::format("mark {}.", project.markers.size() + 1));
     ProjectMarker& marker = project.markers.emplace_back();
     one.require("frame");
-    one.integer("frame", marker.frame, 0, limits::kMostFrames);
+    one.integer("frame", marker.frame, 0, limits::kMaxFrames);
     one.text("name", marker.name);
     reader.recordError(one.finish());
   }
@@ -237,7 +237,7 @@ Result<Project> loadProject(const std::filesystem::path& file, const MovedFiles&
   project.file = std::filesystem::absolute(file);
   project.name = file.stem().string();
   TableReader reader(*table, file.string(), "");
-  const ProjectPlace place{project.file.parent_path(), moved};
+  const ProjectPaths place{project.file.parent_path(), moved};
   readHead(reader, place, project);
   readParts(reader, file.string(), place, project);
   readMarkers(reader, file.string(), project);

@@ -9,10 +9,10 @@ namespace dewpoint::project {
 namespace {
 
 /// From format 1: whatever says 1 and has a part of format 2 was edited by hand, and means it.
-void fromFirst(toml::table& /*project*/) {}
+void migrateFromFormat1(toml::table& /*project*/) {}
 
 /// Step k leads from format k + 1 to the next one.
-constexpr std::array<void (*)(toml::table&), kProjectFormat - 1> kSteps{&fromFirst};
+constexpr std::array<void (*)(toml::table&), kProjectFormat - 1> kSteps{&migrateFromFormat1};
 
 } // namespace
 

@@ -6,7 +6,7 @@
 
 namespace dewpoint::project {
 
-Result<std::string> withVariables(std::string text) {
+Result<std::string> expandVariables(std::string text) {
   for (auto begin = text.find("${"); begin != std::string::npos; begin = text.find("${", begin)) {
     const auto end = text.find('}', begin);
     const std::string name =
@@ -22,7 +22,7 @@ Result<std::string> withVariables(std::string text) {
   return text;
 }
 
-std::filesystem::path ProjectPlace::pathOf(const std::string& name) const {
+std::filesystem::path ProjectPaths::pathOf(const std::string& name) const {
   const std::filesystem::path named = (folder / name).lexically_normal();
   const auto found = moved.find(named);
   return found != moved.end() ? found->second : named;

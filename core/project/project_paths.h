@@ -11,10 +11,10 @@ namespace dewpoint::project {
 
 /// Returns the text with `${NAME}` replaced by the environment variable of that name. The value of
 /// the variable is not expanded again. Returns BadValue with the name if a variable is not set.
-Result<std::string> withVariables(std::string text);
+Result<std::string> expandVariables(std::string text);
 
 /// Base folder for the relative paths in a project file, and the present locations of moved files.
-struct ProjectPlace {
+struct ProjectPaths {
   std::filesystem::path folder;
   MovedFiles moved;
 

@@ -19,7 +19,7 @@ PersonCorrection readPerson(const toml::table& table, const std::string& file, s
   TableReader reader(table, file, fmt::format("person {}.", index + 1));
   PersonCorrection person;
   reader.require("frame");
-  reader.integer("frame", person.frame, 0, limits::kMostFrames);
+  reader.integer("frame", person.frame, 0, limits::kMaxFrames);
   reader.require(reader.has("camera") ? "pixel" : "place");
   Eigen::Vector2d position = Eigen::Vector2d::Zero();
   if (reader.numbers("place", position.data(), 2, -kFarthest, kFarthest)) {
@@ -27,7 +27,7 @@ PersonCorrection readPerson(const toml::table& table, const std::string& file, s
   }
   int camera = 1;
   PersonCorrection::Click click;
-  reader.integer("camera", camera, 1, limits::kMostCameras);
+  reader.integer("camera", camera, 1, limits::kMaxCameras);
   if (reader.numbers("pixel", click.pixel.data(), 2, -kLargestPixel, kLargestPixel)) {
     click.camera = camera - 1;
     person.click = click;

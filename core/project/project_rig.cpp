@@ -14,7 +14,7 @@ CameraRig rigOf(const Project& project) {
   return rig;
 }
 
-bool haveSameImages(const CameraRig& a, const CameraRig& b) {
+bool haveSameImageSizes(const CameraRig& a, const CameraRig& b) {
   return std::ranges::equal(a, b, [](const Camera& first, const Camera& second) {
     return first.intrinsics.width == second.intrinsics.width &&
            first.intrinsics.height == second.intrinsics.height;

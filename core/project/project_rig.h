@@ -10,6 +10,6 @@ CameraRig rigOf(const Project& project);
 
 /// Returns whether both rigs have the same number of cameras with the same image sizes. One rig can
 /// then replace the other without changing the image sources.
-bool haveSameImages(const CameraRig& a, const CameraRig& b);
+bool haveSameImageSizes(const CameraRig& a, const CameraRig& b);
 
 } // namespace dewpoint::project

@@ -78,7 +78,7 @@ MeasuredPoint readPoint(const toml::table& table, const std::string& file, std::
     TableReader click(*one, file, fmt::format("{}click {}.", prefix, point.clicks.size() + 1));
     int camera = 1;
     click.require("camera");
-    click.integer("camera", camera, 1, limits::kMostCameras);
+    click.integer("camera", camera, 1, limits::kMaxCameras);
     PointClick& read = point.clicks.emplace_back();
     read.camera = camera - 1;
     click.require("pixel");
@@ -96,8 +96,8 @@ Status checkPoint(const MeasuredPoint& point, std::size_t index, const Project& 
                    fmt::format("numbers up to {} m are expected", kLargest));
   }
   // The cameras of a scene come later, when it is opened.
-  const int cameras = project.cameras.empty() ? int{limits::kMostCameras}
-                                              : static_cast<int>(project.cameras.size());
+  const int cameras =
+      project.cameras.empty() ? int{limits::kMaxCameras} : static_cast<int>(project.cameras.size());
   const bool sceneOpen =
       project.scene.empty() || std::ranges::none_of(project.cameras, &ProjectCamera::adjusted);
   std::set<int> seen;
@@ -152,7 +152,7 @@ std::string roomText(const Project& project) {
                         grid.origin.x(), grid.origin.y(), grid.origin.z(), grid.turn);
   }
   for (const MeasuredPoint& point : project.points) {
-    text += fmt::format("\n[[point]]\nname = {}\nworld = [{}, {}, {}]\n", quoted(point.name),
+    text += fmt::format("\n[[point]]\nname = {}\nworld = [{}, {}, {}]\n", tomlQuoted(point.name),
                         point.world.x(), point.world.y(), point.world.z());
     for (const PointClick& click : point.clicks) {
       text += fmt::format("[[point.click]]\ncamera = {}\npixel = [{}, {}]\n", click.camera + 1,

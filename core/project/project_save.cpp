@@ -23,16 +23,17 @@ using std::filesystem::path;
 std::string storedPath(const path& file, const path& folder) {
   const path relative = file.lexically_relative(folder);
   const bool below = !relative.empty() && *relative.begin() != "..";
-  return quoted((below ? relative : file).string());
+  return tomlQuoted((below ? relative : file).string());
 }
 
 std::string cameraText(const ProjectCamera& camera, const path& folder) {
-  std::string text = "\n[[camera]]\nname = " + quoted(camera.camera.name) + "\n";
+  std::string text = "\n[[camera]]\nname = " + tomlQuoted(camera.camera.name) + "\n";
   for (const auto& [key, kind] : kSourceKeys) {
     if (kind == camera.source) {
       const bool isFile = kind == SourceKind::Video || kind == SourceKind::Images;
-      text += fmt::format("{} = {}\n", key,
-                          isFile ? storedPath(camera.location, folder) : quoted(camera.location));
+      text +=
+          fmt::format("{} = {}\n", key,
+                      isFile ? storedPath(camera.location, folder) : tomlQuoted(camera.location));
     }
   }
   if (camera.rotateDegrees != 0) {
@@ -71,7 +72,7 @@ std::string parametersText(const ParameterValues& parameters) {
 
 /// A file with the comments that earlier versions wrote ("metres") as they are written now: else
 /// they would pass for a person's, and stay beside the present ones.
-std::string inPresentSpelling(std::string text) {
+std::string withUpdatedComments(std::string text) {
   constexpr std::array<std::string_view, 3> kPresent{
       "# Dewpoint project: meters, seconds, radians, pixels; Z is up\n", "# meters, radians\n",
       "# pixels, radians, meters; camera from world\n"};
@@ -88,10 +89,10 @@ std::string inPresentSpelling(std::string text) {
 } // namespace
 
 std::string projectText(const Project& project, const std::filesystem::path& folder) {
-  std::string text =
-      fmt::format("# Dewpoint project: meters, seconds, radians, pixels; Z is up\n"
-                  "format = {}\nname = {}\nmethod = {}\nseed = {}\n",
-                  kProjectFormat, quoted(project.name), quoted(project.method), project.seed);
+  std::string text = fmt::format("# Dewpoint project: meters, seconds, radians, pixels; Z is up\n"
+                                 "format = {}\nname = {}\nmethod = {}\nseed = {}\n",
+                                 kProjectFormat, tomlQuoted(project.name),
+                                 tomlQuoted(project.method), project.seed);
   if (project.framesPerSecond > 0.0 && project.scene.empty()) {
     text += fmt::format("frames_per_second = {}\n", project.framesPerSecond);
   }
@@ -101,7 +102,7 @@ std::string projectText(const Project& project, const std::filesystem::path& fol
   if (!project.scene.empty()) {
     text += "scene = " +
             (project.scene.ends_with(".toml") ? storedPath(project.scene, folder)
-                                              : quoted(project.scene)) +
+                                              : tomlQuoted(project.scene)) +
             "\n";
   }
   text += parametersText(project.parameters);
@@ -114,13 +115,15 @@ std::string projectText(const Project& project, const std::filesystem::path& fol
     }
   }
   for (const auto& marker : project.markers) {
-    text += fmt::format("\n[[mark]]\nframe = {}\nname = {}\n", marker.frame, quoted(marker.name));
+    text +=
+        fmt::format("\n[[mark]]\nframe = {}\nname = {}\n", marker.frame, tomlQuoted(marker.name));
   }
   text += roomText(project);
   text += peopleText(project);
   text += correctionsText(project);
   if (!project.layout.empty()) {
-    text += "\n[window]   # how its views were laid out\nlayout = " + quoted(project.layout) + "\n";
+    text +=
+        "\n[window]   # how its views were laid out\nlayout = " + tomlQuoted(project.layout) + "\n";
   }
   return text;
 }
@@ -129,7 +132,7 @@ Status saveProject(const Project& project, const std::filesystem::path& file) {
   const std::string text = projectText(project, std::filesystem::absolute(file).parent_path());
   // Comments a person wrote into the file that the project comes from go along.
   const auto former = readTextFile(project.file);
-  return writeTextFile(file, former ? withComments(text, inPresentSpelling(*former)) : text);
+  return writeTextFile(file, former ? withComments(text, withUpdatedComments(*former)) : text);
 }
 
 } // namespace dewpoint::project

@@ -54,9 +54,9 @@ ColorSample readSample(const toml::table& table, const std::string& file, std::s
   ColorSample sample;
   reader.require("camera");
   int camera = 1;
-  reader.integer("camera", camera, 1, limits::kMostCameras);
+  reader.integer("camera", camera, 1, limits::kMaxCameras);
   sample.camera = camera - 1;
-  reader.integer("frame", sample.frame, 0, limits::kMostFrames);
+  reader.integer("frame", sample.frame, 0, limits::kMaxFrames);
   double place[4] = {0.0, 0.0, 0.0, 0.0};
   if (reader.has("box")) {
     reader.numbers("box", place, 4, 0.0, kLargestSide);
@@ -86,9 +86,9 @@ std::optional<TargetBox> readBox(TableReader& target, const std::string& file,
   TargetBox box;
   reader.require("camera");
   int camera = 1;
-  reader.integer("camera", camera, 1, limits::kMostCameras);
+  reader.integer("camera", camera, 1, limits::kMaxCameras);
   box.camera = camera - 1;
-  reader.integer("frame", box.frame, 0, limits::kMostFrames);
+  reader.integer("frame", box.frame, 0, limits::kMaxFrames);
   for (const auto& [key, value] : {std::pair("x", &box.box.x), std::pair("y", &box.box.y)}) {
     reader.require(key);
     reader.number(key, *value, -kLargestSide, kLargestSide);
@@ -105,7 +105,7 @@ std::optional<TargetBox> readBox(TableReader& target, const std::string& file,
 TargetShape readShape(TableReader& reader) {
   std::string name = nameOf(TargetShape::Auto);
   reader.text("shape", name);
-  const auto shape = targetShapeNamed(name);
+  const auto shape = targetShapeFromName(name);
   if (!shape) {
     reader.fail(ErrorCode::BadValue, "shape", "auto, ball or any is expected");
   }
@@ -195,10 +195,10 @@ std::string targetText(const Target& target) {
   std::string text = fmt::format("\n[[target]]\n"
                                  "name = {}\n"
                                  "radius = {}          # m; 0: unknown\n",
-                                 quoted(target.name), target.radius) +
+                                 tomlQuoted(target.name), target.radius) +
                      colorText(target.color);
   if (target.shape != TargetShape::Auto) {
-    text += fmt::format("shape = {}\n", quoted(nameOf(target.shape)));
+    text += fmt::format("shape = {}\n", tomlQuoted(nameOf(target.shape)));
   }
   if (target.box) {
     text += boxText(*target.box);

@@ -5,7 +5,7 @@
 
 namespace dewpoint::session {
 
-std::vector<int> numbersOf(const std::vector<Target>& before, const std::vector<Target>& after) {
+std::vector<int> newIndices(const std::vector<Target>& before, const std::vector<Target>& after) {
   std::vector<int> numbers;
   for (std::size_t k = 0; k < before.size(); ++k) {
     numbers.push_back(counterpart(after, &Target::name, before.size(), k, before[k].name));
@@ -13,14 +13,14 @@ std::vector<int> numbersOf(const std::vector<Target>& before, const std::vector<
   return numbers;
 }
 
-bool keepTheirNumbers(const std::vector<int>& numbers) {
+bool areIndicesUnchanged(const std::vector<int>& numbers) {
   std::vector<int> same(numbers.size());
   std::iota(same.begin(), same.end(), 0);
   return numbers == same;
 }
 
-std::optional<std::int64_t> firstChange(const std::vector<Target>& before,
-                                        const std::vector<Target>& after) {
+std::optional<std::int64_t> firstChangedFrame(const std::vector<Target>& before,
+                                              const std::vector<Target>& after) {
   std::optional<std::int64_t> first;
   for (std::size_t k = 0; k < after.size(); ++k) {
     const int old = counterpart(before, &Target::name, after.size(), k, after[k].name);

@@ -27,15 +27,15 @@ int counterpart(const Targets& all, const NameOf& nameOf, std::size_t count, std
 }
 
 /// Returns the index in `after` for each target in `before`; -1 if the target no longer exists.
-std::vector<int> numbersOf(const std::vector<Target>& before, const std::vector<Target>& after);
+std::vector<int> newIndices(const std::vector<Target>& before, const std::vector<Target>& after);
 
 /// Returns whether every target has kept its index.
-bool keepTheirNumbers(const std::vector<int>& numbers);
+bool areIndicesUnchanged(const std::vector<int>& numbers);
 
 /// Returns the first frame whose result differs after the boxes have changed. It is the first frame
 /// with a box that was added, changed, or removed from a target that still exists. A removed target
 /// does not affect the others. Returns nothing if no result differs.
-std::optional<std::int64_t> firstChange(const std::vector<Target>& before,
-                                        const std::vector<Target>& after);
+std::optional<std::int64_t> firstChangedFrame(const std::vector<Target>& before,
+                                              const std::vector<Target>& after);
 
 } // namespace dewpoint::session

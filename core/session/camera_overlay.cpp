@@ -161,7 +161,7 @@ std::vector<ProposedOutline> proposedOutlines(const TrackSnapshot& snapshot, int
     return outlines;
   }
   const SphereProjector projector(*its);
-  for (const CandidatePosition& proposed : target.proposals) {
+  for (const CandidatePosition& proposed : target.positionCandidates) {
     if (const auto outline = projector.project(proposed.position, proposed.radius)) {
       outlines.push_back({outline->center, outline->radius, proposed.kind, proposed.probability});
     }

@@ -17,7 +17,7 @@ class ChangeRule {
 public:
   /// Tracking again starts without asking the user if its expected duration is below this limit, in
   /// seconds.
-  static constexpr double kQuick = 2.0;
+  static constexpr double kQuickSeconds = 2.0;
 
   /// State of the session when the rule is applied.
   struct Situation {
@@ -27,7 +27,7 @@ public:
     bool isRerunning = false; ///< past frames are being tracked again
     bool isEdited = false;    ///< settings have changed since the rule was last applied
     OldResults old;
-    double quick = kQuick; ///< seconds
+    double quick = kQuickSeconds; ///< seconds
   };
   enum class Action {
     Nothing,    ///< all results match the current settings, or there is nothing to do

@@ -25,7 +25,7 @@ double roundedDown(double value) {
 }
 
 /// The smallest of some steps of at most a half each that is at least `value`.
-double steppedUp(double value) {
+double roundedUpToStep(double value) {
   const double power = std::pow(10.0, std::floor(std::log10(value)));
   for (const double digit : {1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0}) {
     if (digit * power >= value * (1.0 - 1e-9)) {
@@ -45,7 +45,7 @@ ImageEllipse projectedOutline(const Eigen::Matrix2d& covariance) {
 
 } // namespace
 
-std::optional<double> cloudReach(const TargetSnapshot& target) {
+std::optional<double> cloudSemiAxis(const TargetSnapshot& target) {
   const auto position = positionOf(target.estimate);
   if (!position || !position->mean.allFinite() || !position->covariance.allFinite() ||
       target.particles.cols() < 3 || target.particles.rows() == 0 || target.shape != nullptr) {
@@ -59,15 +59,15 @@ std::optional<double> cloudReach(const TargetSnapshot& target) {
 std::optional<CloudCloseup> cloudCloseup(const TargetSnapshot& target, const Eigen::Vector3d& right,
                                          const Eigen::Vector3d& up, double half,
                                          Eigen::Index most) {
-  const auto reach = cloudReach(target);
+  const auto reach = cloudSemiAxis(target);
   if (!reach || half <= 0.0 || most <= 0) {
     return std::nullopt;
   }
   const auto position = positionOf(target.estimate);
-  const double border = steppedUp(std::max(kSmallest, *reach / kFilled));
+  const double border = roundedUpToStep(std::max(kSmallest, *reach / kFilled));
   CloudCloseup closeup;
   closeup.metersPerPixel = border / half;
-  closeup.barMeters = roundedDown(kShareOfBar * border);
+  closeup.scaleBarMeters = roundedDown(kShareOfBar * border);
   Eigen::Matrix<double, 2, 3> picture;
   picture << right.transpose(), -up.transpose();
   picture /= closeup.metersPerPixel;

@@ -20,17 +20,18 @@ struct CloudCloseup {
   std::vector<float> weights; ///< relative to the largest weight: 0 to 1
   /// Outline of the ellipsoid that contains the target with a probability of 95 %.
   ImageEllipse outline;
-  double barMeters = 0.0; ///< length of the scale bar: a round number that fits below the cloud
+  double scaleBarMeters =
+      0.0; ///< length of the scale bar: a round number that fits below the cloud
 };
 
 /// Returns the longest semi-axis of the 95 % ellipsoid of the position, in meters. Returns nothing
 /// if the position is unknown or there are no particles.
-std::optional<double> cloudReach(const TargetSnapshot& target);
+std::optional<double> cloudSemiAxis(const TargetSnapshot& target);
 
 /// Returns the close-up seen along the given image axes (unit vectors, world frame). The image
 /// extends `half` pixels from its center in each direction. Its scale changes in steps, so that the
 /// image does not zoom with every change of the cloud. It shows an even selection of at most `most`
-/// particles. Returns nothing if cloudReach() returns nothing.
+/// particles. Returns nothing if cloudSemiAxis() returns nothing.
 std::optional<CloudCloseup> cloudCloseup(const TargetSnapshot& target, const Eigen::Vector3d& right,
                                          const Eigen::Vector3d& up, double half,
                                          Eigen::Index most = 1500);

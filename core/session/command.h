@@ -34,7 +34,7 @@ struct Restart {
   std::optional<std::uint64_t> seed; ///< not set: the previous seed
 };
 /// Changes the parameters of the method.
-struct Configure {
+struct SetParameters {
   ParameterValues parameters;
 };
 /// Changes the method; the seed is kept. If the method begins at frame `from`, earlier results are
@@ -51,7 +51,7 @@ struct ShowFrame {
   std::int64_t frame = 0;
 };
 /// Shows the current frame of the run again.
-struct BackToHead {};
+struct ReturnToHead {};
 /// Tracks again from this frame up to the frame that the run had reached, as fast as possible, with
 /// the current parameters, colors and background images. The results recorded from this frame on
 /// are replaced. Pausing stops the rerun.
@@ -59,11 +59,11 @@ struct Rerun {
   std::int64_t from = 0;
   /// If true, the displayed frame does not change: frames tracked during the rerun are not
   /// published, unless it takes noticeably long.
-  bool keepsView = false;
+  bool keepView = false;
 };
 /// Turns likelihood maps on or off (TargetSnapshot::maps).
 struct ShowMaps {
-  bool wanted = false;
+  bool shown = false;
 };
 /// Changes the targets. New colors or radii take effect immediately. If the number of targets
 /// changes, all tracks start from scratch.
@@ -79,7 +79,7 @@ struct SetCameras {
 /// are kept.
 struct SetBackgroundImages {
   std::vector<std::string> files; ///< paths as named in the project
-  std::vector<cv::Mat> rooms;
+  std::vector<cv::Mat> images;
 };
 /// Changes or removes the volume of interest from the next iteration on. It limits the creation of
 /// tracks from the next restart on.
@@ -89,14 +89,14 @@ struct SetVolumeOfInterest {
 /// Turns masks on or off (TrackSnapshot::masks). A mask marks the pixels that have the color of a
 /// target, or that are moving.
 struct ShowMasks {
-  bool wanted = false;
+  bool shown = false;
 };
 /// Turns hulls and level curves of people on or off (TargetSnapshot::shape).
 struct ShowShapes {
-  bool wanted = false;
+  bool shown = false;
 };
-/// Sets the number of filter threads from the next iteration on (filterThreads()). It never changes
-/// the result.
+/// Sets the number of filter threads from the next iteration on (filterThreadCount()). It never
+/// changes the result.
 struct SetThreads {
   int threads = 0;
 };
@@ -105,13 +105,13 @@ struct SetPace {
   Pace pace;
 };
 /// Reports whether a calibration board is being shown to live cameras. While it is, no camera is
-/// reported as moved (CameraMotionWatch::setResting()).
+/// reported as moved (CameraMotionWatch::setPaused()).
 struct ShowBoard {
   bool shown = false;
 };
 /// Replaces all corrections for people; only methods for people use them. The run is tracked again
 /// from the first frame whose result differs.
-struct SetPeople {
+struct SetPersonCorrections {
   std::vector<PersonCorrection> people; ///< ordered by frame
 };
 /// Replaces all position corrections; methods that cannot apply them ignore them. The run is
@@ -124,10 +124,11 @@ struct SetCorrections {
 /// Any request to the tracking thread.
 using Command =
     std::variant<command::Play, command::Pause, command::StepFrame, command::StepIteration,
-                 command::Restart, command::Configure, command::SetMethod, command::SetTargets,
+                 command::Restart, command::SetParameters, command::SetMethod, command::SetTargets,
                  command::SetCameras, command::SetBackgroundImages, command::ShowMasks,
-                 command::ShowFrame, command::BackToHead, command::Rerun, command::ShowMaps,
-                 command::ShowShapes, command::ShowBoard, command::SetPeople, command::SetThreads,
-                 command::SetVolumeOfInterest, command::SetCorrections, command::SetPace>;
+                 command::ShowFrame, command::ReturnToHead, command::Rerun, command::ShowMaps,
+                 command::ShowShapes, command::ShowBoard, command::SetPersonCorrections,
+                 command::SetThreads, command::SetVolumeOfInterest, command::SetCorrections,
+                 command::SetPace>;
 
 } // namespace dewpoint::session

@@ -14,8 +14,8 @@ namespace dewpoint::session {
 
 /// Returns the first frame in which the corrections differ; nothing if they are the same.
 template <class Correction>
-std::optional<std::int64_t> firstDifference(const std::vector<Correction>& before,
-                                            const std::vector<Correction>& after) {
+std::optional<std::int64_t> firstDifferingFrame(const std::vector<Correction>& before,
+                                                const std::vector<Correction>& after) {
   const auto [a, b] = std::ranges::mismatch(before, after);
   if (a == before.end() && b == after.end()) {
     return std::nullopt;
@@ -26,8 +26,8 @@ std::optional<std::int64_t> firstDifference(const std::vector<Correction>& befor
 /// Returns the corrections that `after` adds at the end of `before`; nothing if `after` does not
 /// begin with `before`.
 template <class Correction>
-std::optional<std::vector<Correction>> additions(const std::vector<Correction>& before,
-                                                 const std::vector<Correction>& after) {
+std::optional<std::vector<Correction>> appendedCorrections(const std::vector<Correction>& before,
+                                                           const std::vector<Correction>& after) {
   const auto [a, b] = std::ranges::mismatch(before, after);
   return a == before.end() ? std::optional(std::vector<Correction>(b, after.end())) : std::nullopt;
 }

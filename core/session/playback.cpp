@@ -39,7 +39,7 @@ PlayState Playback::playState() const {
                     state_);
 }
 
-std::optional<std::int64_t> Playback::viewed() const {
+std::optional<std::int64_t> Playback::viewedFrame() const {
   if (const auto* viewing = std::get_if<Viewing>(&state_)) {
     return viewing->frame;
   }
@@ -47,13 +47,13 @@ std::optional<std::int64_t> Playback::viewed() const {
   return replaying != nullptr ? std::optional(replaying->frame) : std::nullopt;
 }
 
-const Playback::Rerunning* Playback::rerunUnderWay() const {
+const Playback::Rerunning* Playback::currentRerun() const {
   const auto* holding = std::get_if<Holding>(&state_);
   return holding != nullptr ? &holding->rerun : std::get_if<Rerunning>(&state_);
 }
 
-std::optional<RerunState> Playback::rerunning() const {
-  const Rerunning* underWay = rerunUnderWay();
+std::optional<RerunState> Playback::rerunRange() const {
+  const Rerunning* underWay = currentRerun();
   return underWay != nullptr ? std::optional(underWay->range) : std::nullopt;
 }
 
@@ -102,14 +102,14 @@ void Playback::show(std::optional<std::int64_t> frame, std::int64_t head) {
 }
 
 void Playback::returnToHead() {
-  if (!viewed()) {
+  if (!viewedFrame()) {
     return;
   }
-  state_ = goesOn() && !hasInputEnded() ? State(Playing{}) : waiting(hasInputEnded());
+  state_ = isRunning() && !hasInputEnded() ? State(Playing{}) : waiting(hasInputEnded());
 }
 
 void Playback::advance(std::optional<std::int64_t> next, std::int64_t head) {
-  if (!viewed()) {
+  if (!viewedFrame()) {
     return;
   }
   if (!next) {
@@ -123,23 +123,23 @@ void Playback::advance(std::optional<std::int64_t> next, std::int64_t head) {
   }
 }
 
-void Playback::rerun(const RerunState& range, std::optional<std::int64_t> thenView) {
+void Playback::rerun(const RerunState& range, std::optional<std::int64_t> viewAfterwards) {
   Rerunning next{range,
                  hasInputEnded() ? PlayState::Ended
-                 : viewed()      ? PlayState::Paused
+                 : viewedFrame() ? PlayState::Paused
                                  : playState(),
-                 thenView};
-  if (const Rerunning* underWay = rerunUnderWay()) {
+                 viewAfterwards};
+  if (const Rerunning* underWay = currentRerun()) {
     next.range.to = std::max(range.to, underWay->range.to);
     next.afterwards = underWay->afterwards;
-    next.thenView = thenView ? thenView : underWay->thenView;
+    next.viewAfterwards = viewAfterwards ? viewAfterwards : underWay->viewAfterwards;
   }
   state_ = next;
   missing_ = Missing::Nothing; // of a snapshot that is over
   leaveHead(range.from);
 }
 
-void Playback::trackOnFrom(std::int64_t frame) {
+void Playback::continueTrackingAt(std::int64_t frame) {
   state_ = Playing{};
   leaveHead(frame);
 }
@@ -149,7 +149,7 @@ void Playback::endInput() {
 }
 
 void Playback::restart() {
-  state_ = goesOn() ? State(Playing{}) : State(Paused{});
+  state_ = isRunning() ? State(Playing{}) : State(Paused{});
   leaveHead(0);
 }
 
@@ -170,13 +170,13 @@ void Playback::track() {
 }
 
 std::optional<std::int64_t> Playback::reach(std::int64_t head) {
-  const Rerunning* underWay = rerunUnderWay();
+  const Rerunning* underWay = currentRerun();
   if (underWay == nullptr || head < underWay->range.to) {
     return std::nullopt;
   }
   const Rerunning done = *underWay;
   state_ = headState(done.afterwards);
-  return done.thenView;
+  return done.viewAfterwards;
 }
 
 void Playback::forgetEstimates() {

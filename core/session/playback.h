@@ -30,7 +30,8 @@ namespace dewpoint::session {
 /// | restart        | -       | -       | Paused  | Paused    | Playing   | Playing   | Paused    |
 /// | reach the goal | -       | -       | -       | -         | -         | before**  | before**  |
 ///
-/// In every state, rerun() leads to Rerunning, trackOnFrom() to Playing, and endInput() to Ended.
+/// In every state, rerun() leads to Rerunning, continueTrackingAt() to Playing, and endInput() to
+/// Ended.
 /// *: Ended if the input had ended before a frame other than the head was shown.
 /// **: Ended if the input had ended before the rerun; Playing if the run was Playing; otherwise
 /// Paused. A rerun that begins during another one takes over the goal of that rerun if it is later,
@@ -51,7 +52,7 @@ public:
   struct Rerunning {
     RerunState range;
     PlayState afterwards = PlayState::Paused;
-    std::optional<std::int64_t> thenView; ///< frame to show after the rerun
+    std::optional<std::int64_t> viewAfterwards; ///< frame to show after the rerun
   };
   struct Holding {
     Rerunning rerun;
@@ -62,11 +63,11 @@ public:
   /// Returns the state as shown in a snapshot.
   PlayState playState() const;
   /// Returns the frame that is shown instead of the head; nothing if the head is shown.
-  std::optional<std::int64_t> viewed() const;
+  std::optional<std::int64_t> viewedFrame() const;
   /// Returns the range of the current rerun, including one that is on hold.
-  std::optional<RerunState> rerunning() const;
+  std::optional<RerunState> rerunRange() const;
   /// Returns whether the session is playing, replaying or rerunning.
-  bool goesOn() const { return playState() == PlayState::Playing; }
+  bool isRunning() const { return playState() == PlayState::Playing; }
   /// Returns whether the end of the input was reached.
   bool hasInputEnded() const;
 
@@ -82,9 +83,9 @@ public:
   void advance(std::optional<std::int64_t> next, std::int64_t head);
   /// Starts tracking the frames in `range` again. If a rerun is already in progress, the new one
   /// continues to its goal if that is later.
-  void rerun(const RerunState& range, std::optional<std::int64_t> thenView);
+  void rerun(const RerunState& range, std::optional<std::int64_t> viewAfterwards);
   /// Starts tracking at a frame that was not tracked before.
-  void trackOnFrom(std::int64_t frame);
+  void continueTrackingAt(std::int64_t frame);
   /// Notes that the end of the input was reached.
   void endInput();
   /// Returns to the first frame; there is no head until it is taken.
@@ -126,7 +127,7 @@ public:
 
 private:
   /// Returns the current rerun, including one that is on hold; null if there is none.
-  const Rerunning* rerunUnderWay() const;
+  const Rerunning* currentRerun() const;
   void leaveHead(std::int64_t nextFrame);
 
   State state_;

@@ -13,13 +13,14 @@ void PlaybackPace::set(const Pace& pace) {
 }
 
 PlaybackPace::Step PlaybackPace::next(const Situation& situation) const {
-  if (situation.isHurried) {
+  if (situation.isAtFullSpeed) {
     return {};
   }
   const bool isSlow = pace_.slowUntilHeld && !situation.isReplaying && !situation.isHeld &&
-                      situation.iterations < kMostSlowIterations;
+                      situation.iterations < kMaxSlowIterations;
   if (isSlow) {
-    return {situation.iterations == 0 ? kBeforeFirst : Seconds(1.0 / kSlowIterations), true};
+    return {situation.iterations == 0 ? kFirstIterationDelay : Seconds(1.0 / kSlowIterations),
+            true};
   }
   return {Seconds(1.0 / (pace_.speed * std::max(1.0, situation.framesPerSecond))), false};
 }

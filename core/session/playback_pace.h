@@ -32,17 +32,17 @@ public:
   /// Iterations per second while they are shown one by one.
   static constexpr double kSlowIterations = 5.0;
   /// Time during which the particles are shown before the first iteration.
-  static constexpr Seconds kBeforeFirst{1.5};
+  static constexpr Seconds kFirstIterationDelay{1.5};
   /// Number of iterations (five seconds) after which a run plays at normal speed even if a target
   /// is not held. The target may not be in the scene yet.
-  static constexpr std::int64_t kMostSlowIterations = 25;
+  static constexpr std::int64_t kMaxSlowIterations = 25;
 
   /// State of the session.
   struct Situation {
     double framesPerSecond = 30.0;
     /// True if the session runs as fast as possible: it waits for new images from live cameras, or
     /// tracks past frames again.
-    bool isHurried = false;
+    bool isAtFullSpeed = false;
     bool isReplaying = false;    ///< shows frames that were already tracked
     std::int64_t iterations = 0; ///< number of iterations in the current run
     bool isHeld = false;         ///< every target is held

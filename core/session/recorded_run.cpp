@@ -14,9 +14,10 @@ namespace dewpoint::session {
 namespace {
 
 /// Keeps what becomes of the frames of a run.
-class RunKeeper final : public FrameObserver {
+class ResultCollector final : public FrameObserver {
 public:
-  RunKeeper(RecordedRun& kept, int particleLimit) : kept_(kept), particleLimit_(particleLimit) {}
+  ResultCollector(RecordedRun& kept, int particleLimit)
+      : kept_(kept), particleLimit_(particleLimit) {}
 
   Status tracked(const TrackingRun& run) override {
     std::ranges::move(run.samples(), std::back_inserter(kept_.trajectory.samples));
@@ -49,8 +50,8 @@ ParticleSample particlesOf(const TrackingRun& run, std::size_t target, int limit
 }
 
 Result<RecordedRun> recordRun(const Project& project, FrameSetSource& source,
-                              const std::vector<cv::Mat>& backgroundImages, const RunOrder& order,
-                              const RunProgress& progress) {
+                              const std::vector<cv::Mat>& backgroundImages,
+                              const RecordRunOptions& order, const RunProgress& progress) {
   if (const auto good = checkMethodTargets(project); !good) {
     return tl::make_unexpected(good.error());
   }
@@ -67,7 +68,7 @@ Result<RecordedRun> recordRun(const Project& project, FrameSetSource& source,
   CameraMotionWatch motion(run->rig());
   CameraMotionObserver motionObserver(motion);
   CameraAgreementWatch agreement(run->rig(), motion);
-  RunKeeper keeper(kept, order.particleLimit);
+  ResultCollector keeper(kept, order.particleLimit);
   std::vector<FrameObserver*> observers(order.observers.begin(), order.observers.end());
   observers.insert(observers.end(), {&motionObserver, &agreement, &keeper});
   const auto total = order.frames.count(source);
@@ -81,7 +82,7 @@ Result<RecordedRun> recordRun(const Project& project, FrameSetSource& source,
   }
   kept.finished = tracked && (isWanted || kept.frames == total);
   if (!tracked) {
-    kept.broken = tracked.error();
+    kept.endError = tracked.error();
   }
   for (const Target& target : run->targets()) {
     kept.targets.push_back(target.name);
@@ -93,7 +94,7 @@ Result<RecordedRun> recordRun(const Project& project, FrameSetSource& source,
     addNotice(sentence(notice), kept.notices);
   }
   for (const CameraDisagreement& found : agreement.found(run->definition()->family())) {
-    addNotice(disagreementSentence(found, run->rig()), kept.notices);
+    addNotice(describeDisagreement(found, run->rig()), kept.notices);
   }
   return kept;
 }

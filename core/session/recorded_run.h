@@ -38,12 +38,12 @@ struct RecordedRun {
   std::vector<std::string> targets; ///< target names, by target index
   std::int64_t frames = 0;          ///< number of tracked frames
   bool finished = false;            ///< all requested frames were tracked
-  std::optional<Error> broken;      ///< error that ended the recording after some frames
+  std::optional<Error> endError;    ///< error that ended the recording after some frames
   std::vector<std::string> notices; ///< messages about the recording and its cameras
 };
 
 /// Options of recordRun().
-struct RunOrder {
+struct RecordRunOptions {
   FrameRange frames;
   int threads = 1;            ///< number of filter threads; it never affects the result
   int particleLimit = 0;      ///< maximum number of particles kept per target and frame; 0: none
@@ -57,9 +57,9 @@ using RunProgress = std::function<bool(std::int64_t, std::optional<std::int64_t>
 /// track`. `progress` is called before each frame and after the last one. `backgroundImages` are
 /// those returned by loadBackgroundImages(). Returns the errors of checkMethodTargets() and
 /// TrackingRun::create(). Returns an error of the source only if no frame was tracked; otherwise,
-/// it is stored in `broken`.
+/// it is stored in `endError`.
 Result<RecordedRun> recordRun(const Project& project, FrameSetSource& source,
-                              const std::vector<cv::Mat>& backgroundImages, const RunOrder& order,
-                              const RunProgress& progress);
+                              const std::vector<cv::Mat>& backgroundImages,
+                              const RecordRunOptions& order, const RunProgress& progress);
 
 } // namespace dewpoint::session

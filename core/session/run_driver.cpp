@@ -15,18 +15,19 @@ namespace dewpoint::session {
 
 RunDriver::RunDriver(SessionInputs inputs, FrameTapSlot& tap, RunLog& log, const TruthTable& truth)
     : project_(std::move(inputs.project)), source_(std::move(inputs.source)), tap_(tap), log_(log),
-      kept_(RunDefinition::of(project_, inputs.backgroundImages), filterThreads(inputs.threads)),
+      current_(RunDefinition::of(project_, inputs.backgroundImages),
+               filterThreadCount(inputs.threads)),
       motionWatch_(*definition().rig), agreementWatch_(*definition().rig, motionWatch_),
       recorder_(log, truth) {
   replaceRun(definition(), 0);
   if (source_) {
-    kept_.keepHistory(*source_, inputs.historyBytes);
+    current_.keepHistory(*source_, inputs.historyBytes);
   }
-  log_.restart(project(), kept_.threads());
+  log_.restart(project(), current_.threads());
 }
 
 bool RunDriver::replaceRun(RunDefinition definition, std::int64_t iterations) {
-  const auto replaced = kept_.replace(std::move(definition), iterations);
+  const auto replaced = current_.replace(std::move(definition), iterations);
   if (!replaced) {
     note(replaced.error());
   }
@@ -40,9 +41,9 @@ void RunDriver::start() {
 }
 
 Result<FrameSetPtr> RunDriver::nextFrames() {
-  recorder_.await();
+  recorder_.begin();
   // What a live run goes over again is in the library; when it is through, the cameras go on.
-  if (source_->isLive() && !playback_.rerunning()) {
+  if (source_->isLive() && !playback_.rerunRange()) {
     return source_->next();
   }
   const std::int64_t next = playback_.nextFrame();
@@ -62,12 +63,12 @@ bool RunDriver::takeFrame() {
   if (!hasImages(**taken)) {
     return false; // live, and nothing came
   }
-  if (!playback_.rerunning()) {
-    tap_.give(*taken);
+  if (!playback_.rerunRange()) {
+    tap_.deliver(*taken);
   }
-  kept_.begin(*taken);
+  current_.begin(*taken);
   playback_.take((*taken)->index);
-  recorder_.arrive();
+  recorder_.noteArrival();
   return true;
 }
 
@@ -75,7 +76,7 @@ void RunDriver::iterateFrame(FrameStep step) {
   // The frame shown first was already taken, but has had no iteration yet.
   const bool hasWaited = playback_.head() == Playback::Head::Taken;
   if (hasWaited) {
-    recorder_.arriveNow();
+    recorder_.resetArrival();
   }
   if (hasWaited || playback_.head() == Playback::Head::Tracked || takeFrame()) {
     const auto isDone = trackFrame(run(), observers_, step);
@@ -83,7 +84,7 @@ void RunDriver::iterateFrame(FrameStep step) {
       note(isDone.error());
     }
     playback_.track(); // also without any target
-    std::ranges::move(run().takeRefusals(), std::back_inserter(errors_));
+    std::ranges::move(run().takeCorrectionErrors(), std::back_inserter(errors_));
     if (isDone.value_or(true)) {
       record();
     }
@@ -94,7 +95,7 @@ void RunDriver::iterateFrame(FrameStep step) {
 }
 
 void RunDriver::advance(bool oneIteration) {
-  if (playback_.viewed()) {
+  if (playback_.viewedFrame()) {
     showNext();
   } else {
     iterateFrame(oneIteration ? FrameStep::OneIteration : FrameStep::WholeFrame);
@@ -102,11 +103,11 @@ void RunDriver::advance(bool oneIteration) {
 }
 
 void RunDriver::showNext() {
-  playback_.advance(travel().following(*playback_.viewed()), head());
+  playback_.advance(travel().nextShowable(*playback_.viewedFrame()), head());
 }
 
 void RunDriver::play() {
-  const auto viewed = playback_.viewed();
+  const auto viewed = playback_.viewedFrame();
   const bool isEnded = std::holds_alternative<Playback::Ended>(playback_.state());
   if (viewed && *viewed > head()) {
     rerun(*viewed); // from a part that was not tracked yet
@@ -136,8 +137,8 @@ void RunDriver::stepIteration() {
 
 bool RunDriver::restart(std::optional<std::uint64_t> seed) {
   errors_.clear();
-  kept_.restart(seed);
-  log_.restart(project(), kept_.threads());
+  current_.restart(seed);
+  log_.restart(project(), current_.threads());
   if (!source_->isLive()) { // live cameras stay where they are; the calibrated place is still known
     motionWatch_.restart();
     agreementWatch_.restart();
@@ -153,23 +154,23 @@ bool RunDriver::restart(std::optional<std::uint64_t> seed) {
   return playback_.playState() != PlayState::Ended;
 }
 
-std::int64_t RunDriver::beginOf(const command::SetMethod& method, std::int64_t from) const {
+std::int64_t RunDriver::startFrame(const command::SetMethod& method, std::int64_t from) const {
   // Of the same targets, both methods can do what one can; others are tracked from the beginning.
   const MethodFamily family = run().definition()->family();
   const std::int64_t begin = family.tracksSameTargetsAs(methodFamily(method.method))
-                                 ? family.beginFor(run().targets(), from)
+                                 ? family.firstFrameFor(run().targets(), from)
                                  : 0;
   return travel().nearest(begin).value_or(from);
 }
 
-void RunDriver::rerun(std::int64_t from, const command::SetMethod* method, bool thenView) {
+void RunDriver::rerun(std::int64_t from, const command::SetMethod* method, bool keepView) {
   const auto nearest = travel().nearest(from);
   if (!nearest) {
     return;
   }
-  from = method != nullptr ? beginOf(*method, *nearest) : *nearest;
+  from = method != nullptr ? startFrame(*method, *nearest) : *nearest;
   std::int64_t goal = head();
-  if (const auto underWay = playback_.rerunning()) {
+  if (const auto underWay = playback_.rerunRange()) {
     // What lies ahead of it is tracked again anyway, and so is a head that was only taken.
     const bool isUntracked = playback_.head() == Playback::Head::Taken;
     from = std::min(from, isUntracked ? head() : playback_.nextFrame());
@@ -178,7 +179,7 @@ void RunDriver::rerun(std::int64_t from, const command::SetMethod* method, bool 
   const RerunState range{from, goal};
   const bool isPast = from <= range.to;
   errors_.clear();
-  RunDefinitionPtr before = kept_.definition();
+  RunDefinitionPtr before = current_.definition();
   if (method != nullptr) {
     RunDefinition other = definition();
     other.method = method->method;
@@ -187,9 +188,9 @@ void RunDriver::rerun(std::int64_t from, const command::SetMethod* method, bool 
     if (!replaceRun(std::move(other), last != nullptr ? last->totalIterations : 0)) {
       return;
     }
-    travel().forgetCopies();
+    travel().removeCheckpoints();
   } else if (isPast) {
-    if (const auto reached = kept_.goBack(from, source_->isLive()); !reached) {
+    if (const auto reached = current_.goBack(from, source_->isLive()); !reached) {
       note(reached.error());
       playback_.endInput();
       return;
@@ -200,20 +201,20 @@ void RunDriver::rerun(std::int64_t from, const command::SetMethod* method, bool 
     travel().forgetFrom(from);
     log_.goBack(from);
     recorder_.goBack(from);
-    playback_.rerun(range, thenView ? playback_.viewed() : std::nullopt);
+    playback_.rerun(range, keepView ? playback_.viewedFrame() : std::nullopt);
   } else {
-    playback_.trackOnFrom(from);
+    playback_.continueTrackingAt(from);
   }
   if (!takeFrame()) {
     return;
   }
-  kept_.catchUp();
+  current_.applyLaterChanges();
   log_.note(from, differences(*before, definition()));
   log_.change(project());
 }
 
 bool RunDriver::change(RunDefinition wanted) {
-  const bool taken = kept_.change(std::move(wanted));
+  const bool taken = current_.change(std::move(wanted));
   if (taken) {
     log_.change(project());
   }
@@ -246,22 +247,22 @@ void RunDriver::setTargets(const std::vector<Target>& targets) {
   }
   // Another number of targets: new beliefs, on the frame that the run stands at.
   log_.change(project());
-  travel().forgetCopies();
+  travel().removeCheckpoints();
   playback_.forgetEstimates();
   if (frames) {
     travel().beginTails(frames->index);
-    kept_.begin(frames);
+    current_.begin(frames);
   }
 }
 
 void RunDriver::changeBoxes(RunDefinition wanted) {
-  const auto from = firstChange(definition().targets, wanted.targets);
-  const std::vector<int> numbers = numbersOf(definition().targets, wanted.targets);
+  const auto from = firstChangedFrame(definition().targets, wanted.targets);
+  const std::vector<int> numbers = newIndices(definition().targets, wanted.targets);
   change(std::move(wanted));
-  if (!keepTheirNumbers(numbers)) {
+  if (!areIndicesUnchanged(numbers)) {
     log_.renumber(numbers, definition().targets.size());
   }
-  const auto viewed = playback_.viewed();
+  const auto viewed = playback_.viewedFrame();
   if ((!from && run().frames()) || from == head()) { // a target may begin in the image shown
     playback_.head() == Playback::Head::Taken ? iterateFrame() : record();
   } else if (from && *from < head()) {
@@ -285,23 +286,23 @@ void RunDriver::setCameras(const CameraRig& rig) {
 }
 
 void RunDriver::setBackgroundImages(const command::SetBackgroundImages& request) {
-  if (request.rooms.size() != definition().rig->size()) {
+  if (request.images.size() != definition().rig->size()) {
     return;
   }
   RunDefinition wanted = definition();
   std::copy_n(request.files.begin(),
               std::min(request.files.size(), wanted.backgroundImageFiles.size()),
               wanted.backgroundImageFiles.begin());
-  wanted.backgroundImages = request.rooms;
+  wanted.backgroundImages = request.images;
   change(std::move(wanted));
 }
 
 template <class Correction>
-std::vector<Correction> RunDriver::takeCorrections(std::vector<Correction> RunDefinition::*member,
-                                                   const std::vector<Correction>& wanted,
-                                                   bool canApply) {
-  const auto from = firstDifference(definition().*member, wanted);
-  auto added = additions(definition().*member, wanted);
+std::vector<Correction>
+RunDriver::replaceCorrections(std::vector<Correction> RunDefinition::*member,
+                              const std::vector<Correction>& wanted, bool canApply) {
+  const auto from = firstDifferingFrame(definition().*member, wanted);
+  auto added = appendedCorrections(definition().*member, wanted);
   RunDefinition other = definition();
   other.*member = wanted;
   change(std::move(other));
@@ -316,23 +317,23 @@ std::vector<Correction> RunDriver::takeCorrections(std::vector<Correction> RunDe
   return std::move(*added);
 }
 
-void RunDriver::setPeople(const std::vector<PersonCorrection>& people) {
-  const auto ofHead =
-      takeCorrections(&RunDefinition::people, people, run().definition()->family().findsTargets());
+void RunDriver::setPersonCorrections(const std::vector<PersonCorrection>& people) {
+  const auto ofHead = replaceCorrections(&RunDefinition::people, people,
+                                         run().definition()->family().findsTargets());
   for (const PersonCorrection& correction : ofHead) { // the head needs no tracking again
-    kept_.change(run().changeBy(correction));
+    current_.change(run().effectOf(correction));
   }
   if (!ofHead.empty()) {
-    std::ranges::move(run().takeRefusals(), std::back_inserter(errors_));
+    std::ranges::move(run().takeCorrectionErrors(), std::back_inserter(errors_));
     record();
   }
 }
 
 void RunDriver::setCorrections(const std::vector<PositionCorrection>& corrections) {
   const auto ofHead =
-      takeCorrections(&RunDefinition::corrections, corrections, run().takesCorrections());
+      replaceCorrections(&RunDefinition::corrections, corrections, run().supportsCorrections());
   for (const PositionCorrection& correction : ofHead) {
-    kept_.change(correction);
+    current_.change(correction);
   }
   if (!ofHead.empty()) {
     record();
@@ -340,15 +341,15 @@ void RunDriver::setCorrections(const std::vector<PositionCorrection>& correction
 }
 
 void RunDriver::setThreads(int wanted) {
-  const int threads = filterThreads(wanted);
-  if (threads != kept_.threads()) {
-    kept_.setThreads(threads);
+  const int threads = filterThreadCount(wanted);
+  if (threads != current_.threads()) {
+    current_.setThreads(threads);
     log_.setThreads(threads);
   }
 }
 
 void RunDriver::showFrame(const SnapshotBuilder& builder, bool quickly, TrackSnapshot& snapshot) {
-  if (const auto viewed = playback_.viewed()) {
+  if (const auto viewed = playback_.viewedFrame()) {
     snapshot.past = true;
     const auto shown = builder.showPast(run(), travel(), *viewed, quickly, snapshot);
     if (shown) {
@@ -359,20 +360,20 @@ void RunDriver::showFrame(const SnapshotBuilder& builder, bool quickly, TrackSna
     snapshot.past = false;
   }
   const bool isRecorded = playback_.head() == Playback::Head::Recorded;
-  builder.showHead(run(), kept_.history(), isRecorded, snapshot);
+  builder.showHead(run(), current_.history(), isRecorded, snapshot);
 }
 
-void RunDriver::describe(const SnapshotBuilder& builder, bool quickly, TrackSnapshot& snapshot) {
+void RunDriver::fill(const SnapshotBuilder& builder, bool quickly, TrackSnapshot& snapshot) {
   snapshot.rig = definition().rig;
   snapshot.family = definition().family();
   snapshot.backgroundImages = definition().backgroundImages;
   snapshot.seed = definition().seed;
-  if (kept_.exists()) {
+  if (current_.exists()) {
     showFrame(builder, quickly, snapshot);
   }
-  playback_.published(snapshot.preview, kept_.exists() && builder.lacksMaps(run(), snapshot));
+  playback_.published(snapshot.preview, current_.exists() && builder.lacksMaps(run(), snapshot));
   snapshot.state = playback_.playState();
-  snapshot.rerun = playback_.rerunning();
+  snapshot.rerun = playback_.rerunRange();
   snapshot.notices = errors_;
   snapshot.cameraMotions = motionWatch_.reports();
   snapshot.disagreements = agreementWatch_.found(snapshot.family);
@@ -383,15 +384,15 @@ void RunDriver::describe(const SnapshotBuilder& builder, bool quickly, TrackSnap
     snapshot.history = travel().state();
   }
   std::ranges::move(motionWatch_.notices(), std::back_inserter(snapshot.notices));
-  recorder_.addFigures(snapshot);
-  recorder_.compare(definition());
+  recorder_.addStatistics(snapshot);
+  recorder_.updateOldResults(definition());
   log_.setFinished(playback_.hasInputEnded());
 }
 
 void RunDriver::addMaps(const SnapshotBuilder& builder, TrackSnapshot& snapshot,
-                        const TimeTravel::GoOn& goOn) {
+                        const TimeTravel::ShouldContinue& shouldContinue) {
   playback_.complete();
-  if (const TrackingRun* then = travel().runAt(snapshot.frame, run(), goOn)) {
+  if (const TrackingRun* then = travel().runAt(snapshot.frame, run(), shouldContinue)) {
     builder.addMaps(*then, snapshot);
   }
 }

@@ -4,11 +4,11 @@
 #include "core/session/command.h"
 #include "core/session/frames/frame_tap.h"
 #include "core/session/playback.h"
-#include "core/session/remembered_run.h"
 #include "core/session/run/run_definition.h"
 #include "core/session/run/tracking_run.h"
 #include "core/session/run_log.h"
 #include "core/session/run_recorder.h"
+#include "core/session/run_with_history.h"
 #include "core/session/session_inputs.h"
 #include "core/session/snapshot_builder.h"
 #include "core/session/watch/camera_agreement_watch.h"
@@ -33,7 +33,7 @@ public:
   RunDriver& operator=(const RunDriver&) = delete;
 
   /// Returns whether both a source and a run exist.
-  bool isReady() const { return kept_.exists() && source_; }
+  bool isReady() const { return current_.exists() && source_; }
   /// Takes the first frame and shows it without tracking it.
   void start();
   const Playback& playback() const { return playback_; }
@@ -61,12 +61,12 @@ public:
   // Time travel.
   void show(std::int64_t frame) { playback_.show(travel().nearest(frame), head()); }
   void returnToHead() { playback_.returnToHead(); }
-  /// Tracks again from this frame on. With `thenView`, the frame shown now is shown again
+  /// Tracks again from this frame on. With `keepView`, the frame shown now is shown again
   /// afterwards.
-  void rerun(std::int64_t from, bool thenView = false) { rerun(from, nullptr, thenView); }
+  void rerun(std::int64_t from, bool keepView = false) { rerun(from, nullptr, keepView); }
 
   // Changes. Tracks continue as far as possible.
-  /// Applies a definition. Returns false if the run does not accept it; see takes().
+  /// Applies a definition. Returns false if the run does not accept it; see accepts().
   bool change(RunDefinition wanted);
   void setMethod(const command::SetMethod& request);
   void setTargets(const std::vector<Target>& targets);
@@ -75,31 +75,31 @@ public:
   /// Sets whether a calibration board is being shown to live cameras. While it is, no camera is
   /// reported as moved.
   void setBoardShown(bool shown) {
-    motionWatch_.setResting(shown);
-    agreementWatch_.setResting(shown);
+    motionWatch_.setPaused(shown);
+    agreementWatch_.setPaused(shown);
   }
-  void setPeople(const std::vector<PersonCorrection>& people);
+  void setPersonCorrections(const std::vector<PersonCorrection>& people);
   void setCorrections(const std::vector<PositionCorrection>& corrections);
   /// Sets the number of threads from the next iteration on; see SessionInputs::threads.
   void setThreads(int wanted);
 
   /// Returns the definition for new frames.
-  const RunDefinition& definition() const { return *kept_.definition(); }
+  const RunDefinition& definition() const { return *current_.definition(); }
   /// Fills in a snapshot, except for the data that only the publishing thread has. With `quickly`,
   /// a preview is sufficient if loading the images takes a long time.
-  void describe(const SnapshotBuilder& builder, bool quickly, TrackSnapshot& snapshot);
+  void fill(const SnapshotBuilder& builder, bool quickly, TrackSnapshot& snapshot);
   /// Adds likelihood maps or motion masks to a snapshot of a past frame. This requires tracking up
-  /// to that frame, which stops if `goOn` returns false.
+  /// to that frame, which stops if `shouldContinue` returns false.
   void addMaps(const SnapshotBuilder& builder, TrackSnapshot& snapshot,
-               const TimeTravel::GoOn& goOn);
+               const TimeTravel::ShouldContinue& shouldContinue);
 
 private:
   /// Returns the frame that the run is at; -1 before the first.
-  std::int64_t head() const { return kept_.head(); }
-  TrackingRun& run() { return kept_.run(); }
-  const TrackingRun& run() const { return kept_.run(); }
-  TimeTravel& travel() { return kept_.travel(); }
-  const TimeTravel& travel() const { return kept_.travel(); }
+  std::int64_t head() const { return current_.head(); }
+  TrackingRun& run() { return current_.run(); }
+  const TrackingRun& run() const { return current_.run(); }
+  TimeTravel& travel() { return current_.travel(); }
+  const TimeTravel& travel() const { return current_.travel(); }
   /// Replaces the run by a new one from scratch with another definition. Returns false and changes
   /// nothing if it cannot be created.
   bool replaceRun(RunDefinition definition, std::int64_t iterations);
@@ -113,21 +113,21 @@ private:
   void iterateFrame(FrameStep step = FrameStep::WholeFrame);
   void showNext();
   void record() {
-    recorder_.record(run(), kept_.record());
+    recorder_.record(run(), current_.record());
     playback_.record();
   }
 
-  void rerun(std::int64_t from, const command::SetMethod* method, bool thenView);
+  void rerun(std::int64_t from, const command::SetMethod* method, bool keepView);
   /// Returns the frame at which tracking with another method must begin so that `from` can be
   /// tracked.
-  std::int64_t beginOf(const command::SetMethod& method, std::int64_t from) const;
+  std::int64_t startFrame(const command::SetMethod& method, std::int64_t from) const;
   void changeBoxes(RunDefinition wanted);
   /// Replaces the corrections. `canApply` is true if the method can apply them. Tracks again from
   /// the first frame whose result differs. If corrections are only added at the head's frame,
   /// returns the added ones, to be applied there.
   template <class Correction>
-  std::vector<Correction> takeCorrections(std::vector<Correction> RunDefinition::*member,
-                                          const std::vector<Correction>& wanted, bool canApply);
+  std::vector<Correction> replaceCorrections(std::vector<Correction> RunDefinition::*member,
+                                             const std::vector<Correction>& wanted, bool canApply);
   void note(const Error& error) { errors_.push_back(error); }
   void showFrame(const SnapshotBuilder& builder, bool quickly, TrackSnapshot& snapshot);
 
@@ -135,7 +135,7 @@ private:
   std::unique_ptr<FrameSetSource> source_;
   FrameTapSlot& tap_;
   RunLog& log_;
-  RememberedRun kept_;            ///< contains no run if the project's run could not be created
+  RunWithHistory current_;        ///< contains no run if the project's run could not be created
   CameraMotionWatch motionWatch_; ///< uses the calibration at the start
   CameraMotionObserver motionObserver_{motionWatch_};
   CameraAgreementWatch agreementWatch_; ///< uses the calibration in the project

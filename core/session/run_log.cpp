@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view kChangedAt = "changed_at_frame_";
 
 /// Makes a reader of another generation begin again; whether it does.
-bool restartsReader(std::uint64_t own, std::uint64_t& generation, std::size_t& position) {
+bool resetReaderIfStale(std::uint64_t own, std::uint64_t& generation, std::size_t& position) {
   if (generation == own) {
     return false;
   }
@@ -34,7 +34,7 @@ void appendFrame(std::vector<Sample>& all, const std::vector<Sample>& samples) {
 
 /// What `all` gained since `position`, which moves to where the last frame begins.
 template <class Sample>
-void takeSince(const std::vector<Sample>& all, std::size_t& position, LogPiece<Sample>& piece) {
+void takeSince(const std::vector<Sample>& all, std::size_t& position, LogUpdate<Sample>& piece) {
   piece.first = std::min(position, all.size());
   piece.records.assign(all.begin() + static_cast<std::ptrdiff_t>(piece.first), all.end());
   position = all.size();
@@ -46,9 +46,9 @@ void takeSince(const std::vector<Sample>& all, std::size_t& position, LogPiece<S
 } // namespace
 
 RunLog::RunLog()
-    : records_(kMostRecords, [](const IterationRecord& record) { return record.iteration; }),
-      frames_(kMostFrames, [](const FrameRecord& record) { return record.frame; }),
-      people_(kMostPeopleFrames, [](const PeopleFramePtr& people) { return people->frame; }) {}
+    : records_(kMaxRecords, [](const IterationRecord& record) { return record.iteration; }),
+      frames_(kMaxFrames, [](const FrameRecord& record) { return record.frame; }),
+      people_(kMaxPeopleFrames, [](const PeopleFramePtr& people) { return people->frame; }) {}
 
 void RunLog::restart(const Project& project, int threads) {
   const std::lock_guard lock(mutex_);
@@ -59,13 +59,13 @@ void RunLog::restart(const Project& project, int threads) {
   trajectory_ = Trajectory{trajectoryHeader(project), {}};
   boxes_.clear();
   project_ = project;
-  figures_ = RunFigures{};
-  figures_.threads = threads;
+  statistics_ = RunStatistics{};
+  statistics_.threads = threads;
 }
 
 void RunLog::setThreads(int threads) {
   const std::lock_guard lock(mutex_);
-  figures_.threads = threads;
+  statistics_.threads = threads;
 }
 
 void RunLog::change(const Project& project) {
@@ -91,19 +91,19 @@ OldResults RunLog::oldResults() const {
 
 void RunLog::countIteration(double seconds) {
   const std::lock_guard lock(mutex_);
-  figures_.iterations.add(seconds);
+  statistics_.iterations.add(seconds);
 }
 
 void RunLog::countFrame(double sinceArrival, double sinceFirst) {
   const std::lock_guard lock(mutex_);
-  ++figures_.frames;
-  figures_.latency.add(sinceArrival);
-  figures_.seconds = sinceFirst;
+  ++statistics_.frames;
+  statistics_.latency.add(sinceArrival);
+  statistics_.seconds = sinceFirst;
 }
 
 void RunLog::setFinished(bool finished) {
   const std::lock_guard lock(mutex_);
-  figures_.finished = finished;
+  statistics_.finished = finished;
 }
 
 void RunLog::append(const std::vector<IterationRecord>& records) {
@@ -198,35 +198,35 @@ void RunLog::append(const std::vector<BoxSample>& samples) {
   appendFrame(boxes_, samples);
 }
 
-LogPiece<IterationRecord> RunLog::since(std::uint64_t& generation, std::size_t& position) const {
+LogUpdate<IterationRecord> RunLog::since(std::uint64_t& generation, std::size_t& position) const {
   const std::lock_guard lock(mutex_);
-  LogPiece<IterationRecord> piece;
-  piece.restarted = restartsReader(generation_, generation, position);
+  LogUpdate<IterationRecord> piece;
+  piece.restarted = resetReaderIfStale(generation_, generation, position);
   piece.records = records_.since(position);
   return piece;
 }
 
-LogPiece<FrameRecord> RunLog::framesSince(std::uint64_t& generation, std::size_t& position) const {
+LogUpdate<FrameRecord> RunLog::framesSince(std::uint64_t& generation, std::size_t& position) const {
   const std::lock_guard lock(mutex_);
-  LogPiece<FrameRecord> piece;
-  piece.restarted = restartsReader(generation_, generation, position);
+  LogUpdate<FrameRecord> piece;
+  piece.restarted = resetReaderIfStale(generation_, generation, position);
   piece.records = frames_.since(position);
   return piece;
 }
 
-LogPiece<TrajectorySample> RunLog::samplesSince(std::uint64_t& generation,
-                                                std::size_t& position) const {
+LogUpdate<TrajectorySample> RunLog::samplesSince(std::uint64_t& generation,
+                                                 std::size_t& position) const {
   const std::lock_guard lock(mutex_);
-  LogPiece<TrajectorySample> piece;
-  piece.restarted = restartsReader(generation_, generation, position);
+  LogUpdate<TrajectorySample> piece;
+  piece.restarted = resetReaderIfStale(generation_, generation, position);
   takeSince(trajectory_.samples, position, piece);
   return piece;
 }
 
-LogPiece<BoxSample> RunLog::boxesSince(std::uint64_t& generation, std::size_t& position) const {
+LogUpdate<BoxSample> RunLog::boxesSince(std::uint64_t& generation, std::size_t& position) const {
   const std::lock_guard lock(mutex_);
-  LogPiece<BoxSample> piece;
-  piece.restarted = restartsReader(generation_, generation, position);
+  LogUpdate<BoxSample> piece;
+  piece.restarted = resetReaderIfStale(generation_, generation, position);
   takeSince(boxes_, position, piece);
   return piece;
 }
@@ -249,13 +249,13 @@ Trajectory RunLog::trajectory() const {
 
 Latency RunLog::latency() const {
   const std::lock_guard lock(mutex_);
-  const DurationHistogram& taken = figures_.latency;
+  const DurationHistogram& taken = statistics_.latency;
   return {taken.quantile(0.5), taken.quantile(0.99), taken.longest()};
 }
 
-std::pair<Project, RunFigures> RunLog::run() const {
+std::pair<Project, RunStatistics> RunLog::run() const {
   const std::lock_guard lock(mutex_);
-  return {project_, figures_};
+  return {project_, statistics_};
 }
 
 } // namespace dewpoint::session

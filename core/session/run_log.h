@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/log_piece.h"
+#include "core/session/log_update.h"
 #include "core/session/people/people_frame.h"
 #include "core/session/run/box_track_file.h"
 #include "core/session/run/result_settings.h"
@@ -22,7 +22,7 @@ namespace dewpoint::session {
 class RunLog {
 public:
   /// Maximum number of iteration records; about 40 MB with four cameras.
-  static constexpr std::size_t kMostRecords = 100000;
+  static constexpr std::size_t kMaxRecords = 100000;
   RunLog();
   /// Clears the log. The following records belong to this project in its present state, tracked
   /// with this number of filter threads.
@@ -50,19 +50,19 @@ public:
   /// removed if this is -1. Readers receive all records again.
   void renumber(const std::vector<int>& numbers, std::size_t count);
   /// Returns the iteration records from `position` on, and updates both arguments. Beyond
-  /// kMostRecords, older records are thinned out progressively.
-  LogPiece<IterationRecord> since(std::uint64_t& generation, std::size_t& position) const;
-  /// Like since(), but for tracked frames. Beyond kMostFrames, older frames are thinned out
+  /// kMaxRecords, older records are thinned out progressively.
+  LogUpdate<IterationRecord> since(std::uint64_t& generation, std::size_t& position) const;
+  /// Like since(), but for tracked frames. Beyond kMaxFrames, older frames are thinned out
   /// progressively.
-  static constexpr std::size_t kMostFrames = 50000;
-  LogPiece<FrameRecord> framesSince(std::uint64_t& generation, std::size_t& position) const;
+  static constexpr std::size_t kMaxFrames = 50000;
+  LogUpdate<FrameRecord> framesSince(std::uint64_t& generation, std::size_t& position) const;
   /// Appends one frame, or replaces the last one if it is the same frame.
   void append(const FrameRecord& record);
   /// Appends the people of one frame, or replaces those of the last one if it is the same frame.
-  /// Beyond kMostPeopleFrames (about 100 MB with two people), older frames are thinned out
+  /// Beyond kMaxPeopleFrames (about 100 MB with two people), older frames are thinned out
   /// progressively.
   void append(PeopleFramePtr people);
-  static constexpr std::size_t kMostPeopleFrames = 10000;
+  static constexpr std::size_t kMaxPeopleFrames = 10000;
   std::vector<PeopleFramePtr> people() const;
   /// Notes a change in this frame after which the run no longer matches the header.
   void note(std::int64_t frame, const std::string& change);
@@ -70,17 +70,17 @@ public:
   /// Returns the samples added to the trajectory. `position` is the index of the first sample in
   /// the last frame that the reader knows. This frame is returned again, because it may have been
   /// replaced.
-  LogPiece<TrajectorySample> samplesSince(std::uint64_t& generation, std::size_t& position) const;
+  LogUpdate<TrajectorySample> samplesSince(std::uint64_t& generation, std::size_t& position) const;
   /// Returns all boxes so far; empty unless the method tracks boxes.
   BoxTrack boxTrack() const;
   /// Like samplesSince(), but for boxes.
-  LogPiece<BoxSample> boxesSince(std::uint64_t& generation, std::size_t& position) const;
+  LogUpdate<BoxSample> boxesSince(std::uint64_t& generation, std::size_t& position) const;
   /// Stores which results so far came from settings other than the current ones.
   void setOldResults(OldResults old);
   OldResults oldResults() const;
   Latency latency() const;
   /// Returns the data for run.json.
-  std::pair<Project, RunFigures> run() const;
+  std::pair<Project, RunStatistics> run() const;
 
 private:
   mutable std::mutex mutex_;
@@ -91,7 +91,7 @@ private:
   Trajectory trajectory_;
   std::vector<BoxSample> boxes_;
   Project project_;
-  RunFigures figures_;
+  RunStatistics statistics_;
   OldResults oldResults_;
 };
 

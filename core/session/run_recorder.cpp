@@ -35,14 +35,14 @@ void RunRecorder::restart() {
   settings_.clear();
 }
 
-void RunRecorder::arrive() {
+void RunRecorder::noteArrival() {
   arrival_ = Clock::now();
   append(frameTimes_, arrival_, kFrameTimesKept);
 }
 
-void RunRecorder::arriveNow() {
+void RunRecorder::resetArrival() {
   arrival_ = Clock::now();
-  awaited_.reset(); // it was taken long ago
+  begun_.reset(); // it was taken long ago
 }
 
 void RunRecorder::iterated(const TrackingRun& run, double microseconds) {
@@ -125,7 +125,7 @@ void RunRecorder::record(const TrackingRun& run, const TrackedFrame& trackedFram
   if (run.definition()->family().writesBodies() && !trackedFrame.targets.empty()) {
     log_.append(peopleFrame(trackedFrame));
   }
-  const auto awaited = std::exchange(awaited_, std::nullopt);
+  const auto awaited = std::exchange(begun_, std::nullopt);
   if (run.frameIterations() < run.iterationsPerFrame()) {
     return; // it is under way, and goes on with the settings of then
   }
@@ -135,12 +135,12 @@ void RunRecorder::record(const TrackingRun& run, const TrackedFrame& trackedFram
   }
 }
 
-void RunRecorder::compare(const RunDefinition& now) const {
+void RunRecorder::updateOldResults(const RunDefinition& now) const {
   log_.setOldResults({settings_.differentFrom(now), settings_.newest(),
                       upperMedian({workTimes_.begin(), workTimes_.end()})});
 }
 
-void RunRecorder::addFigures(TrackSnapshot& snapshot) const {
+void RunRecorder::addStatistics(TrackSnapshot& snapshot) const {
   if (frameTimes_.size() > 1) {
     const Seconds span = frameTimes_.back() - frameTimes_.front();
     snapshot.framesPerSecond =

@@ -29,12 +29,12 @@ public:
   /// Restarts the measurement of the frame rate after an interruption.
   void interrupt() { frameTimes_.clear(); }
   /// Notes that a frame is about to be taken.
-  void await() { awaited_ = Clock::now(); }
+  void begin() { begun_ = Clock::now(); }
   /// Notes that a frame was taken.
-  void arrive();
+  void noteArrival();
   /// Sets the arrival of the next tracked frame to now, so that the waiting time of a paused run
   /// does not count as latency.
-  void arriveNow();
+  void resetArrival();
 
   void iterated(const TrackingRun& run, double microseconds) override;
   Status tracked(const TrackingRun& run) override;
@@ -42,9 +42,9 @@ public:
   void record(const TrackingRun& run, const TrackedFrame& trackedFrame);
 
   /// Adds frame rate, time per iteration, latency and time budget to a snapshot.
-  void addFigures(TrackSnapshot& snapshot) const;
+  void addStatistics(TrackSnapshot& snapshot) const;
   /// Reports to the log which results did not come from the current settings.
-  void compare(const RunDefinition& now) const;
+  void updateOldResults(const RunDefinition& now) const;
 
 private:
   using Clock = std::chrono::steady_clock;
@@ -59,10 +59,10 @@ private:
   std::optional<Clock::time_point> firstArrival_; ///< first arrival since the last start or restart
   std::deque<Clock::time_point> frameTimes_;
   std::deque<double> iterationTimes_; ///< microseconds
-  BudgetFigures budget_;
+  BudgetStatistics budget_;
   ResultSettings settings_;
-  std::optional<Clock::time_point> awaited_; ///< start of the work on the current frame
-  std::deque<double> workTimes_;             ///< work per frame, seconds
+  std::optional<Clock::time_point> begun_; ///< start of the work on the current frame
+  std::deque<double> workTimes_;           ///< work per frame, seconds
 };
 
 } // namespace dewpoint::session

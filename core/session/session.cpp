@@ -29,18 +29,19 @@ void Session::onSnapshot(std::function<void()> wake) {
 TrackSnapshotPtr Session::newest() const {
   return impl_->loop.publisher().newest();
 }
-LogPiece<IterationRecord> Session::logSince(std::uint64_t& generation,
-                                            std::size_t& position) const {
+LogUpdate<IterationRecord> Session::iterationsSince(std::uint64_t& generation,
+                                                    std::size_t& position) const {
   return impl_->loop.log().since(generation, position);
 }
-LogPiece<FrameRecord> Session::framesSince(std::uint64_t& generation, std::size_t& position) const {
+LogUpdate<FrameRecord> Session::framesSince(std::uint64_t& generation,
+                                            std::size_t& position) const {
   return impl_->loop.log().framesSince(generation, position);
 }
-LogPiece<TrajectorySample> Session::samplesSince(std::uint64_t& generation,
-                                                 std::size_t& position) const {
+LogUpdate<TrajectorySample> Session::samplesSince(std::uint64_t& generation,
+                                                  std::size_t& position) const {
   return impl_->loop.log().samplesSince(generation, position);
 }
-LogPiece<BoxSample> Session::boxesSince(std::uint64_t& generation, std::size_t& position) const {
+LogUpdate<BoxSample> Session::boxesSince(std::uint64_t& generation, std::size_t& position) const {
   return impl_->loop.log().boxesSince(generation, position);
 }
 BoxTrack Session::boxTrack() const {

@@ -3,7 +3,7 @@
 
 #include "core/session/command.h"
 #include "core/session/frames/frame_tap.h"
-#include "core/session/log_piece.h"
+#include "core/session/log_update.h"
 #include "core/session/people/people_frame.h"
 #include "core/session/run/box_track_file.h"
 #include "core/session/run/result_settings.h"
@@ -26,7 +26,7 @@ namespace dewpoint::session {
 /// while the run continues.
 struct RunRecord {
   Project project;
-  RunFigures figures;
+  RunStatistics figures;
   PeopleRecord people; ///< its trajectory is also used for other methods
   BoxTrack boxes;      ///< boxes, for methods that track boxes
 
@@ -57,14 +57,16 @@ public:
   /// Returns the iterations logged at or after `position`, which is a running count since the last
   /// restart, and moves `position` past them. If the run has restarted in the meantime, `position`
   /// is first reset to 0 and the result has `restarted` set.
-  LogPiece<IterationRecord> logSince(std::uint64_t& generation, std::size_t& position) const;
-  /// Like logSince(), but for tracked frames: status, existence probability and missing cameras.
-  LogPiece<FrameRecord> framesSince(std::uint64_t& generation, std::size_t& position) const;
+  LogUpdate<IterationRecord> iterationsSince(std::uint64_t& generation,
+                                             std::size_t& position) const;
+  /// Like iterationsSince(), but for tracked frames: status, existence probability and missing
+  /// cameras.
+  LogUpdate<FrameRecord> framesSince(std::uint64_t& generation, std::size_t& position) const;
   /// Returns the samples added to the trajectory since `position`, which starts at 0 and is updated
-  /// as in logSince().
-  LogPiece<TrajectorySample> samplesSince(std::uint64_t& generation, std::size_t& position) const;
+  /// as in iterationsSince().
+  LogUpdate<TrajectorySample> samplesSince(std::uint64_t& generation, std::size_t& position) const;
   /// Like samplesSince(), but for the boxes of methods that track boxes.
-  LogPiece<BoxSample> boxesSince(std::uint64_t& generation, std::size_t& position) const;
+  LogUpdate<BoxSample> boxesSince(std::uint64_t& generation, std::size_t& position) const;
   /// Returns all boxes so far.
   BoxTrack boxTrack() const;
   /// Returns which results came from other settings than those of the newest snapshot.
@@ -87,12 +89,14 @@ public:
   void stepFrame() { send(command::StepFrame{}); }
   void stepIteration() { send(command::StepIteration{}); }
   void restart(std::optional<std::uint64_t> seed = std::nullopt) { send(command::Restart{seed}); }
-  void setParameters(const ParameterValues& parameters) { send(command::Configure{parameters}); }
+  void setParameters(const ParameterValues& parameters) {
+    send(command::SetParameters{parameters});
+  }
   void setTargets(const std::vector<Target>& targets) { send(command::SetTargets{targets}); }
   void setCameras(const CameraRig& rig) { send(command::SetCameras{rig}); }
   void setBackgroundImages(const std::vector<std::string>& files,
-                           const std::vector<cv::Mat>& rooms) {
-    send(command::SetBackgroundImages{files, rooms});
+                           const std::vector<cv::Mat>& images) {
+    send(command::SetBackgroundImages{files, images});
   }
   void setVolumeOfInterest(const std::optional<WorldBox>& volume) {
     send(command::SetVolumeOfInterest{volume});
@@ -107,17 +111,19 @@ public:
     send(command::SetMethod{method, parameters, frame});
   }
   void showFrame(std::int64_t frame) { send(command::ShowFrame{frame}); }
-  void backToHead() { send(command::BackToHead{}); }
+  void returnToHead() { send(command::ReturnToHead{}); }
   void rerunFrom(std::int64_t frame) { send(command::Rerun{frame}); }
   /// Like rerunFrom(), but the displayed frame does not change.
-  void renewFrom(std::int64_t frame) { send(command::Rerun{frame, true}); }
-  void setMasksWanted(bool wanted) { send(command::ShowMasks{wanted}); }
-  void setLikelihoodMapsWanted(bool wanted) { send(command::ShowMaps{wanted}); }
-  void setShapesWanted(bool wanted) { send(command::ShowShapes{wanted}); }
+  void rerunKeepingView(std::int64_t frame) { send(command::Rerun{frame, true}); }
+  void setMasksShown(bool shown) { send(command::ShowMasks{shown}); }
+  void setLikelihoodMapsShown(bool shown) { send(command::ShowMaps{shown}); }
+  void setShapesShown(bool shown) { send(command::ShowShapes{shown}); }
   void setFilterThreads(int threads) { send(command::SetThreads{threads}); }
   void setPace(const Pace& pace) { send(command::SetPace{pace}); }
   void setBoardShown(bool shown) { send(command::ShowBoard{shown}); }
-  void setPeople(const std::vector<PersonCorrection>& people) { send(command::SetPeople{people}); }
+  void setPersonCorrections(const std::vector<PersonCorrection>& people) {
+    send(command::SetPersonCorrections{people});
+  }
   void setCorrections(const std::vector<PositionCorrection>& corrections) {
     send(command::SetCorrections{corrections});
   }

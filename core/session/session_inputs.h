@@ -29,7 +29,7 @@ struct SessionInputs {
   /// particles and copies. 0: 1 GB for live cameras, half of that for recordings.
   std::size_t historyBytes = 0;
   /// Initial number of filter threads, which never changes the result. 0: default of
-  /// base::filterThreads().
+  /// base::filterThreadCount().
   int threads = 0;
 };
 

@@ -25,7 +25,7 @@ TargetSnapshot snapshotOf(const TrackedTarget& trackedFrame, const Target& targe
   shown.estimate = trackedFrame.estimate;
   shown.particles = trackedFrame.particles.cast<double>();
   shown.weights = trackedFrame.weights.cast<double>();
-  shown.proposals = trackedFrame.proposals;
+  shown.positionCandidates = trackedFrame.positionCandidates;
   shown.reasons = trackedFrame.reasons;
   shown.status = trackedFrame.status;
   shown.boxParticles = trackedFrame.boxParticles;
@@ -71,7 +71,7 @@ void showPresentBoxes(const TrackingRun& run, TrackSnapshot& snapshot) {
     } else { // it was added later
       snapshot.targets.push_back(absent(targets[k]));
     }
-    snapshot.targets.back().absence = HoldState::NoBox;
+    snapshot.targets.back().stateWhileAbsent = HoldState::NoBox;
   }
 }
 
@@ -225,12 +225,12 @@ void SnapshotBuilder::showHead(const TrackingRun& run, const History* history, b
   const TrackedFrame* recorded = history != nullptr ? history->at(snapshot.frame) : nullptr;
   snapshot.tracked = recorded != nullptr;
   const std::int64_t tailEnd = isRecorded ? snapshot.frame : snapshot.frame - 1;
-  show(run.present(recorded, kParticlesShown), run, history, tailEnd, snapshot);
+  show(run.currentFrame(recorded, kParticlesShown), run, history, tailEnd, snapshot);
   for (std::size_t k = 0; k < snapshot.targets.size(); ++k) { // all of them, and to the last bit
     run.particles(k, kParticlesShown, snapshot.targets[k].particles, snapshot.targets[k].weights);
   }
   addImages(run, snapshot);
-  if (wantsMaps(run, snapshot)) {
+  if (requestsMaps(run, snapshot)) {
     addMaps(run, snapshot);
   }
 }
@@ -251,14 +251,14 @@ Status SnapshotBuilder::showPast(const TrackingRun& run, TimeTravel& travel, std
   return {};
 }
 
-bool SnapshotBuilder::wantsMaps(const TrackingRun& run, const TrackSnapshot& snapshot) const {
+bool SnapshotBuilder::requestsMaps(const TrackingRun& run, const TrackSnapshot& snapshot) const {
   return run.definition()->family().masksMotion
              ? (options_.masks || options_.maps) && snapshot.frames != nullptr
              : options_.maps && snapshot.tracked;
 }
 
 bool SnapshotBuilder::lacksMaps(const TrackingRun& run, const TrackSnapshot& snapshot) const {
-  return snapshot.past && snapshot.tracked && !snapshot.preview && wantsMaps(run, snapshot);
+  return snapshot.past && snapshot.tracked && !snapshot.preview && requestsMaps(run, snapshot);
 }
 
 void SnapshotBuilder::addMaps(const TrackingRun& run, TrackSnapshot& snapshot) const {

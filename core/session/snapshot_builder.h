@@ -49,7 +49,7 @@ private:
   /// positions.
   void addImages(const TrackingRun& run, TrackSnapshot& snapshot) const;
   /// Returns whether the options request content that only addMaps() can provide.
-  bool wantsMaps(const TrackingRun& run, const TrackSnapshot& snapshot) const;
+  bool requestsMaps(const TrackingRun& run, const TrackSnapshot& snapshot) const;
 
   TruthTable truth_;
   SnapshotOptions options_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/tracking_loop.h"
 
-#include "core/base/thread_precedence.h"
+#include "core/base/thread_priority.h"
 
 #include <algorithm>
 #include <memory>
@@ -10,7 +10,7 @@
 namespace dewpoint::session {
 namespace {
 
-constexpr std::chrono::milliseconds kBetweenSnapshots(30);
+constexpr std::chrono::milliseconds kSnapshotInterval(30);
 /// How long a rerun may keep the view; one that takes longer shows where it is.
 constexpr std::chrono::seconds kLongestKeptView(2);
 
@@ -21,12 +21,12 @@ TrackingLoop::TrackingLoop(SessionInputs inputs)
 }
 
 void TrackingLoop::run(const std::stop_token& stop) {
-  setPrecedence(Precedence::Prompt);
+  setThreadPriority(ThreadPriority::Prompt);
   driver_.start();
   publish(Publish::Now);
   while (!stop.stop_requested()) {
     if (const auto command = commands_.pop(stop, deadline())) {
-      carryOut(*command);
+      execute(*command);
       continue;
     }
     if (playback().missing() == Playback::Missing::Images) {
@@ -36,30 +36,30 @@ void TrackingLoop::run(const std::stop_token& stop) {
     if (playback().missing() == Playback::Missing::Maps) {
       addMaps(stop);
     }
-    if (!stop.stop_requested() && playback().goesOn()) {
-      goOn();
+    if (!stop.stop_requested() && playback().isRunning()) {
+      takeDueStep();
     }
   }
 }
 
 std::optional<TrackingLoop::Clock::time_point> TrackingLoop::deadline() const {
   const bool isIncomplete = playback().missing() != Playback::Missing::Nothing;
-  if (isIncomplete || (playback().goesOn() && playback().rerunning())) {
+  if (isIncomplete || (playback().isRunning() && playback().rerunRange())) {
     return Clock::now();
   }
-  return playback().goesOn() ? std::optional(nextStepDue_) : std::nullopt;
+  return playback().isRunning() ? std::optional(nextStepDue_) : std::nullopt;
 }
 
 PlaybackPace::Situation TrackingLoop::situation() const {
-  const bool isReplaying = playback().viewed().has_value();
+  const bool isReplaying = playback().viewedFrame().has_value();
   return {.framesPerSecond = driver_.framesPerSecond(),
-          .isHurried = playback().rerunning() || (driver_.isLive() && !isReplaying),
+          .isAtFullSpeed = playback().rerunRange() || (driver_.isLive() && !isReplaying),
           .isReplaying = isReplaying,
           .iterations = driver_.iterations(),
           .isHeld = driver_.isHeld()};
 }
 
-void TrackingLoop::planFirstStep() {
+void TrackingLoop::scheduleFirstStep() {
   const PlaybackPace::Step step = pace_.next(situation());
   nextStepDue_ = Clock::now();
   if (step.isIteration) { // first it is seen what is known before it
@@ -67,40 +67,40 @@ void TrackingLoop::planFirstStep() {
   }
 }
 
-void TrackingLoop::goOn() {
+void TrackingLoop::takeDueStep() {
   const auto begin = Clock::now();
   driver_.advance(pace_.next(situation()).isIteration);
-  publish(usual());
+  publish(playbackPublish());
   const PlaybackPace::Situation now = situation();
   const auto period = std::chrono::duration_cast<Clock::duration>(pace_.next(now).period);
-  nextStepDue_ = now.isHurried ? begin : std::max(nextStepDue_ + period, begin);
+  nextStepDue_ = now.isAtFullSpeed ? begin : std::max(nextStepDue_ + period, begin);
 }
 
-TrackingLoop::Publish TrackingLoop::usual() const {
-  const bool isFast = playback().goesOn() && pace_.pace().speed > 1.0 && !driver_.isLive();
-  return playback().rerunning() || isFast ? Publish::NowAndThen : Publish::Now;
+TrackingLoop::Publish TrackingLoop::playbackPublish() const {
+  const bool isFast = playback().isRunning() && pace_.pace().speed > 1.0 && !driver_.isLive();
+  return playback().rerunRange() || isFast ? Publish::Throttled : Publish::Now;
 }
 
 void TrackingLoop::publish(Publish how) {
   const auto now = Clock::now();
-  const bool isViewKept = playback().rerunning() && now < viewKeptUntil_;
-  if (isViewKept || (how == Publish::NowAndThen && now - published_ < kBetweenSnapshots)) {
+  const bool isViewKept = playback().rerunRange() && now < viewKeptUntil_;
+  if (isViewKept || (how == Publish::Throttled && now - published_ < kSnapshotInterval)) {
     return;
   }
   auto snapshot = std::make_shared<TrackSnapshot>();
-  driver_.describe(builder_, how == Publish::Quickly, *snapshot);
+  driver_.fill(builder_, how == Publish::Quickly, *snapshot);
   published_ = Clock::now();
   publisher_.publish(std::move(snapshot));
 }
 
 void TrackingLoop::addMaps(const std::stop_token& stop) {
   auto snapshot = std::make_shared<TrackSnapshot>(*publisher_.newest());
-  const auto goOn = [&] { return !stop.stop_requested() && commands_.empty(); };
-  driver_.addMaps(builder_, *snapshot, goOn);
+  const auto shouldContinue = [&] { return !stop.stop_requested() && commands_.empty(); };
+  driver_.addMaps(builder_, *snapshot, shouldContinue);
   publisher_.publish(std::move(snapshot));
 }
 
-void TrackingLoop::carryOut(const Command& command) {
+void TrackingLoop::execute(const Command& command) {
   if (driver_.isReady()) {
     publish(std::visit([this](const auto& request) { return handle(request); }, command));
   }
@@ -108,7 +108,7 @@ void TrackingLoop::carryOut(const Command& command) {
 
 TrackingLoop::Publish TrackingLoop::handle(const command::Play&) {
   driver_.play();
-  planFirstStep();
+  scheduleFirstStep();
   return Publish::Now;
 }
 
@@ -119,7 +119,7 @@ TrackingLoop::Publish TrackingLoop::handle(const command::Pause&) {
 
 TrackingLoop::Publish TrackingLoop::handle(const command::StepFrame&) {
   driver_.stepFrame();
-  return usual();
+  return playbackPublish();
 }
 
 TrackingLoop::Publish TrackingLoop::handle(const command::StepIteration&) {
@@ -129,11 +129,11 @@ TrackingLoop::Publish TrackingLoop::handle(const command::StepIteration&) {
 
 TrackingLoop::Publish TrackingLoop::handle(const command::Restart& request) {
   driver_.restart(request.seed);
-  planFirstStep();
+  scheduleFirstStep();
   return Publish::Now;
 }
 
-TrackingLoop::Publish TrackingLoop::handle(const command::Configure& request) {
+TrackingLoop::Publish TrackingLoop::handle(const command::SetParameters& request) {
   RunDefinition wanted = driver_.definition();
   wanted.parameters = request.parameters;
   driver_.change(std::move(wanted));
@@ -142,7 +142,7 @@ TrackingLoop::Publish TrackingLoop::handle(const command::Configure& request) {
 
 TrackingLoop::Publish TrackingLoop::handle(const command::SetMethod& request) {
   driver_.setMethod(request);
-  planFirstStep();
+  scheduleFirstStep();
   return Publish::Now;
 }
 
@@ -161,8 +161,8 @@ TrackingLoop::Publish TrackingLoop::handle(const command::SetBackgroundImages& r
   return Publish::Now;
 }
 
-TrackingLoop::Publish TrackingLoop::handle(const command::SetPeople& request) {
-  driver_.setPeople(request.people);
+TrackingLoop::Publish TrackingLoop::handle(const command::SetPersonCorrections& request) {
+  driver_.setPersonCorrections(request.people);
   return Publish::Now;
 }
 
@@ -185,22 +185,22 @@ TrackingLoop::Publish TrackingLoop::handle(const command::SetThreads& request) {
 
 TrackingLoop::Publish TrackingLoop::handle(const command::SetPace& request) {
   pace_.set(request.pace);
-  planFirstStep();
+  scheduleFirstStep();
   return Publish::Now;
 }
 
 TrackingLoop::Publish TrackingLoop::handle(const command::ShowMasks& request) {
-  builder_.options().masks = request.wanted;
+  builder_.options().masks = request.shown;
   return Publish::Now;
 }
 
 TrackingLoop::Publish TrackingLoop::handle(const command::ShowMaps& request) {
-  builder_.options().maps = request.wanted;
+  builder_.options().maps = request.shown;
   return Publish::Now;
 }
 
 TrackingLoop::Publish TrackingLoop::handle(const command::ShowShapes& request) {
-  builder_.options().shapes = request.wanted;
+  builder_.options().shapes = request.shown;
   return Publish::Now;
 }
 
@@ -214,15 +214,15 @@ TrackingLoop::Publish TrackingLoop::handle(const command::ShowFrame& request) {
   return Publish::Quickly;
 }
 
-TrackingLoop::Publish TrackingLoop::handle(const command::BackToHead&) {
+TrackingLoop::Publish TrackingLoop::handle(const command::ReturnToHead&) {
   driver_.returnToHead();
   return Publish::Now;
 }
 
 TrackingLoop::Publish TrackingLoop::handle(const command::Rerun& request) {
-  driver_.rerun(request.from, request.keepsView);
+  driver_.rerun(request.from, request.keepView);
   viewKeptUntil_ = Clock::now();
-  if (request.keepsView) {
+  if (request.keepView) {
     viewKeptUntil_ += kLongestKeptView;
   }
   return Publish::Now;

@@ -33,22 +33,22 @@ private:
   /// When to publish a snapshot after a command.
   enum class Publish {
     Now,
-    Quickly,   ///< immediately; a preview is sufficient
-    NowAndThen ///< at most as often as the screen is refreshed
+    Quickly,  ///< immediately; a preview is sufficient
+    Throttled ///< at most as often as the screen is refreshed
   };
   /// Executes a command. A command type without its own handle() does not compile.
-  void carryOut(const Command& command);
+  void execute(const Command& command);
   Publish handle(const command::Play& request);
   Publish handle(const command::Pause& request);
   Publish handle(const command::StepFrame& request);
   Publish handle(const command::StepIteration& request);
   Publish handle(const command::Restart& request);
-  Publish handle(const command::Configure& request);
+  Publish handle(const command::SetParameters& request);
   Publish handle(const command::SetMethod& request);
   Publish handle(const command::SetTargets& request);
   Publish handle(const command::SetCameras& request);
   Publish handle(const command::SetBackgroundImages& request);
-  Publish handle(const command::SetPeople& request);
+  Publish handle(const command::SetPersonCorrections& request);
   Publish handle(const command::SetVolumeOfInterest& request);
   Publish handle(const command::SetCorrections& request);
   Publish handle(const command::SetThreads& request);
@@ -58,7 +58,7 @@ private:
   Publish handle(const command::ShowShapes& request);
   Publish handle(const command::ShowBoard& request);
   Publish handle(const command::ShowFrame& request);
-  Publish handle(const command::BackToHead& request);
+  Publish handle(const command::ReturnToHead& request);
   Publish handle(const command::Rerun& request);
 
   const Playback& playback() const { return driver_.playback(); }
@@ -67,12 +67,12 @@ private:
   std::optional<Clock::time_point> deadline() const;
   /// Takes the step that is due and schedules the next one. After a slow step, the schedule is
   /// shifted so that no burst follows; frames are never skipped.
-  void goOn();
+  void takeDueStep();
   /// Schedules the first step after playing has started or its settings have changed.
-  void planFirstStep();
+  void scheduleFirstStep();
   /// Returns how often to publish during normal playback: less than every frame while past frames
   /// are tracked again or frames are played faster than real time.
-  Publish usual() const;
+  Publish playbackPublish() const;
   void publish(Publish how);
   void addMaps(const std::stop_token& stop);
 

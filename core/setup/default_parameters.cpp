@@ -10,8 +10,8 @@
 namespace dewpoint::setup {
 
 ParameterValues defaultParameters(const Project& project) {
-  return tracking::parametersInUse(ParameterValues(project.parameters.declarations()),
-                                   rigOf(project), project.volumeOfInterest);
+  return tracking::effectiveParameters(ParameterValues(project.parameters.declarations()),
+                                       rigOf(project), project.volumeOfInterest);
 }
 
 bool isChanged(const ParameterValues& used, const ParameterValues& defaults,
@@ -29,17 +29,17 @@ void resetParameter(Project& project, std::string_view key) {
     (void)project.parameters.set(key, defaults.at(key));
     return;
   }
-  ParameterValues parameters = parametersInUse(project);
+  ParameterValues parameters = effectiveParameters(project);
   (void)parameters.set(key, defaults.at(key));
   const bool isAllAsSeen = std::ranges::all_of(declarations, [&](const ParameterDeclaration& one) {
     return !one.fromCameras || parameters.at(one.key) == defaults.at(one.key);
   });
-  isAllAsSeen ? parameters.leaveToCameras() : parameters.giveAll();
+  isAllAsSeen ? parameters.resetDerivable() : parameters.markAllGiven();
   project.parameters = parameters;
 }
 
 void resetParameters(Project& project) {
-  const ParameterValues used = parametersInUse(project);
+  const ParameterValues used = effectiveParameters(project);
   const ParameterValues defaults = defaultParameters(project);
   for (const ParameterDeclaration& declaration : used.declarations()) {
     if (isChanged(used, defaults, declaration)) {

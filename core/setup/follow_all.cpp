@@ -6,17 +6,18 @@
 
 namespace dewpoint::setup {
 
-int missingTargets(const Project& project, std::size_t target, const ColorAssessment& assessment) {
+int missingTargetCount(const Project& project, std::size_t target,
+                       const ColorAssessment& assessment) {
   if (assessment.suggestion != Suggestion::FollowAll || target >= project.targets.size()) {
     return 0;
   }
   const auto same =
       std::ranges::count(project.targets, project.targets[target].colors(), &Target::colors);
-  return std::max(0, assessment.alike - static_cast<int>(same));
+  return std::max(0, assessment.similarObjectCount - static_cast<int>(same));
 }
 
-void addTargetsLike(Project& project, std::size_t target, int count,
-                    const std::function<std::string(const Project&)>& nameOf) {
+void addTargetCopies(Project& project, std::size_t target, int count,
+                     const std::function<std::string(const Project&)>& nameOf) {
   for (int k = 0; k < count; ++k) {
     Target another = project.targets.at(target);
     another.name = nameOf(project);
@@ -25,8 +26,8 @@ void addTargetsLike(Project& project, std::size_t target, int count,
   }
 }
 
-std::string freeTargetName(const Project& project,
-                           const std::function<std::string(std::size_t)>& nameOf) {
+std::string unusedTargetName(const Project& project,
+                             const std::function<std::string(std::size_t)>& nameOf) {
   std::size_t number = project.targets.size() + 1;
   while (std::ranges::find(project.targets, nameOf(number), &Target::name) !=
          project.targets.end()) {

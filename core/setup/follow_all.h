@@ -13,16 +13,17 @@ namespace dewpoint::setup {
 /// Returns how many more targets are needed to track all objects that have the color and size of a
 /// target, according to the assessment of its color. Targets that already have the same colors are
 /// counted. Returns 0 unless the assessment suggests tracking all of them.
-int missingTargets(const Project& project, std::size_t target, const ColorAssessment& assessment);
+int missingTargetCount(const Project& project, std::size_t target,
+                       const ColorAssessment& assessment);
 
 /// Adds `count` copies of a target, without its samples. Before each copy is added, `nameOf`
 /// receives the project and returns the name of the copy.
-void addTargetsLike(Project& project, std::size_t target, int count,
-                    const std::function<std::string(const Project&)>& nameOf);
+void addTargetCopies(Project& project, std::size_t target, int count,
+                     const std::function<std::string(const Project&)>& nameOf);
 
 /// Returns a name that no target has yet. `nameOf` converts a number to a name. Numbers are tried
 /// in ascending order, starting at the number of targets plus one.
-std::string freeTargetName(const Project& project,
-                           const std::function<std::string(std::size_t)>& nameOf);
+std::string unusedTargetName(const Project& project,
+                             const std::function<std::string(std::size_t)>& nameOf);
 
 } // namespace dewpoint::setup

@@ -26,7 +26,7 @@ MethodObstacle methodObstacle(const Project& project, const Method& method) {
     return MethodObstacle::TooFewCameras;
   }
   const bool goesByGuess = !family.findsTargets() && count > 1;
-  const bool isUnknown = isBare(project) || (!goesByGuess && isGuessed(project));
+  const bool isUnknown = isBare(project) || (!goesByGuess && hasGuessedPose(project));
   return family.needsCalibration && isUnknown ? MethodObstacle::NoCalibration
                                               : MethodObstacle::None;
 }

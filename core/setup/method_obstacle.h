@@ -20,9 +20,9 @@ enum class MethodObstacle {
 };
 
 /// Returns what prevents a method from working with the cameras of a project, regardless of the
-/// project's own method. A guessed calibration (isGuessed()) of several cameras is sufficient for
-/// methods that use colors, since such methods can still display the content of the images. It is
-/// not sufficient for a single camera, or for methods that search for people on the floor.
+/// project's own method. A guessed calibration (hasGuessedPose()) of several cameras is sufficient
+/// for methods that use colors, since such methods can still display the content of the images. It
+/// is not sufficient for a single camera, or for methods that search for people on the floor.
 MethodObstacle methodObstacle(const Project& project, const Method& method);
 
 } // namespace dewpoint::setup

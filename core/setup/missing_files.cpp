@@ -37,16 +37,16 @@ private:
 };
 
 /// The path under a key; empty when there is none that can be told.
-fs::path pathUnder(const toml::table& table, const char* key, const ProjectPlace& place) {
+fs::path pathUnder(const toml::table& table, const char* key, const ProjectPaths& place) {
   const auto text = table[key].value<std::string>();
-  const auto expanded = text && !text->empty() ? withVariables(*text) : std::string();
+  const auto expanded = text && !text->empty() ? expandVariables(*text) : std::string();
   return expanded && !expanded->empty() ? place.pathOf(*expanded) : fs::path();
 }
 
 constexpr std::array kCameraKeys{std::pair("video", Kind::Video), std::pair("images", Kind::Images),
                                  std::pair("empty_room", Kind::BackgroundImage)};
 
-void checkCameras(const toml::table& table, const ProjectPlace& place, MissingFileList& missing) {
+void checkCameras(const toml::table& table, const ProjectPaths& place, MissingFileList& missing) {
   const toml::array* cameras = table["camera"].as_array();
   for (std::size_t k = 0; cameras != nullptr && k < cameras->size(); ++k) {
     const toml::table* camera = (*cameras)[k].as_table();
@@ -70,7 +70,7 @@ Result<std::vector<MissingFile>> missingFilesOf(const fs::path& file, const Move
       format && *format >= 1 && *format < kProjectFormat) {
     migrateProject(*table, *format);
   }
-  const ProjectPlace place{fs::absolute(file).parent_path(), moved};
+  const ProjectPaths place{fs::absolute(file).parent_path(), moved};
   MissingFileList missing;
   checkCameras(*table, place, missing);
   missing.check({Kind::Calibration, -1, "", pathUnder(*table, "calibration", place)});
@@ -100,8 +100,8 @@ std::vector<MissingFile> missingFilesOf(const Project& project) {
   return missing.take();
 }
 
-MovedFiles foundBeside(const std::vector<MissingFile>& missing, const MissingFile& located,
-                       const fs::path& found) {
+MovedFiles locateRemainingFiles(const std::vector<MissingFile>& missing, const MissingFile& located,
+                                const fs::path& found) {
   MovedFiles moved{{located.path, found}};
   const fs::path before = located.path.parent_path();
   const fs::path now = found.parent_path();

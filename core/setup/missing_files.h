@@ -35,8 +35,8 @@ std::vector<MissingFile> missingFilesOf(const Project& project);
 /// Returns the locations of missing files after one of them was found at `found`. Each other file
 /// is searched for at the same path relative to the found file, and then by name in its folder.
 /// Files that do not exist there are omitted.
-MovedFiles foundBeside(const std::vector<MissingFile>& missing, const MissingFile& located,
-                       const std::filesystem::path& found);
+MovedFiles locateRemainingFiles(const std::vector<MissingFile>& missing, const MissingFile& located,
+                                const std::filesystem::path& found);
 
 /// Returns the project with the paths of moved files replaced by their present locations.
 Project withMovedFiles(Project project, const MovedFiles& moved);

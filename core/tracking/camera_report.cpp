@@ -49,8 +49,8 @@ std::string words(const CameraReport& report) {
 
 } // namespace
 
-std::string reasonSentence(const std::vector<CameraReport>& reports,
-                           const std::vector<std::string>& cameraNames) {
+std::string describeReasons(const std::vector<CameraReport>& reports,
+                            const std::vector<std::string>& cameraNames) {
   std::string sentence;
   for (std::size_t k = 0; k < reports.size(); ++k) {
     const std::string what = words(reports[k]);

@@ -41,8 +41,8 @@ struct CameraReport {
 /// Returns one English sentence that gives the reason for each camera that does not confirm the
 /// target, for example "camera left: hidden". Empty if all cameras confirm it. A camera without a
 /// name is identified by its number, from 1.
-std::string reasonSentence(const std::vector<CameraReport>& reports,
-                           const std::vector<std::string>& cameraNames);
+std::string describeReasons(const std::vector<CameraReport>& reports,
+                            const std::vector<std::string>& cameraNames);
 
 /// Returns whether an image (CV_8UC3) is too dark to distinguish colors: on a coarse grid, at most
 /// two pixels in a thousand are brighter than 24 of 255 in any channel.

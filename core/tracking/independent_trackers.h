@@ -32,7 +32,7 @@ concept TargetFilter = std::copy_constructible<F> &&
   { filter.correct(position) } -> std::same_as<SphereEstimate>;
   { finished.iterationsPerFrame() } -> std::same_as<int>;
   finished.particles(0, positions, weights);
-  { finished.explain() } -> std::same_as<std::vector<CameraReport>>;
+  { finished.cameraReports() } -> std::same_as<std::vector<CameraReport>>;
   { finished.memoryBytes() } -> std::same_as<std::size_t>;
 };
 
@@ -46,13 +46,13 @@ concept MappingFilter = TargetFilter<F> && requires(const F& finished) {
 template <TargetFilter F>
 class IndependentTrackers : public Tracker,
                             public Configurable,
-                            public TargetFollowing,
+                            public TargetTracking,
                             public CameraCalibrated,
                             public VolumeBounded,
                             public PositionCorrecting,
                             public ParticleCloud,
-                            public CameraExplaining,
-                            public Copying {
+                            public CameraReporting,
+                            public Copyable {
 public:
   IndependentTrackers(const ParameterValues& parameters, const CameraRig& rig,
                       const std::vector<Target>& targets)
@@ -74,7 +74,7 @@ public:
       filters_[k].setTarget(targets[k]);
     }
   }
-  bool takesAnyNumber() const override { return false; }
+  bool canChangeTargetCount() const override { return false; }
   void setCameras(const CameraRig& rig) override {
     for (F& filter : filters_) {
       filter.setCameras(rig);
@@ -114,8 +114,8 @@ public:
                  Eigen::ArrayXd& weights) const override {
     filters_.at(track).particles(limit, positions, weights);
   }
-  std::vector<CameraReport> explain(std::size_t track) const override {
-    return filters_.at(track).explain();
+  std::vector<CameraReport> cameraReports(std::size_t track) const override {
+    return filters_.at(track).cameraReports();
   }
   bool canBeCopied() const override { return true; }
   std::unique_ptr<Tracker> clone() const override {
@@ -139,7 +139,7 @@ private:
 
 /// As IndependentTrackers, for filters with likelihood maps.
 template <MappingFilter F>
-class IndependentMappers final : public IndependentTrackers<F>, public LikelihoodMapping {
+class IndependentMappingTrackers final : public IndependentTrackers<F>, public LikelihoodMapping {
 public:
   using IndependentTrackers<F>::IndependentTrackers;
 
@@ -147,16 +147,17 @@ public:
     return this->filter(track).likelihoodMaps(reach);
   }
   std::unique_ptr<Tracker> clone() const override {
-    return std::make_unique<IndependentMappers>(*this);
+    return std::make_unique<IndependentMappingTrackers>(*this);
   }
 };
 
 /// Creates a tracker with one filter per target, for an entry in the catalog of methods.
 template <TargetFilter F>
-std::unique_ptr<Tracker> makeIndependent(const ParameterValues& parameters, const CameraRig& rig,
-                                         const std::vector<Target>& targets) {
+std::unique_ptr<Tracker> makeIndependentTrackers(const ParameterValues& parameters,
+                                                 const CameraRig& rig,
+                                                 const std::vector<Target>& targets) {
   if constexpr (MappingFilter<F>) {
-    return std::make_unique<IndependentMappers<F>>(parameters, rig, targets);
+    return std::make_unique<IndependentMappingTrackers<F>>(parameters, rig, targets);
   } else {
     return std::make_unique<IndependentTrackers<F>>(parameters, rig, targets);
   }

@@ -91,7 +91,7 @@ Status ParameterValues::set(std::string_view key, double value) {
                    fmt::format("{} is not {}", value, rangeText(*declaration)));
   }
   values_.find(key)->second = value;
-  give(key);
+  markGiven(key);
   return {};
 }
 
@@ -100,7 +100,7 @@ Status ParameterValues::setText(std::string_view key, std::string_view text) {
   if (declaration == nullptr) {
     return tl::make_unexpected(unknownKey(declarations_, key));
   }
-  const auto value = numberFrom<double>(text);
+  const auto value = toNumber<double>(text);
   if (!value) {
     return failure(ErrorCode::BadValue, "", declaration->key,
                    fmt::format("\"{}\" is not {}", text, rangeText(*declaration)));
@@ -113,24 +113,24 @@ bool ParameterValues::isGiven(std::string_view key) const {
   return declaration == nullptr || !declaration->fromCameras || given_.contains(key);
 }
 
-void ParameterValues::give(std::string_view key) {
+void ParameterValues::markGiven(std::string_view key) {
   if (!isGiven(key)) {
     given_.emplace(key);
   }
 }
 
-void ParameterValues::giveAll() {
+void ParameterValues::markAllGiven() {
   for (const auto& declaration : declarations_) {
-    give(declaration.key);
+    markGiven(declaration.key);
   }
 }
 
-void ParameterValues::leaveToCameras() {
+void ParameterValues::resetDerivable() {
   given_.clear();
-  suggest({});
+  setDerived({});
 }
 
-void ParameterValues::suggest(const ByKey& values) {
+void ParameterValues::setDerived(const ByKey& values) {
   for (const auto& declaration : declarations_) {
     if (!isGiven(declaration.key)) {
       const auto found = values.find(declaration.key);

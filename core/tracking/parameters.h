@@ -43,8 +43,8 @@ struct ParameterDeclaration {
   double defaultValue = 0.0;
   std::string sentence;     ///< description for a tooltip
   bool logarithmic = false; ///< sliders have a logarithmic scale
-  /// If true and no value is given, the value is derived from the cameras (parametersInUse()). If
-  /// that is not possible, the default is used.
+  /// If true and no value is given, the value is derived from the cameras (effectiveParameters()).
+  /// If that is not possible, the default is used.
   bool fromCameras = false;
   ParameterGroup group = ParameterGroup::Essential;
   /// Key of another parameter of the method whose value is an upper limit for this one. A larger
@@ -75,15 +75,15 @@ public:
   /// Returns false for a key whose value is derived from the cameras and was not set.
   bool isGiven(std::string_view key) const;
   /// Marks the present value of a key as given; does nothing for an unknown key.
-  void give(std::string_view key);
+  void markGiven(std::string_view key);
   /// Marks the present values of all keys as given.
-  void giveAll();
+  void markAllGiven();
   /// Resets all given values of keys that can be derived from the cameras. They have their defaults
-  /// until suggest() is called.
-  void leaveToCameras();
+  /// until setDerived() is called.
+  void resetDerivable();
   /// Replaces the values that are not given. The new values come from `values`, limited to their
   /// ranges, or from the defaults for keys that are not in `values`.
-  void suggest(const ByKey& values);
+  void setDerived(const ByKey& values);
   /// Compares the values and which of them are given.
   bool operator==(const ParameterValues& other) const {
     return values_ == other.values_ && given_ == other.given_;

@@ -11,12 +11,12 @@ std::string personName(int identity) {
   return fmt::format("person {}", identity);
 }
 
-std::optional<int> personIdentity(std::string_view name) {
+std::optional<int> identityFromName(std::string_view name) {
   constexpr std::string_view kPerson = "person ";
   if (!name.starts_with(kPerson)) {
     return std::nullopt;
   }
-  const auto identity = numberFrom<int>(name.substr(kPerson.size()));
+  const auto identity = toNumber<int>(name.substr(kPerson.size()));
   return identity && *identity > 0 ? identity : std::nullopt;
 }
 

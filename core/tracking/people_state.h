@@ -29,6 +29,6 @@ struct PeopleCameraState {
 /// Returns the name of a person in files and views: "person 3".
 std::string personName(int identity);
 /// Returns the identity in a name of this form; nothing for any other name.
-std::optional<int> personIdentity(std::string_view name);
+std::optional<int> identityFromName(std::string_view name);
 
 } // namespace dewpoint::tracking

@@ -114,15 +114,15 @@ StartVolume within(const StartVolume& start, const WorldBox& box) {
   return {common.center(), common.half()};
 }
 
-ParameterValues parametersInUse(ParameterValues parameters, const CameraRig& rig,
-                                const std::optional<WorldBox>& volumeOfInterest) {
+ParameterValues effectiveParameters(ParameterValues parameters, const CameraRig& rig,
+                                    const std::optional<WorldBox>& volumeOfInterest) {
   const bool isOpen = std::ranges::any_of(parameters.declarations(), [&](const auto& declaration) {
     return !parameters.isGiven(declaration.key);
   });
   const auto start = isOpen && !isAnyStartGiven(parameters)
                          ? startFromCameras(rig, volumeOfInterest)
                          : std::nullopt;
-  parameters.suggest(start ? valuesOf(*start) : ParameterValues::ByKey{});
+  parameters.setDerived(start ? valuesOf(*start) : ParameterValues::ByKey{});
   return parameters;
 }
 

@@ -36,8 +36,8 @@ inline constexpr const char* kSearchSizeKey = "search_size";
 /// volume of interest if there is one. The start volume is that box, and the search size its
 /// longest edge, rounded to the steps of their declarations. If a part of the start volume was
 /// given, the rest of it and the search size keep their defaults.
-ParameterValues parametersInUse(ParameterValues parameters, const CameraRig& rig,
-                                const std::optional<WorldBox>& volumeOfInterest);
+ParameterValues effectiveParameters(ParameterValues parameters, const CameraRig& rig,
+                                    const std::optional<WorldBox>& volumeOfInterest);
 
 /// Draws `count` positions uniformly from the volume: rows of x, y, z in meters, world frame.
 /// Position i is drawn from element i of the stream.

@@ -19,7 +19,7 @@ std::string nameOf(TargetShape shape) {
   return row->second;
 }
 
-std::optional<TargetShape> targetShapeNamed(std::string_view name) {
+std::optional<TargetShape> targetShapeFromName(std::string_view name) {
   const auto* const row =
       std::ranges::find_if(kNames, [&](const auto& entry) { return name == entry.second; });
   return row != kNames.end() ? std::optional(row->first) : std::nullopt;

@@ -13,7 +13,7 @@ namespace dewpoint::tracking {
 /// Returns the name of a shape in files and on the command line: `auto`, `ball` or `any`.
 std::string nameOf(TargetShape shape);
 /// Returns the shape with this name; nothing for an unknown name.
-std::optional<TargetShape> targetShapeNamed(std::string_view name);
+std::optional<TargetShape> targetShapeFromName(std::string_view name);
 /// Returns all names, in the order of TargetShape.
 std::vector<std::string> targetShapeNames();
 

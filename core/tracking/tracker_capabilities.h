@@ -34,14 +34,14 @@ public:
 };
 
 /// Tracks the targets defined in a project.
-class TargetFollowing {
+class TargetTracking {
 public:
-  virtual ~TargetFollowing() = default;
+  virtual ~TargetTracking() = default;
   /// Sets new definitions of the same targets, in the same order. The number of targets may change
-  /// only if takesAnyNumber() returns true.
+  /// only if canChangeTargetCount() returns true.
   virtual void setTargets(const std::vector<Target>& targets) = 0;
   /// Returns whether the number of targets may change during a run.
-  virtual bool takesAnyNumber() const = 0;
+  virtual bool canChangeTargetCount() const = 0;
 };
 
 /// Lets the user correct the position of a target.
@@ -83,9 +83,9 @@ public:
 };
 
 /// Can be copied during a run, so that the run can return to an earlier frame.
-class Copying {
+class Copyable {
 public:
-  virtual ~Copying() = default;
+  virtual ~Copyable() = default;
   /// Returns whether the tracker can be copied; false if it uses a background model of OpenCV,
   /// which cannot be copied.
   virtual bool canBeCopied() const = 0;
@@ -108,20 +108,20 @@ public:
 };
 
 /// Reports for each camera whether it confirms a track, and the reason if it does not.
-class CameraExplaining {
+class CameraReporting {
 public:
-  virtual ~CameraExplaining() = default;
+  virtual ~CameraReporting() = default;
   /// Returns the reports after the iterations of a frame, in the order of the rig; empty before the
   /// first frame.
-  virtual std::vector<CameraReport> explain(std::size_t track) const = 0;
+  virtual std::vector<CameraReport> cameraReports(std::size_t track) const = 0;
 };
 
 /// Reports the candidate positions of a track.
-class PositionProposing {
+class CandidateReporting {
 public:
-  virtual ~PositionProposing() = default;
+  virtual ~CandidateReporting() = default;
   /// Returns the candidates of the last iteration.
-  virtual std::vector<CandidatePosition> proposals(std::size_t track) const = 0;
+  virtual std::vector<CandidatePosition> positionCandidates(std::size_t track) const = 0;
 };
 
 /// Maps the likelihood of a track over the pixels of every camera.
@@ -151,9 +151,9 @@ struct BoxParticles {
 };
 
 /// Tracks bounding boxes, each in the images of one camera, without calibration.
-class BoxFollowing {
+class BoxTracking {
 public:
-  virtual ~BoxFollowing() = default;
+  virtual ~BoxTracking() = default;
   /// Starts tracking the content of a box in an image (CV_8UC3), replacing what this target tracked
   /// before. On an error, BadValue names "image" or "box", and nothing has changed.
   virtual Status follow(std::size_t target, const cv::Mat& bgr, const TargetBox& box,
@@ -178,7 +178,7 @@ public:
   /// Returns all people tracked after the last frame, in the order of their identities.
   virtual const std::vector<PersonEstimate>& people() const = 0;
   /// Returns all people tracked so far: "person 1", "person 2", ...
-  virtual const std::vector<Target>& everybody() const = 0;
+  virtual const std::vector<Target>& allPeople() const = 0;
   /// Returns the body of a person of people(); empty for any other identity.
   virtual BodyCloud body(int identity) const = 0;
   /// Returns the state of each camera's background model.

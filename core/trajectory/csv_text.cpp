@@ -11,7 +11,7 @@ std::string oneLine(std::string_view text) {
   return line;
 }
 
-std::string inQuotes(std::string_view text) {
+std::string quotedCsv(std::string_view text) {
   std::string result = "\"";
   for (char c : oneLine(text))
     result += c == '"' ? std::string("\"\"") : std::string(1, c);
@@ -21,7 +21,7 @@ std::string inQuotes(std::string_view text) {
 std::string csvCell(std::string_view text) {
   const bool plain = text.find_first_of(",\"#") == std::string_view::npos &&
                      (text.empty() || (text.front() != ' ' && text.back() != ' '));
-  return plain ? oneLine(text) : inQuotes(text);
+  return plain ? oneLine(text) : quotedCsv(text);
 }
 
 } // namespace dewpoint::trajectory

@@ -121,8 +121,8 @@ std::optional<std::size_t> convergedAt(const std::vector<Pair>& pairs, double ga
   int run = 0;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     run = pairs[i].estimate != nullptr && pairs[i].error().norm() < gate ? run + 1 : 0;
-    if (run == kConvergedRun)
-      return i + 1 - static_cast<std::size_t>(kConvergedRun);
+    if (run == kConvergedFrames)
+      return i + 1 - static_cast<std::size_t>(kConvergedFrames);
   }
   return std::nullopt;
 }

@@ -30,8 +30,8 @@ struct Evaluation {
   Eigen::Vector3d bias = Eigen::Vector3d::Zero(); ///< mean of estimate minus truth
   std::vector<CameraBias> cameras;
   std::int64_t framesCompared = 0; ///< number of ground-truth frames that have an estimate
-  /// Number of frames before the first run of kConvergedRun consecutive frames within the gate; 0
-  /// if the estimate converged immediately. Empty if it never converged.
+  /// Number of frames before the first run of kConvergedFrames consecutive frames within the gate;
+  /// 0 if the estimate converged immediately. Empty if it never converged.
   std::optional<std::int64_t> framesToConverge;
   /// Number of frames after convergence in which the error exceeds the gate, or the estimate is
   /// missing or not valid.
@@ -41,7 +41,7 @@ struct Evaluation {
 };
 
 /// Number of consecutive frames within the gate that count as convergence.
-inline constexpr int kConvergedRun = 5;
+inline constexpr int kConvergedFrames = 5;
 /// Default gate in meters: the motion sigma used in the paper.
 inline constexpr double kDefaultGate = 0.03;
 

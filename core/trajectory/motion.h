@@ -44,18 +44,18 @@ std::optional<Eigen::Vector3d> velocityAt(std::span<const TrajectorySample> trac
 double sigmaOf(const TrajectorySample& sample, int axis);
 
 /// Largest number of frames that live cameras may skip without interrupting the track.
-inline constexpr std::int64_t kMostSkipped = 8;
+inline constexpr std::int64_t kMaxSkippedFrames = 8;
 /// Returns whether two frames of a track are so far apart that no line is drawn between them
 /// because the frames in between were never tracked.
 inline bool isInterrupted(std::int64_t frame, std::int64_t next) {
-  return next - frame > kMostSkipped;
+  return next - frame > kMaxSkippedFrames;
 }
 
 /// Samples of a run as they arrive, with the speed at each sample and the gaps of each target. When
-/// there are more than kMostRows rows, the older half is dropped.
+/// there are more than kMaxRows rows, the older half is dropped.
 class MotionLog {
 public:
-  static constexpr std::size_t kMostRows = 100000;
+  static constexpr std::size_t kMaxRows = 100000;
   struct Row {
     TrajectorySample sample;
     double speed = std::numeric_limits<double>::quiet_NaN(); ///< meters per second; NaN if unknown
@@ -86,7 +86,7 @@ private:
   void truncate(std::size_t size);
   void extendGaps(Track& track, const TrajectorySample* before, const TrajectorySample& sample);
   void updateSpeeds(const Track& track, std::size_t& firstChanged);
-  std::size_t drop();
+  std::size_t trim();
 
   std::vector<Row> rows_;
   std::size_t dropped_ = 0; ///< number of rows removed

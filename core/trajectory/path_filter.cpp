@@ -14,10 +14,10 @@ namespace {
 
 /// What is known of a path before anything is seen: little. Place in m (about the first seen one)
 /// and its derivatives, in m/s, m/s², ...
-constexpr double kFirstSigmas[kMostPathOrder] = {10.0, 10.0, 50.0, 500.0, 5000.0};
+constexpr double kFirstSigmas[kMaxPathOrder] = {10.0, 10.0, 50.0, 500.0, 5000.0};
 
 /// Looks that only begin a path: they determine its derivatives.
-constexpr int kBeginning = kMostPathOrder;
+constexpr int kBeginning = kMaxPathOrder;
 
 /// Position and derivatives of all axes: x y z vx vy vz ax ay az ... Of any size, because a fixed
 /// size for each order takes the compiler five times as long.
@@ -47,7 +47,7 @@ constexpr double factorial(int n) {
 class Motion {
 public:
   Motion(std::span<const PathPoint> path, const PathModel& model)
-      : order_(std::clamp(model.order, 2, kMostPathOrder)),
+      : order_(std::clamp(model.order, 2, kMaxPathOrder)),
         unit_(path.size() > 1
                   ? (path.back().time - path.front().time) / static_cast<double>(path.size() - 1)
                   : 1.0) {
@@ -164,8 +164,8 @@ void forward(std::span<const PathPoint> path, const PathModel& model, double gat
 }
 
 /// Asks at every thousandth instant, which is a few milliseconds.
-bool wanted(std::size_t k, const std::function<bool()>& goesOn) {
-  return k % 1000 != 0 || !goesOn || goesOn();
+bool wanted(std::size_t k, const std::function<bool()>& shouldContinue) {
+  return k % 1000 != 0 || !shouldContinue || shouldContinue();
 }
 
 } // namespace
@@ -183,18 +183,19 @@ double pathLogLikelihood(std::span<const PathPoint> path, const PathModel& model
   return sum;
 }
 
-void eachPathSurprise(std::span<const PathPoint> path, const PathModel& model, double gate,
-                      const std::function<bool(std::size_t, double)>& tell) {
+void forEachNormalizedInnovation(std::span<const PathPoint> path, const PathModel& model,
+                                 double gate,
+                                 const std::function<bool(std::size_t, double)>& onInnovation) {
   const auto visit = [&](std::size_t k, const Innovation& innovation, bool begins) {
-    return tell(k, begins ? 0.0 : innovation.squaredDistance);
+    return onInnovation(k, begins ? 0.0 : innovation.squaredDistance);
   };
   forward(path, model, gate, visit);
 }
 
-std::vector<double> pathSurprises(std::span<const PathPoint> path, const PathModel& model,
-                                  double gate) {
+std::vector<double> normalizedInnovations(std::span<const PathPoint> path, const PathModel& model,
+                                          double gate) {
   std::vector<double> result(path.size());
-  eachPathSurprise(path, model, gate, [&](std::size_t k, double surprise) {
+  forEachNormalizedInnovation(path, model, gate, [&](std::size_t k, double surprise) {
     result[k] = surprise;
     return true;
   });
@@ -202,13 +203,13 @@ std::vector<double> pathSurprises(std::span<const PathPoint> path, const PathMod
 }
 
 std::vector<PathEstimate> smoothPath(std::span<const PathPoint> path, const PathModel& model,
-                                     const std::function<bool()>& goesOn) {
+                                     const std::function<bool()>& shouldContinue) {
   const std::size_t count = path.size();
   const Motion motion(path, model);
   std::vector<State> filtered(count);
   std::vector<State> predicted(count);
   State state = motion.first(path.front().seen->position);
-  for (std::size_t k = 0; k < count && wanted(k, goesOn); ++k) {
+  for (std::size_t k = 0; k < count && wanted(k, shouldContinue); ++k) {
     if (k > 0) {
       motion.predict(state, path[k].time - path[k - 1].time);
     }
@@ -222,7 +223,7 @@ std::vector<PathEstimate> smoothPath(std::span<const PathPoint> path, const Path
     return std::vector<PathEstimate>(count); // stopped on the way
   }
   // Särkkä (2013), theorem 8.2.
-  for (std::size_t k = count - 1; k-- > 0 && wanted(k, goesOn);) {
+  for (std::size_t k = count - 1; k-- > 0 && wanted(k, shouldContinue);) {
     const auto step = motion.transition(path[k + 1].time - path[k].time);
     State& here = filtered[k];
     const Eigen::MatrixXd gain =
@@ -240,7 +241,7 @@ std::vector<PathEstimate> smoothPath(std::span<const PathPoint> path, const Path
 }
 
 std::vector<Eigen::Matrix3d> sharedErrors(std::span<const PathPoint> path, const PathModel& model,
-                                          const std::function<bool()>& goesOn) {
+                                          const std::function<bool()>& shouldContinue) {
   std::vector<Eigen::Matrix3d> effects(path.size(), Eigen::Matrix3d::Zero());
   std::vector<PathPoint> errors(path.begin(), path.end());
   for (int axis = 0; axis < 3; ++axis) {
@@ -254,7 +255,7 @@ std::vector<Eigen::Matrix3d> sharedErrors(std::span<const PathPoint> path, const
       }
     }
     // The smoother is linear: smoothed errors are the errors of what is smoothed.
-    const auto after = smoothPath(errors, model, goesOn);
+    const auto after = smoothPath(errors, model, shouldContinue);
     for (std::size_t k = 0; k < path.size(); ++k) {
       effects[k] += after[k].position * after[k].position.transpose();
     }

@@ -16,12 +16,12 @@ namespace dewpoint::trajectory {
 /// noise with spectral density `strength`, the same along each axis (Bar-Shalom, Li and Kirubarajan
 /// 2001, section 6.2). The smoothed path is a spline of degree 2 order - 1 (Wahba 1990).
 struct PathModel {
-  int order = 2;            ///< order of the derivative, 2 to kMostPathOrder
+  int order = 2;            ///< order of the derivative, 2 to kMaxPathOrder
   double strength = 1.0;    ///< spectral density: m² / s^(2 order - 1)
   double noiseFactor = 1.0; ///< factor on the covariance of each measured position
 };
 /// Largest order of a path model.
-inline constexpr int kMostPathOrder = 5;
+inline constexpr int kMaxPathOrder = 5;
 
 /// One instant of a path, and the measurement at that time if there is one.
 struct PathPoint {
@@ -43,28 +43,29 @@ double pathLogLikelihood(std::span<const PathPoint> path, const PathModel& model
 /// Returns the squared Mahalanobis distance of each measured position from its prediction by the
 /// preceding ones. Measurements beyond `gate` are not used further. The distance is zero at
 /// instants without a measurement and for the first measurements.
-std::vector<double> pathSurprises(std::span<const PathPoint> path, const PathModel& model,
-                                  double gate);
+std::vector<double> normalizedInnovations(std::span<const PathPoint> path, const PathModel& model,
+                                          double gate);
 
-/// Computes the same distances as pathSurprises(), one by one: calls `tell(instant, surprise)` for
-/// each instant with a measurement until it returns false. A search for the first outlier can
-/// therefore end early.
-void eachPathSurprise(std::span<const PathPoint> path, const PathModel& model, double gate,
-                      const std::function<bool(std::size_t, double)>& tell);
+/// Computes the same distances as normalizedInnovations(), one by one: calls `onInnovation(instant,
+/// distance)` for each instant with a measurement until it returns false. A search for the first
+/// outlier can therefore end early.
+void forEachNormalizedInnovation(std::span<const PathPoint> path, const PathModel& model,
+                                 double gate,
+                                 const std::function<bool(std::size_t, double)>& onInnovation);
 
 /// Returns the estimate at each instant from all measurements before and after it, with the
 /// smoother of Rauch, Tung and Striebel (1965). The first instant must have a measurement; instants
-/// after the last one are predictions. `goesOn`, if given, is called from time to time; after it
-/// has returned false, the estimates are not usable.
+/// after the last one are predictions. `shouldContinue`, if given, is called from time to time;
+/// after it has returned false, the estimates are not usable.
 std::vector<PathEstimate> smoothPath(std::span<const PathPoint> path, const PathModel& model,
-                                     const std::function<bool()>& goesOn = {});
+                                     const std::function<bool()>& shouldContinue = {});
 
 /// Returns the covariance that an error shared by all measurements adds to the smoothed positions,
 /// in m², at each instant. The error of a measurement with covariance C is C^(1/2) u, with the same
 /// normal vector u for all. Such an error does not average out, and the smoother does not model it
-/// (a "consider" parameter; Bierman 1977, chapter VIII). `goesOn` has the same meaning as in
-/// smoothPath().
+/// (a "consider" parameter; Bierman 1977, chapter VIII). `shouldContinue` has the same meaning as
+/// in smoothPath().
 std::vector<Eigen::Matrix3d> sharedErrors(std::span<const PathPoint> path, const PathModel& model,
-                                          const std::function<bool()>& goesOn = {});
+                                          const std::function<bool()>& shouldContinue = {});
 
 } // namespace dewpoint::trajectory

@@ -26,7 +26,7 @@ constexpr int kNewPathMeasurements = 3;
 /// and how many later measurements have to agree with what was before.
 constexpr std::size_t kGapInstants = 3;
 constexpr std::size_t kMistakeInstants = 25;
-constexpr int kTellingMeasurements = 5;
+constexpr int kMinConfirmingMeasurements = 5;
 /// The gate of measurements that may be a mistake: one right one in 900 is dropped with them.
 constexpr double kDoubtfulGate = 16.0;
 /// Measurements to either side that an outlier pulls along, and how often outliers are looked for.
@@ -39,7 +39,7 @@ constexpr double kUsefulSigma = 0.1;
 constexpr double kLeastSigma = 1e-5;
 
 /// Of the progress: one step of the fit.
-constexpr double kShareOfAStep = 0.03;
+constexpr double kProgressPerStep = 0.03;
 
 using Path = std::vector<PathPoint>;
 
@@ -59,7 +59,8 @@ struct Fitted {
 };
 
 /// Pattern search (Hooke and Jeeves 1961) over the logarithms of strength and noise factor.
-Fitted fitOrder(std::span<const Path> paths, int order, const std::function<bool()>& goesOn) {
+Fitted fitOrder(std::span<const Path> paths, int order,
+                const std::function<bool()>& shouldContinue) {
   constexpr double kFirstStep = 2.0; // e² = 7.4-fold
   constexpr double kLastStep = 0.06;
   constexpr double kMostLog = 25.0;
@@ -81,7 +82,7 @@ Fitted fitOrder(std::span<const Path> paths, int order, const std::function<bool
     return true;
   };
   for (double step = kFirstStep; step > kLastStep; step *= 0.5) {
-    for (bool moved = true; moved && (!goesOn || goesOn());) {
+    for (bool moved = true; moved && (!shouldContinue || shouldContinue());) {
       moved = false;
       for (std::size_t axis = 0; axis < logs.size(); ++axis) {
         moved = tryMove(axis, step) || tryMove(axis, -step) || moved;
@@ -112,11 +113,11 @@ std::optional<PositionMeasurement> measurementOf(const TrajectorySample& sample,
 /// One target's samples in the order of time, and what belongs together of them.
 class TargetSmoother {
 public:
-  /// `goesOn` is asked at each step, `wanted` more often within one.
+  /// `shouldContinue` is asked at each step, `wanted` more often within one.
   TargetSmoother(std::vector<TrajectorySample*> samples, double longestGap,
-                 std::function<bool()> goesOn, std::function<bool()> wanted)
-      : samples_(std::move(samples)), longestGap_(longestGap), goesOn_(std::move(goesOn)),
-        wanted_(std::move(wanted)) {
+                 std::function<bool()> shouldContinue, std::function<bool()> wanted)
+      : samples_(std::move(samples)), longestGap_(longestGap),
+        shouldContinue_(std::move(shouldContinue)), wanted_(std::move(wanted)) {
     std::erase_if(samples_, [](const auto* sample) { return !std::isfinite(sample->time); });
     std::ranges::stable_sort(samples_, {}, [](const auto* sample) { return sample->time; });
     const bool hasSeen =
@@ -133,9 +134,9 @@ public:
       return;
     }
     std::vector<std::size_t> begins = beginsAfterGaps();
-    const PathModel model = fitPathModel(pathsFrom(begins), goesOn_);
+    const PathModel model = fitPathModel(pathsFrom(begins), shouldContinue_);
     begins = withoutStrayMeasurements(begins, model);
-    for (std::size_t k = 0; k < begins.size() && goesOn_(); ++k) {
+    for (std::size_t k = 0; k < begins.size() && shouldContinue_(); ++k) {
       smoothPart(begins[k], k + 1 < begins.size() ? begins[k + 1] : points_.size(), model);
     }
   }
@@ -190,7 +191,7 @@ private:
     std::vector<std::size_t> stray;
     std::vector<std::size_t> alone; // strays before a measurement that is where the path is
     const auto part = std::span(points_).subspan(begin, end - begin);
-    eachPathSurprise(part, model, kGate, [&](std::size_t k, double surprise) {
+    forEachNormalizedInnovation(part, model, kGate, [&](std::size_t k, double surprise) {
       if (surprise <= kGate) {
         alone.insert(alone.end(), stray.begin(), stray.end());
         stray.clear();
@@ -201,7 +202,7 @@ private:
     });
     drop(alone);
     if (stray.size() == kNewPathMeasurements) {
-      return dropMistake(begin, end, stray.front(), model) ? begin : stray.front();
+      return dropWrongMeasurement(begin, end, stray.front(), model) ? begin : stray.front();
     }
     drop(stray);
     return end;
@@ -211,8 +212,9 @@ private:
   /// jump. But when, without the few looks behind the gap, the later ones agree with the path
   /// before it, some of these few were a mistake: those that are not on the path are dropped, and
   /// true is returned.
-  bool dropMistake(std::size_t begin, std::size_t end, std::size_t jump, const PathModel& model) {
-    const std::size_t first = firstBehindGap(begin, jump);
+  bool dropWrongMeasurement(std::size_t begin, std::size_t end, std::size_t jump,
+                            const PathModel& model) {
+    const std::size_t first = firstAfterGap(begin, jump);
     if (first <= begin) {
       return false;
     }
@@ -242,7 +244,7 @@ private:
 
   /// The first look behind the last gap before the jump, if that is not long ago and something was
   /// seen before the gap; otherwise `begin`.
-  std::size_t firstBehindGap(std::size_t begin, std::size_t jump) const {
+  std::size_t firstAfterGap(std::size_t begin, std::size_t jump) const {
     std::size_t unseen = 0;
     std::size_t first = jump;
     for (std::size_t k = jump; k-- > begin && first + kMistakeInstants > jump;) {
@@ -259,14 +261,14 @@ private:
   static bool agrees(const std::vector<PathPoint>& path, const PathModel& model, std::size_t from) {
     int agreeing = 0;
     bool expected = true;
-    eachPathSurprise(path, model, kGate, [&](std::size_t k, double surprise) {
+    forEachNormalizedInnovation(path, model, kGate, [&](std::size_t k, double surprise) {
       if (k >= from) {
         expected = surprise <= kGate;
         agreeing += expected ? 1 : 0;
       }
-      return expected && agreeing < kTellingMeasurements;
+      return expected && agreeing < kMinConfirmingMeasurements;
     });
-    return agreeing == kTellingMeasurements;
+    return agreeing == kMinConfirmingMeasurements;
   }
 
   static bool isOnPath(const PositionMeasurement& measurement, const PathEstimate& path,
@@ -286,8 +288,8 @@ private:
   void smoothPart(std::size_t begin, std::size_t end, const PathModel& model) {
     const auto part = std::span(points_).subspan(begin, end - begin);
     auto estimates = smoothPath(part, model, wanted_);
-    for (int pass = 0; pass < kMostPasses && goesOn_() && dropOutliers(part, estimates, model);
-         ++pass) {
+    for (int pass = 0;
+         pass < kMostPasses && shouldContinue_() && dropOutliers(part, estimates, model); ++pass) {
       estimates = smoothPath(part, model, wanted_);
     }
     const auto shared = sharedErrors(part, model, wanted_);
@@ -339,7 +341,7 @@ private:
 
   std::vector<TrajectorySample*> samples_;
   double longestGap_;
-  std::function<bool()> goesOn_;
+  std::function<bool()> shouldContinue_;
   std::function<bool()> wanted_;
   std::vector<PathPoint> points_;
 };
@@ -347,7 +349,7 @@ private:
 } // namespace
 
 PathModel fitPathModel(std::span<const std::vector<PathPoint>> paths,
-                       const std::function<bool()>& goesOn) {
+                       const std::function<bool()>& shouldContinue) {
   std::vector<Path> used;
   std::size_t left = kMostMeasurementsToFit;
   for (const Path& path : paths) {
@@ -355,9 +357,9 @@ PathModel fitPathModel(std::span<const std::vector<PathPoint>> paths,
     used.emplace_back(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(count));
     left -= count;
   }
-  Fitted best = fitOrder(used, 2, goesOn);
-  for (int order = 3; order <= kMostPathOrder; ++order) {
-    const Fitted other = fitOrder(used, order, goesOn);
+  Fitted best = fitOrder(used, 2, shouldContinue);
+  for (int order = 3; order <= kMaxPathOrder; ++order) {
+    const Fitted other = fitOrder(used, order, shouldContinue);
     best = other.logLikelihood > best.logLikelihood ? other : best;
   }
   return best.model;
@@ -381,12 +383,12 @@ Trajectory smoothed(const Trajectory& live, const SmootherOptions& options) {
                           !options.progress((done + share) / static_cast<double>(targets.size())));
     return !stopped;
   };
-  const auto goesOn = [&] {
-    share += kShareOfAStep * (1.0 - share);
+  const auto shouldContinue = [&] {
+    share += kProgressPerStep * (1.0 - share);
     return wanted();
   };
   for (auto& [name, samples] : targets) {
-    TargetSmoother(std::move(samples), options.longestGap, goesOn, wanted).run();
+    TargetSmoother(std::move(samples), options.longestGap, shouldContinue, wanted).run();
     done += 1.0;
     share = 0.0;
   }

@@ -21,10 +21,10 @@ struct SmootherOptions {
 
 /// Fits a path model to the run by maximum likelihood. It finds the most likely order and strength
 /// of the motion, and the covariance factor that matches the scatter of the measurements. At most
-/// the first 2,000 instants are used. `goesOn`, if given, is called from time to time; once it has
-/// returned false, the model found so far is returned.
+/// the first 2,000 instants are used. `shouldContinue`, if given, is called from time to time; once
+/// it has returned false, the model found so far is returned.
 PathModel fitPathModel(std::span<const std::vector<PathPoint>> paths,
-                       const std::function<bool()>& goesOn = {});
+                       const std::function<bool()>& shouldContinue = {});
 
 /// Returns the trajectory smoothed over the whole run: each estimate uses all measurements before
 /// and after it, and has the corresponding covariance.

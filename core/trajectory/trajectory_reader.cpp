@@ -43,7 +43,7 @@ std::optional<std::string> takeQuoted(std::string_view& text) {
   return std::nullopt;
 }
 
-/// The cells of one line; nothing if a quote never ends. Of more than limits::kMostColumns only the
+/// The cells of one line; nothing if a quote never ends. Of more than limits::kMaxColumns only the
 /// first are there, and one.
 std::optional<Cells> splitLine(std::string_view line) {
   Cells cells;
@@ -58,7 +58,7 @@ std::optional<Cells> splitLine(std::string_view line) {
       cells.emplace_back(trimmed(line.substr(0, end)));
       line.remove_prefix(end);
     }
-    if (line.empty() || cells.size() > limits::kMostColumns)
+    if (line.empty() || cells.size() > limits::kMaxColumns)
       return cells;
     line.remove_prefix(1);
   }
@@ -67,7 +67,7 @@ std::optional<Cells> splitLine(std::string_view line) {
 template <class T> bool parse(std::string_view text, T& value) {
   if (!text.empty() && text.front() == '+')
     text.remove_prefix(1);
-  const auto number = numberFrom<T>(text);
+  const auto number = toNumber<T>(text);
   value = number.value_or(value);
   return number.has_value();
 }
@@ -125,14 +125,14 @@ private:
     auto cells = splitLine(line);
     if (!cells)
       return notParsed("a quoted text is not closed");
-    if (cells->size() > limits::kMostColumns)
-      return notParsed(fmt::format("more than {} cells", limits::kMostColumns));
+    if (cells->size() > limits::kMaxColumns)
+      return notParsed(fmt::format("more than {} cells", limits::kMaxColumns));
     if (columns_.empty())
       return readColumns(std::move(*cells));
     if (cells->size() != columns_.size())
       return notParsed(fmt::format("{} cells, but {} columns", cells->size(), columns_.size()));
-    if (trajectory_.samples.size() == limits::kMostRows)
-      return notParsed(fmt::format("more than {} rows", limits::kMostRows));
+    if (trajectory_.samples.size() == limits::kMaxRows)
+      return notParsed(fmt::format("more than {} rows", limits::kMaxRows));
     return readSample(*cells);
   }
 
@@ -141,8 +141,8 @@ private:
     if (colon == std::string_view::npos)
       return {};
     const TrajectoryHeader& header = trajectory_.header;
-    if (header.entries.size() + header.cameras.size() >= limits::kMostHeaderEntries)
-      return notParsed(fmt::format("more than {} comments", limits::kMostHeaderEntries));
+    if (header.entries.size() + header.cameras.size() >= limits::kMaxHeaderEntries)
+      return notParsed(fmt::format("more than {} comments", limits::kMaxHeaderEntries));
     const std::string_view key = trimmed(text.substr(0, colon));
     const std::string_view value = trimmed(text.substr(colon + 1));
     if (key == "camera") {
@@ -229,7 +229,7 @@ private:
     }
     if (!status)
       return status;
-    if (sample.frame > limits::kMostFrames || sample.frame < -limits::kMostFrames)
+    if (sample.frame > limits::kMaxFrames || sample.frame < -limits::kMaxFrames)
       return badNumber("frame", fmt::format("{}", sample.frame));
     sample.valid = valid != 0;
     sample.corrected = corrected != 0;

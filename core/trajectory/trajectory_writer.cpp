@@ -31,7 +31,7 @@ std::string headerText(const TrajectoryHeader& header) {
   for (const TrajectoryCamera& camera : header.cameras) {
     const auto& c = camera.center;
     const auto& a = camera.opticalAxis;
-    text += fmt::format("# camera: {} center {} {} {} axis {} {} {}\n", inQuotes(camera.name),
+    text += fmt::format("# camera: {} center {} {} {} axis {} {} {}\n", quotedCsv(camera.name),
                         c.x(), c.y(), c.z(), a.x(), a.y(), a.z());
   }
   text.append(kColumns).append(header.hasSeen ? kSeenColumns : "");

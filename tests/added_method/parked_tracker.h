@@ -11,7 +11,7 @@ namespace dewpoint::tracking {
 
 /// Method `parked`: believes that every target is where the parameters say, whatever the images
 /// show.
-class ParkedTracker final : public Tracker, public Configurable, public TargetFollowing {
+class ParkedTracker final : public Tracker, public Configurable, public TargetTracking {
 public:
   /// Of parkedParameters() (asserted).
   ParkedTracker(const ParameterValues& parameters, const std::vector<Target>& targets);
@@ -24,7 +24,7 @@ public:
   std::size_t trackCount() const override { return estimates_.size(); }
   TrackEstimate estimate(std::size_t track) const override { return estimates_.at(track); }
   void setTargets(const std::vector<Target>& targets) override;
-  bool takesAnyNumber() const override { return true; }
+  bool canChangeTargetCount() const override { return true; }
 
 private:
   ParameterValues parameters_;

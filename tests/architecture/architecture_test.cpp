@@ -111,13 +111,13 @@ TEST(Architecture, FewPlacesAskWhetherAMethodFindsItsTargets) {
 
 TEST(SourceRules, CountsQuestionsForTheKindOfAMethod) {
   EXPECT_EQ(kindQuestions("  if (family.tables == RunTables::Boxes) {\n"), 1);
-  EXPECT_EQ(kindQuestions("f(TargetsFrom::Box, TargetsFrom::Color);\n"), 2);
+  EXPECT_EQ(kindQuestions("f(TargetSource::Box, TargetSource::Color);\n"), 2);
   EXPECT_EQ(kindQuestions("  // as RunTables::Boxes\n"), 0);
   EXPECT_EQ(kindQuestions("  switch (family.tables) {\n  case RunTables::Boxes:\n    break;\n"
                           "  case RunTables::People:\n    break;\n"),
             1);
-  EXPECT_EQ(kindQuestions("  if (run.capability<Copying>() == nullptr) {\n"), 1);
-  EXPECT_EQ(kindQuestions("  const auto* const copying = run.capability<Copying>();\n"
+  EXPECT_EQ(kindQuestions("  if (run.capability<Copyable>() == nullptr) {\n"), 1);
+  EXPECT_EQ(kindQuestions("  const auto* const copying = run.capability<Copyable>();\n"
                           "  if (copying != nullptr) {\n"),
             0);
 }

@@ -59,7 +59,7 @@ const std::map<std::string, std::map<std::string, Names>, std::less<>>& roomTabl
       {"setup",
        {{"new_project", {}},
         {"clicks", {}},
-        {"calibration", {"new_project"}},
+        {"calibration", {"clicks", "new_project"}},
         {"", {"new_project"}},
         {"doctor", {"", "new_project"}}}},
       {"session",

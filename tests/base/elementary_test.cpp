@@ -58,14 +58,14 @@ TEST(RandomColumns, AreTheSameBitsAsOneByOne) {
     for (const std::size_t count : {0U, 1U, 7U, 256U, 1000U}) {
       std::vector<std::vector<double>> normal(3, std::vector<double>(count));
       std::vector<std::vector<double>> four(4, std::vector<double>(count));
-      stream.normals4(kFirst, 7, static_cast<std::int64_t>(count),
-                      {four[0].data(), four[1].data(), four[2].data(), four[3].data()});
+      stream.fillNormal4(kFirst, 7, static_cast<std::int64_t>(count),
+                         {four[0].data(), four[1].data(), four[2].data(), four[3].data()});
       std::vector<std::vector<float>> exponential(4, std::vector<float>(count));
-      stream.normals(kFirst, static_cast<std::int64_t>(count),
-                     {normal[0].data(), normal[1].data(), normal[2].data()});
-      stream.exponentials(kFirst, static_cast<std::int64_t>(count),
-                          {exponential[0].data(), exponential[1].data(), exponential[2].data(),
-                           exponential[3].data()});
+      stream.fillNormal3(kFirst, static_cast<std::int64_t>(count),
+                         {normal[0].data(), normal[1].data(), normal[2].data()});
+      stream.fillExponential4(kFirst, static_cast<std::int64_t>(count),
+                              {exponential[0].data(), exponential[1].data(), exponential[2].data(),
+                               exponential[3].data()});
       for (std::size_t i = 0; i < count; ++i) {
         const std::uint32_t index = kFirst + static_cast<std::uint32_t>(i);
         for (std::size_t part = 0; part < 4; ++part) {
@@ -111,10 +111,10 @@ TEST(ElementarySingle, CosineAndSineAreThoseInDoublePrecision) {
 TEST(ElementarySingle, UnitIntervalIsRoundedToItsNeighbor) {
   for (const std::uint32_t word : {0U, 1U, 2U, 65535U, 65536U, 0x7FFFFFFFU, 0x80000000U, ~0U}) {
     const double exact = (word + 0.5) * 0x1.0p-32;
-    EXPECT_NEAR(double{unitInterval(word)} / exact, 1.0, 0x1.0p-24) << word;
+    EXPECT_NEAR(double{toUnitInterval(word)} / exact, 1.0, 0x1.0p-24) << word;
   }
-  EXPECT_GT(unitInterval(0U), 0.0F); // its logarithm is finite
-  EXPECT_LE(unitInterval(~0U), 1.0F);
+  EXPECT_GT(toUnitInterval(0U), 0.0F); // its logarithm is finite
+  EXPECT_LE(toUnitInterval(~0U), 1.0F);
 }
 
 // r² is twice a logarithm of relative error 3e-7, of a number rounded at 6e-8: r is off by at most

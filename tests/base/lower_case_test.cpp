@@ -7,10 +7,10 @@ namespace dewpoint::tests {
 namespace {
 
 TEST(LowerCase, IsThatOfTheLettersAToZ) {
-  EXPECT_EQ(base::inLowerCase(".JPeG"), ".jpeg");
-  EXPECT_EQ(base::inLowerCase("@AZ[`az{ 09_"), "@az[`az{ 09_");
-  EXPECT_EQ(base::inLowerCase(""), "");
-  EXPECT_EQ(base::inLowerCase("\xC3\x84 A"), "\xC3\x84 a"); // an umlaut stays as it is
+  EXPECT_EQ(base::toLowerCase(".JPeG"), ".jpeg");
+  EXPECT_EQ(base::toLowerCase("@AZ[`az{ 09_"), "@az[`az{ 09_");
+  EXPECT_EQ(base::toLowerCase(""), "");
+  EXPECT_EQ(base::toLowerCase("\xC3\x84 A"), "\xC3\x84 a"); // an umlaut stays as it is
 }
 
 } // namespace

@@ -9,8 +9,8 @@ namespace {
 
 TEST(OneLine, KeepsWhatIsPlain) {
   const std::string text = "Größe: 3 m, \xE2\x82\xAC, \xF0\x9F\x98\x80";
-  EXPECT_EQ(base::onOneLine(text), text);
-  EXPECT_EQ(base::onOneLine(""), "");
+  EXPECT_EQ(base::toSingleLine(text), text);
+  EXPECT_EQ(base::toSingleLine(""), "");
 }
 
 TEST(OneLine, CountsTheBytesOfTheFirstCharacter) {
@@ -22,15 +22,15 @@ TEST(OneLine, CountsTheBytesOfTheFirstCharacter) {
 }
 
 TEST(OneLine, HasNoControlCharactersAndIsUtf8) {
-  EXPECT_EQ(base::onOneLine(std::string("a\nb\r\tc\0d\x7F", 9)), "a?b??c?d?");
+  EXPECT_EQ(base::toSingleLine(std::string("a\nb\r\tc\0d\x7F", 9)), "a?b??c?d?");
   // Bytes that begin or go on with nothing, an overlong slash, a surrogate, beyond U+10FFFF, cut
   // off.
-  EXPECT_EQ(base::onOneLine("\xFF\x80|\xC0\xAF|\xED\xA0\x80|\xF4\x90\x80\x80|\xE2\x82"),
+  EXPECT_EQ(base::toSingleLine("\xFF\x80|\xC0\xAF|\xED\xA0\x80|\xF4\x90\x80\x80|\xE2\x82"),
             "??|??|???|????|??");
 }
 
 TEST(OneLine, IsCutWhereItIsLong) {
-  const std::string line = base::onOneLine(std::string(1'000'000, 'x'));
+  const std::string line = base::toSingleLine(std::string(1'000'000, 'x'));
   EXPECT_EQ(line.size(), 4003U);
   EXPECT_TRUE(line.ends_with("x..."));
 }

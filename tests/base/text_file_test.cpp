@@ -52,10 +52,10 @@ TEST_F(TextFile, ThatIsMissingOrNoFileIsAnError) {
 
 TEST_F(TextFile, LargerThanItsLimitIsAnError) {
   write("x");
-  fs::resize_file(file_, base::limits::kMostTextBytes + 1); // of a file with a hole
+  fs::resize_file(file_, base::limits::kMaxTextBytes + 1); // of a file with a hole
   EXPECT_EQ(base::readTextFile(file_).error().code, ErrorCode::FileUnreadable);
   EXPECT_EQ(base::readTextFile(file_).error().detail, "it is larger than 64 MiB");
-  fs::resize_file(file_, base::limits::kMostTableBytes + 1);
+  fs::resize_file(file_, base::limits::kMaxTableBytes + 1);
   EXPECT_EQ(base::readTableText(file_).error().detail, "it is larger than 4096 MiB");
 }
 

@@ -14,19 +14,19 @@ int processors() {
 }
 
 TEST(FilterThreads, AreAsWanted) {
-  EXPECT_EQ(filterThreads(1), 1);
-  EXPECT_EQ(filterThreads(7), 7);
+  EXPECT_EQ(filterThreadCount(1), 1);
+  EXPECT_EQ(filterThreadCount(7), 7);
 }
 
 TEST(FilterThreads, LeaveOneProcessorToCamerasAndWindow) {
-  EXPECT_EQ(filterThreads(0), std::max(1, processors() - 1));
+  EXPECT_EQ(filterThreadCount(0), std::max(1, processors() - 1));
 }
 
 TEST(ThreadsForTasks, AreOneEachAsFarAsTheMachineGoes) {
-  EXPECT_EQ(threadsForTasks(0), 1);
-  EXPECT_EQ(threadsForTasks(1), 1);
-  EXPECT_EQ(threadsForTasks(2), std::min(2, processors()));
-  EXPECT_EQ(threadsForTasks(1'000'000), processors());
+  EXPECT_EQ(threadCountForTasks(0), 1);
+  EXPECT_EQ(threadCountForTasks(1), 1);
+  EXPECT_EQ(threadCountForTasks(2), std::min(2, processors()));
+  EXPECT_EQ(threadCountForTasks(1'000'000), processors());
 }
 
 } // namespace

@@ -63,10 +63,10 @@ TEST(TomlText, QuotesEveryCharacter) {
     text += letter;
   }
   text += "\x7F\xC3\xA4";
-  const auto table = base::parseToml("a = " + base::quoted(text), "a.toml");
+  const auto table = base::parseToml("a = " + base::tomlQuoted(text), "a.toml");
   ASSERT_TRUE(table) << base::sentence(table.error());
   EXPECT_EQ((*table)["a"].value<std::string>(), text);
-  EXPECT_EQ(base::quoted("b\xFF\xC3\xA4\xC3"), "\"b?\xC3\xA4?\"");
+  EXPECT_EQ(base::tomlQuoted("b\xFF\xC3\xA4\xC3"), "\"b?\xC3\xA4?\"");
 }
 
 } // namespace

@@ -11,7 +11,7 @@
 namespace dewpoint::tests {
 namespace {
 
-const PictureShape kCamera{"left", 0, 12, 8};
+const ImageShape kCamera{"left", 0, 12, 8};
 
 cv::Mat plain(int level) {
   return {8, 12, CV_8UC3, cv::Scalar(level, level + 1, level + 2)};
@@ -58,7 +58,7 @@ TEST(BackgroundImage, WhatIsWrongNamesFileAndCamera) {
   std::ofstream(folder / "broken.png") << "nothing";
   for (const auto& [name, camera] :
        {std::pair{"nowhere.png", kCamera}, std::pair{"broken.png", kCamera},
-        std::pair{"small.png", PictureShape{"left", 0, 640, 480}}}) {
+        std::pair{"small.png", ImageShape{"left", 0, 640, 480}}}) {
     const auto room = readBackgroundImage(folder / name, camera);
     ASSERT_FALSE(room) << name;
     EXPECT_NE(sentence(room.error()).find(name), std::string::npos) << sentence(room.error());

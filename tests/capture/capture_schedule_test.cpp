@@ -7,13 +7,13 @@
 namespace dewpoint::tests {
 namespace {
 
-using Pictures = CaptureSchedule::CameraPictures;
+using Pictures = CaptureSchedule::CameraImages;
 
 /// The numbers of the pictures of a camera, frame by frame; -1: none.
 std::vector<std::int64_t> numbers(const CaptureSchedule& schedule, std::size_t camera) {
   std::vector<std::int64_t> found;
   for (std::int64_t frame = 0; frame < schedule.frameCount(); ++frame) {
-    const auto picture = schedule.pictureOf(camera, frame);
+    const auto picture = schedule.imageAt(camera, frame);
     found.push_back(picture ? picture->number : -1);
   }
   return found;
@@ -25,13 +25,13 @@ TEST(CaptureSchedule, TakesPicturesOneByOneUntilTheShortestCameraEnds) {
   const CaptureSchedule schedule({{.count = 5}, {.count = 3}}, 10.0);
   EXPECT_EQ(schedule.frameCount(), 3);
   EXPECT_EQ(numbers(schedule, 0), (Numbers{0, 1, 2}));
-  EXPECT_DOUBLE_EQ(schedule.pictureOf(0, 2)->time, 0.2);
+  EXPECT_DOUBLE_EQ(schedule.imageAt(0, 2)->time, 0.2);
 }
 
 TEST(CaptureSchedule, TakesTheNearestPictureOfALateCamera) {
   const CaptureSchedule schedule({{.count = 4}, {.count = 4, .delay = 0.11}}, 10.0);
   EXPECT_EQ(numbers(schedule, 1), (Numbers{1, 2, 3, -1}));
-  EXPECT_NEAR(schedule.pictureOf(1, 0)->time, -0.01, 1e-12);
+  EXPECT_NEAR(schedule.imageAt(1, 0)->time, -0.01, 1e-12);
 }
 
 TEST(CaptureSchedule, HasNoPictureWhereOneIsMissing) {
@@ -49,7 +49,7 @@ TEST(CaptureSchedule, PairsByTime) {
       10.0);
   EXPECT_EQ(numbers(schedule, 0), (Numbers{2, 3, 4, 5, 6, 7}));
   EXPECT_EQ(numbers(schedule, 1), (Numbers{0, 1, -1, -1, -1, 2}));
-  EXPECT_NEAR(schedule.pictureOf(1, 1)->time, 0.09, 1e-9);
+  EXPECT_NEAR(schedule.imageAt(1, 1)->time, 0.09, 1e-9);
 }
 
 TEST(CaptureSchedule, CountsADelayBesideTimes) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/capture/frame_reader.h"
 #include "core/capture/frame_writer.h"
 #include "core/capture/natural_order.h"
-#include "core/capture/picture_reader.h"
 #include "core/capture/recording.h"
 #include "tests/capture/temporary_folder.h"
 

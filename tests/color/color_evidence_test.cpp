@@ -45,10 +45,10 @@ ColorSample clickOn(const cv::Mat& image, cv::Point at, int camera = 0) {
   return *takeSample(image, place);
 }
 
-double weightOf(const std::vector<HsiColors>& colors, const BgrColor& color) {
+double weightOf(const std::vector<WeightedHsiColor>& colors, const BgrColor& color) {
   const Hsi wanted = hsiFromBgr(color[0], color[1], color[2]);
   double weight = 0.0;
-  for (const HsiColors& cell : colors) {
+  for (const WeightedHsiColor& cell : colors) {
     weight += std::abs(cell.color.intensity - wanted.intensity) < 1e-6 &&
                       std::abs(cell.color.saturation - wanted.saturation) < 1e-6
                   ? cell.weight
@@ -175,7 +175,8 @@ std::uint64_t bitsOf(double value) {
   return std::bit_cast<std::uint64_t>(value); // the hue of gray is NaN
 }
 
-void expectSameColors(const std::vector<HsiColors>& colors, const std::vector<HsiColors>& wanted) {
+void expectSameColors(const std::vector<WeightedHsiColor>& colors,
+                      const std::vector<WeightedHsiColor>& wanted) {
   ASSERT_EQ(colors.size(), wanted.size());
   for (std::size_t i = 0; i < colors.size(); ++i) {
     EXPECT_EQ(bitsOf(colors[i].color.hueDegrees), bitsOf(wanted[i].color.hueDegrees));
@@ -276,11 +277,11 @@ TEST(KnownColorEvidence, WithAnExcludedSampleAllIsCountedAgainForTheSameBits) {
 
 // 7 brightnesses, 5 saturations and 5 hues of each color, whose shares add up to one.
 TEST(ColorEvidence, OtherLightKeepsTheWeight) {
-  const std::vector<HsiColors> colors{{{10.0, 0.5, 0.4}, 30.0}, {{200.0, 0.9, 0.7}, 70.0}};
-  const auto varied = inOtherLight(colors);
+  const std::vector<WeightedHsiColor> colors{{{10.0, 0.5, 0.4}, 30.0}, {{200.0, 0.9, 0.7}, 70.0}};
+  const auto varied = withLightVariations(colors);
   ASSERT_EQ(varied.size(), 2U * 7U * 5U * 5U);
   double weight = 0.0;
-  for (const HsiColors& cell : varied) {
+  for (const WeightedHsiColor& cell : varied) {
     weight += cell.weight;
     EXPECT_LE(cell.color.saturation, 1.0);
     EXPECT_LE(cell.color.intensity, 1.0);

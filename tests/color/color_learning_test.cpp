@@ -92,13 +92,13 @@ TEST(ColorAssessment, SaysThatTheTargetIsMissedRatherThanTheRoomHit) {
   EXPECT_NEAR(learned->assessment.separability, 0.4, 1e-9);
   EXPECT_EQ(learned->assessment.backgroundShare, 0.0);
   EXPECT_TRUE(learned->assessment.missesTarget());
-  ASSERT_TRUE(learned->assessment.backgroundShareOfWhole);
-  EXPECT_NEAR(*learned->assessment.backgroundShareOfWhole, 0.75, 1e-9);
+  ASSERT_TRUE(learned->assessment.backgroundShareOfFullRange);
+  EXPECT_NEAR(*learned->assessment.backgroundShareOfFullRange, 0.75, 1e-9);
 
   // A range by hand that holds the target: nothing is missed, much of the room is hit.
   const auto all = assessColor(ColorRange{0.0, 60.0, 0.1, 1.0, 0.1, 1.0}, samples, {image});
   EXPECT_FALSE(all.missesTarget());
-  EXPECT_FALSE(all.backgroundShareOfWhole);
+  EXPECT_FALSE(all.backgroundShareOfFullRange);
   EXPECT_NEAR(all.backgroundShare, 0.75, 1e-9);
 }
 
@@ -213,7 +213,7 @@ TEST(ColorLearning, ATwinIsNamedWhereItIs) {
   EXPECT_EQ(twin.color, ColorWord::Pink);
   EXPECT_TRUE(twin.box.contains({290, 30}));
   EXPECT_EQ(seen->assessment.suggestion, Suggestion::FollowAll);
-  EXPECT_EQ(seen->assessment.alike, 2);
+  EXPECT_EQ(seen->assessment.similarObjectCount, 2);
 }
 
 TEST(ColorLearning, WhatIsMuchLargerIsNoTwin) {
@@ -221,7 +221,7 @@ TEST(ColorLearning, WhatIsMuchLargerIsNoTwin) {
   image(cv::Rect(200, 0, 120, 220)).setTo(kPink);
   const auto learned = learnColor({clickAt(image, {120, 100})}, {image});
   ASSERT_TRUE(learned);
-  EXPECT_EQ(learned->assessment.alike, 1);
+  EXPECT_EQ(learned->assessment.similarObjectCount, 1);
   EXPECT_NE(learned->assessment.suggestion, Suggestion::FollowAll);
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 const double kHueOfGray = std::numeric_limits<double>::quiet_NaN();
 
-HsiColors cell(double hue, double weight, double saturation = 0.5, double intensity = 0.5) {
+WeightedHsiColor cell(double hue, double weight, double saturation = 0.5, double intensity = 0.5) {
   return {{hue, saturation, intensity}, weight};
 }
 
@@ -31,8 +31,8 @@ void expectRange(const ColorRange& found, double hueMin, double hueMax, double s
 // Of a target of 60 + 40 pixels the range holds the 60, and 20 of the rest: F1 = 2 * 60 / (100 + 60
 // + 20).
 TEST(RangeFit, AScoreIsTheF1OfWhatMatches) {
-  const std::vector<HsiColors> target{cell(10, 60), cell(50, 40)};
-  const std::vector<HsiColors> rest{cell(12, 20), cell(200, 500), cell(12, 30, 0.9)};
+  const std::vector<WeightedHsiColor> target{cell(10, 60), cell(50, 40)};
+  const std::vector<WeightedHsiColor> rest{cell(12, 20), cell(200, 500), cell(12, 30, 0.9)};
   const RangeScore score = scoreRange(ColorRange{0.0, 20.0, 0.4, 0.6, 0.0, 1.0}, target, rest);
   EXPECT_EQ(score.target, 60.0);
   EXPECT_EQ(score.rest, 20.0);
@@ -59,21 +59,22 @@ TEST(RangeFit, HuesGoRoundThroughZero) {
 
 // Nothing lies on the other side of the circle, which is no reason to let it through.
 TEST(RangeFit, HuesAroundZeroAreHeldTightlyToo) {
-  const std::vector<HsiColors> target{cell(355, 50), cell(5, 50)};
-  const ColorRange even = withShortestHue(fitRange(target, {}), target, {});
+  const std::vector<WeightedHsiColor> target{cell(355, 50), cell(5, 50)};
+  const ColorRange even = withNarrowestHue(fitRange(target, {}), target, {});
   expectRange(even, 354.5, 5.5, 0.495, 0.505, 0.495, 0.505);
   // Tenths have no exact sum: in another order it is another one.
-  const std::vector<HsiColors> tenths{cell(0, 0.1), cell(10, 0.2), cell(345, 0.3), cell(350, 0.7)};
-  const ColorRange uneven = withShortestHue(fitRange(tenths, {}), tenths, {});
+  const std::vector<WeightedHsiColor> tenths{cell(0, 0.1), cell(10, 0.2), cell(345, 0.3),
+                                             cell(350, 0.7)};
+  const ColorRange uneven = withNarrowestHue(fitRange(tenths, {}), tenths, {});
   expectRange(uneven, 344.5, 10.5, 0.495, 0.505, 0.495, 0.505);
 }
 
 TEST(ShortestHue, LeavesARangeOfEveryHueAndTheOnlyBestOne) {
-  const std::vector<HsiColors> target{cell(10, 50), cell(40, 50)};
+  const std::vector<WeightedHsiColor> target{cell(10, 50), cell(40, 50)};
   const ColorRange every{0.0, 360.0};
-  EXPECT_EQ(withShortestHue(every, target, {}), every);
+  EXPECT_EQ(withNarrowestHue(every, target, {}), every);
   const ColorRange found = fitRange(target, {cell(200, 50)});
-  EXPECT_EQ(withShortestHue(found, target, {cell(200, 50)}), found);
+  EXPECT_EQ(withNarrowestHue(found, target, {cell(200, 50)}), found);
 }
 
 // Nine tenths of the target at hue 10, one tenth at 40, something else at 25, and much at 200, so
@@ -81,7 +82,7 @@ TEST(ShortestHue, LeavesARangeOfEveryHueAndTheOnlyBestOne) {
 // all of the target costs too much: 2 * 90 / (100 + 90) = 0.95 against 2 * 100 / (100 + 100 + 50) =
 // 0.8. Of 5 it does not: 0.95 against 200 / 205 = 0.98.
 TEST(RangeFit, APartIsGivenUpWhereItCostsMoreThanItWins) {
-  const std::vector<HsiColors> target{cell(10, 90), cell(40, 10)};
+  const std::vector<WeightedHsiColor> target{cell(10, 90), cell(40, 10)};
   const ColorRange part = fitRange(target, {cell(25, 50), cell(200, 1000)});
   EXPECT_NEAR(part.hueMin, 9.5, 1e-9);
   EXPECT_NEAR(part.hueMax, 10.5, 1e-9);
@@ -106,7 +107,7 @@ TEST(RangeFit, EachAxisCanTellThemApart) {
 // 200 / (200 + rest), with its hue alone 2 * 50 / (100 + 50) = 0.667: 60 pixels of other gray leave
 // 0.769, 100 leave 0.667, which is not worth letting every hue through.
 TEST(RangeFit, EveryHueIsLetThroughWhereItPays) {
-  const std::vector<HsiColors> target{cell(10, 50), cell(kHueOfGray, 50, 0.0)};
+  const std::vector<WeightedHsiColor> target{cell(10, 50), cell(kHueOfGray, 50, 0.0)};
   EXPECT_TRUE(spansEveryHue(fitRange(target, {})));
   EXPECT_TRUE(spansEveryHue(fitRange(target, {cell(kHueOfGray, 60, 0.0)})));
   const ColorRange hue = fitRange(target, {cell(kHueOfGray, 100, 0.0)});
@@ -120,9 +121,9 @@ TEST(RangeFit, BlackIsNeverInARange) {
 }
 
 /// Colors in random places, as a target in one part of color space and a room all over it.
-std::vector<HsiColors> scattered(std::uint32_t seed, int count, double spread) {
+std::vector<WeightedHsiColor> scattered(std::uint32_t seed, int count, double spread) {
   const RandomStream random(41, seed, 0, RandomPurpose::Noise);
-  std::vector<HsiColors> colors;
+  std::vector<WeightedHsiColor> colors;
   for (int k = 0; k < count; ++k) {
     const auto unit = random.uniform3(static_cast<std::uint32_t>(k));
     const auto more = random.uniform3(static_cast<std::uint32_t>(k + count));

@@ -28,7 +28,7 @@ ColorSample evenSample(const BgrColor& bgr, bool excluded = false) {
 }
 
 std::vector<std::vector<std::size_t>> groupsOf(const std::vector<ColorSample>& samples) {
-  return color::colorsOfSamples(samples);
+  return color::groupSamplesByColor(samples);
 }
 using Groups = std::vector<std::vector<std::size_t>>;
 

@@ -48,24 +48,24 @@ TEST(OccupiedBins, CountsCubesOnce) {
       0.11, 0.01, 0.01,       // the next in x
       0.01, 0.01, -0.01,      // below zero is another cube, not the same rounded towards zero
       0.01, 0.31, 0.01;       // another in y
-  EXPECT_EQ(occupiedBins(states, 0.1), 4);
-  EXPECT_EQ(occupiedBins(states, 1.0), 2);  // all but the one below zero
-  EXPECT_EQ(occupiedBins(states, 1e-4), 5); // each its own
-  EXPECT_EQ(occupiedBins(states.topRows(1), 0.1), 1);
-  EXPECT_EQ(occupiedBins(states.topRows(0), 0.1), 0);
+  EXPECT_EQ(countOccupiedBins(states, 0.1), 4);
+  EXPECT_EQ(countOccupiedBins(states, 1.0), 2);  // all but the one below zero
+  EXPECT_EQ(countOccupiedBins(states, 1e-4), 5); // each its own
+  EXPECT_EQ(countOccupiedBins(states.topRows(1), 0.1), 1);
+  EXPECT_EQ(countOccupiedBins(states.topRows(0), 0.1), 0);
 }
 
 TEST(OccupiedBins, LooksAtThePlaceOnly) {
   Eigen::ArrayXXd states = Eigen::ArrayXXd::Zero(10, 6);
   states.col(4) = Eigen::ArrayXd::LinSpaced(10, -5.0, 5.0);
-  EXPECT_EQ(occupiedBins(states, 0.01), 1);
+  EXPECT_EQ(countOccupiedBins(states, 0.01), 1);
 }
 
 TEST(OccupiedBins, SurvivesPlacesFarAway) {
   Eigen::ArrayXXd states = Eigen::ArrayXXd::Zero(3, 3);
   states(1, 0) = 1e300;
   states(2, 0) = -std::numeric_limits<double>::infinity();
-  EXPECT_EQ(occupiedBins(states, 0.01), 3);
+  EXPECT_EQ(countOccupiedBins(states, 0.01), 3);
 }
 
 } // namespace

@@ -108,7 +108,7 @@ TEST(CumulativeWeights, AreThoseOfTheDefinition) {
     for (const Eigen::ArrayXd& weights : weightsOfManyKinds(count)) {
       const std::vector<double> expected = cumulativeByDefinition(weights);
       CumulativeWeights cumulative;
-      cumulative.build(weights);
+      cumulative.compute(weights);
       EXPECT_EQ(written(cumulative), expected) << count;
       EXPECT_EQ(cumulative.total(), expected.back());
       EXPECT_TRUE(std::is_sorted(expected.begin(), expected.end()));
@@ -131,7 +131,7 @@ TEST(BlockWeights, AreTheNormalizedWeights) {
       normalize(weights.log(), expected, team);
       const BlockWeights blocks = inBlocks(weights);
       CumulativeWeights cumulative;
-      cumulative.build(blocks);
+      cumulative.compute(blocks);
       const std::vector<double> sums = written(cumulative);
       EXPECT_TRUE(std::is_sorted(sums.begin(), sums.end()));
       EXPECT_EQ(sums.back(), cumulative.total());
@@ -240,7 +240,7 @@ TEST(MultinomialResampling, IsABinarySearchAncestorByAncestor) {
       }
       const BlockWeights blocks = inBlocks(weights);
       CumulativeWeights cumulative;
-      cumulative.build(blocks);
+      cumulative.compute(blocks);
       for (const Eigen::Index count : {1, 200, 1000, 4096, 40001}) {
         Ancestors picked;
         MultinomialResampling{}.ancestors(weights, count, stream, picked);

@@ -35,7 +35,7 @@ TEST(Condition, IsTheKalmanUpdateByHand) {
   Gaussian3 place;
   place.mean = Eigen::Vector3d(2.0, 3.0, 4.0);
   place.covariance = 2.0 * Eigen::Matrix3d::Identity();
-  condition(belief, place);
+  conditionOnPosition(belief, place);
   Vector6 mean;
   mean << 2.0, 3.0, 4.0, 0.6, 0.7, 0.8;
   Matrix6 covariance = Matrix6::Zero();
@@ -73,7 +73,7 @@ TEST(Condition, IsTheKalmanUpdateOfACoupledState) {
   const Vector6 mean = belief.mean + gain * (measured - belief.mean.head<3>());
   const Matrix6 covariance = belief.covariance - gain * innovation * gain.transpose();
 
-  condition(belief, {mean.head<3>(), covariance.topLeftCorner<3, 3>()});
+  conditionOnPosition(belief, {mean.head<3>(), covariance.topLeftCorner<3, 3>()});
   expectNear(belief.mean, mean, 1e-10);
   expectNear(belief.covariance, covariance, 1e-10);
 }
@@ -83,7 +83,7 @@ TEST(Condition, OnWhatIsBelievedAlreadyChangesNothing) {
   belief.mean << 0.3, -0.2, 0.9, 1.0, -2.0, 0.5;
   belief.covariance = coupledCovariance();
   const Gaussian6 before = belief;
-  condition(belief, {before.mean.head<3>(), before.covariance.topLeftCorner<3, 3>()});
+  conditionOnPosition(belief, {before.mean.head<3>(), before.covariance.topLeftCorner<3, 3>()});
   expectNear(belief.mean, before.mean, 1e-12);
   expectNear(belief.covariance, before.covariance, 1e-12);
 }

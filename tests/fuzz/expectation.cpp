@@ -27,7 +27,7 @@ void expectPlain(const Error& error) {
   const std::string text = base::sentence(error);
   if (error.file.empty() || text.size() > kMostSentenceBytes ||
       text.find_first_of("\n\r") != text.npos ||
-      (text.size() < 4000 && base::onOneLine(text) != text)) {
+      (text.size() < 4000 && base::toSingleLine(text) != text)) {
     fmt::print(stderr, "not one plain sentence with a file: {}\n", text);
     std::abort();
   }

@@ -14,7 +14,7 @@ void fuzzProject(std::string_view bytes) {
     expectPlain(project.error());
     return;
   }
-  (void)project::parametersInUse(*project);
+  (void)project::effectiveParameters(*project);
   const auto again = loadProject(kFile.hold(projectText(*project, inputFolder())));
   if (!again) {
     expectPlain(again.error());

@@ -19,17 +19,17 @@ TEST(CameraName, NumbersCountFromOne) {
 }
 
 TEST(CameraName, TheFreeOneIsTheFirstFromTheSizeOnThatNoneHas) {
-  EXPECT_EQ(freeCameraName({}), "camera 1");
-  EXPECT_EQ(freeCameraName(named({"left", "right"})), "camera 3");
-  EXPECT_EQ(freeCameraName(named({"left", "camera 3", "camera 4"})), "camera 5");
+  EXPECT_EQ(unusedCameraName({}), "camera 1");
+  EXPECT_EQ(unusedCameraName(named({"left", "right"})), "camera 3");
+  EXPECT_EQ(unusedCameraName(named({"left", "camera 3", "camera 4"})), "camera 5");
 }
 
 TEST(CameraName, TheFirstNumberAndTheWordsMayBeOthers) {
   const auto german = [](std::size_t number) { return "Kamera " + std::to_string(number + 1); };
   const CameraRig rig = named({"left", "right", "Kamera 3", "Kamera 5"});
-  EXPECT_EQ(freeCameraName(rig, 2, german), "Kamera 4");
-  EXPECT_EQ(freeCameraName(rig, 4, german), "Kamera 6");
-  EXPECT_EQ(freeCameraName(rig, 2, defaultCameraName), "camera 3");
+  EXPECT_EQ(unusedCameraName(rig, 2, german), "Kamera 4");
+  EXPECT_EQ(unusedCameraName(rig, 4, german), "Kamera 6");
+  EXPECT_EQ(unusedCameraName(rig, 2, defaultCameraName), "camera 3");
 }
 
 TEST(CameraName, IsTheNumberWhereThereIsNone) {

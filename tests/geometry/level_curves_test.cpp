@@ -56,8 +56,8 @@ TEST(LevelCurves, LevelsHoldTheirShare) {
   const GroundGrid grid = bell(1.0, 200); // fine, for it is a count of cells
   // Of a round normal distribution the share 1 - exp(-r²/(2 sigma²)) lies within r: half of it
   // where the density is half of its peak.
-  EXPECT_NEAR(levelHolding(grid, 0.5), 0.5, 0.03);
-  EXPECT_NEAR(levelHolding(grid, 0.95), 0.05, 0.01);
+  EXPECT_NEAR(levelForProbability(grid, 0.5), 0.5, 0.03);
+  EXPECT_NEAR(levelForProbability(grid, 0.95), 0.05, 0.01);
 }
 
 } // namespace

@@ -51,7 +51,7 @@ TEST(Unprojector, InvertsTheFisheye) {
 TEST(Unprojector, FollowsThePinholeByHand) {
   Camera camera; // axes are the world's
   camera.intrinsics = {320, 240, 100.0, 200.0, 160.0, 120.0};
-  const auto direction = Unprojector(camera).rayWorld({170.0, 110.0}); // (0.1, -0.05, 1)
+  const auto direction = Unprojector(camera).worldDirection({170.0, 110.0}); // (0.1, -0.05, 1)
   ASSERT_TRUE(direction.has_value());
   EXPECT_LT((*direction - Eigen::Vector3d(0.1, -0.05, 1.0).normalized()).norm(), 1e-15);
 }
@@ -62,11 +62,11 @@ TEST(Unprojector, RefusesPixelsTheLensCannotMake) {
   camera.intrinsics = {320, 240, 100.0, 100.0, 160.0, 120.0};
   camera.distortion = {-1.0};
   const Unprojector unprojector(camera);
-  EXPECT_TRUE(unprojector.rayWorld({160.0 + 38.4, 120.0}).has_value());
-  EXPECT_FALSE(unprojector.rayWorld({160.0 + 38.6, 120.0}).has_value());
-  EXPECT_FALSE(unprojector.rayWorld({500.0, 120.0}).has_value());
+  EXPECT_TRUE(unprojector.worldDirection({160.0 + 38.4, 120.0}).has_value());
+  EXPECT_FALSE(unprojector.worldDirection({160.0 + 38.6, 120.0}).has_value());
+  EXPECT_FALSE(unprojector.worldDirection({500.0, 120.0}).has_value());
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(unprojector.rayWorld({nan, 120.0}).has_value());
+  EXPECT_FALSE(unprojector.worldDirection({nan, 120.0}).has_value());
 }
 
 TEST(NearestPoint, IsTheMiddleOfTwoSkewRays) {

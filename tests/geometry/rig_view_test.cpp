@@ -32,30 +32,30 @@ Camera withoutKnownPose() {
 }
 
 TEST(RigView, ARigIsAimedAtWhereItsAxesMeet) {
-  EXPECT_LT((aimOf(threeCameras()) - Eigen::Vector3d(0, 0, 1)).norm(), 2e-3);
+  EXPECT_LT((rigAimPoint(threeCameras()) - Eigen::Vector3d(0, 0, 1)).norm(), 2e-3);
 }
 
 TEST(RigView, OneCameraIsAimedAtTwoMetersBeforeIt) {
   const CameraRig rig{cameraAt("a", {2, 0, 0}, {0, 0, 0})};
-  EXPECT_LT(aimOf(rig).norm(), 1e-9);
+  EXPECT_LT(rigAimPoint(rig).norm(), 1e-9);
   // So are two with parallel axes: between the points before them.
   const CameraRig parallel{cameraAt("a", {2, 0, 0}, {0, 0, 0}),
                            cameraAt("b", {2, 1, 0}, {0, 1, 0})};
-  EXPECT_LT((aimOf(parallel) - Eigen::Vector3d(0, 0.5, 0)).norm(), 1e-9);
+  EXPECT_LT((rigAimPoint(parallel) - Eigen::Vector3d(0, 0.5, 0)).norm(), 1e-9);
 }
 
 TEST(RigView, CamerasWithoutAPoseDoNotCount) {
   CameraRig rig{cameraAt("a", {2, 0, 0}, {0, 0, 0}), withoutKnownPose()};
-  EXPECT_LT(aimOf(rig).norm(), 1e-9);
-  EXPECT_LT((boxAround(rig).max() - Eigen::Vector3d(2, 0, 0)).norm(), 1e-9);
+  EXPECT_LT(rigAimPoint(rig).norm(), 1e-9);
+  EXPECT_LT((rigBounds(rig).max() - Eigen::Vector3d(2, 0, 0)).norm(), 1e-9);
   rig.erase(rig.begin());
-  EXPECT_EQ(aimOf(rig), Eigen::Vector3d::Zero());
-  EXPECT_TRUE(boxAround(rig).isEmpty());
-  EXPECT_TRUE(boxAround({}).isEmpty());
+  EXPECT_EQ(rigAimPoint(rig), Eigen::Vector3d::Zero());
+  EXPECT_TRUE(rigBounds(rig).isEmpty());
+  EXPECT_TRUE(rigBounds({}).isEmpty());
 }
 
 TEST(RigView, TheBoxHoldsTheCamerasAndWhatTheyAreAimedAt) {
-  const Eigen::AlignedBox3d box = boxAround(threeCameras());
+  const Eigen::AlignedBox3d box = rigBounds(threeCameras());
   EXPECT_LT((box.min() - Eigen::Vector3d(-2, 0, 1)).norm(), 2e-3);
   EXPECT_LT((box.max() - Eigen::Vector3d(2, 2, 2)).norm(), 2e-3);
 }

@@ -94,14 +94,14 @@ TEST(SeenVolume, LeavesOutACameraThatLooksAway) {
 TEST(SeenVolume, OfOneCameraEndsAtAStatedDistance) {
   const auto box = seenVolume({cameraAt({0, 0, 0}, {1, 0, 0})});
   ASSERT_TRUE(box.has_value());
-  EXPECT_NEAR(box->max.x(), kReachOfOneCamera, 1e-9);
+  EXPECT_NEAR(box->max.x(), kSingleCameraRange, 1e-9);
   EXPECT_GT(box->min.x(), 0.0);
-  EXPECT_NEAR(box->max.y(), 0.5 * kReachOfOneCamera / std::sqrt(1.25), 1e-9);
+  EXPECT_NEAR(box->max.y(), 0.5 * kSingleCameraRange / std::sqrt(1.25), 1e-9);
   EXPECT_NEAR(box->min.y(), -box->max.y(), 1e-9);
   const Camera twice = cameraAt({0, 0, 0}, {1, 0, 0});
   const auto same = seenVolume({twice, twice}); // no distance between them
   ASSERT_TRUE(same.has_value());
-  EXPECT_NEAR(same->max.x(), kReachOfOneCamera, 1e-9);
+  EXPECT_NEAR(same->max.x(), kSingleCameraRange, 1e-9);
 }
 
 // 0.1 m apart and parallel: 20 times that.

@@ -9,11 +9,11 @@ namespace dewpoint::tests {
 namespace {
 
 Similarity someChange() {
-  return {1.5, geometry::rotationOfVector({0.3, -0.2, 0.9}), {0.4, -1.0, 2.0}};
+  return {1.5, geometry::rotationFromVector({0.3, -0.2, 0.9}), {0.4, -1.0, 2.0}};
 }
 
 TEST(Similarity, OneAfterTheOtherIsTheirProduct) {
-  const Similarity second{0.5, geometry::rotationOfVector({-1.0, 0.1, 0.2}), {3.0, 0.0, 1.0}};
+  const Similarity second{0.5, geometry::rotationFromVector({-1.0, 0.1, 0.2}), {3.0, 0.0, 1.0}};
   const Eigen::Vector3d point(0.7, -0.3, 1.1);
   EXPECT_LT(((second * someChange()) * point - second * (someChange() * point)).norm(), 1e-14);
 }

@@ -50,7 +50,7 @@ SessionInputs demoWithMethod(const std::string& method) {
   auto inputs = openProject("demo").value();
   inputs.project.method = method;
   inputs.project.parameters = ParameterValues(methodParameters(method));
-  inputs.project.parameters.giveAll();
+  inputs.project.parameters.markAllGiven();
   return inputs;
 }
 
@@ -85,7 +85,7 @@ TEST(EndToEnd, TheDemoIsTrackedToThePapersPrecision) {
 }
 
 TEST(EndToEnd, ThreadsDoNotChangeABit) {
-  for (const auto& method : methodNames(TargetsFrom::Color)) {
+  for (const auto& method : methodNames(TargetSource::Color)) {
     const auto one = tracked(demoWithMethod(method), 30, 1);
     expectSameBits(one, tracked(demoWithMethod(method), 30, 2));
     expectSameBits(one, tracked(demoWithMethod(method), 30, 4));

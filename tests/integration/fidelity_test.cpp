@@ -2,8 +2,8 @@
 // What of Barrera et al. 2005, section III, method barrera reproduces (docs/fidelity.md). The
 // seeds are fixed, so a run repeats exactly on one machine; the bounds leave room for what another
 // compiler's rounding does to single runs. "Measured" is `dewpoint-cli experiment convergence
-// --seed 1`: 1500 runs per case. A run has converged when its cloud has (convergedFrom()); "within"
-// counts those of them that are then less than 3 cm from the ball.
+// --seed 1`: 1500 runs per case. A run has converged when its cloud has (convergenceIteration());
+// "within" counts those of them that are then less than 3 cm from the ball.
 #include "app/wiring/open_project.h"
 #include "core/experiment/studies/convergence_study.h"
 #include "core/session/run/tracking_run.h"
@@ -100,7 +100,7 @@ TEST(Fidelity, OnItsWayTheCloudIsLongestAlongCamera1sAxis) {
     auto inputs = openProject("still").value(); // starts at the paper's (0.4, 0.1, 0.2)
     inputs.project.method = "barrera";
     inputs.project.parameters = ParameterValues(methodParameters("barrera"));
-    inputs.project.parameters.giveAll();
+    inputs.project.parameters.markAllGiven();
     const Eigen::Vector3d axis = rigOf(inputs.project)[0].opticalAxis();
     auto run = TrackingRun::create(inputs.project, 1).value();
     run.restart(seed);

@@ -31,7 +31,7 @@ public:
 private:
   FrameSetPtr at(std::int64_t frame) const {
     static simulation::ViewCache views;
-    static const OfficeRenderer renderer(officeDay(), views);
+    static const OfficeRenderer renderer(builtInOfficeScene(), views);
     static std::map<std::int64_t, std::vector<FramePtr>> rendered;
     std::vector<FramePtr>& pictures = rendered[frame + from_];
     for (std::size_t k = pictures.size(); k < renderer.scene().cameras.size(); ++k) {

@@ -72,10 +72,10 @@ int present(const TrackSnapshot& snapshot) {
 
 TEST(PeopleSession, TracksAsTheCommandLineDoes) {
   Session session(office());
-  session.setShapesWanted(true);
+  session.setShapesShown(true);
   playThrough(session);
   const TrackSnapshotPtr last = session.newest();
-  EXPECT_EQ(last->family.targets, TargetsFrom::Images);
+  EXPECT_EQ(last->family.targets, TargetSource::Images);
   ASSERT_EQ(last->targets.size(), 2U); // both are inside by frame 90
   EXPECT_EQ(last->targets[0].target.name, "person 1");
   EXPECT_EQ(last->targets[1].target.name, "person 2");
@@ -87,7 +87,7 @@ TEST(PeopleSession, TracksAsTheCommandLineDoes) {
     // A body has some 0.07 m³; its hull, legs and all, not more than a box of 0.8 x 0.8 x 1.8 m.
     EXPECT_GT(target.shape->volume, 0.03);
     EXPECT_LT(target.shape->volume, 1.15);
-    ASSERT_EQ(target.shape->ground.size(), std::size(kGroundShares));
+    ASSERT_EQ(target.shape->ground.size(), std::size(kGroundFractions));
     EXPECT_FALSE(target.shape->ground.back().empty());
   }
   ASSERT_EQ(last->peopleCameras.size(), 4U);
@@ -113,7 +113,7 @@ TEST(PeopleSession, TellsHowFarTheRoomIsLearned) {
 TEST(PeopleSession, KnowsTheBackgroundImageWithoutLearning) {
   Session session(office());
   simulation::ViewCache views;
-  const OfficeRenderer renderer(officeDay(), views);
+  const OfficeRenderer renderer(builtInOfficeScene(), views);
   std::vector<cv::Mat> rooms;
   for (std::size_t k = 0; k < 4; ++k) {
     rooms.push_back(renderer.backgroundImage(k));
@@ -127,9 +127,9 @@ TEST(PeopleSession, KnowsTheBackgroundImageWithoutLearning) {
 
 TEST(PeopleSession, ShowsThePeopleOfThen) {
   Session session(office());
-  session.setShapesWanted(true);
-  session.setMasksWanted(true);
-  session.setLikelihoodMapsWanted(true);
+  session.setShapesShown(true);
+  session.setMasksShown(true);
+  session.setLikelihoodMapsShown(true);
   playThrough(session);
   const Trajectory all = session.trajectory();
   session.showFrame(70);
@@ -161,7 +161,7 @@ TEST(PeopleSession, ShowsThePeopleOfThen) {
 
 TEST(PeopleSession, TracksAgainWithTheSameBits) {
   for (const std::string& method :
-       methodNames(TargetsFrom::Images)) { // two of them cannot be copied
+       methodNames(TargetSource::Images)) { // two of them cannot be copied
     Session session(office(officeProject(method)));
     playThrough(session);
     const Trajectory first = session.trajectory();
@@ -180,11 +180,11 @@ TEST(PeopleSession, TakesOtherMethodsAndBack) {
   playThrough(session);
   const Trajectory first = session.trajectory();
   session.setMethod("barrera", ParameterValues(methodParameters("barrera")));
-  ASSERT_TRUE(eventually([&] { return session.newest()->family.targets != TargetsFrom::Images; }));
+  ASSERT_TRUE(eventually([&] { return session.newest()->family.targets != TargetSource::Images; }));
   EXPECT_TRUE(session.newest()->targets.empty()); // the project has none
   const Project again = officeProject();
   session.setMethod(again.method, again.parameters);
-  ASSERT_TRUE(eventually([&] { return session.newest()->family.targets == TargetsFrom::Images; }));
+  ASSERT_TRUE(eventually([&] { return session.newest()->family.targets == TargetSource::Images; }));
   playThrough(session);
   EXPECT_TRUE(test::sameBits(first, session.trajectory()));
 }
@@ -197,13 +197,13 @@ TEST(PeopleSession, PeopleArePlacedAndTakenAway) {
   EXPECT_EQ(session.newest()->targets.size(), 0U);
   // Where the first visitor truly is at frame 80, and the second one's image in camera 1.
   simulation::ViewCache views;
-  const OfficeRenderer renderer(officeDay(), views);
-  const double time = officeDay().timeOf(80);
+  const OfficeRenderer renderer(builtInOfficeScene(), views);
+  const double time = builtInOfficeScene().timeOf(80);
   session.showFrame(80);
   ASSERT_TRUE(eventually([&] { return session.newest()->frame == 80; }));
   std::vector<PersonCorrection> said;
-  said.push_back({.frame = 80, .position = renderer.middle(0, time).head<2>()});
-  session.setPeople(said);
+  said.push_back({.frame = 80, .position = renderer.bodyCenter(0, time).head<2>()});
+  session.setPersonCorrections(said);
   ASSERT_TRUE(eventually([&] {
     return present(*session.newest()) == 1 && session.newest()->frame == 80 &&
            session.newest()->history.head == kFrames - 1 && !session.newest()->rerun;
@@ -211,23 +211,23 @@ TEST(PeopleSession, PeopleArePlacedAndTakenAway) {
   session.showFrame(kFrames - 1);
   ASSERT_TRUE(eventually([&] { return session.newest()->frame == kFrames - 1; }));
   EXPECT_EQ(session.newest()->targets.at(0).status, TargetStatus::Held);
-  const double now = officeDay().timeOf(kFrames - 1);
-  const auto pixel = Projector(officeRig()[0]).project(renderer.middle(1, now));
+  const double now = builtInOfficeScene().timeOf(kFrames - 1);
+  const auto pixel = Projector(officeRig()[0]).project(renderer.bodyCenter(1, now));
   ASSERT_TRUE(pixel);
   const auto clicked = [&](const Eigen::Vector2d& where) {
     said.push_back({.frame = kFrames - 1, .click = PersonCorrection::Click{0, where}});
-    session.setPeople(said);
+    session.setPersonCorrections(said);
   };
   clicked(*pixel);
   ASSERT_TRUE(eventually([&] { return present(*session.newest()) == 2; }));
   const Eigen::Vector3d placed = positionOf(session.newest()->targets.at(1).estimate)->mean;
-  EXPECT_LT((placed - renderer.middle(1, now)).head<2>().norm(), 0.3); // of 0.1 m steps
+  EXPECT_LT((placed - renderer.bodyCenter(1, now)).head<2>().norm(), 0.3); // of 0.1 m steps
   clicked({0.0, 0.0}); // a corner of the ceiling: nobody is there, which is said
   ASSERT_TRUE(eventually([&] { return session.newest()->notices.size() == 1; }));
   EXPECT_EQ(session.newest()->notices.front().field, officeRig()[0].name);
   EXPECT_EQ(present(*session.newest()), 2);
   said.push_back({.frame = kFrames - 1, .position = Eigen::Vector2d(50.0, 0.0)}); // another house
-  session.setPeople(said);
+  session.setPersonCorrections(said);
   ASSERT_TRUE(eventually([&] { return session.newest()->notices.size() == 2; }));
   EXPECT_EQ(present(*session.newest()), 2);
   const auto firstPlace = [&] {
@@ -235,15 +235,15 @@ TEST(PeopleSession, PeopleArePlacedAndTakenAway) {
   };
   const Eigen::Vector2d first = firstPlace();
   said.push_back({.frame = kFrames - 1, .position = first, .present = false});
-  session.setPeople(said);
+  session.setPersonCorrections(said);
   ASSERT_TRUE(eventually([&] { return present(*session.newest()) == 1; }));
   EXPECT_EQ(session.newest()->targets.at(0).status, TargetStatus::Gone); // and not lost
   // Whatever was said can be taken back: the run is what it would have been without.
   said.pop_back();
-  session.setPeople(said);
+  session.setPersonCorrections(said);
   ASSERT_TRUE(eventually([&] { return present(*session.newest()) == 2; }));
   EXPECT_EQ(firstPlace(), first);
-  session.setPeople({});
+  session.setPersonCorrections({});
   ASSERT_TRUE(eventually([&] {
     return present(*session.newest()) == 0 && session.newest()->history.head == kFrames - 1 &&
            !session.newest()->rerun;
@@ -276,9 +276,9 @@ TEST(PeopleSession, WhatTheProjectSaysOfPeopleComesTrueInItsFrame) {
   Project project = officeProject();
   ASSERT_TRUE(project.parameters.set("births", 0.0));
   simulation::ViewCache views;
-  const OfficeRenderer renderer(officeDay(), views);
-  const double time = officeDay().timeOf(80);
-  project.people.push_back({.frame = 80, .position = renderer.middle(0, time).head<2>()});
+  const OfficeRenderer renderer(builtInOfficeScene(), views);
+  const double time = builtInOfficeScene().timeOf(80);
+  project.people.push_back({.frame = 80, .position = renderer.bodyCenter(0, time).head<2>()});
   Session session(office(project));
   playThrough(session);
   EXPECT_EQ(present(*session.newest()), 1);
@@ -300,7 +300,7 @@ TEST(PeopleSession, AnotherMethodWhileLookingBackLearnsTheRoomFromTheBeginning) 
     session.setMethodFrom(65, project.method, project.parameters);
     return eventually([&] {
       const auto snapshot = session.newest();
-      return (snapshot->family.targets == TargetsFrom::Images) == people && !snapshot->rerun &&
+      return (snapshot->family.targets == TargetSource::Images) == people && !snapshot->rerun &&
              snapshot->frame == 65 &&
              snapshot->past; // the moment that was looked at is shown again
     });
@@ -317,12 +317,13 @@ TEST(PeopleSession, KnowsHowTallPeopleAre) {
   Session session(office());
   playThrough(session);
   simulation::ViewCache views;
-  const OfficeRenderer renderer(officeDay(), views);
+  const OfficeRenderer renderer(builtInOfficeScene(), views);
   int compared = 0;
   const TrackSnapshotPtr newest = session.newest();
   for (const TargetSnapshot& target : newest->targets) {
     for (std::size_t k = 0; target.person() != nullptr && k < renderer.scene().people.size(); ++k) {
-      const Eigen::Vector3d truth = renderer.middle(k, officeDay().timeOf(kFrames - 1));
+      const Eigen::Vector3d truth =
+          renderer.bodyCenter(k, builtInOfficeScene().timeOf(kFrames - 1));
       if ((truth - target.person()->position).head<2>().norm() < 0.2) {
         // Seen by four cameras of 320x240 from 5 m: a pixel is 0.02 m.
         EXPECT_NEAR(target.person()->height, renderer.scene().people[k].height, 0.08) << k;
@@ -358,14 +359,14 @@ TEST(PeopleTracks, LeaveGapsAndForgetNobody) {
   ASSERT_EQ(tracker->trackCount(), 2U);
   EXPECT_TRUE(isAbsent(tracker->estimate(0)));
   EXPECT_FALSE(isAbsent(tracker->estimate(1)));
-  EXPECT_EQ(finding->everybody()[0].name, "person 1");
+  EXPECT_EQ(finding->allPeople()[0].name, "person 1");
   EXPECT_EQ(placing->addPerson({1.0, 1.0, 0.86}), 3); // never given twice
 }
 
 TEST(PeopleNames, AreReadAsTheyAreWritten) {
-  EXPECT_EQ(personIdentity(personName(12)), 12);
+  EXPECT_EQ(identityFromName(personName(12)), 12);
   for (const char* other : {"person", "person 0", "person -1", "person 1b", "ball", ""}) {
-    EXPECT_EQ(personIdentity(other), std::nullopt) << other;
+    EXPECT_EQ(identityFromName(other), std::nullopt) << other;
   }
 }
 

@@ -78,7 +78,7 @@ TEST(ProjectFile, WhatWasSaidOfPeopleComesBackInTheOrderOfTheirFrames) {
   const auto again = loadProject(file);
   ASSERT_TRUE(again) << sentence(again.error());
   EXPECT_EQ(again->people, expected);
-  addPerson(*project, {12, Eigen::Vector2d(3.0, 3.0), std::nullopt, true});
+  addPersonCorrection(*project, {12, Eigen::Vector2d(3.0, 3.0), std::nullopt, true});
   EXPECT_EQ(project->people.at(2).position, Eigen::Vector2d(3.0, 3.0));
   EXPECT_TRUE(changesBetween(*again, *project).people);
   EXPECT_TRUE(changesBetween(*again, *project).any());
@@ -148,15 +148,15 @@ TEST(ProjectFile, WhatComesFromTheCamerasIsNotWrittenUnlessItWasGiven) {
   const auto open = load(kGood);
   ASSERT_TRUE(open);
   EXPECT_FALSE(open->parameters.isGiven("start_x"));
-  EXPECT_NE(parametersInUse(*open).at("start_half_x"), 0.0); // the default of the method
+  EXPECT_NE(effectiveParameters(*open).at("start_half_x"), 0.0); // the default of the method
   const std::string text = projectText(*open, "");
   EXPECT_EQ(text.find("start_"), std::string::npos);
   EXPECT_NE(text.find("motion_sigma"), std::string::npos);
 
   const auto given = load(kGood, "particles = 500\n", "particles = 500\nstart_x = 0.4\n");
   ASSERT_TRUE(given) << sentence(given.error());
-  EXPECT_EQ(parametersInUse(*given), given->parameters);
-  EXPECT_EQ(parametersInUse(*given).at("start_half_x"), 0.0);
+  EXPECT_EQ(effectiveParameters(*given), given->parameters);
+  EXPECT_EQ(effectiveParameters(*given).at("start_half_x"), 0.0);
   const auto again = load(projectText(*given, given->file.parent_path()));
   ASSERT_TRUE(again) << sentence(again.error());
   EXPECT_EQ(again->parameters, given->parameters);

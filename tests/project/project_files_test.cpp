@@ -29,12 +29,12 @@ TEST(ProjectFiles, AreThoseThatARunReads) {
   Project project = projectWithFiles();
   project.truth = "/lab/day/truth.csv";
   std::vector<std::string> names;
-  for (const ProjectFile& file : filesOfRun(project)) {
+  for (const ProjectFile& file : runInputFiles(project)) {
     names.push_back(file.name);
   }
   EXPECT_EQ(names,
             (std::vector<std::string>{"left.mkv", "left.csv", "/archive/right", "empty.png"}));
-  EXPECT_EQ(filesOfRun(project).front().path, "/lab/day/left.mkv");
+  EXPECT_EQ(runInputFiles(project).front().path, "/lab/day/left.mkv");
   EXPECT_TRUE(isRepeatable(project));
   project.cameras.back().source = SourceKind::Device;
   EXPECT_FALSE(isRepeatable(project));
@@ -42,43 +42,43 @@ TEST(ProjectFiles, AreThoseThatARunReads) {
 
 TEST(ProjectFiles, TextOfARunHasWhatItsResultDependsOn) {
   const Project project = projectWithFiles();
-  const std::string text = textOfRun(project);
+  const std::string text = runInputText(project);
   Project other = project;
   other.layout = "docks";
   other.markers = {{3, "here"}};
   other.truth = "/lab/day/truth.csv";
-  EXPECT_EQ(textOfRun(other), text);
+  EXPECT_EQ(runInputText(other), text);
   other.seed = 2;
-  EXPECT_NE(textOfRun(other), text);
+  EXPECT_NE(runInputText(other), text);
   other = project;
   other.cameras.front().camera.intrinsics.focalX += 1e-9;
-  EXPECT_NE(textOfRun(other), text);
+  EXPECT_NE(runInputText(other), text);
   // The folder as a whole may lie somewhere else.
   other = project;
   other.file = "/mnt/day/project.toml";
   other.cameras.front().location = "/mnt/day/left.mkv";
   other.cameras.front().times = "/mnt/day/left.csv";
   other.cameras.back().backgroundImage = "/mnt/day/empty.png";
-  EXPECT_EQ(textOfRun(other), text);
+  EXPECT_EQ(runInputText(other), text);
 }
 
 TEST(ProjectFiles, ProjectNeedsNoFileOfItsOwn) {
   Project project;
   project.scene = "demo";
-  EXPECT_TRUE(filesOfRun(project).empty());
-  EXPECT_NE(textOfRun(project).find("scene = \"demo\""), std::string::npos);
+  EXPECT_TRUE(runInputFiles(project).empty());
+  EXPECT_NE(runInputText(project).find("scene = \"demo\""), std::string::npos);
 }
 
 TEST(ProjectFiles, SettingsAreWhatDiffersFromTheDefaults) {
   Project project = projectWithFiles();
-  EXPECT_EQ(settingsOfRun(project), "");
-  project.parameters.giveAll(); // at their defaults
-  EXPECT_EQ(settingsOfRun(project), "");
+  EXPECT_EQ(nonDefaultSettings(project), "");
+  project.parameters.markAllGiven(); // at their defaults
+  EXPECT_EQ(nonDefaultSettings(project), "");
   ASSERT_TRUE(project.parameters.set("kld_error", 0.0));
   ASSERT_TRUE(project.parameters.set("particles", 200));
-  EXPECT_EQ(settingsOfRun(project), "particles=200 kld_error=0");
+  EXPECT_EQ(nonDefaultSettings(project), "particles=200 kld_error=0");
   project.volumeOfInterest = WorldBox{{0, 0, 0}, {1, 2, 0.5}};
-  EXPECT_EQ(settingsOfRun(project), "particles=200 kld_error=0 volume=0,0,0,1,2,0.5");
+  EXPECT_EQ(nonDefaultSettings(project), "particles=200 kld_error=0 volume=0,0,0,1,2,0.5");
 }
 
 } // namespace

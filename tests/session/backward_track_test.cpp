@@ -33,8 +33,8 @@ protected:
     inputs_.project.corrections = {saidAt(kSaidAt)};
   }
   /// As if the run had believed that it is elsewhere in these frames.
-  BackwardOrder wrongFrom(std::int64_t first) const {
-    BackwardOrder order{RunDefinition::of(inputs_.project), saidAt(kSaidAt), {}};
+  BackwardRequest wrongFrom(std::int64_t first) const {
+    BackwardRequest order{RunDefinition::of(inputs_.project), saidAt(kSaidAt), {}};
     for (std::int64_t frame = 0; frame <= kSaidAt; ++frame) {
       TrajectorySample sample;
       sample.frame = frame;
@@ -42,11 +42,11 @@ protected:
       sample.position = DrawnRecording::ballAt(frame);
       sample.position.z() += frame < first ? 0.0 : 0.3;
       sample.covariance = 1e-4 * Eigen::Matrix3d::Identity();
-      order.believed.push_back(sample);
+      order.estimates.push_back(sample);
     }
     return order;
   }
-  std::vector<PositionCorrection> found(const BackwardOrder& order) {
+  std::vector<PositionCorrection> found(const BackwardRequest& order) {
     auto result = trackBackwards(*inputs_.source, order, 1, keepsGoing);
     EXPECT_TRUE(result);
     return result ? *result : std::vector<PositionCorrection>();
@@ -80,8 +80,8 @@ TEST_P(BackwardTracking, EndsWhereWhatWasBelievedIsRight) {
 
 // What was believed may be right for some time, and wrong once more before.
 TEST_P(BackwardTracking, MendsWhatWasWrongBeforeItWasRight) {
-  BackwardOrder order = wrongFrom(0);
-  for (TrajectorySample& sample : order.believed) {
+  BackwardRequest order = wrongFrom(0);
+  for (TrajectorySample& sample : order.estimates) {
     sample.position.z() -= sample.frame >= 20 ? 0.3 : 0.0;
   }
   const auto corrections = found(order);
@@ -119,7 +119,7 @@ TEST_P(BackwardTracking, EndsWhereItJumpsAwayFromWhatWasBelieved) {
 }
 
 TEST_P(BackwardTracking, EndsAtWhatAPersonSaidBefore) {
-  BackwardOrder order = wrongFrom(0);
+  BackwardRequest order = wrongFrom(0);
   order.definition.corrections = {saidAt(25), saidAt(kSaidAt)};
   const auto corrections = found(order);
   ASSERT_FALSE(corrections.empty());
@@ -127,7 +127,7 @@ TEST_P(BackwardTracking, EndsAtWhatAPersonSaidBefore) {
 }
 
 TEST_P(BackwardTracking, HasTheSameBitsForAnyNumberOfThreads) {
-  const BackwardOrder order = wrongFrom(10);
+  const BackwardRequest order = wrongFrom(10);
   const auto three = trackBackwards(*inputs_.source, order, 3, keepsGoing);
   ASSERT_TRUE(three);
   EXPECT_EQ(*three, found(order));
@@ -153,7 +153,7 @@ TEST_P(BackwardTracking, OfAProjectReplacesWhatWasFoundBefore) {
   PositionCorrection old = saidAt(30);
   old.trackedFrom = kSaidAt;
   addCorrection(stale, old);
-  const auto project = trackedBackwards(stale, *inputs_.source, {}, 1, keepsGoing);
+  const auto project = withBackwardCorrections(stale, *inputs_.source, {}, 1, keepsGoing);
   ASSERT_TRUE(project);
   EXPECT_EQ(project->corrections, inputs_.project.corrections);
 }

@@ -63,7 +63,7 @@ TEST_P(BoxSessionTest, FollowsAndLeavesNothingInSpace) {
   EXPECT_TRUE(isOnPatch(track.samples[29]));
   EXPECT_TRUE(session.trajectory().samples.empty());
   const auto shown = session.newest();
-  EXPECT_EQ(shown->family.targets, TargetsFrom::Box);
+  EXPECT_EQ(shown->family.targets, TargetSource::Box);
   EXPECT_TRUE(shown->targets[0].tail.empty());
   EXPECT_TRUE(shown->notices.empty());
   const CameraOverlay overlay = cameraOverlay(*shown, 0, shown->targets[0]);
@@ -147,7 +147,7 @@ TEST_P(BoxSessionTest, WhatIsTakenAwayLeavesNothingInThePast) {
   EXPECT_EQ(records()[4].targets[0].status, TargetStatus::Held);
   std::uint64_t generation = 0;
   std::size_t position = 0;
-  for (const IterationRecord& record : session.logSince(generation, position).records) {
+  for (const IterationRecord& record : session.iterationsSince(generation, position).records) {
     EXPECT_FALSE(record.target == 0 && record.frame < 4); // nothing is plotted
     const ImageBox box =
         ImageBox::around(record.position.head<2>(), record.boxWidth, record.boxHeight);
@@ -184,9 +184,9 @@ TEST_P(BoxSessionTest, ABoxOfTheFirstFrameIsThereBeforeAnyStep) {
   EXPECT_FALSE(session.newest()->tracked);
   stepTo(session, 5);
   session.setMethod("dewpoint", ParameterValues(methodParameters("dewpoint")));
-  ASSERT_TRUE(eventually([&] { return session.newest()->family.targets != TargetsFrom::Box; }));
+  ASSERT_TRUE(eventually([&] { return session.newest()->family.targets != TargetSource::Box; }));
   session.setMethod(GetParam(), ParameterValues(methodParameters(GetParam())));
-  ASSERT_TRUE(eventually([&] { return session.newest()->family.targets == TargetsFrom::Box; }));
+  ASSERT_TRUE(eventually([&] { return session.newest()->family.targets == TargetSource::Box; }));
   ASSERT_TRUE(eventually(hasBox));
 }
 

@@ -17,7 +17,7 @@ Project projectWithMethod(const std::string& method) {
   Project project = test::twoCameraProject();
   project.method = method;
   project.parameters = ParameterValues(methodParameters(method));
-  project.parameters.giveAll();
+  project.parameters.markAllGiven();
   return project;
 }
 

@@ -29,13 +29,13 @@ TargetSnapshot cloud(const Eigen::Vector3d& sigma) {
 }
 
 TEST(CloudCloseup, ReachesToTheRimOfTheLongestAxis) {
-  const auto reach = cloudReach(cloud({0.001, 0.004, 0.002}));
+  const auto reach = cloudSemiAxis(cloud({0.001, 0.004, 0.002}));
   ASSERT_TRUE(reach.has_value());
   EXPECT_NEAR(*reach, 0.004 * std::sqrt(7.814727903251), 1e-9);
   TargetSnapshot without = cloud({0.001, 0.004, 0.002});
   without.particles.resize(0, 3);
-  EXPECT_FALSE(cloudReach(without).has_value());
-  EXPECT_FALSE(cloudReach(TargetSnapshot{}).has_value());
+  EXPECT_FALSE(cloudSemiAxis(without).has_value());
+  EXPECT_FALSE(cloudSemiAxis(TargetSnapshot{}).has_value());
 }
 
 TEST(CloudCloseup, ShowsXToTheRightAndZUpFromTheFront) {
@@ -44,7 +44,7 @@ TEST(CloudCloseup, ShowsXToTheRightAndZUpFromTheFront) {
   ASSERT_TRUE(closeup.has_value());
   // 11.2 mm by 0.85 is 13.2 mm; the next step is 15 mm.
   EXPECT_NEAR(closeup->metersPerPixel, 0.015 / 50.0, 1e-12);
-  EXPECT_NEAR(closeup->barMeters, 0.005, 1e-12);
+  EXPECT_NEAR(closeup->scaleBarMeters, 0.005, 1e-12);
   ASSERT_EQ(closeup->particles.size(), 3U);
   EXPECT_EQ(closeup->weights.back(), 1.0F); // the likeliest last: the one along x
   EXPECT_NEAR(closeup->particles[2].x(), 0.0005 / 0.0003, 1e-4);

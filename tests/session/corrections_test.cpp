@@ -217,13 +217,13 @@ INSTANTIATE_TEST_SUITE_P(Methods, CorrectionsOfARun, testing::Values("dewpoint",
 
 TEST(CorrectionChanges, BeginAtTheFirstFrameThatIsOtherwise) {
   using All = std::vector<PositionCorrection>;
-  EXPECT_FALSE(firstDifference(kTwo, kTwo));
-  EXPECT_EQ(firstDifference(All{}, kTwo), 15);
-  EXPECT_EQ(firstDifference(kTwo, All{kTwo[1]}), 15);
-  EXPECT_EQ(firstDifference(All{kTwo[0]}, kTwo), 22);
-  EXPECT_EQ(additions(All{kTwo[0]}, kTwo), All{kTwo[1]});
-  EXPECT_EQ(additions(kTwo, kTwo), All{});
-  EXPECT_FALSE(additions(kTwo, All{kTwo[1]}));
+  EXPECT_FALSE(firstDifferingFrame(kTwo, kTwo));
+  EXPECT_EQ(firstDifferingFrame(All{}, kTwo), 15);
+  EXPECT_EQ(firstDifferingFrame(kTwo, All{kTwo[1]}), 15);
+  EXPECT_EQ(firstDifferingFrame(All{kTwo[0]}, kTwo), 22);
+  EXPECT_EQ(appendedCorrections(All{kTwo[0]}, kTwo), All{kTwo[1]});
+  EXPECT_EQ(appendedCorrections(kTwo, kTwo), All{});
+  EXPECT_FALSE(appendedCorrections(kTwo, All{kTwo[1]}));
 }
 
 } // namespace

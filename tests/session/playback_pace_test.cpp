@@ -32,13 +32,14 @@ TEST(PlaybackPace, IsSlowerAndFasterWithinLimits) {
 TEST(PlaybackPace, DoesNotHoldUpLiveCamerasAndWhatIsTrackedAgain) {
   PlaybackPace pace;
   pace.set({.speed = 0.1, .slowUntilHeld = true});
-  EXPECT_EQ(pace.next({.isHurried = true}), PlaybackPace::Step());
+  EXPECT_EQ(pace.next({.isAtFullSpeed = true}), PlaybackPace::Step());
 }
 
 TEST(PlaybackPace, ShowsTheFirstIterationsOneByOne) {
   PlaybackPace pace;
   pace.set({.speed = 8.0, .slowUntilHeld = true});
-  EXPECT_EQ(pace.next({.iterations = 0}), (PlaybackPace::Step{PlaybackPace::kBeforeFirst, true}));
+  EXPECT_EQ(pace.next({.iterations = 0}),
+            (PlaybackPace::Step{PlaybackPace::kFirstIterationDelay, true}));
   EXPECT_EQ(pace.next({.iterations = 1}),
             (PlaybackPace::Step{Seconds(1.0 / PlaybackPace::kSlowIterations), true}));
 }
@@ -53,7 +54,7 @@ TEST(PlaybackPace, GoesOnAtItsSpeedOnceEveryTargetIsHeld) {
 TEST(PlaybackPace, DoesNotWaitForEverForATargetThatIsNotThere) {
   PlaybackPace pace;
   pace.set({.slowUntilHeld = true});
-  const Situation lost{.framesPerSecond = 10.0, .iterations = PlaybackPace::kMostSlowIterations};
+  const Situation lost{.framesPerSecond = 10.0, .iterations = PlaybackPace::kMaxSlowIterations};
   EXPECT_FALSE(pace.next(lost).isIteration);
 }
 

@@ -121,7 +121,7 @@ TEST(PlaybackTable, Rerun) {
 }
 
 TEST(PlaybackTable, TrackOnFrom) {
-  EXPECT_EQ(after([](Playback& playback) { playback.trackOnFrom(20); }), Row(7, "Playing"));
+  EXPECT_EQ(after([](Playback& playback) { playback.continueTrackingAt(20); }), Row(7, "Playing"));
 }
 
 TEST(PlaybackTable, EndInput) {
@@ -179,9 +179,9 @@ TEST(Playback, ARerunDuringAnotherOneEndsWhereAndAsThatWouldHave) {
         playback.hold();
       }
       playback.rerun({1, 6}, std::nullopt); // the head has come to 6
-      ASSERT_TRUE(playback.rerunning());
-      EXPECT_EQ(playback.rerunning()->from, 1);
-      EXPECT_EQ(playback.rerunning()->to, kHead);
+      ASSERT_TRUE(playback.rerunRange());
+      EXPECT_EQ(playback.rerunRange()->from, 1);
+      EXPECT_EQ(playback.rerunRange()->to, kHead);
       EXPECT_EQ(playback.nextFrame(), 1);
       playback.reach(6);
       EXPECT_EQ(nameOf(playback), "Rerunning");
@@ -193,36 +193,36 @@ TEST(Playback, ARerunDuringAnotherOneEndsWhereAndAsThatWouldHave) {
   Playback farther;
   farther.rerun({4, 6}, std::nullopt);
   farther.rerun({1, kHead}, std::nullopt);
-  EXPECT_EQ(farther.rerunning()->to, kHead);
+  EXPECT_EQ(farther.rerunRange()->to, kHead);
   Playback looking;
   looking.show(kOther, kHead);
-  looking.rerun({4, kHead}, looking.viewed());
-  looking.rerun({1, 6}, looking.viewed()); // the head is shown meanwhile
+  looking.rerun({4, kHead}, looking.viewedFrame());
+  looking.rerun({1, 6}, looking.viewedFrame()); // the head is shown meanwhile
   EXPECT_EQ(looking.reach(kHead), kOther);
 }
 
 TEST(Playback, ARerunKnowsWhatToShowAfterwards) {
   Playback playback;
   playback.show(kOther, kHead);
-  playback.rerun({1, kHead}, playback.viewed());
-  EXPECT_FALSE(playback.viewed());
-  ASSERT_TRUE(playback.rerunning());
-  EXPECT_EQ(playback.rerunning()->from, 1);
-  EXPECT_EQ(playback.rerunning()->to, kHead);
+  playback.rerun({1, kHead}, playback.viewedFrame());
+  EXPECT_FALSE(playback.viewedFrame());
+  ASSERT_TRUE(playback.rerunRange());
+  EXPECT_EQ(playback.rerunRange()->from, 1);
+  EXPECT_EQ(playback.rerunRange()->to, kHead);
   EXPECT_EQ(playback.reach(kHead), kOther);
-  EXPECT_FALSE(playback.rerunning());
+  EXPECT_FALSE(playback.rerunRange());
   playback.rerun({1, kHead}, std::nullopt);
   playback.hold();
-  EXPECT_TRUE(playback.rerunning()); // it waits
+  EXPECT_TRUE(playback.rerunRange()); // it waits
   playback.pause();
-  EXPECT_FALSE(playback.rerunning());
+  EXPECT_FALSE(playback.rerunRange());
 }
 
 TEST(Playback, SnapshotsSayThreeStates) {
   std::vector<PlayState> states;
   for (const Playback& playback : everyState()) {
     states.push_back(playback.playState());
-    EXPECT_EQ(playback.goesOn(), playback.playState() == PlayState::Playing);
+    EXPECT_EQ(playback.isRunning(), playback.playState() == PlayState::Playing);
   }
   using enum PlayState;
   EXPECT_EQ(states,
@@ -237,9 +237,9 @@ TEST(Playback, TheFrameShownMovesOn) {
       playback.play();
     }
     playback.advance(kOther + 1, kHead);
-    EXPECT_EQ(playback.viewed(), kOther + 1);
+    EXPECT_EQ(playback.viewedFrame(), kOther + 1);
     playback.advance(std::nullopt, kHead); // a part that was not tracked yet has an end too
-    EXPECT_EQ(playback.viewed(), kOther + 1);
+    EXPECT_EQ(playback.viewedFrame(), kOther + 1);
   }
 }
 
@@ -263,7 +263,7 @@ TEST(Playback, WhatBecomesOfAFrame) {
   playback.rerun({3, 7}, std::nullopt);
   EXPECT_EQ(playback.head(), Playback::Head::None);
   EXPECT_EQ(playback.nextFrame(), 3);
-  playback.trackOnFrom(30);
+  playback.continueTrackingAt(30);
   EXPECT_EQ(playback.nextFrame(), 30);
   playback.take(30);
   playback.restart();

@@ -29,7 +29,7 @@ TEST(RecordedRun, KeepsWhatIsFoundInEachFrame) {
   ASSERT_TRUE(run);
   EXPECT_EQ(told, (Told{{0, 4}, {1, 4}, {2, 4}, {3, 4}, {4, 4}}));
   EXPECT_TRUE(run->finished);
-  EXPECT_FALSE(run->broken);
+  EXPECT_FALSE(run->endError);
   EXPECT_EQ(run->frames, 4);
   EXPECT_EQ(run->targets, std::vector<std::string>{"ball"});
   ASSERT_EQ(run->trajectory.samples.size(), 4U);
@@ -65,8 +65,8 @@ TEST(RecordedRun, KeepsTheFramesBeforeARecordingBreaksOff) {
   ASSERT_TRUE(run);
   EXPECT_FALSE(run->finished);
   EXPECT_EQ(run->frames, 5);
-  ASSERT_TRUE(run->broken);
-  EXPECT_EQ(run->broken->code, ErrorCode::EndedEarly);
+  ASSERT_TRUE(run->endError);
+  EXPECT_EQ(run->endError->code, ErrorCode::EndedEarly);
   test::FakeRecording broken({.frames = 12, .failsAt = 0, .delivering = {}});
   EXPECT_FALSE(recordRun(project, broken, {}, {}, always()));
 }
@@ -76,7 +76,7 @@ TEST(RecordedRun, ObserversAreToldOfTheFrames) {
   test::FakeRecording source({.frames = 3, .failsAt = {}, .delivering = {}});
   TrackingClock clock;
   const std::array<FrameObserver*, 1> observers{&clock};
-  RunOrder order;
+  RecordRunOptions order;
   order.observers = observers;
   EXPECT_EQ(clock.seconds(), 0.0);
   const auto begin = std::chrono::steady_clock::now();

@@ -76,7 +76,7 @@ TEST_P(RenewTest, AChangedRunIsThatOfAFreshOne) {
     EXPECT_EQ(session.oldResults().newest, kRenewedFrames - 1);
     EXPECT_GT(session.oldResults().secondsPerFrame, 0.0);
 
-    session.renewFrom(0);
+    session.rerunKeepingView(0);
     ASSERT_TRUE(eventually([&] { return session.oldResults().frames.empty(); })) << change.name;
     ASSERT_TRUE(reaches(session, PlayState::Ended));
     Session other(std::move(fresh));
@@ -105,7 +105,7 @@ TEST(Renew, TheFrameShownStaysShown) {
     const TrackSnapshotPtr now = session.newest();
     showedAnother = showedAnother || now->frame != 20 || now->state != PlayState::Paused;
   });
-  session.renewFrom(0);
+  session.rerunKeepingView(0);
   ASSERT_TRUE(eventually([&] { return session.oldResults().frames.empty(); }));
   session.onSnapshot({});
   EXPECT_FALSE(showedAnother);
@@ -132,7 +132,7 @@ TEST(Renew, WhatWasTrackedBeforeAChangeWhilePlayingIsOld) {
   ASSERT_TRUE(eventually([&] {
     return session.oldResults().frames == std::vector<ResultRange>{{10, 19}};
   }));
-  session.renewFrom(10);
+  session.rerunKeepingView(10);
   ASSERT_TRUE(eventually([&] { return session.oldResults().frames.empty(); }));
 
   Session other(drawnInputs("dewpoint", kRenewedFrames));

@@ -30,10 +30,10 @@ TEST_P(ADriverThatGoesBackTwice, LosesNoFrame) {
   ASSERT_EQ(first.samples.size(), std::size_t{kDrivenFrames});
   driver.rerun(GetParam().first);
   driver.rerun(GetParam().second);
-  for (std::int64_t frame = 0; frame < kDrivenFrames && driver.playback().rerunning(); ++frame) {
+  for (std::int64_t frame = 0; frame < kDrivenFrames && driver.playback().rerunRange(); ++frame) {
     driver.advance();
   }
-  EXPECT_FALSE(driver.playback().rerunning());
+  EXPECT_FALSE(driver.playback().rerunRange());
   EXPECT_TRUE(sameBits(log.trajectory(), first));
 }
 
@@ -51,7 +51,7 @@ Trajectory trackAll(bool iterationByIteration) {
   driver.start();
   driver.play();
   int steps = 0;
-  for (; driver.playback().goesOn() && steps < 1000; ++steps) {
+  for (; driver.playback().isRunning() && steps < 1000; ++steps) {
     // Also a frame that was begun one by one and is finished at once.
     driver.advance(iterationByIteration && steps != 7);
   }

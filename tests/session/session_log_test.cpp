@@ -18,11 +18,11 @@ TEST(Session, TheLogIsReadInPiecesAndKnowsRestarts) {
   std::uint64_t generation = 0;
   std::size_t position = 0;
   ASSERT_TRUE(showsFrame(session));
-  EXPECT_TRUE(session.logSince(generation, position).restarted); // a new reader starts anew
+  EXPECT_TRUE(session.iterationsSince(generation, position).restarted); // a new reader starts anew
   session.stepFrame();
   session.stepFrame();
   ASSERT_TRUE(eventually([&] { return session.newest()->iterations == 2; }));
-  auto piece = session.logSince(generation, position);
+  auto piece = session.iterationsSince(generation, position);
   EXPECT_FALSE(piece.restarted);
   ASSERT_EQ(piece.records.size(), 2U);
   EXPECT_EQ(piece.records[1].iteration, 2);
@@ -46,15 +46,15 @@ TEST(Session, TheLogIsReadInPiecesAndKnowsRestarts) {
     EXPECT_DOUBLE_EQ(camera.logLikelihood, 0.0);
     EXPECT_NEAR(camera.existenceProbability, 25.0 / 26.0, 1e-12);
   }
-  EXPECT_TRUE(session.logSince(generation, position).records.empty());
+  EXPECT_TRUE(session.iterationsSince(generation, position).records.empty());
   session.restart(5);
   session.stepFrame();
   ASSERT_TRUE(
       eventually([&] { return session.newest()->seed == 5 && session.newest()->iterations == 1; }));
-  piece = session.logSince(generation, position);
+  piece = session.iterationsSince(generation, position);
   EXPECT_TRUE(piece.restarted);
   EXPECT_EQ(piece.records.size(), 1U);
-  EXPECT_FALSE(session.logSince(generation, position).restarted);
+  EXPECT_FALSE(session.iterationsSince(generation, position).restarted);
 }
 
 TEST(Session, TheLogHasTheTruthWhereItIsKnown) {
@@ -70,7 +70,7 @@ TEST(Session, TheLogHasTheTruthWhereItIsKnown) {
   ASSERT_TRUE(eventually([&] { return session.newest()->iterations == 2; }));
   std::uint64_t generation = 0;
   std::size_t position = 0;
-  const auto records = session.logSince(generation, position).records;
+  const auto records = session.iterationsSince(generation, position).records;
   ASSERT_EQ(records.size(), 2U);
   EXPECT_EQ(records[0].truth, test::kBall);
   EXPECT_EQ(records[0].error, (records[0].position - test::kBall).norm());

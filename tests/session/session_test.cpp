@@ -57,7 +57,7 @@ TEST(Session, CountsHowOftenTheTimeBudgetIsKept) {
     EXPECT_TRUE(project.parameters.set("time_budget", budget));
     Session session(inputs({}, project));
     playedToTheEnd(session);
-    const BudgetFigures figures = session.newest()->budget;
+    const BudgetStatistics figures = session.newest()->budget;
     EXPECT_EQ(figures.milliseconds, budget);
     EXPECT_EQ(figures.iterations, 12);
     EXPECT_EQ(figures.late, budget > 1.0 ? 0 : 12);
@@ -87,7 +87,7 @@ TEST(Session, PauseStops) {
   session.pause();
   ASSERT_TRUE(reaches(session, PlayState::Paused));
   const auto frame = session.newest()->frame;
-  session.setMasksWanted(true); // commands are obeyed in order: this one comes after the pause
+  session.setMasksShown(true); // commands are obeyed in order: this one comes after the pause
   ASSERT_TRUE(eventually([&] { return !session.newest()->masks.empty(); }));
   EXPECT_EQ(session.newest()->frame, frame);
   EXPECT_EQ(session.newest()->state, PlayState::Paused);
@@ -158,9 +158,9 @@ TEST(Session, PlayAtTheEndStartsAgain) {
   const auto first = playedToTheEnd(session);
   std::uint64_t generation = 0;
   std::size_t position = 0;
-  session.logSince(generation, position);
+  session.iterationsSince(generation, position);
   session.play();
-  ASSERT_TRUE(eventually([&] { return session.logSince(generation, position).restarted; }));
+  ASSERT_TRUE(eventually([&] { return session.iterationsSince(generation, position).restarted; }));
   // The newest snapshot may still be the old end; the log is not.
   ASSERT_TRUE(eventually([&] { return session.trajectory().samples.size() == 12; }));
   EXPECT_TRUE(test::sameBits(session.trajectory(), first));
@@ -194,7 +194,7 @@ TEST(Session, MasksOnlyWhenWanted) {
   Session session(inputs());
   ASSERT_TRUE(showsFrame(session));
   EXPECT_TRUE(session.newest()->masks.empty());
-  session.setMasksWanted(true);
+  session.setMasksShown(true);
   ASSERT_TRUE(eventually([&] { return session.newest()->masks.size() == 2; }));
   const auto shown = session.newest();
   for (std::size_t k = 0; k < 2; ++k) {
@@ -203,7 +203,7 @@ TEST(Session, MasksOnlyWhenWanted) {
     EXPECT_EQ(cv::norm(disc, shown->masks[k], cv::NORM_INF), 0.0);
     EXPECT_GT(cv::countNonZero(disc), 200); // a disc of radius 10
   }
-  session.setMasksWanted(false);
+  session.setMasksShown(false);
   EXPECT_TRUE(eventually([&] { return session.newest()->masks.empty(); }));
 }
 
@@ -215,7 +215,7 @@ TEST(Session, MasksTellTheTargetsApart) {
   two.project.targets.push_back(all);
   Session session(std::move(two));
   ASSERT_TRUE(showsFrame(session));
-  session.setMasksWanted(true);
+  session.setMasksShown(true);
   ASSERT_TRUE(eventually([&] { return session.newest()->masks.size() == 2; }));
   const auto shown = session.newest();
   cv::Mat disc;
@@ -235,7 +235,7 @@ TEST(Session, ABrokenRecordingEndsWithANoticeAndKeepsWhatWasTracked) {
   EXPECT_EQ(session.newest()->notices[0].file, "left.mkv");
   EXPECT_EQ(session.newest()->frame, 4);
   session.stepFrame(); // nothing further to step to, and no second notice
-  session.setMasksWanted(true);
+  session.setMasksShown(true);
   ASSERT_TRUE(eventually([&] { return !session.newest()->masks.empty(); }));
   EXPECT_EQ(session.newest()->notices.size(), 1U);
   EXPECT_EQ(session.newest()->state, PlayState::Ended);
@@ -262,7 +262,7 @@ TEST(Session, LiveWaitsThroughEmptySets) {
   Session session(inputs(options));
   session.play();
   ASSERT_TRUE(reaches(session, PlayState::Playing));
-  session.setMasksWanted(true); // nothing to mask yet: must not matter
+  session.setMasksShown(true); // nothing to mask yet: must not matter
   EXPECT_EQ(session.newest()->frame, -1);
   EXPECT_FALSE(session.newest()->frameCount.has_value());
   *options.delivering = true;
@@ -272,7 +272,7 @@ TEST(Session, LiveWaitsThroughEmptySets) {
   ASSERT_TRUE(reaches(session, PlayState::Paused));
   const auto iterations = session.newest()->iterations;
   session.stepFrame(); // nothing comes: the old frame is not tracked a second time
-  session.setMasksWanted(false);
+  session.setMasksShown(false);
   ASSERT_TRUE(eventually([&] { return session.newest()->masks.empty(); }));
   EXPECT_EQ(session.newest()->iterations, iterations);
   session.restart(7); // forgets the frame, waits for another
@@ -315,7 +315,7 @@ TEST(Session, TruthGivesErrors) {
   ASSERT_TRUE(snapshot->targets[0].truth.has_value());
   std::uint64_t generation = 0;
   std::size_t position = 0;
-  const auto piece = session.logSince(generation, position);
+  const auto piece = session.iterationsSince(generation, position);
   ASSERT_EQ(piece.records.size(), 1U);
   EXPECT_EQ(piece.records[0].error, (std::get<SphereEstimate>(snapshot->targets[0].estimate).mean -
                                      snapshot->targets[0].truth.value())
@@ -323,7 +323,7 @@ TEST(Session, TruthGivesErrors) {
   session.stepFrame(); // frame 1 has no truth
   ASSERT_TRUE(eventually([&] { return session.newest()->iterations == 2; }));
   EXPECT_FALSE(session.newest()->targets[0].truth.has_value());
-  EXPECT_LT(session.logSince(generation, position).records.at(0).error, 0.0);
+  EXPECT_LT(session.iterationsSince(generation, position).records.at(0).error, 0.0);
 }
 
 TEST(Session, WakesOncePerSnapshotUntilToldNotTo) {

@@ -55,7 +55,7 @@ TEST(SnapshotBuilder, AFrameLooksTheSameNowAndLater) {
     inputs.truth.samples.push_back(truth);
   }
   Session session(std::move(inputs));
-  session.setMasksWanted(true);
+  session.setMasksShown(true);
   iterateTo(session, 20);
   const TrackSnapshotPtr then = session.newest();
   ASSERT_EQ(then->frame, 20);
@@ -74,7 +74,7 @@ TEST(SnapshotBuilder, AFrameLooksTheSameNowAndLater) {
   EXPECT_EQ(a.tail.back(), b.tail.back());
   EXPECT_EQ(a.status, b.status);
   EXPECT_EQ(a.reasons.size(), b.reasons.size());
-  EXPECT_EQ(a.proposals.size(), b.proposals.size());
+  EXPECT_EQ(a.positionCandidates.size(), b.positionCandidates.size());
   ASSERT_TRUE(a.truth && b.truth);
   EXPECT_EQ(*a.truth, *b.truth);
 }

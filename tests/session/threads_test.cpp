@@ -113,7 +113,7 @@ TEST(RunLog, OldRecordsAreThinnedAndCountedOn) {
   const auto piece = log.since(generation, position);
   EXPECT_FALSE(piece.restarted);
   ASSERT_FALSE(piece.records.empty());
-  EXPECT_LE(piece.records.size(), RunLog::kMostRecords);
+  EXPECT_LE(piece.records.size(), RunLog::kMaxRecords);
   EXPECT_EQ(piece.records.front().iteration, 0); // the beginning is there, in coarse steps
   for (std::size_t k = 1; k < piece.records.size(); ++k) {
     const auto step = piece.records[k].iteration - piece.records[k - 1].iteration;

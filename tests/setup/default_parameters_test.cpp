@@ -25,13 +25,13 @@ const ParameterDeclaration& declarationOf(const Project& project, std::string_vi
 }
 
 bool isChangedIn(const Project& project, std::string_view key) {
-  return isChanged(parametersInUse(project), defaultParameters(project),
+  return isChanged(effectiveParameters(project), defaultParameters(project),
                    declarationOf(project, key));
 }
 
 TEST(DefaultParameters, NothingIsChangedAtFirst) {
   const Project project = threeCameras();
-  EXPECT_EQ(defaultParameters(project), parametersInUse(project));
+  EXPECT_EQ(defaultParameters(project), effectiveParameters(project));
   for (const ParameterDeclaration& declaration : project.parameters.declarations()) {
     EXPECT_FALSE(isChangedIn(project, declaration.key)) << declaration.key;
   }
@@ -53,14 +53,14 @@ TEST(DefaultParameters, AChangedOneIsReset) {
 TEST(DefaultParameters, WhatComesFromTheCamerasGoesBackToThem) {
   Project project = threeCameras();
   const Project before = project;
-  project.parameters = parametersInUse(project);
-  project.parameters.giveAll(); // as the window gives all of them with the first
+  project.parameters = effectiveParameters(project);
+  project.parameters.markAllGiven(); // as the window gives all of them with the first
   ASSERT_TRUE(project.parameters.set("start_x", 7.0));
   ASSERT_TRUE(project.parameters.set("start_y", 8.0));
   EXPECT_TRUE(isChangedIn(project, "start_x"));
   EXPECT_FALSE(isChangedIn(project, "start_z")); // given, but as the cameras say
   resetParameter(project, "start_x");
-  EXPECT_EQ(project.parameters.at("start_x"), parametersInUse(before).at("start_x"));
+  EXPECT_EQ(project.parameters.at("start_x"), effectiveParameters(before).at("start_x"));
   EXPECT_EQ(project.parameters.at("start_y"), 8.0);
   EXPECT_TRUE(project.parameters.isGiven("start_x"));
   resetParameter(project, "start_y");
@@ -69,14 +69,14 @@ TEST(DefaultParameters, WhatComesFromTheCamerasGoesBackToThem) {
 
 TEST(DefaultParameters, AGivenDefaultIsNoChange) {
   Project project = threeCameras();
-  project.parameters.giveAll(); // the method's own, which are not what these cameras see
+  project.parameters.markAllGiven(); // the method's own, which are not what these cameras see
   ASSERT_NE(defaultParameters(project).at("start_x"), project.parameters.at("start_x"));
   EXPECT_FALSE(isChangedIn(project, "start_x"));
 }
 
 TEST(DefaultParameters, AllThatAreChangedAreResetAtOnce) {
   Project project = threeCameras();
-  project.parameters.giveAll();
+  project.parameters.markAllGiven();
   const Project before = project;
   ASSERT_TRUE(project.parameters.set("particles", 300.0));
   ASSERT_TRUE(project.parameters.set("kld_error", 0.3));

@@ -20,7 +20,7 @@ Project twoBalls() {
 
 ColorAssessment alike(int count) {
   ColorAssessment assessment;
-  assessment.alike = count;
+  assessment.similarObjectCount = count;
   assessment.suggestion = Suggestion::FollowAll;
   return assessment;
 }
@@ -31,43 +31,43 @@ std::string numbered(std::size_t number) {
 
 TEST(FollowAll, WhatHasItsTargetIsNotMissing) {
   Project project = twoBalls();
-  EXPECT_EQ(setup::missingTargets(project, 0, alike(4)), 3);
+  EXPECT_EQ(setup::missingTargetCount(project, 0, alike(4)), 3);
   project.targets.push_back(pinkBall());
-  EXPECT_EQ(setup::missingTargets(project, 0, alike(4)), 2);
-  EXPECT_EQ(setup::missingTargets(project, 0, alike(1)), 0);
+  EXPECT_EQ(setup::missingTargetCount(project, 0, alike(4)), 2);
+  EXPECT_EQ(setup::missingTargetCount(project, 0, alike(1)), 0);
 }
 
 TEST(FollowAll, TargetsOfSeveralColorsAreOthers) {
   Project project = twoBalls();
   project.targets[1] = pinkBall();
   project.targets[1].otherColors = {{100.0, 140.0, 0.2, 0.9, 0.1, 0.9}};
-  EXPECT_EQ(setup::missingTargets(project, 0, alike(2)), 1);
+  EXPECT_EQ(setup::missingTargetCount(project, 0, alike(2)), 1);
 }
 
 TEST(FollowAll, NothingIsMissingWithoutTheSuggestion) {
   ColorAssessment assessment = alike(4);
-  EXPECT_EQ(setup::missingTargets(twoBalls(), 2, assessment), 0); // there is no such target
+  EXPECT_EQ(setup::missingTargetCount(twoBalls(), 2, assessment), 0); // there is no such target
   assessment.suggestion = Suggestion::RemoveDistractor;
-  EXPECT_EQ(setup::missingTargets(twoBalls(), 0, assessment), 0);
+  EXPECT_EQ(setup::missingTargetCount(twoBalls(), 0, assessment), 0);
 }
 
 TEST(FollowAll, OthersAreLikeTheOneWithNamesOfTheirOwn) {
   Project project = twoBalls();
-  setup::addTargetsLike(project, 0, 2,
-                        [](const Project& now) { return setup::freeTargetName(now, numbered); });
+  setup::addTargetCopies(project, 0, 2,
+                         [](const Project& now) { return setup::unusedTargetName(now, numbered); });
   ASSERT_EQ(project.targets.size(), 4U);
   EXPECT_EQ(project.targets[2].name, "target 3");
   EXPECT_EQ(project.targets[3].name, "target 4");
   EXPECT_EQ(project.targets[3].colors(), project.targets[0].colors());
   EXPECT_EQ(project.targets[3].radius, 0.02);
   EXPECT_TRUE(project.targets[3].samples.empty()); // they show the one
-  EXPECT_EQ(setup::missingTargets(project, 0, alike(3)), 0);
+  EXPECT_EQ(setup::missingTargetCount(project, 0, alike(3)), 0);
 }
 
 TEST(FollowAll, TakenNamesAreLeftOut) {
   Project project = twoBalls();
   project.targets[0].name = "target 3";
-  EXPECT_EQ(setup::freeTargetName(project, numbered), "target 4");
+  EXPECT_EQ(setup::unusedTargetName(project, numbered), "target 4");
 }
 
 } // namespace

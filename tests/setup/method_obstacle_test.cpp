@@ -25,7 +25,7 @@ Project guessed(std::size_t count) {
     cv::imwrite((folder / "0.png").string(), cv::Mat(48, 64, CV_8UC3, cv::Scalar(0)));
     wanted.cameras.push_back({"", SourceKind::Images, folder.string()});
   }
-  return makeProject(wanted)->project;
+  return createNewProject(wanted)->project;
 }
 
 Project calibrated(std::size_t count) {
@@ -55,7 +55,7 @@ TEST(MethodObstacle, PeopleNeedACalibrationAndColorsCanDoWithAGuess) {
   EXPECT_EQ(obstacle(project, "histogram"), MethodObstacle::None);
 }
 
-// What makeProject() chooses for one camera is what can work with it.
+// What createNewProject() chooses for one camera is what can work with it.
 TEST(MethodObstacle, OneCameraWithoutACalibrationIsForBoxesOnly) {
   const Project project = guessed(1);
   EXPECT_EQ(obstacle(project, project.method.c_str()), MethodObstacle::None);

@@ -82,7 +82,7 @@ TEST_F(MissingFilesTest, OneThatIsFoundLeadsToTheOthers) {
   const auto missing = missingFilesOf(project);
   ASSERT_TRUE(missing.has_value());
   ASSERT_EQ(missing->size(), 3U);
-  const MovedFiles moved = foundBeside(*missing, missing->front(), left);
+  const MovedFiles moved = locateRemainingFiles(*missing, missing->front(), left);
   EXPECT_EQ(moved, (MovedFiles{{folder_ / "videos/left.mp4", left},
                                {folder_ / "videos/right.mp4", right}}));
 
@@ -105,7 +105,7 @@ TEST_F(MissingFilesTest, RecordingsOfOneNameAreToldApartByTheirFolders) {
   };
   const fs::path a = write("new/a/video.mp4");
   const fs::path b = write("new/b/video.mp4");
-  EXPECT_EQ(foundBeside(missing, missing[0], a),
+  EXPECT_EQ(locateRemainingFiles(missing, missing[0], a),
             (MovedFiles{{missing[0].path, a}, {missing[1].path, b}}));
 }
 
@@ -129,7 +129,7 @@ video = "left.mp4"
   ASSERT_TRUE(saveCalibration({left}, rig).has_value());
   const auto calibration = std::ranges::find(*missing, Kind::Calibration, &MissingFile::kind);
   ASSERT_NE(calibration, missing->end());
-  const auto loaded = loadProject(project, foundBeside(*missing, *calibration, rig));
+  const auto loaded = loadProject(project, locateRemainingFiles(*missing, *calibration, rig));
   ASSERT_TRUE(loaded.has_value()) << sentence(loaded.error());
   EXPECT_EQ(loaded->cameras[0].camera.intrinsics.width, 640);
 }

@@ -20,7 +20,7 @@ Ball cover(const Camera& camera, double radius = 0.05) {
 
 std::vector<CameraStatus> statuses(DrawnRun& run) {
   std::vector<CameraStatus> all;
-  for (const CameraReport& report : run.tracker().explain(0)) {
+  for (const CameraReport& report : run.tracker().cameraReports(0)) {
     all.push_back(report.status);
   }
   return all;
@@ -41,13 +41,14 @@ protected:
 
 TEST_F(CameraReportTest, NoTroubleWhileItIsSeen) {
   EXPECT_EQ(statuses(run_), (All{CameraStatus::None, CameraStatus::None}));
-  EXPECT_EQ(reasonSentence(run_.tracker().explain(0), {"left", "right"}), "");
+  EXPECT_EQ(describeReasons(run_.tracker().cameraReports(0), {"left", "right"}), "");
 }
 
 TEST_F(CameraReportTest, HiddenFromOneCamera) {
   run_.show({kTarget, cover(run_.rig()[1])});
   EXPECT_EQ(statuses(run_), (All{CameraStatus::None, CameraStatus::Hidden}));
-  EXPECT_EQ(reasonSentence(run_.tracker().explain(0), {"left", "right"}), "camera right: hidden");
+  EXPECT_EQ(describeReasons(run_.tracker().cameraReports(0), {"left", "right"}),
+            "camera right: hidden");
 }
 
 TEST_F(CameraReportTest, NoImageAndTooDark) {
@@ -67,7 +68,7 @@ TEST_F(CameraReportTest, BesideADistractor) {
   }
   run_.show({other});
   run_.show({other});
-  const auto reports = run_.tracker().explain(0);
+  const auto reports = run_.tracker().cameraReports(0);
   for (std::size_t k = 0; k < 2; ++k) {
     EXPECT_EQ(reports[k].status, CameraStatus::Distractor);
     const SphereProjector projector(run_.rig()[k]);
@@ -93,7 +94,7 @@ TEST_F(CameraReportTest, OutOfView) {
     place += 0.02 * right;
     run_.show({{place}});
   }
-  EXPECT_EQ(run_.tracker().explain(0)[0].status, CameraStatus::OutOfView);
+  EXPECT_EQ(run_.tracker().cameraReports(0)[0].status, CameraStatus::OutOfView);
 }
 
 TEST(BarreraReports, SayWhereTheColorIs) {
@@ -112,7 +113,7 @@ TEST(BarreraReports, SayWhereTheColorIs) {
   (*tracker)->beginFrame(drawn::framesOf(rig, {far}, 10));
   (*tracker)->iterate(team);
   for (std::size_t k = 0; k < 2; ++k) {
-    const CameraReport report = capability<CameraExplaining>(**tracker)->explain(0)[k];
+    const CameraReport report = capability<CameraReporting>(**tracker)->cameraReports(0)[k];
     EXPECT_EQ(report.status, CameraStatus::Elsewhere);
     const Projector projector(rig[k]);
     const auto middle = projector.project(sphereOf(**tracker).mean).value();
@@ -121,13 +122,14 @@ TEST(BarreraReports, SayWhereTheColorIs) {
   }
   (*tracker)->beginFrame(drawn::framesOf(rig, {}, 11));
   (*tracker)->iterate(team);
-  EXPECT_EQ(capability<CameraExplaining>(**tracker)->explain(0)[1].status, CameraStatus::NoColor);
+  EXPECT_EQ(capability<CameraReporting>(**tracker)->cameraReports(0)[1].status,
+            CameraStatus::NoColor);
 }
 
 TEST(ReasonSentence, NamesCamerasAndRounds) {
-  EXPECT_EQ(reasonSentence({{CameraStatus::Distractor, 3.4}, {CameraStatus::Hidden, 0.0}}, {"a"}),
+  EXPECT_EQ(describeReasons({{CameraStatus::Distractor, 3.4}, {CameraStatus::Hidden, 0.0}}, {"a"}),
             "camera a: 3 px from a distractor; camera 2: hidden");
-  EXPECT_EQ(reasonSentence({}, {}), "");
+  EXPECT_EQ(describeReasons({}, {}), "");
 }
 
 TEST(DistanceToNearest, IsThatOfTheNearestPixel) {

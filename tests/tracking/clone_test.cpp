@@ -69,7 +69,7 @@ TEST_P(Clone, GoesOnWithTheSameBits) {
   std::vector<std::unique_ptr<Tracker>> copies; // right before frames 10, 20, ... 60
   for (int frame = 0; frame < 70; ++frame) {
     if (frame % 10 == 0 && frame > 0) {
-      copies.push_back(capability<Copying>(*copied)->clone());
+      copies.push_back(capability<Copyable>(*copied)->clone());
       ASSERT_NE(copies.back(), nullptr);
       copies.back()->beginFrame(nullptr); // lets go of the images
     }
@@ -89,9 +89,9 @@ TEST_P(Clone, GoesOnWithTheSameBits) {
       }
     }
   }
-  const auto again = capability<Copying>(*copied)->clone();
+  const auto again = capability<Copyable>(*copied)->clone();
   expectSameBits(*straight, *again, 70);
-  EXPECT_GT(capability<Copying>(*again)->memoryBytes(), 0U);
+  EXPECT_GT(capability<Copyable>(*again)->memoryBytes(), 0U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, Clone,

@@ -17,7 +17,7 @@ using drawn::redBall;
 
 TEST(MethodCatalog, KnowsEveryMethod) {
   const CameraRig rig = drawn::rigAround(2);
-  for (const std::string& method : methodNames(TargetsFrom::Color)) {
+  for (const std::string& method : methodNames(TargetSource::Color)) {
     const auto tracker =
         makeTracker(method, parametersOf(method.c_str()), rig, {redBall(), redBall()});
     ASSERT_TRUE(tracker) << method;
@@ -30,7 +30,7 @@ TEST(MethodCatalog, UnknownMethodOrParametersOfAnotherAreRefused) {
   const auto unknown = makeTracker("kalman", parametersOf("dewpoint"), {}, {redBall()});
   ASSERT_FALSE(unknown);
   EXPECT_EQ(unknown.error().code, ErrorCode::NotFound);
-  for (const std::string& method : methodNames(TargetsFrom::Color)) {
+  for (const std::string& method : methodNames(TargetSource::Color)) {
     const std::string other = method == "dewpoint" ? "barrera" : "dewpoint";
     const auto missing = makeTracker(method, parametersOf(other.c_str()), {}, {redBall()});
     ASSERT_FALSE(missing) << method;
@@ -80,7 +80,7 @@ TEST(IndependentTrackers, TakeTargetsAndParametersOfAll) {
   capability<Configurable>(**tracker)->configure(
       parametersOf("barrera", {{"iterations_per_frame", 9}, {"particles", 70}}));
   EXPECT_EQ((*tracker)->iterationsPerFrame(), 9);
-  capability<TargetFollowing>(**tracker)->setTargets(
+  capability<TargetTracking>(**tracker)->setTargets(
       {redBall()}); // fewer than there are: the others stay
   ThreadTeam team;
   (*tracker)->beginFrame(drawn::framesOf(rig, {}, 0));
@@ -98,7 +98,7 @@ TEST(IndependentTrackers, HaveLikelihoodMapsWhereTheirFiltersHave) {
   const auto dynamics = makeTracker("dynamics", parametersOf("dynamics"), rig, {redBall()}).value();
   ASSERT_NE(capability<LikelihoodMapping>(*barrera), nullptr);
   EXPECT_EQ(capability<LikelihoodMapping>(*dynamics), nullptr);
-  const auto copy = capability<Copying>(*barrera)->clone();
+  const auto copy = capability<Copyable>(*barrera)->clone();
   EXPECT_NE(capability<LikelihoodMapping>(*copy), nullptr);
 }
 

@@ -31,7 +31,7 @@ TEST(Parameters, DefaultsAreThePapers) {
 TEST(Parameters, EveryDeclarationIsSound) {
   for (const auto& name : methodNames()) {
     ASSERT_FALSE(methodParameters(name).empty()) << name;
-    EXPECT_FALSE(methodSentence(name).empty()) << name;
+    EXPECT_FALSE(methodSummary(name).empty()) << name;
     for (const auto& declaration : methodParameters(name)) {
       EXPECT_LT(declaration.minimum, declaration.maximum) << declaration.key;
       EXPECT_GT(declaration.step, 0.0) << declaration.key;
@@ -80,29 +80,29 @@ TEST(Parameters, WhatWasGivenCanBeLeftToTheCamerasAgain) {
   ParameterValues values = barreraValues();
   ASSERT_TRUE(values.set("start_x", 3.0));
   ASSERT_TRUE(values.set("particles", 300.0));
-  values.leaveToCameras();
+  values.resetDerivable();
   EXPECT_FALSE(values.isGiven("start_x"));
   EXPECT_EQ(values.at("start_x"), barreraValues().at("start_x"));
   EXPECT_EQ(values.at("particles"), 300.0);
 }
 
 TEST(Parameters, EveryMethodBelongsToAFamily) {
-  EXPECT_EQ(methodFamily("dewpoint").targets, TargetsFrom::Color);
-  EXPECT_EQ(methodFamily("sugandi").targets, TargetsFrom::Box);
-  EXPECT_EQ(methodFamily("mohedano-ms").targets, TargetsFrom::Images);
+  EXPECT_EQ(methodFamily("dewpoint").targets, TargetSource::Color);
+  EXPECT_EQ(methodFamily("sugandi").targets, TargetSource::Box);
+  EXPECT_EQ(methodFamily("mohedano-ms").targets, TargetSource::Images);
   for (const Method& method : methods()) {
     const MethodFamily family = methodFamily(method.name);
     EXPECT_EQ(family.targets, method.family.targets) << method.name;
-    EXPECT_EQ(family.needsCalibration, family.targets != TargetsFrom::Box) << method.name;
+    EXPECT_EQ(family.needsCalibration, family.targets != TargetSource::Box) << method.name;
     EXPECT_NE(family.describe, nullptr) << method.name;
-    EXPECT_TRUE(family.findsTargets() || family.lack != nullptr) << method.name;
+    EXPECT_TRUE(family.findsTargets() || family.noTargetsText != nullptr) << method.name;
     EXPECT_EQ(family.lacksTargets({}), !family.findsTargets()) << method.name;
     EXPECT_EQ(findMethod(method.name), &method);
   }
-  EXPECT_EQ(methodNames(RunTables::Boxes), methodNames(TargetsFrom::Box));
-  EXPECT_EQ(methodNames(RunTables::People), methodNames(TargetsFrom::Images));
+  EXPECT_EQ(methodNames(RunTables::Boxes), methodNames(TargetSource::Box));
+  EXPECT_EQ(methodNames(RunTables::People), methodNames(TargetSource::Images));
   EXPECT_EQ(findMethod("nothing"), nullptr);
-  EXPECT_TRUE(methodSentence("nothing").empty());
+  EXPECT_TRUE(methodSummary("nothing").empty());
 }
 
 TEST(Parameters, AFamilyAnswersWhatMustBeKnownBeforeARun) {
@@ -114,10 +114,10 @@ TEST(Parameters, AFamilyAnswersWhatMustBeKnownBeforeARun) {
   EXPECT_FALSE(spheres.lacksTargets({Target()}));
   EXPECT_TRUE(boxes.lacksTargets({Target()}));
   EXPECT_FALSE(boxes.lacksTargets({Target(), boxed}));
-  EXPECT_EQ(spheres.beginFor({boxed}, 20), 20);
-  EXPECT_EQ(boxes.beginFor({Target(), boxed}, 20), 7);
-  EXPECT_EQ(boxes.beginFor({Target(), boxed}, 5), 5);
-  EXPECT_EQ(people.beginFor({}, 20), 0);
+  EXPECT_EQ(spheres.firstFrameFor({boxed}, 20), 20);
+  EXPECT_EQ(boxes.firstFrameFor({Target(), boxed}, 20), 7);
+  EXPECT_EQ(boxes.firstFrameFor({Target(), boxed}, 5), 5);
+  EXPECT_EQ(people.firstFrameFor({}, 20), 0);
   EXPECT_TRUE(spheres.tracksSameTargetsAs(methodFamily("dewpoint")));
   EXPECT_FALSE(spheres.tracksSameTargetsAs(people));
   EXPECT_TRUE(spheres.masksColors() && spheres.hasBestParticle && spheres.writesPositions());

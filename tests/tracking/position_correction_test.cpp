@@ -87,7 +87,7 @@ TEST_P(CorrectedPosition, HoldsAtOnce) {
 // What a copy is made of goes through a correction with the same bits, on any number of threads.
 TEST_P(CorrectedPosition, GivesTheSameBitsToACopy) {
   const auto straight = tracked(4);
-  const auto copy = capability<Copying>(*tracked(3))->clone();
+  const auto copy = capability<Copyable>(*tracked(3))->clone();
   show(*copy, 3);
   correct(*straight, around(kLeft + Eigen::Vector3d(0.01, 0.0, 0.0)));
   auto* const correcting = capability<PositionCorrecting>(*copy);

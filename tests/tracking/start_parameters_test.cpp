@@ -18,7 +18,7 @@ ParameterValues defaultsOf(const char* method) {
 
 ParameterValues inUse(const ParameterValues& parameters,
                       const std::optional<WorldBox>& volume = std::nullopt) {
-  return parametersInUse(parameters, drawn::rigAround(3), volume);
+  return effectiveParameters(parameters, drawn::rigAround(3), volume);
 }
 
 TEST(StartParameters, OfEveryMethodComeFromTheCameras) {
@@ -39,7 +39,7 @@ TEST(StartParameters, OfEveryMethodComeFromTheCameras) {
 }
 
 TEST(StartParameters, AreTheDefaultsWithoutAnyCamera) {
-  const ParameterValues used = parametersInUse(defaultsOf("dewpoint"), {}, std::nullopt);
+  const ParameterValues used = effectiveParameters(defaultsOf("dewpoint"), {}, std::nullopt);
   EXPECT_EQ(used, defaultsOf("dewpoint"));
 }
 
@@ -56,7 +56,7 @@ TEST(StartParameters, HoldAsTheyAreGiven) {
   ParameterValues all = defaultsOf("barrera");
   EXPECT_FALSE(all.isGiven("start_x"));
   EXPECT_TRUE(all.isGiven("particles")); // does not come from the cameras
-  all.giveAll();
+  all.markAllGiven();
   EXPECT_TRUE(all.isGiven("start_x"));
   EXPECT_FALSE(all == defaultsOf("barrera"));
   EXPECT_EQ(inUse(all), all);
@@ -69,7 +69,7 @@ TEST(StartParameters, FollowOtherCameras) {
     camera.cameraFromWorld.translate(Eigen::Vector3d(-2.0, 0.0, 0.0)); // of the world: +2 m
   }
   const ParameterValues before = inUse(defaultsOf("barrera"));
-  const ParameterValues after = parametersInUse(before, moved, std::nullopt);
+  const ParameterValues after = effectiveParameters(before, moved, std::nullopt);
   EXPECT_NEAR(after.at("start_x"), before.at("start_x") + 2.0, 0.0101);
   EXPECT_NEAR(after.at("start_y"), before.at("start_y"), 0.0101);
 }
@@ -79,7 +79,7 @@ TEST(StartParameters, KeepToTheRangesOfTheirDeclarations) {
   for (Camera& camera : far) {
     camera.cameraFromWorld.translation() *= 1000.0; // as a rig in millimeters
   }
-  const ParameterValues used = parametersInUse(defaultsOf("dewpoint"), far, std::nullopt);
+  const ParameterValues used = effectiveParameters(defaultsOf("dewpoint"), far, std::nullopt);
   for (const ParameterDeclaration& declaration : used.declarations()) {
     EXPECT_GE(used.at(declaration.key), declaration.minimum) << declaration.key;
     EXPECT_LE(used.at(declaration.key), declaration.maximum) << declaration.key;
@@ -114,16 +114,16 @@ TEST(StartVolume, WithinABoxIsWhatBothHaveInCommon) {
 
 // Another method has defaults of its own; what was given stays given.
 TEST(CarriedOver, DefaultsThatWereGivenDoNotComeFromTheCameras) {
-  EXPECT_FALSE(carriedOver(defaultsOf("dewpoint"), "barrera").isGiven("start_x"));
-  EXPECT_FALSE(carriedOver(inUse(defaultsOf("dewpoint")), "barrera").isGiven("start_x"));
+  EXPECT_FALSE(carryOverParameters(defaultsOf("dewpoint"), "barrera").isGiven("start_x"));
+  EXPECT_FALSE(carryOverParameters(inUse(defaultsOf("dewpoint")), "barrera").isGiven("start_x"));
   ParameterValues given = defaultsOf("dewpoint");
-  given.giveAll();
+  given.markAllGiven();
   ASSERT_TRUE(given.set("start_z", 0.3));
-  const ParameterValues carried = carriedOver(given, "barrera");
+  const ParameterValues carried = carryOverParameters(given, "barrera");
   EXPECT_EQ(carried.at("start_x"), 0.4);
   EXPECT_EQ(carried.at("start_z"), 0.3);
   EXPECT_TRUE(carried.isGiven("start_x"));
-  EXPECT_EQ(carriedOver(given, "histogram"), defaultsOf("histogram"));
+  EXPECT_EQ(carryOverParameters(given, "histogram"), defaultsOf("histogram"));
 }
 
 } // namespace

@@ -9,10 +9,10 @@ namespace {
 TEST(TargetShapeName, IsReadAsItIsWritten) {
   EXPECT_EQ(targetShapeNames(), (std::vector<std::string>{"auto", "ball", "any"}));
   for (const TargetShape shape : {TargetShape::Auto, TargetShape::Ball, TargetShape::Any}) {
-    EXPECT_EQ(targetShapeNamed(nameOf(shape)), shape);
+    EXPECT_EQ(targetShapeFromName(nameOf(shape)), shape);
   }
-  EXPECT_FALSE(targetShapeNamed("Ball"));
-  EXPECT_FALSE(targetShapeNamed(""));
+  EXPECT_FALSE(targetShapeFromName("Ball"));
+  EXPECT_FALSE(targetShapeFromName(""));
 }
 
 } // namespace

@@ -136,7 +136,7 @@ TEST(MotionLog, aFrameThatComesAgainTakesThePlaceOfTheOld) {
 TEST(MotionLog, isBounded) {
   MotionLog log;
   std::size_t dropped = 0;
-  constexpr std::size_t kSamples = 2 * MotionLog::kMostRows;
+  constexpr std::size_t kSamples = 2 * MotionLog::kMaxRows;
   constexpr std::size_t kPiece = 1000;
   for (std::size_t first = 0; first < kSamples; first += kPiece) {
     std::vector<TrajectorySample> piece;
@@ -144,7 +144,7 @@ TEST(MotionLog, isBounded) {
       piece.push_back(sampleAt(static_cast<std::int64_t>(first + i), Eigen::Vector3d::Zero()));
     }
     dropped += log.replaceFrom(first, piece).dropped;
-    ASSERT_LE(log.rows().size(), MotionLog::kMostRows + kPiece);
+    ASSERT_LE(log.rows().size(), MotionLog::kMaxRows + kPiece);
   }
   EXPECT_EQ(dropped + log.rows().size(), kSamples);
   EXPECT_EQ(log.rows().back().sample.frame, static_cast<std::int64_t>(kSamples - 1));

@@ -329,9 +329,9 @@ TEST(PathSurprises, AreToldOneByOneUntilItIsEnough) {
   Drawn drawn = draw(16, 300, 0.1, 0.002);
   drawn.path[50].seen->position += Eigen::Vector3d(5.0, 0.0, 0.0);
   const PathModel model{2, 1.0, 1.0};
-  const auto all = pathSurprises(drawn.path, model, 40.0);
+  const auto all = normalizedInnovations(drawn.path, model, 40.0);
   std::size_t told = 0;
-  eachPathSurprise(drawn.path, model, 40.0, [&](std::size_t k, double surprise) {
+  forEachNormalizedInnovation(drawn.path, model, 40.0, [&](std::size_t k, double surprise) {
     EXPECT_EQ(k, told);
     EXPECT_EQ(surprise, all[k]);
     ++told;

@@ -42,7 +42,7 @@ inline bool recordDesk(const std::filesystem::path& folder) {
   if (!recordDemo(folder)) {
     return false;
   }
-  const auto made = makeProject(wanted);
+  const auto made = createNewProject(wanted);
   return made && saveProject(made->project, folder / "desk.toml").has_value();
 }
 

@@ -108,14 +108,15 @@ QKeySequence ActionRegistry::defaultShortcut(const QAction* action) const {
   return entry == nullptr ? QKeySequence() : entry->declaration.shortcut;
 }
 
-QAction* ActionRegistry::holderOf(const QKeySequence& shortcut, const QAction* except) const {
+QAction* ActionRegistry::actionWithShortcut(const QKeySequence& shortcut,
+                                            const QAction* except) const {
   const auto found = std::ranges::find_if(entries_, [&](const Entry& entry) {
     return entry.action != except && !shortcut.isEmpty() && entry.action->shortcut() == shortcut;
   });
   return found == entries_.end() ? nullptr : found->action;
 }
 
-void ActionRegistry::remember(const Entry& entry) {
+void ActionRegistry::saveShortcut(const Entry& entry) {
   const QKeySequence shortcut = entry.action->shortcut();
   Preferences().setShortcut(nameOf(entry.declaration), shortcut == entry.declaration.shortcut
                                                            ? std::nullopt
@@ -128,37 +129,37 @@ void ActionRegistry::setShortcut(QAction* action, const QKeySequence& shortcut) 
   if (entry == nullptr) {
     return;
   }
-  if (QAction* holder = holderOf(shortcut, action)) {
+  if (QAction* holder = actionWithShortcut(shortcut, action)) {
     holder->setShortcut({});
-    remember(*entryOf(holder));
+    saveShortcut(*entryOf(holder));
   }
   action->setShortcut(shortcut);
-  remember(*entry);
-  useAlternatives();
+  saveShortcut(*entry);
+  applyAlternatives();
   Q_EMIT shortcutsChanged();
 }
 
 void ActionRegistry::resetShortcuts() {
   for (const Entry& entry : entries_) {
     entry.action->setShortcut(entry.declaration.shortcut);
-    remember(entry);
+    saveShortcut(entry);
   }
-  useAlternatives();
+  applyAlternatives();
   Q_EMIT shortcutsChanged();
 }
 
 void ActionRegistry::addAlternative(ActionId id, const QKeySequence& shortcut) {
   alternatives_.emplace_back(id, shortcut);
-  useAlternatives();
+  applyAlternatives();
 }
 
-void ActionRegistry::useAlternatives() {
+void ActionRegistry::applyAlternatives() {
   for (const auto& [id, shortcut] : alternatives_) {
     QAction* one = action(id);
     QList<QKeySequence> keys = one->shortcuts();
     keys.removeAll(shortcut);
     const bool isDeclared = one->shortcut() == defaultShortcut(one);
-    if (isDeclared && holderOf(shortcut, one) == nullptr) {
+    if (isDeclared && actionWithShortcut(shortcut, one) == nullptr) {
       // The declared one stays the first: it is the one that is shown.
       keys.removeAll(one->shortcut());
       keys.prepend(one->shortcut());
@@ -195,7 +196,7 @@ bool ActionRegistry::eventFilter(QObject* watched, QEvent* event) {
                        key->matches(QKeySequence::MoveToStartOfLine) ||
                        key->matches(QKeySequence::DeleteEndOfLine);
     if (moves && key->modifiers() == Qt::ControlModifier &&
-        holderOf(QKeySequence(key->key() | Qt::ControlModifier), nullptr) != nullptr) {
+        actionWithShortcut(QKeySequence(key->key() | Qt::ControlModifier), nullptr) != nullptr) {
       event->ignore();
       return true;
     }

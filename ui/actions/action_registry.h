@@ -52,7 +52,7 @@ public:
   QKeySequence defaultShortcut(const QAction* action) const;
   /// Returns the action, other than `except`, that already has this shortcut, or null if there is
   /// none.
-  QAction* holderOf(const QKeySequence& shortcut, const QAction* except) const;
+  QAction* actionWithShortcut(const QKeySequence& shortcut, const QAction* except) const;
   /// Assigns a shortcut to an action. An empty shortcut removes the current one. If another action
   /// had this shortcut, that action loses it. Saves the change in the preferences.
   void setShortcut(QAction* action, const QKeySequence& shortcut);
@@ -83,8 +83,8 @@ private:
   /// Returns the entry for an action, or null if the action is not in this registry.
   const Entry* entryOf(const QAction* action) const;
   void setTexts(const Entry& entry);
-  void remember(const Entry& entry);
-  void useAlternatives();
+  void saveShortcut(const Entry& entry);
+  void applyAlternatives();
 
   QWidget* window_;
   std::vector<Entry> entries_;

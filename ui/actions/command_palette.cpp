@@ -66,18 +66,18 @@ int scatteredFit(const QString& letters, const QString& text) {
   for (const QChar letter : letters) {
     const qsizetype found = text.indexOf(letter, from, Qt::CaseInsensitive);
     if (found < 0) {
-      return kNoFit;
+      return kNoMatch;
     }
     fit += 1 + (startsWord(text, found) ? kWordStart : 0) + (found == previous + 1 ? kNeighbor : 0);
     previous = found;
     from = found + 1;
   }
-  return fit + kNoFit / 2;
+  return fit + kNoMatch / 2;
 }
 
 } // namespace
 
-int fitOf(const QString& search, const QString& text) {
+int matchScore(const QString& search, const QString& text) {
   static const QRegularExpression between(QStringLiteral("[\\s›]+"));
   const QStringList words = search.split(between, Qt::SkipEmptyParts);
   constexpr int kAsTyped = 5;
@@ -92,10 +92,10 @@ int fitOf(const QString& search, const QString& text) {
   return fit;
 }
 
-void dropScattered(std::vector<int>& fits) {
+void dropScatteredMatches(std::vector<int>& fits) {
   if (std::ranges::any_of(fits, [](int fit) { return fit >= 0; })) {
     std::ranges::replace_if(
-        fits, [](int fit) { return fit < 0; }, kNoFit);
+        fits, [](int fit) { return fit < 0; }, kNoMatch);
   }
 }
 
@@ -128,7 +128,7 @@ CommandPalette::CommandPalette(ActionRegistry& registry, QWidget* window)
   connect(list_, &QListWidget::itemClicked, this, &CommandPalette::runCurrent);
 }
 
-std::vector<CommandPalette::Entry> CommandPalette::everything() const {
+std::vector<CommandPalette::Entry> CommandPalette::allEntries() const {
   std::vector<Entry> entries;
   for (QAction* action : registry_.all()) {
     if (action->isEnabled() && action->isVisible()) {
@@ -137,14 +137,14 @@ std::vector<CommandPalette::Entry> CommandPalette::everything() const {
                          [action] { action->trigger(); }});
     }
   }
-  if (more_) {
-    std::ranges::move(more_(), std::back_inserter(entries));
+  if (extraEntries_) {
+    std::ranges::move(extraEntries_(), std::back_inserter(entries));
   }
   return entries;
 }
 
 void CommandPalette::open() {
-  entries_ = everything();
+  entries_ = allEntries();
   search_->clear();
   filter({});
   list_->setFixedHeight(kRows * kRowHeight + 4);
@@ -157,14 +157,14 @@ void CommandPalette::open() {
 }
 
 /// The name counts most, then the group it is in, then what else is known of an action.
-int CommandPalette::fitOf(const QString& search, const Entry& entry) {
+int CommandPalette::matchScore(const QString& search, const Entry& entry) {
   const QString path = entry.group + QLatin1Char(' ') + entry.name;
-  const int byName = dewpoint::ui::fitOf(search, entry.name);
-  const int byPath = dewpoint::ui::fitOf(search, path);
+  const int byName = dewpoint::ui::matchScore(search, entry.name);
+  const int byPath = dewpoint::ui::matchScore(search, path);
   if (byPath >= 0) {
     return std::max(3 * byName, 2 * byPath);
   }
-  const int byHint = dewpoint::ui::fitOf(search, path + QLatin1Char(' ') + entry.hint);
+  const int byHint = dewpoint::ui::matchScore(search, path + QLatin1Char(' ') + entry.hint);
   // Of a whole sentence beginnings of words count, no letters in the midst of one ("this").
   return byHint >= kAtStart ? byHint : byPath;
 }
@@ -172,12 +172,12 @@ int CommandPalette::fitOf(const QString& search, const Entry& entry) {
 void CommandPalette::filter(const QString& search) {
   std::vector<int> fits;
   for (const Entry& entry : entries_) {
-    fits.push_back(fitOf(search, entry));
+    fits.push_back(matchScore(search, entry));
   }
-  dropScattered(fits);
+  dropScatteredMatches(fits);
   std::vector<std::size_t> rows;
   for (std::size_t i = 0; i < fits.size(); ++i) {
-    if (fits[i] != kNoFit) {
+    if (fits[i] != kNoMatch) {
       rows.push_back(i);
     }
   }

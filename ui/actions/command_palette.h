@@ -34,7 +34,9 @@ public:
     std::function<void()> run;
   };
   /// Sets a function that returns additional commands. It is called each time the palette opens.
-  void setMore(std::function<std::vector<Entry>()> more) { more_ = std::move(more); }
+  void setExtraEntries(std::function<std::vector<Entry>()> more) {
+    extraEntries_ = std::move(more);
+  }
 
   /// Opens the palette at the top of the window, with an empty search field.
   void open();
@@ -44,27 +46,27 @@ protected:
 
 private:
   void filter(const QString& search);
-  static int fitOf(const QString& search, const Entry& entry);
+  static int matchScore(const QString& search, const Entry& entry);
   void runCurrent();
-  std::vector<Entry> everything() const;
+  std::vector<Entry> allEntries() const;
 
   ActionRegistry& registry_;
   QLineEdit* search_;
   QListWidget* list_;
-  std::function<std::vector<Entry>()> more_;
+  std::function<std::vector<Entry>()> extraEntries_;
   std::vector<Entry> entries_; ///< valid while the palette is open
 };
 
 /// Score for no match. Scattered-letter matches score between this value and 0.
-constexpr int kNoFit = -1'000'000;
+constexpr int kNoMatch = -1'000'000;
 
 /// Returns how well `search` matches `text`, ignoring case. A score of 0 or more means that `text`
 /// contains all words of `search`, in any order; matches at the start of a word score highest. A
-/// negative score above `kNoFit` means that `text` contains all letters of `search` in order, as
+/// negative score above `kNoMatch` means that `text` contains all letters of `search` in order, as
 /// with "sm" for "Show mask".
-int fitOf(const QString& search, const QString& text);
+int matchScore(const QString& search, const QString& text);
 
-/// Sets all scattered-letter matches to `kNoFit` if there is at least one word match.
-void dropScattered(std::vector<int>& fits);
+/// Sets all scattered-letter matches to `kNoMatch` if there is at least one word match.
+void dropScatteredMatches(std::vector<int>& fits);
 
 } // namespace dewpoint::ui

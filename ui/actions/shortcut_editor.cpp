@@ -131,11 +131,11 @@ void ShortcutEditor::filter(const QString& search) {
   std::vector<int> fits;
   for (int i = 0; i < tree_->topLevelItemCount(); ++i) {
     const QTreeWidgetItem* item = tree_->topLevelItem(i);
-    fits.push_back(fitOf(search, item->text(kName) + QLatin1Char(' ') + item->text(kKeys)));
+    fits.push_back(matchScore(search, item->text(kName) + QLatin1Char(' ') + item->text(kKeys)));
   }
-  dropScattered(fits);
+  dropScatteredMatches(fits);
   for (int i = 0; i < tree_->topLevelItemCount(); ++i) {
-    tree_->topLevelItem(i)->setHidden(fits[static_cast<std::size_t>(i)] == kNoFit);
+    tree_->topLevelItem(i)->setHidden(fits[static_cast<std::size_t>(i)] == kNoMatch);
   }
 }
 
@@ -159,7 +159,7 @@ void ShortcutEditor::assign() {
   if (action == nullptr || keys == action->shortcut()) {
     return;
   }
-  const QAction* holder = registry_.holderOf(keys, action);
+  const QAction* holder = registry_.actionWithShortcut(keys, action);
   const QString shown = keys.toString(QKeySequence::NativeText);
   registry_.setShortcut(action, keys);
   showHint([action, holder, shown] {

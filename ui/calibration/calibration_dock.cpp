@@ -72,7 +72,7 @@ bool CalibrationDock::eventFilter(QObject* watched, QEvent* event) {
     });
   }
   if (event->type() == QEvent::LayoutRequest) {
-    makeWideEnough();
+    adjustWidth();
   }
   const auto* field = qobject_cast<QWidget*>(watched);
   const bool isBar = qobject_cast<QScrollBar*>(watched) != nullptr;
@@ -83,7 +83,7 @@ bool CalibrationDock::eventFilter(QObject* watched, QEvent* event) {
   return QWidget::eventFilter(watched, event);
 }
 
-void CalibrationDock::makeWideEnough() {
+void CalibrationDock::adjustWidth() {
   for (int k = 0; k < tabs_->count(); ++k) {
     auto* scroll = static_cast<QScrollArea*>(tabs_->widget(k));
     scroll->setMinimumWidth(scroll->widget()->minimumSizeHint().width() +

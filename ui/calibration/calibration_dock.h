@@ -40,7 +40,7 @@ protected:
 
 private:
   /// Adjusts the width to the widest page, whose fields may have been shown or hidden.
-  void makeWideEnough();
+  void adjustWidth();
 
   QTabWidget* tabs_;
 };

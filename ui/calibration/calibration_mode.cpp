@@ -18,53 +18,53 @@ constexpr QLatin1String kBoard("boardPage");
 CalibrationMode::CalibrationMode(const Workbench& bench)
     : QObject(&bench.window), bench_(bench),
       manual_(new ManualCalibration(bench.document, bench.selection, bench.cameras, this)),
-      place_(new CalibrationDock(&bench.window)) {
+      pages_(new CalibrationDock(&bench.window)) {
   dock_ = bench_.docks.make({.name = QStringLiteral("calibrationDock"),
                              .title = [] { return tr("Calibration"); },
-                             .content = place_,
+                             .content = pages_,
                              .rank = 5,
                              .hiddenAtFirst = true,
                              .openedByAction = true});
   dock_->setMinimumWidth(400); // room for the names of all tabs, and three numbers
   QAction* mode = bench_.action("actionCalibrateByHand");
   connect(mode, &QAction::triggered, this, [this, mode](bool checked) {
-    if (!checked && place_->shownPage() != kByHand) {
+    if (!checked && pages_->shownPage() != kByHand) {
       mode->setChecked(true); // another page was in front
     }
   });
   connect(mode, &QAction::toggled, this, [this](bool shown) {
     show(shown);
     if (shown) {
-      place_->showPage(kByHand);
+      pages_->showPage(kByHand);
     }
   });
   connect(dock_, &ViewDock::toggledByUser, mode, &QAction::setChecked);
-  connect(place_, &CalibrationDock::pageChanged, this, [this, mode] {
+  connect(pages_, &CalibrationDock::pageChanged, this, [this, mode] {
     Q_EMIT pageChanged();
     show(mode->isChecked());
   });
   // A mode, no part of the layout.
   connect(&bench_.docks, &DockManager::laidOut, this, [this, mode] { show(mode->isChecked()); });
-  bench_.needRun({"actionCalibrateByHand"});
+  bench_.requireRun({"actionCalibrateByHand"});
 }
 
 void CalibrationMode::addPage(QWidget* page, const std::function<QString()>& title) {
-  place_->addPage(page, title);
+  pages_->addPage(page, title);
 }
 
 void CalibrationMode::open(const QString& page) {
   bench_.action("actionCalibrateByHand")->setChecked(true);
-  place_->showPage(page);
+  pages_->showPage(page);
 }
 
 void CalibrationMode::show(bool isShown) {
-  dock_->setWanted(isShown);
+  dock_->setShownByUser(isShown);
   if (isShown) {
     dock_->raise();
   }
   // The grid would lie over the board that is shown to the cameras.
-  manual_->setActive(isShown && place_->shownPage() != kBoard);
-  Q_EMIT shown(isShown ? place_->shownPage() : QString());
+  manual_->setActive(isShown && pages_->shownPage() != kBoard);
+  Q_EMIT shown(isShown ? pages_->shownPage() : QString());
 }
 
 } // namespace dewpoint::ui

@@ -39,7 +39,7 @@ private:
 
   Workbench bench_;
   ManualCalibration* manual_;
-  CalibrationDock* place_;
+  CalibrationDock* pages_;
   ViewDock* dock_;
 };
 

@@ -38,7 +38,7 @@ ManualCalibration::ManualCalibration(Document& document, Selection& selection,
   connect(&document_, &Document::replaced, this, [this] {
     drag_.reset();
     pins_.clear();
-    takeAsBefore();
+    storeAsBefore();
     selection_.selectCamera(0);
     Q_EMIT cameraSelected(camera());
     Q_EMIT changed();
@@ -55,7 +55,7 @@ void ManualCalibration::setActive(bool active) {
   }
   active_ = active;
   if (active_) {
-    takeAsBefore();
+    storeAsBefore();
   } else {
     cancelDrag();
   }
@@ -93,7 +93,7 @@ QString ManualCalibration::nameOf(int camera) const {
 }
 
 ReferenceGrid ManualCalibration::grid() const {
-  return document_.project().grid.value_or(standard_);
+  return document_.project().grid.value_or(defaultGrid_);
 }
 
 bool ManualCalibration::setGrid(const QString& step, const ReferenceGrid& grid,
@@ -119,12 +119,12 @@ void ManualCalibration::setFlipped(bool flipped) {
   Q_EMIT changed();
 }
 
-void ManualCalibration::takeAsBefore() {
+void ManualCalibration::storeAsBefore() {
   before_.clear();
   for (const ProjectCamera& camera : document_.project().cameras) {
     before_.push_back(camera.camera);
   }
-  standard_ = gridFor(before_);
+  defaultGrid_ = gridFor(before_);
 }
 
 const std::vector<Eigen::Vector3d>& ManualCalibration::pins(int camera) const {
@@ -144,7 +144,7 @@ void ManualCalibration::togglePin(int camera, const Eigen::Vector2d& pixel, doub
   });
   if (there != pins.end()) {
     pins.erase(there);
-  } else if (pins.size() >= static_cast<std::size_t>(kMostHeld)) {
+  } else if (pins.size() >= static_cast<std::size_t>(kMaxHeldPoints)) {
     Q_EMIT remark(tr("Three points are already held. Click one of them to release it"));
   } else if (const auto point = gridPointAt(seen, grid(), pixel, reach)) {
     pins.push_back(*point);

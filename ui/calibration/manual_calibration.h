@@ -56,12 +56,12 @@ public:
   // Appearance of the views.
   double opacity() const { return opacity_; }
   void setOpacity(double opacity);
-  bool edgesShown() const { return edges_; }
+  bool areEdgesShown() const { return edges_; }
   void setEdgesShown(bool shown);
   bool isFlipped() const { return flipped_; }
   void setFlipped(bool flipped);
   /// Makes the current cameras the new "before" state.
-  void takeAsBefore();
+  void storeAsBefore();
 
   // Dragging in images.
   const std::vector<Eigen::Vector3d>& pins(int camera) const;
@@ -121,7 +121,7 @@ private:
     std::vector<ImageAnchor> held;
     QString limit; ///< last remark shown
   };
-  struct Running {
+  struct RunningSum {
     std::string key;
     double sum = 0.0;
   };
@@ -133,7 +133,7 @@ private:
   CameraListModel& cameras_;
   bool active_ = false;
   CameraRig before_;
-  ReferenceGrid standard_; ///< used while the project has no grid
+  ReferenceGrid defaultGrid_; ///< used while the project has no grid
   double opacity_ = 0.8;
   bool edges_ = false;
   bool flipped_ = false;
@@ -142,7 +142,7 @@ private:
   DragSettings settings_;
   KeyMode keyMode_ = KeyMode::Move;
   NudgeFrame frame_ = NudgeFrame::Camera;
-  Running running_;
+  RunningSum running_;
 };
 
 } // namespace dewpoint::ui

@@ -34,12 +34,12 @@ CameraDocks::CameraDocks(const Workbench& bench)
   connect(pick_, &ImagePickTool::cameraChosen, &bench_.selection, &Selection::selectCamera);
   connect(&bench_.session, &SessionController::runStarted, this, &CameraDocks::make);
   connect(&bench_.session, &SessionController::closed, this, &CameraDocks::make);
-  connect(&bench_.session, &SessionController::snapshotChanged, this, &CameraDocks::explain);
+  connect(&bench_.session, &SessionController::snapshotChanged, this, &CameraDocks::showReasons);
   connect(&bench_.selection, &Selection::targetSelected, this, [this](int target) {
     for (CameraView* view : views_) {
       view->setChosenTarget(target);
     }
-    explain();
+    showReasons();
   });
   connectActions();
   connectZoom();
@@ -52,21 +52,22 @@ CameraDocks::CameraDocks(const Workbench& bench)
 }
 
 void CameraDocks::connectActions() {
-  bench_.needRun({"actionShowMask", "actionShowEvidence"},
-                 [document = &bench_.document] { return document->presentation().hasOverlays; });
+  bench_.requireRun({"actionShowMask", "actionShowEvidence"},
+                    [document = &bench_.document] { return document->presentation().hasOverlays; });
   bench_.onToggled("actionShowMask", this, [this](bool shown) {
     if (Session* session = bench_.session.session()) {
-      session->setMasksWanted(shown);
+      session->setMasksShown(shown);
     }
     for (CameraView* view : views_) {
       view->setMaskShown(shown);
     }
   });
-  bench_.needRun({"actionShowBest"}, [document = &bench_.document] {
+  bench_.requireRun({"actionShowBest"}, [document = &bench_.document] {
     return document->methodFamily().hasBestParticle;
   });
-  bench_.needRun({"actionShowVolumeOfInterest"},
-                 [document = &bench_.document] { return document->presentation().searchesRoom; });
+  bench_.requireRun({"actionShowVolumeOfInterest"}, [document = &bench_.document] {
+    return document->presentation().searchesVolume;
+  });
   bench_.onToggled("actionShowBest", this, [this](bool shown) {
     for (CameraView* view : views_) {
       view->setBestShown(shown);
@@ -74,18 +75,19 @@ void CameraDocks::connectActions() {
   });
   bench_.onToggled("actionShowEvidence", this, [this](bool shown) {
     if (Session* session = bench_.session.session()) {
-      session->setLikelihoodMapsWanted(shown);
+      session->setLikelihoodMapsShown(shown);
     }
     for (CameraView* view : views_) {
-      view->setEvidenceShown(shown);
+      view->setLikelihoodShown(shown);
     }
   });
 }
 
 void CameraDocks::connectZoom() {
-  bench_.needRun({"actionZoomIn", "actionZoomOut", "actionFitImage"});
-  bench_.needRun({"actionShowMagnifier"},
-                 [document = &bench_.document] { return document->presentation().searchesRoom; });
+  bench_.requireRun({"actionZoomIn", "actionZoomOut", "actionFitImage"});
+  bench_.requireRun({"actionShowMagnifier"}, [document = &bench_.document] {
+    return document->presentation().searchesVolume;
+  });
   bench_.onToggled("actionShowMagnifier", this, [this](bool shown) {
     for (CameraView* view : views_) {
       view->setMagnifierShown(shown);
@@ -144,12 +146,12 @@ void CameraDocks::make() {
         {.name = QStringLiteral("cameraDock%1").arg(camera),
          .title = [given = cameras[index].camera.name, index] { return cameraName(given, index); },
          .content = view,
-         .place = DockPlace::Cameras,
+         .area = DockArea::Cameras,
          .rank = camera});
     dock->title().setState(view->state());
     connect(view, &CameraView::stateChanged, &dock->title(), &DockTitle::setState);
     view->setMaskShown(mask);
-    view->setEvidenceShown(evidence);
+    view->setLikelihoodShown(evidence);
     view->setBestShown(best);
     view->setMagnifierShown(magnifier);
     view->setVolume(volume_);
@@ -164,8 +166,8 @@ void CameraDocks::make() {
   }
   bench_.docks.layOut();
   if (Session* session = bench_.session.session()) {
-    session->setMasksWanted(mask);
-    session->setLikelihoodMapsWanted(evidence);
+    session->setMasksShown(mask);
+    session->setLikelihoodMapsShown(evidence);
   }
 }
 
@@ -183,7 +185,7 @@ bool isWorthSaying(const TrackEstimate& estimate, const CameraReport& reason) {
 
 } // namespace
 
-void CameraDocks::explain() {
+void CameraDocks::showReasons() {
   const TrackSnapshotPtr& snapshot = bench_.session.shown();
   if (!snapshot) {
     return;

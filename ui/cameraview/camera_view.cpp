@@ -66,7 +66,7 @@ CameraView::CameraView(int camera, QWidget* parent) : QWidget(parent), camera_(c
 
 void CameraView::setSnapshot(const TrackSnapshotPtr& snapshot) {
   snapshot_ = snapshot;
-  if (const HoldState now = stateNow(); now != state_) {
+  if (const HoldState now = currentState(); now != state_) {
     state_ = now;
     Q_EMIT stateChanged(state_);
   }
@@ -78,8 +78,8 @@ void CameraView::setMaskShown(bool shown) {
   refresh();
 }
 
-void CameraView::setEvidenceShown(bool shown) {
-  evidenceShown_ = shown;
+void CameraView::setLikelihoodShown(bool shown) {
+  likelihoodShown_ = shown;
   refresh();
 }
 
@@ -103,7 +103,7 @@ void CameraView::setChosenTarget(int target) {
   update();
 }
 
-HoldState CameraView::stateNow() const {
+HoldState CameraView::currentState() const {
   if (!snapshot_ || !snapshot_->frames) {
     return HoldState::NoImages;
   }
@@ -113,12 +113,12 @@ HoldState CameraView::stateNow() const {
   return holdState(*snapshot_, camera_);
 }
 
-PictureSource CameraView::source() const {
+CameraImageSource CameraView::source() const {
   const FramePtr frame = frameOf(snapshot_, camera_);
   if (!frame || frame->image.empty()) {
     return {};
   }
-  const ZoomRoom room = roomFor(*frame);
+  const ZoomSizes room = zoomSizesFor(*frame);
   return {.camera = camera_,
           .frame = frame,
           .mask = maskShown_ ? maskOf(snapshot_, camera_) : cv::Mat(),
@@ -126,57 +126,57 @@ PictureSource CameraView::source() const {
           .part = zoom_.part(room),
           .size = zoom_.partSize(room),
           .isZoomed = !zoom_.isFitted(room),
-          .maps = evidenceShown_ ? snapshot_ : nullptr};
+          .maps = likelihoodShown_ ? snapshot_ : nullptr};
 }
 
-ZoomRoom CameraView::roomFor(const Frame& frame) const {
+ZoomSizes CameraView::zoomSizesFor(const Frame& frame) const {
   return {{frame.image.cols, frame.image.rows}, size(), devicePixelRatioF()};
 }
 
-bool CameraView::place() {
+bool CameraView::updatePlacement() {
   const FramePtr frame = frameOf(snapshot_, camera_);
   if (!frame || frame->image.empty()) {
     return false;
   }
-  placement_ = zoom_.placement(roomFor(*frame));
+  placement_ = zoom_.placement(zoomSizesFor(*frame));
   imageSize_ = {frame->image.cols, frame->image.rows};
   return true;
 }
 
-void CameraView::placeAgain() {
-  place(); // a click before the next picture is meant where it looks to be
+void CameraView::onZoomChanged() {
+  updatePlacement(); // a click before the next picture is meant where it looks to be
   update();
 }
 
 bool CameraView::isZoomed() const {
   const FramePtr frame = frameOf(snapshot_, camera_);
-  return frame && !frame->image.empty() && !zoom_.isFitted(roomFor(*frame));
+  return frame && !frame->image.empty() && !zoom_.isFitted(zoomSizesFor(*frame));
 }
 
 void CameraView::zoomBy(double factor, const QPointF& position) {
-  if (place()) {
+  if (updatePlacement()) {
     zoom_.zoomBy(factor, position, {imageSize_, size(), devicePixelRatioF()});
-    placeAgain();
+    onZoomChanged();
   }
 }
 
 void CameraView::panBy(const QPointF& way) {
-  if (place()) {
+  if (updatePlacement()) {
     zoom_.panBy(way, {imageSize_, size(), devicePixelRatioF()});
-    placeAgain();
+    onZoomChanged();
   }
 }
 
 void CameraView::reveal(const QPointF& pixel) {
-  if (place()) {
+  if (updatePlacement()) {
     zoom_.reveal(pixel, {imageSize_, size(), devicePixelRatioF()});
-    placeAgain();
+    onZoomChanged();
   }
 }
 
 void CameraView::fitImage() {
   zoom_.fit();
-  placeAgain();
+  onZoomChanged();
 }
 
 std::optional<QPointF> CameraView::pixelAt(const QPointF& position) const {
@@ -189,28 +189,28 @@ std::optional<QPointF> CameraView::pixelAt(const QPointF& position) const {
 void CameraView::contextMenuEvent(QContextMenuEvent* event) {
   const bool byKey = event->reason() == QContextMenuEvent::Keyboard;
   const QRectF seen = imageSize_.isEmpty() ? QRectF(rect()) : shownArea();
-  askForMenu(byKey ? seen.center() : QPointF(event->pos()));
+  requestMenu(byKey ? seen.center() : QPointF(event->pos()));
 }
 
-bool CameraView::isSeen() const {
+bool CameraView::isVisibleOnScreen() const {
   return isVisible() && !window()->isMinimized();
 }
 
 bool CameraView::isDrawn() const {
-  return !isSeen() || (picture_.source == source() && shown_ == snapshot_);
+  return !isVisibleOnScreen() || (picture_.source == source() && shown_ == snapshot_);
 }
 
 void CameraView::refresh() {
-  if (!isSeen()) {
-    rest(); // paintEvent() catches up
-  } else if (follow()) {
+  if (!isVisibleOnScreen()) {
+    stopDrawing(); // paintEvent() catches up
+  } else if (showNewest()) {
     update();
   }
 }
 
-void CameraView::rest() {
+void CameraView::stopDrawing() {
   job_.cancel();
-  ordered_ = {};
+  requestedSource_ = {};
   // What is still of the newest frame is shown at once when the view is raised.
   const FramePtr newest = frameOf(snapshot_, camera_);
   if (newest == nullptr || picture_.source.frame != newest) {
@@ -226,24 +226,24 @@ void CameraView::showEvent(QShowEvent* event) {
 
 void CameraView::hideEvent(QHideEvent* event) {
   QWidget::hideEvent(event);
-  rest();
+  stopDrawing();
 }
 
-bool CameraView::follow() {
-  const PictureSource wanted = source();
+bool CameraView::showNewest() {
+  const CameraImageSource wanted = source();
   if (!wanted.frame) {
     picture_ = {};
   }
   if (wanted == picture_.source) {
     job_.cancel();
-    ordered_ = {};
+    requestedSource_ = {};
     shown_ = snapshot_;
     return true;
   }
-  if (!(wanted == ordered_)) {
-    ordered_ = wanted;
+  if (!(wanted == requestedSource_)) {
+    requestedSource_ = wanted;
     job_.start([this, wanted, snapshot = snapshot_](const BackgroundJob::Progress&) {
-      const auto drawn = std::make_shared<CameraPicture>(drawPicture(wanted));
+      const auto drawn = std::make_shared<CameraImage>(drawCameraImage(wanted));
       return [this, drawn, snapshot] {
         picture_ = std::move(*drawn);
         shown_ = snapshot;
@@ -254,9 +254,9 @@ bool CameraView::follow() {
   return false;
 }
 
-QString CameraView::whyThereIsNoImage() const {
+QString CameraView::missingImageText() const {
   if (const Error* notice = snapshot_ ? noticeOf(*snapshot_, camera_) : nullptr) {
-    return errorSentence(*notice);
+    return errorText(*notice);
   }
   return snapshot_ && snapshot_->frames
              ? tr("This camera delivered no image for this frame.")
@@ -264,7 +264,7 @@ QString CameraView::whyThereIsNoImage() const {
 }
 
 void CameraView::paintEvent(QPaintEvent*) {
-  follow(); // the size may be another one
+  showNewest(); // the size may be another one
   QPainter painter(this);
   const QColor ground = palette().color(QPalette::Base).lightness() < 128
                             ? palette().color(QPalette::Base)
@@ -274,21 +274,21 @@ void CameraView::paintEvent(QPaintEvent*) {
   if (!frame || frame->image.empty()) {
     painter.setPen(palette().color(QPalette::PlaceholderText));
     painter.drawText(rect().adjusted(16, 16, -16, -16), Qt::AlignCenter | Qt::TextWordWrap,
-                     whyThereIsNoImage());
+                     missingImageText());
     return;
   }
-  place();
+  updatePlacement();
   if (!picture_.source.frame) {
     return; // the first one comes soon
   }
-  painter.drawImage(pictureArea(), picture_.image);
+  painter.drawImage(drawnArea(), picture_.image);
   painter.setClipRect(shownArea());
-  paintBelief(painter);
+  paintEstimates(painter);
 }
 
-QRectF CameraView::pictureArea() const {
+QRectF CameraView::drawnArea() const {
   const double ratio = devicePixelRatioF();
-  const PictureSource& source = picture_.source;
+  const CameraImageSource& source = picture_.source;
   const QPointF corner =
       (placement_.corner + QPointF(source.part.topLeft()) * placement_.scale) * ratio;
   // Without a fraction of a pixel, so that it is drawn one to one.
@@ -307,23 +307,24 @@ CameraOverlay CameraView::overlayOf(std::size_t target) const {
   return overlay;
 }
 
-void CameraView::paintBelief(QPainter& painter) const {
+void CameraView::paintEstimates(QPainter& painter) const {
   const QRectF seen = shownArea();
   if (picture_.source.maps == shown_ && !picture_.motionMap.isNull()) {
-    paintEvidence(painter, {{0, 0}, picture_.motionMap.size()}, picture_.motionMap, {}, placement_);
+    paintLikelihoodMap(painter, {{0, 0}, picture_.motionMap.size()}, picture_.motionMap, {},
+                       placement_);
   }
   if (volume_ && shown_->rig && static_cast<std::size_t>(camera_) < shown_->rig->size()) {
     paintVolume(painter, (*shown_->rig)[static_cast<std::size_t>(camera_)], *volume_, placement_);
   }
   paintPeople(painter, *shown_, camera_, placement_, seen, chosenTarget_);
-  paintPeopleTrouble(painter, *shown_, camera_, seen);
+  paintPeopleObstacle(painter, *shown_, camera_, seen);
   for (std::size_t i = 0; i < shown_->targets.size(); ++i) {
     if (isPaintedByPeople(shown_->targets[i])) {
       continue;
     }
     if (picture_.source.maps == shown_) {
-      paintEvidence(painter, mapPlace(shown_->targets[i], camera_), picture_.maps[i],
-                    proposedOutlines(*shown_, camera_, shown_->targets[i]), placement_);
+      paintLikelihoodMap(painter, mapPlace(shown_->targets[i], camera_), picture_.maps[i],
+                         proposedOutlines(*shown_, camera_, shown_->targets[i]), placement_);
     }
     const QColor color = targetColor(shown_->targets[i].target.name, static_cast<int>(i));
     paintOverlay(painter, overlayOf(i), placement_, color, rampOf(*shown_, color));

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/geometry/world_box.h"
-#include "ui/cameraview/camera_picture.h"
+#include "ui/cameraview/camera_image.h"
 #include "ui/cameraview/image_placement.h"
 #include "ui/cameraview/image_zoom.h"
 #include "ui/jobs/latest_job.h"
@@ -34,7 +34,7 @@ public:
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   void setMaskShown(bool shown);
   /// Shows or hides the likelihood maps and the candidate positions.
-  void setEvidenceShown(bool shown);
+  void setLikelihoodShown(bool shown);
   /// Shows or hides each target's highest-weight particle.
   void setBestShown(bool shown);
   /// Shows or hides the inset that enlarges a particle cloud that is too small to see.
@@ -66,7 +66,7 @@ public:
   /// Fits the whole image into the view again.
   void fitImage();
   /// Requests the context menu at a position in this widget.
-  void askForMenu(const QPointF& position) { Q_EMIT menuRequested(position); }
+  void requestMenu(const QPointF& position) { Q_EMIT menuRequested(position); }
   /// Returns whether the view shows everything it was last given. Also true while the view is not
   /// visible.
   bool isDrawn() const;
@@ -86,29 +86,29 @@ protected:
   void hideEvent(QHideEvent* event) override;
 
 private:
-  HoldState stateNow() const;
+  HoldState currentState() const;
   /// Returns the input for drawing the newest snapshot. Its frame is null if there is no image.
-  PictureSource source() const;
+  CameraImageSource source() const;
   /// Returns the zoom geometry for an image of this frame's size in this view.
-  ZoomRoom roomFor(const Frame& frame) const;
+  ZoomSizes zoomSizesFor(const Frame& frame) const;
   /// Updates the placement for the newest snapshot's image. Returns false if there is none.
-  bool place();
+  bool updatePlacement();
   /// Updates the placement after the zoom has changed.
-  void placeAgain();
+  void onZoomChanged();
   /// Returns the area of the drawn pixels in widget coordinates. They may cover a different part of
   /// the image than is visible now.
-  QRectF pictureArea() const;
+  QRectF drawnArea() const;
   /// Returns whether the view is visible, in a window that is not minimized.
-  bool isSeen() const;
+  bool isVisibleOnScreen() const;
   void refresh();
   /// Stops drawing while the view is not visible, and discards the pixels of an earlier frame.
-  void rest();
+  void stopDrawing();
   /// Shows the newest snapshot and returns true if its pixels are ready. Otherwise starts drawing
   /// them.
-  bool follow();
-  void paintBelief(QPainter& painter) const;
+  bool showNewest();
+  void paintEstimates(QPainter& painter) const;
   /// Returns the text shown instead of the image if there is no image.
-  QString whyThereIsNoImage() const;
+  QString missingImageText() const;
   /// Returns the overlay of a target in this view.
   CameraOverlay overlayOf(std::size_t target) const;
   void paintInset(QPainter& painter, const std::vector<QRectF>& taken) const;
@@ -116,7 +116,7 @@ private:
   int camera_;
   TrackSnapshotPtr snapshot_; ///< newest snapshot
   bool maskShown_ = false;
-  bool evidenceShown_ = false;
+  bool likelihoodShown_ = false;
   bool bestShown_ = false;
   bool magnifierShown_ = false;
   std::optional<WorldBox> volume_;
@@ -125,10 +125,10 @@ private:
   ImageZoom zoom_;
   ImagePlacement placement_;
   QSize imageSize_;
-  CameraPicture picture_;
-  TrackSnapshotPtr shown_; ///< snapshot that belongs to `picture_`
-  PictureSource ordered_;  ///< input that `job_` is processing or will process
-  LatestJob job_{LatestJob::Overtaken::Kept};
+  CameraImage picture_;
+  TrackSnapshotPtr shown_;            ///< snapshot that belongs to `picture_`
+  CameraImageSource requestedSource_; ///< input that `job_` is processing or will process
+  LatestJob job_{LatestJob::Superseded::Kept};
 };
 
 } // namespace dewpoint::ui

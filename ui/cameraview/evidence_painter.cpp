@@ -19,8 +19,9 @@ Qt::PenStyle styleOf(CandidatePosition::Kind kind) {
 
 } // namespace
 
-void paintEvidence(QPainter& painter, const QRect& place, const QImage& map,
-                   const std::vector<ProposedOutline>& proposed, const ImagePlacement& placement) {
+void paintLikelihoodMap(QPainter& painter, const QRect& place, const QImage& map,
+                        const std::vector<ProposedOutline>& proposed,
+                        const ImagePlacement& placement) {
   painter.save();
   if (!map.isNull()) {
     const QRectF area(placement.corner + QPointF(place.topLeft()) * placement.scale,

@@ -87,7 +87,7 @@ void ImagePickOverlay::mousePressEvent(QMouseEvent* event) {
   Q_EMIT chosen();
   if (picking_ || sample) {
     pressed_ = Press{event->position(), *pixel};
-    now_ = event->position();
+    pointerPosition_ = event->position();
     if (pointing_) {
       update();
       Q_EMIT grabbed(*pixel);
@@ -105,10 +105,10 @@ void ImagePickOverlay::mouseMoveEvent(QMouseEvent* event) {
     update();
   }
   if (pressed_) {
-    now_ = event->position();
+    pointerPosition_ = event->position();
     update();
     if (pointing_) {
-      Q_EMIT pointMoved(nearestPixel(now_));
+      Q_EMIT pointMoved(nearestPixel(pointerPosition_));
     }
   } else if (panned_ && event->buttons().testFlag(Qt::LeftButton)) {
     view_->panBy(event->position() - *std::exchange(panned_, event->position()));
@@ -147,7 +147,7 @@ void ImagePickOverlay::mouseDoubleClickEvent(QMouseEvent* event) {
 
 void ImagePickOverlay::contextMenuEvent(QContextMenuEvent* event) {
   if (event->reason() == QContextMenuEvent::Keyboard && cross_) {
-    view_->askForMenu(view_->placement().positionOf(*cross_));
+    view_->requestMenu(view_->placement().positionOf(*cross_));
   } else {
     event->ignore(); // the view opens it
   }
@@ -170,7 +170,7 @@ void ImagePickOverlay::keyPressEvent(QKeyEvent* event) {
     Q_EMIT cancelled();
     return;
   }
-  if (!isForCross(*event)) {
+  if (!controlsCross(*event)) {
     QWidget::keyPressEvent(event);
     return;
   }
@@ -183,7 +183,7 @@ void ImagePickOverlay::keyPressEvent(QKeyEvent* event) {
   }
 }
 
-bool ImagePickOverlay::isForCross(const QKeyEvent& event) const {
+bool ImagePickOverlay::controlsCross(const QKeyEvent& event) const {
   switch (event.key()) {
   case Qt::Key_Left:
   case Qt::Key_Right:
@@ -244,7 +244,7 @@ void ImagePickOverlay::focusOutEvent(QFocusEvent* event) {
 }
 
 bool ImagePickOverlay::event(QEvent* event) {
-  if (event->type() == QEvent::ShortcutOverride && isForCross(*static_cast<QKeyEvent*>(event))) {
+  if (event->type() == QEvent::ShortcutOverride && controlsCross(*static_cast<QKeyEvent*>(event))) {
     event->accept(); // else the arrows would travel in time
     return true;
   }
@@ -268,7 +268,7 @@ void ImagePickOverlay::paintMagnified(QPainter& painter) const {
   const std::optional<QPointF> at =
       cross_ && !pointer_ ? std::optional(placement.positionOf(*cross_)) : pointer_;
   const std::optional<QPointF> pixel = at ? view_->pixelAt(*at) : std::nullopt;
-  const QRectF place = pixel ? loupePlace(*at, size()) : QRectF();
+  const QRectF place = pixel ? loupeRect(*at, size()) : QRectF();
   if (!place.isEmpty()) {
     paintLoupe(painter, place, frame->image, *pixel, *pixel);
   }
@@ -305,9 +305,9 @@ void ImagePickOverlay::paintEvent(QPaintEvent*) {
     paintPickHint(painter, hint_, view_->shownArea());
   }
   if (pressed_ && pointing_) {
-    paintPickCross(painter, placement.positionOf(nearestPixel(now_)));
+    paintPickCross(painter, placement.positionOf(nearestPixel(pointerPosition_)));
   } else if (pressed_) {
-    const QRectF box(placement.positionOf(pressed_->pixel), now_);
+    const QRectF box(placement.positionOf(pressed_->pixel), pointerPosition_);
     paintPickOutline(painter, QPolygonF(box.normalized()), Qt::DashLine);
   }
   if (cross_) {

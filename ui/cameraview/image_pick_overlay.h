@@ -84,7 +84,7 @@ private:
   /// Ends dragging the point.
   void endPointing();
   /// Returns whether this key press moves the cross or picks.
-  bool isForCross(const QKeyEvent& event) const;
+  bool controlsCross(const QKeyEvent& event) const;
   void moveCross(int key, bool fine);
 
   CameraView* view_;
@@ -104,7 +104,7 @@ private:
   std::optional<QPointF> panned_;  ///< widget coordinates; set while a press moves the image
   std::optional<QPointF> pointer_; ///< widget coordinates; set while picking
   std::optional<QPointF> cross_;   ///< image pixel; moved by keys
-  QPointF now_;
+  QPointF pointerPosition_;
 };
 
 } // namespace dewpoint::ui

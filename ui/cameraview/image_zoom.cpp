@@ -13,22 +13,22 @@ constexpr double kRevealMargin = 24.0; ///< widget units between a revealed pixe
 constexpr int kSpareShare = 16; ///< this part of what is seen is drawn beyond it, so that a drag
                                 ///< finds it there
 
-QSize fittedDeviceSize(const ZoomRoom& room) {
-  const QSizeF shown = QSizeF(room.image).scaled(QSizeF(room.view), Qt::KeepAspectRatio);
-  return {std::max(1, static_cast<int>(std::lround(shown.width() * room.ratio))),
-          std::max(1, static_cast<int>(std::lround(shown.height() * room.ratio)))};
+QSize fittedDeviceSize(const ZoomSizes& sizes) {
+  const QSizeF shown = QSizeF(sizes.image).scaled(QSizeF(sizes.view), Qt::KeepAspectRatio);
+  return {std::max(1, static_cast<int>(std::lround(shown.width() * sizes.ratio))),
+          std::max(1, static_cast<int>(std::lround(shown.height() * sizes.ratio)))};
 }
 
 double wholeDevicePixel(double position, double ratio) {
   return std::round(position * ratio) / ratio;
 }
 
-ImagePlacement fittedPlacement(const ZoomRoom& room) {
-  const QSizeF shown = QSizeF(fittedDeviceSize(room)) / room.ratio;
+ImagePlacement fittedPlacement(const ZoomSizes& sizes) {
+  const QSizeF shown = QSizeF(fittedDeviceSize(sizes)) / sizes.ratio;
   // Not only where it is drawn: a zoom would enlarge the difference.
-  return {QPointF(wholeDevicePixel((room.view.width() - shown.width()) / 2.0, room.ratio),
-                  wholeDevicePixel((room.view.height() - shown.height()) / 2.0, room.ratio)),
-          shown.width() / room.image.width()};
+  return {QPointF(wholeDevicePixel((sizes.view.width() - shown.width()) / 2.0, sizes.ratio),
+                  wholeDevicePixel((sizes.view.height() - shown.height()) / 2.0, sizes.ratio)),
+          shown.width() / sizes.image.width()};
 }
 
 /// Where an image may begin along one axis: the band beside a fitted image is never wider. So the
@@ -37,10 +37,10 @@ double coveringCorner(double corner, double shown, double view, double band) {
   return std::clamp(corner, view - shown - band, band);
 }
 
-QPointF coveringCorner(const QPointF& corner, double scale, const ZoomRoom& room) {
-  const QPointF band = fittedPlacement(room).corner;
-  return {coveringCorner(corner.x(), room.image.width() * scale, room.view.width(), band.x()),
-          coveringCorner(corner.y(), room.image.height() * scale, room.view.height(), band.y())};
+QPointF coveringCorner(const QPointF& corner, double scale, const ZoomSizes& sizes) {
+  const QPointF band = fittedPlacement(sizes).corner;
+  return {coveringCorner(corner.x(), sizes.image.width() * scale, sizes.view.width(), band.x()),
+          coveringCorner(corner.y(), sizes.image.height() * scale, sizes.view.height(), band.y())};
 }
 
 /// The pixels from `first` to `last` and a little more, on a grid of so many pixels, within
@@ -55,75 +55,75 @@ std::pair<int, int> sparePixels(double first, double last, int count) {
 
 } // namespace
 
-bool ImageZoom::isFitted(const ZoomRoom& room) const {
-  return scale_ <= fittedPlacement(room).scale;
+bool ImageZoom::isFitted(const ZoomSizes& sizes) const {
+  return scale_ <= fittedPlacement(sizes).scale;
 }
 
-ImagePlacement ImageZoom::exactPlacement(const ZoomRoom& room) const {
-  if (isFitted(room)) {
-    return fittedPlacement(room);
+ImagePlacement ImageZoom::exactPlacement(const ZoomSizes& sizes) const {
+  if (isFitted(sizes)) {
+    return fittedPlacement(sizes);
   }
-  const QPointF corner = QPointF(room.view.width(), room.view.height()) / 2.0 - center_ * scale_;
-  return {coveringCorner(corner, scale_, room), scale_};
+  const QPointF corner = QPointF(sizes.view.width(), sizes.view.height()) / 2.0 - center_ * scale_;
+  return {coveringCorner(corner, scale_, sizes), scale_};
 }
 
-void ImageZoom::moveTo(const QPointF& corner, double scale, const ZoomRoom& room) {
-  const QPointF covering = coveringCorner(corner, scale, room);
+void ImageZoom::moveTo(const QPointF& corner, double scale, const ZoomSizes& sizes) {
+  const QPointF covering = coveringCorner(corner, scale, sizes);
   scale_ = scale;
-  center_ = (QPointF(room.view.width(), room.view.height()) / 2.0 - covering) / scale;
+  center_ = (QPointF(sizes.view.width(), sizes.view.height()) / 2.0 - covering) / scale;
 }
 
-void ImageZoom::zoomBy(double factor, const QPointF& position, const ZoomRoom& room) {
-  const ImagePlacement now = exactPlacement(room);
-  const double least = fittedPlacement(room).scale;
-  const double scale = std::clamp(now.scale * factor, least, std::max(least, kMost));
+void ImageZoom::zoomBy(double factor, const QPointF& position, const ZoomSizes& sizes) {
+  const ImagePlacement now = exactPlacement(sizes);
+  const double least = fittedPlacement(sizes).scale;
+  const double scale = std::clamp(now.scale * factor, least, std::max(least, kMaxScale));
   constexpr double kAlmost = 1.0 + 1e-6; // as many steps back as there were in lead to the fit
   if (scale <= least * kAlmost) {
     fit();
     return;
   }
-  moveTo(position - (position - now.corner) * (scale / now.scale), scale, room);
+  moveTo(position - (position - now.corner) * (scale / now.scale), scale, sizes);
 }
 
-void ImageZoom::panBy(const QPointF& way, const ZoomRoom& room) {
-  if (!isFitted(room)) {
-    moveTo(exactPlacement(room).corner + way, scale_, room);
+void ImageZoom::panBy(const QPointF& offset, const ZoomSizes& sizes) {
+  if (!isFitted(sizes)) {
+    moveTo(exactPlacement(sizes).corner + offset, scale_, sizes);
   }
 }
 
-void ImageZoom::reveal(const QPointF& pixel, const ZoomRoom& room) {
-  const QPointF at = exactPlacement(room).positionOf(pixel);
+void ImageZoom::reveal(const QPointF& pixel, const ZoomSizes& sizes) {
+  const QPointF at = exactPlacement(sizes).positionOf(pixel);
   const auto missing = [](double position, double length) {
     const double margin = std::min(kRevealMargin, length / 4.0);
     return std::clamp(position, margin, length - margin) - position;
   };
-  panBy({missing(at.x(), room.view.width()), missing(at.y(), room.view.height())}, room);
+  panBy({missing(at.x(), sizes.view.width()), missing(at.y(), sizes.view.height())}, sizes);
 }
 
-ImagePlacement ImageZoom::placement(const ZoomRoom& room) const {
-  const ImagePlacement exact = exactPlacement(room);
-  return {QPointF(wholeDevicePixel(exact.corner.x(), room.ratio),
-                  wholeDevicePixel(exact.corner.y(), room.ratio)),
+ImagePlacement ImageZoom::placement(const ZoomSizes& sizes) const {
+  const ImagePlacement exact = exactPlacement(sizes);
+  return {QPointF(wholeDevicePixel(exact.corner.x(), sizes.ratio),
+                  wholeDevicePixel(exact.corner.y(), sizes.ratio)),
           exact.scale};
 }
 
-QRect ImageZoom::part(const ZoomRoom& room) const {
-  if (isFitted(room)) {
-    return {{0, 0}, room.image};
+QRect ImageZoom::part(const ZoomSizes& sizes) const {
+  if (isFitted(sizes)) {
+    return {{0, 0}, sizes.image};
   }
-  const ImagePlacement now = placement(room);
+  const ImagePlacement now = placement(sizes);
   const QPointF first = -now.corner / now.scale;
-  const QPointF last = first + QPointF(room.view.width(), room.view.height()) / now.scale;
-  const auto [left, right] = sparePixels(first.x(), last.x(), room.image.width());
-  const auto [top, bottom] = sparePixels(first.y(), last.y(), room.image.height());
+  const QPointF last = first + QPointF(sizes.view.width(), sizes.view.height()) / now.scale;
+  const auto [left, right] = sparePixels(first.x(), last.x(), sizes.image.width());
+  const auto [top, bottom] = sparePixels(first.y(), last.y(), sizes.image.height());
   return {left, top, right - left, bottom - top};
 }
 
-QSize ImageZoom::partSize(const ZoomRoom& room) const {
-  if (isFitted(room)) {
-    return fittedDeviceSize(room);
+QSize ImageZoom::partSize(const ZoomSizes& sizes) const {
+  if (isFitted(sizes)) {
+    return fittedDeviceSize(sizes);
   }
-  const QSizeF size = QSizeF(part(room).size()) * (scale_ * room.ratio);
+  const QSizeF size = QSizeF(part(sizes).size()) * (scale_ * sizes.ratio);
   return {std::max(1, static_cast<int>(std::lround(size.width()))),
           std::max(1, static_cast<int>(std::lround(size.height())))};
 }

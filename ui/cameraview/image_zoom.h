@@ -11,7 +11,7 @@ namespace dewpoint::ui {
 
 /// Geometry for zooming: image size (pixels), view size (widget units), and device pixels per
 /// widget unit. Neither size is empty.
-struct ZoomRoom {
+struct ZoomSizes {
   QSize image;
   QSize view;
   double ratio = 1.0;
@@ -25,29 +25,29 @@ public:
   /// Zoom factor per wheel step or key press.
   static constexpr double kStep = 1.4142135623730951;
   /// Maximum scale in widget units per image pixel. A fitted image may exceed it.
-  static constexpr double kMost = 32.0;
+  static constexpr double kMaxScale = 32.0;
 
-  bool isFitted(const ZoomRoom& room) const;
+  bool isFitted(const ZoomSizes& sizes) const;
   /// Enlarges the image by `factor`, but never shrinks it below the fitted size. The pixel at
   /// `position` (widget units) stays in place.
-  void zoomBy(double factor, const QPointF& position, const ZoomRoom& room);
-  /// Moves a zoomed image by `way` (widget units), within its limits.
-  void panBy(const QPointF& way, const ZoomRoom& room);
+  void zoomBy(double factor, const QPointF& position, const ZoomSizes& sizes);
+  /// Moves a zoomed image by `offset` (widget units), within its limits.
+  void panBy(const QPointF& offset, const ZoomSizes& sizes);
   /// Moves a zoomed image just far enough to make `pixel` visible.
-  void reveal(const QPointF& pixel, const ZoomRoom& room);
+  void reveal(const QPointF& pixel, const ZoomSizes& sizes);
   void fit() { scale_ = 0.0; }
 
   /// Returns the placement of the image. Its corner lies on a whole device pixel.
-  ImagePlacement placement(const ZoomRoom& room) const;
+  ImagePlacement placement(const ZoomSizes& sizes) const;
   /// Returns the part of the image to draw, in pixels: the visible part plus a small margin, or the
   /// whole image if it is fitted.
-  QRect part(const ZoomRoom& room) const;
+  QRect part(const ZoomSizes& sizes) const;
   /// Returns the size of that part in device pixels.
-  QSize partSize(const ZoomRoom& room) const;
+  QSize partSize(const ZoomSizes& sizes) const;
 
 private:
-  ImagePlacement exactPlacement(const ZoomRoom& room) const;
-  void moveTo(const QPointF& corner, double scale, const ZoomRoom& room);
+  ImagePlacement exactPlacement(const ZoomSizes& sizes) const;
+  void moveTo(const QPointF& corner, double scale, const ZoomSizes& sizes);
 
   double scale_ = 0.0; ///< widget units per image pixel; 0 means fitted
   /// image point at the view center, in pixels from the upper left corner of the image

@@ -49,8 +49,8 @@ std::optional<int> insetFactor(double diameter, double side) {
   return factor;
 }
 
-QRectF insetPlace(const QRectF& area, double side, const QPointF& target,
-                  const std::vector<QRectF>& taken) {
+QRectF insetRect(const QRectF& area, double side, const QPointF& target,
+                 const std::vector<QRectF>& taken) {
   const QRectF room = area.adjusted(kInsetMargin, kInsetMargin, -kInsetMargin, -kInsetMargin);
   const double right = room.right() - side;
   const double bottom = room.bottom() - side;

@@ -30,8 +30,8 @@ std::optional<int> insetFactor(double diameter, double side);
 /// Returns a square in a corner of the view area: the first corner far enough from the target,
 /// starting at the lower left, or else the farthest one. It avoids the `taken` rectangles if
 /// possible.
-QRectF insetPlace(const QRectF& area, double side, const QPointF& target,
-                  const std::vector<QRectF>& taken);
+QRectF insetRect(const QRectF& area, double side, const QPointF& target,
+                 const std::vector<QRectF>& taken);
 
 /// Returns the longest length (image pixels) of the form 1, 2 or 5 times a power of ten that is at
 /// most `longest` widget units long. `scale` is in widget units per pixel.

@@ -24,7 +24,7 @@ constexpr double kLoupeGap = 3.0;  ///< in its middle, where one looks
 
 } // namespace
 
-QRectF loupePlace(const QPointF& pointer, const QSizeF& room) {
+QRectF loupeRect(const QPointF& pointer, const QSizeF& room) {
   const double side = std::min({kLoupeSide, room.width() / 2.0 - kBesidePointer, room.height()});
   if (side < kLeastLoupeSide) {
     return {};

@@ -17,7 +17,7 @@ namespace dewpoint::ui {
 
 /// Returns where to place a magnifier next to the pointer in a widget of size `room`. It never lies
 /// under the pointer or outside the widget. Returns an empty rectangle if there is not enough room.
-QRectF loupePlace(const QPointF& pointer, const QSizeF& room);
+QRectF loupeRect(const QPointF& pointer, const QSizeF& room);
 
 /// Draws the enlarged image around `pixel` into a round magnifier at `place`, with a cross at the
 /// pixel `meant`. Pixel centers lie at integer coordinates. `image` is CV_8UC3.

@@ -88,13 +88,13 @@ bool isPaintedByPeople(const TargetSnapshot& target) {
                     target.estimate);
 }
 
-void paintPeopleTrouble(QPainter& painter, const TrackSnapshot& snapshot, int camera,
-                        const QRectF& room) {
+void paintPeopleObstacle(QPainter& painter, const TrackSnapshot& snapshot, int camera,
+                         const QRectF& room) {
   QString text = peopleObstacleText(snapshot, camera);
   if (text.isEmpty()) {
     return;
   }
-  const auto share = learningOf(snapshot, camera);
+  const auto share = backgroundLearned(snapshot, camera);
   const QFontMetricsF metrics(painter.font());
   const double most = room.width() - 16.0;
   if (share && metrics.horizontalAdvance(text) + 24.0 > most) {

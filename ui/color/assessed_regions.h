@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/color/color_learning.h"
-#include "core/setup/clicks/click_lesson.h"
+#include "core/setup/clicks/click_learning.h"
 #include "ui/cameraview/image_pick_tool.h"
 
 #include <map>

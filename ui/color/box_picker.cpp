@@ -14,7 +14,7 @@ namespace dewpoint::ui {
 
 BoxPicker::BoxPicker(Document& document, QObject* parent) : QObject(parent), document_(document) {}
 
-void BoxPicker::point(const TrackSnapshotPtr& snapshot, int camera, const QRectF& region) {
+void BoxPicker::pick(const TrackSnapshotPtr& snapshot, int camera, const QRectF& region) {
   const auto index = static_cast<std::size_t>(camera);
   const bool there = snapshot && snapshot->frames && !snapshot->preview &&
                      index < snapshot->frames->frames.size() && snapshot->frames->frames[index];
@@ -25,15 +25,15 @@ void BoxPicker::point(const TrackSnapshotPtr& snapshot, int camera, const QRectF
   const bool isBox = region.width() > 0.0 && region.height() > 0.0;
   // The corner of a box lies half a pixel before the center of its first pixel.
   const ImageBox drawn{region.x() + 0.5, region.y() + 0.5, region.width(), region.height()};
-  looking_.start([this, isBox, drawn, camera, target = target_, frame = snapshot->frame,
-                  shown = snapshot->frames->frames[index]](const BackgroundJob::Progress&) {
+  job_.start([this, isBox, drawn, camera, target = target_, frame = snapshot->frame,
+              shown = snapshot->frames->frames[index]](const BackgroundJob::Progress&) {
     const auto found = isBox ? checkBox(shown->image, drawn).map([&] { return drawn; })
                              : boxFromClick(shown->image, drawn.x, drawn.y);
     return [this, found, camera, frame, target] {
       if (found) {
         applyResult(target, {camera, frame, *found});
       } else {
-        Q_EMIT failed(errorSentence(found.error()));
+        Q_EMIT failed(errorText(found.error()));
       }
     };
   });
@@ -44,7 +44,7 @@ void BoxPicker::applyResult(int target, const TargetBox& box) {
   const bool isNew = target < 0 || target >= static_cast<int>(now.targets.size());
   const auto index = isNew ? now.targets.size() : static_cast<std::size_t>(target);
   const bool isFirst = isNew || !now.targets[index].box;
-  const std::string name = isNew ? freshTargetName(now) : now.targets[index].name;
+  const std::string name = isNew ? newTargetName(now) : now.targets[index].name;
   const auto edited =
       document_.edit(tr("Box of %1").arg(QString::fromStdString(name)), [&](Project& project) {
         if (isNew) {
@@ -53,7 +53,7 @@ void BoxPicker::applyResult(int target, const TargetBox& box) {
         project.targets[index].box = box;
       });
   if (!edited) {
-    Q_EMIT failed(errorSentence(edited.error()));
+    Q_EMIT failed(errorText(edited.error()));
     return;
   }
   setTarget(static_cast<int>(index));

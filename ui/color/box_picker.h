@@ -23,7 +23,7 @@ public:
   void setTarget(int target) { target_ = target; }
   /// Handles a click (`region` has an empty size) or a dragged box in a camera image of this
   /// snapshot. Pixel centers lie at integer coordinates.
-  void point(const TrackSnapshotPtr& snapshot, int camera, const QRectF& region);
+  void pick(const TrackSnapshotPtr& snapshot, int camera, const QRectF& region);
 
 Q_SIGNALS:
   /// Emitted when a target has received its box. `isFirst`: the target had no box before.
@@ -35,7 +35,7 @@ private:
 
   Document& document_;
   int target_ = 0;
-  LatestJob looking_{LatestJob::Overtaken::Dropped};
+  LatestJob job_{LatestJob::Superseded::Dropped};
 };
 
 } // namespace dewpoint::ui

@@ -78,12 +78,12 @@ void ColorDock::connectActions() {
     panel_->setPicking(true);
     dock_->raise();
   });
-  bench_.needRun({"actionLearnColor", "actionAddTarget"});
-  connect(&bench_.session, &SessionController::runStarted, this, &ColorDock::nameLearning);
-  connect(&bench_.document, &Document::methodChanged, this, &ColorDock::nameLearning);
+  bench_.requireRun({"actionLearnColor", "actionAddTarget"});
+  connect(&bench_.session, &SessionController::runStarted, this, &ColorDock::updateLearnActionText);
+  connect(&bench_.document, &Document::methodChanged, this, &ColorDock::updateLearnActionText);
 }
 
-void ColorDock::nameLearning() {
+void ColorDock::updateLearnActionText() {
   bench_.actions.rename(bench_.action("actionLearnColor"),
                         panel_->takesBoxes() ? QT_TRANSLATE_NOOP("Actions", "Set box")
                                              : QT_TRANSLATE_NOOP("Actions", "Learn the color"),

@@ -27,7 +27,7 @@ public:
 
 private:
   void connectActions();
-  void nameLearning();
+  void updateLearnActionText();
   /// Returns the menu entries offered at a pixel of a camera image.
   std::vector<ImageMenuEntry> menuEntries(ImagePickTool& pick, int camera, const QPointF& pixel);
   void learned(int target, bool isNew);

@@ -3,7 +3,7 @@
 
 #include "core/color/color_learning.h"
 #include "core/project/project.h"
-#include "core/setup/clicks/click_lesson.h"
+#include "core/setup/clicks/click_learning.h"
 #include "ui/color/fresh_target.h"
 #include "ui/document/document.h"
 #include "ui/text/error_sentence.h"
@@ -18,7 +18,7 @@ ColorLearner::ColorLearner(Document& document, QObject* parent)
   connect(&learning_, &LatestJob::idle, this, [this] { Q_EMIT busyChanged(false); });
 }
 
-std::vector<cv::Mat> ColorLearner::emptyRooms() const {
+std::vector<cv::Mat> ColorLearner::backgroundImages() const {
   return snapshot_ ? snapshot_->backgroundImages : std::vector<cv::Mat>{};
 }
 
@@ -43,16 +43,18 @@ struct ColorLearner::Scene {
   int target = -1;
   setup::ClickedImages shown;
 
-  Result<setup::ClickLesson> learn(const std::vector<ColorSample>& samples) const {
+  Result<setup::ClickLearningResult> learn(const std::vector<ColorSample>& samples) const {
     return setup::learnFromClicks(project, target, shown, samples);
   }
 };
 
 ColorLearner::Scene ColorLearner::scene() const {
-  return {document_.project(), target_, {images(), emptyRooms(), snapshot_ ? snapshot_->frame : 0}};
+  return {document_.project(),
+          target_,
+          {images(), backgroundImages(), snapshot_ ? snapshot_->frame : 0}};
 }
 
-void ColorLearner::point(int camera, const QRectF& region, SampleAction action) {
+void ColorLearner::learnFrom(int camera, const QRectF& region, SampleAction action) {
   const auto shown = images();
   const auto index = static_cast<std::size_t>(camera);
   if (index >= shown.size() || shown[index].empty()) {
@@ -86,12 +88,12 @@ void ColorLearner::point(int camera, const QRectF& region, SampleAction action) 
     place.height = region.height();
     auto sample = takeSample(scene.shown.images[index], place);
     if (!sample) {
-      return [this, error = sample.error()] { Q_EMIT failed(errorSentence(error)); };
+      return [this, error = sample.error()] { Q_EMIT failed(errorText(error)); };
     }
     samples.push_back(std::move(*sample));
     const auto lesson = scene.learn(samples);
     if (!lesson) {
-      return [this, error = lesson.error()] { Q_EMIT failed(errorSentence(error)); };
+      return [this, error = lesson.error()] { Q_EMIT failed(errorText(error)); };
     }
     return [this, target, lesson = *lesson, step] { applyResult(target, lesson, step); };
   });
@@ -110,7 +112,7 @@ void ColorLearner::removeSample(int index) {
   const int target = target_;
   const QString step = tr("Remove color sample");
   if (!setup::anyClicked(samples)) {
-    setup::ClickLesson same;
+    setup::ClickLearningResult same;
     const Target& taught = project.targets[static_cast<std::size_t>(target)];
     same.color.range = taught.color;
     same.color.others = taught.otherColors;
@@ -121,30 +123,31 @@ void ColorLearner::removeSample(int index) {
   start([this, samples, target, step, scene = scene()]() -> std::function<void()> {
     const auto lesson = scene.learn(samples);
     if (!lesson) {
-      return [this, error = lesson.error()] { Q_EMIT failed(errorSentence(error)); };
+      return [this, error = lesson.error()] { Q_EMIT failed(errorText(error)); };
     }
     return [this, target, lesson = *lesson, step] { applyResult(target, lesson, step); };
   });
 }
 
-void ColorLearner::applyResult(int target, const setup::ClickLesson& lesson, const QString& step) {
+void ColorLearner::applyResult(int target, const setup::ClickLearningResult& lesson,
+                               const QString& step) {
   int learnedTarget = target;
   const auto edited = document_.edit(step, [&](Project& project) {
     if (target < 0 || target >= static_cast<int>(project.targets.size())) {
       Target added;
-      added.name = freshTargetName(project);
+      added.name = newTargetName(project);
       project.targets.push_back(added);
       learnedTarget = static_cast<int>(project.targets.size()) - 1;
     }
-    setup::applyLesson(lesson, static_cast<std::size_t>(learnedTarget), project);
+    setup::applyLearningResult(lesson, static_cast<std::size_t>(learnedTarget), project);
   });
   if (!edited) {
-    Q_EMIT failed(errorSentence(edited.error()));
+    Q_EMIT failed(errorText(edited.error()));
     return;
   }
   setTarget(learnedTarget);
   Q_EMIT learned(learnedTarget, learnedTarget != target);
-  Q_EMIT taught(lesson);
+  Q_EMIT lessonReady(lesson);
   if (lesson.color.assessment.targetKnown) {
     Q_EMIT assessed(lesson.color.assessment);
   } else {
@@ -158,7 +161,7 @@ void ColorLearner::assess() {
     return;
   }
   const Target target = project.targets[static_cast<std::size_t>(target_)];
-  start([this, target, shown = images(), rooms = emptyRooms()]() -> std::function<void()> {
+  start([this, target, shown = images(), rooms = backgroundImages()]() -> std::function<void()> {
     const ColorAssessment assessment =
         assessColorWithBackground(target.colors(), target.samples, shown, rooms);
     return [this, assessment] { Q_EMIT assessed(assessment); };

@@ -4,7 +4,7 @@
 #include "core/color/color_learning.h"
 #include "core/session/run/background_images.h"
 #include "core/session/snapshot/snapshot.h"
-#include "core/setup/clicks/click_lesson.h"
+#include "core/setup/clicks/click_learning.h"
 #include "ui/jobs/latest_job.h"
 
 #include <QObject>
@@ -31,7 +31,7 @@ public:
 
   enum class SampleAction { Replace, Add, Exclude };
   /// Handles a click (`region` has an empty size) or a box in a camera image, in pixels.
-  void point(int camera, const QRectF& region, SampleAction action);
+  void learnFrom(int camera, const QRectF& region, SampleAction action);
   /// Removes a sample (`withoutSample()`) and learns the color again from the remaining ones. If no
   /// click remains, the color stays unchanged.
   void removeSample(int index);
@@ -43,7 +43,7 @@ Q_SIGNALS:
   /// Emitted when a color was learned. `isNew`: the target did not exist before.
   void learned(int target, bool isNew);
   /// Emitted with the result of learning from clicks, before the color is assessed.
-  void taught(const dewpoint::setup::ClickLesson& lesson);
+  void lessonReady(const dewpoint::setup::ClickLearningResult& lesson);
   void assessed(const dewpoint::color::ColorAssessment& assessment);
   void failed(const QString& sentence);
   void busyChanged(bool busy);
@@ -53,16 +53,16 @@ private:
   struct Scene;
   Scene scene() const;
   std::vector<cv::Mat> images() const;
-  std::vector<cv::Mat> emptyRooms() const;
+  std::vector<cv::Mat> backgroundImages() const;
   /// Runs `work` in another thread, then runs the function it returns in the GUI thread. A newer
   /// call replaces an earlier one.
   void start(Work work);
-  void applyResult(int target, const setup::ClickLesson& lesson, const QString& step);
+  void applyResult(int target, const setup::ClickLearningResult& lesson, const QString& step);
 
   Document& document_;
   TrackSnapshotPtr snapshot_;
   int target_ = 0;
-  LatestJob learning_{LatestJob::Overtaken::Dropped};
+  LatestJob learning_{LatestJob::Superseded::Dropped};
 };
 
 } // namespace dewpoint::ui

@@ -76,11 +76,11 @@ ColorPanel::ColorPanel(Document& document, ImagePickTool& pick, QWidget* parent)
     document_.endMerging();
     learner_->assess();
   });
-  connect(survey_, &ImageSurvey::taken, picker_, &ColorPicker::setHistogram);
+  connect(survey_, &ImageSurvey::finished, picker_, &ColorPicker::setHistogram);
   connect(samples_, &ColorSampleList::removeRequested, this, &ColorPanel::removeSample);
   connect(&pick_, &ImagePickTool::attached, this, [this] { setPicking(picking_); });
   connect(&pick_, &ImagePickTool::cancelled, this, [this] { setPicking(false); });
-  connect(&pick_, &ImagePickTool::picked, this, &ColorPanel::pickedIn);
+  connect(&pick_, &ImagePickTool::picked, this, &ColorPanel::handlePick);
   connect(&document_, &Document::replaced, this, [this] {
     setTarget(0);
     retranslateUi(); // its method may be of another kind
@@ -103,11 +103,12 @@ void ColorPanel::connectLearner() {
   connect(learner_, &ColorLearner::learned, this, showLearned);
   connect(boxes_, &BoxPicker::learned, this, showLearned);
   connect(boxes_, &BoxPicker::failed, this, &ColorPanel::failed);
-  connect(learner_, &ColorLearner::taught, this, [this](const setup::ClickLesson& lesson) {
-    found_ = lesson.found;
-    shownRadius_ = lesson.radius;
-    isPart_ = lesson.part.has_value();
-  });
+  connect(learner_, &ColorLearner::lessonReady, this,
+          [this](const setup::ClickLearningResult& lesson) {
+            found_ = lesson.found;
+            shownRadius_ = lesson.radius;
+            isPart_ = lesson.part.has_value();
+          });
   connect(learner_, &ColorLearner::assessed, this, &ColorPanel::showAssessment);
   assessSoon_->setSingleShot(true);
   assessSoon_->setInterval(kAssessMs);
@@ -136,10 +137,10 @@ ColorLearner::SampleAction ColorPanel::actionOf(Qt::KeyboardModifiers modifiers)
   return shift ? ColorLearner::SampleAction::Add : mode_;
 }
 
-void ColorPanel::pickedIn(int camera, const QRectF& region, Qt::KeyboardModifiers modifiers) {
+void ColorPanel::handlePick(int camera, const QRectF& region, Qt::KeyboardModifiers modifiers) {
   if (takesBoxes()) {
     boxes_->setTarget(target_);
-    boxes_->point(snapshot_, camera, region);
+    boxes_->pick(snapshot_, camera, region);
     return;
   }
   learner_->setSnapshot(snapshot_);
@@ -150,7 +151,7 @@ void ColorPanel::pickedIn(int camera, const QRectF& region, Qt::KeyboardModifier
       isBox ? QRectF(QPointF(std::max(0.0, region.left()), std::max(0.0, region.top())),
                      region.bottomRight())
             : region;
-  learner_->point(camera, place, actionOf(modifiers));
+  learner_->learnFrom(camera, place, actionOf(modifiers));
 }
 
 void ColorPanel::setPicking(bool picking) {
@@ -162,7 +163,7 @@ void ColorPanel::setPicking(bool picking) {
     mode_ = ColorLearner::SampleAction::Replace;
   }
   modes_->setMode(picking ? LearnModes::Mode(mode_) : LearnModes::Mode());
-  pick_.setPicking(picking || mustPoint(), hint());
+  pick_.setPicking(picking || expectsClick(), hint());
   if (picking) {
     pick_.takeFocus();
   }
@@ -172,7 +173,7 @@ QString ColorPanel::hint() const {
   if (takesBoxes()) {
     return tr("Click the object or drag a box around it");
   }
-  return picking_ && !mustPoint() ? LearnModes::hintOf(mode_) : tr("Click the object to track");
+  return picking_ && !expectsClick() ? LearnModes::hintOf(mode_) : tr("Click the object to track");
 }
 
 void ColorPanel::setTarget(int target) {
@@ -332,7 +333,7 @@ void ColorPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
     keepAssessmentCurrent();
   }
   if (isVisible()) {
-    survey_->take(snapshot_);
+    survey_->start(snapshot_);
   }
 }
 
@@ -340,7 +341,7 @@ bool ColorPanel::takesBoxes() const {
   return document_.presentation().takesBoxes;
 }
 
-bool ColorPanel::mustPoint() const {
+bool ColorPanel::expectsClick() const {
   return document_.methodFamily().lacksTargets(document_.project().targets);
 }
 

@@ -3,7 +3,7 @@
 
 #include "core/color/color_learning.h"
 #include "core/session/snapshot/snapshot.h"
-#include "core/setup/clicks/click_lesson.h"
+#include "core/setup/clicks/click_learning.h"
 #include "ui/color/color_learner.h"
 
 #include <QWidget>
@@ -64,9 +64,9 @@ private:
   void connectLearner();
   /// Returns whether a plain click is expected although the button is off, because there is nothing
   /// to track yet.
-  bool mustPoint() const;
+  bool expectsClick() const;
   void showBox();
-  void pickedIn(int camera, const QRectF& region, Qt::KeyboardModifiers modifiers);
+  void handlePick(int camera, const QRectF& region, Qt::KeyboardModifiers modifiers);
   void editRange(const ColorRange& range);
   void removeColor(int color);
   void updateAssessment();

@@ -41,7 +41,7 @@ ColorPicker::ColorPicker(QWidget* parent)
     connect(boxes_[i], &QDoubleSpinBox::valueChanged, this, [this, i](double value) {
       ColorRange changed = range_;
       field(changed, i) = value;
-      take(changed);
+      applyEdit(changed);
     });
     connect(boxes_[i], &QDoubleSpinBox::editingFinished, this, &ColorPicker::editingFinished);
   }
@@ -69,19 +69,19 @@ ColorPicker::ColorPicker(QWidget* parent)
     ColorRange changed = range_;
     changed.hueMin = from;
     changed.hueMax = to;
-    take(changed);
+    applyEdit(changed);
   });
   connect(saturation_, &RangeBar::rangeEdited, this, [this](double from, double to) {
     ColorRange changed = range_;
     changed.saturationMin = from;
     changed.saturationMax = to;
-    take(changed);
+    applyEdit(changed);
   });
   connect(intensity_, &RangeBar::rangeEdited, this, [this](double from, double to) {
     ColorRange changed = range_;
     changed.intensityMin = from;
     changed.intensityMax = to;
-    take(changed);
+    applyEdit(changed);
   });
   connect(ring_, &HueRing::editingFinished, this, &ColorPicker::editingFinished);
   connect(saturation_, &RangeBar::editingFinished, this, &ColorPicker::editingFinished);
@@ -147,7 +147,7 @@ void ColorPicker::showRange() {
   intensity_->setColors(Qt::black, QColor::fromHsvF(hue, 0.35F, 1.0F));
 }
 
-void ColorPicker::take(const ColorRange& range) {
+void ColorPicker::applyEdit(const ColorRange& range) {
   if (!checkColorRange(range)) {
     showRange(); // it would match nothing: what holds stays
     return;

@@ -40,7 +40,7 @@ private:
                          const QString& suffix);
   void retranslateUi();
   void showRange();
-  void take(const ColorRange& range);
+  void applyEdit(const ColorRange& range);
 
   ColorRange range_;
   HueRing* ring_;

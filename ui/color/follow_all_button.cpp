@@ -19,11 +19,11 @@ FollowAllButton::FollowAllButton(Document& document, QWidget* parent)
 void FollowAllButton::offer(const ColorAssessment* assessment, int target) {
   target_ = target;
   missing_ = assessment != nullptr && target >= 0
-                 ? setup::missingTargets(document_.project(), static_cast<std::size_t>(target),
-                                         *assessment)
+                 ? setup::missingTargetCount(document_.project(), static_cast<std::size_t>(target),
+                                             *assessment)
                  : 0;
   if (missing_ > 0) {
-    setText(tr("Follow all %n objects", nullptr, assessment->alike));
+    setText(tr("Follow all %n objects", nullptr, assessment->similarObjectCount));
     setToolTip(tr("Add a target for each of the other objects of this color and size"));
   }
   setVisible(missing_ > 0);
@@ -32,7 +32,7 @@ void FollowAllButton::offer(const ColorAssessment* assessment, int target) {
 void FollowAllButton::follow() {
   const int count = missing_;
   (void)document_.edit(tr("Follow all objects of one color"), [&](Project& project) {
-    setup::addTargetsLike(project, static_cast<std::size_t>(target_), count, freshTargetName);
+    setup::addTargetCopies(project, static_cast<std::size_t>(target_), count, newTargetName);
   });
 }
 

@@ -8,8 +8,8 @@
 
 namespace dewpoint::ui {
 
-std::string freshTargetName(const Project& project) {
-  return setup::freeTargetName(project, [](std::size_t number) {
+std::string newTargetName(const Project& project) {
+  return setup::unusedTargetName(project, [](std::size_t number) {
     return ColorLearner::tr("target %1").arg(number).toStdString();
   });
 }

@@ -12,6 +12,6 @@ struct Project;
 namespace dewpoint::ui {
 
 /// Returns an unused target name, translated: "target 1", "target 2", ...
-std::string freshTargetName(const Project& project);
+std::string newTargetName(const Project& project);
 
 } // namespace dewpoint::ui

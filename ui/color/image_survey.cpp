@@ -10,7 +10,7 @@ namespace {
 constexpr qint64 kSurveyMs = 1000;
 } // namespace
 
-void ImageSurvey::take(const TrackSnapshotPtr& snapshot) {
+void ImageSurvey::start(const TrackSnapshotPtr& snapshot) {
   if (sinceLast_.isValid() && sinceLast_.elapsed() <= kSurveyMs) {
     return;
   }
@@ -26,7 +26,7 @@ void ImageSurvey::take(const TrackSnapshotPtr& snapshot) {
       }
     }
     auto histogram = std::make_shared<const ColorHistogram>(histogramOf(images));
-    return [this, histogram] { Q_EMIT taken(*histogram); };
+    return [this, histogram] { Q_EMIT finished(*histogram); };
   });
 }
 

@@ -15,12 +15,12 @@ class ImageSurvey : public QObject {
 public:
   using QObject::QObject;
 
-  /// Surveys the images of a snapshot in another thread; emits `taken()` afterwards. Does nothing
-  /// if no survey is due or the snapshot has no images.
-  void take(const TrackSnapshotPtr& snapshot);
+  /// Surveys the images of a snapshot in another thread; emits `finished()` afterwards. Does
+  /// nothing if no survey is due or the snapshot has no images.
+  void start(const TrackSnapshotPtr& snapshot);
 
 Q_SIGNALS:
-  void taken(const dewpoint::color::ColorHistogram& histogram);
+  void finished(const dewpoint::color::ColorHistogram& histogram);
 
 private:
   QElapsedTimer sinceLast_;

@@ -50,7 +50,7 @@ void BackwardTracker::start(const PositionCorrection& correction,
   std::erase_if(believed, [&](const TrajectorySample& one) { return one.frame > frame_; });
   job_.start([this, open = bench_.session.opener(), project = bench_.document.project(), correction,
               mergeKey, believed = std::move(believed),
-              threads = filterThreads(Preferences().filterThreads())](
+              threads = filterThreadCount(Preferences().filterThreadCount())](
                  const BackgroundJob::Progress& progress) -> std::function<void()> {
     auto found = open(project).and_then([&](const SessionInputs& inputs) {
       return trackBackwards(
@@ -59,17 +59,17 @@ void BackwardTracker::start(const PositionCorrection& correction,
           threads, progress);
     });
     if (!found) {
-      return [this, error = found.error()] { bench_.messages.showError(errorSentence(error)); };
+      return [this, error = found.error()] { bench_.messages.showError(errorText(error)); };
     }
     return [this, correction, mergeKey, corrections = std::move(*found)] {
-      keep(correction, corrections, mergeKey);
+      storeCorrections(correction, corrections, mergeKey);
     };
   });
 }
 
-void BackwardTracker::keep(const PositionCorrection& from,
-                           const std::vector<PositionCorrection>& found,
-                           const std::string& mergeKey) {
+void BackwardTracker::storeCorrections(const PositionCorrection& from,
+                                       const std::vector<PositionCorrection>& found,
+                                       const std::string& mergeKey) {
   const auto& corrections = bench_.document.project().corrections;
   if (found.empty() || std::ranges::find(corrections, from) == corrections.end()) {
     return; // nothing was wrong, or it was taken back meanwhile
@@ -83,7 +83,7 @@ void BackwardTracker::keep(const PositionCorrection& from,
       },
       mergeKey);
   if (!edited) {
-    bench_.messages.showError(errorSentence(edited.error()));
+    bench_.messages.showError(errorText(edited.error()));
     return;
   }
   clearProgress();

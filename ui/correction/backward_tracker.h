@@ -30,7 +30,7 @@ class BackwardTracker : public QObject {
 public:
   BackwardTracker(const Workbench& bench, QObject* parent);
 
-  /// Starts from a correction in the document. `believed` is as in `BackwardOrder`; later frames
+  /// Starts from a correction in the document. `believed` is as in `BackwardRequest`; later frames
   /// are ignored. The step that stores the result is merged with the correction step by `mergeKey`.
   /// Does nothing for live cameras.
   void start(const PositionCorrection& correction, std::vector<TrajectorySample> believed,
@@ -39,13 +39,13 @@ public:
   bool isRunning() const { return job_.isRunning(); }
 
 private:
-  void keep(const PositionCorrection& from, const std::vector<PositionCorrection>& found,
-            const std::string& mergeKey);
+  void storeCorrections(const PositionCorrection& from,
+                        const std::vector<PositionCorrection>& found, const std::string& mergeKey);
   void showProgress(double part);
   void clearProgress();
 
   Workbench bench_;
-  LatestJob job_{LatestJob::Overtaken::Dropped};
+  LatestJob job_{LatestJob::Superseded::Dropped};
   std::int64_t frame_ = 0; ///< frame of the correction where tracking started
   QElapsedTimer sinceStart_;
   QElapsedTimer sinceShown_;

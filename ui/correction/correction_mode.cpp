@@ -29,16 +29,16 @@ namespace dewpoint::ui {
 CorrectionMode::CorrectionMode(const Workbench& bench, const CameraDocks& cameras,
                                BirdsEyeView& birdsEye, TrajectoryPanel& trajectory)
     : QObject(&bench.window), bench_(bench), tool_(new CorrectionTool(bench, birdsEye, this)),
-      backwards_(new BackwardTracker(bench, this)) {
+      backwardTracker_(new BackwardTracker(bench, this)) {
   bench_.connectView(tool_);
   connect(&cameras, &CameraDocks::viewMade, tool_, &CorrectionTool::attach);
-  connect(tool_, &CorrectionTool::corrected, this, &CorrectionMode::keep);
+  connect(tool_, &CorrectionTool::corrected, this, &CorrectionMode::storeCorrection);
   connect(tool_, &CorrectionTool::failed, &bench_.messages, &MessageBar::showError);
   connect(tool_, &CorrectionTool::cancelled, this, &CorrectionMode::end);
   connect(&bench_.document, &Document::correctionsChanged, tool_, &CorrectionTool::refresh);
   connect(&bench_.document, &Document::targetsChanged, tool_, &CorrectionTool::refresh);
   connect(&bench_.selection, &Selection::targetSelected, tool_, &CorrectionTool::refresh);
-  connect(&trajectory, &TrajectoryPanel::correctionRemovalWanted, this,
+  connect(&trajectory, &TrajectoryPanel::correctionRemovalRequested, this,
           [this](qint64 frame, int target) { remove(frame, target); });
   cameras.menu().addSection(
       [this](int camera, const QPointF& pixel) { return menuEntries(camera, pixel); });
@@ -46,7 +46,7 @@ CorrectionMode::CorrectionMode(const Workbench& bench, const CameraDocks& camera
 }
 
 std::vector<ImageMenuEntry> CorrectionMode::menuEntries(int camera, const QPointF& pixel) {
-  if (!bench_.session.isRunning() || !bench_.document.presentation().searchesRoom) {
+  if (!bench_.session.isRunning() || !bench_.document.presentation().searchesVolume) {
     return {};
   }
   return {
@@ -56,8 +56,9 @@ std::vector<ImageMenuEntry> CorrectionMode::menuEntries(int camera, const QPoint
 }
 
 void CorrectionMode::connectActions() {
-  bench_.needRun({"actionCorrectPosition", "actionRemoveCorrection"},
-                 [document = &bench_.document] { return document->presentation().searchesRoom; });
+  bench_.requireRun(
+      {"actionCorrectPosition", "actionRemoveCorrection"},
+      [document = &bench_.document] { return document->presentation().searchesVolume; });
   bench_.onToggled("actionCorrectPosition", this, [this](bool active) { setActive(active); });
   bench_.onTriggered("actionRemoveCorrection", this, [this] {
     remove(bench_.selection.currentFrame(), bench_.selection.target());
@@ -73,7 +74,7 @@ void CorrectionMode::connectActions() {
   }
   connect(&bench_.session, &SessionController::runEnded, this, &CorrectionMode::end);
   connect(&bench_.document, &Document::methodChanged, this, [this] {
-    if (!bench_.document.presentation().searchesRoom) {
+    if (!bench_.document.presentation().searchesVolume) {
       end();
     }
   });
@@ -85,7 +86,7 @@ void CorrectionMode::end() {
 
 void CorrectionMode::setActive(bool active) {
   const bool can =
-      active && bench_.session.isRunning() && bench_.document.presentation().searchesRoom;
+      active && bench_.session.isRunning() && bench_.document.presentation().searchesVolume;
   if (can) {
     bench_.action("actionLearnColor")->setChecked(false);
     bench_.action("actionCalibrateByHand")->setChecked(false);
@@ -100,20 +101,20 @@ void CorrectionMode::setActive(bool active) {
   }
 }
 
-void CorrectionMode::keep(const PositionCorrection& correction) {
+void CorrectionMode::storeCorrection(const PositionCorrection& correction) {
   if (bench_.session.session() == nullptr) {
     return;
   }
   // Before the frames from here on are tracked again.
   std::vector<TrajectorySample> believed = bench_.session.session()->trajectory().samples;
-  const std::string mergeKey = "correction " + std::to_string(++kept_);
+  const std::string mergeKey = "correction " + std::to_string(++correctionCount_);
   const auto edited = bench_.document.edit(
       tr("Correct position"), [&](Project& project) { addCorrection(project, correction); },
       mergeKey);
   if (edited) {
-    backwards_->start(correction, std::move(believed), mergeKey);
+    backwardTracker_->start(correction, std::move(believed), mergeKey);
   } else {
-    bench_.messages.showError(errorSentence(edited.error()));
+    bench_.messages.showError(errorText(edited.error()));
   }
 }
 

@@ -37,14 +37,15 @@ private:
   std::vector<ImageMenuEntry> menuEntries(int camera, const QPointF& pixel);
   void end();
   void setActive(bool active);
-  void keep(const PositionCorrection& correction);
+  void storeCorrection(const PositionCorrection& correction);
   /// Removes the corrections at a frame, for one target or for all targets (-1).
   void remove(std::int64_t frame, int target);
 
   Workbench bench_;
   CorrectionTool* tool_;
-  BackwardTracker* backwards_;
-  int kept_ = 0; ///< number of corrections so far; steps merge only within one correction
+  BackwardTracker* backwardTracker_;
+  int correctionCount_ =
+      0; ///< number of corrections so far; steps merge only within one correction
 };
 
 } // namespace dewpoint::ui

@@ -103,12 +103,12 @@ int CorrectionTool::preferredTarget() const {
   return selected >= 0 && selected < count ? selected : count == 1 ? 0 : -1;
 }
 
-CorrectionTool::Drag CorrectionTool::held() const {
+CorrectionTool::Drag CorrectionTool::currentDrag() const {
   return drag_ ? *drag_ : Drag{preferredTarget(), snapshot_};
 }
 
 std::optional<Gaussian3> CorrectionTool::estimateOf(const Drag& drag) const {
-  return drag.snapshot ? beliefOf(*drag.snapshot, drag.target) : std::nullopt;
+  return drag.snapshot ? positionEstimate(*drag.snapshot, drag.target) : std::nullopt;
 }
 
 int CorrectionTool::targetAt(const Layer& layer, const QPointF& pixel) const {
@@ -148,7 +148,7 @@ Result<PositionCorrection> CorrectionTool::correctionOf(const Drag& drag, int ca
 }
 
 void CorrectionTool::point(int camera, const QPointF& pixel) {
-  const Drag drag = held();
+  const Drag drag = currentDrag();
   if (!active_ || drag.target < 0 || !hasCamera(drag.snapshot, camera)) {
     return;
   }
@@ -157,7 +157,7 @@ void CorrectionTool::point(int camera, const QPointF& pixel) {
   const auto position =
       correction ? std::optional<Eigen::Vector3d>(correction->position) : std::nullopt;
   showGuides(correction ? correction->clicks : std::vector<PointClick>{click}, position);
-  showSight(click, position);
+  showLineOfSight(click, position);
 }
 
 bool CorrectionTool::canCorrect() const {
@@ -173,24 +173,24 @@ void CorrectionTool::correctAt(int camera, const QPointF& pixel) {
     bench_.session.session()->pause();
   }
   bench_.selection.selectTarget(drag.target);
-  deliver(drag, camera, pixel);
+  reportCorrection(drag, camera, pixel);
 }
 
 void CorrectionTool::drop(int camera, const QPointF& pixel) {
-  const Drag drag = held();
+  const Drag drag = currentDrag();
   if (!active_ || drag.target < 0 || !hasCamera(drag.snapshot, camera) ||
       drag.snapshot->frame < 0 || drag.snapshot->rerun) {
     return;
   }
-  deliver(drag, camera, pixel);
+  reportCorrection(drag, camera, pixel);
 }
 
-void CorrectionTool::deliver(const Drag& drag, int camera, const QPointF& pixel) {
+void CorrectionTool::reportCorrection(const Drag& drag, int camera, const QPointF& pixel) {
   const auto correction = correctionOf(drag, camera, pixel);
   if (correction) {
     Q_EMIT corrected(*correction);
   } else {
-    Q_EMIT failed(errorSentence(correction.error()));
+    Q_EMIT failed(errorText(correction.error()));
   }
 }
 
@@ -235,17 +235,17 @@ void CorrectionTool::showGuides(const std::vector<PointClick>& clicks,
   }
 }
 
-void CorrectionTool::showSight(const PointClick& click,
-                               const std::optional<Eigen::Vector3d>& position) {
-  birdsEye_.showSight(snapshot_ && position ? clickedSight(*snapshot_, click, *position)
-                                            : std::vector<Eigen::Vector3d>());
+void CorrectionTool::showLineOfSight(const PointClick& click,
+                                     const std::optional<Eigen::Vector3d>& position) {
+  birdsEye_.showLineOfSight(snapshot_ && position ? clickedRayEnds(*snapshot_, click, *position)
+                                                  : std::vector<Eigen::Vector3d>());
 }
 
 void CorrectionTool::clearGuides() {
   for (const Layer& layer : layers_) {
     layer.overlay->setGuides({}, std::nullopt);
   }
-  birdsEye_.showSight({});
+  birdsEye_.showLineOfSight({});
 }
 
 } // namespace dewpoint::ui

@@ -65,9 +65,9 @@ private:
   void grab(const Layer& layer, const QPointF& pixel);
   void point(int camera, const QPointF& pixel);
   void drop(int camera, const QPointF& pixel);
-  void deliver(const Drag& drag, int camera, const QPointF& pixel);
+  void reportCorrection(const Drag& drag, int camera, const QPointF& pixel);
   /// Returns the current drag, or the drag that the keyboard would start.
-  Drag held() const;
+  Drag currentDrag() const;
   /// Returns the target whose estimate is closest to a pixel and close enough, or -1 if there is
   /// none.
   int targetAt(const Layer& layer, const QPointF& pixel) const;
@@ -77,7 +77,7 @@ private:
   /// one.
   void showGuides(const std::vector<PointClick>& clicks,
                   const std::optional<Eigen::Vector3d>& position);
-  void showSight(const PointClick& click, const std::optional<Eigen::Vector3d>& position);
+  void showLineOfSight(const PointClick& click, const std::optional<Eigen::Vector3d>& position);
   void clearGuides();
 
   Workbench bench_;

@@ -44,7 +44,7 @@ MethodFamily Document::methodFamily() const {
 
 void Document::replace(Project project, bool unsaved) {
   project_ = std::make_shared<Project>(std::move(project));
-  usedParameters_ = parametersInUse(*project_);
+  usedParameters_ = effectiveParameters(*project_);
   defaultParameters_ = setup::defaultParameters(*project_);
   unsaved_ = unsaved;
   undoStack_->clear();
@@ -70,7 +70,7 @@ Status Document::edit(const QString& name, const std::function<void(Project&)>& 
 }
 
 void Document::endMerging() {
-  mergeSuffix_ = " #" + std::to_string(++drags_);
+  mergeSuffix_ = " #" + std::to_string(++mergeGroup_);
 }
 
 void Document::assign(const std::shared_ptr<const Project>& state) {
@@ -83,13 +83,13 @@ void Document::assign(const std::shared_ptr<const Project>& state) {
     adjusted->layout = before->layout;
     project_ = std::move(adjusted);
   }
-  announce(changesBetween(*before, *project_));
+  emitChanges(changesBetween(*before, *project_));
 }
 
-void Document::announce(const ProjectChanges& changes) {
+void Document::emitChanges(const ProjectChanges& changes) {
   const bool mayDiffer = changes.method || changes.parameters || changes.calibration ||
                          changes.sources || changes.volume;
-  const ParameterValues now = mayDiffer ? parametersInUse(*project_) : usedParameters_;
+  const ParameterValues now = mayDiffer ? effectiveParameters(*project_) : usedParameters_;
   const ParameterValues before = std::exchange(usedParameters_, now);
   if (mayDiffer) {
     defaultParameters_ = setup::defaultParameters(*project_);
@@ -112,7 +112,7 @@ void Document::announce(const ProjectChanges& changes) {
     Q_EMIT calibrationChanged();
   }
   if (changes.backgroundImages) {
-    Q_EMIT emptyRoomsChanged();
+    Q_EMIT backgroundImagesChanged();
   }
   if (changes.volume) {
     Q_EMIT volumeChanged();
@@ -133,7 +133,7 @@ Status Document::setParameter(const std::string& key, double value) {
   if (!parameters.isGiven(key)) {
     // The others stay as the cameras gave them, and as they are shown.
     parameters = usedParameters_;
-    parameters.giveAll();
+    parameters.markAllGiven();
   }
   if (auto status = parameters.set(key, value); !status) {
     return status;
@@ -163,7 +163,7 @@ void Document::setMethod(const std::string& method) {
   (void)edit(tr("Track with method “%1”").arg(QString::fromStdString(method)),
              [&](Project& project) {
                if (project.method != method) {
-                 project.parameters = carriedOver(project.parameters, method);
+                 project.parameters = carryOverParameters(project.parameters, method);
                  project.method = method;
                }
              });

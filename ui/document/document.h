@@ -90,7 +90,7 @@ Q_SIGNALS:
   void methodChanged();
   void targetsChanged();
   void calibrationChanged();
-  void emptyRoomsChanged();
+  void backgroundImagesChanged();
   void volumeChanged();
   void peopleChanged();
   void correctionsChanged();
@@ -101,14 +101,14 @@ private:
   friend class EditCommand;
   /// Makes a state the current one and announces the changes.
   void assign(const std::shared_ptr<const Project>& state);
-  void announce(const ProjectChanges& changes);
+  void emitChanges(const ProjectChanges& changes);
 
   std::shared_ptr<const Project> project_;
   ParameterValues usedParameters_;    ///< current values for the project
   ParameterValues defaultParameters_; ///< values for a project that sets none
   QUndoStack* undoStack_;
   std::string mergeSuffix_; ///< changes with each endMerging()
-  int drags_ = 0;
+  int mergeGroup_ = 0;
   bool unsaved_ = false; ///< unsaved regardless of the history
 };
 

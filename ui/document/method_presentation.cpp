@@ -12,18 +12,18 @@ namespace {
 constexpr MethodPresentation kColors{};
 constexpr MethodPresentation kBoxes{.takesBoxes = true,
                                     .showsBoxes = true,
-                                    .showsRoom = false,
+                                    .hasBirdsEyeView = false,
                                     .hasOverlays = false,
-                                    .searchesRoom = false};
-constexpr MethodPresentation kPeople{.searchesRoom = false, .countsPeople = true};
+                                    .searchesVolume = false};
+constexpr MethodPresentation kPeople{.searchesVolume = false, .countsPeople = true};
 
-const MethodPresentation& presentationOf(TargetsFrom targets) {
+const MethodPresentation& presentationOf(TargetSource targets) {
   switch (targets) {
-  case TargetsFrom::Color:
+  case TargetSource::Color:
     break;
-  case TargetsFrom::Box:
+  case TargetSource::Box:
     return kBoxes;
-  case TargetsFrom::Images:
+  case TargetSource::Images:
     return kPeople;
   }
   return kColors;

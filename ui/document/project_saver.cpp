@@ -13,20 +13,20 @@ namespace dewpoint::ui {
 ProjectSaver::ProjectSaver(Document& document, QObject* parent, ProjectWriter write)
     : QObject(parent), document_(document),
       write_(write ? std::move(write) : ProjectWriter(&saveProject)) {
-  connect(&document_, &Document::replaced, this, [this] { ++projects_; });
+  connect(&document_, &Document::replaced, this, [this] { ++projectCount_; });
 }
 
 void ProjectSaver::save(const std::filesystem::path& file) {
-  ++underWay_;
-  queue_.add([this, file, write = write_, state = document_.state(), project = projects_] {
+  ++pendingWrites_;
+  queue_.add([this, file, write = write_, state = document_.state(), project = projectCount_] {
     const Status written = write(*state, file);
     return std::function<void()>([this, file, state, project, written] {
-      --underWay_;
+      --pendingWrites_;
       if (!written) {
-        Q_EMIT failed(errorSentence(written.error()));
+        Q_EMIT failed(errorText(written.error()));
         return;
       }
-      if (project == projects_) {
+      if (project == projectCount_) {
         document_.setSaved(*state, file);
       }
       Q_EMIT saved(QString::fromStdString(file.string()));

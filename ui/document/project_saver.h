@@ -34,7 +34,7 @@ public:
   void setWriter(ProjectWriter write) { write_ = std::move(write); }
   /// Saves the current state of the document. Files are written one after another.
   void save(const std::filesystem::path& file);
-  bool isSaving() const { return underWay_ > 0; }
+  bool isSaving() const { return pendingWrites_ > 0; }
 
 Q_SIGNALS:
   void saved(const QString& file);
@@ -44,8 +44,8 @@ private:
   Document& document_;
   ProjectWriter write_;
   JobQueue queue_;
-  int underWay_ = 0;           ///< number of writes in progress
-  std::uint64_t projects_ = 0; ///< number of projects that the document has held
+  int pendingWrites_ = 0;          ///< number of writes in progress
+  std::uint64_t projectCount_ = 0; ///< number of projects that the document has held
 };
 
 } // namespace dewpoint::ui

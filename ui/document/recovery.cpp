@@ -56,7 +56,7 @@ Recovery::~Recovery() { // the document may be gone already
   });
 }
 
-void Recovery::inFolder(std::function<void(RecoveryFolder&)> work) {
+void Recovery::runInFolder(std::function<void(RecoveryFolder&)> work) {
   queue_.add([own = folder_, work = std::move(work)] {
     work(**own);
     return nullptr;
@@ -82,7 +82,7 @@ void Recovery::write() {
   Q_EMIT writing();
   queue_.add([this, own = folder_, project = document_.state()] {
     const Status written = (*own)->writeOwn(*project);
-    const QString failure = written ? QString() : errorSentence(written.error());
+    const QString failure = written ? QString() : errorText(written.error());
     return std::function<void()>([this, failure] {
       writing_ = false;
       if (failure != lastFailure_ && !failure.isEmpty()) {
@@ -90,30 +90,30 @@ void Recovery::write() {
       }
       lastFailure_ = failure;
       if (failure.isEmpty()) {
-        removeTaken();
-        Q_EMIT kept();
+        removeAdopted();
+        Q_EMIT backedUp();
       }
     });
   });
 }
 
-void Recovery::removeTaken() {
-  for (const RecoverableWork& work : std::exchange(taken_, {})) {
-    inFolder([work](RecoveryFolder&) { RecoveryFolder::remove(work); });
+void Recovery::removeAdopted() {
+  for (const RecoverableWork& work : std::exchange(adopted_, {})) {
+    runInFolder([work](RecoveryFolder&) { RecoveryFolder::remove(work); });
   }
 }
 
 void Recovery::removeBackup() {
   removeOwn();
-  removeTaken();
+  removeAdopted();
 }
 
 void Recovery::removeOwn() {
   timer_.stop();
-  inFolder([](const RecoveryFolder& folder) { folder.removeOwn(); });
+  runInFolder([](const RecoveryFolder& folder) { folder.removeOwn(); });
 }
 
-void Recovery::look(std::function<void(const std::vector<RecoverableWork>&)> then) {
+void Recovery::findBackups(std::function<void(const std::vector<RecoverableWork>&)> then) {
   queue_.add([own = folder_, then = std::move(then)] {
     return std::function<void()>([then, left = (*own)->orphanedBackups()] { then(left); });
   });
@@ -127,11 +127,11 @@ void Recovery::recover(const RecoverableWork& work,
 }
 
 void Recovery::discard(const RecoverableWork& work) {
-  inFolder([work](RecoveryFolder&) { RecoveryFolder::discard(work); });
+  runInFolder([work](RecoveryFolder&) { RecoveryFolder::discard(work); });
 }
 
 void Recovery::restore(const RecoverableWork& work) {
-  inFolder([work](RecoveryFolder&) { RecoveryFolder::restore(work); });
+  runInFolder([work](RecoveryFolder&) { RecoveryFolder::restore(work); });
 }
 
 } // namespace dewpoint::ui

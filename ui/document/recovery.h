@@ -32,12 +32,12 @@ public:
   ~Recovery() override;
 
   /// Finds the copies in the folder that belong to closed windows, newest first.
-  void look(std::function<void(const std::vector<RecoverableWork>&)> then);
+  void findBackups(std::function<void(const std::vector<RecoverableWork>&)> then);
   /// Reads the project in a copy, with the path of the file it was originally loaded from.
   void recover(const RecoverableWork& work, std::function<void(const Result<Project>&)> then);
   /// Tells this object that the document now contains this work. The copy is removed once this
   /// window has written its own copy, or when the work is saved or discarded.
-  void take(const RecoverableWork& work) { taken_.push_back(work); }
+  void adopt(const RecoverableWork& work) { adopted_.push_back(work); }
   /// Discards a copy: it is no longer offered, and it is deleted after a week. `restore()` undoes
   /// this.
   void discard(const RecoverableWork& work);
@@ -52,23 +52,23 @@ Q_SIGNALS:
   /// Emitted before a copy is written. Pending changes must enter the document now.
   void writing();
   /// Emitted when a copy is safely on the disk.
-  void kept();
+  void backedUp();
   /// Emitted when the copy cannot be written. The sentence gives the reason. Each reason is
   /// reported once.
   void failed(const QString& sentence);
 
 private:
   using Folder = std::optional<RecoveryFolder>; ///< created, used and destroyed only in the queue
-  void inFolder(std::function<void(RecoveryFolder&)> work);
+  void runInFolder(std::function<void(RecoveryFolder&)> work);
   void schedule();
   void removeOwn();
-  void removeTaken();
+  void removeAdopted();
   void write();
 
   Document& document_;
   std::shared_ptr<Folder> folder_;
   QTimer timer_;
-  std::vector<RecoverableWork> taken_; ///< removed once this window has its own copy
+  std::vector<RecoverableWork> adopted_; ///< removed once this window has its own copy
   QString lastFailure_;
   bool writing_ = false;
   JobQueue queue_;

@@ -52,14 +52,14 @@ RecoveryFolder::RecoveryFolder(std::filesystem::path folder, TextWriter write)
       QString::fromStdString((folder_ / (id_ + kLock).toStdString()).string()));
   lock_->setStaleLockTime(0); // stale only when its process is gone
   lock_->tryLock(0);
-  sweep();
+  removeLeftovers();
 }
 
 RecoveryFolder::~RecoveryFolder() = default;
 
 /// Windows that are gone may have left a lock without any work, or half a copy; and what was put
 /// aside long ago is not wanted back.
-void RecoveryFolder::sweep() const {
+void RecoveryFolder::removeLeftovers() const {
   const QDir folder(QString::fromStdString(folder_.string()));
   const QDateTime old = QDateTime::currentDateTime().addDays(-kDaysAside);
   for (const QFileInfo& file : folder.entryInfoList({QStringLiteral("*") + kAside}, QDir::Files)) {

@@ -52,7 +52,7 @@ public:
   void removeOwn() const;
 
 private:
-  void sweep() const;
+  void removeLeftovers() const;
   std::filesystem::path own() const;
 
   std::filesystem::path folder_;

@@ -37,7 +37,7 @@ QString words(std::string_view text) {
 
 ExperimentDialog::ExperimentDialog(QWidget* parent)
     : QDialog(parent), job_(new BackgroundJob(this)), list_(new QListWidget(this)),
-      sentence_(new QLabel(this)), runsLabel_(new QLabel(this)), runs_(new QSpinBox(this)),
+      description_(new QLabel(this)), runsLabel_(new QLabel(this)), runs_(new QSpinBox(this)),
       clothesLabel_(new QLabel(this)), clothes_(new QComboBox(this)),
       recordingsLabel_(new QLabel(this)), recordings_(new QLineEdit(this)),
       browseRecordings_(new QPushButton(this)), folderLabel_(new QLabel(this)),
@@ -116,7 +116,7 @@ void ExperimentDialog::makeFields() {
     widget->setObjectName(QLatin1String(name));
   }
   runs_->setRange(1, 10000);
-  sentence_->setWordWrap(true);
+  description_->setWordWrap(true);
   state_->setWordWrap(true);
   state_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   progress_->setTextVisible(false);
@@ -154,7 +154,7 @@ void ExperimentDialog::makeFields() {
   auto* column = new QVBoxLayout(this);
   column->setSpacing(10);
   column->addWidget(list_, 1);
-  column->addWidget(sentence_);
+  column->addWidget(description_);
   column->addLayout(form);
   column->addLayout(progressRow);
   column->addWidget(state_);
@@ -207,7 +207,7 @@ const FigureExperiment& ExperimentDialog::chosen() const {
 }
 
 void ExperimentDialog::showChosen() {
-  sentence_->setText(words(chosen().sentence));
+  description_->setText(words(chosen().sentence));
   runs_->setValue(chosen().runs);
   clothesLabel_->setVisible(chosen().takesClothes);
   clothes_->setVisible(chosen().takesClothes);
@@ -249,8 +249,8 @@ void ExperimentDialog::run() {
           if (made) {
             finish(QString::fromStdString((options.folder / experiment.report).string()));
           } else {
-            state_->setText(errorSentence(made.error()));
-            Q_EMIT failed(errorSentence(made.error()));
+            state_->setText(errorText(made.error()));
+            Q_EMIT failed(errorText(made.error()));
           }
         });
       });

@@ -51,7 +51,7 @@ private:
   std::vector<const FigureExperiment*> rows_;
   BackgroundJob* job_;
   QListWidget* list_;
-  QLabel* sentence_;
+  QLabel* description_;
   QLabel* runsLabel_;
   QSpinBox* runs_;
   QLabel* clothesLabel_;

@@ -29,7 +29,7 @@ constexpr std::size_t kPreviewRows = 200;
 
 BoxExportDialog::BoxExportDialog(std::function<BoxTrack()> boxes, QWidget* parent)
     : QDialog(parent), boxes_(std::move(boxes)), job_(new BackgroundJob(this)),
-      sentence_(new QLabel(this)), preview_(new QPlainTextEdit(this)),
+      description_(new QLabel(this)), preview_(new QPlainTextEdit(this)),
       folderLabel_(new QLabel(this)), folder_(new QLineEdit(this)), browse_(new QPushButton(this)),
       close_(new QPushButton(this)), export_(new QPushButton(this)), question_(new QLabel(this)) {
   setObjectName(QStringLiteral("boxExportDialog"));
@@ -40,7 +40,7 @@ BoxExportDialog::BoxExportDialog(std::function<BoxTrack()> boxes, QWidget* paren
   export_->setObjectName(QStringLiteral("boxExportExport"));
   question_->setObjectName(QStringLiteral("boxExportQuestion"));
   question_->setWordWrap(true);
-  sentence_->setWordWrap(true);
+  description_->setWordWrap(true);
   preview_->setReadOnly(true);
   preview_->setLineWrapMode(QPlainTextEdit::NoWrap);
   preview_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
@@ -57,7 +57,7 @@ BoxExportDialog::BoxExportDialog(std::function<BoxTrack()> boxes, QWidget* paren
   buttons->addButton(close_, QDialogButtonBox::RejectRole);
   auto* column = new QVBoxLayout(this);
   column->setSpacing(10);
-  column->addWidget(sentence_);
+  column->addWidget(description_);
   column->addWidget(preview_, 1);
   column->addLayout(row);
   column->addWidget(question_);
@@ -73,7 +73,7 @@ BoxExportDialog::BoxExportDialog(std::function<BoxTrack()> boxes, QWidget* paren
 
 void BoxExportDialog::retranslateUi() {
   setWindowTitle(tr("Export boxes"));
-  sentence_->setText(
+  description_->setText(
       tr("Two files are written: boxes.csv (a row per target and frame: box, center, similarity, "
          "seen or hidden) and boxes_mot.txt (the format of the MOT challenge). All in pixels."));
   preview_->setAccessibleName(tr("First lines of boxes.csv"));
@@ -86,7 +86,7 @@ void BoxExportDialog::retranslateUi() {
   export_->setToolTip(tr("Write both files (Enter)"));
 }
 
-void BoxExportDialog::proposeIn(const QString& folder) {
+void BoxExportDialog::proposeFolder(const QString& folder) {
   folder_->setText(QDir::toNativeSeparators(folder));
 }
 
@@ -138,7 +138,7 @@ void BoxExportDialog::start() {
           if (written) {
             Q_EMIT done(tr("Saved boxes.csv and boxes_mot.txt in %1.").arg(place));
           } else {
-            Q_EMIT failed(errorSentence(written.error()));
+            Q_EMIT failed(errorText(written.error()));
           }
         });
       });

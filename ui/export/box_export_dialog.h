@@ -26,7 +26,7 @@ public:
   explicit BoxExportDialog(std::function<BoxTrack()> boxes, QWidget* parent = nullptr);
 
   /// Proposes `folder` as the destination.
-  void proposeIn(const QString& folder);
+  void proposeFolder(const QString& folder);
 
 Q_SIGNALS:
   void done(const QString& sentence);
@@ -47,7 +47,7 @@ private:
 
   std::function<BoxTrack()> boxes_;
   BackgroundJob* job_;
-  QLabel* sentence_;
+  QLabel* description_;
   QPlainTextEdit* preview_;
   QLabel* folderLabel_;
   QLineEdit* folder_;

@@ -32,15 +32,15 @@ constexpr std::size_t kMostToFollow = 20'000; ///< samples; to copy more takes n
 
 ExportDialog::ExportDialog(std::function<Trajectory()> trajectory, QWidget* parent)
     : QDialog(parent), trajectorySource_(std::move(trajectory)), jobs_(new ExportJobs(this)),
-      follow_(new QTimer(this)) {
+      previewTimer_(new QTimer(this)) {
   setObjectName(QStringLiteral("exportDialog"));
-  follow_->setInterval(kFollowMs);
+  previewTimer_->setInterval(kFollowMs);
   makeFields();
   arrangeFields();
   onRetranslate(this, [this] { retranslateUi(); });
   connectFields();
   setRunning(false);
-  proposeIn(QDir::homePath());
+  proposeFolder(QDir::homePath());
   resize(760, 620);
 }
 
@@ -112,7 +112,7 @@ void ExportDialog::retranslateUi() {
   figure_->setText(tr("Figure…"));
   figure_->setToolTip(tr(
       "Save a figure of the trajectory as SVG or PDF: x, y, z over time, and the view from above"));
-  forgetQuestion(); // in the new language
+  withdrawQuestion(); // in the new language
   export_->setToolTip(tr("Write the file in the background"));
   close_->setText(tr("Close"));
   close_->setToolTip(tr("Close; a running export continues"));
@@ -124,9 +124,9 @@ void ExportDialog::connectFields() {
   connect(preview_, &PreviewPane::ended, this, [this] { cancel_->setVisible(running_); });
   connect(form_, &ExportForm::formatChanged, this, &ExportDialog::formatChanged);
   connect(form_, &ExportForm::changed, this, &ExportDialog::changed);
-  connect(follow_, &QTimer::timeout, this, &ExportDialog::follow);
-  connect(file_, &QLineEdit::textChanged, this, &ExportDialog::forgetQuestion);
-  connect(browse_, &QPushButton::clicked, this, &ExportDialog::askFile);
+  connect(previewTimer_, &QTimer::timeout, this, &ExportDialog::updatePreview);
+  connect(file_, &QLineEdit::textChanged, this, &ExportDialog::withdrawQuestion);
+  connect(browse_, &QPushButton::clicked, this, &ExportDialog::chooseFile);
   connect(export_, &QPushButton::clicked, this, &ExportDialog::start);
   connect(figure_, &QPushButton::clicked, this, &ExportDialog::startFigure);
   connect(cancel_, &QPushButton::clicked, this, &ExportDialog::stop);
@@ -156,7 +156,7 @@ void ExportDialog::setHasOldResults(bool has) {
   preview_->setHasOldResults(has);
 }
 
-void ExportDialog::follow() {
+void ExportDialog::updatePreview() {
   if (running_ || preview_->isBusy() || !form_->isLive() ||
       trajectory_->samples.size() > kMostToFollow) {
     return;
@@ -178,13 +178,13 @@ void ExportDialog::refresh() {
 void ExportDialog::showEvent(QShowEvent* event) {
   QDialog::showEvent(event);
   refresh();
-  follow_->start();
+  previewTimer_->start();
 }
 
 void ExportDialog::hideEvent(QHideEvent* event) {
   QDialog::hideEvent(event);
-  follow_->stop();
-  forgetQuestion();
+  previewTimer_->stop();
+  withdrawQuestion();
   outcome_->clear();
   preview_->abandon(); // nobody looks at it; an export goes on
 }
@@ -198,7 +198,7 @@ void ExportDialog::stop() {
 }
 
 void ExportDialog::changed() {
-  forgetQuestion();
+  withdrawQuestion();
   if (trajectory_ != nullptr) {
     preview_->request();
   }
@@ -217,15 +217,15 @@ void ExportDialog::formatChanged() {
   changed();
 }
 
-void ExportDialog::startAnew(const QString& folder) {
-  form_->startAnew();
-  proposeIn(folder);
+void ExportDialog::resetChoices(const QString& folder) {
+  form_->resetChoices();
+  proposeFolder(folder);
   if (isVisible()) {
     refresh();
   }
 }
 
-void ExportDialog::proposeIn(const QString& folder) {
+void ExportDialog::proposeFolder(const QString& folder) {
   file_->setText(QDir(folder).filePath(QStringLiteral("trajectory")));
   formatChanged();
 }
@@ -234,7 +234,7 @@ std::filesystem::path ExportDialog::file() const {
   return file_->text().toStdString();
 }
 
-void ExportDialog::askFile() {
+void ExportDialog::chooseFile() {
   const QString chosen = QFileDialog::getSaveFileName(this, tr("Export trajectory"), file_->text());
   if (!chosen.isEmpty()) {
     file_->setText(chosen);
@@ -266,7 +266,7 @@ void ExportDialog::askToReplace(const QString& file) {
   mayReplace_ = true;
 }
 
-void ExportDialog::forgetQuestion() {
+void ExportDialog::withdrawQuestion() {
   ++questions_;
   mayReplace_ = false;
   question_->hide();
@@ -275,8 +275,8 @@ void ExportDialog::forgetQuestion() {
 
 void ExportDialog::start() {
   ExportOptions chosen = form_->options();
-  chosen.replaces = mayReplace_;
-  forgetQuestion();
+  chosen.overwrite = mayReplace_;
+  withdrawQuestion();
   startedAt_ = questions_;
   trajectory_ = std::make_shared<const Trajectory>(trajectorySource_()); // with what came since
   form_->setTargetsOf(*trajectory_);
@@ -309,8 +309,8 @@ void ExportDialog::startFigure() {
 
 void ExportDialog::showFinished(const ExportSummary& summary) {
   setRunning(false);
-  if (!summary.occupied.empty()) {
-    const QString name = QString::fromStdString(summary.occupied.string());
+  if (!summary.existingFile.empty()) {
+    const QString name = QString::fromStdString(summary.existingFile.string());
     if (startedAt_ == questions_) {
       askToReplace(name);
     } else { // something changed, or the dialog was closed: nobody sees the question, or it is moot

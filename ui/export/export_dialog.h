@@ -40,9 +40,9 @@ public:
   /// about them.
   void setHasOldResults(bool has);
   /// Proposes a file in `folder`.
-  void proposeIn(const QString& folder);
+  void proposeFolder(const QString& folder);
   /// Resets all choices for another project, and proposes a file in `folder`.
-  void startAnew(const QString& folder);
+  void resetChoices(const QString& folder);
 
 Q_SIGNALS:
   /// Emitted with the result of an export. While the dialog is visible, it shows the result itself.
@@ -60,15 +60,15 @@ private:
   void retranslateUi();
   void changed();
   void formatChanged();
-  void askFile();
+  void chooseFile();
   void start();
   /// Asks before replacing existing files; any change withdraws the question. The export checks in
   /// its own thread whether the files exist. If something changes before the check ends, the
   /// question is not shown, and the dialog reports that nothing was written.
   void askToReplace(const QString& file);
-  void forgetQuestion();
+  void withdrawQuestion();
   /// Updates the preview while the run continues.
-  void follow();
+  void updatePreview();
   void startFigure();
   void setRunning(bool running);
   void stop();
@@ -81,7 +81,7 @@ private:
   std::function<Trajectory()> trajectorySource_;
   ExportJobs::TrajectoryPtr trajectory_;
   ExportJobs* jobs_;
-  QTimer* follow_;
+  QTimer* previewTimer_;
   ExportForm* form_ = nullptr;
   PreviewPane* preview_;
   QLabel* question_;

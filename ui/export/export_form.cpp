@@ -55,7 +55,7 @@ ExportForm::ExportForm(QWidget* parent) : QWidget(parent), form_(new QFormLayout
   header_->setChecked(true);
   from_->setValue(from_->minimum());
   to_->setValue(to_->minimum());
-  given_ = {from_->value(), to_->value()};
+  proposedRange_ = {from_->value(), to_->value()};
   form_->setSpacing(8);
   const auto row = [this](QWidget* field) {
     auto* label = new QLabel(this);
@@ -158,15 +158,15 @@ ExportOptions ExportForm::options() const {
     }
   }
   if (from_->value() >= 0.0) {
-    options.from = SpanEnd{from_->value(), false};
+    options.from = RangeBound{from_->value(), false};
   }
   if (to_->value() >= 0.0) {
-    options.to = SpanEnd{to_->value(), false};
+    options.to = RangeBound{to_->value(), false};
   }
   if (rate_->value() > 0.0) {
     options.rate = rate_->value();
   }
-  options.gaps = gaps_->currentIndex() == 1 ? GapRule::Fill : GapRule::Leave;
+  options.gaps = gaps_->currentIndex() == 1 ? GapRule::Fill : GapRule::LeaveEmpty;
   options.longestGap = longestGap_->value();
   if (axes_->currentIndex() > 0) {
     options.axes = axes_->currentIndex() == 1 ? WorldAxes::ZUp : WorldAxes::YUp;
@@ -192,17 +192,17 @@ bool ExportForm::isLive() const {
 
 void ExportForm::setSelectedRange(std::optional<std::pair<double, double>> seconds) {
   const std::pair<double, double> all(from_->minimum(), to_->minimum());
-  if (!seconds && std::pair(from_->value(), to_->value()) != given_) {
+  if (!seconds && std::pair(from_->value(), to_->value()) != proposedRange_) {
     return; // typed by hand since
   }
   // Outwards to what the fields can show, or rounding would lose the last frame.
   const double steps = std::pow(10.0, from_->decimals());
   from_->setValue(seconds ? std::floor(seconds->first * steps) / steps : all.first);
   to_->setValue(seconds ? std::ceil(seconds->second * steps) / steps : all.second);
-  given_ = seconds ? std::pair(from_->value(), to_->value()) : all;
+  proposedRange_ = seconds ? std::pair(from_->value(), to_->value()) : all;
 }
 
-void ExportForm::startAnew() {
+void ExportForm::resetChoices() {
   for (QDoubleSpinBox* spin : {from_, to_, rate_}) {
     spin->setValue(spin->minimum());
   }
@@ -210,7 +210,7 @@ void ExportForm::startAnew() {
   for (QComboBox* box : {estimates_, gaps_, axes_, unit_}) {
     box->setCurrentIndex(0);
   }
-  given_ = {from_->value(), to_->value()};
+  proposedRange_ = {from_->value(), to_->value()};
 }
 
 } // namespace dewpoint::ui

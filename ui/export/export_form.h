@@ -33,7 +33,7 @@ public:
   /// unless the user has edited it.
   void setSelectedRange(std::optional<std::pair<double, double>> seconds);
   /// Resets all choices for another project.
-  void startAnew();
+  void resetChoices();
   void retranslateUi();
 
 Q_SIGNALS:
@@ -55,7 +55,7 @@ private:
   QComboBox* axes_;
   QComboBox* unit_;
   QCheckBox* header_;
-  std::pair<double, double> given_; ///< proposed range, seconds
+  std::pair<double, double> proposedRange_; ///< proposed range, seconds
 };
 
 } // namespace dewpoint::ui

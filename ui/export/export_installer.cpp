@@ -8,7 +8,7 @@
 #include "ui/export/box_export_dialog.h"
 #include "ui/export/export_dialog.h"
 #include "ui/selection/selection.h"
-#include "ui/session/result_keeper.h"
+#include "ui/session/result_refresher.h"
 #include "ui/timeline/timeline.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/workbench/workbench.h"
@@ -58,7 +58,7 @@ void exportBoxes(const Workbench& bench) {
     dialog = new BoxExportDialog(boxes, &bench.window);
     connectMessages(bench, dialog);
     const auto propose = [dialog, document = &bench.document] {
-      dialog->proposeIn(homeOf(*document));
+      dialog->proposeFolder(homeOf(*document));
     };
     QObject::connect(&bench.document, &Document::replaced, dialog, propose);
     propose();
@@ -74,15 +74,15 @@ void exportTrajectory(const Workbench& bench, const TimelineModel& time) {
     };
     dialog = new ExportDialog(trajectory, &bench.window);
     connectMessages(bench, dialog);
-    const auto startAnew = [dialog, document = &bench.document] {
-      dialog->startAnew(homeOf(*document));
+    const auto resetChoices = [dialog, document = &bench.document] {
+      dialog->resetChoices(homeOf(*document));
     };
-    QObject::connect(&bench.document, &Document::replaced, dialog, startAnew);
-    startAnew();
+    QObject::connect(&bench.document, &Document::replaced, dialog, resetChoices);
+    resetChoices();
     const auto sayOld = [dialog, results = &bench.session.results()] {
       dialog->setHasOldResults(!results->old().frames.empty());
     };
-    QObject::connect(&bench.session.results(), &ResultKeeper::oldResultsChanged, dialog, sayOld);
+    QObject::connect(&bench.session.results(), &ResultRefresher::oldResultsChanged, dialog, sayOld);
     sayOld();
   }
   const auto& selectedRange = bench.selection.selectedRange();
@@ -103,7 +103,7 @@ void installExport(const Workbench& bench, const Timeline& timeline) {
       exportTrajectory(bench, timeline.model());
     }
   });
-  bench.needRun({"actionExportTrajectory"});
+  bench.requireRun({"actionExportTrajectory"});
 }
 
 } // namespace dewpoint::ui

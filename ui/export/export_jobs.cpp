@@ -33,7 +33,7 @@ void ExportJobs::preview(TrajectoryPtr trajectory, const ExportOptions& options,
     if (preview) {
       return [this, found = *preview] { Q_EMIT previewReady(found); };
     }
-    return [this, error = preview.error()] { Q_EMIT previewFailed(errorSentence(error)); };
+    return [this, error = preview.error()] { Q_EMIT previewFailed(errorText(error)); };
   });
 }
 
@@ -54,14 +54,14 @@ void ExportJobs::run(TrajectoryPtr trajectory, const ExportOptions& options,
     const auto goesOn = [&](double part) { return progress(part) && !*cancelled; };
     std::error_code ignored;
     ExportSummary occupied; // known before the work is done
-    occupied.occupied = file;
-    const auto summary = !options.replaces && std::filesystem::exists(file, ignored)
+    occupied.existingFile = file;
+    const auto summary = !options.overwrite && std::filesystem::exists(file, ignored)
                              ? Result<ExportSummary>(occupied)
                              : exportTrajectory(*trajectory, options, file, goesOn);
     return std::function<void()>([this, summary, cancelled] {
       if (!summary) {
-        Q_EMIT failed(errorSentence(summary.error()));
-      } else if (!summary->occupied.empty() && *cancelled) { // who canceled is not asked
+        Q_EMIT failed(errorText(summary.error()));
+      } else if (!summary->existingFile.empty() && *cancelled) { // who canceled is not asked
         ExportSummary stopped;
         stopped.canceled = true;
         Q_EMIT finished(stopped);
@@ -82,7 +82,7 @@ void ExportJobs::run(std::function<Status()> task, const std::filesystem::path& 
         summary.files.push_back(file);
         Q_EMIT finished(summary);
       } else {
-        Q_EMIT failed(errorSentence(status.error()));
+        Q_EMIT failed(errorText(status.error()));
       }
     });
   });

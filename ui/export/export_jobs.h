@@ -45,8 +45,8 @@ Q_SIGNALS:
   void failed(const QString& sentence);
 
 private:
-  LatestJob preview_{LatestJob::Overtaken::Dropped};
-  LatestJob finding_{LatestJob::Overtaken::Dropped};
+  LatestJob preview_{LatestJob::Superseded::Dropped};
+  LatestJob finding_{LatestJob::Superseded::Dropped};
   BackgroundJob export_;
   /// Separate from the job's cancel flag, so that the result of a canceled export is also reported.
   std::shared_ptr<std::atomic<bool>> cancelled_;

@@ -25,8 +25,8 @@ PreviewPane::PreviewPane(ExportJobs& jobs, std::function<void()> order, QWidget*
     : QWidget(parent), jobs_(jobs), units_(named(new QLabel(this), "exportUnits")),
       size_(named(new QLabel(this), "exportSize")),
       old_(named(new QLabel(this), "exportOldResults")),
-      lines_(named(new QPlainTextEdit(this), "exportPreview")), soon_(new QTimer(this)),
-      long_(new QTimer(this)) {
+      lines_(named(new QPlainTextEdit(this), "exportPreview")), startTimer_(new QTimer(this)),
+      longTimer_(new QTimer(this)) {
   units_->setWordWrap(true);
   size_->setWordWrap(true);
   old_->setWordWrap(true);
@@ -42,16 +42,16 @@ PreviewPane::PreviewPane(ExportJobs& jobs, std::function<void()> order, QWidget*
   column->addWidget(size_);
   column->addWidget(old_);
   column->addWidget(lines_, 1);
-  soon_->setSingleShot(true);
-  soon_->setInterval(kDelayMs);
-  long_->setSingleShot(true);
-  long_->setInterval(kSoonDoneMs);
-  connect(soon_, &QTimer::timeout, this, [this, order = std::move(order)] {
+  startTimer_->setSingleShot(true);
+  startTimer_->setInterval(kDelayMs);
+  longTimer_->setSingleShot(true);
+  longTimer_->setInterval(kSoonDoneMs);
+  connect(startTimer_, &QTimer::timeout, this, [this, order = std::move(order)] {
     isUnderWay_ = true;
-    long_->start();
+    longTimer_->start();
     order();
   });
-  connect(long_, &QTimer::timeout, this, &PreviewPane::takesLong);
+  connect(longTimer_, &QTimer::timeout, this, &PreviewPane::takesLong);
   connectJobs();
 }
 
@@ -83,25 +83,25 @@ void PreviewPane::setHasOldResults(bool has) {
 }
 
 void PreviewPane::request() {
-  soon_->start();
+  startTimer_->start();
 }
 
 void PreviewPane::dropRequest() {
-  soon_->stop();
+  startTimer_->stop();
 }
 
 bool PreviewPane::isBusy() const {
-  return isUnderWay_ || soon_->isActive();
+  return isUnderWay_ || startTimer_->isActive();
 }
 
 void PreviewPane::end() {
   isUnderWay_ = false;
-  long_->stop();
+  longTimer_->stop();
   Q_EMIT ended();
 }
 
 void PreviewPane::abandon() {
-  soon_->stop();
+  startTimer_->stop();
   jobs_.stopPreview();
   end();
 }
@@ -118,7 +118,7 @@ void PreviewPane::setExporting(bool exporting) {
   if (isUnderWay_ && exporting) {
     size_->clear();
   } else if (isUnderWay_) {
-    soon_->start();
+    startTimer_->start();
   }
 }
 

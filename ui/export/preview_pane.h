@@ -54,8 +54,8 @@ private:
   QLabel* size_;
   QLabel* old_;
   QPlainTextEdit* lines_;
-  QTimer* soon_;
-  QTimer* long_;
+  QTimer* startTimer_;
+  QTimer* longTimer_;
   bool isUnderWay_ = false;
 };
 

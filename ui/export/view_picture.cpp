@@ -10,13 +10,13 @@
 
 namespace dewpoint::ui {
 
-QImage pictureOf(QWidget* view) {
+QImage grabView(QWidget* view) {
   auto* birdsEye = qobject_cast<BirdsEyeView*>(view);
-  const QImage picture = birdsEye == nullptr ? QImage() : birdsEye->currentPicture();
+  const QImage picture = birdsEye == nullptr ? QImage() : birdsEye->currentImage();
   return picture.isNull() ? view->grab().toImage() : picture;
 }
 
-Status writePicture(const QImage& picture, const std::filesystem::path& file) {
+Status writePng(const QImage& picture, const std::filesystem::path& file) {
   QBuffer buffer;
   buffer.open(QIODevice::WriteOnly);
   if (!picture.save(&buffer, "PNG")) {

@@ -13,9 +13,9 @@ namespace dewpoint::ui {
 
 /// Returns an image of a view as currently shown, in device pixels. The bird's-eye view is drawn
 /// without its buttons.
-QImage pictureOf(QWidget* view);
+QImage grabView(QWidget* view);
 
 /// Writes an image as PNG, to a temporary file that is then renamed. May be called from any thread.
-Status writePicture(const QImage& picture, const std::filesystem::path& file);
+Status writePng(const QImage& picture, const std::filesystem::path& file);
 
 } // namespace dewpoint::ui

@@ -16,7 +16,7 @@ public:
   explicit ManualBrowser(QWidget* parent = nullptr);
 
   /// Returns whether all requested images are loaded.
-  bool hasPictures() const { return waiting_ == 0; }
+  bool hasLoadedImages() const { return waiting_ == 0; }
   /// Returns the anchor name of a heading: "12. Targets of any shape" → "12-targets-of-any-shape"
   static QString slugOf(const QString& heading);
 

@@ -61,10 +61,10 @@ QString reportText(const QStringList& messages, const QString& project) {
 } // namespace
 
 ProblemReport::ProblemReport(const QStringList& messages, const QString& project, QWidget* parent)
-    : QDialog(parent), lead_(new QLabel(this)), text_(new QPlainTextEdit(this)),
+    : QDialog(parent), intro_(new QLabel(this)), text_(new QPlainTextEdit(this)),
       copy_(new QPushButton(this)), close_(new QPushButton(this)) {
   setObjectName(QStringLiteral("problemReport"));
-  lead_->setWordWrap(true);
+  intro_->setWordWrap(true);
   text_->setObjectName(QStringLiteral("problemText"));
   text_->setReadOnly(true);
   text_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
@@ -80,7 +80,7 @@ ProblemReport::ProblemReport(const QStringList& messages, const QString& project
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(16, 16, 16, 16);
   column->setSpacing(12);
-  column->addWidget(lead_);
+  column->addWidget(intro_);
   column->addWidget(text_, 1);
   column->addWidget(buttons);
   onRetranslate(this, [this] { retranslateUi(); });
@@ -93,9 +93,9 @@ QString ProblemReport::text() const {
 
 void ProblemReport::retranslateUi() {
   setWindowTitle(tr("Report a problem – Dewpoint"));
-  lead_->setText(tr("Write to whoever gave you Dewpoint. Describe what you did, what you expected "
-                    "and what happened. Attach the text below and, if you can, the project file "
-                    "and a screenshot. Nothing is sent automatically."));
+  intro_->setText(tr("Write to whoever gave you Dewpoint. Describe what you did, what you expected "
+                     "and what happened. Attach the text below and, if you can, the project file "
+                     "and a screenshot. Nothing is sent automatically."));
   text_->setAccessibleName(tr("Text for the report"));
   copy_->setText(tr("Copy"));
   copy_->setToolTip(tr("Copy the text, to be pasted into a mail or a form"));

@@ -25,7 +25,7 @@ public:
 private:
   void retranslateUi();
 
-  QLabel* lead_;
+  QLabel* intro_;
   QPlainTextEdit* text_;
   QPushButton* copy_;
   QPushButton* close_;

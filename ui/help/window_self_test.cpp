@@ -72,8 +72,8 @@ std::vector<SelfTestLine> graphicsSelfTest() {
   return {{FindingLevel::Ok, "window", toolkit.toStdString()}, openGlLine(), languagesLine()};
 }
 
-SelfTestParts selfTestParts(const ProjectOpener& opener) {
-  SelfTestParts parts;
+SelfTestInputs selfTestParts(const ProjectOpener& opener) {
+  SelfTestInputs parts;
   parts.openScene = [opener] { return opener(SessionRequest("demo")); };
   parts.cameras = connectedCameras();
   parts.scratch =

@@ -15,7 +15,7 @@ namespace dewpoint::ui {
 std::vector<SelfTestLine> graphicsSelfTest();
 
 /// Returns the parts that `runSelfTest()` uses on this computer. `opener` opens the demo.
-SelfTestParts selfTestParts(const ProjectOpener& opener);
+SelfTestInputs selfTestParts(const ProjectOpener& opener);
 
 /// Returns the lines as text, one per line.
 QString selfTestReport(const std::vector<SelfTestLine>& lines);

@@ -61,25 +61,25 @@ JobMailbox::~JobMailbox() {
   std::deque<std::function<void()>> dropped; // destroyed without the lock
   const std::scoped_lock lock(sender_.state_->mutex);
   sender_.state_->receiver = nullptr;
-  std::swap(dropped, sender_.state_->letters);
+  std::swap(dropped, sender_.state_->tasks);
 }
 
-void JobMailbox::Sender::post(std::function<void()> letter) const {
+void JobMailbox::Sender::post(std::function<void()> task) const {
   const std::scoped_lock lock(state_->mutex);
   if (state_->receiver != nullptr) {
-    state_->letters.push_back(std::move(letter));
+    state_->tasks.push_back(std::move(task));
     QMetaObject::invokeMethod(state_->receiver, &JobMailbox::deliver, Qt::QueuedConnection);
   }
 }
 
 void JobMailbox::deliver() {
-  std::function<void()> letter;
+  std::function<void()> task;
   {
     const std::scoped_lock lock(sender_.state_->mutex);
-    letter = std::move(sender_.state_->letters.front()); // a wake-up for each letter
-    sender_.state_->letters.pop_front();
+    task = std::move(sender_.state_->tasks.front()); // a wake-up for each task
+    sender_.state_->tasks.pop_front();
   }
-  letter(); // may delete this mailbox
+  task(); // may delete this mailbox
 }
 
 } // namespace dewpoint::ui

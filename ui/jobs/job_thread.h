@@ -43,13 +43,13 @@ public:
   class Sender {
   public:
     /// Posts a function that will run in the mailbox's thread, unless the mailbox is deleted first.
-    void post(std::function<void()> letter) const;
+    void post(std::function<void()> task) const;
 
   private:
     friend class JobMailbox;
     struct State {
       std::mutex mutex;
-      std::deque<std::function<void()>> letters;
+      std::deque<std::function<void()>> tasks;
       JobMailbox* receiver = nullptr; ///< null after the mailbox is deleted
     };
     std::shared_ptr<State> state_ = std::make_shared<State>();

@@ -9,20 +9,20 @@ namespace {
 constexpr int kCancelTimeoutMs = 3000; ///< for canceled work to end while a newer one waits
 } // namespace
 
-LatestJob::LatestJob(Overtaken overtaken, QObject* parent)
-    : QObject(parent), overtaken_(overtaken) {
+LatestJob::LatestJob(Superseded overtaken, QObject* parent)
+    : QObject(parent), superseded_(overtaken) {
   cancelTimeout_.setSingleShot(true);
   cancelTimeout_.setInterval(kCancelTimeoutMs);
   connect(&cancelTimeout_, &QTimer::timeout, &job_, &BackgroundJob::abandon);
   connect(&job_, &BackgroundJob::progressChanged, this, &LatestJob::progressChanged);
-  connect(&job_, &BackgroundJob::ended, this, &LatestJob::goOn);
+  connect(&job_, &BackgroundJob::ended, this, &LatestJob::startNext);
 }
 
 void LatestJob::start(BackgroundJob::Work work) {
   waiting_ = std::move(work);
   if (!job_.isRunning()) {
-    goOn();
-  } else if (overtaken_ == Overtaken::Dropped) {
+    startNext();
+  } else if (superseded_ == Superseded::Dropped) {
     job_.cancel();
     if (!cancelTimeout_.isActive()) {
       cancelTimeout_.start();
@@ -36,7 +36,7 @@ void LatestJob::cancel() {
   job_.cancel();
 }
 
-void LatestJob::goOn() {
+void LatestJob::startNext() {
   if (job_.isRunning()) { // what the last one found has begun another one
     return;
   }

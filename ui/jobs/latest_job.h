@@ -16,11 +16,11 @@ class LatestJob : public QObject {
   Q_OBJECT
 public:
   /// Defines what happens to running work when a newer request arrives.
-  enum class Overtaken {
+  enum class Superseded {
     Dropped, ///< canceled; abandoned if it does not end within a few seconds
     Kept,    ///< completed, and its result is delivered; for views that follow a drag
   };
-  explicit LatestJob(Overtaken overtaken, QObject* parent = nullptr);
+  explicit LatestJob(Superseded overtaken, QObject* parent = nullptr);
 
   void start(BackgroundJob::Work work);
   /// Cancels the running work and the waiting request.
@@ -33,9 +33,9 @@ Q_SIGNALS:
   void idle();
 
 private:
-  void goOn();
+  void startNext();
 
-  Overtaken overtaken_;
+  Superseded superseded_;
   BackgroundJob job_;
   std::optional<BackgroundJob::Work> waiting_;
   QTimer cancelTimeout_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/mainwindow/camera_agreement_alerts.h"
 
-#include "core/session/watch/camera_mending.h"
+#include "core/session/watch/camera_repair.h"
 #include "ui/text/camera_agreement_text.h"
 #include "ui/text/reason_text.h"
 #include "ui/widgets/message_bar.h"
@@ -29,7 +29,7 @@ void CameraAgreementAlerts::setSnapshot(const TrackSnapshotPtr& snapshot) {
       found, [&](const CameraDisagreement& one) { return !isAmong(shown_, one); });
   const bool isOpen =
       !text_.isEmpty() && bar_.isVisibleTo(bar_.parentWidget()) && bar_.text() == text_;
-  if (next != found.end() && !isOpen && !resting_) {
+  if (next != found.end() && !isOpen && !suppressed_) {
     shown_.push_back(*next);
     show(*next, cameraNames(*snapshot));
   }
@@ -44,14 +44,15 @@ void CameraAgreementAlerts::withdraw() {
 
 void CameraAgreementAlerts::show(const CameraDisagreement& found, const QStringList& names) {
   std::vector<MessageBar::Answer> answers;
-  for (std::size_t choice = 0; choice < mendingChoices(found); ++choice) {
-    answers.emplace_back(mendingText(found, choice, names),
-                         [this, found, choice] { Q_EMIT mendingWanted(found, choice); });
+  for (std::size_t choice = 0; choice < repairChoiceCount(found); ++choice) {
+    answers.emplace_back(rigCorrectionText(found, choice, names),
+                         [this, found, choice] { Q_EMIT rigCorrectionRequested(found, choice); });
   }
   if (answers.empty()) {
     for (const std::size_t camera : found.cameras) {
-      answers.emplace_back(tr("Calibrate %1…").arg(names.value(static_cast<int>(camera))),
-                           [this, camera] { Q_EMIT calibrateWanted(static_cast<int>(camera)); });
+      answers.emplace_back(
+          tr("Calibrate %1…").arg(names.value(static_cast<int>(camera))),
+          [this, camera] { Q_EMIT calibrationRequested(static_cast<int>(camera)); });
     }
   }
   bar_.ask(disagreementText(found, names), answers);

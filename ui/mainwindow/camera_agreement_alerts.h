@@ -24,11 +24,12 @@ public:
   /// Sets the frame shown. Null means that the run is over; earlier alerts are forgotten.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   /// Suppresses alerts while the user calibrates.
-  void setResting(bool resting) { resting_ = resting; }
+  void setSuppressed(bool resting) { suppressed_ = resting; }
 
 Q_SIGNALS:
-  void mendingWanted(const dewpoint::camera_motion::CameraDisagreement& found, std::size_t choice);
-  void calibrateWanted(int camera);
+  void rigCorrectionRequested(const dewpoint::camera_motion::CameraDisagreement& found,
+                              std::size_t choice);
+  void calibrationRequested(int camera);
 
 private:
   void withdraw();
@@ -37,7 +38,7 @@ private:
   MessageBar& bar_;
   std::vector<CameraDisagreement> shown_; ///< disagreements that were shown and still exist
   QString text_;                          ///< last text shown in the bar
-  bool resting_ = false;
+  bool suppressed_ = false;
 };
 
 } // namespace dewpoint::ui

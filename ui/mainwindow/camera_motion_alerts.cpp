@@ -22,7 +22,7 @@ void CameraMotionAlerts::setSnapshot(const TrackSnapshotPtr& shown) {
   }
   const TrackSnapshot& snapshot = *shown;
   const double now = snapshot.frames ? seconds(snapshot.frames->time) : 0.0;
-  const CameraMotionNews::News news = news_.take(snapshot.cameraMotions, now);
+  const CameraMotionMessages::News news = news_.take(snapshot.cameraMotions, now);
   if (news.withdrawn) {
     withdraw();
   }
@@ -50,15 +50,16 @@ void CameraMotionAlerts::showAlert(const CameraMotionReport& report, CameraMotio
     bar_.showNotice(what + QLatin1Char(' ') + tr("Its new pose is being computed."));
     break;
   case CameraMotionStage::Solved:
-    bar_.ask(
-        what + QLatin1Char(' ') + tr("Its pose can be recomputed from its images."),
-        {{tr("Recompute pose of %1").arg(name), [this, camera] { Q_EMIT newPoseWanted(camera); }}});
+    bar_.ask(what + QLatin1Char(' ') + tr("Its pose can be recomputed from its images."),
+             {{tr("Recompute pose of %1").arg(name),
+               [this, camera] { Q_EMIT newPoseRequested(camera); }}});
     break;
   case CameraMotionStage::Unsolvable:
-    bar_.ask(what + QLatin1Char(' ') +
-                 tr("Its pose cannot be recomputed from its images: calibrate the camera again, or "
-                    "move it back."),
-             {{tr("Calibrate %1…").arg(name), [this, camera] { Q_EMIT calibrateWanted(camera); }}});
+    bar_.ask(
+        what + QLatin1Char(' ') +
+            tr("Its pose cannot be recomputed from its images: calibrate the camera again, or "
+               "move it back."),
+        {{tr("Calibrate %1…").arg(name), [this, camera] { Q_EMIT calibrationRequested(camera); }}});
     break;
   case CameraMotionStage::Back:
     bar_.showNotice(tr("%1 is back in its calibrated pose.").arg(name));

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/session/snapshot/snapshot.h"
-#include "core/session/watch/camera_motion_news.h"
+#include "core/session/watch/camera_motion_messages.h"
 
 #include <QObject>
 #include <QString>
@@ -23,8 +23,8 @@ public:
   void setSnapshot(const TrackSnapshotPtr& snapshot);
 
 Q_SIGNALS:
-  void newPoseWanted(int camera);
-  void calibrateWanted(int camera);
+  void newPoseRequested(int camera);
+  void calibrationRequested(int camera);
 
 private:
   void clear();
@@ -32,7 +32,7 @@ private:
   void withdraw();
 
   MessageBar& bar_;
-  CameraMotionNews news_;
+  CameraMotionMessages news_;
   QString text_; ///< last text shown in the bar
 };
 

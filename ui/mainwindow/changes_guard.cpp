@@ -21,7 +21,7 @@ ChangesGuard::ChangesGuard(const Workbench& bench, QObject* parent)
     : QObject(parent), bench_(bench), saver_(new ProjectSaver(bench.document, this)) {
   bench_.onTriggered("actionSave", this, [this] { save(); });
   bench_.onTriggered("actionSaveAs", this, [this] { askSaveAs(); });
-  bench_.needRun({"actionSave", "actionSaveAs"});
+  bench_.requireRun({"actionSave", "actionSaveAs"});
   connectSaver();
 }
 
@@ -35,10 +35,10 @@ void ChangesGuard::save() {
 
 void ChangesGuard::askSaveAs() {
   const Project& project = bench_.document.project();
-  const auto proposed = project.file.empty() ? proposedFile(project) : project.file;
+  const auto proposed = project.file.empty() ? proposedProjectFile(project) : project.file;
   const QString file = askForFileToSave(&bench_.window, tr("Save the project"),
                                         QString::fromStdString(proposed.string()),
-                                        withAllEndings(tr("Dewpoint projects (*.toml)")));
+                                        withAllSuffixes(tr("Dewpoint projects (*.toml)")));
   if (!file.isEmpty()) {
     saveTo(file.toStdString());
   }
@@ -55,7 +55,7 @@ void ChangesGuard::connectSaver() {
     Q_EMIT saved(file);
     bench_.messages.showNotice(tr("Saved %1.").arg(file));
     if (const auto next = std::exchange(afterSaving_, {})) {
-      whenSettled(next); // it may have been changed while it was saved
+      runWhenSaved(next); // it may have been changed while it was saved
     }
   });
   connect(saver_, &ProjectSaver::failed, this, [this](const QString& sentence) {
@@ -64,7 +64,7 @@ void ChangesGuard::connectSaver() {
   });
 }
 
-bool ChangesGuard::mayDiscard(const std::function<void()>& then) {
+bool ChangesGuard::confirmDiscard(const std::function<void()>& then) {
   // A simulated scene without a file is the demo: what was tried there is not worth a question.
   const Project& project = bench_.document.project();
   if (!bench_.document.isUnsaved() || (project.file.empty() && !project.scene.empty())) {
@@ -80,8 +80,8 @@ bool ChangesGuard::mayDiscard(const std::function<void()>& then) {
   return answer == QMessageBox::Discard;
 }
 
-void ChangesGuard::whenSettled(const std::function<void()>& next) {
-  if (mayDiscard(next)) {
+void ChangesGuard::runWhenSaved(const std::function<void()>& next) {
+  if (confirmDiscard(next)) {
     next();
   }
 }

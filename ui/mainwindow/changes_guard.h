@@ -19,9 +19,9 @@ public:
   ProjectSaver& saver() { return *saver_; }
   /// Asks about unsaved changes and returns whether they may be discarded. If it returns false and
   /// the user chose to save, `then` runs once the changes are saved.
-  bool mayDiscard(const std::function<void()>& then);
+  bool confirmDiscard(const std::function<void()>& then);
   /// Runs `next` as soon as no unsaved changes can be lost by it.
-  void whenSettled(const std::function<void()>& next);
+  void runWhenSaved(const std::function<void()>& next);
 
 Q_SIGNALS:
   /// Emitted when the project was saved to this file.

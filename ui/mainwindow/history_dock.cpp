@@ -24,7 +24,7 @@ HistoryDock::HistoryDock(const Workbench& bench) : QObject(&bench.window), bench
   bench_.docks.make({.name = QStringLiteral("historyDock"),
                      .title = [] { return tr("History"); },
                      .content = view,
-                     .place = DockPlace::History,
+                     .area = DockArea::History,
                      .hiddenAtFirst = true});
   // As QUndoStack::createUndoAction() does, whose texts stay in the language they were made in.
   QAction* undo = bench_.action("actionUndo");
@@ -33,14 +33,14 @@ HistoryDock::HistoryDock(const Workbench& bench) : QObject(&bench.window), bench
   connect(redo, &QAction::triggered, history, &QUndoStack::redo);
   connect(history, &QUndoStack::canUndoChanged, undo, &QAction::setEnabled);
   connect(history, &QUndoStack::canRedoChanged, redo, &QAction::setEnabled);
-  connect(history, &QUndoStack::undoTextChanged, this, &HistoryDock::nameSteps);
-  connect(history, &QUndoStack::redoTextChanged, this, &HistoryDock::nameSteps);
+  connect(history, &QUndoStack::undoTextChanged, this, &HistoryDock::updateActionTexts);
+  connect(history, &QUndoStack::redoTextChanged, this, &HistoryDock::updateActionTexts);
   undo->setEnabled(history->canUndo());
   redo->setEnabled(history->canRedo());
-  nameSteps();
+  updateActionTexts();
 }
 
-void HistoryDock::nameSteps() {
+void HistoryDock::updateActionTexts() {
   const QUndoStack& history = *bench_.document.undoStack();
   QAction* undo = bench_.action("actionUndo");
   QAction* redo = bench_.action("actionRedo");

@@ -13,7 +13,7 @@ public:
 
   /// Names the next step in the texts of the undo and redo actions, so that menus and lists of
   /// actions show their effect.
-  void nameSteps();
+  void updateActionTexts();
 
 private:
   Workbench bench_;

@@ -172,7 +172,7 @@ void MainWindow::connectRun() {
   connect(docks_, &DockManager::viewsShown, this, &MainWindow::placeMessageRow);
   connect(docks_, &DockManager::laidOut, this, &MainWindow::placeMessageRow);
   bench_->onTriggered("actionResetLayout", docks_, [this] { docks_->reset(); });
-  bench_->needRun({"actionResetLayout"});
+  bench_->requireRun({"actionResetLayout"});
   bench_->onTriggered("actionQuit", this, [this] { close(); });
   bench_->onToggled("actionFullScreen", this, [this](bool full) {
     setWindowState(full ? windowState() | Qt::WindowFullScreen
@@ -198,8 +198,8 @@ void MainWindow::setPlayOnOpen(bool play) {
   session_->setPlayOnOpen(play);
 }
 
-void MainWindow::useRecovery(const std::filesystem::path& folder, TextWriter write) {
-  projects_->useRecovery(folder, std::move(write));
+void MainWindow::enableRecovery(const std::filesystem::path& folder, TextWriter write) {
+  projects_->enableRecovery(folder, std::move(write));
 }
 
 ProjectSaver& MainWindow::saver() {
@@ -242,7 +242,7 @@ void MainWindow::changeEvent(QEvent* event) {
   QMainWindow::changeEvent(event);
   if (event->type() == QEvent::LanguageChange) {
     actions_->retranslateUi();
-    history_->nameSteps();
+    history_->updateActionTexts();
     updateTitle();
     menus_->make();
   } else if (event->type() == QEvent::WindowStateChange) {

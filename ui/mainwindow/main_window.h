@@ -53,7 +53,7 @@ public:
   void keepGeometry();
   /// Keeps a copy of unsaved work in this folder, and offers copies that earlier windows left
   /// there. `write` is the function that writes the copies; `writeTextFile()` by default.
-  void useRecovery(const std::filesystem::path& folder, TextWriter write = {});
+  void enableRecovery(const std::filesystem::path& folder, TextWriter write = {});
   /// Returns the object that saves projects to their files.
   ProjectSaver& saver();
   /// Changes the language and saves it in the preferences.

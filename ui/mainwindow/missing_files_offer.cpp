@@ -69,7 +69,7 @@ void MissingFilesOffer::locate(const OpenRequest& request, const MissingFiles& m
     return;
   }
   OpenRequest again = request;
-  const MovedFiles moved = foundBeside(*missing, wanted, found.toStdString());
+  const MovedFiles moved = locateRemainingFiles(*missing, wanted, found.toStdString());
   if (again.what.project) {
     again.what.project = withMovedFiles(std::move(*again.what.project), moved);
   } else {

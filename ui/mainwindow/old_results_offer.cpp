@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/mainwindow/old_results_offer.h"
 
-#include "ui/session/result_keeper.h"
+#include "ui/session/result_refresher.h"
 #include "ui/widgets/message_bar.h"
 
 #include <QAction>
@@ -10,12 +10,12 @@
 namespace dewpoint::ui {
 
 OldResultsOffer::OldResultsOffer(const Workbench& bench) : QObject(&bench.window), bench_(bench) {
-  ResultKeeper* results = &bench_.session.results();
-  connect(results, &ResultKeeper::offered, this, &OldResultsOffer::offer);
+  ResultRefresher* results = &bench_.session.results();
+  connect(results, &ResultRefresher::offered, this, &OldResultsOffer::offer);
   const auto update = [this, results] {
     bench_.action("actionTrackAgain")->setEnabled(!results->old().frames.empty());
   };
-  connect(results, &ResultKeeper::oldResultsChanged, this, update);
+  connect(results, &ResultRefresher::oldResultsChanged, this, update);
   bench_.onTriggered("actionTrackAgain", results, [results] { results->trackAgain(); });
   update();
 }
@@ -23,7 +23,7 @@ OldResultsOffer::OldResultsOffer(const Workbench& bench) : QObject(&bench.window
 void OldResultsOffer::offer(bool offers) {
   if (offers) {
     shown_ = tr("Settings changed since this run.");
-    ResultKeeper* results = &bench_.session.results();
+    ResultRefresher* results = &bench_.session.results();
     bench_.messages.ask(shown_, {{tr("Track again"), [results] { results->trackAgain(); }}});
   } else if (!shown_.isEmpty() && bench_.messages.text() == shown_) {
     bench_.messages.dismiss();

@@ -9,7 +9,7 @@
 #include "ui/mainwindow/project_endings.h"
 #include "ui/mainwindow/recent_menu.h"
 #include "ui/mainwindow/recovery_offer.h"
-#include "ui/mainwindow/thumbnail_keeper.h"
+#include "ui/mainwindow/thumbnail_writer.h"
 #include "ui/session/open_request.h"
 #include "ui/start/new_project_page.h"
 #include "ui/start/recent_projects.h"
@@ -48,7 +48,7 @@ QStringList filesOf(const QMimeData& data) {
 
 ProjectController::ProjectController(const Workbench& bench)
     : QObject(&bench.window), bench_(bench), recent_(new RecentProjects(this)),
-      recentMenu_(new RecentMenu(*recent_, this)), thumbnails_(new ThumbnailKeeper(bench, this)),
+      recentMenu_(new RecentMenu(*recent_, this)), thumbnails_(new ThumbnailWriter(bench, this)),
       changes_(new ChangesGuard(bench, this)) {
   makePages();
   connectPages();
@@ -69,17 +69,17 @@ void ProjectController::makePages() {
 }
 
 void ProjectController::connectPages() {
-  connect(startPage_, &StartPage::sceneWanted, this, &ProjectController::openScene);
-  connect(startPage_, &StartPage::videosWanted, this, [this] {
-    beginNew({});
+  connect(startPage_, &StartPage::sceneRequested, this, &ProjectController::openScene);
+  connect(startPage_, &StartPage::videosRequested, this, [this] {
+    showNewProjectPage({});
     newProject_->chooseVideos();
   });
-  connect(startPage_, &StartPage::camerasWanted, this, [this] {
-    beginNew({});
+  connect(startPage_, &StartPage::camerasRequested, this, [this] {
+    showNewProjectPage({});
     newProject_->addConnectedCameras();
   });
-  connect(startPage_, &StartPage::projectWanted, this,
-          [this](const QString& file) { file.isEmpty() ? askOpen() : open(toPath(file)); });
+  connect(startPage_, &StartPage::projectRequested, this,
+          [this](const QString& file) { file.isEmpty() ? chooseProject() : open(toPath(file)); });
   connect(newProject_, &NewProjectPage::cancelled, this, [this] {
     if (bench_.session.isRunning()) {
       bench_.docks.showViews(true);
@@ -88,21 +88,21 @@ void ProjectController::connectPages() {
     }
   });
   connect(newProject_, &NewProjectPage::failed, &bench_.messages, &MessageBar::showError);
-  connect(newProject_, &NewProjectPage::made, this, &ProjectController::openMade);
+  connect(newProject_, &NewProjectPage::created, this, &ProjectController::openCreated);
 }
 
 void ProjectController::connectActions() {
   const auto unlessUnsaved = [this](const std::function<void()>& run) {
-    return [this, run] { changes_->whenSettled(run); };
+    return [this, run] { changes_->runWhenSaved(run); };
   };
-  connect(recentMenu_, &RecentMenu::wanted, this, [this](const QString& file) {
-    changes_->whenSettled([this, file] { open(toPath(file)); });
+  connect(recentMenu_, &RecentMenu::openRequested, this, [this](const QString& file) {
+    changes_->runWhenSaved([this, file] { open(toPath(file)); });
   });
-  bench_.onTriggered("actionNew", this, unlessUnsaved([this] { beginNew({}); }));
-  bench_.onTriggered("actionOpen", this, [this] { askOpen(); });
+  bench_.onTriggered("actionNew", this, unlessUnsaved([this] { showNewProjectPage({}); }));
+  bench_.onTriggered("actionOpen", this, [this] { chooseProject(); });
   bench_.onTriggered("actionOpenDemo", this, unlessUnsaved([this] { open({}); }));
   bench_.onTriggered("actionCloseProject", this, unlessUnsaved([this] { close(); }));
-  bench_.needRun({"actionCloseProject"});
+  bench_.requireRun({"actionCloseProject"});
 }
 
 void ProjectController::connectOpening() {
@@ -123,9 +123,9 @@ void ProjectController::connectOpening() {
   });
   connect(changes_, &ChangesGuard::saved, this, [this](const QString& file) {
     recent_->add(file);
-    thumbnails_->keep();
+    thumbnails_->saveThumbnail();
   });
-  connect(thumbnails_, &ThumbnailKeeper::kept, recent_, &RecentProjects::checkFiles);
+  connect(thumbnails_, &ThumbnailWriter::saved, recent_, &RecentProjects::checkFiles);
 }
 
 void ProjectController::openScene(const QString& name, bool calibrate) {
@@ -144,7 +144,7 @@ void ProjectController::connectRun() {
       recent_->add(QString::fromStdString(file.string()));
     }
     if (request.recovered && recovery_ != nullptr) {
-      recovery_->take(*request.recovered);
+      recovery_->adopt(*request.recovered);
     }
   });
   connect(run, &SessionController::opened, this, [this](const OpenRequest& request) {
@@ -167,13 +167,13 @@ void ProjectController::showStart() {
   bench_.docks.showViews(false);
 }
 
-void ProjectController::beginNew(const QStringList& files) {
+void ProjectController::showNewProjectPage(const QStringList& files) {
   newProject_->begin(files);
   pages_->setCurrentWidget(newProject_);
   bench_.docks.showViews(false);
 }
 
-void ProjectController::openMade(const Project& project, const QString& note) {
+void ProjectController::openCreated(const Project& project, const QString& note) {
   const bool boxes = presentationOf(project).takesBoxes;
   const QString hint =
       boxes ? tr("Click the object or drag a box around it in any camera view.")
@@ -183,11 +183,11 @@ void ProjectController::openMade(const Project& project, const QString& note) {
   bench_.session.open({.what = project, .unsaved = true, .note = hint});
 }
 
-void ProjectController::askOpen() {
-  changes_->whenSettled([this] {
+void ProjectController::chooseProject() {
+  changes_->runWhenSaved([this] {
     const QString file =
         askForFile(&bench_.window, tr("Open a project"),
-                   withAllEndings(tr("Dewpoint projects (*.toml);;All files (*)")));
+                   withAllSuffixes(tr("Dewpoint projects (*.toml);;All files (*)")));
     if (!file.isEmpty()) {
       open(toPath(file));
     }
@@ -204,10 +204,10 @@ ProjectSaver& ProjectController::saver() {
 }
 
 bool ProjectController::mayClose() {
-  if (!changes_->mayDiscard([this] { bench_.window.close(); })) {
+  if (!changes_->confirmDiscard([this] { bench_.window.close(); })) {
     return false;
   }
-  thumbnails_->keep();
+  thumbnails_->saveThumbnail();
   if (recovery_ != nullptr) {
     recovery_->removeBackup(); // saved, or given up on purpose
   }
@@ -228,20 +228,20 @@ void ProjectController::drop(const QMimeData& data) {
     newProject_->addFiles(files);
     return;
   }
-  changes_->whenSettled([this, files] {
+  changes_->runWhenSaved([this, files] {
     if (files.size() == 1 && isProject(files.front())) {
       open(toPath(files.front()));
     } else {
-      beginNew(files);
+      showNewProjectPage(files);
     }
   });
 }
 
-void ProjectController::useRecovery(const std::filesystem::path& folder, TextWriter write) {
+void ProjectController::enableRecovery(const std::filesystem::path& folder, TextWriter write) {
   recovery_ = new RecoveryOffer(bench_, folder, std::move(write));
-  connect(recovery_, &RecoveryOffer::wanted, this, [this](const RecoverableWork& work) {
+  connect(recovery_, &RecoveryOffer::recoveryRequested, this, [this](const RecoverableWork& work) {
     const auto read = [this, work] { recovery_->recover(work); };
-    if (changes_->mayDiscard(read)) {
+    if (changes_->confirmDiscard(read)) {
       read();
     } else {
       recovery_->offer(); // the question came late, and there is other work by now

@@ -25,7 +25,7 @@ class RecentProjects;
 class Recovery;
 class RecoveryOffer;
 class StartPage;
-class ThumbnailKeeper;
+class ThumbnailWriter;
 
 /// Controls how work begins and ends: the pages in the center of the window; opening, saving and
 /// closing projects; recent projects; dropped files; and the question before unsaved changes are
@@ -42,7 +42,7 @@ public:
   void showStart();
   /// Keeps a copy of unsaved work in this folder, and offers copies that earlier windows left
   /// there.
-  void useRecovery(const std::filesystem::path& folder, TextWriter write);
+  void enableRecovery(const std::filesystem::path& folder, TextWriter write);
   ProjectSaver& saver();
   /// Returns whether the window may close now. If the work is saved first, the window closes later.
   /// Removes the recovery copy when it returns true.
@@ -59,15 +59,15 @@ private:
   void connectRun();
   void connectOpening();
   void openScene(const QString& name, bool calibrate);
-  void beginNew(const QStringList& files);
-  void openMade(const Project& project, const QString& note);
-  void askOpen();
+  void showNewProjectPage(const QStringList& files);
+  void openCreated(const Project& project, const QString& note);
+  void chooseProject();
   void close();
 
   Workbench bench_;
   RecentProjects* recent_;
   RecentMenu* recentMenu_;
-  ThumbnailKeeper* thumbnails_;
+  ThumbnailWriter* thumbnails_;
   QStackedWidget* pages_ = nullptr;
   StartPage* startPage_ = nullptr;
   NewProjectPage* newProject_ = nullptr;

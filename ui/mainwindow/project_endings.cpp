@@ -9,7 +9,7 @@ bool isProject(const QString& file) {
          file.endsWith(QStringLiteral(".dewpoint"), Qt::CaseInsensitive);
 }
 
-QString withAllEndings(QString filter) {
+QString withAllSuffixes(QString filter) {
   return filter.replace(QStringLiteral("*.toml"), QStringLiteral("*.toml *.dewpoint"));
 }
 

@@ -10,6 +10,6 @@ namespace dewpoint::ui {
 /// Returns whether a file name has the suffix of a project.
 bool isProject(const QString& file);
 /// Returns a file dialog filter in which *.toml is replaced by all project suffixes.
-QString withAllEndings(QString filter);
+QString withAllSuffixes(QString filter);
 
 } // namespace dewpoint::ui

@@ -15,7 +15,7 @@ RecentMenu::RecentMenu(RecentProjects& recent, QObject* parent) : QObject(parent
       &recent, &RecentProjects::changed, this,
       [this] {
         if (menu_ != nullptr && menu_->isVisible()) {
-          list();
+          fillEntries();
         }
       },
       Qt::QueuedConnection);
@@ -23,17 +23,17 @@ RecentMenu::RecentMenu(RecentProjects& recent, QObject* parent) : QObject(parent
 
 void RecentMenu::fill(QMenu* menu) {
   menu_ = menu;
-  list();
+  fillEntries();
   recent_.checkFiles();
 }
 
-void RecentMenu::list() {
+void RecentMenu::fillEntries() {
   menu_->clear();
   for (const QString& file : recent_.files()) {
     QAction* entry = menu_->addAction(QFileInfo(file).completeBaseName());
     entry->setObjectName(QStringLiteral("qt_recent")); // a person's word, in no language of ours
     entry->setToolTip(file);
-    connect(entry, &QAction::triggered, this, [this, file] { Q_EMIT wanted(file); });
+    connect(entry, &QAction::triggered, this, [this, file] { Q_EMIT openRequested(file); });
   }
   if (menu_->isEmpty()) {
     menu_->addAction(tr("No recent projects"))->setEnabled(false);

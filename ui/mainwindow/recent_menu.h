@@ -24,10 +24,10 @@ public:
   void fill(QMenu* menu);
 
 Q_SIGNALS:
-  void wanted(const QString& file);
+  void openRequested(const QString& file);
 
 private:
-  void list();
+  void fillEntries();
 
   RecentProjects& recent_;
   QPointer<QMenu> menu_; ///< menus are recreated after a language change

@@ -26,20 +26,20 @@ RecoveryOffer::RecoveryOffer(const Workbench& bench, const std::filesystem::path
   offer();
   // A window that was killed may take a while to be gone, and one that is alive may be killed
   // later.
-  connect(&lookAgain_, &QTimer::timeout, this, [this] {
-    if (!looking_) { // else the disk is slow
+  connect(&searchTimer_, &QTimer::timeout, this, [this] {
+    if (!searching_) { // else the disk is slow
       offer();
     }
   });
-  lookAgain_.start(kLookAgain);
+  searchTimer_.start(kLookAgain);
 }
 
 void RecoveryOffer::offer() {
-  looking_ = true;
-  recovery_->look([this](const std::vector<RecoverableWork>& left) {
-    looking_ = false;
+  searching_ = true;
+  recovery_->findBackups([this](const std::vector<RecoverableWork>& left) {
+    searching_ = false;
     ask(left);
-    Q_EMIT looked();
+    Q_EMIT searched();
   });
 }
 
@@ -47,19 +47,19 @@ void RecoveryOffer::ask(const std::vector<RecoverableWork>& left) {
   if (left.empty()) {
     return;
   }
-  lookAgain_.stop();
+  searchTimer_.stop();
   const RecoverableWork& work = left.front();
   // Meanwhile a project may be opened, and much be said: the question comes back after that.
   bench_.messages.askUntilAnswered(
       tr("Dewpoint closed unexpectedly. Unsaved changes to “%1” from %2 can be recovered.")
           .arg(work.name, work.time),
-      {{tr("Recover"), [this, work] { Q_EMIT wanted(work); }},
-       {tr("Discard"), [this, work] { throwAway(work); }}});
+      {{tr("Recover"), [this, work] { Q_EMIT recoveryRequested(work); }},
+       {tr("Discard"), [this, work] { discardWork(work); }}});
 }
 
-void RecoveryOffer::throwAway(const RecoverableWork& work) {
+void RecoveryOffer::discardWork(const RecoverableWork& work) {
   recovery_->discard(work);
-  recovery_->look([this, work](const std::vector<RecoverableWork>& left) {
+  recovery_->findBackups([this, work](const std::vector<RecoverableWork>& left) {
     ask(left); // of other work, once this is read
     bench_.messages.ask(tr("Unsaved changes to “%1” were discarded.").arg(work.name),
                         {{tr("Undo"), [this, work] {
@@ -74,7 +74,7 @@ void RecoveryOffer::recover(const RecoverableWork& work) {
     if (project) {
       Q_EMIT recovered(*project, work);
     } else {
-      bench_.messages.showError(errorSentence(project.error()));
+      bench_.messages.showError(errorText(project.error()));
     }
   });
 }

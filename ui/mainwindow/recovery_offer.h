@@ -22,9 +22,9 @@ public:
   /// Asks about the newest copy of unsaved work, if there is one.
   void offer();
   /// Sets how often the folder is searched until work is found.
-  void setInterval(std::chrono::milliseconds interval) { lookAgain_.setInterval(interval); }
+  void setInterval(std::chrono::milliseconds interval) { searchTimer_.setInterval(interval); }
   /// Tells this object that the document now contains this work.
-  void take(const RecoverableWork& work) { recovery_->take(work); }
+  void adopt(const RecoverableWork& work) { recovery_->adopt(work); }
   /// Removes the copy, because this window's work was saved or discarded.
   void removeBackup() { recovery_->removeBackup(); }
   /// Reads the work. Emits `recovered()` afterwards, or shows an error in the window.
@@ -32,21 +32,21 @@ public:
 
 Q_SIGNALS:
   /// Emitted after the folder was searched. If work was found, a question is now shown.
-  void looked();
+  void searched();
   /// Emitted when the user wants to recover this work. The receiver calls `recover()`, or calls
   /// `offer()` later to ask again.
-  void wanted(const RecoverableWork& work);
+  void recoveryRequested(const RecoverableWork& work);
   /// Emitted when the work was read and can be opened.
   void recovered(const Project& project, const RecoverableWork& work);
 
 private:
   void ask(const std::vector<RecoverableWork>& left);
-  void throwAway(const RecoverableWork& work);
+  void discardWork(const RecoverableWork& work);
 
   Workbench bench_;
   Recovery* recovery_;
-  QTimer lookAgain_; ///< runs until work was offered
-  bool looking_ = false;
+  QTimer searchTimer_; ///< runs until work was offered
+  bool searching_ = false;
 };
 
 } // namespace dewpoint::ui

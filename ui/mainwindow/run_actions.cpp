@@ -50,8 +50,8 @@ void installRunActions(const Workbench& bench) {
         bench.action(newSeed ? ActionId("actionRestartNewSeed") : ActionId("actionRestart")),
         [bench, newSeed] { return askToRestart(bench, newSeed); });
   }
-  bench.needRun({"actionPlay", "actionNextFrame", "actionNextIteration", "actionRestart",
-                 "actionRestartNewSeed"});
+  bench.requireRun({"actionPlay", "actionNextFrame", "actionNextIteration", "actionRestart",
+                    "actionRestartNewSeed"});
   QObject::connect(run, &SessionController::snapshotChanged, &bench.actions,
                    [bench](const TrackSnapshotPtr& snapshot) {
                      if (snapshot == nullptr) {

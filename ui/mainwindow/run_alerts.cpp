@@ -3,7 +3,7 @@
 
 #include "core/calibration/manual/interactive_pose.h"
 #include "core/session/snapshot/snapshot.h"
-#include "core/session/watch/camera_mending.h"
+#include "core/session/watch/camera_repair.h"
 #include "ui/calibration/manual_calibration.h"
 #include "ui/document/document.h"
 #include "ui/mainwindow/camera_agreement_alerts.h"
@@ -27,20 +27,21 @@ RunAlerts::RunAlerts(const Workbench& bench, ManualCalibration& manual)
   auto* alerts = new CameraMotionAlerts(bench_.messages, this);
   connect(&bench_.session, &SessionController::snapshotChanged, this, &RunAlerts::showNotices);
   bench_.connectView(alerts);
-  connect(alerts, &CameraMotionAlerts::newPoseWanted, this, &RunAlerts::applyNewPose);
-  connect(alerts, &CameraMotionAlerts::calibrateWanted, this, &RunAlerts::calibrate);
+  connect(alerts, &CameraMotionAlerts::newPoseRequested, this, &RunAlerts::applyNewPose);
+  connect(alerts, &CameraMotionAlerts::calibrationRequested, this, &RunAlerts::calibrate);
   connectAgreement();
   bench_.onTriggered("actionResolveCamera", this, [this] { applyFirstNewPose(); });
-  bench_.needRun({"actionResolveCamera"});
+  bench_.requireRun({"actionResolveCamera"});
   connect(&bench_.session, &SessionController::failed, &bench_.messages, &MessageBar::showError);
 }
 
 void RunAlerts::connectAgreement() {
   auto* alerts = new CameraAgreementAlerts(bench_.messages, this);
-  connect(&manual_, &ManualCalibration::activeChanged, alerts, &CameraAgreementAlerts::setResting);
+  connect(&manual_, &ManualCalibration::activeChanged, alerts,
+          &CameraAgreementAlerts::setSuppressed);
   bench_.connectView(alerts);
-  connect(alerts, &CameraAgreementAlerts::mendingWanted, this, &RunAlerts::mend);
-  connect(alerts, &CameraAgreementAlerts::calibrateWanted, this, &RunAlerts::calibrate);
+  connect(alerts, &CameraAgreementAlerts::rigCorrectionRequested, this, &RunAlerts::correctRig);
+  connect(alerts, &CameraAgreementAlerts::calibrationRequested, this, &RunAlerts::calibrate);
 }
 
 void RunAlerts::calibrate(int camera) {
@@ -48,18 +49,18 @@ void RunAlerts::calibrate(int camera) {
   manual_.selectCamera(camera);
 }
 
-void RunAlerts::mend(const CameraDisagreement& found, std::size_t choice) {
+void RunAlerts::correctRig(const CameraDisagreement& found, std::size_t choice) {
   const TrackSnapshotPtr& shown = bench_.session.shown();
   if (!shown) {
     return;
   }
-  const QString step = mendingText(found, choice, cameraNames(*shown));
+  const QString step = rigCorrectionText(found, choice, cameraNames(*shown));
   const auto mended =
-      bench_.document.edit(step, [&](Project& project) { mendCameras(project, found, choice); });
+      bench_.document.edit(step, [&](Project& project) { repairCameras(project, found, choice); });
   if (mended) {
     bench_.messages.showNotice(tr("Done: %1. You can undo this.").arg(step));
   } else {
-    bench_.messages.showError(errorSentence(mended.error()));
+    bench_.messages.showError(errorText(mended.error()));
   }
 }
 
@@ -72,7 +73,7 @@ void RunAlerts::showNotices(const TrackSnapshotPtr& snapshot) {
   const std::size_t count =
       snapshot->notices.size() - std::min(snapshot->cameraMotions.size(), snapshot->notices.size());
   if (count > noticesShown_) {
-    bench_.messages.showNotice(errorSentence(snapshot->notices[count - 1]));
+    bench_.messages.showNotice(errorText(snapshot->notices[count - 1]));
   }
   noticesShown_ = count;
 }

@@ -27,7 +27,7 @@ private:
   void connectAgreement();
   /// Changes the project in one step so that its cameras agree. `choice` is the index of the
   /// correction that the user selected.
-  void mend(const CameraDisagreement& found, std::size_t choice);
+  void correctRig(const CameraDisagreement& found, std::size_t choice);
 
   Workbench bench_;
   ManualCalibration& manual_;

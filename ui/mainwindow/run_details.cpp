@@ -27,7 +27,7 @@ QString latencyText(const Latency& latency) {
                                            millisecondsText(inMilliseconds(latency.longest)));
 }
 
-QString budgetText(const BudgetFigures& budget) {
+QString budgetText(const BudgetStatistics& budget) {
   if (budget.milliseconds <= 0.0 || budget.iterations == 0) {
     return RunDetails::tr("not set");
   }
@@ -110,7 +110,7 @@ void RunDetails::refresh(const TrackSnapshot& snapshot, const TargetSnapshot* ta
   history_->setText(
       tr("%1 of %2 MB")
           .arg(numberText(static_cast<double>(snapshot.history.bytes) / kMegabyte, 0),
-               numberText(static_cast<double>(snapshot.history.mostBytes) / kMegabyte, 0)));
+               numberText(static_cast<double>(snapshot.history.maxBytes) / kMegabyte, 0)));
 }
 
 void RunDetails::openAbove(const QWidget* widget) {

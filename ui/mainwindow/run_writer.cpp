@@ -31,7 +31,7 @@ void RunWriter::write(const std::filesystem::path& folder, std::function<void(bo
     if (saved) {
       return {};
     }
-    return [this, error = saved.error()] { bench_.messages.showError(errorSentence(error)); };
+    return [this, error = saved.error()] { bench_.messages.showError(errorText(error)); };
   });
 }
 

@@ -84,18 +84,18 @@ StatusBarPanel::StatusBarPanel(QWidget* parent)
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(8, 2, 8, 2);
   layout->setSpacing(kSpacing);
-  held_ = figure("statusHeld");
+  held_ = addValueLabel("statusHeld");
   QFont bold = held_->font();
   bold.setWeight(QFont::DemiBold);
   held_->setFont(bold);
-  position_ = figure("statusPosition");
-  spread_ = figure("statusSpread");
-  speed_ = figure("statusSpeed");
+  position_ = addValueLabel("statusPosition");
+  spread_ = addValueLabel("statusSpread");
+  speed_ = addValueLabel("statusSpeed");
   reason_->setObjectName(QStringLiteral("statusReason"));
   layout->addWidget(reason_, 1);
-  playing_ = figure("statusPlaying");
-  frame_ = figure("statusFrame");
-  rate_ = figure("statusRate");
+  playing_ = addValueLabel("statusPlaying");
+  frame_ = addValueLabel("statusFrame");
+  rate_ = addValueLabel("statusRate");
   for (QLabel* label : {playing_, frame_, rate_}) {
     label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   }
@@ -104,7 +104,7 @@ StatusBarPanel::StatusBarPanel(QWidget* parent)
   more_->setFocusPolicy(Qt::TabFocus);
   layout->addWidget(more_);
   connect(more_, &QToolButton::clicked, this, [this] { details_->openAbove(more_); });
-  dispensable_ = {more_, rate_, playing_, frame_, speed_, spread_, position_};
+  hideOrder_ = {more_, rate_, playing_, frame_, speed_, spread_, position_};
   setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   onRetranslate(this, [this] { retranslateUi(); });
 }
@@ -130,10 +130,10 @@ void StatusBarPanel::retranslateUi() {
   more_->setText(tr("Details"));
   more_->setToolTip(tr("Timing, particles and memory used"));
   refresh();
-  fit();
+  hideOverflow();
 }
 
-QLabel* StatusBarPanel::figure(const char* name) {
+QLabel* StatusBarPanel::addValueLabel(const char* name) {
   auto* label = new QLabel(this);
   label->setObjectName(QLatin1String(name));
   label->setTextFormat(Qt::PlainText);
@@ -148,7 +148,7 @@ void StatusBarPanel::clear() {
   for (QLabel* label : {playing_, frame_, rate_}) {
     label->clear();
   }
-  clearBelief();
+  clearEstimate();
   motion_.clear();
   details_->setSnapshot(nullptr, nullptr);
   applyPalette();
@@ -182,10 +182,10 @@ void StatusBarPanel::refresh() {
     std::visit(Overloaded{[&](const SphereEstimate&) { showPosition(*target); },
                           [&](const BoxEstimate& box) { showBox(box); },
                           [&](const PersonEstimate&) { showPosition(*target); },
-                          [&](const AbsentEstimate&) { clearBelief(); }},
+                          [&](const AbsentEstimate&) { clearEstimate(); }},
                target->estimate);
   } else {
-    clearBelief();
+    clearEstimate();
   }
   details_->setSnapshot(snapshot_, target);
   const bool several = snapshot.targets.size() > 1;
@@ -197,7 +197,7 @@ void StatusBarPanel::refresh() {
   if (presentationOf(snapshot).countsPeople && target_ < 0) { // nobody in particular
     state_ = holdState(snapshot);
     name_.clear();
-    const QString there = numberText(peopleThere(snapshot), 0);
+    const QString there = numberText(peopleCount(snapshot), 0);
     stateText_ = state_ == HoldState::Held        ? tr("● people: %1").arg(there)
                  : state_ == HoldState::Searching ? tr("○ people: %1, searching").arg(there)
                                                   : QString();
@@ -210,7 +210,7 @@ void StatusBarPanel::showPosition(const TargetSnapshot& target) {
   const auto position = positionOf(target.estimate);
   const int particles = particleCountOf(target.estimate);
   if (!position || particles <= 0) {
-    clearBelief();
+    clearEstimate();
     return;
   }
   spread_->setText(tr("± %1").arg(lengthText(spreadOf(position->covariance))));
@@ -223,7 +223,7 @@ void StatusBarPanel::showPosition(const TargetSnapshot& target) {
   speed_->setText(speed ? tr("%1 m/s").arg(numberText(*speed, 2)) : QString());
 }
 
-void StatusBarPanel::clearBelief() {
+void StatusBarPanel::clearEstimate() {
   for (QLabel* label : {position_, spread_, speed_}) {
     label->clear();
   }
@@ -248,23 +248,23 @@ void StatusBarPanel::changeEvent(QEvent* event) {
 
 void StatusBarPanel::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  fit();
+  hideOverflow();
 }
 
 QSize StatusBarPanel::minimumSizeHint() const {
   return {120, layout()->minimumSize().height()};
 }
 
-void StatusBarPanel::fit() {
+void StatusBarPanel::hideOverflow() {
   const QMargins margins = layout()->contentsMargins();
   const auto widthOf = [](const QWidget* part) {
     return std::max(part->minimumWidth(), part->sizeHint().width()) + kSpacing;
   };
   int needed = margins.left() + margins.right() + widthOf(held_);
-  for (const QWidget* part : dispensable_) {
+  for (const QWidget* part : hideOrder_) {
     needed += widthOf(part);
   }
-  for (QWidget* part : dispensable_) {
+  for (QWidget* part : hideOrder_) {
     const bool fits = needed <= width();
     if (part->isHidden() == fits) {
       part->setVisible(fits);
@@ -286,7 +286,7 @@ void StatusBarPanel::applyPalette() {
     colors.setColor(QPalette::WindowText, color);
     held_->setPalette(colors);
   }
-  fit();
+  hideOverflow();
 }
 
 } // namespace dewpoint::ui

@@ -52,16 +52,16 @@ protected:
   void resizeEvent(QResizeEvent* event) override;
 
 private:
-  QLabel* figure(const char* name);
+  QLabel* addValueLabel(const char* name);
   void retranslateUi();
   void clear();
   void refresh();
   void showPosition(const TargetSnapshot& target);
   void showBox(const BoxEstimate& estimate);
-  void clearBelief(); ///< clears values of an earlier frame that are now unknown
+  void clearEstimate(); ///< clears values of an earlier frame that are now unknown
   void applyPalette();
   /// Shows as many values as fit.
-  void fit();
+  void hideOverflow();
 
   QLabel* held_;
   QLabel* position_;
@@ -74,7 +74,7 @@ private:
   QToolButton* more_;
   RunDetails* details_;
   /// Widgets in the order in which they are hidden when there is not enough room.
-  std::vector<QWidget*> dispensable_;
+  std::vector<QWidget*> hideOrder_;
   TrackSnapshotPtr snapshot_;
   TargetSpeed motion_;
   int target_ = -1;

@@ -20,7 +20,7 @@ namespace dewpoint::ui {
 ViewPictures::ViewPictures(const Workbench& bench) : QObject(&bench.window), bench_(bench) {
   connect(&bench_.docks, &DockManager::made, this, &ViewPictures::addMenu);
   bench_.onTriggered("actionSavePicture", this, [this] { choose(); });
-  bench_.needRun({"actionSavePicture"});
+  bench_.requireRun({"actionSavePicture"});
 }
 
 void ViewPictures::addMenu(ViewDock* dock) {
@@ -33,7 +33,7 @@ void ViewPictures::addMenu(ViewDock* dock) {
     connect(menu.addAction(tr("Save picture as PNG…")), &QAction::triggered, this,
             [this, dock] { save(dock); });
     connect(menu.addAction(tr("Copy picture")), &QAction::triggered, this,
-            [dock] { QApplication::clipboard()->setImage(pictureOf(dock->widget())); });
+            [dock] { QApplication::clipboard()->setImage(grabView(dock->widget())); });
     menu.exec(title->mapToGlobal(place));
   });
 }
@@ -51,7 +51,7 @@ void ViewPictures::choose() {
 }
 
 void ViewPictures::save(ViewDock* dock) {
-  const QImage picture = pictureOf(dock->widget()); // as it is now, not after the question
+  const QImage picture = grabView(dock->widget()); // as it is now, not after the question
   const QString file = QFileDialog::getSaveFileName(
       &bench_.window, tr("Save a picture of %1").arg(dock->windowTitle()),
       QDir::home().filePath(dock->windowTitle() + QStringLiteral(".png")), tr("Pictures (*.png)"));
@@ -62,12 +62,12 @@ void ViewPictures::save(ViewDock* dock) {
 
 void ViewPictures::write(const QImage& picture, const QString& file) {
   files_.add([this, picture, file]() -> std::function<void()> {
-    const Status written = writePicture(picture, file.toStdString());
+    const Status written = writePng(picture, file.toStdString());
     return [this, file, written] {
       if (written) {
         bench_.messages.showNotice(tr("Saved the picture %1.").arg(file));
       } else {
-        bench_.messages.showError(errorSentence(written.error()));
+        bench_.messages.showError(errorText(written.error()));
       }
     };
   });

@@ -24,7 +24,7 @@ namespace dewpoint::ui {
 WindowMenus::WindowMenus(const Workbench& bench, Owners owners)
     : QObject(&bench.window), bench_(bench), owners_(std::move(owners)),
       palette_(new CommandPalette(bench.actions, &bench.window)) {
-  palette_->setMore([this] { return moreForPalette(); });
+  palette_->setExtraEntries([this] { return extraPaletteEntries(); });
   bench_.onTriggered("actionPalette", this, [this] { openPalette(); });
   bench_.onTriggered("actionShortcuts", this, [this] { openShortcuts(); });
 }
@@ -169,7 +169,7 @@ void WindowMenus::openShortcuts() {
   Workbench::present(editor);
 }
 
-std::vector<CommandPalette::Entry> WindowMenus::moreForPalette() {
+std::vector<CommandPalette::Entry> WindowMenus::extraPaletteEntries() {
   std::vector<CommandPalette::Entry> entries;
   if (bench_.session.isRunning()) {
     for (ViewDock* dock : bench_.docks.docks()) {

@@ -33,7 +33,7 @@ private:
   void makeFileMenu();
   void makeViewMenu();
   void fillLanguageMenu(QMenu* menu);
-  std::vector<CommandPalette::Entry> moreForPalette();
+  std::vector<CommandPalette::Entry> extraPaletteEntries();
 
   Workbench bench_;
   Owners owners_;

@@ -30,14 +30,14 @@ bool isStillAs(const ProjectCamera& now, const ProjectCamera& then) {
 BackgroundImageTaker::BackgroundImageTaker(Document& document, Selection& selection,
                                            const CameraListModel& cameras, QObject* parent)
     : QObject(parent), document_(document), selection_(selection), cameras_(cameras),
-      keep_(keepBackgroundImage), keeping_(std::make_unique<JobQueue>()) {
-  connect(&document_, &Document::replaced, this, &BackgroundImageTaker::forgetKept);
+      write_(saveBackgroundImage), writeQueue_(std::make_unique<JobQueue>()) {
+  connect(&document_, &Document::replaced, this, &BackgroundImageTaker::discardWrites);
 }
 
 BackgroundImageTaker::~BackgroundImageTaker() = default;
 
 bool BackgroundImageTaker::canTake(int camera) const {
-  return !isKeeping_ && !shownImage(camera).empty();
+  return !isWriting_ && !shownImage(camera).empty();
 }
 
 cv::Mat BackgroundImageTaker::shownImage(int camera) const {
@@ -62,17 +62,17 @@ void BackgroundImageTaker::take(int camera) {
         tr("“%1” is visible in this image and would become part of the background. Choose a frame "
            "without it.")
             .arg(target),
-        tr("Use it anyway"), [this, camera, image, asked = QPointer(keeping_.get())] {
-          if (asked && !isKeeping_) { // else another project was opened meanwhile
-            keep(camera, image);
+        tr("Use it anyway"), [this, camera, image, asked = QPointer(writeQueue_.get())] {
+          if (asked && !isWriting_) { // else another project was opened meanwhile
+            write(camera, image);
           }
         });
     return;
   }
-  keep(camera, image);
+  write(camera, image);
 }
 
-void BackgroundImageTaker::keep(int camera, const cv::Mat& image) {
+void BackgroundImageTaker::write(int camera, const cv::Mat& image) {
   const std::shared_ptr<const Project> project = document_.state();
   if (camera >= static_cast<int>(project->cameras.size())) {
     return; // there are fewer now
@@ -82,22 +82,22 @@ void BackgroundImageTaker::keep(int camera, const cv::Mat& image) {
       project->file.empty() ? std::filesystem::path(own.toStdString()) / "empty-rooms"
                             : project->file.parent_path();
   selection_.selectCamera(camera);
-  isKeeping_ = true;
+  isWriting_ = true;
   Q_EMIT busyChanged();
-  keeping_->add([this, write = keep_, project, camera, image, folder] {
+  writeQueue_->add([this, write = write_, project, camera, image, folder] {
     return [this, project, camera,
             kept = write(*project, static_cast<std::size_t>(camera), image, folder)] {
-      isKeeping_ = false;
+      isWriting_ = false;
       Q_EMIT busyChanged();
-      useKept(*project, camera, kept);
+      applyWritten(*project, camera, kept);
     };
   });
 }
 
-void BackgroundImageTaker::useKept(const Project& then, int camera,
-                                   const Result<std::filesystem::path>& kept) {
+void BackgroundImageTaker::applyWritten(const Project& then, int camera,
+                                        const Result<std::filesystem::path>& kept) {
   if (!kept) {
-    Q_EMIT failed(errorSentence(kept.error()));
+    Q_EMIT failed(errorText(kept.error()));
     return;
   }
   const auto row = static_cast<std::size_t>(camera);
@@ -113,7 +113,7 @@ void BackgroundImageTaker::useKept(const Project& then, int camera,
     project.cameras[row].backgroundImage = kept->string();
   });
   if (!edited) {
-    Q_EMIT failed(errorSentence(edited.error()));
+    Q_EMIT failed(errorText(edited.error()));
     return;
   }
   Q_EMIT messageRequested(
@@ -121,9 +121,9 @@ void BackgroundImageTaker::useKept(const Project& then, int camera,
           .arg(cameras_.nameOf(camera), file));
 }
 
-void BackgroundImageTaker::forgetKept() {
-  keeping_ = std::make_unique<JobQueue>();
-  isKeeping_ = false;
+void BackgroundImageTaker::discardWrites() {
+  writeQueue_ = std::make_unique<JobQueue>();
+  isWriting_ = false;
 }
 
 } // namespace dewpoint::ui

@@ -23,9 +23,9 @@ class Document;
 class JobQueue;
 class Selection;
 
-/// Writes an image as a camera's background image and returns the file, as keepBackgroundImage()
+/// Writes an image as a camera's background image and returns the file, as saveBackgroundImage()
 /// does.
-using BackgroundImageKeeper = std::function<Result<std::filesystem::path>(
+using BackgroundImageWriter = std::function<Result<std::filesystem::path>(
     const Project& project, std::size_t camera, const cv::Mat& image,
     const std::filesystem::path& folder)>;
 
@@ -43,7 +43,7 @@ public:
   void setSnapshot(const TrackSnapshotPtr& snapshot) { snapshot_ = snapshot; }
   /// Sets the function that writes the images. It is called from another thread, because writing
   /// may take long.
-  void setKeeper(BackgroundImageKeeper keep) { keep_ = std::move(keep); }
+  void setWriter(BackgroundImageWriter keep) { write_ = std::move(keep); }
   /// Returns whether the camera shows an image and no image is being written.
   bool canTake(int camera) const;
   void take(int camera);
@@ -64,20 +64,20 @@ private:
   /// Returns the name of a target that is tracked in the image shown by a camera, or an empty
   /// string if there is none.
   QString targetSeenBy(int camera) const;
-  /// Writes the image in another thread. `useKept()` is called afterwards unless another project is
-  /// opened.
-  void keep(int camera, const cv::Mat& image);
+  /// Writes the image in another thread. `applyWritten()` is called afterwards unless another
+  /// project is opened.
+  void write(int camera, const cv::Mat& image);
   /// Handles the result of the write. `then` is the project at the time the image was taken.
-  void useKept(const Project& then, int camera, const Result<std::filesystem::path>& kept);
-  void forgetKept();
+  void applyWritten(const Project& then, int camera, const Result<std::filesystem::path>& kept);
+  void discardWrites();
 
   Document& document_;
   Selection& selection_;
   const CameraListModel& cameras_;
   TrackSnapshotPtr snapshot_;
-  BackgroundImageKeeper keep_;
-  std::unique_ptr<JobQueue> keeping_; ///< for this project; replaced to drop its results
-  bool isKeeping_ = false;
+  BackgroundImageWriter write_;
+  std::unique_ptr<JobQueue> writeQueue_; ///< for this project; replaced to drop its results
+  bool isWriting_ = false;
 };
 
 } // namespace dewpoint::ui

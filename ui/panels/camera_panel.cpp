@@ -43,11 +43,11 @@ CameraPanel::CameraPanel(Document& document, Selection& selection, CameraListMod
     : QWidget(parent), document_(document), selection_(selection), cameras_(cameras),
       list_(new QListView(this)), nameLabel_(new QLabel(this)), name_(new QLineEdit(this)),
       sourceLabel_(new QLabel(this)), source_(new PathField(this)), browse_(new QPushButton(this)),
-      emptyRoomLabel_(new QLabel(this)), emptyRoom_(new PathField(this)),
-      emptyRoomBrowse_(new QPushButton(this)), emptyRoomTake_(new QPushButton(this)),
-      turnLabel_(new QLabel(this)), turn_(new QComboBox(this)), mirror_(new QCheckBox(this)),
-      lateLabel_(new QLabel(this)),
-      late_(makeNumberField(QStringLiteral("cameraLate"), {-kMostLate, kMostLate, 1.0, 1}, this)),
+      backgroundImageLabel_(new QLabel(this)), backgroundImage_(new PathField(this)),
+      backgroundImageBrowse_(new QPushButton(this)), backgroundImageTake_(new QPushButton(this)),
+      rotationLabel_(new QLabel(this)), rotation_(new QComboBox(this)),
+      mirror_(new QCheckBox(this)), delayLabel_(new QLabel(this)),
+      delay_(makeNumberField(QStringLiteral("cameraLate"), {-kMostLate, kMostLate, 1.0, 1}, this)),
       calibration_(new QLabel(this)), load_(new QPushButton(this)),
       taker_(new BackgroundImageTaker(document, selection, cameras, this)) {
   setObjectName(QStringLiteral("cameraPanel"));
@@ -62,36 +62,36 @@ void CameraPanel::makeFields() {
   name_->setObjectName(QStringLiteral("cameraName"));
   source_->setObjectName(QStringLiteral("cameraSource"));
   browse_->setObjectName(QStringLiteral("cameraBrowse"));
-  emptyRoom_->setObjectName(QStringLiteral("cameraEmptyRoom"));
-  emptyRoomBrowse_->setObjectName(QStringLiteral("cameraEmptyRoomBrowse"));
-  emptyRoomTake_->setObjectName(QStringLiteral("cameraEmptyRoomTake"));
-  turn_->setObjectName(QStringLiteral("cameraTurn"));
+  backgroundImage_->setObjectName(QStringLiteral("cameraEmptyRoom"));
+  backgroundImageBrowse_->setObjectName(QStringLiteral("cameraEmptyRoomBrowse"));
+  backgroundImageTake_->setObjectName(QStringLiteral("cameraEmptyRoomTake"));
+  rotation_->setObjectName(QStringLiteral("cameraTurn"));
   mirror_->setObjectName(QStringLiteral("cameraMirror"));
   load_->setObjectName(QStringLiteral("cameraLoadCalibration"));
   calibration_->setObjectName(QStringLiteral("cameraCalibration"));
   calibration_->setWordWrap(true);
   calibration_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   for (const int degrees : {0, 90, 180, 270}) {
-    turn_->addItem(angleText(degrees * base::kDegree, 0), degrees);
+    rotation_->addItem(angleText(degrees * base::kDegree, 0), degrees);
   }
   nameLabel_->setBuddy(name_);
   sourceLabel_->setBuddy(source_);
-  turnLabel_->setBuddy(turn_);
-  emptyRoomLabel_->setBuddy(emptyRoom_);
-  lateLabel_->setBuddy(late_);
+  rotationLabel_->setBuddy(rotation_);
+  backgroundImageLabel_->setBuddy(backgroundImage_);
+  delayLabel_->setBuddy(delay_);
   auto* form = new QFormLayout;
   form->setSpacing(8);
   form->addRow(nameLabel_, name_);
   form->addRow(sourceLabel_, source_);
   form->addRow(nullptr, browse_);
-  form->addRow(turnLabel_, turn_);
+  form->addRow(rotationLabel_, rotation_);
   form->addRow(nullptr, mirror_);
-  form->addRow(lateLabel_, late_);
-  form->addRow(emptyRoomLabel_, emptyRoom_);
+  form->addRow(delayLabel_, delay_);
+  form->addRow(backgroundImageLabel_, backgroundImage_);
   auto* rooms = new QHBoxLayout;
   rooms->setSpacing(8);
-  rooms->addWidget(emptyRoomBrowse_);
-  rooms->addWidget(emptyRoomTake_, 1);
+  rooms->addWidget(backgroundImageBrowse_);
+  rooms->addWidget(backgroundImageTake_, 1);
   form->addRow(nullptr, rooms);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(12, 8, 12, 8);
@@ -106,7 +106,7 @@ void CameraPanel::connectFields() {
   connect(&document_, &Document::replaced, this, &CameraPanel::refresh);
   connect(&document_, &Document::sourcesChanged, this, &CameraPanel::refresh);
   connect(&document_, &Document::calibrationChanged, this, &CameraPanel::showChosen);
-  connect(&document_, &Document::emptyRoomsChanged, this, &CameraPanel::showChosen);
+  connect(&document_, &Document::backgroundImagesChanged, this, &CameraPanel::showChosen);
   connect(list_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           [this](const QModelIndex& current) {
             if (current.isValid()) {
@@ -124,32 +124,32 @@ void CameraPanel::connectFields() {
       camera.location = source_->text().trimmed().toStdString();
     });
   });
-  connect(turn_, &QComboBox::activated, this, [this](int index) {
+  connect(rotation_, &QComboBox::activated, this, [this](int index) {
     edit(tr("Rotate images"),
-         [&](ProjectCamera& camera) { camera.rotateDegrees = turn_->itemData(index).toInt(); });
+         [&](ProjectCamera& camera) { camera.rotateDegrees = rotation_->itemData(index).toInt(); });
   });
   connect(mirror_, &QCheckBox::clicked, this, [this](bool mirrored) {
     edit(tr("Mirror images"), [&](ProjectCamera& camera) { camera.mirrored = mirrored; });
   });
-  connect(late_, &QDoubleSpinBox::editingFinished, this, [this] {
+  connect(delay_, &QDoubleSpinBox::editingFinished, this, [this] {
     edit(tr("Change delay"), [this](ProjectCamera& camera) {
       const double shown = std::round(inMilliseconds(camera.delay) * kLateSteps) / kLateSteps;
-      if (late_->value() != shown) { // what is not shown of it must not be lost
-        camera.delay = fromMilliseconds(late_->value());
+      if (delay_->value() != shown) { // what is not shown of it must not be lost
+        camera.delay = fromMilliseconds(delay_->value());
       }
     });
   });
   connect(browse_, &QPushButton::clicked, this, &CameraPanel::relocate);
-  connect(emptyRoom_, &QLineEdit::editingFinished, this,
-          [this] { setEmptyRoom(emptyRoom_->text().trimmed()); });
-  connect(emptyRoomBrowse_, &QPushButton::clicked, this, &CameraPanel::chooseEmptyRoom);
-  connect(emptyRoomTake_, &QPushButton::clicked, this, [this] { taker_->take(chosen()); });
-  connect(taker_, &BackgroundImageTaker::busyChanged, this, &CameraPanel::enableTake);
+  connect(backgroundImage_, &QLineEdit::editingFinished, this,
+          [this] { setBackgroundImage(backgroundImage_->text().trimmed()); });
+  connect(backgroundImageBrowse_, &QPushButton::clicked, this, &CameraPanel::chooseBackgroundImage);
+  connect(backgroundImageTake_, &QPushButton::clicked, this, [this] { taker_->take(chosen()); });
+  connect(taker_, &BackgroundImageTaker::busyChanged, this, &CameraPanel::updateTakeButton);
   connect(load_, &QPushButton::clicked, this, [this] {
     const QString file =
         askForFile(this, tr("Choose a calibration"), tr("Calibrations (*.toml);;All files (*)"));
     if (!file.isEmpty()) {
-      Q_EMIT calibrationWanted(file);
+      Q_EMIT calibrationRequested(file);
     }
   });
 }
@@ -163,24 +163,27 @@ void CameraPanel::retranslateUi() {
   source_->setToolTip(tr("Video file, image folder, device, or stream address"));
   browse_->setText(tr("Choose…"));
   browse_->setToolTip(tr("Choose the file, folder or device of this camera"));
-  turnLabel_->setText(tr("Rotated"));
-  turn_->setToolTip(tr("Clockwise rotation of the images before use"));
+  rotationLabel_->setText(tr("Rotated"));
+  rotation_->setToolTip(tr("Clockwise rotation of the images before use"));
   mirror_->setText(tr("Mirrored"));
   mirror_->setToolTip(tr("Mirror the images left to right, after rotation"));
-  lateLabel_->setText(tr("Delay"));
-  late_->setSuffix(tr(" ms"));
-  late_->setToolTip(tr("Delay of this camera's images in ms, used to synchronize it with the other "
-                       "cameras. Calibration with a wand can measure the delay"));
-  late_->setAccessibleName(tr("Delay of the images in milliseconds"));
-  emptyRoomLabel_->setText(tr("Background image"));
-  emptyRoom_->setToolTip(
+  delayLabel_->setText(tr("Delay"));
+  delay_->setSuffix(tr(" ms"));
+  delay_->setToolTip(
+      tr("Delay of this camera's images in ms, used to synchronize it with the other "
+         "cameras. Calibration with a wand can measure the delay"));
+  delay_->setAccessibleName(tr("Delay of the images in milliseconds"));
+  backgroundImageLabel_->setText(tr("Background image"));
+  backgroundImage_->setToolTip(
       tr("Image, video or image folder that shows the scene without any target. Regions that have "
          "the target's color there are not taken for the target"));
-  emptyRoomBrowse_->setText(tr("Choose…"));
-  emptyRoomBrowse_->setAccessibleName(tr("Choose background image"));
-  emptyRoomBrowse_->setToolTip(tr("Find an image or a video of the scene without any target"));
-  emptyRoomTake_->setText(tr("Use current image"));
-  emptyRoomTake_->setToolTip(tr("Save the current image of this camera as its background image"));
+  backgroundImageBrowse_->setText(tr("Choose…"));
+  backgroundImageBrowse_->setAccessibleName(tr("Choose background image"));
+  backgroundImageBrowse_->setToolTip(
+      tr("Find an image or a video of the scene without any target"));
+  backgroundImageTake_->setText(tr("Use current image"));
+  backgroundImageTake_->setToolTip(
+      tr("Save the current image of this camera as its background image"));
   load_->setText(tr("Load calibration…"));
   load_->setToolTip(tr("Load the calibration of all cameras from a file"));
   refresh();
@@ -203,18 +206,19 @@ void CameraPanel::showChosen() {
   const ProjectCamera camera = any ? cameras[static_cast<std::size_t>(row)] : ProjectCamera();
   const bool own = any && camera.source != SourceKind::Simulation; // a scene brings its own
   const bool isFile = camera.source == SourceKind::Video || camera.source == SourceKind::Images;
-  for (QWidget* field : std::initializer_list<QWidget*>{name_, source_, turn_, mirror_, late_,
-                                                        load_, emptyRoom_, emptyRoomBrowse_}) {
+  for (QWidget* field :
+       std::initializer_list<QWidget*>{name_, source_, rotation_, mirror_, delay_, load_,
+                                       backgroundImage_, backgroundImageBrowse_}) {
     field->setEnabled(own);
   }
   browse_->setEnabled(own && isFile);
-  enableTake();
-  emptyRoom_->setText(QString::fromStdString(camera.backgroundImage));
+  updateTakeButton();
+  backgroundImage_->setText(QString::fromStdString(camera.backgroundImage));
   name_->setText(QString::fromStdString(camera.camera.name));
   source_->setText(any && !own ? tr("simulated") : QString::fromStdString(camera.location));
-  turn_->setCurrentIndex(turn_->findData(camera.rotateDegrees));
+  rotation_->setCurrentIndex(rotation_->findData(camera.rotateDegrees));
   mirror_->setChecked(camera.mirrored);
-  showValue(*late_, inMilliseconds(camera.delay));
+  showValue(*delay_, inMilliseconds(camera.delay));
   any ? showCalibration(camera) : calibration_->clear();
 }
 
@@ -264,23 +268,23 @@ void CameraPanel::relocate() {
 
 void CameraPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
   taker_->setSnapshot(snapshot);
-  enableTake();
+  updateTakeButton();
 }
 
-void CameraPanel::enableTake() {
-  emptyRoomTake_->setEnabled(source_->isEnabled() && taker_->canTake(chosen()));
+void CameraPanel::updateTakeButton() {
+  backgroundImageTake_->setEnabled(source_->isEnabled() && taker_->canTake(chosen()));
 }
 
-void CameraPanel::setEmptyRoom(const QString& file) {
+void CameraPanel::setBackgroundImage(const QString& file) {
   edit(tr("Change background image"),
        [&](ProjectCamera& camera) { camera.backgroundImage = file.toStdString(); });
 }
 
-void CameraPanel::chooseEmptyRoom() {
+void CameraPanel::chooseBackgroundImage() {
   const QString file = QFileDialog::getOpenFileName(this, tr("Choose a background image or video"),
-                                                    emptyRoom_->text());
+                                                    backgroundImage_->text());
   if (!file.isEmpty()) {
-    setEmptyRoom(file);
+    setBackgroundImage(file);
   }
 }
 

@@ -42,7 +42,7 @@ public:
 
 Q_SIGNALS:
   /// Emitted when a calibration file should be read for all cameras.
-  void calibrationWanted(const QString& file);
+  void calibrationRequested(const QString& file);
 
 private:
   void retranslateUi();
@@ -53,9 +53,9 @@ private:
   void showCalibration(const ProjectCamera& camera);
   void edit(const QString& step, const std::function<void(ProjectCamera&)>& change);
   void relocate();
-  void chooseEmptyRoom();
-  void setEmptyRoom(const QString& file);
-  void enableTake();
+  void chooseBackgroundImage();
+  void setBackgroundImage(const QString& file);
+  void updateTakeButton();
   void makeFields();
   void connectFields();
 
@@ -68,15 +68,15 @@ private:
   QLabel* sourceLabel_;
   QLineEdit* source_;
   QPushButton* browse_;
-  QLabel* emptyRoomLabel_;
-  QLineEdit* emptyRoom_;
-  QPushButton* emptyRoomBrowse_;
-  QPushButton* emptyRoomTake_;
-  QLabel* turnLabel_;
-  QComboBox* turn_;
+  QLabel* backgroundImageLabel_;
+  QLineEdit* backgroundImage_;
+  QPushButton* backgroundImageBrowse_;
+  QPushButton* backgroundImageTake_;
+  QLabel* rotationLabel_;
+  QComboBox* rotation_;
   QCheckBox* mirror_;
-  QLabel* lateLabel_;
-  QDoubleSpinBox* late_;
+  QLabel* delayLabel_;
+  QDoubleSpinBox* delay_;
   QLabel* calibration_;
   QPushButton* load_;
   BackgroundImageTaker* taker_;

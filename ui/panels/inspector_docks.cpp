@@ -26,7 +26,7 @@ void showMethodRequirements(const Workbench& bench) {
   const Project& project = bench.document.project();
   const MethodFamily family = bench.document.methodFamily();
   if (family.needsCalibration) {
-    if (isGuessed(project)) {
+    if (hasGuessedPose(project)) {
       bench.messages.showNotice(
           ParameterPanel::tr("This method tracks in 3D, but the camera positions are only guesses: "
                              "calibrate the cameras first (menu Calibration)."));
@@ -37,12 +37,12 @@ void showMethodRequirements(const Workbench& bench) {
   }
 }
 
-void takeCameras(const Workbench& bench, const MadeProject& made, const QString& file) {
+void takeCameras(const Workbench& bench, const CreatedProject& made, const QString& file) {
   const auto edited =
       bench.document.edit(CameraPanel::tr("Load calibration"),
                           [&](Project& project) { project.cameras = made.project.cameras; });
   if (!edited) {
-    bench.messages.showError(errorSentence(edited.error()));
+    bench.messages.showError(errorText(edited.error()));
     return;
   }
   bench.messages.showNotice(
@@ -56,7 +56,7 @@ void loadCalibration(const Workbench& bench, LatestJob* job, const QString& file
   job->start([bench, file, project = bench.document.state()](const BackgroundJob::Progress&) {
     return [bench, file, project, made = withCalibration(*project, file.toStdString())] {
       if (!made) {
-        bench.messages.showError(errorSentence(made.error()));
+        bench.messages.showError(errorText(made.error()));
       } else if (project->cameras == bench.document.project().cameras) { // not changed meanwhile
         takeCameras(bench, *made, file);
       }
@@ -96,7 +96,7 @@ TargetDock installTargets(const Workbench& bench) {
   QObject::connect(panel, &TargetPanel::targetChosen, &bench.selection, &Selection::selectTarget);
   QObject::connect(&bench.selection, &Selection::targetSelected, panel, &TargetPanel::choose);
   bench.onTriggered("actionRemoveTarget", panel, [panel] { panel->removeChosen(); });
-  bench.needRun({"actionRemoveTarget"});
+  bench.requireRun({"actionRemoveTarget"});
   return {dock, panel};
 }
 
@@ -107,8 +107,8 @@ CameraPanel* installCameras(const Workbench& bench) {
                     .content = panel,
                     .rank = 4});
   bench.connectImageView(panel);
-  auto* job = new LatestJob(LatestJob::Overtaken::Dropped, panel);
-  QObject::connect(panel, &CameraPanel::calibrationWanted, panel,
+  auto* job = new LatestJob(LatestJob::Superseded::Dropped, panel);
+  QObject::connect(panel, &CameraPanel::calibrationRequested, panel,
                    [bench, job](const QString& file) { loadCalibration(bench, job, file); });
   const BackgroundImageTaker* taker = &panel->taker();
   QObject::connect(taker, &BackgroundImageTaker::failed, &bench.messages, &MessageBar::showError);

@@ -22,11 +22,11 @@ QStandardItem* headingItem(const QString& text) {
   return item;
 }
 
-QStandardItem* methodItem(const MethodWords& words, MethodObstacle obstacle, bool isChosen) {
+QStandardItem* methodItem(const MethodTexts& words, MethodObstacle obstacle, bool isChosen) {
   auto* item = new QStandardItem(words.title);
   const QString why = methodObstacleText(obstacle);
   item->setData(words.name, Qt::UserRole);
-  item->setData(why.isEmpty() ? words.sentence : why, MethodChoice::SentenceRole);
+  item->setData(why.isEmpty() ? words.sentence : why, MethodChoice::DescriptionRole);
   item->setData(words.paper, MethodChoice::PaperRole);
   item->setData(why.isEmpty() ? words.sentence : why, Qt::ToolTipRole);
   item->setData(why.isEmpty() ? words.sentence : why, Qt::AccessibleDescriptionRole);
@@ -51,7 +51,7 @@ void MethodChoice::showMethods(const Project& project) {
   items->clear();
   QString heading;
   for (const Method* method : methodsByUse()) {
-    const MethodWords words = methodWords(*method);
+    const MethodTexts words = methodTexts(*method);
     if (words.heading != heading) {
       heading = words.heading;
       items->appendRow(headingItem(heading));

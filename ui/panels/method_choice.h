@@ -20,7 +20,7 @@ class MethodChoice : public QComboBox {
 public:
   /// Data roles of an item. Qt::UserRole contains the name used in files; it is empty for a
   /// heading.
-  enum Role { SentenceRole = Qt::UserRole + 1, PaperRole };
+  enum Role { DescriptionRole = Qt::UserRole + 1, PaperRole };
 
   explicit MethodChoice(QWidget* parent = nullptr);
 

@@ -27,7 +27,7 @@ struct MethodLines {
   explicit MethodLines(const QStyleOptionViewItem& option, const QModelIndex& index)
       : titleFont(mediumFont(option.font)), smallFont(smallerFont(option.font)),
         title(index.data().toString()), name(index.data(Qt::UserRole).toString()),
-        sentence(index.data(MethodChoice::SentenceRole).toString()),
+        sentence(index.data(MethodChoice::DescriptionRole).toString()),
         paper(index.data(MethodChoice::PaperRole).toString()) {}
 
   QFont titleFont;

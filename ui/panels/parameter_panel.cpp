@@ -112,7 +112,7 @@ void ParameterPanel::rebuild() {
     column_->addWidget(empty);
   } else {
     addMethodChoice();
-    addEssential();
+    addEssentialRows();
     addSections();
     showMarks();
   }
@@ -137,7 +137,7 @@ void ParameterPanel::addMethodChoice() {
   if (method == nullptr) {
     return;
   }
-  const MethodWords words = methodWords(*method);
+  const MethodTexts words = methodTexts(*method);
   QLabel* sentence = smallLabel("methodSentence", form_);
   sentence->setForegroundRole(QPalette::WindowText);
   sentence->setText(words.sentence);
@@ -149,7 +149,7 @@ void ParameterPanel::addMethodChoice() {
   column_->addWidget(name);
 }
 
-void ParameterPanel::addEssential() {
+void ParameterPanel::addEssentialRows() {
   auto* head = new QHBoxLayout;
   auto* title = new QLabel(groupTitle(ParameterGroup::Essential), form_);
   title->setFont(headingFont(title->font()));
@@ -171,7 +171,7 @@ void ParameterPanel::addEssential() {
 }
 
 void ParameterPanel::addSections() {
-  if (document_.presentation().searchesRoom) {
+  if (document_.presentation().searchesVolume) {
     addVolume();
   }
   for (const ParameterGroup group : furtherGroups(document_.project().parameters)) {

@@ -35,7 +35,7 @@ public:
 private:
   void rebuild();
   void addMethodChoice();
-  void addEssential();
+  void addEssentialRows();
   void addSections();
   void addVolume();
   ParameterRow* makeRow(const ParameterDeclaration& declaration);

@@ -30,12 +30,12 @@ VolumeForm::VolumeForm(Document& document, QWidget* parent)
     : QWidget(parent), document_(document), state_(new QLabel(this)),
       fromCameras_(makeButton("volumeFromCameras", this)), none_(makeButton("volumeNone", this)) {
   setObjectName(QStringLiteral("volumeForm"));
-  build();
+  createWidgets();
   connectFields();
   refresh();
 }
 
-void VolumeForm::build() {
+void VolumeForm::createWidgets() {
   state_->setObjectName(QStringLiteral("volumeState"));
   state_->setWordWrap(true);
   state_->setForegroundRole(QPalette::PlaceholderText);

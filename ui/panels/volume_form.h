@@ -28,7 +28,7 @@ public:
   explicit VolumeForm(Document& document, QWidget* parent = nullptr);
 
 private:
-  void build();
+  void createWidgets();
   void connectFields();
   void refresh();
   /// Returns the project's box, or else the volume that its cameras see, or nothing if they see

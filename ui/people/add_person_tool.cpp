@@ -12,7 +12,7 @@ namespace dewpoint::ui {
 AddPersonTool::AddPersonTool(BirdsEyeView* birdsEye, const CameraListModel& cameras,
                              QObject* parent)
     : QObject(parent), birdsEye_(birdsEye), cameras_(cameras) {
-  connect(birdsEye_, &BirdsEyeView::floorClicked, this, &AddPersonTool::placed);
+  connect(birdsEye_, &BirdsEyeView::floorClicked, this, &AddPersonTool::floorClicked);
 }
 
 void AddPersonTool::attach(int camera, CameraView* view) {
@@ -32,7 +32,7 @@ void AddPersonTool::attach(int camera, CameraView* view) {
   connect(layer, &ImagePickOverlay::cancelled, this, &AddPersonTool::cancelled);
   connect(layer, &ImagePickOverlay::picked, this, [this, camera](const QRectF& region) {
     const QPointF middle = region.center();
-    Q_EMIT seen(camera, Eigen::Vector2d(middle.x(), middle.y()));
+    Q_EMIT personClicked(camera, Eigen::Vector2d(middle.x(), middle.y()));
   });
 }
 

@@ -29,8 +29,8 @@ public:
   void setPlacing(bool placing, double floor = 0.0);
 
 Q_SIGNALS:
-  void seen(int camera, const Eigen::Vector2d& pixel);
-  void placed(const Eigen::Vector2d& place);
+  void personClicked(int camera, const Eigen::Vector2d& pixel);
+  void floorClicked(const Eigen::Vector2d& place);
   void cancelled();
 
 private:

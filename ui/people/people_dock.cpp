@@ -53,9 +53,9 @@ PeopleDock::PeopleDock(const Workbench& bench, const CameraDocks& cameras, Birds
     : QObject(&bench.window), bench_(bench),
       panel_(new PeoplePanel(bench.selection, bench.action("actionPlacePerson"),
                              bench.action("actionRemovePerson"), &bench.window)),
-      placer_(new AddPersonTool(&birdsEye, bench.cameras, this)),
-      check_(new LatestJob(LatestJob::Overtaken::Dropped, this)),
-      writing_(new LatestJob(LatestJob::Overtaken::Kept, this)), others_(std::move(others)) {
+      addPersonTool_(new AddPersonTool(&birdsEye, bench.cameras, this)),
+      check_(new LatestJob(LatestJob::Superseded::Dropped, this)),
+      writing_(new LatestJob(LatestJob::Superseded::Kept, this)), others_(std::move(others)) {
   dock_ = bench_.docks.make({.name = QStringLiteral("peopleDock"),
                              .title = [] { return tr("People"); },
                              .content = panel_,
@@ -67,7 +67,7 @@ PeopleDock::PeopleDock(const Workbench& bench, const CameraDocks& cameras, Birds
   connectActions();
   connect(&birdsEye, &BirdsEyeView::personClicked, &bench_.selection, &Selection::selectTarget);
   connect(&bench_.session, &SessionController::runStarted, this, [this] {
-    bench_.session.session()->setShapesWanted(bench_.action("actionShowVolumes")->isChecked());
+    bench_.session.session()->setShapesShown(bench_.action("actionShowVolumes")->isChecked());
     updateForMethod();
   });
   connect(&bench_.session, &SessionController::runEnded, this, [this] { ++run_; });
@@ -75,23 +75,24 @@ PeopleDock::PeopleDock(const Workbench& bench, const CameraDocks& cameras, Birds
   connect(&bench_.document, &Document::methodChanged, this, &PeopleDock::updateForMethod);
 }
 
-bool PeopleDock::isOfPeople() const {
+bool PeopleDock::tracksPeople() const {
   return bench_.document.presentation().countsPeople;
 }
 
 void PeopleDock::connectPlacer(const CameraDocks& cameras) {
   QAction* place = bench_.action("actionPlacePerson");
-  connect(&cameras, &CameraDocks::viewMade, placer_, &AddPersonTool::attach);
-  connect(placer_, &AddPersonTool::seen, this,
+  connect(&cameras, &CameraDocks::viewMade, addPersonTool_, &AddPersonTool::attach);
+  connect(addPersonTool_, &AddPersonTool::personClicked, this,
           [this, place](int camera, const Eigen::Vector2d& pixel) {
             correct(tr("Add a person"), {.click = PersonCorrection::Click{camera, pixel}});
             place->setChecked(false);
           });
-  connect(placer_, &AddPersonTool::placed, this, [this, place](const Eigen::Vector2d& where) {
-    correct(tr("Add a person"), {.position = where});
-    place->setChecked(false);
-  });
-  connect(placer_, &AddPersonTool::cancelled, place, [place] { place->setChecked(false); });
+  connect(addPersonTool_, &AddPersonTool::floorClicked, this,
+          [this, place](const Eigen::Vector2d& where) {
+            correct(tr("Add a person"), {.position = where});
+            place->setChecked(false);
+          });
+  connect(addPersonTool_, &AddPersonTool::cancelled, place, [place] { place->setChecked(false); });
 }
 
 void PeopleDock::connectActions() {
@@ -103,13 +104,13 @@ void PeopleDock::connectActions() {
   });
   bench_.onToggled("actionShowVolumes", this, [this](bool shown) {
     if (Session* session = bench_.session.session()) {
-      session->setShapesWanted(shown);
+      session->setShapesShown(shown);
     }
   });
   bench_.onTriggered("actionExportPeople", this, [this] { askExport(); });
-  bench_.needRun(
+  bench_.requireRun(
       {"actionPlacePerson", "actionRemovePerson", "actionExportPeople", "actionShowVolumes"},
-      [this] { return isOfPeople(); });
+      [this] { return tracksPeople(); });
 }
 
 void PeopleDock::correct(const QString& step, PersonCorrection correction) {
@@ -118,10 +119,10 @@ void PeopleDock::correct(const QString& step, PersonCorrection correction) {
     return;
   }
   correction.frame = std::max<std::int64_t>(0, shown->frame);
-  const auto edited =
-      bench_.document.edit(step, [&](Project& project) { addPerson(project, correction); });
+  const auto edited = bench_.document.edit(
+      step, [&](Project& project) { addPersonCorrection(project, correction); });
   if (!edited) {
-    bench_.messages.showError(errorSentence(edited.error()));
+    bench_.messages.showError(errorText(edited.error()));
   }
 }
 
@@ -134,16 +135,16 @@ void PeopleDock::selectSeenAt(int camera, const QPointF& pixel) {
 }
 
 void PeopleDock::updateForMethod() {
-  const bool people = isOfPeople();
+  const bool people = tracksPeople();
   if (!people) {
     bench_.action("actionPlacePerson")->setChecked(false);
   }
   if (!dock_->isHiddenByUser() == people || !bench_.session.isRunning()) {
     return;
   }
-  dock_->setWanted(people);
+  dock_->setShownByUser(people);
   for (ViewDock* other : others_) {
-    other->setWanted(!people);
+    other->setShownByUser(!people);
   }
   if (people) {
     dock_->raise();
@@ -151,8 +152,8 @@ void PeopleDock::updateForMethod() {
 }
 
 void PeopleDock::placePeople(bool placing) {
-  const bool can = placing && bench_.session.isRunning() && isOfPeople();
-  placer_->setPlacing(can, can ? bench_.document.project().parameters.at("floor_z") : 0.0);
+  const bool can = placing && bench_.session.isRunning() && tracksPeople();
+  addPersonTool_->setPlacing(can, can ? bench_.document.project().parameters.at("floor_z") : 0.0);
   const QString hint = tr("Click a person in a camera image, or the floor in the bird's-eye view. "
                           "Press Esc to cancel.");
   if (can) {
@@ -202,7 +203,7 @@ void PeopleDock::write(const QString& folder, int run) {
                   tr("Saved people's positions, volumes, hulls and densities in %1 (frames: %2).")
                       .arg(folder)
                       .arg(*saved))
-            : bench_.messages.showError(errorSentence(saved.error()));
+            : bench_.messages.showError(errorText(saved.error()));
     });
   });
 }

@@ -46,13 +46,13 @@ private:
   /// Writes the tables of the run with number `run` (see `run_`). Reports an error if that run is
   /// over.
   void write(const QString& folder, int run);
-  bool isOfPeople() const;
+  bool tracksPeople() const;
   /// Applies a correction to the frame shown, in an undoable step of the document.
   void correct(const QString& step, PersonCorrection correction);
 
   Workbench bench_;
   PeoplePanel* panel_;
-  AddPersonTool* placer_;
+  AddPersonTool* addPersonTool_;
   LatestJob* check_;   ///< checks whether the tables already exist
   LatestJob* writing_; ///< writes tables; the next request waits until this is done
   int run_ = 0;        ///< incremented at the end of each run

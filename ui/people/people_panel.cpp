@@ -74,7 +74,7 @@ PeoplePanel::PeoplePanel(Selection& selection, QAction* place, QAction* remove, 
   column->addWidget(place_);
   column->addWidget(remove_);
   onRetranslate(this, [this] { retranslateUi(); });
-  connect(&selection_, &Selection::targetSelected, this, &PeoplePanel::follow);
+  connect(&selection_, &Selection::targetSelected, this, &PeoplePanel::selectRow);
   connect(table_, &QTableWidget::currentCellChanged, this, [this](int row) {
     if (!following_ && row >= 0) {
       selection_.selectTarget(table_->item(row, kPerson)->data(Qt::UserRole).toInt() - 1);
@@ -148,7 +148,7 @@ void PeoplePanel::showLearning() {
   const bool learns = least < 1.0;
   learning_->setVisible(learns);
   learning_->setValue(static_cast<int>(std::lround(100.0 * least)));
-  const int count = peopleThere(*snapshot_);
+  const int count = peopleCount(*snapshot_);
   summary_->setText(
       learns ? tr("Learning the background: %1 %. Keep the scene empty.").arg(percentText(least))
       : count == 0 ? tr("Nobody is in view. People appear when two cameras see them.")
@@ -173,10 +173,10 @@ void PeoplePanel::refresh() {
     showRow(row++, *person.target, *person.estimate);
   }
   table_->setRowCount(row);
-  follow(selection_.target());
+  selectRow(selection_.target());
 }
 
-void PeoplePanel::put(int row, int column, const QString& text, const QString& hint) {
+void PeoplePanel::setCell(int row, int column, const QString& text, const QString& hint) {
   QTableWidgetItem* item = table_->item(row, column);
   if (item == nullptr) {
     item = new QTableWidgetItem;
@@ -194,7 +194,7 @@ void PeoplePanel::put(int row, int column, const QString& text, const QString& h
 }
 
 void PeoplePanel::showRow(int row, const TargetSnapshot& target, const PersonEstimate& person) {
-  put(row, kPerson, QString::number(person.identity), holdText(holdState(target.status)));
+  setCell(row, kPerson, QString::number(person.identity), holdText(holdState(target.status)));
   QTableWidgetItem* first = table_->item(row, kPerson);
   if (first->data(Qt::UserRole).toInt() != person.identity) {
     first->setData(Qt::UserRole, person.identity);
@@ -204,20 +204,20 @@ void PeoplePanel::showRow(int row, const TargetSnapshot& target, const PersonEst
   const auto meters = [](double length) {
     return lengthNumber(length, LengthScale::Meters, 2, NumberForm::Rounded);
   };
-  put(row, kPlace,
-      QStringLiteral("%1  %2").arg(meters(person.position.x()), meters(person.position.y())));
-  put(row, kHeight, person.height > 0.0 ? meters(person.height) : QString());
-  put(row, kSpeed, numberText(person.velocity.head<2>().norm(), 1, NumberForm::Rounded));
-  put(row, kCameras,
-      QStringLiteral("%1/%2").arg(person.camerasSeeing).arg(snapshot_->peopleCameras.size()));
-  put(row, kVolume,
-      target.shape ? numberText(target.shape->volume, 2, NumberForm::Rounded) : QString());
-  put(row, kSince, numberText(person.age, 0, NumberForm::Rounded));
-  put(row, kNear, person.interacting ? QStringLiteral("●") : QString(),
-      person.interacting ? tr("Another person is close") : QString());
+  setCell(row, kPlace,
+          QStringLiteral("%1  %2").arg(meters(person.position.x()), meters(person.position.y())));
+  setCell(row, kHeight, person.height > 0.0 ? meters(person.height) : QString());
+  setCell(row, kSpeed, numberText(person.velocity.head<2>().norm(), 1, NumberForm::Rounded));
+  setCell(row, kCameras,
+          QStringLiteral("%1/%2").arg(person.camerasSeeing).arg(snapshot_->peopleCameras.size()));
+  setCell(row, kVolume,
+          target.shape ? numberText(target.shape->volume, 2, NumberForm::Rounded) : QString());
+  setCell(row, kSince, numberText(person.age, 0, NumberForm::Rounded));
+  setCell(row, kNear, person.interacting ? QStringLiteral("●") : QString(),
+          person.interacting ? tr("Another person is close") : QString());
 }
 
-void PeoplePanel::follow(int target) {
+void PeoplePanel::selectRow(int target) {
   const QScopedValueRollback quiet(following_, true);
   for (int row = 0; row < table_->rowCount(); ++row) {
     if (table_->item(row, kPerson)->data(Qt::UserRole).toInt() == target + 1) {

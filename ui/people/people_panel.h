@@ -35,8 +35,8 @@ private:
   void refresh();
   void showLearning();
   void showRow(int row, const TargetSnapshot& target, const PersonEstimate& person);
-  void put(int row, int column, const QString& text, const QString& hint = {});
-  void follow(int target);
+  void setCell(int row, int column, const QString& text, const QString& hint = {});
+  void selectRow(int target);
   void makeTable();
 
   Selection& selection_;

@@ -62,7 +62,7 @@ FrameConvergence::FrameConvergence(QWidget* parent)
   stack_->setFocusPolicy(Qt::NoFocus);
   stack_->focusProxy()->setFocusPolicy(Qt::NoFocus);
   stack_->setBare(true);
-  stack_->setLeastIterations(kLeastIterations);
+  stack_->setMinIterations(kLeastIterations);
   stack_->setShown({QStringLiteral("convergence")});
   series_.reset(1);
   stack_->setSeries(&series_);

@@ -14,8 +14,8 @@ bool PlotAxisRange::setAxis(PlotAxis axis) {
   return true;
 }
 
-PlotAxisRange::Range PlotAxisRange::whole(const PlotSeries* series) const {
-  const double least = axis_ == PlotAxis::Time ? 2.0 : leastIterations_;
+PlotAxisRange::Range PlotAxisRange::fullRange(const PlotSeries* series) const {
+  const double least = axis_ == PlotAxis::Time ? 2.0 : minIterations_;
   if (series == nullptr || series->size() == 0) {
     return {0.0, least};
   }
@@ -24,31 +24,31 @@ PlotAxisRange::Range PlotAxisRange::whole(const PlotSeries* series) const {
 }
 
 PlotAxisRange::Range PlotAxisRange::shown(const PlotSeries* series) const {
-  if (!part_ || series == nullptr || series->size() == 0) {
-    return whole(series);
+  if (!shownRange_ || series == nullptr || series->size() == 0) {
+    return fullRange(series);
   }
   const double last = series->key(series->size() - 1, axis_);
-  const double moved = following_ ? std::max(0.0, last - part_->second) : 0.0;
-  return {part_->first + moved, part_->second + moved};
+  const double moved = following_ ? std::max(0.0, last - shownRange_->second) : 0.0;
+  return {shownRange_->first + moved, shownRange_->second + moved};
 }
 
 PlotAxisRange::Range PlotAxisRange::advance(const PlotSeries* series) {
-  if (part_ && series != nullptr && series->size() > 0) {
+  if (shownRange_ && series != nullptr && series->size() > 0) {
     const double newest = series->key(series->size() - 1, axis_);
-    if (newest < newest_ && newest < part_->first) {
+    if (newest < newest_ && newest < shownRange_->first) {
       showAll();
     }
     newest_ = newest;
   }
   const Range now = shown(series);
-  if (part_) {
-    part_ = now;
+  if (shownRange_) {
+    shownRange_ = now;
   }
   return now;
 }
 
 void PlotAxisRange::showAll() {
-  part_.reset();
+  shownRange_.reset();
   following_ = false;
 }
 
@@ -56,7 +56,7 @@ void PlotAxisRange::show(const PlotSeries* series, double lower, double upper) {
   if (series == nullptr || series->size() == 0) {
     return;
   }
-  const auto [first, end] = whole(series);
+  const auto [first, end] = fullRange(series);
   const double last = series->key(series->size() - 1, axis_);
   const double width = std::max(axis_ == PlotAxis::Time ? 0.1 : 4.0, upper - lower);
   if (width >= end - first) {
@@ -66,7 +66,7 @@ void PlotAxisRange::show(const PlotSeries* series, double lower, double upper) {
   // Never beyond the run; a part that reaches the newest frame moves along with it.
   const double from = std::clamp(lower, first, end - width);
   following_ = from + width >= last;
-  part_ = Range(from, from + width);
+  shownRange_ = Range(from, from + width);
   newest_ = last;
 }
 

@@ -16,27 +16,27 @@ public:
 
   PlotAxis axis() const { return axis_; }
   /// Sets the minimum length of the axis in iterations; a shorter run fills it gradually.
-  void setLeastIterations(double least) { leastIterations_ = least; }
+  void setMinIterations(double least) { minIterations_ = least; }
   /// Changes the axis and shows the whole run. Returns false if the axis is already set.
   bool setAxis(PlotAxis axis);
   /// Returns the range of the whole run, extended to the minimum length. A null series means that
   /// nothing was tracked.
-  Range whole(const PlotSeries* series) const;
+  Range fullRange(const PlotSeries* series) const;
   Range shown(const PlotSeries* series) const;
   /// Follows the newest data and returns the range to show. Shows the whole run again if the run
   /// returned to a point before the range shown.
   Range advance(const PlotSeries* series);
-  bool showsAll() const { return !part_.has_value(); }
+  bool showsAll() const { return !shownRange_.has_value(); }
   void showAll();
   /// Shows this range, clamped to the run and to a readable minimum length.
   void show(const PlotSeries* series, double lower, double upper);
 
 private:
   PlotAxis axis_ = PlotAxis::Iterations;
-  double leastIterations_ = 60.0;
-  std::optional<Range> part_; ///< range shown; empty for the whole run
-  bool following_ = false;    ///< the range moves along with the newest data
-  double newest_ = 0.0;       ///< newest position on the axis when the range was last shown
+  double minIterations_ = 60.0;
+  std::optional<Range> shownRange_; ///< range shown; empty for the whole run
+  bool following_ = false;          ///< the range moves along with the newest data
+  double newest_ = 0.0;             ///< newest position on the axis when the range was last shown
 };
 
 } // namespace dewpoint::ui

@@ -92,7 +92,7 @@ void PlotAxisStrip::paintEvent(QPaintEvent*) {
       end = std::max(end, x + width / 2);
     }
   }
-  if (named_) {
+  if (nameShown_) {
     const QString name = kind_ == PlotAxis::Time
                              ? QCoreApplication::translate("PlotAxisStrip", "seconds")
                              : QCoreApplication::translate("PlotAxisStrip", "iteration");

@@ -20,7 +20,7 @@ public:
   /// Sets the plot axis whose numbers are drawn. If it is null, no numbers are drawn.
   void setAxis(QCPAxis* axis, PlotAxis kind);
   /// Sets whether the axis name is drawn at the right end.
-  void setNamed(bool named) { named_ = named; }
+  void setNameShown(bool named) { nameShown_ = named; }
   /// Returns the axis numbers as drawn.
   QStringList labels() const;
 
@@ -35,7 +35,7 @@ private:
   QCustomPlot& plot_;
   QCPAxis* axis_ = nullptr;
   PlotAxis kind_ = PlotAxis::Iterations;
-  bool named_ = true;
+  bool nameShown_ = true;
 };
 
 } // namespace dewpoint::ui

@@ -20,7 +20,7 @@ PlotPanel* installPlots(const Workbench& bench) {
   ViewDock* dock = bench.docks.make({.name = QStringLiteral("plotDock"),
                                      .title = [] { return PlotPanel::tr("Plots"); },
                                      .content = panel,
-                                     .place = DockPlace::Plots,
+                                     .area = DockArea::Plots,
                                      .rank = 0});
   dock->title().addTool(panel->makeTools(&dock->title()));
   bench.connectView(panel);

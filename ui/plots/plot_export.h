@@ -24,7 +24,7 @@ public:
   /// included.
   std::string csv() const;
   /// Returns a figure for publication, as SVG (`asDrawing`) or as pixels.
-  PlotPicture picture(bool asDrawing) const;
+  PlotImage image(bool asDrawing) const;
 
 private:
   QCustomPlot& plot_;

@@ -24,14 +24,14 @@ constexpr int kFigureRowHeight = 96;  ///< at least, however low the plots are i
 PlotFigure::PlotFigure(QCustomPlot& plot, const std::vector<std::unique_ptr<PlotRow>>& rows,
                        PlotAxis axis, PlotCursor& cursor)
     : plot_(plot), rows_(rows), axis_(axis), cursor_(cursor) {
-  paintFor(true);
+  setPaintedForFigure(true);
 }
 
 PlotFigure::~PlotFigure() {
-  paintFor(false);
+  setPaintedForFigure(false);
 }
 
-void PlotFigure::paintFor(bool figure) {
+void PlotFigure::setPaintedForFigure(bool figure) {
   // On paper there is time for smooth lines and need for the name of the axis.
   for (const auto& row : rows_) {
     row->drawForFigure(figure);
@@ -50,8 +50,8 @@ void PlotFigure::paintFor(bool figure) {
                      cursor_.currentFrame.has_value());
 }
 
-PlotPicture PlotFigure::draw(bool asDrawing) {
-  PlotPicture picture;
+PlotImage PlotFigure::draw(bool asDrawing) {
+  PlotImage picture;
   const int rows = static_cast<int>(rows_.size());
   const QSize size(plot_.width(),
                    std::max(plot_.height(), rows * kFigureRowHeight) + kFigureAxisHeight);
@@ -77,7 +77,7 @@ PlotPicture PlotFigure::draw(bool asDrawing) {
   return picture;
 }
 
-bool PlotPicture::save(const QString& file) const {
+bool PlotImage::save(const QString& file) const {
   QSaveFile out(file);
   if (!out.open(QIODevice::WriteOnly)) {
     return false;

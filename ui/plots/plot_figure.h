@@ -19,7 +19,7 @@ class PlotCursor;
 class PlotRow;
 
 /// Plots as drawn, ready to be written to a file.
-struct PlotPicture {
+struct PlotImage {
   QByteArray drawing; ///< SVG; if empty, `pixels` is used
   QImage pixels;
 
@@ -41,10 +41,10 @@ public:
   PlotFigure& operator=(const PlotFigure&) = delete;
 
   /// Draws the current figure, as SVG (`asDrawing`) or as pixels.
-  PlotPicture draw(bool asDrawing);
+  PlotImage draw(bool asDrawing);
 
 private:
-  void paintFor(bool figure);
+  void setPaintedForFigure(bool figure);
 
   QCustomPlot& plot_;
   const std::vector<std::unique_ptr<PlotRow>>& rows_;

@@ -5,12 +5,12 @@ namespace dewpoint::ui {
 
 void PlotNavigation::showAll() {
   range_.showAll();
-  Q_EMIT partChanged();
+  Q_EMIT shownRangeChanged();
 }
 
-void PlotNavigation::showPart(double lower, double upper) {
+void PlotNavigation::showRange(double lower, double upper) {
   range_.show(series_, lower, upper);
-  Q_EMIT partChanged();
+  Q_EMIT shownRangeChanged();
 }
 
 void PlotNavigation::zoom(double factor, std::optional<double> about) {
@@ -19,14 +19,14 @@ void PlotNavigation::zoom(double factor, std::optional<double> about) {
   const double middle = about                                ? *about
                         : (hovered_ || currentFrame_) && row ? series_->key(*row, axis())
                                                              : (lower + upper) / 2.0;
-  showPart(middle - (middle - lower) / factor, middle + (upper - middle) / factor);
+  showRange(middle - (middle - lower) / factor, middle + (upper - middle) / factor);
 }
 
 void PlotNavigation::pan(double share) {
   const auto [lower, upper] = shownRange();
   const double moved = (upper - lower) * share;
   if (!range_.showsAll()) {
-    showPart(lower + moved, upper + moved);
+    showRange(lower + moved, upper + moved);
   }
 }
 

@@ -25,7 +25,7 @@ public:
   /// Sets the series that is drawn. It must outlive this object or be replaced.
   void setSeries(const PlotSeries* series) { series_ = series; }
   const PlotSeries* series() const { return series_; }
-  void setLeastIterations(int least) { range_.setLeastIterations(least); }
+  void setMinIterations(int least) { range_.setMinIterations(least); }
   /// Changes the axis. Returns false if the axis is already set.
   bool setAxis(PlotAxis axis) { return range_.setAxis(axis); }
   PlotAxis axis() const { return range_.axis(); }
@@ -38,7 +38,7 @@ public:
   /// Shows the whole run again.
   void showAll();
   /// Shows this part of the axis.
-  void showPart(double lower, double upper);
+  void showRange(double lower, double upper);
   /// Zooms in by `factor` (above 1) around a position on the axis, or around the cursor.
   void zoom(double factor, std::optional<double> about = std::nullopt);
   /// Pans by a fraction of the visible width.
@@ -65,7 +65,7 @@ public:
 
 Q_SIGNALS:
   /// Emitted when another part of the axis must be shown.
-  void partChanged();
+  void shownRangeChanged();
   /// Emitted when a line or a range has moved.
   void cursorChanged();
 

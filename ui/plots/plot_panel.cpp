@@ -59,7 +59,7 @@ PlotPanel::PlotPanel(ActionRegistry& actions, Selection& selection, QWidget* par
   layout->addWidget(stack_, 1);
   layout->addWidget(convergence_);
   onRetranslate(this, [this] {
-    useCameras();
+    updateCameras();
     stack_->setEmptyText(tr("Plots appear when tracking runs."));
     stack_->setAccessibleName(tr("Plots of the run"));
     stack_->focusProxy()->setAccessibleName(tr("Plots of the run"));
@@ -79,7 +79,7 @@ void PlotPanel::connectActions() {
   for (const auto& [action, plot] : kChoices) {
     QAction* choice = actions_.action(action);
     choice->setChecked(chosen.contains(QLatin1String(plot)));
-    connect(choice, &QAction::toggled, this, &PlotPanel::keepChoice);
+    connect(choice, &QAction::toggled, this, &PlotPanel::saveShownPlots);
   }
   QAction* overTime = actions_.action("actionPlotOverTime");
   connect(overTime, &QAction::toggled, this, [this](bool time) {
@@ -89,8 +89,9 @@ void PlotPanel::connectActions() {
   overTime->setChecked(Preferences().plotsOverTime());
   connect(actions_.action("actionPlotAll"), &QAction::triggered, stack_, &PlotStack::showAll);
   connect(actions_.action("actionPlotCopy"), &QAction::triggered, this, &PlotPanel::copyCsv);
-  connect(actions_.action("actionPlotSave"), &QAction::triggered, this, &PlotPanel::askSave);
-  connect(stack_, &PlotStack::contextMenuWanted, this, [this](const QPoint& place) {
+  connect(actions_.action("actionPlotSave"), &QAction::triggered, this,
+          &PlotPanel::chooseImageFile);
+  connect(stack_, &PlotStack::contextMenuRequested, this, [this](const QPoint& place) {
     QMenu menu(this);
     fillMenu(&menu);
     menu.exec(place);
@@ -109,7 +110,7 @@ void PlotPanel::fillMenu(QMenu* menu) const {
   }
 }
 
-void PlotPanel::keepChoice() {
+void PlotPanel::saveShownPlots() {
   QStringList chosen;
   for (const auto& [action, plot] : kChoices) {
     if (actions_.action(action)->isChecked()) {
@@ -209,7 +210,7 @@ void PlotPanel::updateTargetName() {
   }
 }
 
-void PlotPanel::useCameras() {
+void PlotPanel::updateCameras() {
   stack_->setPlots(showsBoxes_ ? boxRunPlots() : runPlots(cameras_));
 }
 
@@ -234,7 +235,7 @@ void PlotPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
       series->reset(runPlotColumns(static_cast<int>(cameras_.size())));
     }
     convergence_->setBoxes(showsBoxes);
-    useCameras();
+    updateCameras();
   }
 }
 
@@ -266,7 +267,7 @@ void PlotPanel::copyCsv() {
   Q_EMIT notice(tr("The plots are on the clipboard as CSV."));
 }
 
-void PlotPanel::askSave() {
+void PlotPanel::chooseImageFile() {
   const QString file = askForFileToSave(this, tr("Save the plots"), QStringLiteral("plots.svg"),
                                         tr("Drawings (*.svg);;Pictures (*.png)"));
   if (!file.isEmpty()) {
@@ -277,7 +278,7 @@ void PlotPanel::askSave() {
 void PlotPanel::savePicture(const QString& file) {
   const bool asDrawing = file.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive);
   files_.add(
-      [this, file, picture = stack_->exported().picture(asDrawing)]() -> std::function<void()> {
+      [this, file, picture = stack_->exported().image(asDrawing)]() -> std::function<void()> {
         const bool saved = picture.save(file);
         return [this, file, saved] {
           if (saved) {

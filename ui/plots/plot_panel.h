@@ -65,9 +65,9 @@ Q_SIGNALS:
 private:
   void connectActions();
   void fillMenu(QMenu* menu) const;
-  void keepChoice();
-  void useCameras();
-  void askSave();
+  void saveShownPlots();
+  void updateCameras();
+  void chooseImageFile();
   void showCurrentFrame();
   void updateTargetName();
   PlotSeries& seriesOf(int target);

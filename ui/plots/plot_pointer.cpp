@@ -65,10 +65,10 @@ bool PlotPointer::eventFilter(QObject*, QEvent* event) {
     hover(std::nullopt);
     return false;
   case QEvent::ContextMenu:
-    Q_EMIT contextMenuWanted(static_cast<QContextMenuEvent*>(event)->globalPos());
+    Q_EMIT contextMenuRequested(static_cast<QContextMenuEvent*>(event)->globalPos());
     return true;
   case QEvent::KeyPress:
-    return key(static_cast<QKeyEvent*>(event));
+    return handleKey(static_cast<QKeyEvent*>(event));
   default:
     return false;
   }
@@ -106,7 +106,7 @@ void PlotPointer::move(QMouseEvent* event) {
     const double width = pressedRange_.second - pressedRange_.first;
     const int pixels = std::max(1, axis->axisRect()->width());
     const double moved = width * (pressed_.x() - here.x()) / pixels;
-    navigation_.showPart(pressedRange_.first + moved, pressedRange_.second + moved);
+    navigation_.showRange(pressedRange_.first + moved, pressedRange_.second + moved);
   } else if (drag_ == Drag::Zoom) {
     navigation_.setDragged(std::minmax(pressedKey_, now));
   } else if (drag_ == Drag::Range) {
@@ -131,7 +131,7 @@ void PlotPointer::release(QMouseEvent* event) {
     }
   } else if (was == Drag::Zoom && event->pos() != pressed_) {
     const auto [lower, upper] = std::minmax({pressedKey_, keyAt(event->pos().x())});
-    navigation_.showPart(lower, upper);
+    navigation_.showRange(lower, upper);
   } else if (was == Drag::Range && navigation_.selectedRange()) {
     if (event->pos() == pressed_) {
       navigation_.setSelectedRange(std::nullopt);
@@ -142,7 +142,7 @@ void PlotPointer::release(QMouseEvent* event) {
   }
 }
 
-bool PlotPointer::key(QKeyEvent* event) {
+bool PlotPointer::handleKey(QKeyEvent* event) {
   const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
   if (event->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) {
     return false;
@@ -150,16 +150,16 @@ bool PlotPointer::key(QKeyEvent* event) {
   constexpr std::int64_t kFar = std::int64_t{1} << 50;
   switch (event->key()) {
   case Qt::Key_Left:
-    walk(-1, shift);
+    stepFrames(-1, shift);
     return true;
   case Qt::Key_Right:
-    walk(1, shift);
+    stepFrames(1, shift);
     return true;
   case Qt::Key_Home:
-    walk(-kFar, shift);
+    stepFrames(-kFar, shift);
     return true;
   case Qt::Key_End:
-    walk(kFar, shift);
+    stepFrames(kFar, shift);
     return true;
   case Qt::Key_PageUp:
     navigation_.pan(-kKeyPan);
@@ -194,7 +194,7 @@ bool PlotPointer::key(QKeyEvent* event) {
   }
 }
 
-void PlotPointer::walk(std::int64_t frames, bool choosing) {
+void PlotPointer::stepFrames(std::int64_t frames, bool choosing) {
   const auto row = navigation_.cursorRow();
   if (!row) {
     return;

@@ -38,7 +38,7 @@ Q_SIGNALS:
   void frameChosen(qint64 frame);
   void rangeChosen(qint64 first, qint64 last);
   void rangeCleared();
-  void contextMenuWanted(const QPoint& global);
+  void contextMenuRequested(const QPoint& global);
 
 protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -48,8 +48,8 @@ private:
   void press(QMouseEvent* event);
   void move(QMouseEvent* event);
   void release(QMouseEvent* event);
-  bool key(QKeyEvent* event);
-  void walk(std::int64_t frames, bool choosing);
+  bool handleKey(QKeyEvent* event);
+  void stepFrames(std::int64_t frames, bool choosing);
   void hover(std::optional<std::int64_t> frame);
   /// Returns the axis position or the frame at the horizontal plot pixel `x`.
   double keyAt(int x) const;

@@ -124,7 +124,7 @@ int PlotReadout::widthFor(const std::vector<const PlotDeclaration*>& plots, cons
                 : kReadoutBorder + kShortColumns * column + (kShortColumns - 1) * kColumnSpace + 4;
 }
 
-int PlotReadout::linesOf(const PlotDeclaration& plot) {
+int PlotReadout::lineCount(const PlotDeclaration& plot) {
   const int columns = columnsOf(plot);
   const int entries = static_cast<int>(plot.curves.size()) + (hasTruth(plot) ? 1 : 0);
   return (entries + columns - 1) / columns;

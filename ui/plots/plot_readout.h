@@ -32,7 +32,7 @@ public:
   /// Returns the width (pixels) that the readouts of these plots need to form one column.
   static int widthFor(const std::vector<const PlotDeclaration*>& plots, const QFont& font);
   /// Returns the number of text lines in a plot's readout.
-  static int linesOf(const PlotDeclaration& plot);
+  static int lineCount(const PlotDeclaration& plot);
   /// Returns the height of a text line in readouts and captions, in pixels.
   static int lineHeight(const QFont& font);
   void setWidth(int width);

@@ -146,9 +146,9 @@ void PlotRow::prepareAxes() {
   }
 }
 
-int PlotRow::leastHeight(const QFont& font) const {
+int PlotRow::minimumHeightFor(const QFont& font) const {
   const int line = PlotReadout::lineHeight(font);
-  const int lines = std::max(kCaptionLines, PlotReadout::linesOf(*declaration_));
+  const int lines = std::max(kCaptionLines, PlotReadout::lineCount(*declaration_));
   return static_cast<int>(std::lround(heightShare() * (kCaptionLines * line + 2 * kRowGap))) +
          std::max(0, lines - kCaptionLines) * line;
 }
@@ -158,12 +158,12 @@ double PlotRow::heightShare() const {
                                                                                : 1.0;
 }
 
-void PlotRow::setMostTicks() {
+void PlotRow::updateMaxTicks() {
   const int most = std::max(2, rect_->height() / kTickRoom);
   if (declaration_->quantity == PlotQuantity::Length) {
-    static_cast<DecadeTicker&>(*yAxis()->ticker()).setMost(most);
+    static_cast<DecadeTicker&>(*yAxis()->ticker()).setMaxTicks(most);
   } else {
-    static_cast<ValueTicker&>(*yAxis()->ticker()).setMost(most);
+    static_cast<ValueTicker&>(*yAxis()->ticker()).setMaxTicks(most);
   }
 }
 
@@ -199,7 +199,7 @@ PlotRow::Extremes PlotRow::draw(QCPGraph* graph, const PlotSeries& series, PlotA
 }
 
 void PlotRow::fill(const PlotSeries& series, PlotAxis axis) {
-  static_cast<StepTicker&>(*xAxis()->ticker()).setWhole(axis != PlotAxis::Time);
+  static_cast<StepTicker&>(*xAxis()->ticker()).setWholeNumbers(axis != PlotAxis::Time);
   Extremes values;
   Extremes bands;
   bool truthKnown = false;
@@ -207,7 +207,7 @@ void PlotRow::fill(const PlotSeries& series, PlotAxis axis) {
     const CurveDeclaration& curve = declaration_->curves[k];
     const Drawn& drawn = drawn_[k];
     const Extremes its = draw(drawn.curve, series, axis, curve.column);
-    const bool few = its.points > 0 && its.points <= kMostDots;
+    const bool few = its.points > 0 && its.points <= kMaxDots;
     const QColor color = drawn.curve->pen().color();
     drawn.curve->setScatterStyle(
         few ? QCPScatterStyle(QCPScatterStyle::ssDisc, color, color, kDotSize) : QCPScatterStyle());
@@ -224,7 +224,7 @@ void PlotRow::fill(const PlotSeries& series, PlotAxis axis) {
     }
   }
   readout_->setTruthKnown(truthKnown);
-  setMostTicks();
+  updateMaxTicks();
   if (values.any()) {
     fit(values, bands);
   }

@@ -16,7 +16,7 @@ class PlotRow {
 public:
   /// Maximum number of points for which a curve also shows dots. Dots make a run visible that has
   /// just begun.
-  static constexpr int kMostDots = 29;
+  static constexpr int kMaxDots = 29;
 
   /// Creates the plot. The declaration must outlive it.
   PlotRow(QCustomPlot* plot, const PlotDeclaration& declaration, int layoutRow,
@@ -30,7 +30,7 @@ public:
   PlotReadout* readout() const { return readout_; }
   /// Returns the minimum height (pixels) at which the title, readout and two axis numbers are
   /// readable.
-  int leastHeight(const QFont& font) const;
+  int minimumHeightFor(const QFont& font) const;
   /// Returns the row's share of the height, relative to other rows.
   double heightShare() const;
   /// Draws the data within the range of the x axis, and fits the y axis to the data.
@@ -68,7 +68,7 @@ private:
                 const std::optional<PlotSeries::Offset>& offset = std::nullopt) const;
   void fit(const Extremes& values, const Extremes& bands);
   void prepareAxes();
-  void setMostTicks();
+  void updateMaxTicks();
 
   QCustomPlot* plot_;
   const PlotDeclaration* declaration_;

@@ -43,8 +43,8 @@ void PlotScroll::setAxis(QCPAxis* axis, PlotAxis kind) {
   strip_->setAxis(axis, kind);
 }
 
-void PlotScroll::setNamed(bool named) {
-  strip_->setNamed(named);
+void PlotScroll::setNameShown(bool named) {
+  strip_->setNameShown(named);
 }
 
 void PlotScroll::setEmptyText(const QString& sentence) {
@@ -59,7 +59,7 @@ void PlotScroll::showEmpty(bool isEmpty) {
   }
 }
 
-QRect PlotScroll::sight() const {
+QRect PlotScroll::visibleArea() const {
   return {-plot_->pos(), scroll_->viewport()->size()};
 }
 

@@ -24,11 +24,11 @@ public:
   /// Sets the axis whose numbers are shown below. If it is null, no numbers are shown.
   void setAxis(QCPAxis* axis, PlotAxis kind);
   /// Sets whether the name of that axis is also shown.
-  void setNamed(bool named);
+  void setNameShown(bool named);
   void setEmptyText(const QString& sentence);
   void showEmpty(bool isEmpty);
   /// Returns the visible part of the plot, in plot coordinates.
-  QRect sight() const;
+  QRect visibleArea() const;
 
 protected:
   void changeEvent(QEvent* event) override;

@@ -63,7 +63,7 @@ void PlotSeries::append(const Row& row, std::span<const float> values) {
   for (std::size_t column = 0; column < columns_; ++column) {
     known_[column] = known_[column] || std::isfinite(value(rows_.size() - 1, column));
   }
-  if (rows_.size() > kMostRows) {
+  if (rows_.size() > kMaxRows) {
     thin();
   }
 }

@@ -16,11 +16,11 @@ namespace dewpoint::ui {
 enum class PlotAxis { Iterations, Time };
 
 /// Rows of numbers from which several curves are drawn: one row per filter iteration (or frame), in
-/// chronological order. The size is limited: above kMostRows, every second row of the older half is
+/// chronological order. The size is limited: above kMaxRows, every second row of the older half is
 /// removed, repeatedly, so that the newest rows are complete. Unknown values are NaN.
 class PlotSeries {
 public:
-  static constexpr std::size_t kMostRows = 40000;
+  static constexpr std::size_t kMaxRows = 40000;
   struct Row {
     std::int64_t iteration = 0;
     std::int64_t frame = 0;

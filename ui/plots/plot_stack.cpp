@@ -46,10 +46,10 @@ PlotStack::PlotStack(QWidget* parent)
   plot_->addLayer(QStringLiteral("cursor"), plot_->layer(QStringLiteral("overlay")));
   plot_->layer(QStringLiteral("cursor"))->setMode(QCPLayer::lmBuffered);
   cursor_ = new PlotCursor(plot_, QStringLiteral("cursor"));
-  connect(navigation_, &PlotNavigation::partChanged, this, &PlotStack::draw);
+  connect(navigation_, &PlotNavigation::shownRangeChanged, this, &PlotStack::draw);
   connect(navigation_, &PlotNavigation::cursorChanged, this, &PlotStack::drawCursor);
   connect(pointer_, &PlotPointer::hovered, this, &PlotStack::hovered);
-  connect(pointer_, &PlotPointer::contextMenuWanted, this, &PlotStack::contextMenuWanted);
+  connect(pointer_, &PlotPointer::contextMenuRequested, this, &PlotStack::contextMenuRequested);
   timer_.setSingleShot(true);
   connect(&timer_, &QTimer::timeout, this, &PlotStack::draw);
   sinceDrawing_.start();
@@ -64,7 +64,7 @@ void PlotStack::setEmptyText(const QString& sentence) {
 
 void PlotStack::setBare(bool bare) {
   bare_ = bare;
-  scroll_->setNamed(!bare);
+  scroll_->setNameShown(!bare);
   rebuild();
 }
 
@@ -87,7 +87,7 @@ void PlotStack::setSeries(const PlotSeries* series) {
   refresh();
 }
 
-std::vector<const PlotDeclaration*> PlotStack::wantedPlots() const {
+std::vector<const PlotDeclaration*> PlotStack::plotsToShow() const {
   std::vector<const PlotDeclaration*> chosen;
   std::vector<const PlotDeclaration*> known;
   for (const PlotDeclaration& plot : plots_) {
@@ -113,26 +113,26 @@ void PlotStack::rebuild() {
   auto* margins = new QCPMarginGroup(plot_);
   plot_->plotLayout()->setRowSpacing(0);
   plot_->plotLayout()->setColumnSpacing(0);
-  const auto wanted = wantedPlots();
+  const auto wanted = plotsToShow();
   for (const PlotDeclaration* plot : wanted) {
     rows_.push_back(
         std::make_unique<PlotRow>(plot_, *plot, static_cast<int>(rows_.size()), margins));
     cursor_->rects.push_back(rows_.back()->rect());
   }
-  placeRows(wanted);
+  arrangeRows(wanted);
   scroll_->setAxis(rows_.empty() ? nullptr : rows_.front()->xAxis(), axis());
   applyPalette();
   draw();
 }
 
-void PlotStack::placeRows(const std::vector<const PlotDeclaration*>& wanted) {
+void PlotStack::arrangeRows(const std::vector<const PlotDeclaration*>& wanted) {
   const int captionWidth = bare_ ? 0 : PlotCaption::widthFor(wanted, font());
   const int readoutWidth = bare_ ? kBareMargin : PlotReadout::widthFor(wanted, font());
   int height = 0;
   for (const auto& row : rows_) {
     row->caption()->setWidth(captionWidth);
     row->readout()->setWidth(readoutWidth);
-    height += row->leastHeight(font());
+    height += row->minimumHeightFor(font());
   }
   if (!rows_.empty()) { // a number at the upper end of an axis is not cut off
     QMargins margins = rows_.front()->rect()->margins();
@@ -157,7 +157,7 @@ void PlotStack::draw() {
   if (!isVisible() || series() == nullptr) {
     return;
   }
-  const auto wanted = wantedPlots();
+  const auto wanted = plotsToShow();
   const bool same = std::ranges::equal(
       wanted, rows_, [](const auto* plot, const auto& row) { return plot == &row->declaration(); });
   if (!same) {
@@ -244,8 +244,8 @@ QStringList PlotStack::visiblePlots() const {
   return ids;
 }
 
-QStringList PlotStack::plotsInSight() const {
-  const QRect sight = scroll_->sight();
+QStringList PlotStack::fullyVisiblePlots() const {
+  const QRect sight = scroll_->visibleArea();
   QStringList ids;
   for (const auto& row : rows_) {
     const QRect its = row->rect()->rect();

@@ -45,7 +45,7 @@ public:
   /// Sets whether only curves and axes are shown, for a stack whose surroundings explain it.
   void setBare(bool bare);
   /// Sets the minimum length of the axis in iterations. A shorter run fills it gradually.
-  void setLeastIterations(int least) { navigation_->setLeastIterations(least); }
+  void setMinIterations(int least) { navigation_->setMinIterations(least); }
   void setAxis(PlotAxis axis);
   PlotAxis axis() const { return navigation_->axis(); }
 
@@ -63,7 +63,7 @@ public:
   /// Shows the whole run again.
   void showAll() { navigation_->showAll(); }
   /// Shows this part of the axis.
-  void showPart(double lower, double upper) { navigation_->showPart(lower, upper); }
+  void showRange(double lower, double upper) { navigation_->showRange(lower, upper); }
   bool showsAll() const { return navigation_->showsAll(); }
 
   /// Exports what is currently shown, for use in other programs.
@@ -80,7 +80,7 @@ public:
   int drawnPoints() const;
   QStringList visiblePlots() const;
   /// Returns the plots that are fully visible without scrolling.
-  QStringList plotsInSight() const;
+  QStringList fullyVisiblePlots() const;
   /// Returns whether any curve shows dots.
   bool hasDots() const;
 
@@ -91,7 +91,7 @@ Q_SIGNALS:
   /// number means that it is on no frame.
   void hovered(qint64 frame);
   void cursorMoved();
-  void contextMenuWanted(const QPoint& global);
+  void contextMenuRequested(const QPoint& global);
 
 protected:
   void changeEvent(QEvent* event) override;
@@ -100,11 +100,11 @@ protected:
 
 private:
   void rebuild();
-  void placeRows(const std::vector<const PlotDeclaration*>& wanted);
+  void arrangeRows(const std::vector<const PlotDeclaration*>& wanted);
   void draw();
   void drawCursor();
   void applyPalette();
-  std::vector<const PlotDeclaration*> wantedPlots() const;
+  std::vector<const PlotDeclaration*> plotsToShow() const;
   const PlotSeries* series() const { return navigation_->series(); }
 
   QCustomPlot* plot_;

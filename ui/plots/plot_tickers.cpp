@@ -35,7 +35,7 @@ std::int64_t multiplesWithin(const QCPRange& range, double step) {
 QVector<double> DecadeTicker::createTickVector(double, const QCPRange& range) {
   const int first = static_cast<int>(std::ceil(std::log10(range.lower)));
   const int last = static_cast<int>(std::floor(std::log10(range.upper)));
-  const int gaps = std::max(1, most_ - 1);
+  const int gaps = std::max(1, maxTicks_ - 1);
   const int step = std::max(1, (last - first + gaps - 1) / gaps);
   QVector<double> ticks;
   for (int decade = first; decade <= last; decade += step) {
@@ -46,7 +46,7 @@ QVector<double> DecadeTicker::createTickVector(double, const QCPRange& range) {
 
 double StepTicker::getTickStep(const QCPRange& range) {
   const double step = QCPAxisTicker::getTickStep(range);
-  if (!whole_ || step == std::round(step)) {
+  if (!wholeNumbers_ || step == std::round(step)) {
     return step;
   }
   return step < 1.0 ? 1.0 : 2.0 * step; // 2.5
@@ -76,11 +76,11 @@ QVector<double> ValueTicker::createTickVector(double, const QCPRange& range) {
   while (multiplesWithin(range, step) < 2) {
     step = smallerStep(step);
   }
-  while (multiplesWithin(range, smallerStep(step)) <= most_) {
+  while (multiplesWithin(range, smallerStep(step)) <= maxTicks_) {
     step = smallerStep(step);
   }
   const std::int64_t count = multiplesWithin(range, step);
-  const std::int64_t most = std::max(2, most_);
+  const std::int64_t most = std::max(2, maxTicks_);
   const std::int64_t stride = (count + most - 1) / most;
   const double first = std::ceil(range.lower / step);
   QVector<double> ticks;

@@ -11,20 +11,20 @@ namespace dewpoint::ui {
 /// highest tick have priority.
 class DecadeTicker : public QCPAxisTicker {
 public:
-  void setMost(int most) { most_ = most; }
+  void setMaxTicks(int most) { maxTicks_ = most; }
 
 protected:
   int getSubTickCount(double) override { return 0; }
   QVector<double> createTickVector(double, const QCPRange& range) override;
 
 private:
-  int most_ = 2;
+  int maxTicks_ = 2;
 };
 
 /// Ticker whose labels have as many decimals as the tick step: 2.5, 5.0, 7.5.
 class StepTicker : public QCPAxisTicker {
 public:
-  void setWhole(bool whole) { whole_ = whole; }
+  void setWholeNumbers(bool whole) { wholeNumbers_ = whole; }
 
 protected:
   double getTickStep(const QCPRange& range) override;
@@ -34,21 +34,21 @@ protected:
   double step_ = 1.0; ///< current step between ticks
 
 private:
-  bool whole_ = false;
+  bool wholeNumbers_ = false;
 };
 
 /// Ticker for plots of small height. It draws at least two and at most a set number of ticks, at
 /// multiples of 1, 2 or 5 times a power of ten.
 class ValueTicker : public StepTicker {
 public:
-  void setMost(int most) { most_ = most; }
+  void setMaxTicks(int most) { maxTicks_ = most; }
 
 protected:
   int getSubTickCount(double) override { return 0; }
   QVector<double> createTickVector(double step, const QCPRange& range) override;
 
 private:
-  int most_ = 2;
+  int maxTicks_ = 2;
 };
 
 } // namespace dewpoint::ui

@@ -88,7 +88,7 @@ void Preferences::setLastFolder(const QString& folder) {
   write(kLastFolder, folder);
 }
 
-int Preferences::filterThreads() const {
+int Preferences::filterThreadCount() const {
   return std::max(0, read(kFilterThreads, 0).toInt());
 }
 
@@ -141,9 +141,9 @@ BoardPreferences Preferences::board(const BoardPreferences& otherwise) const {
   board.board = read(kBoard, otherwise.board).toString();
   board.lensModel = read(kBoardModel, otherwise.lensModel).toInt();
   board.lenses = read(kBoardLenses, otherwise.lenses).toBool();
-  board.places = read(kBoardPlaces, otherwise.places).toBool();
+  board.positions = read(kBoardPlaces, otherwise.positions).toBool();
   board.lensAccuracy = read(kBoardLensAccuracy, otherwise.lensAccuracy).toDouble();
-  board.placeAccuracy = read(kBoardPlaceAccuracy, otherwise.placeAccuracy).toDouble();
+  board.positionAccuracy = read(kBoardPlaceAccuracy, otherwise.positionAccuracy).toDouble();
   return board;
 }
 
@@ -151,9 +151,9 @@ void Preferences::setBoard(const BoardPreferences& board) {
   write(kBoard, board.board);
   write(kBoardModel, board.lensModel);
   write(kBoardLenses, board.lenses);
-  write(kBoardPlaces, board.places);
+  write(kBoardPlaces, board.positions);
   write(kBoardLensAccuracy, board.lensAccuracy);
-  write(kBoardPlaceAccuracy, board.placeAccuracy);
+  write(kBoardPlaceAccuracy, board.positionAccuracy);
 }
 
 Theme themeFromName(const QString& name) {

@@ -17,12 +17,13 @@ enum class Theme { System, Light, Dark };
 
 /// Settings for board calibration, shared by all projects.
 struct BoardPreferences {
-  QString board;            ///< in the format of parseBoard(); empty for the default board
-  int lensModel = 0;        ///< value of IntrinsicsModel
-  bool lenses = true;       ///< whether intrinsics are calibrated
-  bool places = true;       ///< whether positions are calibrated
-  double lensAccuracy = 0;  ///< requested accuracy of the intrinsics, pixels
-  double placeAccuracy = 0; ///< requested accuracy of the positions, as a fraction of the distance
+  QString board;           ///< in the format of parseBoard(); empty for the default board
+  int lensModel = 0;       ///< value of IntrinsicsModel
+  bool lenses = true;      ///< whether intrinsics are calibrated
+  bool positions = true;   ///< whether positions are calibrated
+  double lensAccuracy = 0; ///< requested accuracy of the intrinsics, pixels
+  double positionAccuracy =
+      0; ///< requested accuracy of the positions, as a fraction of the distance
 };
 
 /// Typed settings that the program stores for the user between sessions. All keys are in one file.
@@ -52,8 +53,8 @@ public:
   void setLastFolder(const QString& folder);
 
   /// Returns the number of filter threads, used from the next run on. If it is 0, core/session
-  /// selects the number (base::filterThreads). The results do not depend on it.
-  int filterThreads() const;
+  /// selects the number (base::filterThreadCount). The results do not depend on it.
+  int filterThreadCount() const;
   void setFilterThreads(int threads);
 
   /// Returns whether a run is played iteration by iteration until every target is held (Pace).

@@ -25,7 +25,7 @@ std::optional<EllipsoidAxes> axesOf(const Eigen::Matrix3d& matrix) {
   return axes;
 }
 
-void turn(vtkActor* actor, const Eigen::Matrix3d& directions) {
+void setOrientation(vtkActor* actor, const Eigen::Matrix3d& directions) {
   vtkNew<vtkMatrix4x4> pose;
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 3; ++column) {

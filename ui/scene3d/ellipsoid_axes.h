@@ -20,6 +20,6 @@ std::optional<EllipsoidAxes> axesOf(const Eigen::Matrix3d& matrix);
 
 /// Rotates an actor so that its axes point along the columns of `directions`, which must be
 /// right-handed.
-void turn(vtkActor* actor, const Eigen::Matrix3d& directions);
+void setOrientation(vtkActor* actor, const Eigen::Matrix3d& directions);
 
 } // namespace dewpoint::ui

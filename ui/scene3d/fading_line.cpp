@@ -47,7 +47,7 @@ private:
 
 FadingLine::FadingLine(vtkRenderer* renderer, double widthPx, double outlinePx)
     : renderer_(renderer), widthPx_(widthPx), outlinePx_(outlinePx),
-      outline_(addedInTurn(renderer, outlineData_)), line_(addedInTurn(renderer, data_)) {}
+      outline_(addNewActor(renderer, outlineData_)), line_(addNewActor(renderer, data_)) {}
 
 FadingLine::~FadingLine() {
   renderer_->RemoveActor(outline_);

@@ -28,8 +28,8 @@ constexpr std::array<std::array<double, 2>, 4> kRings{
 } // namespace
 
 FloorShadow::FloorShadow(vtkRenderer* renderer)
-    : renderer_(renderer), disc_(addedInTurn(renderer, discData_)),
-      plumb_(addedInTurn(renderer, plumbData_)) {
+    : renderer_(renderer), disc_(addNewActor(renderer, discData_)),
+      plumb_(addNewActor(renderer, plumbData_)) {
   drawDisc(false);
 }
 
@@ -38,8 +38,8 @@ FloorShadow::~FloorShadow() {
   renderer_->RemoveActor(plumb_);
 }
 
-void FloorShadow::drawDisc(bool darkGround) {
-  const double strongest = darkGround ? 150.0 : 70.0;
+void FloorShadow::drawDisc(bool darkBackground) {
+  const double strongest = darkBackground ? 150.0 : 70.0;
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> faces;
   vtkNew<vtkUnsignedCharArray> colors;
@@ -89,9 +89,9 @@ void FloorShadow::hide() {
   plumb_->VisibilityOff();
 }
 
-void FloorShadow::setColors(const SceneColor& plumb, bool darkGround) {
+void FloorShadow::setColors(const SceneColor& plumb, bool darkBackground) {
   paint(plumb_, plumb, 0.45);
-  drawDisc(darkGround);
+  drawDisc(darkBackground);
 }
 
 void FloorShadow::prepareFrame(const ScreenScale& scale) {

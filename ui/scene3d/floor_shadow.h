@@ -24,11 +24,11 @@ public:
   /// Shows the shadow below `point` of an object with this radius. World coordinates, meters.
   void show(const Eigen::Vector3d& point, double radius);
   void hide();
-  void setColors(const SceneColor& plumb, bool darkGround);
+  void setColors(const SceneColor& plumb, bool darkBackground);
   void prepareFrame(const ScreenScale& scale);
 
 private:
-  void drawDisc(bool darkGround);
+  void drawDisc(bool darkBackground);
 
   vtkRenderer* renderer_;
   Eigen::Vector3d point_ = Eigen::Vector3d::Zero();

@@ -71,7 +71,7 @@ FrustumImages::Sheet& FrustumImages::sheet(std::size_t index) {
     auto made = std::make_unique<Sheet>();
     made->texture->SetInputData(made->pixels);
     made->texture->InterpolateOn();
-    made->actor = addedInTurn(renderer_, made->quad);
+    made->actor = addNewActor(renderer_, made->quad);
     made->actor->SetTexture(made->texture);
     made->actor->GetProperty()->SetOpacity(kImageOpacity);
     sheets_.push_back(std::move(made));

@@ -64,7 +64,7 @@ GlassBody::GlassBody(vtkRenderer* renderer, Layer layer)
   actor_->VisibilityOff();
   actor_->GetShaderProperty()->AddFragmentShaderReplacement(
       kLightTag, true, layer == Layer::Fill ? kFillShader : kRimShader, false);
-  setLook(SceneColor::Zero(), SceneColor::Zero(), 0.0, 0.0);
+  setAppearance(SceneColor::Zero(), SceneColor::Zero(), 0.0, 0.0);
   const std::array<float, 3> towardsEye{0.0F, 0.0F, 1.0F};
   uniformsOf(actor_)->SetUniform3f("eyeSide", towardsEye.data());
   addNew(renderer_, actor_);
@@ -74,8 +74,8 @@ GlassBody::~GlassBody() {
   renderer_->RemoveActor(actor_);
 }
 
-void GlassBody::setLook(const SceneColor& color, const SceneColor& rim, double middle,
-                        double atRim) {
+void GlassBody::setAppearance(const SceneColor& color, const SceneColor& rim, double middle,
+                              double atRim) {
   paint(actor_, color);
   const Eigen::Vector3f edge = rim.cast<float>();
   uniformsOf(actor_)->SetUniform3f("rimColor", edge.data());
@@ -83,11 +83,11 @@ void GlassBody::setLook(const SceneColor& color, const SceneColor& rim, double m
   uniformsOf(actor_)->SetUniformf("rimAlpha", static_cast<float>(atRim));
 }
 
-void GlassBody::place(const Eigen::Vector3d& center, const Eigen::Matrix3d& directions,
-                      const Eigen::Vector3d& semiAxes, const ScreenScale& scale) {
+void GlassBody::setPose(const Eigen::Vector3d& center, const Eigen::Matrix3d& directions,
+                        const Eigen::Vector3d& semiAxes, const ScreenScale& scale) {
   actor_->SetPosition(center.x(), center.y(), center.z());
   actor_->SetScale(semiAxes.x(), semiAxes.y(), semiAxes.z());
-  turn(actor_, directions);
+  setOrientation(actor_, directions);
   // The eye is far away compared with the body: one direction for all of it.
   const Eigen::Vector3d toEye = scale.parallel ? Eigen::Vector3d(-scale.direction)
                                                : Eigen::Vector3d((scale.eye - center).normalized());

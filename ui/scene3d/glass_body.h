@@ -25,11 +25,11 @@ public:
 
   void setVisible(bool visible) { actor_->SetVisibility(visible); }
   /// Sets the colors and opacities (0 to 1) of the center (only Fill) and the rim.
-  void setLook(const SceneColor& color, const SceneColor& rim, double middle, double atRim);
+  void setAppearance(const SceneColor& color, const SceneColor& rim, double middle, double atRim);
   /// Places the body at `center`. The columns of `directions` are the axes, right-handed. World
   /// coordinates, meters.
-  void place(const Eigen::Vector3d& center, const Eigen::Matrix3d& directions,
-             const Eigen::Vector3d& semiAxes, const ScreenScale& scale);
+  void setPose(const Eigen::Vector3d& center, const Eigen::Matrix3d& directions,
+               const Eigen::Vector3d& semiAxes, const ScreenScale& scale);
 
 private:
   vtkRenderer* renderer_;

@@ -186,10 +186,11 @@ void Ground::setPalette(const ScenePalette& palette) {
   }
 }
 
-void Ground::appendTexts(const ScreenScale& scale, std::vector<Eigen::AlignedBox2d>& places) const {
+void Ground::appendTextAreas(const ScreenScale& scale,
+                             std::vector<Eigen::AlignedBox2d>& places) const {
   for (int axis = 0; axis < 3; ++axis) {
-    names_[axis].appendPlaces(scale, places);
-    numbers_[axis].appendPlaces(scale, places);
+    names_[axis].appendTextAreas(scale, places);
+    numbers_[axis].appendTextAreas(scale, places);
   }
 }
 

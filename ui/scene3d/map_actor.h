@@ -39,7 +39,7 @@ private:
     vtkNew<vtkPolyData> data;
     vtkSmartPointer<vtkActor> actor;
   };
-  static constexpr std::size_t kMostSurfaces = 3;
+  static constexpr std::size_t kMaxSurfaces = 3;
   void drawBox();
   void drawSlice();
   void drawSurfaces();
@@ -51,7 +51,7 @@ private:
   vtkNew<vtkPolyData> sliceData_;
   vtkSmartPointer<vtkActor> box_;
   vtkSmartPointer<vtkActor> slice_;
-  std::array<Surface, kMostSurfaces> surfaces_;
+  std::array<Surface, kMaxSurfaces> surfaces_;
   std::shared_ptr<const RigMap> map_;
   MapLook look_;
 };

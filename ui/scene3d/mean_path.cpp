@@ -20,7 +20,7 @@ void MeanPath::add(const TrackSnapshot& snapshot) {
       path.clear();
       continue;
     }
-    if (path.size() == kLongest) {
+    if (path.size() == kMaxPositions) {
       path.erase(path.begin());
     }
     path.push_back(position->mean);

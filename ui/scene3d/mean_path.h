@@ -14,7 +14,7 @@ namespace dewpoint::ui {
 /// shows how the filter converges, iteration by iteration.
 class MeanPath {
 public:
-  static constexpr std::size_t kLongest = 60; ///< number of positions
+  static constexpr std::size_t kMaxPositions = 60; ///< number of positions
 
   /// Adds the next snapshot. A snapshot from the past, or from a restarted run, starts a new path.
   void add(const TrackSnapshot& snapshot);

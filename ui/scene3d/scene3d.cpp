@@ -44,7 +44,7 @@ void Scene3d::setSnapshot(const TrackSnapshot& snapshot) {
   if (parts.imagesShown) {
     parts.images.show(parts.frusta.glyphs(), snapshot.frames);
   }
-  const std::size_t count = std::min(snapshot.targets.size(), SceneParts::kMostBodies);
+  const std::size_t count = std::min(snapshot.targets.size(), SceneParts::kMaxBodies);
   parts.showCrowd(snapshot);
   if (parts.targets.size() > count) {
     parts.targets.resize(count);
@@ -62,7 +62,7 @@ void Scene3d::setSnapshot(const TrackSnapshot& snapshot) {
     actors.show(target);
     // Of people there would be too many to be read.
     const bool rays = parts.raysShown && !snapshot.family.findsTargets();
-    actors.showSights(rays ? sightLines(snapshot, target) : std::vector<SightLine>());
+    actors.showLinesOfSight(rays ? sightLines(snapshot, target) : std::vector<SightLine>());
     actors.showPath(parts.path.of(i));
     actors.setChosen(static_cast<int>(i) == parts.chosenTarget);
     actors.setBestShown(parts.bestShown);
@@ -73,7 +73,7 @@ void Scene3d::setSnapshot(const TrackSnapshot& snapshot) {
   }
 }
 
-void Scene3d::follow(const TrackSnapshot& snapshot) {
+void Scene3d::recordSnapshot(const TrackSnapshot& snapshot) {
   parts_->path.add(snapshot);
 }
 
@@ -113,7 +113,7 @@ void Scene3d::showMap(std::shared_ptr<const RigMap> map, const MapLook& look) {
   const Eigen::AlignedBox3d now = parts.map.volume();
   if (before.isEmpty() != now.isEmpty() || (!now.isEmpty() && !before.isApprox(now))) {
     parts.coverGround();
-    parts.frameWanted = parts.frameWanted || !parts.moved;
+    parts.framingPending = parts.framingPending || !parts.moved;
   }
 }
 
@@ -133,8 +133,8 @@ std::optional<Eigen::Vector3d> Scene3d::positionInLayer(const Eigen::Vector2d& p
 std::optional<Eigen::Vector3d> Scene3d::positionAtHeight(const Eigen::Vector2d& place,
                                                          double height) const {
   const ScreenScale& scale = parts_->scale;
-  const Eigen::Vector3d near = scale.world(place, scale.eye + scale.direction);
-  const Eigen::Vector3d far = scale.world(place, scale.eye + 2.0 * scale.direction);
+  const Eigen::Vector3d near = scale.unproject(place, scale.eye + scale.direction);
+  const Eigen::Vector3d far = scale.unproject(place, scale.eye + 2.0 * scale.direction);
   const double fall = far.z() - near.z();
   if (std::abs(fall) < 1e-6) {
     return std::nullopt;
@@ -155,12 +155,12 @@ void Scene3d::showVolume(const std::optional<WorldBox>& volume) {
   const Eigen::AlignedBox3d before = parts.room();
   parts.volume.show(lines);
   if (!parts.room().isApprox(before)) {
-    parts.frameWanted = parts.frameWanted || !parts.moved;
+    parts.framingPending = parts.framingPending || !parts.moved;
   }
 }
 
-void Scene3d::showSight(const std::vector<Eigen::Vector3d>& line) {
-  line.empty() ? parts_->sight.show({}) : parts_->sight.show({line});
+void Scene3d::showLineOfSight(const std::vector<Eigen::Vector3d>& line) {
+  line.empty() ? parts_->lineOfSight.show({}) : parts_->lineOfSight.show({line});
 }
 
 void Scene3d::showPlanned(const CameraRig& cameras) {
@@ -183,7 +183,7 @@ Scene3d::View Scene3d::view() const {
 
 void Scene3d::resetView() {
   parts_->moved = false;
-  parts_->frameWanted = true;
+  parts_->framingPending = true;
 }
 
 void Scene3d::keepCamera() {
@@ -207,9 +207,9 @@ void Scene3d::prepareFrame(int width, int height) {
   const bool resized = width != parts.width || height != parts.height;
   parts.width = width;
   parts.height = height;
-  if (parts.frameWanted || (resized && !parts.moved)) {
+  if (parts.framingPending || (resized && !parts.moved)) {
     parts.frame();
-    parts.frameWanted = false;
+    parts.framingPending = false;
   }
   parts.keepUpright();
   parts.setClipping();
@@ -219,7 +219,7 @@ void Scene3d::prepareFrame(int width, int height) {
   parts.planned.prepareFrame(parts.scale);
   parts.map.prepareFrame(parts.scale);
   parts.volume.prepareFrame(parts.scale);
-  parts.sight.prepareFrame(parts.scale);
+  parts.lineOfSight.prepareFrame(parts.scale);
   parts.range.prepareFrame(parts.scale);
   parts.crowd.prepareFrame(parts.scale, focus());
   for (const auto& target : parts.targets) {
@@ -239,17 +239,17 @@ std::vector<CameraGlyph> Scene3d::cameraGlyphs() const {
   return glyphs;
 }
 
-std::vector<Eigen::AlignedBox2d> Scene3d::textsInPicture() const {
+std::vector<Eigen::AlignedBox2d> Scene3d::textAreas() const {
   std::vector<Eigen::AlignedBox2d> places;
-  parts_->ground.appendTexts(parts_->scale, places);
+  parts_->ground.appendTextAreas(parts_->scale, places);
   return places;
 }
 
-Eigen::Vector3d Scene3d::rightInPicture() const {
+Eigen::Vector3d Scene3d::rightAxisInWorld() const {
   return parts_->scale.right;
 }
 
-Eigen::Vector3d Scene3d::upInPicture() const {
+Eigen::Vector3d Scene3d::upAxisInWorld() const {
   return parts_->scale.up;
 }
 
@@ -265,13 +265,13 @@ Eigen::Vector3d Scene3d::focus() const {
   return Eigen::Vector3d(parts_->camera->GetFocalPoint());
 }
 
-Eigen::Vector2d Scene3d::placeInPicture(const Eigen::Vector3d& point) const {
-  return parts_->scale.place(point);
+Eigen::Vector2d Scene3d::projectToImage(const Eigen::Vector3d& point) const {
+  return parts_->scale.project(point);
 }
 
-Eigen::Vector3d Scene3d::placeInWorld(const Eigen::Vector2d& place,
-                                      const Eigen::Vector3d& depth) const {
-  return parts_->scale.world(place, depth);
+Eigen::Vector3d Scene3d::unproject(const Eigen::Vector2d& place,
+                                   const Eigen::Vector3d& depth) const {
+  return parts_->scale.unproject(place, depth);
 }
 
 double Scene3d::metersPerPixel() const {

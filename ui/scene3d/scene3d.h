@@ -47,7 +47,7 @@ public:
   void setSnapshot(const TrackSnapshot& snapshot);
   /// Records every snapshot, whether it is drawn or not. The next rendering shows the path of the
   /// mean for each target that is not yet held.
-  void follow(const TrackSnapshot& snapshot);
+  void recordSnapshot(const TrackSnapshot& snapshot);
   /// Highlights the selected target if it is a person. If `target` is -1, nothing is highlighted.
   void choose(int target);
   /// Sets whether each target's highest-weight particle is marked; off by default.
@@ -64,7 +64,7 @@ public:
   void showMap(std::shared_ptr<const RigMap> map, const MapLook& look);
   /// Returns the position on the map layer that is seen at `place` in the rendered image, as of the
   /// last `prepareFrame()`. Returns nothing outside the layer or without one. `place` is in device
-  /// pixels, as in `placeInPicture()`.
+  /// pixels, as in `projectToImage()`.
   std::optional<Eigen::Vector3d> positionInLayer(const Eigen::Vector2d& place) const;
   /// Returns the point at this height (world z, meters) that is seen at `place` in the rendered
   /// image. Returns nothing if the plane at this height is seen edge-on.
@@ -75,7 +75,7 @@ public:
   void showVolume(const std::optional<WorldBox>& volume);
   /// Shows a line of sight through the room (points in meters), or hides it if `line` is empty.
   /// Stays in effect until the next call. The view is never fitted to it.
-  void showSight(const std::vector<Eigen::Vector3d>& line);
+  void showLineOfSight(const std::vector<Eigen::Vector3d>& line);
   /// Shows planned cameras, which look different from those of the rig.
   void showPlanned(const CameraRig& cameras);
   /// Removes everything except the empty grid.
@@ -97,12 +97,12 @@ public:
   /// Returns the cameras as drawn: those of the rig and the planned ones.
   std::vector<CameraGlyph> cameraGlyphs() const;
   /// Returns the areas of the axis numbers and names in the rendered image, as of the last
-  /// `prepareFrame()`. Coordinates are as in `placeInPicture()`.
-  std::vector<Eigen::AlignedBox2d> textsInPicture() const;
+  /// `prepareFrame()`. Coordinates are as in `projectToImage()`.
+  std::vector<Eigen::AlignedBox2d> textAreas() const;
   /// Returns the right or up axis of the rendered image as a unit vector in world coordinates, as
   /// of the last `prepareFrame()`.
-  Eigen::Vector3d rightInPicture() const;
-  Eigen::Vector3d upInPicture() const;
+  Eigen::Vector3d rightAxisInWorld() const;
+  Eigen::Vector3d upAxisInWorld() const;
   /// Returns whether a point is in front of the viewer. If it is not, it has no position in the
   /// rendered image.
   bool isInFront(const Eigen::Vector3d& point) const;
@@ -110,10 +110,10 @@ public:
   Eigen::Vector3d focus() const;
   /// Returns the position of a world point in the rendered image, as of the last `prepareFrame()`:
   /// device pixels to the right of and above the center.
-  Eigen::Vector2d placeInPicture(const Eigen::Vector3d& point) const;
+  Eigen::Vector2d projectToImage(const Eigen::Vector3d& point) const;
   /// Returns the world point at a position in the rendered image, at the same depth as the point
-  /// `depth`. This is the inverse of `placeInPicture()`.
-  Eigen::Vector3d placeInWorld(const Eigen::Vector2d& place, const Eigen::Vector3d& depth) const;
+  /// `depth`. This is the inverse of `projectToImage()`.
+  Eigen::Vector3d unproject(const Eigen::Vector2d& place, const Eigen::Vector3d& depth) const;
   /// Converts a length in meters at `point` to logical pixels, as of the last `prepareFrame()`.
   double logicalPixels(const Eigen::Vector3d& point, double meters) const;
   /// Returns the meters per device pixel at the focus, as of the last `prepareFrame()`.

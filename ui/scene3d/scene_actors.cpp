@@ -40,27 +40,27 @@ double ScreenScale::meters(const Eigen::Vector3d& point, double pixels) const {
   return pixels * pixelRatio * perPixel;
 }
 
-Eigen::Vector2d ScreenScale::place(const Eigen::Vector3d& point) const {
+Eigen::Vector2d ScreenScale::project(const Eigen::Vector3d& point) const {
   const double perPixel = parallel ? metersPerPixel : slope * std::max(depth(point), 1e-3);
   return Eigen::Vector2d((point - eye).dot(right), (point - eye).dot(up)) / perPixel;
 }
 
-Eigen::Vector3d ScreenScale::world(const Eigen::Vector2d& place,
-                                   const Eigen::Vector3d& like) const {
+Eigen::Vector3d ScreenScale::unproject(const Eigen::Vector2d& place,
+                                       const Eigen::Vector3d& like) const {
   const double perPixel = parallel ? metersPerPixel : slope * std::max(depth(like), 1e-3);
   return eye + depth(like) * direction + perPixel * (place.x() * right + place.y() * up);
 }
 
-double ScreenScale::nearerFactor(const Eigen::Vector3d& point, double distance) const {
+double ScreenScale::closerFactor(const Eigen::Vector3d& point, double distance) const {
   const double away = (point - eye).norm();
   return parallel || away <= 0.0 ? 1.0 : std::clamp(1.0 - distance / away, 0.3, 1.0);
 }
 
-Eigen::Vector3d ScreenScale::nearer(const Eigen::Vector3d& point, double distance) const {
+Eigen::Vector3d ScreenScale::movedCloser(const Eigen::Vector3d& point, double distance) const {
   if (parallel) {
     return point - direction * distance;
   }
-  return eye + (point - eye) * nearerFactor(point, distance);
+  return eye + (point - eye) * closerFactor(point, distance);
 }
 
 void addNew(vtkRenderer* renderer, vtkProp* prop) {
@@ -78,7 +78,7 @@ vtkSmartPointer<vtkActor> flatActor(vtkPolyData* data) {
   return actor;
 }
 
-vtkSmartPointer<vtkActor> addedInTurn(vtkRenderer* renderer, vtkPolyData* data) {
+vtkSmartPointer<vtkActor> addNewActor(vtkRenderer* renderer, vtkPolyData* data) {
   auto actor = flatActor(data);
   actor->ForceTranslucentOn();
   actor->VisibilityOff();
@@ -183,8 +183,8 @@ void SceneLabels::paintLabel(const Label& label) const {
   style->SetBackgroundOpacity(0.55);
 }
 
-void SceneLabels::appendPlaces(const ScreenScale& scale,
-                               std::vector<Eigen::AlignedBox2d>& places) const {
+void SceneLabels::appendTextAreas(const ScreenScale& scale,
+                                  std::vector<Eigen::AlignedBox2d>& places) const {
   constexpr double kCharacter = 0.6; // of the height, wide
   for (const Label& label : labels_) {
     if (label.actor->GetVisibility() == 0) {
@@ -194,7 +194,7 @@ void SceneLabels::appendPlaces(const ScreenScale& scale,
     const double width =
         kCharacter * height * static_cast<double>(std::string_view(label.actor->GetInput()).size());
     const double side = label.right > 0.0 ? 0.5 : label.right < 0.0 ? -0.5 : 0.0;
-    const Eigen::Vector2d center = scale.place(label.point) +
+    const Eigen::Vector2d center = scale.project(label.point) +
                                    height * Eigen::Vector2d(label.right, label.up) +
                                    Eigen::Vector2d(side * width, 0.0);
     const Eigen::Vector2d half(0.5 * width, 0.5 * height);

@@ -35,15 +35,15 @@ struct ScreenScale {
   double depth(const Eigen::Vector3d& point) const { return (point - eye).dot(direction); }
   /// Returns the scale factor, relative to the viewer, that brings an object `distance` meters
   /// closer without changing its apparent size. In parallel views, the object is only moved.
-  double nearerFactor(const Eigen::Vector3d& point, double distance) const;
-  Eigen::Vector3d nearer(const Eigen::Vector3d& point, double distance) const;
+  double closerFactor(const Eigen::Vector3d& point, double distance) const;
+  Eigen::Vector3d movedCloser(const Eigen::Vector3d& point, double distance) const;
   /// Converts a length in logical pixels at `point` to meters.
   double meters(const Eigen::Vector3d& point, double pixels) const;
   /// Returns the position of a point in the rendered image: device pixels to the right of and above
   /// the center.
-  Eigen::Vector2d place(const Eigen::Vector3d& point) const;
+  Eigen::Vector2d project(const Eigen::Vector3d& point) const;
   /// Returns the world point at a position in the rendered image, at the same depth as `like`.
-  Eigen::Vector3d world(const Eigen::Vector2d& place, const Eigen::Vector3d& like) const;
+  Eigen::Vector3d unproject(const Eigen::Vector2d& place, const Eigen::Vector3d& like) const;
 };
 
 /// Adds a prop that has not been added to the renderer yet. AddActor first searches all existing
@@ -53,7 +53,7 @@ void addNew(vtkRenderer* renderer, vtkProp* prop);
 vtkSmartPointer<vtkActor> flatActor(vtkPolyData* data);
 /// Creates such an actor, initially hidden, and adds it. Actors are blended in the order of
 /// addition.
-vtkSmartPointer<vtkActor> addedInTurn(vtkRenderer* renderer, vtkPolyData* data);
+vtkSmartPointer<vtkActor> addNewActor(vtkRenderer* renderer, vtkPolyData* data);
 /// Sets an actor's color and opacity (0 to 1).
 void paint(vtkActor* actor, const SceneColor& color, double opacity = 1.0);
 /// Returns red, green and blue, 0 to 255.
@@ -90,7 +90,7 @@ public:
   void prepareFrame(const ScreenScale& scale);
   /// Appends the approximate areas of the texts in the rendered image: device pixels to the right
   /// of and above the center.
-  void appendPlaces(const ScreenScale& scale, std::vector<Eigen::AlignedBox2d>& places) const;
+  void appendTextAreas(const ScreenScale& scale, std::vector<Eigen::AlignedBox2d>& places) const;
 
 private:
   struct Label {

@@ -33,7 +33,7 @@ SceneColor sceneTargetColor(std::size_t index) {
 }
 
 std::optional<SceneColor> identityColorOf(const std::string& name) {
-  const auto identity = personIdentity(name);
+  const auto identity = identityFromName(name);
   if (!identity) {
     return std::nullopt;
   }

@@ -42,7 +42,7 @@ void SceneParts::applyPalette() {
   map.setPalette(palette());
   range.setPalette(palette());
   volume.setColor(palette().text, 0.55);
-  sight.setColor(palette().truth, 0.8);
+  lineOfSight.setColor(palette().truth, 0.8);
   crowd.setColors(palette().text, palette().text);
   applyTargetColors();
 }
@@ -65,7 +65,7 @@ void SceneParts::showRig(const std::shared_ptr<const CameraRig>& shown) {
   const std::shared_ptr<const CameraRig> last = framedRig; // lives on while it is compared
   const CameraRig& before = last ? *last : none;
   const CameraRig& cameras = shown ? *shown : none;
-  rigBox = boxAround(cameras);
+  rigBox = rigBounds(cameras);
   // While one camera is adjusted, the picture holds still unless that camera leaves it.
   const RigChange change = rigChange(before, cameras);
   const bool adjusted = change == RigChange::OneCamera;
@@ -75,7 +75,7 @@ void SceneParts::showRig(const std::shared_ptr<const CameraRig>& shown) {
     framedRig = shown;
     if (!adjusted) {
       moved = moved && change != RigChange::Elsewhere;
-      frameWanted = frameWanted || !moved;
+      framingPending = framingPending || !moved;
     }
   }
   frusta.show(cameras, frustumLength());
@@ -111,16 +111,16 @@ void SceneParts::include(const TrackSnapshot& snapshot) {
 
 void SceneParts::showCrowd(const TrackSnapshot& snapshot) {
   const std::size_t count = snapshot.targets.size();
-  if (count <= kMostBodies) {
+  if (count <= kMaxBodies) {
     crowd.hide();
     return;
   }
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN(); // is not drawn
   Eigen::ArrayXXd means =
-      Eigen::ArrayXXd::Constant(static_cast<Eigen::Index>(count - kMostBodies), 3, kUnknown);
-  for (std::size_t k = kMostBodies; k < count; ++k) {
+      Eigen::ArrayXXd::Constant(static_cast<Eigen::Index>(count - kMaxBodies), 3, kUnknown);
+  for (std::size_t k = kMaxBodies; k < count; ++k) {
     if (const auto position = positionOf(snapshot.targets[k].estimate)) {
-      means.row(static_cast<Eigen::Index>(k - kMostBodies)) = position->mean.transpose().array();
+      means.row(static_cast<Eigen::Index>(k - kMaxBodies)) = position->mean.transpose().array();
     }
   }
   crowd.show(means, {});
@@ -143,7 +143,7 @@ void SceneParts::coverGround() {
                shown.isEmpty() ? 0.0 : shown.min().z());
   ground.setPalette(palette());
   if (before.isEmpty() || !before.isApprox(ground.extent())) {
-    frameWanted = frameWanted || !moved;
+    framingPending = framingPending || !moved;
   }
 }
 

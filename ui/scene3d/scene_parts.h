@@ -29,15 +29,15 @@ public:
   using View = Scene3d::View;
   // Thinner than targets and tails, because these lines are less important.
   static constexpr double kVolumeWidthPx = 1.2; ///< logical pixels
-  static constexpr double kSightWidthPx = 1.6;
+  static constexpr double kLineOfSightWidthPx = 1.6;
   /// Maximum number of targets that are drawn in full. For further targets, only the mean is drawn:
   /// a viewer cannot distinguish that many, and drawing thousands of clouds would block the window.
-  static constexpr std::size_t kMostBodies = 100;
+  static constexpr std::size_t kMaxBodies = 100;
 
   SceneParts()
       : ground(renderer), images(renderer), frusta(renderer), planned(renderer), map(renderer),
-        volume(renderer, kVolumeWidthPx), sight(renderer, kSightWidthPx), range(renderer),
-        crowd(renderer) {
+        volume(renderer, kVolumeWidthPx), lineOfSight(renderer, kLineOfSightWidthPx),
+        range(renderer), crowd(renderer) {
     renderer->SetActiveCamera(camera);
     // Cullers need bounds, which a cloud of bare points does not have.
     renderer->GetCullers()->RemoveAllItems();
@@ -72,10 +72,10 @@ public:
   CameraFrusta frusta;
   CameraFrusta planned;
   MapActor map;
-  WireActor volume;    ///< volume of interest
-  WireActor sight;     ///< camera line of sight
-  RangeActor range;    ///< drawn before the targets, which cover it
-  ParticleCloud crowd; ///< means of the targets beyond `kMostBodies`
+  WireActor volume;      ///< volume of interest
+  WireActor lineOfSight; ///< camera line of sight
+  RangeActor range;      ///< drawn before the targets, which cover it
+  ParticleCloud crowd;   ///< means of the targets beyond `kMaxBodies`
   std::vector<std::unique_ptr<TargetActors>> targets;
   std::vector<DisplayColorSource> colorSources; ///< one per target
   MeanPath path;
@@ -91,7 +91,7 @@ public:
   bool raysShown = true;
   bool imagesShown = false;
   bool moved = false; ///< whether the user has moved the view
-  bool frameWanted = true;
+  bool framingPending = true;
   int width = 0;
   int height = 0;
   ScreenScale scale;

@@ -57,9 +57,9 @@ TargetActors::TargetActors(vtkRenderer* renderer)
     : renderer_(renderer), palette_(scenePalette(false)), shadow_(renderer),
       seen_(renderer, kSightPx), hidden_(renderer, kSightPx),
       tail_(renderer, kTailPx, kTailOutlinePx), path_(renderer, kPathPx, 0.0),
-      body_(renderer, GlassBody::Layer::Fill), rings_(addedInTurn(renderer, ringData_)),
+      body_(renderer, GlassBody::Layer::Fill), rings_(addNewActor(renderer, ringData_)),
       cloud_(renderer), rim_(renderer, GlassBody::Layer::Rim),
-      truthMark_(addedInTurn(renderer, truthData_)), bestMark_(addedInTurn(renderer, bestData_)) {
+      truthMark_(addNewActor(renderer, truthData_)), bestMark_(addNewActor(renderer, bestData_)) {
   unitRings(ringData_);
   rings_->SetUserMatrix(ellipsoidPose_);
 }
@@ -99,7 +99,7 @@ void TargetActors::setChosen(bool chosen) {
   }
 }
 
-void TargetActors::showSights(const std::vector<SightLine>& lines) {
+void TargetActors::showLinesOfSight(const std::vector<SightLine>& lines) {
   std::vector<std::vector<Eigen::Vector3d>> seen;
   std::vector<std::vector<Eigen::Vector3d>> hidden;
   for (const SightLine& line : lines) {
@@ -128,7 +128,7 @@ void TargetActors::showEstimate(const TargetSnapshot& target) {
   const bool known = position && position->mean.allFinite() &&
                      particleCountOf(target.estimate) > 0 && target.shape == nullptr;
   held_ = isHeld(target.estimate);
-  cloudReach_ = 0.0;
+  cloudRadius_ = 0.0;
   body_.setVisible(known);
   rim_.setVisible(known);
   if (!known) {
@@ -170,7 +170,7 @@ void TargetActors::showEllipsoid(const Eigen::Matrix3d& covariance) {
     ellipsoidPose_->SetElement(row, 3, mean_[row]);
   }
   ellipsoidPose_->Modified();
-  cloudReach_ = semiAxes.maxCoeff();
+  cloudRadius_ = semiAxes.maxCoeff();
 }
 
 void TargetActors::showTruth(const TargetSnapshot& target) {
@@ -203,15 +203,15 @@ void TargetActors::setColors(const SceneColor& color, const ScenePalette& palett
 void TargetActors::paintBody() {
   const GlassLook& look = held_ ? kHeldGlass : kGhost;
   const SceneColor edge = mix(color_, palette_.truth, 0.35);
-  body_.setLook(color_, edge, look.middle, look.rim);
-  rim_.setLook(color_, edge, 0.0, look.rim);
+  body_.setAppearance(color_, edge, look.middle, look.rim);
+  rim_.setAppearance(color_, edge, 0.0, look.rim);
 }
 
 void TargetActors::placeBody(const ScreenScale& scale) {
   const Eigen::Vector3d axes = semiAxes_.cwiseMax(scale.meters(mean_, kSmallestBodyPx));
-  body_.place(mean_, directions_, axes, scale);
-  rim_.place(mean_, directions_, axes, scale);
-  rings_->SetVisibility(cloudReach_ > scale.meters(mean_, kSmallestRingsPx));
+  body_.setPose(mean_, directions_, axes, scale);
+  rim_.setPose(mean_, directions_, axes, scale);
+  rings_->SetVisibility(cloudRadius_ > scale.meters(mean_, kSmallestRingsPx));
 }
 
 /// Cross hairs about the true position that leave the middle open for the estimate.
@@ -222,7 +222,7 @@ void TargetActors::drawTruth(const ScreenScale& scale) {
   const double inner =
       std::max(scale.meters(truth_, kSmallestBodyPx), radius_) + scale.meters(truth_, 1.0);
   const double outer = inner + scale.meters(truth_, 7.0);
-  const double nearer = 1.5 * cloudReach_ + 3.0 * outer;
+  const double nearer = 1.5 * cloudRadius_ + 3.0 * outer;
   Strokes hairs;
   for (int axis = 0; axis < 3; ++axis) {
     // Along the line of sight a hair would be a dot on the estimate.
@@ -231,8 +231,8 @@ void TargetActors::drawTruth(const ScreenScale& scale) {
     }
     for (const double sign : {-1.0, 1.0}) {
       const Eigen::Vector3d arm = Eigen::Vector3d::Unit(axis) * sign;
-      hairs.line(scale.nearer(truth_ + arm * inner, nearer),
-                 scale.nearer(truth_ + arm * outer, nearer));
+      hairs.line(scale.movedCloser(truth_ + arm * inner, nearer),
+                 scale.movedCloser(truth_ + arm * outer, nearer));
     }
   }
   hairs.writeTo(truthData_);
@@ -244,11 +244,11 @@ void TargetActors::drawBest(const ScreenScale& scale) {
     return;
   }
   const double pixel = scale.meters(*best_, 1.0);
-  const double nearer = 1.5 * cloudReach_ + 3.0 * (radius_ + 8.0 * pixel);
+  const double nearer = 1.5 * cloudRadius_ + 3.0 * (radius_ + 8.0 * pixel);
   std::vector<Eigen::Vector3d> corners;
   for (const auto& [right, up] : {std::pair{0.0, 8.0}, {7.0, -4.5}, {-7.0, -4.5}, {0.0, 8.0}}) {
     const Eigen::Vector3d corner = *best_ + pixel * (right * scale.right + up * scale.up);
-    corners.push_back(scale.nearer(corner, nearer));
+    corners.push_back(scale.movedCloser(corner, nearer));
   }
   Strokes triangle;
   triangle.polyline(corners);

@@ -32,7 +32,7 @@ public:
 
   void show(const TargetSnapshot& target);
   /// Shows these lines of sight and hides all others.
-  void showSights(const std::vector<SightLine>& lines);
+  void showLinesOfSight(const std::vector<SightLine>& lines);
   /// Shows the path of the mean, oldest first, in meters. An empty path is not shown.
   void showPath(const std::vector<Eigen::Vector3d>& path) { path_.show(path); }
   /// Highlights the target if it is a selected person.
@@ -70,7 +70,7 @@ private:
   Eigen::Vector3d semiAxes_ = Eigen::Vector3d::Zero();
   /// Directions of the semi-axes (columns).
   Eigen::Matrix3d directions_ = Eigen::Matrix3d::Identity();
-  double cloudReach_ = 0.0; ///< distance from the mean to the surface of the ellipsoid, meters
+  double cloudRadius_ = 0.0; ///< distance from the mean to the surface of the ellipsoid, meters
 
   // Parts in drawing order.
   FloorShadow shadow_;

@@ -2,16 +2,16 @@
 #pragma once
 
 #include "core/session/frames/tracked_frame.h"
-#include "core/session/log_piece.h"
+#include "core/session/log_update.h"
 #include "core/session/snapshot/snapshot.h"
 
 namespace dewpoint::ui {
 
 /// Frames tracked since the last signal. A separate type, so that signals can use a forward
 /// declaration.
-struct LoggedFrames : LogPiece<FrameRecord> {};
+struct LoggedFrames : LogUpdate<FrameRecord> {};
 
 /// Filter iterations since the last signal.
-struct LoggedIterations : LogPiece<IterationRecord> {};
+struct LoggedIterations : LogUpdate<IterationRecord> {};
 
 } // namespace dewpoint::ui

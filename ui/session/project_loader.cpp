@@ -30,15 +30,15 @@ ProjectLoader::ProjectLoader(ProjectOpener opener, QObject* parent)
 ProjectLoader::~ProjectLoader() = default;
 
 bool ProjectLoader::isReopening() const {
-  return wanted_ != nullptr && wanted_->keepHistory;
+  return newestRequest_ != nullptr && newestRequest_->keepHistory;
 }
 
 void ProjectLoader::open(OpenRequest request) {
-  wanted_ = std::make_unique<OpenRequest>(std::move(request));
+  newestRequest_ = std::make_unique<OpenRequest>(std::move(request));
   if (!std::exchange(opening_, true)) {
     Q_EMIT openingChanged(true);
   }
-  job_.start([this, opener = opener_, what = wanted_->what](const BackgroundJob::Progress&) {
+  job_.start([this, opener = opener_, what = newestRequest_->what](const BackgroundJob::Progress&) {
     // What nobody wants any more is closed in a thread, too.
     const std::shared_ptr<Result<SessionInputs>> result(new Result<SessionInputs>(opener(what)),
                                                         DetachedDelete());
@@ -50,11 +50,11 @@ void ProjectLoader::open(OpenRequest request) {
 void ProjectLoader::finish(const std::shared_ptr<Result<SessionInputs>>& result,
                            const MissingFiles& missing) {
   opening_ = false;
-  const std::unique_ptr<OpenRequest> request = std::move(wanted_);
+  const std::unique_ptr<OpenRequest> request = std::move(newestRequest_);
   if (*result) {
     Q_EMIT opened(*request, std::make_shared<SessionInputs>(std::move(**result)));
   } else {
-    Q_EMIT failed(*request, errorSentence(result->error()), missing);
+    Q_EMIT failed(*request, errorText(result->error()), missing);
   }
   Q_EMIT openingChanged(opening_);
 }

@@ -61,8 +61,8 @@ private:
 
   ProjectOpener opener_;
   bool opening_ = false;
-  std::unique_ptr<OpenRequest> wanted_; ///< newest request, which is opened last
-  LatestJob job_{LatestJob::Overtaken::Dropped};
+  std::unique_ptr<OpenRequest> newestRequest_; ///< newest request, which is opened last
+  LatestJob job_{LatestJob::Superseded::Dropped};
 };
 
 } // namespace dewpoint::ui

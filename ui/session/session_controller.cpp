@@ -8,10 +8,10 @@
 #include "ui/document/document.h"
 #include "ui/preferences/preferences.h"
 #include "ui/selection/selection.h"
-#include "ui/session/empty_room_loader.h"
+#include "ui/session/background_image_loader.h"
 #include "ui/session/logged_records.h"
 #include "ui/session/open_request.h"
-#include "ui/session/result_keeper.h"
+#include "ui/session/result_refresher.h"
 #include "ui/session/session_bridge.h"
 
 #include <QRandomGenerator>
@@ -25,8 +25,8 @@ namespace dewpoint::ui {
 SessionController::SessionController(ProjectOpener opener, Document& document, Selection& selection,
                                      QObject* parent)
     : QObject(parent), loader_(new ProjectLoader(std::move(opener), this)),
-      emptyRooms_(new EmptyRoomLoader(this)), results_(new ResultKeeper(this)), document_(document),
-      selection_(selection) {
+      backgroundImageLoader_(new BackgroundImageLoader(this)), results_(new ResultRefresher(this)),
+      document_(document), selection_(selection) {
   connect(loader_, &ProjectLoader::opened, this, &SessionController::applyOpened);
   connect(loader_, &ProjectLoader::failed, this,
           [this](const OpenRequest& request, const QString& sentence, const MissingFiles& missing) {
@@ -36,19 +36,19 @@ SessionController::SessionController(ProjectOpener opener, Document& document, S
             }
           });
   connect(loader_, &ProjectLoader::openingChanged, this, &SessionController::openingChanged);
-  connect(emptyRooms_, &EmptyRoomLoader::failed, this, &SessionController::failed);
-  connect(emptyRooms_, &EmptyRoomLoader::loaded, this,
+  connect(backgroundImageLoader_, &BackgroundImageLoader::failed, this, &SessionController::failed);
+  connect(backgroundImageLoader_, &BackgroundImageLoader::loaded, this,
           [this](const auto& files, const auto& rooms) {
             if (bridge_ != nullptr) {
               bridge_->session().setBackgroundImages(files, rooms);
               results_->edited();
             }
           });
-  connect(results_, &ResultKeeper::renewed, this, [this] {
-    if (const auto wanted = std::exchange(showsWhenRenewed_, std::nullopt)) {
+  connect(results_, &ResultRefresher::refreshed, this, [this] {
+    if (const auto wanted = std::exchange(showWhenRefreshed_, std::nullopt)) {
       show(*wanted);
     }
-    if (std::exchange(playsWhenRenewed_, false)) {
+    if (std::exchange(playWhenRefreshed_, false)) {
       play();
     }
   });
@@ -86,7 +86,7 @@ void SessionController::connectDocument() {
   });
   connect(&document_, &Document::peopleChanged, this, [this] {
     if (bridge_ != nullptr) {
-      bridge_->session().setPeople(document_.project().people);
+      bridge_->session().setPersonCorrections(document_.project().people);
     }
   });
   connect(&document_, &Document::correctionsChanged, this, [this] {
@@ -97,9 +97,9 @@ void SessionController::connectDocument() {
   // Queued: what is being edited may be a view that goes with it.
   connect(&document_, &Document::calibrationChanged, this, &SessionController::applyCalibration,
           Qt::QueuedConnection);
-  connect(&document_, &Document::emptyRoomsChanged, this, [this] {
+  connect(&document_, &Document::backgroundImagesChanged, this, [this] {
     if (bridge_ != nullptr) {
-      emptyRooms_->load(document_.project());
+      backgroundImageLoader_->load(document_.project());
     }
   });
   connect(&document_, &Document::sourcesChanged, this, &SessionController::reopen,
@@ -128,7 +128,7 @@ void SessionController::applyOpened(const OpenRequest& request,
   if (!request.keepHistory) {
     document_.replace(inputs->project, request.unsaved);
   } else if (inputs->source->isLive()) {
-    takeSizes(inputs->project);
+    storeImageSizes(inputs->project);
   }
   Q_EMIT replaced(request);
   // The panels have just been filled; the views come with the next turn of the event loop, so that
@@ -140,7 +140,7 @@ void SessionController::applyOpened(const OpenRequest& request,
   });
 }
 
-void SessionController::takeSizes(const Project& opened) {
+void SessionController::storeImageSizes(const Project& opened) {
   const auto change = [&](Project& project) {
     for (std::size_t k = 0; k < project.cameras.size() && k < opened.cameras.size(); ++k) {
       project.cameras[k].camera.intrinsics = opened.cameras[k].camera.intrinsics;
@@ -157,7 +157,7 @@ void SessionController::start(const OpenRequest& request, SessionInputs inputs) 
   const bool wantsTarget =
       inputs.project.targets.empty() && !methodFamily(inputs.project.method).findsTargets();
   const bool waits = !inputs.source->isLive() && (request.unsaved || wantsTarget);
-  inputs.threads = Preferences().filterThreads();
+  inputs.threads = Preferences().filterThreadCount();
   // Of the window, not of this: it goes after the views, which look at the session to the end.
   bridge_ = new SessionBridge(std::move(inputs), parent());
   results_->watch(&bridge_->session());
@@ -182,9 +182,9 @@ void SessionController::close() {
 
 void SessionController::endRun() {
   SessionBridge* over = std::exchange(bridge_, nullptr);
-  emptyRooms_->forget();
+  backgroundImageLoader_->cancel();
   results_->watch(nullptr);
-  forgetRequests();
+  discardRequests();
   shown_.reset();
   filledFrom_.reset();
   filled_.reset();
@@ -217,14 +217,14 @@ void SessionController::publish(const TrackSnapshotPtr& snapshot) {
   Q_EMIT framesLogged(frames);
   Q_EMIT snapshotChanged(snapshot);
   results_->see(*snapshot, frames.restarted);
-  Q_EMIT iterationsLogged({session.logSince(iterations_.generation, iterations_.position)});
+  Q_EMIT iterationsLogged({session.iterationsSince(iterations_.generation, iterations_.position)});
 }
 
 void SessionController::applyMethod() {
   if (bridge_ == nullptr) {
     return;
   }
-  results_->leaveAlone();
+  results_->suspend();
   const Project& project = document_.project();
   Session& session = bridge_->session();
   // What was tracked of a recording is tracked again: how long the other method takes is not known
@@ -244,7 +244,7 @@ void SessionController::applyCalibration() {
   }
   const CameraRig rig = rigOf(document_.project());
   const auto newest = bridge_->session().newest();
-  if (newest->rig && haveSameImages(rig, *newest->rig)) {
+  if (newest->rig && haveSameImageSizes(rig, *newest->rig)) {
     bridge_->session().setCameras(rig); // the run goes on
     results_->edited();
   } else {
@@ -260,11 +260,11 @@ void SessionController::play() {
   if (bridge_ == nullptr) {
     return;
   }
-  if (results_->isRenewing()) {
-    playsWhenRenewed_ = true; // the frames that are tracked again lead to where it goes on
+  if (results_->isRefreshing()) {
+    playWhenRefreshed_ = true; // the frames that are tracked again lead to where it goes on
     return;
   }
-  results_->leaveAlone();
+  results_->suspend();
   bridge_->session().play();
 }
 
@@ -272,19 +272,19 @@ void SessionController::show(std::optional<qint64> frame) {
   if (bridge_ == nullptr) {
     return;
   }
-  if (results_->isRenewing()) {
-    showsWhenRenewed_ = frame; // to show it now would end the tracking
+  if (results_->isRefreshing()) {
+    showWhenRefreshed_ = frame; // to show it now would end the tracking
   } else if (frame) {
     bridge_->session().showFrame(*frame);
   } else {
-    bridge_->session().backToHead();
+    bridge_->session().returnToHead();
   }
 }
 
-void SessionController::forgetRequests() {
-  results_->leaveAlone();
-  playsWhenRenewed_ = false;
-  showsWhenRenewed_.reset();
+void SessionController::discardRequests() {
+  results_->suspend();
+  playWhenRefreshed_ = false;
+  showWhenRefreshed_.reset();
 }
 
 void SessionController::setPace(const Pace& pace) {
@@ -305,13 +305,13 @@ void SessionController::togglePlay() {
   Session& session = bridge_->session();
   const PlayState state = shown_ ? shown_->state : PlayState::Paused;
   if (state == PlayState::Playing) {
-    playsWhenRenewed_ = false;
+    playWhenRefreshed_ = false;
     session.pause();
     return;
   }
   if (state == PlayState::Ended) {
     Q_EMIT restarting();
-    forgetRequests();
+    discardRequests();
     session.restart();
   }
   play();
@@ -322,7 +322,7 @@ void SessionController::restart(bool newSeed) {
     return;
   }
   Q_EMIT restarting();
-  forgetRequests();
+  discardRequests();
   if (newSeed) {
     // 31 bits: short enough to be read out and typed.
     bridge_->session().restart(QRandomGenerator::global()->generate() >> 1U);
@@ -333,13 +333,13 @@ void SessionController::restart(bool newSeed) {
 
 void SessionController::useFilterThreads() {
   if (bridge_ != nullptr) {
-    bridge_->session().setFilterThreads(Preferences().filterThreads());
+    bridge_->session().setFilterThreads(Preferences().filterThreadCount());
   }
 }
 
 void SessionController::rerun() {
   if (bridge_ != nullptr && selection_.currentFrame() >= 0) {
-    results_->leaveAlone();
+    results_->suspend();
     bridge_->session().rerunFrom(selection_.currentFrame());
   }
 }

@@ -21,9 +21,9 @@ struct TrackSnapshot;
 
 namespace dewpoint::ui {
 
-class EmptyRoomLoader;
+class BackgroundImageLoader;
 class Document;
-class ResultKeeper;
+class ResultRefresher;
 class Selection;
 class SessionBridge;
 struct LoggedFrames;
@@ -34,7 +34,7 @@ using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 /// Controls the window's run: starts and ends it, passes on changes of the document and the
 /// selection, and provides the views with snapshots. Decides when a run starts to play, from which
 /// frame on a new method applies, and whether a new calibration keeps the run or reopens it. The
-/// ResultKeeper keeps results consistent with the settings.
+/// ResultRefresher keeps results consistent with the settings.
 class SessionController : public QObject {
   Q_OBJECT
 public:
@@ -77,7 +77,7 @@ public:
   /// Tracks again from the current frame.
   void rerun();
   /// Returns the keeper of the results, which identifies results of earlier settings.
-  ResultKeeper& results() { return *results_; }
+  ResultRefresher& results() { return *results_; }
   /// Starts the run after a color was learned, because a user who points at an object wants to see
   /// it tracked. If more than the beginning of a recording has been tracked, the recording stays at
   /// its current frame, and the rule for changes applies.
@@ -129,19 +129,19 @@ private:
   void connectDocument();
   void applyOpened(const OpenRequest& request, const std::shared_ptr<SessionInputs>& inputs);
   /// Stores the image sizes reported by live cameras in the document.
-  void takeSizes(const Project& opened);
+  void storeImageSizes(const Project& opened);
   void start(const OpenRequest& request, SessionInputs inputs);
   void endRun();
   void publish(const TrackSnapshotPtr& snapshot);
   /// Discards the requests that wait for frames to be tracked again.
-  void forgetRequests();
+  void discardRequests();
   void reopen();
   void applyMethod();
   void applyCalibration();
 
   ProjectLoader* loader_;
-  EmptyRoomLoader* emptyRooms_;
-  ResultKeeper* results_;
+  BackgroundImageLoader* backgroundImageLoader_;
+  ResultRefresher* results_;
   Document& document_;
   Selection& selection_;
   SessionBridge* bridge_ = nullptr;
@@ -149,8 +149,8 @@ private:
   bool playOnOpen_ = true;
   Pace pace_;
   // Requests made while frames were tracked again. They are carried out afterwards.
-  bool playsWhenRenewed_ = false;
-  std::optional<std::optional<qint64>> showsWhenRenewed_;
+  bool playWhenRefreshed_ = false;
+  std::optional<std::optional<qint64>> showWhenRefreshed_;
   TrackSnapshotPtr shown_;
   TrackSnapshotPtr filledFrom_; ///< snapshot from which `filled_` was made
   TrackSnapshotPtr filled_;

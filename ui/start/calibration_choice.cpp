@@ -95,8 +95,8 @@ QString CalibrationChoice::resultText(const CheckedCalibration& checked, bool& g
   if (checked.problem) {
     Error problem = *checked.problem;
     problem.file.clear(); // it stands above
-    const QString reason = errorSentence(problem);
-    if (checked.asks) {
+    const QString reason = errorText(problem);
+    if (checked.needsInput) {
       return tr("Recognized: %1. Some information is missing: %2. Create the project without this "
                 "file, then use Import calibration and enter what is missing.")
           .arg(title, reason);

@@ -49,7 +49,7 @@ private:
   QString file_;
   std::vector<std::string> cameras_;
   std::optional<CheckedCalibration> checked_; ///< result for the file; empty while it is being read
-  LatestJob checking_{LatestJob::Overtaken::Dropped};
+  LatestJob checking_{LatestJob::Superseded::Dropped};
 };
 
 } // namespace dewpoint::ui

@@ -99,7 +99,7 @@ CameraTable::CameraTable(QWidget* parent)
   connect(this, &QTableWidget::itemSelectionChanged, this, &CameraTable::changed);
   connect(this, &QTableWidget::itemChanged, this, [this](const QTableWidgetItem* item) {
     if (item->column() == kSourceColumn) {
-      look(item->text());
+      examine(item->text());
       showKnown();
     }
     Q_EMIT changed();
@@ -114,7 +114,7 @@ void CameraTable::begin() {
   Q_EMIT changed();
 }
 
-void CameraTable::add(const FootagePlace& place) {
+void CameraTable::add(const FootageLocation& place) {
   const int row = rowCount();
   const QString location = QString::fromStdString(place.location);
   if (place.isImages) {
@@ -131,13 +131,13 @@ void CameraTable::add(const FootagePlace& place) {
     found->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
     setItem(row, kFoundColumn, found);
   }
-  look(location);
+  examine(location);
   showKnown();
   Q_EMIT changed();
 }
 
 void CameraTable::addAddress() {
-  add(FootagePlace());
+  add(FootageLocation());
   const int row = rowCount() - 1;
   setCurrentCell(row, kSourceColumn);
   editItem(item(row, kSourceColumn));
@@ -182,7 +182,7 @@ std::vector<NewCamera> CameraTable::cameras() const {
   return cameras;
 }
 
-void CameraTable::look(const QString& text) {
+void CameraTable::examine(const QString& text) {
   const QString location = text.trimmed();
   if (location.isEmpty()) {
     return;
@@ -190,7 +190,7 @@ void CameraTable::look(const QString& text) {
   known_.erase(location); // it may be there by now
   jobs_->add([this, location]() -> std::function<void()> {
     const std::string place = location.toStdString();
-    const bool isImages = guessedSource(place) == SourceKind::Images;
+    const bool isImages = guessSourceKind(place) == SourceKind::Images;
     Known known;
     if (auto facts = readFootageFacts(place)) {
       known.facts = std::move(*facts);
@@ -246,7 +246,7 @@ void CameraTable::showKnown(int row) {
                : tr("✓ %1×%2 · %n images", nullptr, frames).arg(facts.width).arg(facts.height);
     color = holdColor(HoldState::Held, palette());
   } else if (known->second.problem) {
-    text = tr("✗ %1").arg(errorSentence(*known->second.problem));
+    text = tr("✗ %1").arg(errorText(*known->second.problem));
     color = holdColor(HoldState::Lost, palette());
   } else {
     text = tr("Live: tested when the project is created");

@@ -17,11 +17,11 @@
 namespace dewpoint::ui {
 
 /// Properties of a location. They are determined in another thread, because the disk may be slow.
-struct FootagePlace {
+struct FootageLocation {
   std::string location;
-  bool showsImages = false; ///< can be used as a camera
-  bool isFile = false;      ///< an existing file or folder, not a device
-  bool isImages = false;    ///< a folder of images
+  bool canBeImageSource = false; ///< can be used as a camera
+  bool isFile = false;           ///< an existing file or folder, not a device
+  bool isImages = false;         ///< a folder of images
 };
 
 /// Table of a new project's cameras, one row each: name, image source, and what was found there.
@@ -34,7 +34,7 @@ public:
 
   /// Clears the table and discards reads in progress.
   void begin();
-  void add(const FootagePlace& place);
+  void add(const FootageLocation& place);
   /// Adds a row in which the user types the source.
   void addAddress();
   void removeSelected();
@@ -60,7 +60,7 @@ private:
     std::optional<FootageFacts> facts; ///< empty for a live camera or an unreadable location
     std::optional<Error> problem;
   };
-  void look(const QString& location);
+  void examine(const QString& location);
   void applyFound(const QString& location, bool isImages, const Known& known);
   QString locationAt(int row) const;
   QString textAt(int row, int column) const;

@@ -37,7 +37,7 @@ constexpr double kUsualRate = 30.0; ///< frames per second of image folders
 } // namespace
 
 NewProjectPage::NewProjectPage(QWidget* parent)
-    : QWidget(parent), title_(new QLabel(this)), lead_(new QLabel(this)),
+    : QWidget(parent), title_(new QLabel(this)), intro_(new QLabel(this)),
       name_(new QLineEdit(this)), nameLabel_(new QLabel(this)), list_(new QStackedWidget(this)),
       cameras_(new CameraTable(this)), dropZone_(new DropZone(this)), note_(new QLabel(this)),
       calibration_(new CalibrationChoice(this)), rateLabel_(new QLabel(this)),
@@ -48,7 +48,7 @@ NewProjectPage::NewProjectPage(QWidget* parent)
   big.setPointSizeF(big.pointSizeF() * 1.6);
   big.setWeight(QFont::DemiBold);
   title_->setFont(big);
-  lead_->setWordWrap(true);
+  intro_->setWordWrap(true);
   name_->setObjectName(QStringLiteral("newName"));
   nameLabel_->setBuddy(name_);
   note_->setObjectName(QStringLiteral("newFootageNote"));
@@ -83,7 +83,7 @@ void NewProjectPage::makeButtons() {
   create_ = addButton("newCreate", [this] { createProject(); });
   create_->setDefault(true);
   cancel_ = addButton("newCancel", [this] {
-    forgetWork();
+    cancelWork();
     Q_EMIT cancelled();
   });
   buttons_->layout()->setSpacing(kSpacing);
@@ -110,7 +110,7 @@ void NewProjectPage::arrange() {
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(kSpacing);
   column->addWidget(title_);
-  column->addWidget(lead_);
+  column->addWidget(intro_);
   column->addSpacing(kSpacing);
   column->addLayout(row({addVideos_, addFolder_, addDevices_, addAddress_, remove_}, -1));
   column->addWidget(list_, 1);
@@ -135,8 +135,8 @@ void NewProjectPage::retranslateUi() {
     which->setToolTip(hint);
   };
   title_->setText(tr("New project"));
-  lead_->setText(tr("One row per camera. The videos must be synchronized: frame N must show the "
-                    "same time in all of them."));
+  intro_->setText(tr("One row per camera. The videos must be synchronized: frame N must show the "
+                     "same time in all of them."));
   button(addVideos_, tr("Add videos…"), tr("Video files, one per camera"));
   button(addFolder_, tr("Add image folder…"), tr("A folder of images, one per frame"));
   button(addDevices_, tr("Add connected cameras"), tr("All cameras connected to this computer"));
@@ -159,7 +159,7 @@ void NewProjectPage::begin(const QStringList& files) {
   setTabOrder(calibration_->lastButton(), name_);
   setTabOrder(name_, create_);
   setTabOrder(create_, cancel_);
-  forgetWork();
+  cancelWork();
   cameras_->begin();
   name_->clear();
   calibration_->setFile({});
@@ -168,34 +168,35 @@ void NewProjectPage::begin(const QStringList& files) {
   addVideos_->setFocus();
 }
 
-std::vector<FootagePlace> NewProjectPage::placesOf(const std::vector<std::string>& locations) {
-  std::vector<FootagePlace> places;
+std::vector<FootageLocation>
+NewProjectPage::locationsOf(const std::vector<std::string>& locations) {
+  std::vector<FootageLocation> places;
   for (const std::string& location : locations) {
     const QString file = QString::fromStdString(location);
-    places.push_back({location, showsImages(location),
+    places.push_back({location, canBeImageSource(location),
                       QFileInfo::exists(file) && !file.startsWith(QStringLiteral("/dev/")),
-                      guessedSource(location) == SourceKind::Images});
+                      guessSourceKind(location) == SourceKind::Images});
   }
   return places;
 }
 
-void NewProjectPage::search(std::function<std::vector<FootagePlace>()> look,
-                            std::function<void(const std::vector<FootagePlace>&)> found) {
-  ++underWay_;
+void NewProjectPage::search(std::function<std::vector<FootageLocation>()> look,
+                            std::function<void(const std::vector<FootageLocation>&)> found) {
+  ++pendingSearches_;
   refresh();
   searches_->add([this, look = std::move(look), found = std::move(found)] {
     return [this, found, places = look()] {
-      --underWay_;
+      --pendingSearches_;
       found(places);
       refresh();
     };
   });
 }
 
-void NewProjectPage::forgetWork() {
+void NewProjectPage::cancelWork() {
   making_.cancel();
   searches_ = std::make_unique<JobQueue>();
-  underWay_ = 0;
+  pendingSearches_ = 0;
 }
 
 void NewProjectPage::addFiles(const QStringList& files) {
@@ -204,23 +205,23 @@ void NewProjectPage::addFiles(const QStringList& files) {
   std::vector<std::string> footage;
   for (const std::string& name : inNaturalOrder(std::move(names))) {
     const QString file = QString::fromStdString(name);
-    if (endsAsCalibration(file)) {
+    if (hasCalibrationSuffix(file)) {
       calibration_->setFile(file);
     } else {
       footage.push_back(name);
     }
   }
   if (!footage.empty()) {
-    search([footage] { return placesOf(footage); },
-           [this](const std::vector<FootagePlace>& places) { addFootage(places); });
+    search([footage] { return locationsOf(footage); },
+           [this](const std::vector<FootageLocation>& places) { addFootage(places); });
   }
 }
 
-void NewProjectPage::addFootage(const std::vector<FootagePlace>& places) {
+void NewProjectPage::addFootage(const std::vector<FootageLocation>& places) {
   QStringList refused;
-  for (const FootagePlace& place : places) {
+  for (const FootageLocation& place : places) {
     const QString file = QString::fromStdString(place.location);
-    if (!place.showsImages) {
+    if (!place.canBeImageSource) {
       refused << QFileInfo(file).fileName();
     } else if (!cameras_->isListed(file)) { // dropped twice it is still one camera
       cameras_->add(place);
@@ -242,16 +243,16 @@ void NewProjectPage::chooseVideos() {
 void NewProjectPage::chooseFolder() {
   const QString folder = askForFolder(this, tr("Choose a folder of images"));
   if (!folder.isEmpty()) {
-    search([folder] { return placesOf({folder.toStdString()}); },
-           [this](const std::vector<FootagePlace>& places) { cameras_->add(places.front()); });
+    search([folder] { return locationsOf({folder.toStdString()}); },
+           [this](const std::vector<FootageLocation>& places) { cameras_->add(places.front()); });
   }
 }
 
 void NewProjectPage::addConnectedCameras() {
-  search([] { return placesOf(connectedCameras()); },
-         [this](const std::vector<FootagePlace>& devices) {
+  search([] { return locationsOf(connectedCameras()); },
+         [this](const std::vector<FootageLocation>& devices) {
            std::ranges::for_each(devices,
-                                 [this](const FootagePlace& device) { cameras_->add(device); });
+                                 [this](const FootageLocation& device) { cameras_->add(device); });
            if (devices.empty()) {
              Q_EMIT failed(tr("No camera is connected to this computer. A network camera can be "
                               "added by its address."));
@@ -265,7 +266,7 @@ void NewProjectPage::refresh() {
   rateLabel_->setVisible(cameras_->hasImageFolders());
   rate_->setVisible(cameras_->hasImageFolders());
   remove_->setEnabled(cameras_->hasSelection());
-  create_->setEnabled(any && underWay_ == 0);
+  create_->setEnabled(any && pendingSearches_ == 0);
   const QString note = cameras_->differenceText();
   note_->setText(note);
   note_->setVisible(!note.isEmpty());
@@ -279,7 +280,7 @@ void NewProjectPage::refresh() {
   calibration_->setCameras(std::move(names));
 }
 
-NewProject NewProjectPage::wanted() const {
+NewProject NewProjectPage::newProject() const {
   NewProject wanted;
   wanted.name = name_->text().toStdString();
   wanted.cameras = cameras_->cameras();
@@ -292,22 +293,22 @@ NewProject NewProjectPage::wanted() const {
 
 void NewProjectPage::createProject() {
   create_->setEnabled(false);
-  making_.start([this, wanted = wanted()](const BackgroundJob::Progress&) mutable {
+  making_.start([this, wanted = newProject()](const BackgroundJob::Progress&) mutable {
     bool images = false;
     for (NewCamera& camera : wanted.cameras) {
-      camera.source = guessedSource(camera.location);
+      camera.source = guessSourceKind(camera.location);
       images = images || camera.source == SourceKind::Images;
     }
     wanted.framesPerSecond = images ? wanted.framesPerSecond : 0.0;
-    auto result = std::make_shared<Result<MadeProject>>(makeProject(wanted));
+    auto result = std::make_shared<Result<CreatedProject>>(createNewProject(wanted));
     return [this, result] { finish(*result); };
   });
 }
 
-void NewProjectPage::finish(const Result<MadeProject>& result) {
+void NewProjectPage::finish(const Result<CreatedProject>& result) {
   refresh();
   if (!result) {
-    Q_EMIT failed(errorSentence(result.error()));
+    Q_EMIT failed(errorText(result.error()));
     return;
   }
   QString note;
@@ -317,7 +318,7 @@ void NewProjectPage::finish(const Result<MadeProject>& result) {
   } else if (result->matchedByOrder) {
     note = tr("The calibration uses other camera names. The cameras were matched by order.");
   }
-  Q_EMIT made(result->project, note);
+  Q_EMIT created(result->project, note);
 }
 
 } // namespace dewpoint::ui

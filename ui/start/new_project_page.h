@@ -44,31 +44,31 @@ public:
 
 Q_SIGNALS:
   /// Emitted when the project was created. `note` is a hint for the user; may be empty.
-  void made(const dewpoint::project::Project& project, const QString& note);
+  void created(const dewpoint::project::Project& project, const QString& note);
   void failed(const QString& sentence);
   void cancelled();
 
 private:
-  static std::vector<FootagePlace> placesOf(const std::vector<std::string>& locations);
+  static std::vector<FootageLocation> locationsOf(const std::vector<std::string>& locations);
 
   QPushButton* addButton(const char* name, const std::function<void()>& act);
   void makeButtons();
   void arrange();
   void retranslateUi();
   /// Examines locations in another thread. Requests are answered in order.
-  void search(std::function<std::vector<FootagePlace>()> look,
-              std::function<void(const std::vector<FootagePlace>&)> found);
+  void search(std::function<std::vector<FootageLocation>()> look,
+              std::function<void(const std::vector<FootageLocation>&)> found);
   /// Cancels searches and project creation in progress.
-  void forgetWork();
-  void addFootage(const std::vector<FootagePlace>& places);
+  void cancelWork();
+  void addFootage(const std::vector<FootageLocation>& places);
   void chooseFolder();
   void refresh();
-  NewProject wanted() const;
+  NewProject newProject() const;
   void createProject();
-  void finish(const Result<MadeProject>& result);
+  void finish(const Result<CreatedProject>& result);
 
   QLabel* title_;
-  QLabel* lead_;
+  QLabel* intro_;
   QLineEdit* name_;
   QLabel* nameLabel_;
   QStackedWidget* list_; ///< the table, or the drop zone while the table is empty
@@ -88,9 +88,9 @@ private:
   QPushButton* cancel_ = nullptr;
   /// Jobs for this project. Results for an earlier project are ignored.
   std::unique_ptr<JobQueue> searches_;
-  int underWay_ = 0; ///< number of searches whose rows have not been added yet
+  int pendingSearches_ = 0; ///< number of searches whose rows have not been added yet
   /// reading the first image of a video may take long
-  LatestJob making_{LatestJob::Overtaken::Dropped};
+  LatestJob making_{LatestJob::Superseded::Dropped};
 };
 
 } // namespace dewpoint::ui

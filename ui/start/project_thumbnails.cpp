@@ -58,12 +58,12 @@ QImage ProjectThumbnails::read(const QString& projectFile) {
   return QImage(thumbnailFile(projectFile));
 }
 
-void ProjectThumbnails::keep(const QString& projectFile, const TrackSnapshotPtr& shown) {
+void ProjectThumbnails::save(const QString& projectFile, const TrackSnapshotPtr& shown) {
   queue_.add([this, projectFile, frames = shown->frames] {
     if (frames != nullptr) {
       writeThumbnail(projectFile, *frames);
     }
-    return [this] { Q_EMIT kept(); };
+    return [this] { Q_EMIT saved(); };
   });
 }
 

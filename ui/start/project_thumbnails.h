@@ -28,11 +28,11 @@ public:
   /// from any thread.
   static QImage read(const QString& projectFile);
   /// Creates the thumbnail again in another thread, from the first camera that has an image. Emits
-  /// `kept()` afterwards.
-  void keep(const QString& projectFile, const TrackSnapshotPtr& shown);
+  /// `saved()` afterwards.
+  void save(const QString& projectFile, const TrackSnapshotPtr& shown);
 
 Q_SIGNALS:
-  void kept();
+  void saved();
 
 private:
   JobQueue queue_;

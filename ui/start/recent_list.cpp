@@ -126,7 +126,7 @@ RecentList::RecentList(RecentProjects& projects, QWidget* parent)
   setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   const auto choose = [this](const QListWidgetItem* item) {
     if (item->flags().testFlag(Qt::ItemIsEnabled)) {
-      Q_EMIT wanted(item->data(kRecentFile).toString());
+      Q_EMIT openRequested(item->data(kRecentFile).toString());
     }
   };
   connect(this, &QListWidget::itemActivated, this, choose);

@@ -21,7 +21,7 @@ public:
   void fill();
 
 Q_SIGNALS:
-  void wanted(const QString& file);
+  void openRequested(const QString& file);
 
 protected:
   void changeEvent(QEvent* event) override;

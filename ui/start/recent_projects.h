@@ -57,7 +57,7 @@ private:
   Exists exists_;
   Known known_;
   /// An unresponsive disk blocks at most one thread.
-  LatestJob checking_{LatestJob::Overtaken::Kept};
+  LatestJob checking_{LatestJob::Superseded::Kept};
 };
 
 } // namespace dewpoint::ui

@@ -67,7 +67,7 @@ constexpr std::array kGallery = std::to_array<GalleryEntry>({
 
 StartPage::StartPage(RecentProjects& recent, QWidget* parent)
     : QWidget(parent), projects_(recent), page_(new QWidget), title_(new QLabel(page_)),
-      lead_(new QLabel(page_)),
+      intro_(new QLabel(page_)),
       demo_(new GalleryCard("startDemo", GalleryCard::Form::Large, page_)),
       gallery_(new CardGrid(page_)), ownTitle_(makePageTitle(page_)),
       videos_(new GalleryCard("startVideos", GalleryCard::Form::Row, page_)),
@@ -80,11 +80,11 @@ StartPage::StartPage(RecentProjects& recent, QWidget* parent)
   big.setPointSizeF(big.pointSizeF() * 2.0);
   big.setWeight(QFont::DemiBold);
   title_->setFont(big);
-  lead_->setWordWrap(true);
+  intro_->setWordWrap(true);
   hint_->setWordWrap(true);
   hint_->setForegroundRole(QPalette::PlaceholderText);
   makeScenes();
-  makeOwn();
+  makeOwnRecordingCards();
   arrange();
   onRetranslate(this, [this] { retranslateUi(); });
   refresh();
@@ -94,7 +94,7 @@ void StartPage::makeScenes() {
   const auto opens = [this](GalleryCard* card, const QString& scene, bool calibrate) {
     connect(card, &QToolButton::clicked, this, [this, card, scene, calibrate] {
       pressed_ = card;
-      Q_EMIT sceneWanted(scene, calibrate);
+      Q_EMIT sceneRequested(scene, calibrate);
     });
   };
   demo_->setPicture(QStringLiteral("demo"));
@@ -108,14 +108,14 @@ void StartPage::makeScenes() {
   }
 }
 
-void StartPage::makeOwn() {
+void StartPage::makeOwnRecordingCards() {
   videos_->setSymbol(QStringLiteral("video"));
   cameras_->setSymbol(QStringLiteral("camera"));
   open_->setSymbol(QStringLiteral("open"));
-  connect(videos_, &QToolButton::clicked, this, &StartPage::videosWanted);
-  connect(cameras_, &QToolButton::clicked, this, &StartPage::camerasWanted);
-  connect(open_, &QToolButton::clicked, this, [this] { Q_EMIT projectWanted({}); });
-  connect(recent_, &RecentList::wanted, this, &StartPage::projectWanted);
+  connect(videos_, &QToolButton::clicked, this, &StartPage::videosRequested);
+  connect(cameras_, &QToolButton::clicked, this, &StartPage::camerasRequested);
+  connect(open_, &QToolButton::clicked, this, [this] { Q_EMIT projectRequested({}); });
+  connect(recent_, &RecentList::openRequested, this, &StartPage::projectRequested);
   connect(&projects_, &RecentProjects::changed, this, &StartPage::showRecentTitle);
   showRecentTitle();
 }
@@ -149,7 +149,7 @@ void StartPage::arrange() {
   column->setSpacing(0);
   column->addWidget(title_);
   column->addSpacing(4);
-  column->addWidget(lead_);
+  column->addWidget(intro_);
   column->addSpacing(kPartGap);
   column->addLayout(columns, 1);
   auto* all = new QHBoxLayout(page_);
@@ -170,7 +170,7 @@ void StartPage::arrange() {
 
 void StartPage::retranslateUi() {
   title_->setText(tr("Dewpoint"));
-  lead_->setText(tr("Follow colored objects in 3D with ordinary cameras."));
+  intro_->setText(tr("Follow colored objects in 3D with ordinary cameras."));
   demo_->setTexts(
       tr("Try the demo"),
       tr("Two simulated cameras see a pink ball; a particle filter finds it and follows it through "

@@ -31,14 +31,14 @@ public:
 Q_SIGNALS:
   /// Emitted when the user selects the built-in scene with this name (empty for the demo).
   /// `calibrate`: also open its page for calibration by hand.
-  void sceneWanted(const QString& name, bool calibrate);
-  void videosWanted();
-  void camerasWanted();
-  void projectWanted(const QString& file); ///< empty if the user should select a file
+  void sceneRequested(const QString& name, bool calibrate);
+  void videosRequested();
+  void camerasRequested();
+  void projectRequested(const QString& file); ///< empty if the user should select a file
 
 private:
   void makeScenes();
-  void makeOwn();
+  void makeOwnRecordingCards();
   void arrange();
   void retranslateUi();
   void showRecentTitle();
@@ -46,7 +46,7 @@ private:
   RecentProjects& projects_;
   QWidget* page_; ///< scrolled content
   QLabel* title_;
-  QLabel* lead_;
+  QLabel* intro_;
   GalleryCard* demo_;
   CardGrid* gallery_;
   std::vector<GalleryCard*> scenes_; ///< gallery cards, in the order of kGallery

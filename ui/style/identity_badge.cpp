@@ -14,7 +14,7 @@ QColor personColor(int identity) {
   return {static_cast<int>(color[2]), static_cast<int>(color[1]), static_cast<int>(color[0])};
 }
 
-QColor inkOn(const QColor& ground) {
+QColor readableColorOn(const QColor& ground) {
   // Rec. 709 luma, without gamma: good enough to choose between two.
   const double luma = 0.2126 * ground.redF() + 0.7152 * ground.greenF() + 0.0722 * ground.blueF();
   return luma > 0.5 ? QColor(Qt::black) : QColor(Qt::white);
@@ -39,7 +39,7 @@ void paintBadge(QPainter& painter, int identity, const QPointF& foot, const QRec
   painter.setPen(QPen(chosen ? QColor(Qt::white) : QColor(0, 0, 0, 150), chosen ? 2.0 : 1.4));
   painter.setBrush(ground);
   painter.drawRoundedRect(badge, height / 2.0, height / 2.0);
-  painter.setPen(inkOn(ground));
+  painter.setPen(readableColorOn(ground));
   painter.drawText(badge, Qt::AlignCenter, text);
   painter.restore();
 }

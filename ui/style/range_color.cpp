@@ -7,8 +7,8 @@ namespace dewpoint::ui {
 
 QColor rangeColor(const ColorRange& range) {
   const double width =
-      color::spansEveryHue(range) ? 0.0 : color::hueOf(range.hueMax - range.hueMin);
-  const double hue = color::hueOf(range.hueMin + 0.5 * width) / 360.0;
+      color::spansEveryHue(range) ? 0.0 : color::normalizedHue(range.hueMax - range.hueMin);
+  const double hue = color::normalizedHue(range.hueMin + 0.5 * width) / 360.0;
   const double saturation =
       color::spansEveryHue(range) ? 0.0 : 0.5 * (range.saturationMin + range.saturationMax);
   const double intensity = 0.5 * (range.intensityMin + range.intensityMax);

@@ -32,18 +32,18 @@ SystemColors::SystemColors(QObject* parent) : QObject(parent), dark_(isSystemDar
 bool SystemColors::eventFilter(QObject* watched, QEvent* event) {
   const bool platform = event->type() == QEvent::ThemeChange;
   const bool outside = event->type() == QEvent::ApplicationPaletteChange && watched == qApp;
-  if ((platform || outside) && !looking_ && (platform || !isThemeApplied())) {
+  if ((platform || outside) && !refreshing_ && (platform || !isThemeApplied())) {
     // What handles the event sets the palette, which sends such events again.
-    QMetaObject::invokeMethod(this, &SystemColors::look, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(this, &SystemColors::readColors, Qt::QueuedConnection);
   }
   return QObject::eventFilter(watched, event);
 }
 
-void SystemColors::look() {
+void SystemColors::readColors() {
   const bool foreign = !isThemeApplied();
-  looking_ = true;
+  refreshing_ = true;
   const bool dark = isSystemDark();
-  looking_ = false;
+  refreshing_ = false;
   if (dark != dark_) {
     dark_ = dark;
     Q_EMIT changed(dark);

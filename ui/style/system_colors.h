@@ -26,10 +26,10 @@ protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-  void look();
+  void readColors();
 
   bool dark_;
-  bool looking_ = false;
+  bool refreshing_ = false;
 };
 
 } // namespace dewpoint::ui

@@ -94,7 +94,7 @@ QColor targetColor(int target) {
 }
 
 QColor targetColor(const std::string& name, int target) {
-  if (const auto identity = personIdentity(name)) {
+  if (const auto identity = identityFromName(name)) {
     return personColor(*identity);
   }
   return targetColor(target);

@@ -52,7 +52,7 @@ QString calibrationFormatTitles() {
   return titles.join(QStringLiteral(", "));
 }
 
-bool endsAsCalibration(const QString& file) {
+bool hasCalibrationSuffix(const QString& file) {
   return std::ranges::any_of(calibrationFormats(), [&](const CalibrationFormat& format) {
     return std::ranges::any_of(endingsOf(format), [&](const QString& ending) {
       return file.endsWith(ending, Qt::CaseInsensitive);

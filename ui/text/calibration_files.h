@@ -16,6 +16,6 @@ QString calibrationFormatTitles();
 
 /// Returns whether a file name has a calibration suffix. When such a file is dropped, it is treated
 /// as a calibration.
-bool endsAsCalibration(const QString& file);
+bool hasCalibrationSuffix(const QString& file);
 
 } // namespace dewpoint::ui

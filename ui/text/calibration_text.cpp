@@ -17,14 +17,14 @@ class CalibrationText {
   Q_DECLARE_TR_FUNCTIONS(CalibrationText)
 };
 
-QString cameraFault(const NamedFault& fault, const QString& first, const QString& second) {
+QString cameraFault(const DetectedFault& fault, const QString& first, const QString& second) {
   switch (fault.fault) {
   case CalibrationFault::CamerasSwapped:
     return CalibrationText::tr(
                "Everything fits when %1 and %2 are exchanged: their videos are likely "
                "swapped. Exchange the two files.")
         .arg(first, second);
-  case CalibrationFault::CameraLate:
+  case CalibrationFault::CameraDelayed:
     return (fault.value > 0.0
                 ? CalibrationText::tr("%1 fits when its video is shifted in time: the video is "
                                       "probably %2 frames late. Synchronize the videos, or "
@@ -67,7 +67,7 @@ QString accuracyText(const CalibrationAccuracy& accuracy) {
   return text + QStringLiteral(".");
 }
 
-QString faultText(const NamedFault& fault, const QStringList& cameraNames) {
+QString faultText(const DetectedFault& fault, const QStringList& cameraNames) {
   const auto name = [&](std::size_t k) {
     return k < fault.cameras.size() ? cameraNames.value(static_cast<qsizetype>(fault.cameras[k]))
                                     : CalibrationText::tr("all cameras");
@@ -77,12 +77,12 @@ QString faultText(const NamedFault& fault, const QStringList& cameraNames) {
     return CalibrationText::tr(
         "All cameras seem to see the back of the board or floor: its points are probably mirrored. "
         "Check the direction of the axes, and that the print is not reversed.");
-  case CalibrationFault::MillimetersMixed:
+  case CalibrationFault::WrongUnitMillimeters:
     return CalibrationText::tr(
                "The given length is %1 times what the cameras see: millimeters and meters "
                "are likely mixed up.")
         .arg(ratioText(fault.value));
-  case CalibrationFault::InchesMixed:
+  case CalibrationFault::WrongUnitInches:
     return CalibrationText::tr(
                "The given length is %1 times what the cameras see: it is likely in inches "
                "(1 inch = 2.54 cm).")

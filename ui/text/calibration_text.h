@@ -8,7 +8,7 @@
 
 namespace dewpoint::calibration {
 struct CalibrationAccuracy;
-struct NamedFault;
+struct DetectedFault;
 } // namespace dewpoint::calibration
 
 namespace dewpoint::ui {
@@ -17,6 +17,6 @@ namespace dewpoint::ui {
 QString accuracyText(const CalibrationAccuracy& accuracy);
 
 /// Returns the likely cause of a fault and its remedy, translated.
-QString faultText(const NamedFault& fault, const QStringList& cameraNames);
+QString faultText(const DetectedFault& fault, const QStringList& cameraNames);
 
 } // namespace dewpoint::ui

@@ -96,7 +96,8 @@ QString disagreementText(const CameraDisagreement& found, const QStringList& nam
   return unknownText(found, names);
 }
 
-QString mendingText(const CameraDisagreement& found, std::size_t choice, const QStringList& names) {
+QString rigCorrectionText(const CameraDisagreement& found, std::size_t choice,
+                          const QStringList& names) {
   switch (found.fault) {
   case CameraFault::Swapped:
     return translated(QT_TRANSLATE_NOOP("CameraAgreement", "Swap %1 and %2"))

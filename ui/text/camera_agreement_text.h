@@ -14,8 +14,9 @@ namespace dewpoint::ui {
 /// all cameras.
 QString disagreementText(const CameraDisagreement& found, const QStringList& names);
 
-/// Returns the text for one way to correct a disagreement (`mendingChoices()`): "Swap left and
+/// Returns the text for one way to correct a disagreement (`repairChoiceCount()`): "Swap left and
 /// right". Used for a button and for the undoable step.
-QString mendingText(const CameraDisagreement& found, std::size_t choice, const QStringList& names);
+QString rigCorrectionText(const CameraDisagreement& found, std::size_t choice,
+                          const QStringList& names);
 
 } // namespace dewpoint::ui

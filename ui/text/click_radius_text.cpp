@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/click_radius_text.h"
 
-#include "core/setup/clicks/click_lesson.h"
+#include "core/setup/clicks/click_learning.h"
 #include "ui/text/quantity_text.h"
 
 #include <QCoreApplication>

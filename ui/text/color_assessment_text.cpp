@@ -58,7 +58,7 @@ QString suggestionSentence(const ColorAssessment& assessment) {
   case Suggestion::FollowAll:
     return ColorText::tr(
         "%n objects have this color and size: follow all of them, or cover the others.", nullptr,
-        assessment.alike);
+        assessment.similarObjectCount);
   case Suggestion::ClickObjectItself:
     return ColorText::tr(
         "The clicked region fills much of the image: click only the target, or drag a box on it.");
@@ -79,7 +79,7 @@ QString sharesSentence(const ColorAssessment& assessment) {
   const QString few =
       ColorText::tr("Only %1 % of the target matches, and %2 % of the background matches too.")
           .arg(percentText(assessment.targetShare, 0), background);
-  const double whole = assessment.backgroundShareOfWhole.value_or(0.0);
+  const double whole = assessment.backgroundShareOfFullRange.value_or(0.0);
   return whole > assessment.backgroundShare
              ? few + QLatin1Char(' ') +
                    ColorText::tr(

@@ -8,17 +8,17 @@
 
 namespace dewpoint::ui {
 
-QString errorSentence(const Error& error) {
+QString errorText(const Error& error) {
   QString text;
   if (!error.file.empty()) {
-    text += QString::fromStdString(onOneLine(error.file)) + QStringLiteral(": ");
+    text += QString::fromStdString(toSingleLine(error.file)) + QStringLiteral(": ");
   }
   if (!error.field.empty()) {
-    text += QString::fromStdString(onOneLine(error.field)) + QStringLiteral(": ");
+    text += QString::fromStdString(toSingleLine(error.field)) + QStringLiteral(": ");
   }
   text += QCoreApplication::translate("Error", phrase(error.code));
   if (!error.detail.empty()) {
-    text += QStringLiteral(" (%1)").arg(QString::fromStdString(onOneLine(error.detail)));
+    text += QStringLiteral(" (%1)").arg(QString::fromStdString(toSingleLine(error.detail)));
   }
   return text;
 }

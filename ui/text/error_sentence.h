@@ -12,6 +12,6 @@ struct Error;
 namespace dewpoint::ui {
 
 /// Returns the translated sentence for an error. File, field and details stay unchanged.
-QString errorSentence(const Error& error);
+QString errorText(const Error& error);
 
 } // namespace dewpoint::ui

@@ -23,7 +23,7 @@ QString asItIs(std::string_view text) {
 
 } // namespace
 
-MethodWords methodWords(const Method& method) {
+MethodTexts methodTexts(const Method& method) {
   return {methodTranslated(tracking::headingOf(method)), methodTranslated(method.text.title),
           methodTranslated(method.text.sentence), asItIs(method.name), asItIs(method.text.paper)};
 }

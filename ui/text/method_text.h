@@ -8,7 +8,7 @@
 namespace dewpoint::ui {
 
 /// Translated texts about a method, which help the user to select one.
-struct MethodWords {
+struct MethodTexts {
   QString heading;  ///< heading of its group: what the methods in the group are for
   QString title;    ///< what it tracks
   QString sentence; ///< how it differs from others
@@ -16,7 +16,7 @@ struct MethodWords {
   QString paper;    ///< paper that describes it, not translated; empty for none
 };
 /// Returns the texts about a method.
-MethodWords methodWords(const Method& method);
+MethodTexts methodTexts(const Method& method);
 
 /// Returns why a method cannot be used here and what to do, or an empty string if it can be used.
 QString methodObstacleText(MethodObstacle obstacle);

@@ -11,7 +11,7 @@ namespace dewpoint::ui {
 
 /// Returns the fraction of the background that a camera has learned (0 to 1), or nothing if it is
 /// not learning.
-std::optional<double> learningOf(const TrackSnapshot& snapshot, int camera);
+std::optional<double> backgroundLearned(const TrackSnapshot& snapshot, int camera);
 /// Returns the learning progress in percent and a request to stay out of view.
 QString learningText(double share);
 /// Returns the short form: "learning: 60 %".
@@ -20,6 +20,6 @@ QString shortLearningText(double share);
 /// an empty string if it can.
 QString peopleObstacleText(const TrackSnapshot& snapshot, int camera);
 /// Returns the number of people present in the frame shown.
-int peopleThere(const TrackSnapshot& snapshot);
+int peopleCount(const TrackSnapshot& snapshot);
 
 } // namespace dewpoint::ui

@@ -15,9 +15,9 @@ class RequestedFrame {
 public:
   void request(qint64 frame) {
     frame_ = frame;
-    since_.start();
+    requestedAt_.start();
   }
-  void noteShown(qint64 frame) {
+  void onShown(qint64 frame) {
     if (frame_ == frame) {
       frame_.reset();
     }
@@ -25,13 +25,13 @@ public:
   void forget() { frame_.reset(); }
   /// Returns the requested frame, or nothing if there is no pending request.
   std::optional<qint64> frame() const {
-    return since_.isValid() && since_.elapsed() < kTimeoutMs ? frame_ : std::nullopt;
+    return requestedAt_.isValid() && requestedAt_.elapsed() < kTimeoutMs ? frame_ : std::nullopt;
   }
 
 private:
   static constexpr qint64 kTimeoutMs = 1500;
   std::optional<qint64> frame_;
-  QElapsedTimer since_;
+  QElapsedTimer requestedAt_;
 };
 
 } // namespace dewpoint::ui

@@ -70,11 +70,11 @@ void Timeline::setSnapshot(const TrackSnapshotPtr& shown) {
   const qint64 first = model_.live ? std::min<qint64>(oldest, model_.history.first) : 0;
   const qint64 last = model_.live ? model_.history.last : snapshot.frameCount.value_or(1) - 1;
   scale_.setExtent(first, std::max(first, last));
-  requested_.noteShown(snapshot.frame);
-  const int least = TimelineRows::leastHeight(
-      static_cast<int>(targets.size()), camerasWithDropouts(), QFontMetricsF(font()).height());
-  if (least != leastHeight_) {
-    leastHeight_ = least;
+  requested_.onShown(snapshot.frame);
+  const int least = TimelineRows::minimumHeightFor(
+      static_cast<int>(targets.size()), dropoutCameraCount(), QFontMetricsF(font()).height());
+  if (least != minimumHeight_) {
+    minimumHeight_ = least;
     updateGeometry();
   }
   if (!scale_.showsAll() && drag_ == Drag::None) {
@@ -99,7 +99,7 @@ void Timeline::clear() {
   updateMarkers();
 }
 
-int Timeline::camerasWithDropouts() const {
+int Timeline::dropoutCameraCount() const {
   int cameras = 0;
   for (int k = 0; k < model_.cameras.size(); ++k) {
     cameras += model_.hasDropouts(static_cast<std::size_t>(k)) ? 1 : 0;
@@ -108,7 +108,7 @@ int Timeline::camerasWithDropouts() const {
 }
 
 TimelineRows Timeline::rows() const {
-  return TimelineRows(size(), static_cast<int>(model_.targets.size()), camerasWithDropouts(),
+  return TimelineRows(size(), static_cast<int>(model_.targets.size()), dropoutCameraCount(),
                       QFontMetricsF(font()).height(), gutter_);
 }
 
@@ -129,15 +129,15 @@ QPoint Timeline::positionOf(qint64 frame) const {
 }
 
 void Timeline::step(qint64 frames) {
-  want(reached() + frames);
+  requestFrame(latestFrame() + frames);
 }
 
-qint64 Timeline::reached() const {
+qint64 Timeline::latestFrame() const {
   return requested_.frame().value_or(std::max<qint64>(0, selection_.currentFrame()));
 }
 
-void Timeline::want(qint64 frame, bool extendsRange) {
-  const qint64 before = reached();
+void Timeline::requestFrame(qint64 frame, bool extendsRange) {
+  const qint64 before = latestFrame();
   const qint64 first = model_.live ? model_.history.first : scale_.first();
   frame = std::clamp(frame, first, scale_.last());
   if (extendsRange) {
@@ -214,7 +214,7 @@ void Timeline::mousePressEvent(QMouseEvent* event) {
   }
   const qint64 frame = scale_.frameAt(event->position().x());
   if (const auto marker = markerAt(event->position())) {
-    want(model_.markers[*marker].frame);
+    requestFrame(model_.markers[*marker].frame);
     return;
   }
   const bool inAxis = event->position().y() < rows().axis.bottom();
@@ -223,7 +223,7 @@ void Timeline::mousePressEvent(QMouseEvent* event) {
     anchor_ = frame;
   } else {
     drag_ = Drag::Frame;
-    want(frame);
+    requestFrame(frame);
   }
 }
 
@@ -252,7 +252,7 @@ void Timeline::mouseMoveEvent(QMouseEvent* event) {
   const qint64 frame = scale_.frameAt(event->position().x());
   hover(event->position());
   if (drag_ == Drag::Frame) {
-    want(frame);
+    requestFrame(frame);
   } else if (drag_ == Drag::Range) {
     selectTo(frame);
   }
@@ -262,7 +262,7 @@ void Timeline::mouseReleaseEvent(QMouseEvent* event) {
   const qint64 frame = scale_.frameAt(event->position().x());
   if (drag_ == Drag::Range && frame == anchor_) { // a click, no drag
     selection_.selectRange(std::nullopt);
-    want(frame);
+    requestFrame(frame);
   }
   drag_ = Drag::None;
 }
@@ -290,22 +290,22 @@ void Timeline::wheelEvent(QWheelEvent* event) {
 
 void Timeline::keyPressEvent(QKeyEvent* event) {
   const bool extend = event->modifiers().testFlag(Qt::ShiftModifier);
-  const qint64 now = reached();
+  const qint64 now = latestFrame();
   const auto second = std::max<qint64>(1, std::llround(model_.framesPerSecond));
   const double middle = scale_.x(static_cast<double>(now) + 0.5);
   switch (event->key()) {
   case Qt::Key_Left:
-    return want(now - 1, extend);
+    return requestFrame(now - 1, extend);
   case Qt::Key_Right:
-    return want(now + 1, extend);
+    return requestFrame(now + 1, extend);
   case Qt::Key_PageUp:
-    return want(now - second, extend);
+    return requestFrame(now - second, extend);
   case Qt::Key_PageDown:
-    return want(now + second, extend);
+    return requestFrame(now + second, extend);
   case Qt::Key_Home:
-    return want(scale_.first(), extend);
+    return requestFrame(scale_.first(), extend);
   case Qt::Key_End:
-    return extend ? want(std::max<qint64>(0, model_.history.head), true)
+    return extend ? requestFrame(std::max<qint64>(0, model_.history.head), true)
                   : selection_.requestLiveFrame();
   case Qt::Key_Plus:
   case Qt::Key_Equal:
@@ -325,11 +325,11 @@ void Timeline::keyPressEvent(QKeyEvent* event) {
 
 void Timeline::contextMenuEvent(QContextMenuEvent* event) {
   if (event->reason() == QContextMenuEvent::Mouse && event->pos().x() >= gutter_) {
-    want(scale_.frameAt(event->pos().x()));
+    requestFrame(scale_.frameAt(event->pos().x()));
   }
-  Q_EMIT menuWanted(event->reason() == QContextMenuEvent::Mouse
-                        ? event->globalPos()
-                        : mapToGlobal(positionOf(selection_.currentFrame())));
+  Q_EMIT menuRequested(event->reason() == QContextMenuEvent::Mouse
+                           ? event->globalPos()
+                           : mapToGlobal(positionOf(selection_.currentFrame())));
 }
 
 void Timeline::announceFrame() {
@@ -356,8 +356,8 @@ std::optional<std::size_t> Timeline::markerAt(const QPointF& point) const {
 }
 
 void Timeline::stepToMarker(int direction) {
-  if (const auto marker = model_.nextMarker(reached(), direction)) {
-    want(*marker);
+  if (const auto marker = model_.nextMarker(latestFrame(), direction)) {
+    requestFrame(*marker);
   }
 }
 

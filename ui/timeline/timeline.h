@@ -52,15 +52,15 @@ public:
   /// Returns the center of a frame in the ribbons, in widget coordinates.
   QPoint positionOf(qint64 frame) const;
 
-  QSize sizeHint() const override { return {600, std::max(110, leastHeight_)}; }
+  QSize sizeHint() const override { return {600, std::max(110, minimumHeight_)}; }
   /// Returns the minimum size, which grows with the number of rows.
-  QSize minimumSizeHint() const override { return {240, std::max(84, leastHeight_)}; }
+  QSize minimumSizeHint() const override { return {240, std::max(84, minimumHeight_)}; }
 
 Q_SIGNALS:
   /// Emitted when the pointer is on this frame. A negative number means that it is on no frame.
   void hovered(qint64 frame);
   /// Emitted when a menu for the current frame is requested at this screen position.
-  void menuWanted(const QPoint& place);
+  void menuRequested(const QPoint& place);
 
 protected:
   bool event(QEvent* event) override;
@@ -77,11 +77,11 @@ protected:
 
 private:
   TimelineRows rows() const;
-  int camerasWithDropouts() const;
+  int dropoutCameraCount() const;
   void place();
   /// Returns the current frame, or the frame requested last.
-  qint64 reached() const;
-  void want(qint64 frame, bool extendsRange = false);
+  qint64 latestFrame() const;
+  void requestFrame(qint64 frame, bool extendsRange = false);
   void selectTo(qint64 frame);
   std::optional<std::size_t> markerAt(const QPointF& point) const;
   void updateMarkers();
@@ -100,7 +100,7 @@ private:
   RequestedFrame requested_;
   MarkerEditor* markers_;
   double gutter_ = 90.0;
-  int leastHeight_ = 0; ///< height at which all rows are readable, pixels
+  int minimumHeight_ = 0; ///< height at which all rows are readable, pixels
 };
 
 } // namespace dewpoint::ui

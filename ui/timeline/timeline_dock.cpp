@@ -7,7 +7,7 @@
 #include "ui/document/document.h"
 #include "ui/selection/selection.h"
 #include "ui/session/logged_records.h"
-#include "ui/session/result_keeper.h"
+#include "ui/session/result_refresher.h"
 #include "ui/timeline/timeline.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/workbench/dock_manager.h"
@@ -43,13 +43,13 @@ void connectActions(const Workbench& bench, Timeline* timeline) {
   bench.onTriggered("actionPreviousMark", timeline, [timeline] { timeline->stepToMarker(-1); });
   bench.onTriggered("actionNextMark", timeline, [timeline] { timeline->stepToMarker(1); });
   bench.onTriggered("actionZoomToSpan", timeline, [timeline] { timeline->zoomToRange(); });
-  bench.needRun({"actionPreviousFrame", "actionRerun", "actionAddMark", "actionRemoveMark",
-                 "actionPreviousMark", "actionNextMark", "actionZoomToSpan"});
+  bench.requireRun({"actionPreviousFrame", "actionRerun", "actionAddMark", "actionRemoveMark",
+                    "actionPreviousMark", "actionNextMark", "actionZoomToSpan"});
   bench.action("actionNow")->setEnabled(false); // the current frame decides
 }
 
 /// Whoever changes something while looking back at live cameras is told what that changes; of a
-/// recording what is shown follows the change (ResultKeeper).
+/// recording what is shown follows the change (ResultRefresher).
 void explainChange(const Workbench& bench, const ProjectChanges& changes) {
   const bool again = changes.boxes && bench.document.methodFamily().tracksAgainOnEdit;
   const bool isLive = bench.session.shown() && !bench.session.shown()->frameCount;
@@ -68,13 +68,13 @@ Timeline* installTimeline(const Workbench& bench) {
   bench.docks.make({.name = QStringLiteral("timelineDock"),
                     .title = [] { return Timeline::tr("Timeline"); },
                     .content = timeline,
-                    .place = DockPlace::Timeline});
+                    .area = DockArea::Timeline});
   QObject::connect(&bench.session, &SessionController::framesLogged, timeline,
                    [timeline](const LoggedFrames& frames) {
                      timeline->append(frames.records, frames.restarted);
                    });
   bench.connectView(timeline);
-  QObject::connect(&bench.session.results(), &ResultKeeper::oldResultsChanged, timeline,
+  QObject::connect(&bench.session.results(), &ResultRefresher::oldResultsChanged, timeline,
                    [timeline, results = &bench.session.results()] {
                      timeline->setOldResults(results->old().frames);
                    });
@@ -87,7 +87,7 @@ Timeline* installTimeline(const Workbench& bench) {
                                                        snapshot->past);
                      }
                    });
-  QObject::connect(timeline, &Timeline::menuWanted, timeline,
+  QObject::connect(timeline, &Timeline::menuRequested, timeline,
                    [bench](const QPoint& place) { showMenu(bench, place); });
   QObject::connect(&bench.document, &Document::changed, timeline,
                    [bench](const ProjectChanges& changes) { explainChange(bench, changes); });

@@ -44,7 +44,7 @@ qint64 TimelineModel::endOf(std::size_t record) const {
   const std::int64_t before = record > 0 ? frame - records[record - 1].frame : 1;
   const std::int64_t step = records[record + 1].frame - frame;
   // Old records stand in coarse steps that fall by halves.
-  return step <= std::max(kMostSkipped, 2 * before) ? frame + step : frame + 1;
+  return step <= std::max(kMaxSkippedFrames, 2 * before) ? frame + step : frame + 1;
 }
 
 const FrameRecord* TimelineModel::at(qint64 frame) const {

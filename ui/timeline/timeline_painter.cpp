@@ -192,7 +192,7 @@ void paintNames(QPainter& painter, const TimelineModel& model, const TimelineRow
       write(row, model.targets[k], palette.color(QPalette::WindowText));
     }
     const std::string name = model.targets[k].toStdString();
-    if (personIdentity(name)) { // told apart by the color of the identity, as everywhere
+    if (identityFromName(name)) { // told apart by the color of the identity, as everywhere
       const double half = std::min(4.0, 0.5 * row.height());
       painter.fillRect(QRectF(1.0, row.center().y() - half, 4.0, 2.0 * half), targetColor(name, k));
     }
@@ -217,13 +217,13 @@ void paintFooter(QPainter& painter, const TimelineModel& model, const TimelineRo
   const auto megabytes = [&](std::size_t bytes) {
     return numberText(static_cast<double>(bytes) / (1 << 20), 0);
   };
-  if (model.history.mostBytes == 0) {
+  if (model.history.maxBytes == 0) {
     return;
   }
   const double shownSeconds =
       model.secondsOf(model.history.last + 1) - model.secondsOf(model.history.first);
   const QString used = megabytes(model.history.bytes);
-  const QString most = megabytes(model.history.mostBytes);
+  const QString most = megabytes(model.history.maxBytes);
   QString text =
       model.live && model.history.last >= 0
           ? QCoreApplication::translate("Timeline", "history: %1 of %2 MB (the last %3)")
@@ -259,7 +259,7 @@ TimelineRows::TimelineRows(const QSizeF& size, int targets, int cameraCount, dou
   footer = QRectF(gutter, size.height() - footerHeight, width, footerHeight);
 }
 
-int TimelineRows::leastHeight(int targets, int cameras, double fontHeight) {
+int TimelineRows::minimumHeightFor(int targets, int cameras, double fontHeight) {
   const int ribbons = std::clamp(targets, 1, kMostRowsWanted);
   const double frame = 2.0 * fontHeight + 12.0 + 2.0 * kGap; // axis and footer
   return static_cast<int>(
@@ -305,7 +305,7 @@ void paintTimeline(QPainter& painter, const TimelineModel& model, const Timeline
       paintDropouts(painter, model, scale, rows.camera(row++), camera, palette);
     }
   }
-  paintForgotten(painter, model, scale, rows, palette);
+  paintForgottenFrames(painter, model, scale, rows, palette);
   painter.setRenderHint(QPainter::Antialiasing);
   paintOldResults(painter, model, scale, rows, palette);
   paintSelectedRange(painter, scale, rows, selection, palette);

@@ -19,7 +19,7 @@ struct TimelineRows {
                         double gutter);
   /// Returns the height at which these rows are readable. It does not increase beyond a few
   /// targets.
-  static int leastHeight(int targets, int cameras, double fontHeight);
+  static int minimumHeightFor(int targets, int cameras, double fontHeight);
 
   QRectF axis;    ///< time and markers, at the top; a drag here selects a range
   QRectF ribbons; ///< rows of the targets, one below the other

@@ -72,11 +72,11 @@ public:
   }
 
 private:
-  static constexpr double kFewest = 10.0; ///< minimum number of frames shown
+  static constexpr double kMinFrames = 10.0; ///< minimum number of frames shown
 
   void keepInside() {
     const auto all = static_cast<double>(last_ - first_ + 1);
-    length_ = std::clamp(length_, std::min(kFewest, all), all);
+    length_ = std::clamp(length_, std::min(kMinFrames, all), all);
     begin_ =
         std::clamp(begin_, static_cast<double>(first_), static_cast<double>(last_ + 1) - length_);
   }

@@ -35,8 +35,8 @@ void hatch(QPainter& painter, const QRectF& area) {
 
 } // namespace
 
-void paintForgotten(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
-                    const TimelineRows& rows, const QPalette& palette) {
+void paintForgottenFrames(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
+                          const TimelineRows& rows, const QPalette& palette) {
   if (model.history.first <= scale.first()) {
     return;
   }

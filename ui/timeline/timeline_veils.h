@@ -6,8 +6,8 @@
 namespace dewpoint::ui {
 
 /// Draws a veil over the frames whose results are known but can no longer be shown.
-void paintForgotten(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
-                    const TimelineRows& rows, const QPalette& palette);
+void paintForgottenFrames(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
+                          const TimelineRows& rows, const QPalette& palette);
 
 /// Draws a hatched veil over the ribbons where the results are from earlier settings.
 void paintOldResults(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,

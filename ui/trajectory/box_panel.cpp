@@ -46,7 +46,7 @@ BoxPanel::BoxPanel(Selection& selection, QWidget* parent)
     selection.requestFrame(model_->samples()[static_cast<std::size_t>(index.row())].frame);
   });
   connect(table_, &QWidget::customContextMenuRequested, this, [this](const QPoint& place) {
-    Q_EMIT contextMenuWanted(table_->viewport()->mapToGlobal(place));
+    Q_EMIT contextMenuRequested(table_->viewport()->mapToGlobal(place));
   });
   onRetranslate(this, [this] {
     table_->setAccessibleName(tr("Boxes of the targets"));
@@ -63,7 +63,7 @@ BoxPanel::BoxPanel(Selection& selection, QWidget* parent)
   });
 }
 
-void BoxPanel::follow(Source source) {
+void BoxPanel::setSource(Source source) {
   source_ = std::move(source);
   generation_ = 0;
   position_ = 0;
@@ -82,7 +82,7 @@ void BoxPanel::fetch() {
   if (!source_) {
     return;
   }
-  const LogPiece<BoxSample> piece = source_(generation_, position_);
+  const LogUpdate<BoxSample> piece = source_(generation_, position_);
   if (piece.restarted || !piece.records.empty()) {
     model_->replaceFrom(piece.first, piece.records);
   }

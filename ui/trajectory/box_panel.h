@@ -27,12 +27,12 @@ class BoxPanel : public QWidget {
 public:
   /// Function that returns new boxes: Session::boxesSince() of the session to follow.
   using Source =
-      std::function<LogPiece<BoxSample>(std::uint64_t& generation, std::size_t& position)>;
+      std::function<LogUpdate<BoxSample>(std::uint64_t& generation, std::size_t& position)>;
 
   explicit BoxPanel(Selection& selection, QWidget* parent = nullptr);
 
   /// Sets the source of the boxes. An empty function means no source.
-  void follow(Source source);
+  void setSource(Source source);
   /// Schedules fetching new boxes. They are fetched only while the panel is visible.
   void refresh();
   /// Sets the newest snapshot, which provides the target names.
@@ -41,7 +41,7 @@ public:
   QByteArray csv();
 
 Q_SIGNALS:
-  void contextMenuWanted(const QPoint& place);
+  void contextMenuRequested(const QPoint& place);
 
 protected:
   void showEvent(QShowEvent* event) override;

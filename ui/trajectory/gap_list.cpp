@@ -36,8 +36,8 @@ GapList::GapList(QWidget* parent) : QTableWidget(0, 4, parent) {
 }
 
 void GapList::setGaps(std::vector<TrajectoryGap> gaps) {
-  if (gaps.size() > kMostGaps) {
-    gaps.erase(gaps.begin(), gaps.end() - kMostGaps);
+  if (gaps.size() > kMaxGaps) {
+    gaps.erase(gaps.begin(), gaps.end() - kMaxGaps);
   }
   if (gaps != gaps_) {
     gaps_ = std::move(gaps);

@@ -11,12 +11,12 @@
 
 namespace dewpoint::ui {
 
-/// List of the gaps in a trajectory, with start, end and length. It contains the newest kMostGaps
+/// List of the gaps in a trajectory, with start, end and length. It contains the newest kMaxGaps
 /// gaps.
 class GapList : public QTableWidget {
   Q_OBJECT
 public:
-  static constexpr int kMostGaps = 500;
+  static constexpr int kMaxGaps = 500;
   explicit GapList(QWidget* parent = nullptr);
 
   void setGaps(std::vector<TrajectoryGap> gaps);

@@ -54,9 +54,10 @@ void MotionSeries::breakLineBefore(const TrajectorySample& sample) {
   }
 }
 
-std::vector<std::vector<Eigen::Vector3d>> strokesOf(const std::vector<MotionLog::Row>& rows,
-                                                    std::size_t first, std::size_t last,
-                                                    const std::string& target, std::size_t most) {
+std::vector<std::vector<Eigen::Vector3d>> pathSegments(const std::vector<MotionLog::Row>& rows,
+                                                       std::size_t first, std::size_t last,
+                                                       const std::string& target,
+                                                       std::size_t most) {
   std::vector<std::vector<Eigen::Vector3d>> strokes;
   const std::size_t step = (last - first) / (most + 1) + 1;
   bool joined = false;

@@ -36,8 +36,8 @@ private:
 
 /// Returns a target's path in rows [first, last) of a log, in meters. There is one list of
 /// positions per uninterrupted part, with at most `most` positions in total.
-std::vector<std::vector<Eigen::Vector3d>> strokesOf(const std::vector<MotionLog::Row>& rows,
-                                                    std::size_t first, std::size_t last,
-                                                    const std::string& target, std::size_t most);
+std::vector<std::vector<Eigen::Vector3d>> pathSegments(const std::vector<MotionLog::Row>& rows,
+                                                       std::size_t first, std::size_t last,
+                                                       const std::string& target, std::size_t most);
 
 } // namespace dewpoint::ui

@@ -20,7 +20,7 @@ TableHead::TableHead(QTableView* table, Selection& selection, RowsOf rowsOf)
     : QStyledItemDelegate(table), table_(table), selection_(selection), rowsOf_(std::move(rowsOf)) {
   prepare();
   const QScrollBar* bar = table->verticalScrollBar();
-  connect(bar, &QScrollBar::valueChanged, this, &TableHead::scrolled);
+  connect(bar, &QScrollBar::valueChanged, this, &TableHead::onScrolled);
   connect(bar, &QScrollBar::rangeChanged, this, &TableHead::follow); // more rows, or less room
   connect(&selection, &Selection::currentFrameChanged, this, &TableHead::refresh);
   const auto followAgain = [this] { following_ = true; };
@@ -57,7 +57,7 @@ void TableHead::refresh() {
   follow();
 }
 
-int TableHead::wantedRow() const {
+int TableHead::rowToShow() const {
   const int end = table_->model()->rowCount() - 1;
   if (selection_.currentFrame() < 0) {
     return end;
@@ -66,19 +66,19 @@ int TableHead::wantedRow() const {
   return std::min(std::max(first, last - 1), end);
 }
 
-int TableHead::rowsInSight() const {
+int TableHead::visibleRowCount() const {
   const int height = std::max(1, table_->verticalHeader()->defaultSectionSize());
   return std::max(1, table_->viewport()->height() / height);
 }
 
-bool TableHead::isInSight(int row) const {
+bool TableHead::isRowVisible(int row) const {
   const QScrollBar* bar = table_->verticalScrollBar();
   const bool isEnd = bar->value() == bar->maximum() && row == table_->model()->rowCount() - 1;
-  return isEnd || (row >= bar->value() && row < bar->value() + rowsInSight());
+  return isEnd || (row >= bar->value() && row < bar->value() + visibleRowCount());
 }
 
 void TableHead::follow() {
-  const int row = wantedRow();
+  const int row = rowToShow();
   if (!following_ || moving_ || row < 0 || selection_.selectedRange()) {
     return;
   }
@@ -86,16 +86,16 @@ void TableHead::follow() {
   moving_ = true;
   if (row == table_->model()->rowCount() - 1) {
     bar->setValue(bar->maximum());
-  } else if (!isInSight(row)) {
-    bar->setValue(row - rowsInSight() / 2);
+  } else if (!isRowVisible(row)) {
+    bar->setValue(row - visibleRowCount() / 2);
   }
   moving_ = false;
 }
 
-void TableHead::scrolled() {
+void TableHead::onScrolled() {
   if (!moving_) {
-    const int row = wantedRow();
-    following_ = row < 0 || isInSight(row);
+    const int row = rowToShow();
+    following_ = row < 0 || isRowVisible(row);
   }
 }
 

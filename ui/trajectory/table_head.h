@@ -39,11 +39,11 @@ private:
   void prepare();
   /// Returns the row that should be visible: the last row of the frame shown, or the last row of
   /// the table, or -1 if there is none.
-  int wantedRow() const;
-  int rowsInSight() const;
-  bool isInSight(int row) const;
+  int rowToShow() const;
+  int visibleRowCount() const;
+  bool isRowVisible(int row) const;
   void follow();
-  void scrolled();
+  void onScrolled();
 
   QTableView* table_;
   Selection& selection_;

@@ -20,21 +20,21 @@ TrajectoryPanel* installTrajectory(const Workbench& bench, BirdsEyeView& birdsEy
   bench.docks.make({.name = QStringLiteral("trajectoryDock"),
                     .title = [] { return TrajectoryPanel::tr("Trajectory"); },
                     .content = panel,
-                    .place = DockPlace::Plots,
+                    .area = DockArea::Plots,
                     .rank = 1});
   const SessionController& run = bench.session;
   QObject::connect(&run, &SessionController::runStarted, panel, [panel, &run] {
     const Session* session = run.session();
-    panel->follow([session](auto& generation, auto& position) {
+    panel->setSource([session](auto& generation, auto& position) {
       return session->samplesSince(generation, position);
     });
-    panel->boxes().follow([session](auto& generation, auto& position) {
+    panel->boxes().setSource([session](auto& generation, auto& position) {
       return session->boxesSince(generation, position);
     });
   });
   QObject::connect(&run, &SessionController::runEnded, panel, [panel] {
-    panel->follow({});
-    panel->boxes().follow({});
+    panel->setSource({});
+    panel->boxes().setSource({});
   });
   bench.connectView(panel);
   QObject::connect(&run, &SessionController::iterationsLogged, panel, &TrajectoryPanel::refresh);

@@ -147,8 +147,8 @@ void TrajectoryPanel::connectViews() {
   connect(table_, &QWidget::customContextMenuRequested, this, [this](const QPoint& place) {
     showMenu(table_->viewport()->mapToGlobal(place), table_->rowAt(place.y()));
   });
-  connect(plots_, &PlotStack::contextMenuWanted, this, menuAt);
-  connect(boxes_, &BoxPanel::contextMenuWanted, this, menuAt);
+  connect(plots_, &PlotStack::contextMenuRequested, this, menuAt);
+  connect(boxes_, &BoxPanel::contextMenuRequested, this, menuAt);
 }
 
 void TrajectoryPanel::showMenu(const QPoint& place, int row) {
@@ -160,13 +160,13 @@ void TrajectoryPanel::showMenu(const QPoint& place, int row) {
     const auto target = std::ranges::find(names_, sample.target) - names_.begin();
     connect(menu.addAction(tr("Remove correction")), &QAction::triggered, this,
             [this, frame = qint64(sample.frame), target] {
-              Q_EMIT correctionRemovalWanted(frame, static_cast<int>(target));
+              Q_EMIT correctionRemovalRequested(frame, static_cast<int>(target));
             });
   }
   menu.exec(place);
 }
 
-void TrajectoryPanel::follow(Source source) {
+void TrajectoryPanel::setSource(Source source) {
   source_ = std::move(source);
   generation_ = 0;
   position_ = 0;
@@ -195,7 +195,7 @@ void TrajectoryPanel::fetch() {
   }
   QElapsedTimer took;
   took.start();
-  const LogPiece<TrajectorySample> piece = source_(generation_, position_);
+  const LogUpdate<TrajectorySample> piece = source_(generation_, position_);
   const bool choosing = std::exchange(choosing_, true); // rows that go take their selection along
   if (piece.restarted && model_->rowCount() > 0 && piece.records.empty()) {
     model_->clear();
@@ -329,8 +329,9 @@ void TrajectoryPanel::selectRange() {
 void TrajectoryPanel::highlight() {
   const auto [first, last] =
       selection_.selectedRange() ? model_->rowsOf(*selection_.selectedRange()) : std::pair(0, 0);
-  Q_EMIT highlightChanged(strokesOf(model_->log().rows(), static_cast<std::size_t>(first),
-                                    static_cast<std::size_t>(last), motion_.target(), kMostPlaces));
+  Q_EMIT highlightChanged(pathSegments(model_->log().rows(), static_cast<std::size_t>(first),
+                                       static_cast<std::size_t>(last), motion_.target(),
+                                       kMostPlaces));
 }
 
 void TrajectoryPanel::showCurrentFrame() {

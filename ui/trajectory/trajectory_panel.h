@@ -41,14 +41,14 @@ class TrajectoryPanel : public QWidget {
 public:
   /// Function that returns new samples: Session::samplesSince() of the session to follow.
   using Source =
-      std::function<LogPiece<TrajectorySample>(std::uint64_t& generation, std::size_t& position)>;
+      std::function<LogUpdate<TrajectorySample>(std::uint64_t& generation, std::size_t& position)>;
 
   /// Connects the trajectory actions in the registry.
   TrajectoryPanel(ActionRegistry& actions, Selection& selection, QWidget* parent = nullptr);
   ~TrajectoryPanel() override;
 
   /// Sets the source of the samples. An empty function means no source and clears the table.
-  void follow(Source source);
+  void setSource(Source source);
   /// Schedules fetching new samples. They are fetched only while the panel is visible.
   void refresh();
   /// Sets the newest snapshot, which provides the targets.
@@ -70,7 +70,7 @@ public:
 Q_SIGNALS:
   void notice(const QString& sentence);
   /// Emitted when the user wants to remove this target's correction at this frame.
-  void correctionRemovalWanted(qint64 frame, int target);
+  void correctionRemovalRequested(qint64 frame, int target);
   /// Emitted with the positions in the selected range (meters), one list per uninterrupted part.
   void highlightChanged(const std::vector<std::vector<Eigen::Vector3d>>& strokes);
 
@@ -113,7 +113,7 @@ private:
   QTimer timer_;
   QElapsedTimer sinceRefresh_;
   double lastRefreshMs_ = 0.0;
-  LatestJob csv_{LatestJob::Overtaken::Kept}; ///< prepares the clipboard text
+  LatestJob csv_{LatestJob::Superseded::Kept}; ///< prepares the clipboard text
 };
 
 } // namespace dewpoint::ui

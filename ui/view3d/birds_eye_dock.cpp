@@ -17,11 +17,11 @@ namespace dewpoint::ui {
 namespace {
 
 void showForMethod(const Workbench& bench, ViewDock* dock) {
-  const bool showsRoom = bench.document.presentation().showsRoom;
-  if (!bench.session.isRunning() || dock->isHidden() != showsRoom) {
+  const bool hasBirdsEyeView = bench.document.presentation().hasBirdsEyeView;
+  if (!bench.session.isRunning() || dock->isHidden() != hasBirdsEyeView) {
     return;
   }
-  dock->setVisible(showsRoom && !dock->isHiddenByUser());
+  dock->setVisible(hasBirdsEyeView && !dock->isHiddenByUser());
   if (bench.document.project().layout.empty()) { // else it is as the person wanted it
     bench.docks.distributeDockSizesSoon();
   }
@@ -34,9 +34,9 @@ BirdsEyeView* installBirdsEyeView(const Workbench& bench) {
   ViewDock* dock = bench.docks.make({.name = QStringLiteral("birdsEyeDock"),
                                      .title = [] { return BirdsEyeView::tr("Bird's-eye view"); },
                                      .content = view,
-                                     .place = DockPlace::Scene});
+                                     .area = DockArea::Scene});
   bench.connectView(view);
-  QObject::connect(&bench.document, &Document::replaced, view, &BirdsEyeView::startAnew);
+  QObject::connect(&bench.document, &Document::replaced, view, &BirdsEyeView::resetForNewProject);
   QObject::connect(&bench.selection, &Selection::targetSelected, view,
                    &BirdsEyeView::setChosenTarget);
   bench.onToggled("actionShowBest", view, [view](bool shown) { view->setBestShown(shown); });

@@ -50,7 +50,7 @@ BirdsEyeView::BirdsEyeView(QWidget* parent)
   connect(picture_.get(), &ScenePicture::unavailable, this, [this] { buttons_->setShown(false); });
   buttons_->setCurrent(scene_.view());
   connect(buttons_, &ViewButtons::chosen, this, &BirdsEyeView::look);
-  connect(buttons_, &ViewButtons::fitWanted, this, &BirdsEyeView::resetView);
+  connect(buttons_, &ViewButtons::fitRequested, this, &BirdsEyeView::resetView);
   connect(handles_, &CameraHandles::chosen, this, &BirdsEyeView::cameraChosen);
   connect(handles_, &CameraHandles::dragged, this, &BirdsEyeView::cameraDragged);
   connect(handles_, &CameraHandles::aimed, this, &BirdsEyeView::cameraAimed);
@@ -63,7 +63,7 @@ BirdsEyeView::~BirdsEyeView() = default;
 
 void BirdsEyeView::retranslateUi() {
   scene_.setDecimalPoint(locale().decimalPoint().toStdString());
-  requestPicture();
+  requestRendering();
   setAccessibleName(tr("Bird's-eye view"));
   setAccessibleDescription(tr("The room in 3D: cameras, particles, estimates and their tracks"));
   buttons_->retranslateUi();
@@ -75,16 +75,16 @@ void BirdsEyeView::prepare() {
 
 void BirdsEyeView::setSnapshot(const TrackSnapshotPtr& snapshot) {
   snapshot_ = snapshot;
-  scene_.follow(snapshot ? *snapshot : TrackSnapshot{});
+  scene_.recordSnapshot(snapshot ? *snapshot : TrackSnapshot{});
   sceneStale_ = true;
-  requestPicture();
+  requestRendering();
 }
 
 Scene3d::View BirdsEyeView::currentView() const {
   return scene_.view();
 }
 
-bool BirdsEyeView::hasPicture() const {
+bool BirdsEyeView::hasImage() const {
   return picture_->failure().empty();
 }
 
@@ -99,21 +99,21 @@ QSize BirdsEyeView::minimumSizeHint() const {
 void BirdsEyeView::look(Scene3d::View view) {
   scene_.look(view);
   buttons_->setCurrent(view);
-  requestPicture();
+  requestRendering();
   Q_EMIT viewChanged(view);
 }
 
 void BirdsEyeView::resetView() {
   scene_.resetView();
-  requestPicture();
+  requestRendering();
 }
 
 void BirdsEyeView::highlight(const std::vector<std::vector<Eigen::Vector3d>>& strokes) {
   scene_.highlight(strokes);
-  requestPicture();
+  requestRendering();
 }
 
-void BirdsEyeView::requestPicture() {
+void BirdsEyeView::requestRendering() {
   picture_->request();
 }
 
@@ -129,7 +129,7 @@ void BirdsEyeView::updateScene() {
   map_.updateScene();
 }
 
-QImage BirdsEyeView::currentPicture() {
+QImage BirdsEyeView::currentImage() {
   picture_->render();
   QImage picture = picture_->image();
   if (!picture.isNull()) {
@@ -147,7 +147,7 @@ void BirdsEyeView::paintOver(QPainter& painter) const {
 }
 
 void BirdsEyeView::paintEvent(QPaintEvent*) {
-  if (hasPicture() && !picture_->fits()) {
+  if (hasImage() && !picture_->fits()) {
     picture_->render();
   }
   QPainter painter(this);
@@ -170,13 +170,13 @@ void BirdsEyeView::paintEvent(QPaintEvent*) {
 
 void BirdsEyeView::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  buttons_->place();
+  buttons_->moveToCorner();
 }
 
 void BirdsEyeView::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   if (picture_->isStale()) {
-    requestPicture();
+    requestRendering();
   }
 }
 
@@ -187,13 +187,13 @@ void BirdsEyeView::changeEvent(QEvent* event) {
   } else if (event->type() == QEvent::LanguageChange || event->type() == QEvent::LocaleChange) {
     retranslateUi();
   } else if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) {
-    buttons_->place();
+    buttons_->moveToCorner();
   }
 }
 
 void BirdsEyeView::applyTheme() {
   scene_.setTheme(palette().color(QPalette::Window).lightnessF() < 0.5F);
-  requestPicture();
+  requestRendering();
 }
 
 void BirdsEyeView::sendPointer(int what, QPointF position, Qt::KeyboardModifiers modifiers) {
@@ -207,7 +207,7 @@ void BirdsEyeView::mousePressEvent(QMouseEvent* event) {
                      : event->button() == Qt::MiddleButton ? Pointer::MiddlePress
                                                            : Pointer::RightPress;
   pressed_ = event->position();
-  if (event->button() == Qt::LeftButton && hasPicture() && handles_->take(event->position())) {
+  if (event->button() == Qt::LeftButton && hasImage() && handles_->grab(event->position())) {
     return;
   }
   sendPointer(static_cast<int>(press), event->position(), event->modifiers());
@@ -217,7 +217,7 @@ void BirdsEyeView::mouseReleaseEvent(QMouseEvent* event) {
   const auto release = event->button() == Qt::LeftButton     ? Pointer::LeftRelease
                        : event->button() == Qt::MiddleButton ? Pointer::MiddleRelease
                                                              : Pointer::RightRelease;
-  if (event->button() == Qt::LeftButton && handles_->isHeld()) {
+  if (event->button() == Qt::LeftButton && handles_->isDragging()) {
     handles_->drop();
     return;
   }
@@ -236,19 +236,19 @@ void BirdsEyeView::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void BirdsEyeView::clickTail(QPointF position, bool extend) {
-  if (!snapshot_ || !hasPicture()) {
+  if (!snapshot_ || !hasImage()) {
     return;
   }
-  const auto found =
-      nearestInTails(*snapshot_, scene_, ViewProjection(*this, scene_).inPicture(position),
-                     kTailReachPx * devicePixelRatioF());
+  const auto found = nearestTailPosition(*snapshot_, scene_,
+                                         ViewProjection(*this, scene_).toRenderedImage(position),
+                                         kTailReachPx * devicePixelRatioF());
   if (found) {
     Q_EMIT tailClicked(found->target, found->position, extend);
   }
 }
 
 void BirdsEyeView::mouseMoveEvent(QMouseEvent* event) {
-  if (handles_->isHeld()) {
+  if (handles_->isDragging()) {
     handles_->drag(event->position());
     return;
   }
@@ -264,7 +264,7 @@ void BirdsEyeView::mouseDoubleClickEvent(QMouseEvent* event) {
 void BirdsEyeView::wheelEvent(QWheelEvent* event) {
   const double steps = event->angleDelta().y() / 120.0;
   scene_.zoom(std::pow(1.15, steps));
-  requestPicture();
+  requestRendering();
   event->accept();
 }
 
@@ -273,11 +273,11 @@ void BirdsEyeView::keyPressEvent(QKeyEvent* event) {
   case Qt::Key_Plus:
   case Qt::Key_Equal:
     scene_.zoom(1.15);
-    requestPicture();
+    requestRendering();
     break;
   case Qt::Key_Minus:
     scene_.zoom(1.0 / 1.15);
-    requestPicture();
+    requestRendering();
     break;
   case Qt::Key_Home:
     resetView();
@@ -293,20 +293,20 @@ void BirdsEyeView::setCameraHandles(std::vector<CameraHandle> handles, int chose
 
 void BirdsEyeView::showMap(std::shared_ptr<const RigMap> map, const MapLook& look) {
   if (map_.set(std::move(map), look)) {
-    requestPicture();
+    requestRendering();
   }
 }
 
 void BirdsEyeView::showPlanned(const CameraRig& cameras) {
   scene_.showPlanned(cameras);
-  requestPicture();
+  requestRendering();
 }
 
 bool BirdsEyeView::event(QEvent* event) {
   if (event->type() == QEvent::ToolTip) {
     const auto* help = static_cast<QHelpEvent*>(event);
     const QString text =
-        hasPicture() ? map_.textAt({*this, scene_}, QPointF(help->pos())) : QString();
+        hasImage() ? map_.textAt({*this, scene_}, QPointF(help->pos())) : QString();
     if (!text.isEmpty()) {
       QToolTip::showText(help->globalPos(), text, this);
       return true;
@@ -319,7 +319,7 @@ bool BirdsEyeView::event(QEvent* event) {
 void BirdsEyeView::setChosenTarget(int target) {
   chosenTarget_ = target;
   scene_.choose(target);
-  requestPicture();
+  requestRendering();
 }
 
 void BirdsEyeView::setPlacing(bool placing, double floor) {
@@ -332,11 +332,11 @@ void BirdsEyeView::setPlacing(bool placing, double floor) {
 }
 
 void BirdsEyeView::clickFloor(QPointF position) {
-  if (!hasPicture()) {
+  if (!hasImage()) {
     return;
   }
   const ViewProjection projection(*this, scene_);
-  if (const auto clicked = scene_.positionAtHeight(projection.inPicture(position), floor_)) {
+  if (const auto clicked = scene_.positionAtHeight(projection.toRenderedImage(position), floor_)) {
     Q_EMIT floorClicked(clicked->head<2>());
   }
 }

@@ -43,7 +43,7 @@ public:
   /// the view is hidden.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   /// Shows the whole scene of another project in perspective, regardless of the previous view.
-  void startAnew() { lookFree(); }
+  void resetForNewProject() { lookFree(); }
   /// Highlights part of a trajectory, given as lists of positions (meters). An empty list removes
   /// the highlight.
   void highlight(const std::vector<std::vector<Eigen::Vector3d>>& strokes);
@@ -63,12 +63,12 @@ public:
   /// Shows the volume of interest, or hides it if `volume` is empty.
   void showVolume(const std::optional<WorldBox>& volume) {
     scene_.showVolume(volume);
-    requestPicture();
+    requestRendering();
   }
   /// Shows a line of sight through the room (meters), or hides it if `line` is empty.
-  void showSight(const std::vector<Eigen::Vector3d>& line) {
-    scene_.showSight(line);
-    requestPicture();
+  void showLineOfSight(const std::vector<Eigen::Vector3d>& line) {
+    scene_.showLineOfSight(line);
+    requestRendering();
   }
 
   /// Highlights the selected target if it is a person. If `target` is -1, nothing is highlighted.
@@ -76,19 +76,19 @@ public:
   /// Sets whether each target's highest-weight particle is shown.
   void setBestShown(bool shown) {
     scene_.showBest(shown);
-    requestPicture();
+    requestRendering();
   }
   /// Sets whether lines of sight from the cameras to the estimates are shown.
   void setRaysShown(bool shown) {
     scene_.showRays(shown);
     sceneStale_ = true;
-    requestPicture();
+    requestRendering();
   }
   /// Sets whether camera images are shown in the scene.
   void setImagesShown(bool shown) {
     scene_.showImages(shown);
     sceneStale_ = true;
-    requestPicture();
+    requestRendering();
   }
   /// Sets the placing mode, in which a click on the floor emits `floorClicked()`. `floor` is the
   /// floor height, world z in meters.
@@ -97,7 +97,7 @@ public:
   Scene3d::View currentView() const;
   /// Returns the current image with its legend but without the buttons, in device pixels; null
   /// without OpenGL.
-  QImage currentPicture();
+  QImage currentImage();
   /// Returns the scene as drawn, for conversions between pixels and meters.
   const Scene3d& scene() const { return scene_; }
   const CameraLabels& cameraLabels() const { return labels_; }
@@ -105,7 +105,7 @@ public:
   /// Returns whether the image shows everything that was last set. Also true while hidden.
   bool isDrawn() const;
   /// Returns false if there is no usable OpenGL. This is known after the first attempt to draw.
-  bool hasPicture() const;
+  bool hasImage() const;
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
 
@@ -149,7 +149,7 @@ protected:
   void keyPressEvent(QKeyEvent* event) override;
 
 private:
-  void requestPicture();
+  void requestRendering();
   /// Updates the scene before it is rendered.
   void updateScene();
   /// Paints the parts of the image that lie over the rendered scene.

@@ -31,49 +31,49 @@ void CameraHandles::set(std::vector<CameraHandle> handles, int chosen) {
   handles_ = std::move(handles);
   chosen_ = chosen;
   if (handles_.empty()) {
-    held_.reset();
+    drag_.reset();
   }
   view_.update();
 }
 
-bool CameraHandles::take(QPointF position) {
+bool CameraHandles::grab(QPointF position) {
   const ViewProjection projection(view_, scene_);
   double nearest = kReachPx;
-  held_.reset();
+  drag_.reset();
   for (int k = 0; k < static_cast<int>(handles_.size()); ++k) {
     const CameraHandle& handle = handles_[static_cast<std::size_t>(k)];
-    if (const double away = distance(projection.inWidget(handle.center), position);
+    if (const double away = distance(projection.toWidget(handle.center), position);
         away < nearest) {
       nearest = away;
-      held_ = Held{k, false, handle.center, position};
+      drag_ = Drag{k, false, handle.center, position};
     }
-    const double toTarget = distance(projection.inWidget(handle.target), position);
+    const double toTarget = distance(projection.toWidget(handle.target), position);
     if (k == chosen_ && toTarget < nearest) {
       nearest = toTarget;
-      held_ = Held{k, true, handle.target, position};
+      drag_ = Drag{k, true, handle.target, position};
     }
   }
-  if (held_) {
+  if (drag_) {
     scene_.keepCamera(); // the picture must not move under the hand
-    Q_EMIT chosen(held_->camera);
+    Q_EMIT chosen(drag_->camera);
     view_.update();
   }
-  return held_.has_value();
+  return drag_.has_value();
 }
 
 void CameraHandles::drag(QPointF position) {
-  const QPointF way = (position - held_->from) * view_.devicePixelRatioF();
+  const QPointF way = (position - drag_->from) * view_.devicePixelRatioF();
   const Eigen::Vector2d place =
-      scene_.placeInPicture(held_->start) + Eigen::Vector2d(way.x(), -way.y());
-  const Eigen::Vector3d there = scene_.placeInWorld(place, held_->start);
+      scene_.projectToImage(drag_->start) + Eigen::Vector2d(way.x(), -way.y());
+  const Eigen::Vector3d there = scene_.unproject(place, drag_->start);
   if (!there.allFinite()) {
     return;
   }
-  held_->isTarget ? Q_EMIT aimed(held_->camera, there) : Q_EMIT dragged(held_->camera, there);
+  drag_->isTarget ? Q_EMIT aimed(drag_->camera, there) : Q_EMIT dragged(drag_->camera, there);
 }
 
 void CameraHandles::drop() {
-  held_.reset();
+  drag_.reset();
   Q_EMIT dropped();
   view_.update();
 }
@@ -86,10 +86,10 @@ void CameraHandles::paint(QPainter& painter) const {
   const QPen halo = haloPen(kLinePx, edgeHalo(150, 1.6));
   for (int k = 0; k < static_cast<int>(handles_.size()); ++k) {
     const CameraHandle& handle = handles_[static_cast<std::size_t>(k)];
-    const QPointF center = projection.inWidget(handle.center);
+    const QPointF center = projection.toWidget(handle.center);
     painter.setBrush(Qt::NoBrush);
     if (k == chosen_) {
-      const QPointF target = projection.inWidget(handle.target);
+      const QPointF target = projection.toWidget(handle.target);
       painter.setPen(halo);
       painter.drawLine(center, target);
       painter.drawEllipse(target, kTargetPx, kTargetPx);

@@ -32,8 +32,8 @@ public:
   /// Sets the handles. If the list is empty, no camera can be dragged.
   void set(std::vector<CameraHandle> handles, int chosen);
   /// Starts dragging the handle at a position in the view. Returns false if there is none.
-  bool take(QPointF position);
-  bool isHeld() const { return held_.has_value(); }
+  bool grab(QPointF position);
+  bool isDragging() const { return drag_.has_value(); }
   void drag(QPointF position);
   void drop();
   void paint(QPainter& painter) const;
@@ -48,7 +48,7 @@ Q_SIGNALS:
   void dropped();
 
 private:
-  struct Held {
+  struct Drag {
     int camera;
     bool isTarget;
     Eigen::Vector3d start;
@@ -59,7 +59,7 @@ private:
   Scene3d& scene_;
   std::vector<CameraHandle> handles_;
   int chosen_ = -1;
-  std::optional<Held> held_;
+  std::optional<Drag> drag_;
 };
 
 } // namespace dewpoint::ui

@@ -34,11 +34,11 @@ bool isShown(const CameraGlyph& glyph, const Scene3d& scene) {
 
 Drawn draw(const CameraGlyph& glyph, const ViewProjection& projection) {
   Drawn drawn{
-      QString::fromStdString(glyph.name), projection.inWidget(glyph.center), {0.0, -1.0}, {}};
+      QString::fromStdString(glyph.name), projection.toWidget(glyph.center), {0.0, -1.0}, {}};
   drawn.shape.setFillRule(Qt::WindingFill);
   std::array<QPointF, 4> corners;
   std::ranges::transform(glyph.corners, corners.begin(),
-                         [&](const auto& corner) { return projection.inWidget(corner); });
+                         [&](const auto& corner) { return projection.toWidget(corner); });
   QPointF middle;
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const QPolygonF side{drawn.apex, corners[k], corners[(k + 1) % corners.size()], drawn.apex};
@@ -88,9 +88,9 @@ std::vector<CameraLabels::Label> CameraLabels::labels(const QWidget& view) const
     }
   }
   std::vector<QRectF> texts;
-  for (const Eigen::AlignedBox2d& text : scene_.textsInPicture()) {
+  for (const Eigen::AlignedBox2d& text : scene_.textAreas()) {
     texts.push_back(
-        QRectF(projection.inWidget(text.min()), projection.inWidget(text.max())).normalized());
+        QRectF(projection.toWidget(text.min()), projection.toWidget(text.max())).normalized());
   }
   std::vector<Label> placed;
   for (const Drawn& camera : cameras) {
@@ -102,7 +102,7 @@ std::vector<CameraLabels::Label> CameraLabels::labels(const QWidget& view) const
              std::ranges::none_of(cameras,
                                   [&](const Drawn& one) { return one.shape.intersects(place); }) &&
              std::ranges::none_of(placed,
-                                  [&](const Label& one) { return one.place.intersects(place); });
+                                  [&](const Label& one) { return one.area.intersects(place); });
     };
     const auto places = placesFor(camera, size);
     const auto free = std::ranges::find_if(places, isFree);
@@ -119,7 +119,7 @@ void CameraLabels::paint(QPainter& painter, const QWidget& view) const {
   const QFontMetricsF metrics(view.font());
   for (const Label& label : labels(view)) {
     QPainterPath text;
-    text.addText(label.place.left(), label.place.top() + metrics.ascent(), view.font(), label.text);
+    text.addText(label.area.left(), label.area.top() + metrics.ascent(), view.font(), label.text);
     painter.strokePath(text, QPen(halo, kHaloPx, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.fillPath(text, view.palette().color(QPalette::WindowText));
   }

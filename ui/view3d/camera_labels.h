@@ -19,7 +19,7 @@ public:
 
   struct Label {
     QString text;
-    QRectF place; ///< view coordinates
+    QRectF area; ///< view coordinates
   };
   /// Returns the labels. If there is room, they avoid all pyramids, the floor numbers and each
   /// other. Cameras outside the rendered image have no labels.

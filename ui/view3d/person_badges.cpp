@@ -31,7 +31,7 @@ void PersonBadges::setSnapshot(const TrackSnapshot* snapshot) {
 int PersonBadges::personAt(const ViewProjection& projection, QPointF position) const {
   constexpr double kReachPx = 20.0; // of badge and body
   for (const Badge& badge : badges_) {
-    const QPointF away = projection.inWidget(badge.place) - QPointF(0.0, kBesidePx) - position;
+    const QPointF away = projection.toWidget(badge.position) - QPointF(0.0, kBesidePx) - position;
     if (std::hypot(away.x(), away.y()) < kReachPx) {
       return badge.identity - 1;
     }
@@ -42,8 +42,9 @@ int PersonBadges::personAt(const ViewProjection& projection, QPointF position) c
 void PersonBadges::paint(QPainter& painter, const QWidget& view, const ViewProjection& projection,
                          int chosen) const {
   for (const Badge& badge : badges_) {
-    paintBadge(painter, badge.identity, projection.inWidget(badge.place) - QPointF(0.0, kBesidePx),
-               QRectF(view.rect()), badge.identity - 1 == chosen);
+    paintBadge(painter, badge.identity,
+               projection.toWidget(badge.position) - QPointF(0.0, kBesidePx), QRectF(view.rect()),
+               badge.identity - 1 == chosen);
   }
 }
 

@@ -28,7 +28,7 @@ public:
 private:
   struct Badge {
     int identity;
-    Eigen::Vector3d place; ///< above the head, world coordinates in meters
+    Eigen::Vector3d position; ///< above the head, world coordinates in meters
   };
   std::vector<Badge> badges_;
 };

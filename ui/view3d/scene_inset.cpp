@@ -58,7 +58,7 @@ void paintOutline(QPainter& painter, const ImageEllipse& outline, const QColor& 
 /// In the lower right corner of the box, with its length above it.
 void paintBar(QPainter& painter, const QRectF& box, const CloudCloseup& closeup,
               const QColor& ground, const QColor& ink) {
-  const double length = closeup.barMeters / closeup.metersPerPixel;
+  const double length = closeup.scaleBarMeters / closeup.metersPerPixel;
   const QPointF right = box.bottomRight() - QPointF(kSpacing, kSpacing);
   const QPointF left = right - QPointF(length, 0.0);
   QPainterPath bar;
@@ -67,7 +67,7 @@ void paintBar(QPainter& painter, const QRectF& box, const CloudCloseup& closeup,
   bar.lineTo(right);
   bar.lineTo(right - QPointF(0.0, kTickPx));
   QPainterPath text;
-  const QString said = lengthText(closeup.barMeters, LengthForm::Short);
+  const QString said = lengthText(closeup.scaleBarMeters, LengthForm::Short);
   const QFontMetricsF metrics(painter.font());
   text.addText(right.x() - metrics.horizontalAdvance(said), right.y() - kTickPx - 2.0,
                painter.font(), said);
@@ -80,7 +80,7 @@ void paintBar(QPainter& painter, const QRectF& box, const CloudCloseup& closeup,
 } // namespace
 
 bool SceneInset::isTooSmall(const TargetSnapshot& target) const {
-  const auto reach = cloudReach(target);
+  const auto reach = cloudSemiAxis(target);
   if (!reach || particleCountOf(target.estimate) <= 0) {
     return false;
   }
@@ -101,7 +101,7 @@ int SceneInset::target(const QWidget& view, int chosen) const {
   return found == targets.end() ? -1 : int(found - targets.begin());
 }
 
-QRectF SceneInset::place(const QWidget& view) {
+QRectF SceneInset::area(const QWidget& view) {
   return {view.width() - kSpacing - kSidePx, view.height() - kSpacing - kSidePx, kSidePx, kSidePx};
 }
 
@@ -112,7 +112,7 @@ void SceneInset::paint(QPainter& painter, const QWidget& view, int chosen) const
   }
   const TargetSnapshot& shown = snapshot_->targets[static_cast<std::size_t>(index)];
   const auto closeup =
-      cloudCloseup(shown, scene_.rightInPicture(), scene_.upInPicture(), kSidePx / 2.0);
+      cloudCloseup(shown, scene_.rightAxisInWorld(), scene_.upAxisInWorld(), kSidePx / 2.0);
   if (!closeup) {
     return;
   }
@@ -121,11 +121,11 @@ void SceneInset::paint(QPainter& painter, const QWidget& view, int chosen) const
   const QColor ground = palette.color(QPalette::Base);
   const QColor ink = palette.color(QPalette::Text);
   const QColor color = toColor(scene_.colorOf(static_cast<std::size_t>(index)));
-  const QRectF box = place(view);
+  const QRectF box = area(view);
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   // A line to what is enlarged, up to the box.
-  const QPointF mean = ViewProjection(view, scene_).inWidget(positionOf(shown.estimate)->mean);
+  const QPointF mean = ViewProjection(view, scene_).toWidget(positionOf(shown.estimate)->mean);
   QColor faint = ink;
   faint.setAlphaF(0.35F);
   if (!box.contains(mean)) {

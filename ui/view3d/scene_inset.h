@@ -24,7 +24,7 @@ public:
   /// small to see. Returns -1 if there is none or the view has no room.
   int target(const QWidget& view, int chosen) const;
   /// Returns the area of the inset in view pixels.
-  static QRectF place(const QWidget& view);
+  static QRectF area(const QWidget& view);
   void paint(QPainter& painter, const QWidget& view, int chosen) const;
 
 private:

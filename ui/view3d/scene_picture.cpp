@@ -50,7 +50,7 @@ void ScenePicture::request() {
   if (!view_.isVisible() || timer_.isActive()) {
     return; // hidden: drawn when shown
   }
-  const qint64 interval = std::max(kIntervalMs, 2 * costMs_);
+  const qint64 interval = std::max(kIntervalMs, 2 * renderMs_);
   const qint64 elapsed = sinceDrawn_.isValid() ? sinceDrawn_.elapsed() : interval;
   timer_.start(static_cast<int>(std::max<qint64>(0, interval - elapsed)));
 }
@@ -68,7 +68,7 @@ void ScenePicture::render() {
     image_ = vtk_->render(pixels);
     image_.setDevicePixelRatio(view_.devicePixelRatioF());
     Q_EMIT drawn();
-    costMs_ = clock.elapsed();
+    renderMs_ = clock.elapsed();
     sinceDrawn_.start();
   }
   view_.update();

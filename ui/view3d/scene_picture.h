@@ -67,7 +67,7 @@ private:
   std::string failure_;
   QTimer timer_;
   QElapsedTimer sinceDrawn_;
-  qint64 costMs_ = 0; ///< duration of the last rendering
+  qint64 renderMs_ = 0; ///< duration of the last rendering
   bool started_ = false;
   bool stale_ = true;
 };

@@ -3,13 +3,13 @@
 
 namespace dewpoint::ui {
 
-std::optional<TailPosition> nearestInTails(const TrackSnapshot& snapshot, const Scene3d& scene,
-                                           const Eigen::Vector2d& position, double reach) {
+std::optional<TailPosition> nearestTailPosition(const TrackSnapshot& snapshot, const Scene3d& scene,
+                                                const Eigen::Vector2d& position, double reach) {
   double nearest = reach;
   std::optional<TailPosition> found;
   for (std::size_t k = 0; k < snapshot.targets.size(); ++k) {
     for (const Eigen::Vector3d& point : snapshot.targets[k].tail) {
-      const double away = (scene.placeInPicture(point) - position).norm();
+      const double away = (scene.projectToImage(point) - position).norm();
       if (away < nearest) {
         nearest = away;
         found = TailPosition{static_cast<int>(k), point};

@@ -16,7 +16,7 @@ struct TailPosition {
 
 /// Returns the position in any tail that is closest to a position in the rendered image, within
 /// `reach`. Distances and positions are in device pixels, to the right of and above the center.
-std::optional<TailPosition> nearestInTails(const TrackSnapshot& snapshot, const Scene3d& scene,
-                                           const Eigen::Vector2d& position, double reach);
+std::optional<TailPosition> nearestTailPosition(const TrackSnapshot& snapshot, const Scene3d& scene,
+                                                const Eigen::Vector2d& position, double reach);
 
 } // namespace dewpoint::ui

@@ -32,7 +32,7 @@ ViewButtons::ViewButtons(QWidget& view) : QObject(&view), view_(view) {
     connect(buttons_[i], &QToolButton::clicked, this, [this, i] { Q_EMIT chosen(kViews[i]); });
   }
   fit_ = pictureButton(view, QStringLiteral("fitSceneButton"));
-  connect(fit_, &QToolButton::clicked, this, &ViewButtons::fitWanted);
+  connect(fit_, &QToolButton::clicked, this, &ViewButtons::fitRequested);
 }
 
 void ViewButtons::setCurrent(Scene3d::View view) {
@@ -43,10 +43,10 @@ void ViewButtons::setCurrent(Scene3d::View view) {
 
 void ViewButtons::setShown(bool shown) {
   shown_ = shown;
-  place();
+  moveToCorner();
 }
 
-void ViewButtons::place() {
+void ViewButtons::moveToCorner() {
   int x = kSpacing;
   const auto put = [&](QToolButton* button) {
     const QSize size = button->sizeHint();
@@ -79,7 +79,7 @@ void ViewButtons::retranslateUi() {
   fit_->setText(tr("Fit"));
   fit_->setToolTip(tr("Fit everything in the view, in the same direction (or double-click)"));
   fit_->setAccessibleDescription(fit_->toolTip());
-  place();
+  moveToCorner();
 }
 
 } // namespace dewpoint::ui

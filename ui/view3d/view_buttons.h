@@ -23,12 +23,12 @@ public:
   void setCurrent(Scene3d::View view);
   void setShown(bool shown);
   /// Places the buttons in the lower left corner of the view.
-  void place();
+  void moveToCorner();
   void retranslateUi();
 
 Q_SIGNALS:
   void chosen(dewpoint::ui::Scene3d::View view);
-  void fitWanted();
+  void fitRequested();
 
 private:
   QWidget& view_;

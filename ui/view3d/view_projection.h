@@ -15,18 +15,18 @@ public:
   ViewProjection(const QWidget& view, const Scene3d& scene) : view_(view), scene_(scene) {}
 
   /// Returns the widget position (pixels) of a world point (meters).
-  QPointF inWidget(const Eigen::Vector3d& point) const {
-    return inWidget(scene_.placeInPicture(point));
+  QPointF toWidget(const Eigen::Vector3d& point) const {
+    return toWidget(scene_.projectToImage(point));
   }
   /// Returns the widget position of a position in the rendered image, given in device pixels to the
   /// right of and above the center.
-  QPointF inWidget(const Eigen::Vector2d& picture) const {
+  QPointF toWidget(const Eigen::Vector2d& picture) const {
     const Eigen::Vector2d place = picture / view_.devicePixelRatioF();
     return {view_.width() / 2.0 + place.x(), view_.height() / 2.0 - place.y()};
   }
   /// Returns the position in the rendered image of a widget position: device pixels to the right of
   /// and above the center.
-  Eigen::Vector2d inPicture(QPointF position) const {
+  Eigen::Vector2d toRenderedImage(QPointF position) const {
     const QPointF middle(view_.width() / 2.0, view_.height() / 2.0);
     const QPointF offset = (position - middle) * view_.devicePixelRatioF();
     return {offset.x(), -offset.y()};

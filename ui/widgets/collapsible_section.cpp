@@ -12,15 +12,15 @@
 namespace dewpoint::ui {
 
 CollapsibleSection::CollapsibleSection(const QString& title, QWidget* parent)
-    : QWidget(parent), head_(new QToolButton(this)), mark_(new QLabel(QStringLiteral("●"), this)),
+    : QWidget(parent), header_(new QToolButton(this)), mark_(new QLabel(QStringLiteral("●"), this)),
       body_(new QWidget(this)), rows_(new QVBoxLayout(body_)) {
-  head_->setObjectName(QStringLiteral("sectionHead"));
-  head_->setText(title);
-  head_->setFont(headingFont(font()));
-  head_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  head_->setAutoRaise(true);
-  head_->setFocusPolicy(Qt::StrongFocus);
-  head_->setIconSize({10, 10});
+  header_->setObjectName(QStringLiteral("sectionHead"));
+  header_->setText(title);
+  header_->setFont(headingFont(font()));
+  header_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  header_->setAutoRaise(true);
+  header_->setFocusPolicy(Qt::StrongFocus);
+  header_->setIconSize({10, 10});
   mark_->setForegroundRole(QPalette::Highlight);
   mark_->setFont(smallerFont(font()));
   mark_->hide();
@@ -28,7 +28,7 @@ CollapsibleSection::CollapsibleSection(const QString& title, QWidget* parent)
   rows_->setSpacing(2 * kSpacing);
   auto* heading = new QHBoxLayout;
   heading->setSpacing(kSpacing / 2);
-  heading->addWidget(head_);
+  heading->addWidget(header_);
   heading->addWidget(mark_);
   heading->addStretch();
   auto* column = new QVBoxLayout(this);
@@ -37,7 +37,7 @@ CollapsibleSection::CollapsibleSection(const QString& title, QWidget* parent)
   column->addLayout(heading);
   column->addWidget(body_);
   setOpen(false);
-  connect(head_, &QToolButton::clicked, this, [this] {
+  connect(header_, &QToolButton::clicked, this, [this] {
     setOpen(!isOpen());
     Q_EMIT openedByUser(isOpen());
   });
@@ -53,7 +53,7 @@ bool CollapsibleSection::isOpen() const {
 
 void CollapsibleSection::setOpen(bool open) {
   body_->setVisible(open);
-  head_->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
+  header_->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
 }
 
 void CollapsibleSection::setMark(const QString& hint) {

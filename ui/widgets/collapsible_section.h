@@ -30,7 +30,7 @@ Q_SIGNALS:
   void openedByUser(bool open);
 
 private:
-  QToolButton* head_;
+  QToolButton* header_;
   QLabel* mark_;
   QWidget* body_;
   QVBoxLayout* rows_;

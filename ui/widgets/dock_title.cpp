@@ -59,8 +59,8 @@ DockTitle::DockTitle(QDockWidget* dock)
   // A narrow view is not kept from being narrow by its words.
   name_->setMinimumWidth(kLeastNameWidth);
   state_->setMinimumWidth(kLeastStateWidth);
-  connect(float_, &QToolButton::clicked, this, &DockTitle::floatWanted);
-  connect(restore_, &QToolButton::clicked, this, &DockTitle::maximizeWanted);
+  connect(float_, &QToolButton::clicked, this, &DockTitle::floatRequested);
+  connect(restore_, &QToolButton::clicked, this, &DockTitle::maximizeRequested);
   connect(dock_, &QDockWidget::windowTitleChanged, name_, &QLabel::setText);
   applyPalette();
 }
@@ -114,7 +114,7 @@ void DockTitle::changeEvent(QEvent* event) {
 
 void DockTitle::mouseDoubleClickEvent(QMouseEvent* event) {
   event->accept();
-  Q_EMIT maximizeWanted();
+  Q_EMIT maximizeRequested();
 }
 
 void DockTitle::paintEvent(QPaintEvent*) {

@@ -34,9 +34,9 @@ public:
 
 Q_SIGNALS:
   /// Emitted when the user wants to maximize the dock or restore the other views.
-  void maximizeWanted();
+  void maximizeRequested();
   /// Emitted when the user wants to float the dock or put it back.
-  void floatWanted();
+  void floatRequested();
 
 protected:
   void changeEvent(QEvent* event) override;

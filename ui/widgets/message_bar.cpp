@@ -34,7 +34,7 @@ constexpr double kEdge = 0.45;
 
 MessageBar::MessageBar(QWidget* parent)
     : QFrame(parent), mark_(new QLabel(this)), text_(new QLabel(this)),
-      close_(new QToolButton(this)), leave_(new QTimer(this)) {
+      close_(new QToolButton(this)), hideTimer_(new QTimer(this)) {
   setObjectName(QStringLiteral("messageBar"));
   mark_->setObjectName(QStringLiteral("messageMark"));
   text_->setObjectName(QStringLiteral("messageText"));
@@ -50,8 +50,8 @@ MessageBar::MessageBar(QWidget* parent)
   layout->addWidget(text_, 1);
   layout->addWidget(close_);
   connect(close_, &QToolButton::clicked, this, &MessageBar::dismiss);
-  leave_->setSingleShot(true);
-  connect(leave_, &QTimer::timeout, this, &MessageBar::dismiss);
+  hideTimer_->setSingleShot(true);
+  connect(hideTimer_, &QTimer::timeout, this, &MessageBar::dismiss);
   setBackgroundRole(QPalette::Window);  // else the colors of a toolbar's buttons are taken
   close_->setFocusPolicy(Qt::TabFocus); // a click leaves the keys where they are
   connect(qApp, &QApplication::focusChanged, this, &MessageBar::rememberFocus);
@@ -73,7 +73,7 @@ QString MessageBar::text() const {
 }
 
 void MessageBar::dismiss() {
-  leave_->stop();
+  hideTimer_->stop();
   returnFocus(); // before it would go to whatever comes next
   text_->clear();
   clearAnswers();
@@ -121,7 +121,7 @@ void MessageBar::ask(const QString& question, const std::vector<Answer>& answers
     button->show(); // the bar is shown already: it needs the room
     answers_.push_back(button);
   }
-  leave_->stop();
+  hideTimer_->stop();
   updateGeometry();
 }
 
@@ -143,13 +143,13 @@ void MessageBar::setMessage(const QString& text, Severity severity) {
   applyPalette();
   show();
   updateGeometry();
-  leaveSoon();
+  startHideTimer();
 }
 
-void MessageBar::leaveSoon() {
-  leave_->stop();
+void MessageBar::startHideTimer() {
+  hideTimer_->stop();
   if (severity_ == Severity::Information && answers_.empty()) {
-    leave_->start(kShortestMs + kMsPerLetter * static_cast<int>(text_->text().size()));
+    hideTimer_->start(kShortestMs + kMsPerLetter * static_cast<int>(text_->text().size()));
   }
 }
 
@@ -179,7 +179,7 @@ void MessageBar::keyPressEvent(QKeyEvent* event) {
   }
 }
 
-QColor MessageBar::inkOfSeverity() const {
+QColor MessageBar::severityColor() const {
   return severity_ == Severity::Error     ? holdColor(HoldState::Lost, palette())
          : severity_ == Severity::Warning ? holdColor(HoldState::Ambiguous, palette())
                                           : palette().color(QPalette::Link);
@@ -188,18 +188,18 @@ QColor MessageBar::inkOfSeverity() const {
 void MessageBar::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
   const QColor ground = palette().color(QPalette::Window);
-  painter.fillRect(rect(), mixedColor(ground, inkOfSeverity(), kTint));
-  painter.fillRect(QRect(0, height() - 1, width(), 1), mixedColor(ground, inkOfSeverity(), kEdge));
+  painter.fillRect(rect(), mixedColor(ground, severityColor(), kTint));
+  painter.fillRect(QRect(0, height() - 1, width(), 1), mixedColor(ground, severityColor(), kEdge));
 }
 
 void MessageBar::enterEvent(QEnterEvent* event) {
-  leave_->stop();
+  hideTimer_->stop();
   QFrame::enterEvent(event);
 }
 
 void MessageBar::leaveEvent(QEvent* event) {
   if (isVisible()) {
-    leaveSoon();
+    startHideTimer();
   }
   QFrame::leaveEvent(event);
 }
@@ -214,7 +214,7 @@ void MessageBar::changeEvent(QEvent* event) {
 void MessageBar::applyPalette() {
   close_->setIcon(symbolicIcon(QStringLiteral("close"), palette()));
   QPalette colors = mark_->palette();
-  const QColor color = inkOfSeverity();
+  const QColor color = severityColor();
   if (colors.color(QPalette::WindowText) != color) {
     colors.setColor(QPalette::WindowText, color);
     mark_->setPalette(colors);

@@ -61,16 +61,16 @@ protected:
 private:
   void setMessage(const QString& text, Severity severity);
   void clearAnswers();
-  QColor inkOfSeverity() const;
+  QColor severityColor() const;
   void applyPalette();
-  void leaveSoon();
+  void startHideTimer();
   void rememberFocus(QWidget* before, const QWidget* now);
   void returnFocus();
 
   QLabel* mark_;
   QLabel* text_;
   QToolButton* close_;
-  QTimer* leave_;
+  QTimer* hideTimer_;
   std::vector<QPushButton*> answers_;
   Severity severity_ = Severity::Information;
   QPointer<QWidget> focusBefore_; ///< widget that had the keyboard focus before the bar got it

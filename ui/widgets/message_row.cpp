@@ -23,7 +23,7 @@ MessageRow::MessageRow(MessageBar* bar, QWidget* parent) : QToolBar(parent), bar
   fit();
 }
 
-int MessageRow::wantedHeight() const {
+int MessageRow::neededHeight() const {
   if (bar_->isHidden()) {
     return 0;
   }
@@ -42,7 +42,7 @@ QSize MessageRow::minimumSizeHint() const {
 }
 
 void MessageRow::fit() {
-  const int wanted = wantedHeight();
+  const int wanted = neededHeight();
   if (wanted != maximumHeight()) {
     Q_EMIT heightChanging();
     setFixedHeight(wanted);

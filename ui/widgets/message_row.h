@@ -31,7 +31,7 @@ protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-  int wantedHeight() const;
+  int neededHeight() const;
   void fit();
 
   MessageBar* bar_;

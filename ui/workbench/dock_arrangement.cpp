@@ -16,14 +16,14 @@ std::vector<ViewDock*> DockArrangement::docks() const {
   return {found.begin(), found.end()};
 }
 
-std::vector<ViewDock*> DockArrangement::at(DockPlace place) const {
+std::vector<ViewDock*> DockArrangement::at(DockArea place) const {
   std::vector<ViewDock*> found = docks();
-  std::erase_if(found, [place](const ViewDock* dock) { return dock->place() != place; });
+  std::erase_if(found, [place](const ViewDock* dock) { return dock->area() != place; });
   std::ranges::stable_sort(found, {}, &ViewDock::rank);
   return found;
 }
 
-ViewDock* DockArrangement::first(DockPlace place) const {
+ViewDock* DockArrangement::first(DockArea place) const {
   const std::vector<ViewDock*> found = at(place);
   return found.empty() ? nullptr : found.front();
 }
@@ -33,21 +33,21 @@ void DockArrangement::place() {
     dock->setFloating(false);
     window_.removeDockWidget(dock); // or splits and tabs would build on what was
   }
-  const auto below = at(DockPlace::Plots);
+  const auto below = at(DockArea::Plots);
   window_.addDockWidget(Qt::BottomDockWidgetArea, below.front());
   ViewDock* last = below.front();
-  for (ViewDock* dock : at(DockPlace::Timeline)) {
+  for (ViewDock* dock : at(DockArea::Timeline)) {
     window_.splitDockWidget(last, dock, Qt::Vertical);
     last = dock;
   }
   for (std::size_t i = 1; i < below.size(); ++i) {
     window_.tabifyDockWidget(below.front(), below[i]);
   }
-  ViewDock* scene = first(DockPlace::Scene);
+  ViewDock* scene = first(DockArea::Scene);
   placeCameras(scene);
-  const auto inspector = at(DockPlace::Inspector);
+  const auto inspector = at(DockArea::Inspector);
   window_.splitDockWidget(scene, inspector.front(), Qt::Horizontal);
-  for (ViewDock* dock : at(DockPlace::History)) { // before there are tabs
+  for (ViewDock* dock : at(DockArea::History)) { // before there are tabs
     window_.splitDockWidget(inspector.front(), dock, Qt::Vertical);
   }
   // One tab for each kind of thing that can be looked into.
@@ -58,7 +58,7 @@ void DockArrangement::place() {
 
 void DockArrangement::placeCameras(ViewDock* scene) {
   window_.addDockWidget(Qt::LeftDockWidgetArea, scene);
-  const std::vector<ViewDock*> cameras = at(DockPlace::Cameras);
+  const std::vector<ViewDock*> cameras = at(DockArea::Cameras);
   if (cameras.empty()) {
     return;
   }
@@ -80,34 +80,34 @@ void DockArrangement::placeCameras(ViewDock* scene) {
 }
 
 ViewShares DockArrangement::shares() const {
-  return viewSharesOf(window_, at(DockPlace::Inspector), *first(DockPlace::Scene),
-                      *first(DockPlace::Timeline));
+  return viewSharesOf(window_, at(DockArea::Inspector), *first(DockArea::Scene),
+                      *first(DockArea::Timeline));
 }
 
 ImageGrid DockArrangement::cameraGrid(const QSize& room) const {
-  const auto cameras = at(DockPlace::Cameras);
+  const auto cameras = at(DockArea::Cameras);
   return bestImageGrid(imageAspectsOf(document_.project(), cameras.size()), room,
                        cameras.front()->title().sizeHint().height(), cameraColumns_);
 }
 
 int DockArrangement::bestCameraColumns() const {
-  return at(DockPlace::Cameras).empty() ? cameraColumns_ : cameraGrid(shares().cameras).columns;
+  return at(DockArea::Cameras).empty() ? cameraColumns_ : cameraGrid(shares().cameras).columns;
 }
 
 void DockArrangement::distributeSizes() {
   const ViewShares all = shares();
-  ViewDock* scene = first(DockPlace::Scene);
-  const std::vector<ViewDock*> cameras = at(DockPlace::Cameras);
+  ViewDock* scene = first(DockArea::Scene);
+  const std::vector<ViewDock*> cameras = at(DockArea::Cameras);
   QList<QDockWidget*> row;
   QList<int> widths;
   int left = window_.width() - all.inspector - kDockSeparator;
   if (!cameras.empty()) {
     const ImageGrid grid = cameraGrid(all.cameras);
     // No wider than the images can use, if something else can.
-    const int least = cameras.size() > 1 ? all.leastForCameras : 0;
-    const int wanted =
-        all.scene == 0 ? all.cameras.width()
-                       : std::min(all.cameras.width(), std::max(least, qCeil(grid.usefulWidth)));
+    const int least = cameras.size() > 1 ? all.minimumCameraWidth : 0;
+    const int wanted = all.scene == 0 ? all.cameras.width()
+                                      : std::min(all.cameras.width(),
+                                                 std::max(least, qCeil(grid.maximumUsefulWidth)));
     for (std::size_t column = 0; column < grid.columnShares.size(); ++column) {
       row.push_back(cameras[column]);
       widths.push_back(std::max(1, qRound(wanted * grid.columnShares[column])));
@@ -118,10 +118,10 @@ void DockArrangement::distributeSizes() {
     row.push_back(scene);
     widths.push_back(std::max(1, left));
   }
-  row.push_back(first(DockPlace::Inspector));
+  row.push_back(first(DockArea::Inspector));
   widths.push_back(all.inspector);
   window_.resizeDocks(row, widths, Qt::Horizontal);
-  window_.resizeDocks({first(DockPlace::Plots), first(DockPlace::Timeline)},
+  window_.resizeDocks({first(DockArea::Plots), first(DockArea::Timeline)},
                       {all.plots, all.timeline}, Qt::Vertical);
   if (!cameras.empty()) {
     distributeCameras(cameraGrid(all.cameras), all.cameras.height());
@@ -129,7 +129,7 @@ void DockArrangement::distributeSizes() {
 }
 
 void DockArrangement::distributeCameras(const ImageGrid& grid, int height) {
-  const std::vector<ViewDock*> cameras = at(DockPlace::Cameras);
+  const std::vector<ViewDock*> cameras = at(DockArea::Cameras);
   QList<int> heights;
   for (const double share : grid.heightShares) {
     heights.push_back(std::max(1, qRound(height * share)));

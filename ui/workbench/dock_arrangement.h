@@ -23,9 +23,9 @@ public:
   /// Returns all docks, in the order of the window's children.
   std::vector<ViewDock*> docks() const;
   /// Returns the docks at one position, ordered by rank.
-  std::vector<ViewDock*> at(DockPlace place) const;
+  std::vector<ViewDock*> at(DockArea place) const;
   /// Returns the first dock at a position, or null if there is none.
-  ViewDock* first(DockPlace place) const;
+  ViewDock* first(DockArea place) const;
 
   /// Removes all docks from the window and adds them at their default positions.
   void place();

@@ -34,7 +34,7 @@ DockManager::DockManager(QMainWindow& window, Document& document, const SessionC
 
 ViewDock* DockManager::make(const DockDeclaration& declaration) {
   auto* dock = new ViewDock(declaration, &window_);
-  connect(dock, &ViewDock::maximizeWanted, this, [this, dock] { toggleMaximized(dock); });
+  connect(dock, &ViewDock::maximizeRequested, this, [this, dock] { toggleMaximized(dock); });
   const auto movedByUser = [this] {
     suitsSize_ = suitsSize_ && arranging_;
     heightsBelow_.forget();
@@ -47,7 +47,7 @@ ViewDock* DockManager::make(const DockDeclaration& declaration) {
       QMetaObject::invokeMethod(
           this,
           [this] {
-            ViewDock* inspector = arrangement_.first(DockPlace::Inspector);
+            ViewDock* inspector = arrangement_.first(DockArea::Inspector);
             window_.resizeDocks({inspector}, {inspector->minimumSizeHint().width()},
                                 Qt::Horizontal);
           },
@@ -60,7 +60,7 @@ ViewDock* DockManager::make(const DockDeclaration& declaration) {
       restoreMaximized(); // or nothing would be left
     }
   });
-  names_->follow(dock);
+  names_->addDock(dock);
   Q_EMIT made(dock);
   return dock;
 }
@@ -101,7 +101,7 @@ void DockManager::layOut() {
 
 void DockManager::reset() {
   document_.setLayout({});
-  for (ViewDock* camera : arrangement_.at(DockPlace::Cameras)) {
+  for (ViewDock* camera : arrangement_.at(DockArea::Cameras)) {
     camera->setHiddenByUser(false);
   }
   layOut();
@@ -134,8 +134,8 @@ void DockManager::arrange() {
   const bool before = std::exchange(arranging_, true);
   arrangement_.place();
   showViews(session_.isRunning());
-  arrangement_.first(DockPlace::Inspector)->raise();
-  arrangement_.first(DockPlace::Plots)->raise();
+  arrangement_.first(DockArea::Inspector)->raise();
+  arrangement_.first(DockArea::Plots)->raise();
   arranging_ = before;
   distributeDockSizesSoon();
 }

@@ -13,20 +13,20 @@ namespace dewpoint::ui {
 
 DockNames::DockNames(QMainWindow& window, QObject* parent) : QObject(parent), window_(window) {}
 
-void DockNames::follow(ViewDock* dock) {
+void DockNames::addDock(ViewDock* dock) {
   connect(dock, &QDockWidget::dockLocationChanged, this, &DockNames::showSoon);
   connect(dock, &QDockWidget::topLevelChanged, this, &DockNames::showSoon);
   connect(dock, &QDockWidget::visibilityChanged, this, &DockNames::showSoon);
 }
 
 void DockNames::showSoon() {
-  if (!std::exchange(isComing_, true)) {
+  if (!std::exchange(isScheduled_, true)) {
     QMetaObject::invokeMethod(this, &DockNames::show, Qt::QueuedConnection);
   }
 }
 
 void DockNames::show() {
-  isComing_ = false;
+  isScheduled_ = false;
   for (ViewDock* dock : window_.findChildren<ViewDock*>()) {
     const auto neighbors = window_.tabifiedDockWidgets(dock);
     const bool hasTab =

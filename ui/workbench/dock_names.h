@@ -18,7 +18,7 @@ public:
   DockNames(QMainWindow& window, QObject* parent);
 
   /// Starts to manage where the name of this dock is shown.
-  void follow(ViewDock* dock);
+  void addDock(ViewDock* dock);
   /// Updates all docks once the layout has settled.
   void showSoon();
 
@@ -26,7 +26,7 @@ private:
   void show();
 
   QMainWindow& window_;
-  bool isComing_ = false; ///< a call of show() is scheduled
+  bool isScheduled_ = false; ///< a call of show() is scheduled
 };
 
 } // namespace dewpoint::ui

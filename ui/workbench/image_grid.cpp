@@ -41,7 +41,7 @@ ImageGrid imageGridOf(std::span<const double> aspects, const QSizeF& room, doubl
     const auto rows = static_cast<double>(views.size());
     // By the mean image, so that a column with a view less is not wider than the others.
     grid.columnShares.push_back(rows / height);
-    grid.usefulWidth += std::max(0.0, room.height() - rows * title) / height;
+    grid.maximumUsefulWidth += std::max(0.0, room.height() - rows * title) / height;
   }
   const double whole = std::accumulate(grid.columnShares.begin(), grid.columnShares.end(), 0.0);
   for (std::size_t column = 0; column < count; ++column) {

@@ -16,7 +16,7 @@ namespace dewpoint::ui {
 struct ImageGrid {
   int columns = 1;
   double area = 0.0;                ///< area covered by images, in square units of the room
-  double usefulWidth = 0.0;         ///< width beyond which no image grows
+  double maximumUsefulWidth = 0.0;  ///< width beyond which no image grows
   std::vector<double> columnShares; ///< fraction of the width, one per column; the sum is 1
   std::vector<double> heightShares; ///< fraction of the column height, one per view
 };

@@ -19,21 +19,21 @@ constexpr QSize kLeastScene(160, 96);
 constexpr int kLeastPlots = 48; ///< height; what does not fit scrolls
 
 /// The content as a window that is small can show it: panels scroll, views of images shrink.
-QWidget* shrinkable(QWidget* content, DockPlace place, const QString& name) {
+QWidget* shrinkable(QWidget* content, DockArea place, const QString& name) {
   switch (place) {
-  case DockPlace::Cameras:
+  case DockArea::Cameras:
     content->setMinimumSize(kLeastImage);
     return content;
-  case DockPlace::Scene:
+  case DockArea::Scene:
     content->setMinimumSize(kLeastScene);
     return content;
-  case DockPlace::Plots:
+  case DockArea::Plots:
     content->setMinimumHeight(kLeastPlots);
     return content;
-  case DockPlace::Inspector:
+  case DockArea::Inspector:
     break;
-  case DockPlace::History:
-  case DockPlace::Timeline:
+  case DockArea::History:
+  case DockArea::Timeline:
     return content;
   }
   if (qobject_cast<QAbstractScrollArea*>(content) != nullptr) {
@@ -51,11 +51,11 @@ QWidget* shrinkable(QWidget* content, DockPlace place, const QString& name) {
 } // namespace
 
 ViewDock::ViewDock(const DockDeclaration& declaration, QWidget* window)
-    : QDockWidget(window), place_(declaration.place), rank_(declaration.rank),
+    : QDockWidget(window), area_(declaration.area), rank_(declaration.rank),
       hiddenByUser_(declaration.hiddenAtFirst), openedByAction_(declaration.openedByAction) {
   onRetranslate(this, [this, title = declaration.title] { setWindowTitle(title()); });
   setObjectName(declaration.name);
-  setWidget(shrinkable(declaration.content, place_, declaration.name));
+  setWidget(shrinkable(declaration.content, area_, declaration.name));
   setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable |
               QDockWidget::DockWidgetClosable);
   connect(toggleViewAction(), &QAction::triggered, this, [this](bool shown) {
@@ -65,12 +65,12 @@ ViewDock::ViewDock(const DockDeclaration& declaration, QWidget* window)
   connect(this, &QDockWidget::visibilityChanged, this, [this](bool seen) { behind_ = !seen; });
   title_ = new DockTitle(this);
   setTitleBarWidget(title_);
-  connect(title_, &DockTitle::maximizeWanted, this, &ViewDock::maximizeWanted);
-  connect(title_, &DockTitle::floatWanted, this, &ViewDock::toggleFloating);
+  connect(title_, &DockTitle::maximizeRequested, this, &ViewDock::maximizeRequested);
+  connect(title_, &DockTitle::floatRequested, this, &ViewDock::toggleFloating);
   connect(this, &QDockWidget::topLevelChanged, this, [this](bool floating) {
     if (floating && QGuiApplication::mouseButtons() == Qt::NoButton) {
       // Later: a layout that is being restored is not disturbed.
-      QMetaObject::invokeMethod(this, &ViewDock::takeFrame, Qt::QueuedConnection);
+      QMetaObject::invokeMethod(this, &ViewDock::addWindowFrame, Qt::QueuedConnection);
     }
   });
 }
@@ -83,14 +83,14 @@ void ViewDock::toggleFloating() {
   const QPoint place = mapToGlobal(QPoint());
   const QSize before = size();
   setFloating(true);
-  takeFrame(); // the button may count as pressed still
+  addWindowFrame(); // the button may count as pressed still
   resize(before);
   move(place + kBesideItsPlace);
   raise();
   activateWindow();
 }
 
-void ViewDock::takeFrame() {
+void ViewDock::addWindowFrame() {
   if (!isFloating() || !windowFlags().testFlag(Qt::FramelessWindowHint)) {
     return;
   }
@@ -107,7 +107,7 @@ void ViewDock::takeFrame() {
 bool ViewDock::event(QEvent* event) {
   const bool taken = QDockWidget::event(event);
   if (event->type() == QEvent::MouseButtonRelease) {
-    takeFrame();
+    addWindowFrame();
   }
   return taken;
 }
@@ -120,13 +120,13 @@ void ViewDock::closeEvent(QCloseEvent* event) {
   }
 }
 
-void ViewDock::setWanted(bool wanted) {
+void ViewDock::setShownByUser(bool wanted) {
   hiddenByUser_ = !wanted;
   setVisible(wanted);
 }
 
 void ViewDock::bringToFront() {
-  setWanted(true);
+  setShownByUser(true);
   raise();
 }
 

@@ -13,7 +13,7 @@ namespace dewpoint::ui {
 class DockTitle;
 
 /// Position of a dock in the default arrangement.
-enum class DockPlace {
+enum class DockArea {
   Cameras,   ///< on the left, in the number of columns that makes the images largest
   Scene,     ///< to the right of the cameras
   Inspector, ///< tabs at the right edge
@@ -27,7 +27,7 @@ struct DockDeclaration {
   QString name;                   ///< objectName, used in saved layouts
   std::function<QString()> title; ///< called again when the language changes
   QWidget* content;
-  DockPlace place = DockPlace::Inspector;
+  DockArea area = DockArea::Inspector;
   int rank = 100;              ///< order among the docks at this position, lowest first
   bool hiddenAtFirst = false;  ///< hidden until the user opens it
   bool openedByAction = false; ///< an action shows it, so the palette lists the action instead
@@ -41,7 +41,7 @@ public:
   ViewDock(const DockDeclaration& declaration, QWidget* window);
 
   DockTitle& title() { return *title_; }
-  DockPlace place() const { return place_; }
+  DockArea area() const { return area_; }
   int rank() const { return rank_; }
   bool isOpenedByAction() const { return openedByAction_; }
   /// Returns whether the user or the method hid the dock. Such a dock is not shown with the other
@@ -49,7 +49,7 @@ public:
   bool isHiddenByUser() const { return hiddenByUser_; }
   void setHiddenByUser(bool hidden) { hiddenByUser_ = hidden; }
   /// Shows or hides the dock, and stores this as the user's choice.
-  void setWanted(bool wanted);
+  void setShownByUser(bool wanted);
   /// Returns whether no part of the dock is visible, because it is behind another tab or hidden.
   bool isBehind() const { return behind_; }
   /// Shows the dock in front of its tabs, and stores this as the user's choice.
@@ -65,16 +65,16 @@ protected:
 
 Q_SIGNALS:
   /// Emitted when the user wants to maximize this dock or restore the other views.
-  void maximizeWanted();
+  void maximizeRequested();
   /// Emitted when the user hides or shows the dock in the list of views.
   void toggledByUser(bool shown);
 
 private:
   /// Gives a floating view a window frame, so that it can be moved and maximized like any other
   /// window.
-  void takeFrame();
+  void addWindowFrame();
 
-  DockPlace place_;
+  DockArea area_;
   int rank_;
   bool hiddenByUser_;
   bool openedByAction_;

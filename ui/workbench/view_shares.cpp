@@ -50,7 +50,7 @@ ViewShares viewSharesOf(const QMainWindow& window, const std::vector<ViewDock*>&
   shares.plots = window.height() * kPlotsPercent / 100;
   shares.timeline = window.height() < kSmallHeight ? timeline.minimumSizeHint().height()
                                                    : timeline.sizeHint().height();
-  shares.leastForCameras = window.width() * kLeastOfCamerasPercent / 100;
+  shares.minimumCameraWidth = window.width() * kLeastOfCamerasPercent / 100;
   shares.cameras = QSize(window.width() - shares.inspector - kDockSeparator - shares.scene -
                              (shares.scene > 0 ? kDockSeparator : 0),
                          window.height() - heightAroundViews(window) - shares.plots -

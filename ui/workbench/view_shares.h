@@ -19,12 +19,12 @@ class ViewDock;
 
 /// Sizes of each kind of view for a given window size, in pixels. Images have priority.
 struct ViewShares {
-  QSize cameras;           ///< maximum size of all camera views together
-  int leastForCameras = 0; ///< minimum width for two or more cameras
-  int inspector = 0;       ///< width
-  int scene = 0;           ///< width of the scene; 0 if it is hidden
-  int plots = 0;           ///< height
-  int timeline = 0;        ///< height
+  QSize cameras;              ///< maximum size of all camera views together
+  int minimumCameraWidth = 0; ///< minimum width for two or more cameras
+  int inspector = 0;          ///< width
+  int scene = 0;              ///< width of the scene; 0 if it is hidden
+  int plots = 0;              ///< height
+  int timeline = 0;           ///< height
 };
 
 /// Approximate width of the separator between two docks, pixels.

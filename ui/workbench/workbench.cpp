@@ -26,12 +26,12 @@ void Workbench::onToggled(ActionId id, QObject* context, std::function<void(bool
   QObject::connect(action(id), &QAction::toggled, context, std::move(run));
 }
 
-void Workbench::needRun(std::initializer_list<ActionId> ids) const {
-  needRun(ids, [] { return true; });
+void Workbench::requireRun(std::initializer_list<ActionId> ids) const {
+  requireRun(ids, [] { return true; });
 }
 
-void Workbench::needRun(std::initializer_list<ActionId> ids,
-                        const std::function<bool()>& suits) const {
+void Workbench::requireRun(std::initializer_list<ActionId> ids,
+                           const std::function<bool()>& suits) const {
   std::vector<QAction*> dependent;
   for (const ActionId id : ids) {
     dependent.push_back(action(id));

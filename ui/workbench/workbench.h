@@ -39,10 +39,10 @@ struct Workbench {
   void onTriggered(ActionId id, QObject* context, std::function<void()> run) const;
   void onToggled(ActionId id, QObject* context, std::function<void(bool)> run) const;
   /// Enables these actions only while a project is open and no page covers it.
-  void needRun(std::initializer_list<ActionId> ids) const;
+  void requireRun(std::initializer_list<ActionId> ids) const;
   /// Enables these actions under the same condition, and only while `suits` returns true. `suits`
   /// is called again when a run begins or ends, and when the method changes.
-  void needRun(std::initializer_list<ActionId> ids, const std::function<bool()>& suits) const;
+  void requireRun(std::initializer_list<ActionId> ids, const std::function<bool()>& suits) const;
   /// Shows a dialog in front of the window.
   static void present(QWidget* dialog);
 

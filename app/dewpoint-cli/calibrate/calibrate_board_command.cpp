@@ -69,7 +69,7 @@ void printViews(const std::vector<ViewFit>& views) {
   }
 }
 
-void printIntrinsics(const SeenBoards::PerCamera& seen, const IntrinsicsResult& result,
+void printIntrinsics(const BoardDetections::PerCamera& seen, const IntrinsicsResult& result,
                      bool named) {
   if (named) {
     fmt::print("{}\n", seen.name);
@@ -82,22 +82,22 @@ void printIntrinsics(const SeenBoards::PerCamera& seen, const IntrinsicsResult& 
   fmt::print("{} {:.2f} +- {:.2f} px; error of a ray at most {:.2f} px (1 sigma) anywhere in the "
              "image; the corners cover {:.0f} % of it\n",
              focal.name, focal.value, focal.sigma, result.worstProjectionPx,
-             inPercent(result.coverage.imagePart()));
+             inPercent(result.coverage.coveredFraction()));
   printViews(result.views);
 }
 
-void printLenses(const SeenBoards& seen, const LensesFromBoards& lenses) {
+void printLenses(const BoardDetections& seen, const LensesFromBoards& lenses) {
   for (std::size_t k = 0; k < lenses.cameras.size(); ++k) {
     if (lenses.cameras[k]) {
       printIntrinsics(seen.cameras[k], *lenses.cameras[k], lenses.cameras.size() > 1);
     }
   }
   for (const Error& kept : lenses.kept) {
-    fmt::print("note: {}.\n", keptSentence(kept));
+    fmt::print("note: {}.\n", keptIntrinsicsText(kept));
   }
 }
 
-void printPositions(const SeenBoards& seen, const BoardOutcome& outcome) {
+void printPositions(const BoardDetections& seen, const BoardOutcome& outcome) {
   const ExtrinsicsResult& result = *outcome.extrinsics;
   fmt::print("RMS {:.4f} px over {} board poses\n", result.rmsPx, result.boardPoses.size());
   for (std::size_t k = 0; k < result.cameras.size(); ++k) {
@@ -110,7 +110,7 @@ void printPositions(const SeenBoards& seen, const BoardOutcome& outcome) {
                fit.rmsPx, center.x(), center.y(), center.z(), axis.x(), axis.y(), axis.z());
     if (fit.centerSigma > 0.0) {
       fmt::print("; +- {:.2f} mm, {:.3f} degrees relative to the first camera",
-                 inMillimeters(fit.centerSigma), inDegrees(fit.turnSigma));
+                 inMillimeters(fit.centerSigma), inDegrees(fit.rotationSigma));
     }
     fmt::print("\n");
     printViews(fit.views);
@@ -118,15 +118,15 @@ void printPositions(const SeenBoards& seen, const BoardOutcome& outcome) {
   for (const std::string& notice : result.notices) {
     fmt::print("note: {}.\n", notice);
   }
-  printAccuracy(outcome.accuracy, outcome.accuracySentence, result.faults);
+  printAccuracy(outcome.accuracy, outcome.accuracySummary, result.faults);
 }
 
 /// Calibrates, says what was found, and writes it.
 int calibrate(const BoardOptions& options, const BoardGoal& goal, const Project& project,
-              const SeenBoards& seen, const CalibrationProgress& progress) {
+              const BoardDetections& seen, const CalibrationProgress& progress) {
   const auto outcome = calibrateFromBoards(project, seen, options.request, goal, progress);
   if (!outcome) {
-    return reportCalibration(outcome.error());
+    return reportCalibrationError(outcome.error());
   }
   if (outcome->lenses) {
     printLenses(seen, *outcome->lenses);
@@ -145,7 +145,7 @@ int intrinsicsOfPictures(const BoardOptions& options) {
   const auto progress = interruptibleProgress();
   const auto seen = findBoards(files, options.request.board, effort, progress);
   if (!seen) {
-    return reportCalibration(seen.error());
+    return reportCalibrationError(seen.error());
   }
   Project project;
   project.cameras.emplace_back().camera.name = "camera";
@@ -158,7 +158,7 @@ int intrinsicsOfPictures(const BoardOptions& options) {
 /// A project's recording, with the board looked for in it.
 struct FoundBoards {
   Project project;
-  SeenBoards seen;
+  BoardDetections seen;
 };
 
 Result<FoundBoards> readBoards(const BoardOptions& options, const CalibrationProgress& progress) {
@@ -184,7 +184,7 @@ int calibrateProject(const BoardOptions& options, const BoardGoal& goal) {
   const auto progress = interruptibleProgress();
   const auto searched = readBoards(options, progress);
   if (!searched) {
-    return reportCalibration(searched.error());
+    return reportCalibrationError(searched.error());
   }
   return calibrate(options, goal, searched->project, searched->seen, progress);
 }

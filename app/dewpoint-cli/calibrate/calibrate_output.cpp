@@ -93,19 +93,19 @@ CalibrationProgress interruptibleProgress() {
 }
 
 void printAccuracy(const std::optional<CalibrationAccuracy>& accuracy, const std::string& sentence,
-                   const std::vector<NamedFault>& faults) {
+                   const std::vector<DetectedFault>& faults) {
   fmt::print("Calibration accuracy: {}\n", sentence);
   if (accuracy && accuracy->modelFactor > 1.0) {
     fmt::print("Solutions from parts of the recording vary {:.1f} times more than noise predicts. "
                "The stated accuracy includes this.\n",
                accuracy->modelFactor);
   }
-  for (const NamedFault& fault : faults) {
+  for (const DetectedFault& fault : faults) {
     fmt::print("Fault: {}\n", fault.sentence);
   }
 }
 
-int reportCalibration(const Error& error) {
+int reportCalibrationError(const Error& error) {
   if (error.code == ErrorCode::Canceled) {
     fmt::print(stderr, "dewpoint-cli: stopped; the previous calibration is kept.\n");
     return kExitInterrupted;

@@ -37,10 +37,10 @@ CalibrationProgress interruptibleProgress();
 /// Prints `sentence`, which gives the accuracy or the reason why there is none. Then prints the
 /// factor by which the accuracy was widened, if any, and the faults.
 void printAccuracy(const std::optional<CalibrationAccuracy>& accuracy, const std::string& sentence,
-                   const std::vector<NamedFault>& faults);
+                   const std::vector<DetectedFault>& faults);
 
 /// Reports an error and returns the exit code. For Ctrl-C it returns kExitInterrupted and prints
 /// only that nothing was changed.
-int reportCalibration(const Error& error);
+int reportCalibrationError(const Error& error);
 
 } // namespace dewpoint::app

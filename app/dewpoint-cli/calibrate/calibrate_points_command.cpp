@@ -92,7 +92,7 @@ void printPoints(const Project& project, const PointSolution& solution) {
   }
   if (solution.worst) {
     const std::string& name = project.points[static_cast<std::size_t>(*solution.worst)].name;
-    fmt::print("{}: {}.\n", solution.worstExplains ? "Does not fit the other points" : "Worst",
+    fmt::print("{}: {}.\n", solution.isWorstWrong ? "Does not fit the other points" : "Worst",
                name);
   }
 }
@@ -140,7 +140,7 @@ void addCalibratePointsCommand(CLI::App& group, int& exitCode) {
   auto options = std::make_shared<PointsCommandOptions>();
   command->add_option("PROJECT", options->project, "Project file (TOML) with [[point]] tables")
       ->required();
-  command->add_flag("--focal", options->points.alsoFocal, "Calibrate the focal lengths, too");
+  command->add_flag("--focal", options->points.estimateFocal, "Calibrate the focal lengths, too");
   command->add_option("--out", options->out, "Calibration file to write");
   command->add_flag("--apply", options->apply, "Write the cameras into the project file");
   command->add_flag(

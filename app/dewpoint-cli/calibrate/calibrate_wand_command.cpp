@@ -48,11 +48,11 @@ Status settle(WandCommandOptions& options) {
     wand.distance = TouchedDistance{options.distance[0], options.distance[1], options.distance[2]};
   }
   if (!options.drop.empty()) {
-    wand.drop = std::array<double, 2>{options.drop[0], options.drop[1]};
+    wand.fallSpan = std::array<double, 2>{options.drop[0], options.drop[1]};
   }
   if (!options.offBy.empty()) {
     wand.initialPositionError = options.offBy[0];
-    wand.initialTurnError = options.offBy[1] * kDegree;
+    wand.initialRotationError = options.offBy[1] * kDegree;
   }
   const auto frames = parseFrames(options.frames);
   if (!frames) {
@@ -69,11 +69,11 @@ Status settle(WandCommandOptions& options) {
 /// The bar of whatever is being done.
 class WandBars {
 public:
-  bool show(const WandWork& work) {
-    if (!bar_ || work.looking != looking_) {
+  bool show(const WandCalibrationProgress& work) {
+    if (!bar_ || work.isSearching != looking_) {
       finish();
-      bar_.emplace(work.looking ? "looking" : "solving", work.total);
-      looking_ = work.looking;
+      bar_.emplace(work.isSearching ? "looking" : "solving", work.total);
+      looking_ = work.isSearching;
     }
     bar_->show(work.done);
     return !interruptionRequested();
@@ -134,12 +134,13 @@ void printDecisions(const WandOptions& options, const WandResult& result) {
                "measured, too.\n",
                options.floorTimes.size());
   }
-  if (result.drop) {
+  if (result.freeFall) {
     fmt::print("Fall: gravity {:.2f} +- {:.2f} m/s^2 from {} frames; 9.81 is expected.\n",
-               result.drop->gravity, result.drop->sigma, result.drop->instants);
+               result.freeFall->gravity, result.freeFall->sigma, result.freeFall->instants);
   }
-  if (result.floorFound || result.drop) {
-    fmt::print("Upward direction: rotated by {:.2f} degrees.\n", inDegrees(result.upRotated));
+  if (result.floorFound || result.freeFall) {
+    fmt::print("Upward direction: rotated by {:.2f} degrees.\n",
+               inDegrees(result.upCorrectionAngle));
   } else {
     fmt::print("World: the upward direction is unchanged.\n");
   }
@@ -148,7 +149,7 @@ void printDecisions(const WandOptions& options, const WandResult& result) {
 void printAccuracyOf(const WandRefinement& refinement) {
   const auto& accuracy = refinement.accuracy;
   printAccuracy(accuracy ? std::optional(*accuracy) : std::nullopt,
-                accuracy ? accuracySentence(*accuracy) : "none; " + sentence(accuracy.error()),
+                accuracy ? accuracySummary(*accuracy) : "none; " + sentence(accuracy.error()),
                 refinement.result.faults);
 }
 
@@ -165,8 +166,9 @@ int calibrate(WandCommandOptions options) {
   }
   catchInterruption();
   WandBars bars;
-  const auto result = refineFromRecording(inputs->project, *inputs->source, options.wand,
-                                          [&](const WandWork& work) { return bars.show(work); });
+  const auto result =
+      refineFromRecording(inputs->project, *inputs->source, options.wand,
+                          [&](const WandCalibrationProgress& work) { return bars.show(work); });
   bars.finish();
   if (!result) {
     return report(result.error());
@@ -175,7 +177,7 @@ int calibrate(WandCommandOptions options) {
   printDecisions(options.wand, result->result);
   printAccuracyOf(*result);
   const CameraRig& cameras = result->result.cameras;
-  const bool better = !saysTooLittle(*result);
+  const bool better = !isInaccurate(*result);
   if (!better) {
     report(
         {ErrorCode::Undetermined, inputs->project.file.string(), "cameras",

@@ -21,16 +21,16 @@ struct ConvertOptions {
   std::string lens;
   std::string poses;
   CalibrationHints hints;
-  CalibrationTarget target;
+  CalibrationOutput target;
 };
 
 /// A unit's meters, checked by the command line already.
 std::optional<double> meters(const std::string& unit) {
-  return unit.empty() ? std::nullopt : metersOfUnit(unit);
+  return unit.empty() ? std::nullopt : parseLengthUnit(unit);
 }
 
 std::string wrongUnit(const std::string& text) {
-  return metersOfUnit(text) ? "" : "a unit is m, mm, cm, in, ft or the meters of one unit";
+  return parseLengthUnit(text) ? "" : "a unit is m, mm, cm, in, ft or the meters of one unit";
 }
 
 std::string wrongSize(const std::string& text) {

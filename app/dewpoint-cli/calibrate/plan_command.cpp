@@ -44,12 +44,12 @@ Camera newCamera(const PlanOptions& options, const CameraRig& rig) {
   const double angle = options.fieldOfView ? *options.fieldOfView * kDegree
                        : known             ? fieldOfView(rig.front())
                                            : kUsual;
-  return idealCamera(freeCameraName(rig), size[0], size[1], angle);
+  return idealCamera(unusedCameraName(rig), size[0], size[1], angle);
 }
 
 Result<Eigen::AlignedBox3d> volumeOf(const PlanOptions& options, const Project& project) {
   const CameraRig rig = rigOf(project);
-  Eigen::AlignedBox3d volume = roomOf(rig, project.grid.value_or(gridFor(rig)));
+  Eigen::AlignedBox3d volume = roomVolume(rig, project.grid.value_or(gridFor(rig)));
   if (const auto& v = options.volume; !v.empty()) {
     volume = {Eigen::Vector3d(v[0], v[1], v[2]), Eigen::Vector3d(v[3], v[4], v[5])};
   }
@@ -101,8 +101,8 @@ int plan(PlanOptions& options) {
       "best new position       {:.2f} {:.2f} {:.2f} m, yaw {:.1f} degrees, pitch {:.1f} degrees\n",
       center.x(), center.y(), center.z(), inDegrees(heading.yaw), inDegrees(heading.pitch));
   fmt::print("within {:.4g} mm then    {:.1f} % of the volume, {:.1f} % before\n",
-             inMillimeters(options.placement.goodSigma), inPercent(found->withinAfter),
-             inPercent(found->withinBefore));
+             inMillimeters(options.placement.goodSigma), inPercent(found->fractionAfter),
+             inPercent(found->fractionBefore));
   if (!options.out.empty()) {
     rig.push_back(found->camera);
     if (const auto written = saveCalibration(rig, options.out); !written) {

@@ -11,7 +11,7 @@ namespace dewpoint::app {
 namespace {
 
 std::optional<std::int64_t> frameIn(std::string_view part) {
-  const auto number = numberFrom<std::int64_t>(part);
+  const auto number = toNumber<std::int64_t>(part);
   return number && *number >= 0 ? number : std::nullopt;
 }
 

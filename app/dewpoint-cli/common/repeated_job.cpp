@@ -18,25 +18,27 @@ void addJobOptions(CLI::App& command, JobOptions& options) {
                    "Track again even if the folder already contains the result");
 }
 
-JobRecord plannedJob(const std::string& command, const Project& project, const std::string& label,
-                     const std::string& frames, const std::string& more) {
+JobRecord makeJobRecord(const std::string& command, const Project& project,
+                        const std::string& label, const std::string& frames,
+                        const std::string& more) {
   JobRecord job;
-  job.identity = {label,  command,         project.method, project.seed, settingsOfRun(project),
-                  frames, DEWPOINT_VERSION};
+  job.identity = {
+      label,  command,         project.method, project.seed, nonDefaultSettings(project),
+      frames, DEWPOINT_VERSION};
   if (!isRepeatable(project)) {
     return job;
   }
   std::vector<JobInput> inputs;
-  for (const ProjectFile& file : filesOfRun(project)) {
+  for (const ProjectFile& file : runInputFiles(project)) {
     inputs.push_back({file.name, file.path});
   }
   const std::string description = fmt::format("{}\n{}\n{}\n{}\n{}\n{}", command, DEWPOINT_VERSION,
-                                              label, frames, more, textOfRun(project));
+                                              label, frames, more, runInputText(project));
   job.key = jobKey(description, inputs).value_or("");
   return job;
 }
 
-bool isDoneAlready(const std::filesystem::path& folder, const JobRecord& job,
+bool isAlreadyDone(const std::filesystem::path& folder, const JobRecord& job,
                    const JobOptions& options) {
   if (options.force || !JobFolder::finished(folder, job.key)) {
     return false;

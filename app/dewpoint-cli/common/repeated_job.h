@@ -26,11 +26,12 @@ void addJobOptions(CLI::App& command, JobOptions& options);
 /// depends on. `command` is the command of dewpoint-cli, `project` the project with all options
 /// applied, and `more` a description of the other options. The key is empty if the files of the
 /// project cannot be read; opening them reports the error.
-JobRecord plannedJob(const std::string& command, const Project& project, const std::string& label,
-                     const std::string& frames, const std::string& more);
+JobRecord makeJobRecord(const std::string& command, const Project& project,
+                        const std::string& label, const std::string& frames,
+                        const std::string& more);
 
 /// Returns whether the folder already contains the result of this job; if so, prints a message.
-bool isDoneAlready(const std::filesystem::path& folder, const JobRecord& job,
+bool isAlreadyDone(const std::filesystem::path& folder, const JobRecord& job,
                    const JobOptions& options);
 
 } // namespace dewpoint::app

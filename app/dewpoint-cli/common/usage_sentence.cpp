@@ -95,7 +95,7 @@ std::string inWords(const std::string& text) {
 
 } // namespace
 
-std::string usageSentence(const CLI::App& app, const CLI::ParseError& error) {
+std::string describeUsageError(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App& command = chosen(app);
   const auto left = app.remaining(true);
   const bool isMissing = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;

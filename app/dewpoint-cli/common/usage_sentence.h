@@ -15,6 +15,6 @@ namespace dewpoint::app {
 /// Returns one sentence that describes the error in a command line: the option, its allowed values,
 /// and where to find help. Unknown words are reported before missing ones, because both may be the
 /// same misspelled word.
-std::string usageSentence(const CLI::App& app, const CLI::ParseError& error);
+std::string describeUsageError(const CLI::App& app, const CLI::ParseError& error);
 
 } // namespace dewpoint::app

@@ -76,7 +76,7 @@ int studyBarrera(const ConvergenceOptions& options) {
     fmt::print("drift away from a single camera: {:.1f} mm per iteration over the first {}\n",
                inMillimeters(drift.meters), drift.iterations);
   }
-  fmt::print("Seeds {}.\n", seedSentence(options.first, options.runs));
+  fmt::print("Seeds {}.\n", describeSeeds(options.first, options.runs));
   if (!options.folder.empty()) {
     if (const auto written = writeConvergence(options.folder, results, *drifts); !written) {
       return report(written.error());
@@ -121,11 +121,11 @@ int studyWands(std::uint64_t first, int seeds, const WandRecording& recording) {
     fmt::print("{}: {} of {} within {:.1f} mm; worst {:.2f} mm cameras, {:.2f} mm points, "
                "{:.2f} ms, {:.1f} s\n",
                wandCaseName(kind), std::ranges::count(trials, true, &WandTrial::passed),
-               trials.size(), inMillimeters(wandBar(kind)), inMillimeters(worst.cameraRms),
+               trials.size(), inMillimeters(wandRmsLimit(kind)), inMillimeters(worst.cameraRms),
                inMillimeters(worst.pointRms), inMilliseconds(worst.offsetError),
                worst.solveSeconds);
   }
-  fmt::print("Seeds {}.\n", seedSentence(first, seeds));
+  fmt::print("Seeds {}.\n", describeSeeds(first, seeds));
   return interruptionRequested() ? kExitInterrupted : kExitDone;
 }
 

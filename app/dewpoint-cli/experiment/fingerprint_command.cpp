@@ -29,7 +29,7 @@ struct MethodGroup {
 std::vector<MethodGroup> methodGroups() {
   return {{suiteMethods(), suiteFingerprints},
           {boxFollowerNames(), boxFingerprints},
-          {methodNames(TargetsFrom::Images), peopleFingerprints}};
+          {methodNames(TargetSource::Images), peopleFingerprints}};
 }
 
 /// Those of `known` that are wanted; all for none.

@@ -90,7 +90,7 @@ int studyScenario(const StudyOptions& options) {
   Progress progress("people-" + options.scenario,
                     options.seeds * static_cast<std::int64_t>(clothes.size()));
   const auto trials =
-      studyManyPeople(*setup, clothes, options.seeds, [&](std::int64_t done, std::int64_t) {
+      studyPeopleSeries(*setup, clothes, options.seeds, [&](std::int64_t done, std::int64_t) {
         progress.show(done);
         return !interruptionRequested();
       });
@@ -102,7 +102,7 @@ int studyScenario(const StudyOptions& options) {
   for (const PeopleSummary& summary : summarize(*trials)) {
     fmt::print("{}\n", peopleTableRow(summary));
   }
-  fmt::print("Seeds {}.\n", seedSentence(setup->seed, options.seeds));
+  fmt::print("Seeds {}.\n", describeSeeds(setup->seed, options.seeds));
   if (!options.folder.empty()) {
     if (const auto written = writePeopleStudy(options.scenario, *trials, options.folder);
         !written) {
@@ -116,8 +116,8 @@ int studyScenario(const StudyOptions& options) {
 
 void addPeopleExperiments(CLI::App& group, int& exitCode) {
   for (const std::string& scenario : peopleScenarioNames()) {
-    auto* command = group.add_subcommand("people-" + scenario,
-                                         "Simulated office: " + peopleScenarioSentence(scenario));
+    auto* command = group.add_subcommand(
+        "people-" + scenario, "Simulated office: " + peopleScenarioDescription(scenario));
     command->alias(scenario);
     auto options = std::make_shared<StudyOptions>();
     options->scenario = scenario;

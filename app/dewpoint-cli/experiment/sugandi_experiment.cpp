@@ -43,7 +43,7 @@ int studySugandi(const SugandiOptions& options) {
     std::ranges::move(*recorded, std::back_inserter(clips));
   }
   catchInterruption();
-  const auto measured = [](const BoxRow& row) {
+  const auto measured = [](const BoxStudyRow& row) {
     fmt::print(stderr, "{}: {}\n", row.clip, row.method);
     return !interruptionRequested();
   };

@@ -70,7 +70,7 @@ int listSuite(const SuiteOptions& options) {
     fmt::print(" {}", method);
   }
   fmt::print("\nmethods of clips of one camera:");
-  for (const std::string& method : imageMethods()) {
+  for (const std::string& method : imageClipMethods()) {
     fmt::print(" {}", method);
   }
   fmt::print("\n");
@@ -205,7 +205,7 @@ int conclude(const SuiteStore& store, const std::string& folder, bool isPart) {
   for (const auto& [key, result] : store.results()) {
     done.insert(key);
   }
-  const auto nothing = withoutAnyRun(store.skipped(), done);
+  const auto nothing = scenariosWithoutRuns(store.skipped(), done);
   for (const ScenarioGrade& scenario : nothing) {
     fmt::print(stderr, "dewpoint-cli: {}, grade {}: every run was skipped; nothing was measured.\n",
                scenario.scenario, gradeName(scenario.grade));
@@ -233,8 +233,8 @@ int mergeSuites(const SuiteOptions& options) {
   if (!store) {
     return report(store.error());
   }
-  store->take(all);
-  store->take(skipped);
+  store->merge(all);
+  store->merge(skipped);
   const SuiteCatalog catalog = catalogOf(options);
   const auto notes = skippedOf(store->results(), catalog);
   if (const auto written = writeReport(*store, options.folder, catalog, notes); !written) {

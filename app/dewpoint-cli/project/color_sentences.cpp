@@ -2,7 +2,7 @@
 #include "app/dewpoint-cli/project/color_sentences.h"
 
 #include "core/base/units.h"
-#include "core/setup/clicks/click_lesson.h"
+#include "core/setup/clicks/click_learning.h"
 
 #include <fmt/format.h>
 
@@ -62,23 +62,23 @@ const char* advice(Suggestion suggestion) {
 
 } // namespace
 
-std::string rangeSentence(const ColorRange& range) {
+std::string describeRange(const ColorRange& range) {
   return fmt::format("Hue {:.0f} to {:.0f} degrees, saturation {:.2f} to {:.2f}, intensity {:.2f} "
                      "to {:.2f}.",
                      range.hueMin, range.hueMax, range.saturationMin, range.saturationMax,
                      range.intensityMin, range.intensityMax);
 }
 
-std::vector<std::string> assessmentSentences(const ColorAssessment& assessment,
-                                             const std::vector<std::string>& cameras) {
+std::vector<std::string> describeAssessment(const ColorAssessment& assessment,
+                                            const std::vector<std::string>& cameras) {
   std::vector<std::string> sentences{
       fmt::format("{}: {} of 100.", separation(assessment.score()), assessment.score()),
       fmt::format("{:.0f} % of the target and {:.2f} % of the background match.",
                   inPercent(assessment.targetShare), inPercent(assessment.backgroundShare))};
-  if (assessment.backgroundShareOfWhole) {
+  if (assessment.backgroundShareOfFullRange) {
     sentences.push_back(
         fmt::format("A range that covers the whole target would match {:.2f} % of the background.",
-                    inPercent(*assessment.backgroundShareOfWhole)));
+                    inPercent(*assessment.backgroundShareOfFullRange)));
   }
   if (assessment.sampleLeftOut) {
     sentences.emplace_back("One sample hardly matches the learned color: its surroundings look the "
@@ -97,7 +97,7 @@ std::vector<std::string> assessmentSentences(const ColorAssessment& assessment,
   return sentences;
 }
 
-std::string radiusSentence(double given, const std::optional<double>& shown) {
+std::string describeRadius(double given, const std::optional<double>& shown) {
   const auto fit =
       shown && given > 0.0 ? setup::compareRadius(given, *shown) : setup::RadiusFit::Differs;
   if (!shown || fit == setup::RadiusFit::Fits) {

@@ -10,16 +10,16 @@
 namespace dewpoint::app {
 
 /// Returns "Hue 321 to 353 degrees, saturation 0.20 to 1.00, intensity 0.10 to 0.93."
-std::string rangeSentence(const ColorRange& range);
+std::string describeRange(const ColorRange& range);
 
 /// Returns sentences that describe how well the color stands out, what else matches it and where,
 /// and what to do about it. `cameras` has the camera names in project order.
-std::vector<std::string> assessmentSentences(const ColorAssessment& assessment,
-                                             const std::vector<std::string>& cameras);
+std::vector<std::string> describeAssessment(const ColorAssessment& assessment,
+                                            const std::vector<std::string>& cameras);
 
 /// Returns a sentence about the target radius found from the click (`shown`, meters) if it differs
 /// from `given` (meters; 0: unknown). Returns an empty string if they agree or if no radius was
 /// found.
-std::string radiusSentence(double given, const std::optional<double>& shown);
+std::string describeRadius(double given, const std::optional<double>& shown);
 
 } // namespace dewpoint::app

@@ -43,7 +43,7 @@ std::vector<Finding> findingsOf(const DoctorOptions& options) {
   examination.output = options.out;
   examination.everyFrame = options.everyFrame;
   examination.open = &openAsARunDoes;
-  examination.goOn = [&](double part) {
+  examination.shouldContinue = [&](double part) {
     progress.show(static_cast<std::int64_t>(kParts * part));
     return !interruptionRequested();
   };
@@ -55,13 +55,13 @@ std::vector<Finding> findingsOf(const DoctorOptions& options) {
 void printJson(const std::vector<Finding>& findings) {
   auto list = nlohmann::ordered_json::array();
   for (const Finding& finding : findings) {
-    const FindingWords& words = wordsOf(finding.kind);
+    const FindingTexts& words = textsOf(finding.kind);
     list.push_back({{"level", levelName(words.level)},
                     {"check", std::string(words.name)},
-                    {"what", filledIn(words.what, finding.values)},
+                    {"what", fillPlaceholders(words.what, finding.values)},
                     {"file", finding.file},
                     {"field", finding.field},
-                    {"advice", filledIn(words.advice, finding.values)}});
+                    {"advice", fillPlaceholders(words.advice, finding.values)}});
   }
   const nlohmann::ordered_json root{{"level", levelName(worstOf(findings))}, {"findings", list}};
   fmt::print("{}\n", root.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));

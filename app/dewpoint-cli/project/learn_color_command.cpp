@@ -9,7 +9,7 @@
 #include "core/color/match_image.h"
 #include "core/geometry/camera_name.h"
 #include "core/project/project_save.h"
-#include "core/setup/clicks/footage_lesson.h"
+#include "core/setup/clicks/footage_learning.h"
 #include "core/setup/follow_all.h"
 #include "core/tracking/target_shape_name.h"
 
@@ -40,8 +40,8 @@ struct LearnColorOptions {
 Result<std::vector<ColorSample>> markedSamplesOf(const LearnColorOptions& options,
                                                  const Project& project) {
   auto click =
-      options.box.empty() ? clickFrom(options.pixel, "--pixel") : boxFrom(options.box, "--box");
-  const auto camera = cameraNamed(project, options.camera, "--camera");
+      options.box.empty() ? parseClick(options.pixel, "--pixel") : parseBox(options.box, "--box");
+  const auto camera = findCameraIndex(project, options.camera, "--camera");
   if (!click || !camera) {
     return tl::make_unexpected(click ? camera.error() : click.error());
   }
@@ -50,7 +50,7 @@ Result<std::vector<ColorSample>> markedSamplesOf(const LearnColorOptions& option
   std::vector<ColorSample> markedSamples{*click};
   const auto add = [&](const std::vector<std::string>& texts, const char* option, bool excluded) {
     for (const std::string& text : texts) {
-      auto marked = sampleFrom(project, text, option);
+      auto marked = parseSample(project, text, option);
       if (!marked) {
         return Status(tl::make_unexpected(marked.error()));
       }
@@ -82,7 +82,8 @@ void printFound(const std::vector<ColorSample>& samples, const Project& project)
   }
 }
 
-void printLearned(const Target& target, const setup::ClickLesson& lesson, const Project& project) {
+void printLearned(const Target& target, const setup::ClickLearningResult& lesson,
+                  const Project& project) {
   std::vector<std::string> cameras;
   for (const ProjectCamera& camera : project.cameras) {
     cameras.push_back(camera.camera.name);
@@ -90,13 +91,13 @@ void printLearned(const Target& target, const setup::ClickLesson& lesson, const 
   fmt::print("{}: the sample has {} pixels.\n", target.name, target.samples.front().area);
   printFound(target.samples, project);
   for (const ColorRange& range : lesson.color.ranges()) {
-    fmt::print("{}\n", rangeSentence(range));
+    fmt::print("{}\n", describeRange(range));
   }
   if (!lesson.color.others.empty()) {
     fmt::print("The samples show {} colors: a pixel within any of their ranges counts as target.\n",
                lesson.color.ranges().size());
   }
-  for (const std::string& text : assessmentSentences(lesson.color.assessment, cameras)) {
+  for (const std::string& text : describeAssessment(lesson.color.assessment, cameras)) {
     fmt::print("{}\n", text);
   }
   if (lesson.part) {
@@ -104,25 +105,25 @@ void printLearned(const Target& target, const setup::ClickLesson& lesson, const 
                "radius {:.2g} m, starting at the marked spot.\n",
                target.radius);
   }
-  if (const auto text = radiusSentence(target.radius, lesson.radius); !text.empty()) {
+  if (const auto text = describeRadius(target.radius, lesson.radius); !text.empty()) {
     fmt::print("{}\n", text);
   }
 }
 
 /// Makes a target of each of the other things that have the color and size of the one that was
 /// taught, and says how many.
-void addAllAlike(setup::FootageLesson& taught) {
+void addAllAlike(setup::FootageLearningResult& taught) {
   const int missing =
-      setup::missingTargets(taught.project, taught.target, taught.lesson.color.assessment);
-  setup::addTargetsLike(taught.project, taught.target, missing, [](const Project& project) {
-    return setup::freeTargetName(
+      setup::missingTargetCount(taught.project, taught.target, taught.lesson.color.assessment);
+  setup::addTargetCopies(taught.project, taught.target, missing, [](const Project& project) {
+    return setup::unusedTargetName(
         project, [](std::size_t number) { return fmt::format("target {}", number); });
   });
   fmt::print("Targets added for others of this color and size: {}.\n", missing);
 }
 
 /// Says what was learned, and writes its mask and the project.
-Status keep(const LearnColorOptions& options, setup::FootageLesson& taught) {
+Status keep(const LearnColorOptions& options, setup::FootageLearningResult& taught) {
   printLearned(taught.project.targets[taught.target], taught.lesson, taught.project);
   if (options.followAll) {
     addAllAlike(taught);
@@ -176,7 +177,7 @@ int learn(const LearnColorOptions& options) {
   }
   setup::FootageClicks clicks{std::move(*samples), options.target, options.radius, std::nullopt};
   if (options.shape) {
-    clicks.shape = targetShapeNamed(*options.shape);
+    clicks.shape = targetShapeFromName(*options.shape);
   }
   auto taught = setup::learnFromFootage(std::move(inputs->project), *inputs->source,
                                         inputs->backgroundImages, std::move(clicks));

@@ -38,7 +38,7 @@ NewCamera cameraFrom(const std::string& text) {
   NewCamera camera;
   camera.name = named ? text.substr(0, equals) : "";
   camera.location = named ? text.substr(equals + 1) : text;
-  camera.source = guessedSource(camera.location);
+  camera.source = guessSourceKind(camera.location);
   return camera;
 }
 
@@ -82,7 +82,7 @@ Result<std::vector<NewCamera>> camerasOf(const NewOptions& options) {
     found.insert(found.end(), devices.begin(), devices.end());
   }
   for (const std::string& location : found) {
-    cameras.push_back({"", guessedSource(location), location});
+    cameras.push_back({"", guessSourceKind(location), location});
   }
   if (cameras.empty()) {
     return failure(ErrorCode::MissingKey, "", "--camera",
@@ -115,7 +115,7 @@ int makeNew(NewOptions& options) {
   if (!options.calibration.empty()) {
     options.project.calibration = options.calibration;
   }
-  auto made = makeProject(options.project);
+  auto made = createNewProject(options.project);
   if (!made) {
     return report(made.error());
   }

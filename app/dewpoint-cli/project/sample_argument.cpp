@@ -18,7 +18,7 @@ std::optional<std::vector<double>> numbersIn(std::string_view text) {
   std::vector<double> numbers;
   while (true) {
     const auto comma = text.find(',');
-    const auto number = numberFrom<double>(text.substr(0, comma));
+    const auto number = toNumber<double>(text.substr(0, comma));
     if (!number) {
       return std::nullopt;
     }
@@ -37,14 +37,14 @@ tl::unexpected<Error> expected(const char* option, const char* form, const std::
 
 } // namespace
 
-Result<int> cameraNamed(const Project& project, const std::string& text, const char* option) {
+Result<int> findCameraIndex(const Project& project, const std::string& text, const char* option) {
   const auto& cameras = project.cameras;
   const auto named = std::ranges::find(
       cameras, text, [](const ProjectCamera& camera) { return camera.camera.name; });
   if (named != cameras.end()) {
     return static_cast<int>(named - cameras.begin());
   }
-  const auto number = numberFrom<int>(text);
+  const auto number = toNumber<int>(text);
   if (number && *number >= 1 && *number <= static_cast<int>(cameras.size())) {
     return *number - 1;
   }
@@ -52,7 +52,7 @@ Result<int> cameraNamed(const Project& project, const std::string& text, const c
                  fmt::format("none of the {} cameras is called {}", cameras.size(), text));
 }
 
-Result<ColorSample> clickFrom(const std::string& text, const char* option) {
+Result<ColorSample> parseClick(const std::string& text, const char* option) {
   const auto numbers = numbersIn(text);
   if (!numbers || numbers->size() != 2) {
     return expected(option, "X,Y", text);
@@ -63,7 +63,7 @@ Result<ColorSample> clickFrom(const std::string& text, const char* option) {
   return sample;
 }
 
-Result<ColorSample> boxFrom(const std::string& text, const char* option) {
+Result<ColorSample> parseBox(const std::string& text, const char* option) {
   const auto numbers = numbersIn(text);
   if (!numbers || numbers->size() != 4 || !(numbers->at(2) > 0.0) || !(numbers->at(3) > 0.0)) {
     return expected(option, "X,Y,WIDTH,HEIGHT", text);
@@ -76,8 +76,8 @@ Result<ColorSample> boxFrom(const std::string& text, const char* option) {
   return sample;
 }
 
-Result<ColorSample> sampleFrom(const Project& project, const std::string& text,
-                               const char* option) {
+Result<ColorSample> parseSample(const Project& project, const std::string& text,
+                                const char* option) {
   // From the right: a camera's name may hold a colon.
   const auto second = text.rfind(':');
   const auto first =
@@ -85,15 +85,15 @@ Result<ColorSample> sampleFrom(const Project& project, const std::string& text,
   const auto frame =
       first == std::string::npos
           ? std::nullopt
-          : numberFrom<std::int64_t>(std::string_view(text).substr(first + 1, second - first - 1));
+          : toNumber<std::int64_t>(std::string_view(text).substr(first + 1, second - first - 1));
   if (!frame || *frame < 0) {
     return expected(option, "CAMERA:FRAME:X,Y", text);
   }
-  const auto camera = cameraNamed(project, text.substr(0, first), option);
+  const auto camera = findCameraIndex(project, text.substr(0, first), option);
   if (!camera) {
     return tl::make_unexpected(camera.error());
   }
-  auto sample = clickFrom(text.substr(second + 1), option);
+  auto sample = parseClick(text.substr(second + 1), option);
   if (sample) {
     sample->camera = *camera;
     sample->frame = *frame;

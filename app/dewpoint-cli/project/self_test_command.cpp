@@ -17,14 +17,14 @@
 namespace dewpoint::app {
 namespace {
 
-SelfTestParts partsOfThisComputer() {
-  SelfTestParts parts;
+SelfTestInputs partsOfThisComputer() {
+  SelfTestInputs parts;
   parts.openScene = [] { return openProject(SessionRequest("demo")); };
   parts.cameras = connectedCameras();
   std::error_code problem;
   parts.scratch = std::filesystem::temp_directory_path(problem) /
                   fmt::format("dewpoint-self-test-{}", ::getpid());
-  parts.goOn = [] { return !interruptionRequested(); };
+  parts.shouldContinue = [] { return !interruptionRequested(); };
   return parts;
 }
 

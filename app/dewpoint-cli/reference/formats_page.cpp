@@ -31,7 +31,7 @@ std::string exportTable() {
       rows);
 }
 
-std::string lensesText(const LensRange& lenses) {
+std::string lensesText(const LensSupport& lenses) {
   const int count = lenses.pinholeCoefficients;
   const std::string pinhole = count >= 8   ? "k1 k2 p1 p2 k3 k4 k5 k6"
                               : count >= 5 ? "k1 k2 p1 p2 k3"
@@ -44,7 +44,7 @@ std::string calibrationTable() {
   for (const CalibrationFormat& format : calibrationFormats()) {
     const bool isPerCamera = format.layout == FileLayout::FilePerCamera;
     rows.push_back({markdownCode(format.name), markdownText(format.title),
-                    markdownText(format.holds), lensesText(format.lenses),
+                    markdownText(format.contents), lensesText(format.lenses),
                     isPerCamera ? "a file for each camera" : "all cameras together",
                     format.write == nullptr ? "read" : "read, written"});
   }

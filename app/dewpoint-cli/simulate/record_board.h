@@ -11,7 +11,7 @@
 namespace dewpoint::app {
 
 /// Command-line name of the scene in which a board is shown to cameras.
-inline constexpr const char* kBoardScene = "board";
+inline constexpr const char* kBoardSceneName = "board";
 
 /// Writes two recordings for calibration: a person lays a chessboard (9x6 inner corners, 25 mm) on
 /// the floor, then shows it to both cameras from all sides and holds it still at each position.

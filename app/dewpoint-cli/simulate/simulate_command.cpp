@@ -90,7 +90,7 @@ int simulateOffice(const SimulateOptions& options) {
             "they are for scenes with balls, not for the office"});
     return kExitUsage;
   }
-  OfficeScene scene = officeDay();
+  OfficeScene scene = builtInOfficeScene();
   scene.seed = options.seed.value_or(scene.seed);
   scene.frameCount = options.frames.value_or(scene.frameCount);
   return recordOffice(scene, options.out, "--out");
@@ -107,10 +107,10 @@ int simulateBoard(const SimulateOptions& options) {
 }
 
 int simulate(const SimulateOptions& options) {
-  if (options.scene == kOfficeScene) {
+  if (options.scene == kOfficeSceneName) {
     return simulateOffice(options);
   }
-  if (options.scene == kBoardScene) {
+  if (options.scene == kBoardSceneName) {
     return simulateBoard(options);
   }
   auto scene = chosenScene(options);
@@ -159,7 +159,7 @@ void addSimulateCommand(CLI::App& app, int& exitCode) {
           "SCENE", options->scene,
           fmt::format("Built-in scene ({}; {}: people; {}: a board to calibrate from) or a "
                       "scene file (TOML)",
-                      fmt::join(sceneNames(), ", "), kOfficeScene, kBoardScene))
+                      fmt::join(sceneNames(), ", "), kOfficeSceneName, kBoardSceneName))
       ->capture_default_str();
   command->add_option("--out", options->out, "Folder to write")->required();
   command->add_option("--seed", options->seed, "Seed of the scene's noise and clutter");

@@ -56,7 +56,7 @@ std::vector<std::string> peopleMethods() {
 
 void listMethods() {
   for (const std::string& method : peopleMethods()) {
-    fmt::print("{}: {}\n", method, methodSentence(method));
+    fmt::print("{}: {}\n", method, methodSummary(method));
     for (const ParameterDeclaration& one : methodParameters(method)) {
       fmt::print("  {:<20} {:>9} {:<5} {} to {}. {}\n", one.key, one.defaultValue, one.unit,
                  one.minimum, one.maximum, one.sentence);
@@ -184,10 +184,10 @@ int runPeople(const PeopleOptions& options) {
     report(frames ? applied.error() : frames.error());
     return kExitUsage;
   }
-  auto job = plannedJob(
+  auto job = makeJobRecord(
       "people", *project, options.job.label.empty() ? options.project : options.job.label,
       options.frames, fmt::format("{} {}", options.overlay, fmt::join(options.persons, " ")));
-  if (isDoneAlready(options.folder, job, options.job)) {
+  if (isAlreadyDone(options.folder, job, options.job)) {
     return kExitDone;
   }
   auto inputs = openInputs(std::move(*project));
@@ -220,10 +220,10 @@ int runPeople(const PeopleOptions& options) {
   RunNotes notes(source, run->rig());
   const std::array<FrameObserver*, 3> observers{&notes, &clock, &observer};
   auto tracked = trackFrames(source, *frames, *run, observers, [&] {
-    notes.takeNotices();
+    notes.printNotices();
     return !interruptionRequested();
   });
-  notes.takeNotices();
+  notes.printNotices();
   progress.finish();
   tracked = tracked ? writer->finish() : tracked;
   if (!observer.rows().empty()) {

@@ -12,16 +12,16 @@
 
 namespace dewpoint::app {
 
-void RunNotes::say(std::string text) {
+void RunNotes::print(std::string text) {
   fmt::print(stderr, "dewpoint-cli: note: {}.\n", text);
-  said_.push_back(std::move(text));
+  printed_.push_back(std::move(text));
 }
 
-void RunNotes::takeNotices() {
+void RunNotes::printNotices() {
   for (const Error& notice : source_.notices()) {
     std::string text = sentence(notice);
-    if (std::ranges::find(said_, text) == said_.end()) {
-      say(std::move(text));
+    if (std::ranges::find(printed_, text) == printed_.end()) {
+      print(std::move(text));
     }
   }
 }
@@ -32,17 +32,17 @@ Status RunNotes::tracked(const TrackingRun& run) {
   if (!watched) {
     return watched;
   }
-  if (motionsSaid_ != motionWatch_.reports().size()) {
+  if (printedMotions_ != motionWatch_.reports().size()) {
     const auto notices = motionWatch_.notices();
-    for (; motionsSaid_ < notices.size(); ++motionsSaid_) {
-      say(sentence(notices[motionsSaid_]));
+    for (; printedMotions_ < notices.size(); ++printedMotions_) {
+      print(sentence(notices[printedMotions_]));
     }
   }
   for (CameraDisagreement& found : agreementWatch_.found(run.definition()->family())) {
-    if (std::ranges::none_of(disagreementsSaid_,
+    if (std::ranges::none_of(printedDisagreements_,
                              [&](const auto& one) { return one.isSameAs(found); })) {
-      say(disagreementSentence(found, run.rig()));
-      disagreementsSaid_.push_back(std::move(found));
+      print(describeDisagreement(found, run.rig()));
+      printedDisagreements_.push_back(std::move(found));
     }
   }
   return {};

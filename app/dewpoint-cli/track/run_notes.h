@@ -26,23 +26,23 @@ public:
   RunNotes& operator=(const RunNotes&) = delete;
 
   /// Prints the notices from the source, even while no frames arrive.
-  void takeNotices();
-  void taken(const FrameSet& /*frames*/) override { takeNotices(); }
+  void printNotices();
+  void taken(const FrameSet& /*frames*/) override { printNotices(); }
   Status tracked(const TrackingRun& run) override;
 
   /// Returns all notes printed so far.
-  const std::vector<std::string>& said() const { return said_; }
+  const std::vector<std::string>& printedNotes() const { return printed_; }
 
 private:
-  void say(std::string text);
+  void print(std::string text);
 
   const FrameSetSource& source_;
   CameraMotionWatch motionWatch_;
   CameraMotionObserver motionObserver_;
   CameraAgreementWatch agreementWatch_;
-  std::size_t motionsSaid_ = 0;
-  std::vector<CameraDisagreement> disagreementsSaid_;
-  std::vector<std::string> said_;
+  std::size_t printedMotions_ = 0;
+  std::vector<CameraDisagreement> printedDisagreements_;
+  std::vector<std::string> printed_;
 };
 
 } // namespace dewpoint::app

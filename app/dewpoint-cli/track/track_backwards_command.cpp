@@ -65,11 +65,12 @@ int trackBackwardsIn(const TrackBackwardsOptions& options) {
   catchInterruption();
   constexpr std::int64_t kSteps = 1000;
   Progress progress("tracking backwards", kSteps);
-  const auto found = trackedBackwards(inputs->project, *inputs->source, inputs->backgroundImages,
-                                      options.threads, [&](double part) {
-                                        progress.show(static_cast<std::int64_t>(part * kSteps));
-                                        return !interruptionRequested();
-                                      });
+  const auto found =
+      withBackwardCorrections(inputs->project, *inputs->source, inputs->backgroundImages,
+                              options.threads, [&](double part) {
+                                progress.show(static_cast<std::int64_t>(part * kSteps));
+                                return !interruptionRequested();
+                              });
   progress.finish();
   if (!found) {
     return found.error().code == ErrorCode::Canceled ? static_cast<int>(kExitInterrupted)

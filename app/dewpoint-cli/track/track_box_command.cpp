@@ -9,7 +9,7 @@
 #include "core/base/units.h"
 #include "core/capture/frame_writer.h"
 #include "core/capture/recording.h"
-#include "core/capture/shown_location.h"
+#include "core/capture/redacted_location.h"
 #include "core/session/run/box_track_file.h"
 #include "core/session/run/frame_loop.h"
 #include "core/session/run/tracking_run.h"
@@ -66,7 +66,7 @@ Result<BoxRequest> requestOf(const TrackBoxOptions& options) {
   request.frames = *frames;
   for (const bool isBox : {true, false}) {
     for (const std::string& text : isBox ? options.boxes : options.clicks) {
-      auto mark = isBox ? boxFrom(text, "--box") : clickFrom(text, "--click");
+      auto mark = isBox ? parseBox(text, "--box") : parseClick(text, "--click");
       if (!mark) {
         return tl::make_unexpected(mark.error());
       }
@@ -84,7 +84,7 @@ Result<std::unique_ptr<FrameSetSource>> openImages(const TrackBoxOptions& option
   RecordedCamera camera;
   camera.name = "camera 1";
   camera.path = options.source;
-  switch (guessedSource(options.source)) {
+  switch (guessSourceKind(options.source)) {
   case SourceKind::Video:
     break;
   case SourceKind::Images:
@@ -177,7 +177,7 @@ private:
 
 void BoxObserver::begin(const ParameterValues& parameters) {
   track_.header = {{"version", DEWPOINT_VERSION},
-                   {"source", shownLocation(options_.source)},
+                   {"source", redactedLocation(options_.source)},
                    {"method", options_.method},
                    {"seed", std::to_string(options_.seed)}};
   for (const auto& declaration : parameters.declarations()) {

@@ -78,7 +78,7 @@ Status applyOptions(const TrackOptions& options, Project& project) {
   }
   if (options.method && *options.method != project.method) {
     project.method = *options.method;
-    project.parameters = carriedOver(project.parameters, project.method);
+    project.parameters = carryOverParameters(project.parameters, project.method);
   }
   project.seed = options.seed.value_or(project.seed);
   if (options.particles) {
@@ -111,9 +111,9 @@ int track(TrackOptions options) {
   }
   const std::string& label =
       options.repeated.label.empty() ? options.project : options.repeated.label;
-  auto planned = plannedJob("track", *project, label, options.frames,
-                            options.job.reasons ? "with reasons" : "");
-  if (isDoneAlready(options.job.folder, planned, options.repeated)) {
+  auto planned = makeJobRecord("track", *project, label, options.frames,
+                               options.job.reasons ? "with reasons" : "");
+  if (isAlreadyDone(options.job.folder, planned, options.repeated)) {
     return kExitDone;
   }
   options.job.record = std::move(planned);

@@ -102,7 +102,7 @@ std::vector<std::string> resultFiles(const TrackJob& job, const TrackingRun& run
 /// Writes and says what becomes of the frames of a job.
 class TrackObserver final : public FrameObserver {
 public:
-  TrackObserver(Progress& progress, TrackOutput& output, RunFigures& figures)
+  TrackObserver(Progress& progress, TrackOutput& output, RunStatistics& figures)
       : progress_(progress), output_(output), figures_(figures) {}
 
   void taken(const FrameSet& /*frames*/) override { taken_ = Clock::now(); }
@@ -125,31 +125,31 @@ private:
 
   Progress& progress_;
   TrackOutput& output_;
-  RunFigures& figures_;
+  RunStatistics& figures_;
   Clock::time_point taken_;
   Clock::time_point iterated_; ///< the last time
 };
 
 /// Tracks the frames of a job; what stopped it, if it was not the end.
 Status trackJob(const TrackJob& job, FrameSetSource& source, TrackingRun& run, TrackOutput& output,
-                RunFigures& figures) {
+                RunStatistics& figures) {
   Progress progress("tracking", job.frames.count(source).value_or(0));
   RunNotes notes(source, run.rig());
   TrackObserver observer(progress, output, figures);
-  const auto goOn = [&] {
-    notes.takeNotices();
+  const auto shouldContinue = [&] {
+    notes.printNotices();
     return !interruptionRequested();
   };
   const std::array<FrameObserver*, 2> observers{&notes, &observer};
-  const Status tracked = trackFrames(source, job.frames, run, observers, goOn);
-  notes.takeNotices();
+  const Status tracked = trackFrames(source, job.frames, run, observers, shouldContinue);
+  notes.printNotices();
   progress.finish();
-  figures.notices = notes.said();
+  figures.notices = notes.printedNotes();
   return tracked;
 }
 
 void printSummary(const Trajectory& estimate, const Trajectory& truth, int iterationsPerFrame,
-                  const RunFigures& figures) {
+                  const RunStatistics& figures) {
   fmt::print("frames                  {:>10}\n", figures.frames);
   fmt::print("frames per second       {:>10.1f}\n",
              static_cast<double>(figures.frames) / std::max(1e-9, figures.seconds));
@@ -209,7 +209,7 @@ int TrackJob::run(SessionInputs inputs) const {
       return report(written.error());
     }
   }
-  RunFigures figures;
+  RunStatistics figures;
   // Written now too: after a kill it says that the run did not finish.
   figures.threads = threads;
   const auto reported = writeTextFile(folder / "run.json", runReport(inputs.project, figures));

@@ -42,7 +42,7 @@ int trackPositionsIn(const TrackPositionsOptions& options) {
   for (const std::string& setting : options.settings) {
     const auto equals = setting.find('=');
     const std::string value = equals == std::string::npos ? "" : setting.substr(equals + 1);
-    if (isStartOfPositions(setting.substr(0, equals))) {
+    if (isStartPositionParameter(setting.substr(0, equals))) {
       report({ErrorCode::BadValue, "", "--set " + setting.substr(0, equals),
               "the filter of each target starts at its first position"});
       return kExitUsage;
@@ -60,7 +60,7 @@ int trackPositionsIn(const TrackPositionsOptions& options) {
     error.file = options.measured;
     return report(error);
   };
-  const auto timed = giveTimes(*measured, options.rate);
+  const auto timed = addMissingTimes(*measured, options.rate);
   if (!timed) {
     return reportInput(timed.error());
   }

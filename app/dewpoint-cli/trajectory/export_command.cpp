@@ -37,17 +37,17 @@ struct ExportCommand {
 };
 
 /// "2.5" or "2.5s" are seconds, "75f" is a frame.
-Result<std::optional<SpanEnd>> parseSpanEnd(const std::string& text, const char* option) {
+Result<std::optional<RangeBound>> parseSpanEnd(const std::string& text, const char* option) {
   if (text.empty()) {
-    return std::optional<SpanEnd>();
+    return std::optional<RangeBound>();
   }
-  SpanEnd end;
+  RangeBound end;
   std::string_view digits = text;
   end.isFrame = digits.ends_with('f');
   if (end.isFrame || digits.ends_with('s')) {
     digits.remove_suffix(1);
   }
-  const auto number = numberFrom<double>(digits);
+  const auto number = toNumber<double>(digits);
   if (!number) {
     return failure(ErrorCode::BadValue, "", option,
                    fmt::format("expected seconds, as 2.5, or a frame, as 75f; found {}", text));
@@ -99,7 +99,7 @@ Status completeOptions(ExportCommand& command) {
   ExportOptions& options = command.options;
   options.from = *from;
   options.to = *to;
-  options.gaps = command.gaps == "fill" ? GapRule::Fill : GapRule::Leave;
+  options.gaps = command.gaps == "fill" ? GapRule::Fill : GapRule::LeaveEmpty;
   if (!command.axes.empty()) {
     options.axes = command.axes == "y-up" ? WorldAxes::YUp : WorldAxes::ZUp;
   }

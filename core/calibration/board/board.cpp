@@ -42,8 +42,8 @@ std::string wrongCounts(const BoardDescription& board) {
 /// What is wrong with "9x6", or nothing.
 std::string readCounts(const std::string& text, BoardDescription& board) {
   const auto counts = partsOf(text, 'x');
-  const auto columns = numberFrom<int>(counts.front());
-  const auto rows = numberFrom<int>(counts.back());
+  const auto columns = toNumber<int>(counts.front());
+  const auto rows = toNumber<int>(counts.back());
   if (counts.size() != 2 || !columns || !rows) {
     return fmt::format("COLUMNSxROWS is expected, as 9x6, found '{}'", text);
   }
@@ -68,7 +68,7 @@ std::string wrongLength(const char* what, double length) {
 }
 
 std::string readLength(const std::string& text, const char* what, double& length) {
-  const auto number = numberFrom<double>(text);
+  const auto number = toNumber<double>(text);
   length = number.value_or(0.0);
   return number ? wrongLength(what, length) : noLength(what, text);
 }
@@ -89,7 +89,7 @@ std::string wrongMarkers(const BoardDescription& board) {
   const int markers = board.columns * board.rows / 2;
   const auto words = partsOf(board.dictionary, '_');
   constexpr int kOriginalSize = 1024; // of the one without a number, DICT_ARUCO_ORIGINAL
-  const int size = numberFrom<int>(words.back()).value_or(kOriginalSize);
+  const int size = toNumber<int>(words.back()).value_or(kOriginalSize);
   if (markers > size) {
     return fmt::format("{} has too few markers: the board has {}", board.dictionary, markers);
   }
@@ -145,7 +145,7 @@ std::string readBoard(const std::string& text, BoardDescription& board) {
 }
 
 /// What parseBoard() would say of the text of a board.
-std::string whatIsWrong(const BoardDescription& board) {
+std::string validationError(const BoardDescription& board) {
   auto wrong = wrongCounts(board);
   wrong = wrong.empty() ? wrongLength("square", board.squareSize) : wrong;
   wrong =
@@ -190,7 +190,7 @@ Result<BoardDescription> parseBoard(const std::string& text, const std::string& 
 }
 
 Status checkBoard(const BoardDescription& board, const std::string& field) {
-  if (auto wrong = whatIsWrong(board); !wrong.empty()) {
+  if (auto wrong = validationError(board); !wrong.empty()) {
     return failure(ErrorCode::BadValue, "", field, wrong);
   }
   return {};

@@ -16,9 +16,9 @@ namespace {
 
 // Tuned; where no source is named here or in the docs, the origin is not recorded.
 /// Radians (5 degrees) within which two rotations agree.
-constexpr double kAlikeTurn = 5.0 * std::numbers::pi / 180.0;
-constexpr double kAlikePlace = 0.1;     // of the distance between camera and board
-constexpr double kMostPosePart = 0.005; // of the image's diagonal: 4 px of 640x480
+constexpr double kSameRotation = 5.0 * std::numbers::pi / 180.0;
+constexpr double kSamePositionFraction = 0.1; // of the distance between camera and board
+constexpr double kMostPosePart = 0.005;       // of the image's diagonal: 4 px of 640x480
 
 /// Index into BoardChain::views by instant, for each camera.
 using ViewIndex = std::vector<std::map<std::int64_t, std::size_t>>;
@@ -39,12 +39,13 @@ struct PairLink {
   bool ambiguous = false; ///< another counting of the board has as many instants
 };
 
-bool alike(const PairPose& one, const PairPose& other) {
+bool posesAgree(const PairPose& one, const PairPose& other) {
   // As the first camera sees it; the second sees the same turn about another axis.
   const double turn =
       angleBetween(one.otherFromOne.linear().transpose(), other.otherFromOne.linear().transpose());
   const double apart = (one.otherFromOne.translation() - other.otherFromOne.translation()).norm();
-  return turn < kAlikeTurn && apart < kAlikePlace * std::max(one.distance, other.distance);
+  return turn < kSameRotation &&
+         apart < kSamePositionFraction * std::max(one.distance, other.distance);
 }
 
 int turnStep(int symmetry) {
@@ -81,7 +82,7 @@ PairLink linkOf(const std::vector<PairPose>& poses) {
   for (std::size_t k = 0; k < poses.size(); ++k) {
     double spread = 0.0;
     for (const PairPose& other : poses) {
-      if (alike(poses[k], other)) {
+      if (posesAgree(poses[k], other)) {
         ++support[k];
         spread += (poses[k].otherFromOne.translation() - other.otherFromOne.translation()).norm();
       }
@@ -95,7 +96,8 @@ PairLink linkOf(const std::vector<PairPose>& poses) {
     }
   }
   for (std::size_t k = 0; k < poses.size(); ++k) {
-    best.ambiguous = best.ambiguous || (support[k] == best.support && !alike(poses[k], *bestPose));
+    best.ambiguous =
+        best.ambiguous || (support[k] == best.support && !posesAgree(poses[k], *bestPose));
   }
   return best;
 }
@@ -123,9 +125,9 @@ void poseViews(const ExtrinsicsRequest& request, BoardChain& chain, ViewIndex& i
 }
 
 /// Cameras joined to the first by the links with most support (Prim's spanning tree).
-Result<std::vector<Eigen::Isometry3d>> joined(const ExtrinsicsRequest& request,
-                                              const std::vector<std::vector<PairLink>>& links,
-                                              std::vector<std::string>& notices) {
+Result<std::vector<Eigen::Isometry3d>>
+spanningTreePoses(const ExtrinsicsRequest& request, const std::vector<std::vector<PairLink>>& links,
+                  std::vector<std::string>& notices) {
   const std::size_t count = request.cameras.size();
   std::vector<Eigen::Isometry3d> poses(count, Eigen::Isometry3d::Identity());
   std::set<std::size_t> reached{0};
@@ -237,7 +239,7 @@ Result<BoardChain> chainCameras(const ExtrinsicsRequest& request) {
       }
     }
   }
-  auto poses = joined(request, links, chain.notices);
+  auto poses = spanningTreePoses(request, links, chain.notices);
   if (!poses) {
     return tl::make_unexpected(poses.error());
   }

@@ -43,7 +43,7 @@ void BoardCoverage::add(const std::vector<Eigen::Vector2d>& pixels, BoardTilt ti
   ++tilts[static_cast<std::size_t>(tilt)];
 }
 
-double BoardCoverage::imagePart() const {
+double BoardCoverage::coveredFraction() const {
   const auto seen = std::ranges::count_if(corners, [](int count) { return count > 0; });
   return static_cast<double>(seen) / static_cast<double>(corners.size());
 }

@@ -39,7 +39,7 @@ struct BoardCoverage {
   /// Adds a view with corners at `pixels`, in an image of the given size (pixels).
   void add(const std::vector<Eigen::Vector2d>& pixels, BoardTilt tilt, int width, int height);
   /// Returns the fraction of regions in which a corner was seen, 0 to 1.
-  double imagePart() const;
+  double coveredFraction() const;
 };
 
 } // namespace dewpoint::calibration

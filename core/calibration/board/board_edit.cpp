@@ -7,7 +7,7 @@
 namespace dewpoint::calibration {
 namespace {
 
-constexpr double kMarkerPart = 0.75; ///< of a square, where it is not known yet
+constexpr double kMarkerFraction = 0.75; ///< of a square, where it is not known yet
 
 double rounded(double meters) {
   constexpr double kPerMeter = 1e8;
@@ -22,7 +22,7 @@ BoardDescription withKind(BoardDescription board, BoardDescription::Kind kind) {
   board.kind = kind;
   board = withSquares(std::move(board), columns, rows);
   const bool markers = kind == BoardDescription::Kind::Charuco;
-  board.markerSize = markers ? rounded(kMarkerPart * board.squareSize) : 0.0;
+  board.markerSize = markers ? rounded(kMarkerFraction * board.squareSize) : 0.0;
   board.dictionary = markers ? "DICT_4X4_100" : "";
   board.legacy = false;
   board.inverted = false;

@@ -8,14 +8,14 @@ namespace dewpoint::calibration {
 namespace {
 
 // Tuned; where no source is named here or in the docs, the origin is not recorded.
-constexpr double kAnotherPlacePart = 0.08; // of the image's width: nearer is the same view again
+constexpr double kNewPositionFraction = 0.08; // of the image's width: nearer is the same view again
 /// New views after which calibrating again is worth its time.
 constexpr std::size_t kViewsPerCalibration = 3;
 /// Views before the user is led to come nearer.
 constexpr std::size_t kViewsBeforeNear = 4;
 
 /// Part of the image's area that the corners span.
-double areaPart(const BoardDetection& detection, const Intrinsics& image) {
+double areaFraction(const BoardDetection& detection, const Intrinsics& image) {
   Eigen::Vector2d least = detection.pixels.front();
   Eigen::Vector2d most = least;
   for (const Eigen::Vector2d& pixel : detection.pixels) {
@@ -39,12 +39,12 @@ BoardGuidance::BoardGuidance(const BoardDescription& board, int width, int heigh
                              GuidanceSettings settings)
     : board_(board), settings_(settings), camera_(guessedCamera(width, height)) {}
 
-BoardTilt BoardGuidance::tiltNow(const BoardDetection& detection) const {
+BoardTilt BoardGuidance::currentTilt(const BoardDetection& detection) const {
   const auto pose = boardPose(board_, detection, camera_);
   return pose ? tiltOf(*pose) : BoardTilt::Flat;
 }
 
-void BoardGuidance::follow(double seconds, const BoardDetection& detection) {
+void BoardGuidance::updateMotion(double seconds, const BoardDetection& detection) {
   const auto moved = last_ ? motionBetween(*last_, detection) : std::nullopt;
   const double allowed =
       settings_.stillPerSecond * camera_.intrinsics.width * (seconds - lastSeconds_);
@@ -55,11 +55,11 @@ void BoardGuidance::follow(double seconds, const BoardDetection& detection) {
   lastSeconds_ = seconds;
 }
 
-bool BoardGuidance::addsSomething(const BoardDetection& detection) const {
-  const BoardTilt tilt = tiltNow(detection);
+bool BoardGuidance::addsInformation(const BoardDetection& detection) const {
+  const BoardTilt tilt = currentTilt(detection);
   for (std::size_t k = 0; k < views_.size(); ++k) {
     const auto apart = motionBetween(views_[k].detection, detection);
-    const bool samePlace = apart && *apart < kAnotherPlacePart * camera_.intrinsics.width;
+    const bool samePlace = apart && *apart < kNewPositionFraction * camera_.intrinsics.width;
     if (samePlace && tilts_[k] == tilt) {
       return false;
     }
@@ -86,7 +86,8 @@ int BoardGuidance::emptiestRegion(const Eigen::Vector2d& middle) const {
   return emptiest;
 }
 
-GuidanceAdvice BoardGuidance::lacking(const BoardDetection& detection, GuidanceState& state) const {
+GuidanceAdvice BoardGuidance::nextAdvice(const BoardDetection& detection,
+                                         GuidanceState& state) const {
   const Eigen::Vector2d middle = centroidOf(detection);
   if (views_.empty()) {
     state.region =
@@ -100,21 +101,21 @@ GuidanceAdvice BoardGuidance::lacking(const BoardDetection& detection, GuidanceS
     state.tilt = static_cast<BoardTilt>(std::ranges::min_element(tilts) - tilts.begin());
     return GuidanceAdvice::TiltTo;
   }
-  if (largestPart_ < settings_.nearPart && views_.size() >= kViewsBeforeNear &&
-      areaPart(detection, camera_.intrinsics) < settings_.nearPart) {
+  if (largestAreaFraction_ < settings_.nearAreaFraction && views_.size() >= kViewsBeforeNear &&
+      areaFraction(detection, camera_.intrinsics) < settings_.nearAreaFraction) {
     return GuidanceAdvice::ComeNearer;
   }
   return GuidanceAdvice::MoveTo;
 }
 
 void BoardGuidance::advise(const BoardDetection& detection, GuidanceState& state) {
-  if (!wanted_) {
-    wanted_.emplace();
-    wanted_->advice = lacking(detection, *wanted_);
+  if (!instruction_) {
+    instruction_.emplace();
+    instruction_->advice = nextAdvice(detection, *instruction_);
   }
-  state.advice = wanted_->advice;
-  state.region = wanted_->region;
-  state.tilt = wanted_->tilt;
+  state.advice = instruction_->advice;
+  state.region = instruction_->region;
+  state.tilt = instruction_->tilt;
 }
 
 GuidanceState BoardGuidance::summary() const {
@@ -130,21 +131,21 @@ void BoardGuidance::capture(GuidanceState& state) {
   view.instant = static_cast<std::int64_t>(views_.size());
   view.name = "view " + std::to_string(views_.size() + 1);
   view.detection = *last_;
-  tilts_.push_back(tiltNow(*last_));
+  tilts_.push_back(currentTilt(*last_));
   coverage_.add(last_->pixels, tilts_.back(), camera_.intrinsics.width, camera_.intrinsics.height);
-  largestPart_ = std::max(largestPart_, areaPart(*last_, camera_.intrinsics));
+  largestAreaFraction_ = std::max(largestAreaFraction_, areaFraction(*last_, camera_.intrinsics));
   views_.push_back(std::move(view));
   stillSince_ = lastSeconds_;
-  wanted_.reset();
+  instruction_.reset();
   state = summary();
   state.captured = true;
 }
 
 GuidanceState BoardGuidance::step(double seconds, const std::optional<BoardDetection>& detection) {
   GuidanceState state = summary();
-  const bool enough = views_.size() >= static_cast<std::size_t>(settings_.leastViews) &&
+  const bool enough = views_.size() >= static_cast<std::size_t>(settings_.minViews) &&
                       projectionPx_ && *projectionPx_ <= settings_.requestedProjectionPx;
-  if (enough || views_.size() >= static_cast<std::size_t>(settings_.mostViews)) {
+  if (enough || views_.size() >= static_cast<std::size_t>(settings_.maxViews)) {
     state.advice = GuidanceAdvice::Finished;
     return state;
   }
@@ -152,13 +153,14 @@ GuidanceState BoardGuidance::step(double seconds, const std::optional<BoardDetec
     last_.reset();
     return state;
   }
-  follow(seconds, *detection);
-  if (addsSomething(*detection)) {
-    state.held = std::clamp((seconds - stillSince_) / settings_.holdSeconds, 0.0, 1.0);
-    const bool soft = detection->edgeWidthPx > settings_.softEdgePart * camera_.intrinsics.width;
-    if (state.held >= 1.0 && !soft) {
+  updateMotion(seconds, *detection);
+  if (addsInformation(*detection)) {
+    state.holdProgress = std::clamp((seconds - stillSince_) / settings_.holdSeconds, 0.0, 1.0);
+    const bool soft =
+        detection->edgeWidthPx > settings_.softEdgeFraction * camera_.intrinsics.width;
+    if (state.holdProgress >= 1.0 && !soft) {
       capture(state);
-    } else if (state.held > 0.0) {
+    } else if (state.holdProgress > 0.0) {
       state.advice = soft ? GuidanceAdvice::Sharpen : GuidanceAdvice::HoldStill;
       return state;
     }
@@ -183,12 +185,12 @@ void BoardGuidance::learn(const IntrinsicsResult& result) {
   camera_.intrinsics.width = width;
   camera_.intrinsics.height = height;
   projectionPx_ = result.worstProjectionPx;
-  learned_ = result.views.size();
+  calibratedViews_ = result.views.size();
 }
 
-bool BoardGuidance::wantsCalibration() const {
-  const auto least = static_cast<std::size_t>(settings_.leastViews);
-  return views_.size() >= std::max(least, learned_ + kViewsPerCalibration);
+bool BoardGuidance::isCalibrationDue() const {
+  const auto least = static_cast<std::size_t>(settings_.minViews);
+  return views_.size() >= std::max(least, calibratedViews_ + kViewsPerCalibration);
 }
 
 } // namespace dewpoint::calibration

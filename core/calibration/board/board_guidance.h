@@ -24,12 +24,13 @@ enum class GuidanceAdvice {
 struct GuidanceSettings {
   /// Speed below which the board counts as still, as a fraction of the image width per second.
   double stillPerSecond = 0.05;
-  double holdSeconds = 0.5;    ///< time the board must be still before the view is captured
-  double softEdgePart = 0.008; ///< edges wider than this fraction of the image width count as soft
-  double nearPart =
+  double holdSeconds = 0.5; ///< time the board must be still before the view is captured
+  double softEdgeFraction =
+      0.008; ///< edges wider than this fraction of the image width count as soft
+  double nearAreaFraction =
       0.25; ///< fraction of the image area that the board should fill in at least one view
-  int leastViews = 10;
-  int mostViews = 60; ///< maximum number of views; the guidance then ends, whatever the accuracy
+  int minViews = 10;
+  int maxViews = 60; ///< maximum number of views; the guidance then ends, whatever the accuracy
   double requestedProjectionPx =
       0.3; ///< the guidance ends when IntrinsicsResult::worstProjectionPx reaches this value;
            ///< pixels
@@ -42,7 +43,7 @@ struct GuidanceState {
   BoardTilt tilt = BoardTilt::Flat;   ///< tilt requested by TiltTo
   BoardCoverage coverage;             ///< coverage of the captured views
   int views = 0;                      ///< number of views captured so far
-  double held = 0.0;                  ///< elapsed fraction of the hold time, 0 to 1
+  double holdProgress = 0.0;          ///< elapsed fraction of the hold time, 0 to 1
   bool captured = false;              ///< true if the current image was captured
   std::optional<double> projectionPx; ///< worstProjectionPx of the latest calibration, pixels
 };
@@ -66,19 +67,19 @@ public:
   void learn(const IntrinsicsResult& result);
   /// Returns whether enough views were captured since the last learn() to compute another
   /// calibration.
-  bool wantsCalibration() const;
+  bool isCalibrationDue() const;
 
   const std::vector<BoardView>& views() const { return views_; }
 
 private:
-  void follow(double seconds, const BoardDetection& detection);
-  bool addsSomething(const BoardDetection& detection) const;
+  void updateMotion(double seconds, const BoardDetection& detection);
+  bool addsInformation(const BoardDetection& detection) const;
   int emptiestRegion(const Eigen::Vector2d& middle) const;
   void advise(const BoardDetection& detection, GuidanceState& state);
-  GuidanceAdvice lacking(const BoardDetection& detection, GuidanceState& state) const;
+  GuidanceAdvice nextAdvice(const BoardDetection& detection, GuidanceState& state) const;
   void capture(GuidanceState& state);
   GuidanceState summary() const;
-  BoardTilt tiltNow(const BoardDetection& detection) const;
+  BoardTilt currentTilt(const BoardDetection& detection) const;
 
   BoardDescription board_;
   GuidanceSettings settings_;
@@ -86,12 +87,12 @@ private:
   std::vector<BoardView> views_;
   std::vector<BoardTilt> tilts_; ///< tilt of the board in each view
   BoardCoverage coverage_;
-  double largestPart_ = 0.0;
-  std::optional<GuidanceState> wanted_; ///< current instruction, kept until a view is captured
+  double largestAreaFraction_ = 0.0;
+  std::optional<GuidanceState> instruction_; ///< current instruction, kept until a view is captured
   std::optional<BoardDetection> last_;
   double lastSeconds_ = 0.0;
   double stillSince_ = 0.0;
-  std::size_t learned_ = 0; ///< number of views in the latest calibration
+  std::size_t calibratedViews_ = 0; ///< number of views in the latest calibration
   std::optional<double> projectionPx_;
 };
 

@@ -65,7 +65,7 @@ int BoardPattern::markerAt(int column, int row) const {
   return markerOfSquare_[indexOf(column, row, board_.squareColumns())];
 }
 
-bool BoardPattern::markerCell(int marker, int column, int row) const {
+bool BoardPattern::isMarkerCellDark(int marker, int column, int row) const {
   return markers_[static_cast<std::size_t>(marker)][indexOf(column, row, cells_)] != 0;
 }
 
@@ -94,7 +94,7 @@ std::vector<BoardPattern::Rectangle> BoardPattern::darkRectangles() const {
       for (int k = 0; k < cells_ * cells_; ++k) {
         const int cellColumn = k % cells_;
         const int cellRow = k / cells_;
-        if (markerCell(marker, cellColumn, cellRow) != board_.inverted) {
+        if (isMarkerCellDark(marker, cellColumn, cellRow) != board_.inverted) {
           dark.push_back(
               {left + margin + cell * cellColumn, top + margin + cell * cellRow, cell, cell});
         }
@@ -120,7 +120,7 @@ bool BoardPattern::isDark(double x, double y) const {
     const double inY = (v - row - 0.5) * scale + 0.5;
     const bool inside = inX >= 0.0 && inX < 1.0 && inY >= 0.0 && inY < 1.0;
     dark = inside &&
-           markerCell(marker, static_cast<int>(inX * cells_), static_cast<int>(inY * cells_));
+           isMarkerCellDark(marker, static_cast<int>(inX * cells_), static_cast<int>(inY * cells_));
   }
   return dark != board_.inverted;
 }
@@ -154,7 +154,7 @@ std::vector<Eigen::Vector2d> planeGrid(const Camera& camera, const Eigen::Isomet
   std::vector<Eigen::Vector2d> grid;
   for (int row = 0; row <= camera.intrinsics.height; ++row) {
     for (int column = 0; column <= camera.intrinsics.width; ++column) {
-      const auto ray = unprojector.rayWorld({column - 0.5, row - 0.5});
+      const auto ray = unprojector.worldDirection({column - 0.5, row - 0.5});
       const double along = ray ? -center.z() / ray->z() : -1.0;
       grid.push_back(along > 0.0 ? Eigen::Vector2d((center + along * *ray).head<2>())
                                  : Eigen::Vector2d::Constant(std::nan("")));

@@ -28,7 +28,7 @@ public:
 
 private:
   /// Returns whether a cell of a marker is dark, ignoring `inverted`.
-  bool markerCell(int marker, int column, int row) const;
+  bool isMarkerCellDark(int marker, int column, int row) const;
   int markerAt(int column, int row) const;
 
   BoardDescription board_;

@@ -159,7 +159,7 @@ const std::vector<Paper>& papers() {
 
 Result<Paper> paperNamed(const std::string& name, const std::string& field) {
   for (const Paper& paper : papers()) {
-    if (inLowerCase(paper.name) == inLowerCase(name)) {
+    if (toLowerCase(paper.name) == toLowerCase(name)) {
       return paper;
     }
   }

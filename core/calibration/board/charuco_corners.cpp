@@ -30,7 +30,7 @@ constexpr std::size_t kLeastNeighbors = 6;
 constexpr double kMostOffPx = 1.0;
 constexpr double kMostOffPart = 0.03; // of the spacing
 
-constexpr double kAsNear = 0.01; // squares
+constexpr double kTieDistance = 0.01; // squares
 
 struct SeenMarker {
   cv::Point2d middle; ///< on the board, in squares
@@ -69,7 +69,8 @@ std::vector<SeenMarker> seenMarkers(const cv::Mat& gray, const BoardDescription&
 
 /// Image from page, in squares, near a corner: from the markers next to it. Nothing when no marker
 /// touches the corner's squares.
-std::optional<cv::Matx33d> localMap(std::vector<SeenMarker> markers, const cv::Point2d& corner) {
+std::optional<cv::Matx33d> localHomography(std::vector<SeenMarker> markers,
+                                           const cv::Point2d& corner) {
   const auto nearer = [&](const SeenMarker& one, const SeenMarker& other) {
     return cv::norm(one.middle - corner) < cv::norm(other.middle - corner);
   };
@@ -79,7 +80,7 @@ std::optional<cv::Matx33d> localMap(std::vector<SeenMarker> markers, const cv::P
   }
   // All that are as near as the last one: which of equals comes first means nothing.
   const double reach = markers.size() > kNearestMarkers
-                           ? cv::norm(markers[kNearestMarkers - 1].middle - corner) + kAsNear
+                           ? cv::norm(markers[kNearestMarkers - 1].middle - corner) + kTieDistance
                            : std::numeric_limits<double>::max();
   std::erase_if(markers,
                 [&](const SeenMarker& marker) { return cv::norm(marker.middle - corner) > reach; });
@@ -115,8 +116,8 @@ bool looksLikeCorner(const cv::Mat& gray, const BoardDescription& board, const c
 }
 
 /// Leaves out corners that lie elsewhere than their neighbors say: drawn onto a marker's edge.
-void keepConsistent(const BoardDescription& board, std::vector<int>& ids,
-                    std::vector<cv::Point2f>& corners) {
+void dropInconsistent(const BoardDescription& board, std::vector<int>& ids,
+                      std::vector<cv::Point2f>& corners) {
   const auto onBoard = [&](int id) {
     return cv::Point2f(static_cast<float>(id % board.cornerColumns()),
                        static_cast<float>(id / board.cornerColumns())); // NOLINT: whole rows
@@ -162,7 +163,7 @@ void charucoCorners(const cv::Mat& gray, const BoardDescription& board,
     const int column = id % board.cornerColumns() + 1;
     const int row = id / board.cornerColumns() + 1;
     const cv::Point2d corner(column, row);
-    const auto map = localMap(markers, corner);
+    const auto map = localHomography(markers, corner);
     if (!map) {
       continue;
     }
@@ -184,7 +185,7 @@ void charucoCorners(const cv::Mat& gray, const BoardDescription& board,
       corners.push_back(refined[0]);
     }
   }
-  keepConsistent(board, ids, corners);
+  dropInconsistent(board, ids, corners);
 }
 
 } // namespace dewpoint::calibration

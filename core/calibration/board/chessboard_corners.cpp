@@ -23,7 +23,7 @@ constexpr int kLeastWindow = 2;
 
 /// A window that holds no neighboring corner.
 void refineWithinSpacing(const cv::Mat& gray, int columns, Grid& corners) {
-  const int window = std::clamp(static_cast<int>(kWindowPart * leastSpacing(corners, columns)),
+  const int window = std::clamp(static_cast<int>(kWindowPart * smallestSpacing(corners, columns)),
                                 kLeastWindow, kSampleWindow);
   refineCorners(gray, window, 60, 1e-3, corners);
 }

@@ -62,7 +62,7 @@ void refineCorners(const cv::Mat& gray, int halfWindow, int steps, double tolera
   cv::cornerSubPix(gray, corners, {halfWindow, halfWindow}, {-1, -1}, until);
 }
 
-double leastSpacing(const std::vector<cv::Point2f>& grid, int columns) {
+double smallestSpacing(const std::vector<cv::Point2f>& grid, int columns) {
   double least = std::numeric_limits<double>::max();
   for (std::size_t k = 0; k < grid.size(); ++k) {
     if ((k + 1) % static_cast<std::size_t>(columns) != 0 && k + 1 < grid.size()) {

@@ -19,7 +19,7 @@ void refineCorners(const cv::Mat& gray, int halfWindow, int steps, double tolera
 
 /// Returns the smallest distance, in pixels, between neighbors in a grid of corners given row by
 /// row.
-double leastSpacing(const std::vector<cv::Point2f>& grid, int columns);
+double smallestSpacing(const std::vector<cv::Point2f>& grid, int columns);
 
 /// Returns the median width, in pixels, of the edges between neighboring corners of a detection; 0
 /// if nothing could be measured. The width of an edge is the contrast across it divided by its

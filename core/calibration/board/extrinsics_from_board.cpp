@@ -35,8 +35,8 @@ Eigen::MatrixXd rotatedColumns(const std::vector<CameraColumn>& columns,
 }
 
 /// Another world for everything that was adjusted.
-void putIntoWorld(const Eigen::Isometry3d& worldFromFirst, BundleProblem& problem,
-                  BundleResult& result) {
+void transformToWorld(const Eigen::Isometry3d& worldFromFirst, BundleProblem& problem,
+                      BundleResult& result) {
   const Eigen::Isometry3d firstFromWorld = worldFromFirst.inverse();
   for (BundleCamera& camera : problem.cameras) {
     camera.camera.cameraFromWorld = camera.camera.cameraFromWorld * firstFromWorld;
@@ -64,8 +64,8 @@ public:
   Result<ExtrinsicsResult> run() {
     double lossWidth = kFirstLossWidth;
     for (int round = 0; round < kMostRounds; ++round) {
-      if (!goesOn(progress_, CalibrationStage::Adjustment,
-                  static_cast<double>(round) / kMostRounds)) {
+      if (!reportProgress(progress_, CalibrationStage::Adjustment,
+                          static_cast<double>(round) / kMostRounds)) {
         return canceled();
       }
       if (auto adjusted = adjust(RobustLoss::Huber, lossWidth); !adjusted) {
@@ -132,7 +132,7 @@ private:
       }
     }
     auto result = adjustBundle(problem, [&](const BundleProgress&) {
-      return goesOn(progress_, CalibrationStage::Adjustment, 0.5);
+      return reportProgress(progress_, CalibrationStage::Adjustment, 0.5);
     });
     if (!result) {
       return tl::make_unexpected(result.error());
@@ -168,7 +168,7 @@ private:
     std::vector<ViewFit> goodFits;
     for (std::size_t k = 0; k < chain_.views.size(); ++k) {
       const PosedView& view = chain_.views[k];
-      if (fits_[k].rmsPx <= badViewLimit(median, adjusted_[view.camera].intrinsics)) {
+      if (fits_[k].rmsPx <= maxViewError(median, adjusted_[view.camera].intrinsics)) {
         good.push_back(view);
         goodFits.push_back(fits_[k]);
         continue;
@@ -242,7 +242,7 @@ private:
     for (const std::int64_t instant : seen) {
       result.boardPoses.push_back({instant, *world * chain_.firstFromBoard[instant]});
     }
-    putIntoWorld(*world, problem_, bundle_);
+    transformToWorld(*world, problem_, bundle_);
     result.covariance = bundle_.covariance;
     result.covariance.matrix *= bundle_.noiseFactor * bundle_.noiseFactor;
     for (std::size_t k = 0; k < result.fits.size(); ++k) {
@@ -251,7 +251,7 @@ private:
       fit.views.insert(fit.views.end(), chain_.leftOut[k].begin(), chain_.leftOut[k].end());
       const auto& known = result.covariance;
       fit.centerSigma = spread(known, k, CameraQuantity::CenterX, CameraQuantity::CenterZ);
-      fit.turnSigma = spread(known, k, CameraQuantity::TurnX, CameraQuantity::TurnZ);
+      fit.rotationSigma = spread(known, k, CameraQuantity::TurnX, CameraQuantity::TurnZ);
     }
     result.problem = std::move(problem_);
     result.bundle = std::move(bundle_);
@@ -289,7 +289,7 @@ Result<ExtrinsicsResult> calibrateExtrinsics(const ExtrinsicsRequest& request,
   if (request.cameras.empty()) {
     return failure(ErrorCode::NotFound, "", "cameras", "there is none");
   }
-  if (!goesOn(progress, CalibrationStage::Chaining, 0.0)) {
+  if (!reportProgress(progress, CalibrationStage::Chaining, 0.0)) {
     return canceled();
   }
   auto chain = chainCameras(request);

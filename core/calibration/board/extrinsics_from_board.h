@@ -46,7 +46,7 @@ struct CameraFit {
   BoardCoverage coverage;
   /// Standard deviation of the camera position relative to the first camera, meters.
   double centerSigma = 0.0;
-  double turnSigma = 0.0; ///< standard deviation of the camera orientation, radians
+  double rotationSigma = 0.0; ///< standard deviation of the camera orientation, radians
 };
 
 /// Output of calibrateExtrinsics().
@@ -60,7 +60,7 @@ struct ExtrinsicsResult {
   std::vector<std::string> notices; ///< messages for the user
   BundleProblem problem;            ///< last adjusted problem, in the world frame of the result
   BundleResult bundle; ///< solution of `problem`; its covariance assumes the given pixel sigmas
-  std::vector<NamedFault> faults = {}; ///< filled by findBoardFaults()
+  std::vector<DetectedFault> faults = {}; ///< filled by findBoardFaults()
 };
 
 /// Estimates the poses of all cameras from a board that several of them see at the same instants.

@@ -139,7 +139,7 @@ Eigen::MatrixXd intrinsicsCovariance(const BoardDescription& board, const Camera
   // Scaled to a unit diagonal: focal lengths and k3 differ by many powers of ten.
   const Eigen::VectorXd scale = normal.diagonal().cwiseSqrt().cwiseInverse();
   const Eigen::MatrixXd scaled = scale.asDiagonal() * normal * scale.asDiagonal();
-  const auto inverse = geometry::inversePositive(scaled);
+  const auto inverse = geometry::inversePositiveDefinite(scaled);
   if (freedom <= 0 || !scaled.allFinite() || !inverse) {
     return {};
   }
@@ -158,7 +158,7 @@ double projectionSigma(const Camera& camera, const IntrinsicsParameters& paramet
     const int row = k / kGrid;
     const Eigen::Vector2d pixel((camera.intrinsics.width - 1.0) * column / (kGrid - 1.0),
                                 (camera.intrinsics.height - 1.0) * row / (kGrid - 1.0));
-    const auto ray = unprojector.rayWorld(pixel);
+    const auto ray = unprojector.worldDirection(pixel);
     // Derivatives need some room up to where the model ends.
     if (ray &&
         Projector(atOrigin).project(*ray + 1e-3 * Eigen::Vector3d(ray->x(), ray->y(), 0.0))) {

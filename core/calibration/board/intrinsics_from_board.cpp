@@ -80,7 +80,7 @@ Solution solveWithOpenCv(const IntrinsicsRequest& request, const Views& views, b
   }
   Solution solution{cameraOf(request, matrix, lens), {}};
   for (std::size_t k = 0; k < views.size(); ++k) {
-    solution.poses.push_back(boardPoseOf(rotations[k], translations[k]));
+    solution.poses.push_back(poseFromOpenCv(rotations[k], translations[k]));
   }
   return solution;
 }
@@ -146,8 +146,8 @@ private:
             fmt::format("the board is clearly visible in {} image{}; at least {} are needed",
                         views_.size(), views_.size() == 1 ? "" : "s", kLeastViews));
       }
-      if (!goesOn(progress_, CalibrationStage::Intrinsics,
-                  static_cast<double>(round) / kMostRounds)) {
+      if (!reportProgress(progress_, CalibrationStage::Intrinsics,
+                          static_cast<double>(round) / kMostRounds)) {
         return canceled();
       }
       const auto solution = solve(request_, views_, square_);
@@ -168,7 +168,7 @@ private:
 
   bool leaveOutBad() {
     const double median = medianRms(fits_);
-    const double limit = badViewLimit(median, camera_.intrinsics);
+    const double limit = maxViewError(median, camera_.intrinsics);
     Views good;
     for (std::size_t k = 0; k < views_.size(); ++k) {
       if (fits_[k].rmsPx <= limit) {

@@ -6,7 +6,7 @@
 
 namespace dewpoint::calibration {
 
-Eigen::Isometry3d boardPoseOf(const cv::Mat& rotationVector, const cv::Mat& translation) {
+Eigen::Isometry3d poseFromOpenCv(const cv::Mat& rotationVector, const cv::Mat& translation) {
   cv::Mat matrix;
   cv::Rodrigues(rotationVector, matrix);
   Eigen::Matrix3d rotation;

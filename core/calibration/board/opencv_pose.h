@@ -9,6 +9,6 @@
 namespace dewpoint::calibration {
 
 /// Converts OpenCV's rotation vector and translation (three doubles each) to a pose.
-Eigen::Isometry3d boardPoseOf(const cv::Mat& rotationVector, const cv::Mat& translation);
+Eigen::Isometry3d poseFromOpenCv(const cv::Mat& rotationVector, const cv::Mat& translation);
 
 } // namespace dewpoint::calibration

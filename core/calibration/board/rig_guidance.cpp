@@ -8,11 +8,11 @@ namespace dewpoint::calibration {
 
 RigGuidance::RigGuidance(std::vector<int> imageWidths, const Settings& settings)
     : widths_(std::move(imageWidths)), settings_(settings), views_(widths_.size()),
-      together_(widths_.size() * widths_.size()), last_(widths_.size()) {}
+      sharedInstants_(widths_.size() * widths_.size()), last_(widths_.size()) {}
 
-int RigGuidance::together(int one, int other) const {
-  return together_[static_cast<std::size_t>(one) * widths_.size() +
-                   static_cast<std::size_t>(other)];
+int RigGuidance::sharedInstants(int one, int other) const {
+  return sharedInstants_[static_cast<std::size_t>(one) * widths_.size() +
+                         static_cast<std::size_t>(other)];
 }
 
 bool RigGuidance::isStill(double seconds,
@@ -36,7 +36,7 @@ bool RigGuidance::isNew(const std::vector<std::optional<BoardDetection>>& detect
     const auto seen = std::ranges::find(views, instant, &BoardView::instant);
     const auto apart =
         seen == views.end() ? std::nullopt : motionBetween(seen->detection, *detections[camera]);
-    return apart && *apart < settings_.apartPart * widths_[camera];
+    return apart && *apart < settings_.minDistanceFraction * widths_[camera];
   };
   for (int instant = 0; instant < instants_; ++instant) {
     bool known = true; // to all cameras that see it now, at that one instant
@@ -58,15 +58,15 @@ void RigGuidance::suggest(State& state) const {
     std::pair<int, int> ends;
     for (const int from : reached) {
       for (int to = 0; to < count; ++to) {
-        if (!reached.contains(to) && together(from, to) > most) {
-          most = together(from, to);
+        if (!reached.contains(to) && sharedInstants(from, to) > most) {
+          most = sharedInstants(from, to);
           ends = {from, to};
         }
       }
     }
     if (most < settings_.instantsPerPair) {
-      state.showTo = ends.first;
-      state.andTo = ends.second;
+      state.firstCamera = ends.first;
+      state.secondCamera = ends.second;
       return;
     }
     reached.insert(ends.second);
@@ -85,7 +85,7 @@ void RigGuidance::take(State& state) {
     }
     views_[k].push_back({"instant " + std::to_string(instants_ + 1), instants_, *last_[k]});
     for (std::size_t other = 0; other < widths_.size(); ++other) {
-      together_[k * widths_.size() + other] += other != k && last_[other] ? 1 : 0;
+      sharedInstants_[k * widths_.size() + other] += other != k && last_[other] ? 1 : 0;
     }
   }
   ++instants_;
@@ -110,7 +110,7 @@ RigGuidance::State RigGuidance::captureNow() {
   return now;
 }
 
-void RigGuidance::wantMore(int instants) {
+void RigGuidance::requireMore(int instants) {
   settings_.instantsPerPair += instants;
 }
 
@@ -122,9 +122,9 @@ RigGuidance::State RigGuidance::step(double seconds,
     stillSince_ = seconds;
   }
   if (areSeenByTwo() && isNew(detections)) {
-    state.held = std::clamp((seconds - stillSince_) / settings_.holdSeconds, 0.0, 1.0);
+    state.holdProgress = std::clamp((seconds - stillSince_) / settings_.holdSeconds, 0.0, 1.0);
   }
-  if (state.held >= 1.0) {
+  if (state.holdProgress >= 1.0) {
     take(state);
   }
   state.instants = instants_;

@@ -18,17 +18,17 @@ public:
     double holdSeconds = 0.5; ///< time the board must be still before an instant is captured
     int instantsPerPair =
         8; ///< required number of instants for each pair in the chain that connects the cameras
-    double apartPart =
+    double minDistanceFraction =
         0.1; ///< minimum distance between captured positions, as a fraction of the image width
   };
   struct State {
     int instants = 0;
     bool captured = false;
     bool finished = false;
-    double held = 0.0;
+    double holdProgress = 0.0;
     /// Indices of the cameras to which the board should be shown together next; -1 when finished.
-    int showTo = -1;
-    int andTo = -1;
+    int firstCamera = -1;
+    int secondCamera = -1;
   };
 
   RigGuidance(std::vector<int> imageWidths, const Settings& settings);
@@ -40,13 +40,13 @@ public:
   /// board.
   State captureNow();
   /// Increases the required number of instants for each pair that connects the cameras.
-  void wantMore(int instants);
+  void requireMore(int instants);
   /// Returns the current state without new detections.
   State state() const;
   /// Returns the captured views per camera, in the form used by calibrateExtrinsics().
   const std::vector<std::vector<BoardView>>& views() const { return views_; }
   /// Returns the number of instants at which both cameras saw the board.
-  int together(int one, int other) const;
+  int sharedInstants(int one, int other) const;
 
 private:
   bool isStill(double seconds, const std::vector<std::optional<BoardDetection>>& detections);
@@ -58,7 +58,7 @@ private:
   std::vector<int> widths_;
   Settings settings_;
   std::vector<std::vector<BoardView>> views_;
-  std::vector<int> together_;
+  std::vector<int> sharedInstants_;
   std::vector<std::optional<BoardDetection>> last_;
   double lastSeconds_ = 0.0;
   double stillSince_ = 0.0;

@@ -71,7 +71,7 @@ double medianRms(const std::vector<ViewFit>& fits) {
   return upperMedian(std::move(errors));
 }
 
-double badViewLimit(double median, const Intrinsics& image) {
+double maxViewError(double median, const Intrinsics& image) {
   return std::max(kBadFactor * median, kBadPart * std::hypot(image.width, image.height));
 }
 
@@ -123,7 +123,7 @@ std::optional<Eigen::Isometry3d> boardPose(const BoardDescription& board,
   std::vector<cv::Point3d> corners;
   std::vector<cv::Point2d> directions;
   for (std::size_t k = 0; k < detection.ids.size(); ++k) {
-    const auto ray = unprojector.rayWorld(detection.pixels[k]);
+    const auto ray = unprojector.worldDirection(detection.pixels[k]);
     if (ray && ray->z() > 1e-3) {
       const Eigen::Vector3d corner = board.corner(detection.ids[k]);
       corners.emplace_back(corner.x(), corner.y(), corner.z());
@@ -143,7 +143,7 @@ std::optional<Eigen::Isometry3d> boardPose(const BoardDescription& board,
                       cv::SOLVEPNP_ITERATIVE)) {
       return std::nullopt;
     }
-    return boardPoseOf(rotation, translation);
+    return poseFromOpenCv(rotation, translation);
   } catch (const cv::Exception&) {
     return std::nullopt;
   }

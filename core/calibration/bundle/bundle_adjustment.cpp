@@ -95,13 +95,13 @@ private:
     options.linear_solver_type = ceres::DENSE_SCHUR;
     auto ordering = std::make_shared<ceres::ParameterBlockOrdering>();
     for (std::size_t s = 0; s < model_.states.size(); ++s) {
-      if (model_.takesPart(model_.states[s].values.data())) {
+      if (model_.isInProblem(model_.states[s].values.data())) {
         ordering->AddElementToGroup(model_.states[s].values.data(), 0);
       }
     }
     for (BundleModel::CameraBlocks& camera : model_.cameras) {
       for (double* block : {camera.pose.data(), camera.lens.data(), &camera.offset}) {
-        if (model_.takesPart(block)) {
+        if (model_.isInProblem(block)) {
           ordering->AddElementToGroup(block, 1);
         }
       }
@@ -110,10 +110,10 @@ private:
     return options;
   }
 
-  bool aCameraVaries() const {
+  bool isAnyCameraVariable() const {
     return std::any_of(model_.cameras.begin(), model_.cameras.end(), [&](const auto& camera) {
-      return model_.varies(camera.pose.data()) || model_.varies(camera.lens.data()) ||
-             model_.varies(&camera.offset);
+      return model_.isVariable(camera.pose.data()) || model_.isVariable(camera.lens.data()) ||
+             model_.isVariable(&camera.offset);
     });
   }
 
@@ -122,14 +122,15 @@ private:
     for (std::size_t c = 0; c < model_.cameras.size(); ++c) {
       Camera camera = model_.given.cameras[c].camera;
       const BundleModel::CameraBlocks& blocks = model_.cameras[c];
-      if (model_.varies(model_.cameras[c].pose.data())) {
+      if (model_.isVariable(model_.cameras[c].pose.data())) {
         const Eigen::Map<const Eigen::Vector3d> turn(blocks.pose.data());
         const Eigen::Map<const Eigen::Vector3d> center(blocks.pose.data() + 3);
-        const Eigen::Quaterniond rotation(Eigen::Matrix3d(turnRotation(turn) * blocks.rotation));
+        const Eigen::Quaterniond rotation(
+            Eigen::Matrix3d(rotationFromTurn(turn) * blocks.rotation));
         camera.cameraFromWorld.linear() = rotation.normalized().toRotationMatrix();
         camera.cameraFromWorld.translation() = -camera.cameraFromWorld.linear() * center;
       }
-      if (model_.varies(model_.cameras[c].lens.data())) {
+      if (model_.isVariable(model_.cameras[c].lens.data())) {
         setLens(blocks.lens, camera);
       }
       result.cameras.push_back(camera);
@@ -146,9 +147,9 @@ private:
   void takeState(std::size_t s, BundleState& state) {
     const Eigen::Map<const Eigen::Vector3d> first(model_.states[s].values.data());
     const Eigen::Map<const Eigen::Vector3d> second(model_.states[s].values.data() + 3);
-    state.known = model_.start.stateUsed[s] && model_.takesPart(model_.states[s].values.data());
+    state.known = model_.start.stateUsed[s] && model_.isInProblem(model_.states[s].values.data());
     if (model_.given.bodies[state.body].kind == Kind::Board) {
-      state.worldFromBoard.linear() = turnRotation(first) * model_.states[s].rotation;
+      state.worldFromBoard.linear() = rotationFromTurn(first) * model_.states[s].rotation;
       state.worldFromBoard.translation() = second;
     } else {
       state.ends = {first, second};
@@ -204,7 +205,7 @@ private:
     std::vector<double*> blocks;
     const auto add = [&](double* block, std::size_t camera, CameraQuantity first, int size,
                          const std::vector<int>& held) {
-      if (!model_.varies(block)) {
+      if (!model_.isVariable(block)) {
         return;
       }
       blocks.push_back(block);
@@ -217,11 +218,11 @@ private:
     for (std::size_t c = 0; c < model_.cameras.size(); ++c) {
       add(model_.cameras[c].pose.data(), c, CameraQuantity::TurnX, kPoseSize, {});
       add(model_.cameras[c].lens.data(), c, CameraQuantity::Focal, kLensSize,
-          BundleModel::heldLensEntries(model_.given.cameras[c]));
+          BundleModel::fixedLensEntries(model_.given.cameras[c]));
       add(&model_.cameras[c].offset, c, CameraQuantity::TimeOffset, 1, {});
     }
     for (BundleModel::StateBlock& state : model_.states) {
-      if (model_.varies(state.values.data())) {
+      if (model_.isVariable(state.values.data())) {
         blocks.push_back(state.values.data());
       }
     }
@@ -290,7 +291,7 @@ private:
 } // namespace
 
 Result<BundleResult> adjustBundle(const BundleProblem& problem, const BundleCallback& callback) {
-  auto start = startBundle(problem);
+  auto start = initializeBundle(problem);
   if (!start) {
     return tl::make_unexpected(start.error());
   }

@@ -23,8 +23,8 @@ enum class RobustLoss { None, Huber, SoftL1, Cauchy };
 
 /// Prior knowledge of a pose, as standard deviations around the start value.
 struct PosePrior {
-  double turnSigma = 0.01;   ///< radians, about each camera axis
-  double centerSigma = 0.01; ///< meters, along each world axis
+  double rotationSigma = 0.01; ///< radians, about each camera axis
+  double centerSigma = 0.01;   ///< meters, along each world axis
 };
 
 /// Camera in a bundle problem: its start values, and which of its parameters may change.

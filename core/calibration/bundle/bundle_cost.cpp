@@ -118,10 +118,10 @@ void setLens(const std::array<double, kLensSize>& block, Camera& camera) {
   }
 }
 
-Eigen::Matrix3d turnRotation(const Eigen::Vector3d& turn) {
+Eigen::Matrix3d rotationFromTurn(const Eigen::Vector3d& turn) {
   return turn.norm() < kSmallAngle
              ? Eigen::Matrix3d(Eigen::Matrix3d::Identity() + crossMatrix(turn))
-             : rotationOfVector(turn);
+             : rotationFromVector(turn);
 }
 
 Eigen::Matrix3d turnDerivative(const Eigen::Vector3d& turn, const Eigen::Vector3d& rotatedPoint) {
@@ -158,19 +158,19 @@ bool PixelCost::Evaluate(double const* const* parameters, double* residuals,
   std::vector<double> slopes(1, 0.0);
   if (setup_.boardRotation) {
     boardTurn = Eigen::Map<const Eigen::Vector3d>(parameters[3]);
-    onBoard = turnRotation(boardTurn) * (*setup_.boardRotation * setup_.boardPoint);
+    onBoard = rotationFromTurn(boardTurn) * (*setup_.boardRotation * setup_.boardPoint);
     world = onBoard + Eigen::Map<const Eigen::Vector3d>(parameters[3] + 3);
   } else {
     if (states > 1) {
       pathWeights(setup_.knots, setup_.time + parameters[2][0], weights, slopes);
     }
     for (std::size_t j = 0; j < states; ++j) {
-      const Eigen::Map<const Eigen::Vector3d> knot(parameters[3 + j] + setup_.pointAt);
+      const Eigen::Map<const Eigen::Vector3d> knot(parameters[3 + j] + setup_.pointOffset);
       world += weights[j] * knot;
       velocity += slopes[j] * knot;
     }
   }
-  const Eigen::Matrix3d rotation = turnRotation(turn) * setup_.cameraRotation;
+  const Eigen::Matrix3d rotation = rotationFromTurn(turn) * setup_.cameraRotation;
   const Eigen::Vector3d inCamera = rotation * (world - center);
   if (!(inCamera.z() > 1e-6)) {
     return false;
@@ -210,7 +210,7 @@ bool PixelCost::Evaluate(double const* const* parameters, double* residuals,
       block.leftCols<3>() = byWorld * turnDerivative(boardTurn, onBoard);
       block.rightCols<3>() = byWorld;
     } else {
-      block.middleCols<3>(setup_.pointAt) = weights[j] * byWorld;
+      block.middleCols<3>(setup_.pointOffset) = weights[j] * byWorld;
     }
   }
   return true;

@@ -25,9 +25,9 @@ std::array<double, kLensSize> lensBlock(const Camera& camera);
 /// Writes a lens block back into a camera.
 void setLens(const std::array<double, kLensSize>& block, Camera& camera);
 
-/// Returns the rotation matrix exp(turn). Uses rotationOfVector(), or its first-order approximation
-/// where that is exact to rounding. Consistent with turnDerivative().
-Eigen::Matrix3d turnRotation(const Eigen::Vector3d& turn);
+/// Returns the rotation matrix exp(turn). Uses rotationFromVector(), or its first-order
+/// approximation where that is exact to rounding. Consistent with turnDerivative().
+Eigen::Matrix3d rotationFromTurn(const Eigen::Vector3d& turn);
 /// Returns d(exp(turn) y)/d(turn) = -[exp(turn) y]x J(turn), with J the left Jacobian of SO(3)
 /// (Barfoot, State Estimation for Robotics, eq. 7.77).
 Eigen::Matrix3d turnDerivative(const Eigen::Vector3d& turn, const Eigen::Vector3d& rotatedPoint);
@@ -44,9 +44,9 @@ struct PixelCostSetup {
   /// nothing for a free point.
   std::optional<Eigen::Matrix3d> boardRotation;
   Eigen::Vector3d boardPoint = Eigen::Vector3d::Zero();
-  int stateSize = 3; ///< size of a state block: 3 for a point, 6 for a stick or board
-  int pointAt = 0;   ///< index in the state block at which the free point starts
-  double time = 0.0; ///< time of the image without the camera's offset, seconds
+  int stateSize = 3;   ///< size of a state block: 3 for a point, 6 for a stick or board
+  int pointOffset = 0; ///< index in the state block at which the free point starts
+  double time = 0.0;   ///< time of the image without the camera's offset, seconds
   std::vector<double>
       knots; ///< times of the states between which a free point is interpolated, seconds
 };

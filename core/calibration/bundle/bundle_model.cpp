@@ -27,10 +27,10 @@ BundleModel::BundleModel(const BundleProblem& problem, BundleStart usable)
   addObservations();
   addSticks();
   addPriors();
-  holdWhatIsKnown();
+  fixKnownParameters();
 }
 
-std::vector<int> BundleModel::heldLensEntries(const BundleCamera& camera) {
+std::vector<int> BundleModel::fixedLensEntries(const BundleCamera& camera) {
   std::vector<int> held;
   for (int i = 0; i < kLensSize; ++i) {
     const bool isFree = i == 0   ? camera.focalFree
@@ -124,7 +124,7 @@ PixelCostSetup BundleModel::setupOf(std::size_t i) const {
     setup.boardRotation = states[seen.state].rotation;
     setup.boardPoint = body.points[seen.point];
   } else {
-    setup.pointAt = 3 * static_cast<int>(seen.point);
+    setup.pointOffset = 3 * static_cast<int>(seen.point);
   }
   for (const std::size_t knot : start.knots[i]) {
     setup.knots.push_back(start.states[knot].time);
@@ -160,12 +160,12 @@ void BundleModel::addPriors() {
     const BundleCamera& wanted = given.cameras[c];
     CameraBlocks& blocks = cameras[c];
     if (wanted.posePrior && solver.HasParameterBlock(blocks.pose.data())) {
-      const double turnSigma = wanted.posePrior->turnSigma;
+      const double rotationSigma = wanted.posePrior->rotationSigma;
       const double centerSigma = wanted.posePrior->centerSigma;
-      solver.AddResidualBlock(
-          new PriorCost({blocks.pose.begin(), blocks.pose.end()},
-                        {turnSigma, turnSigma, turnSigma, centerSigma, centerSigma, centerSigma}),
-          nullptr, blocks.pose.data());
+      solver.AddResidualBlock(new PriorCost({blocks.pose.begin(), blocks.pose.end()},
+                                            {rotationSigma, rotationSigma, rotationSigma,
+                                             centerSigma, centerSigma, centerSigma}),
+                              nullptr, blocks.pose.data());
     }
     if (wanted.focalPriorSigma > 0.0 && wanted.focalFree &&
         solver.HasParameterBlock(blocks.lens.data())) {
@@ -177,7 +177,7 @@ void BundleModel::addPriors() {
   }
 }
 
-void BundleModel::holdWhatIsKnown() {
+void BundleModel::fixKnownParameters() {
   const auto hold = [&](double* block, bool held) {
     if (held && solver.HasParameterBlock(block)) {
       solver.SetParameterBlockConstant(block);
@@ -185,7 +185,7 @@ void BundleModel::holdWhatIsKnown() {
   };
   for (std::size_t c = 0; c < cameras.size(); ++c) {
     const BundleCamera& wanted = given.cameras[c];
-    const std::vector<int> held = heldLensEntries(wanted);
+    const std::vector<int> held = fixedLensEntries(wanted);
     double* lens = cameras[c].lens.data();
     hold(cameras[c].pose.data(), wanted.poseFixed);
     hold(lens, held.size() == kLensSize);

@@ -36,12 +36,12 @@ public:
 
   /// Returns the parameter blocks of an observation, in the order required by PixelCost.
   std::vector<double*> blocksOf(std::size_t observation);
-  bool takesPart(const double* block) const { return solver.HasParameterBlock(block); }
-  bool varies(const double* block) const {
-    return takesPart(block) && !solver.IsParameterBlockConstant(block);
+  bool isInProblem(const double* block) const { return solver.HasParameterBlock(block); }
+  bool isVariable(const double* block) const {
+    return isInProblem(block) && !solver.IsParameterBlockConstant(block);
   }
   /// Returns the indices of the entries in a camera's lens block that are held fixed, ascending.
-  static std::vector<int> heldLensEntries(const BundleCamera& camera);
+  static std::vector<int> fixedLensEntries(const BundleCamera& camera);
 
   const BundleProblem& given;
   BundleStart start;
@@ -59,7 +59,7 @@ private:
   void addObservations();
   void addSticks();
   void addPriors();
-  void holdWhatIsKnown();
+  void fixKnownParameters();
   PixelCostSetup setupOf(std::size_t observation) const;
   ceres::LossFunction* lossFor(double sigma);
 };

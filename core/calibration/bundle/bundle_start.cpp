@@ -239,7 +239,7 @@ private:
 
 } // namespace
 
-Result<BundleStart> startBundle(const BundleProblem& problem) {
+Result<BundleStart> initializeBundle(const BundleProblem& problem) {
   return checkIndices(problem).and_then([&] { return SupportPruning(problem).run(); });
 }
 

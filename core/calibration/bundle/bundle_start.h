@@ -24,6 +24,6 @@ struct BundleStart {
 /// Those are points seen by only one camera, boards with fewer than four points, and images between
 /// instants whose neighbors are missing. Errors: numbers that are not finite, indices out of range,
 /// a camera with too few observations.
-Result<BundleStart> startBundle(const BundleProblem& problem);
+Result<BundleStart> initializeBundle(const BundleProblem& problem);
 
 } // namespace dewpoint::calibration

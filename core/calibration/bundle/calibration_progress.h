@@ -23,7 +23,8 @@ enum class CalibrationStage {
 using CalibrationProgress = std::function<bool(CalibrationStage stage, double part)>;
 
 /// Reports progress; returns false if the computation must stop.
-inline bool goesOn(const CalibrationProgress& progress, CalibrationStage stage, double part) {
+inline bool reportProgress(const CalibrationProgress& progress, CalibrationStage stage,
+                           double part) {
   return !progress || progress(stage, part);
 }
 

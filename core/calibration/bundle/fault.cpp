@@ -16,7 +16,8 @@ const char* faultName(CalibrationFault fault) {
   return kNames.at(static_cast<std::size_t>(fault));
 }
 
-std::string faultSentence(const NamedFault& fault, const std::vector<std::string>& cameraNames) {
+std::string faultDescription(const DetectedFault& fault,
+                             const std::vector<std::string>& cameraNames) {
   const auto name = [&](std::size_t k) {
     return k < fault.cameras.size() ? cameraNames.at(fault.cameras[k]) : std::string("all cameras");
   };
@@ -24,11 +25,11 @@ std::string faultSentence(const NamedFault& fault, const std::vector<std::string
   case CalibrationFault::MirroredBoard:
     return "The cameras would all look at the back of the board or floor: its points are likely "
            "mirrored; check the direction of its axes, and that the print is not reversed.";
-  case CalibrationFault::MillimetersMixed:
+  case CalibrationFault::WrongUnitMillimeters:
     return fmt::format("The given length is {:.3g} times what the cameras see: millimeters and "
                        "meters are likely mixed up; give all lengths in meters.",
                        fault.value);
-  case CalibrationFault::InchesMixed:
+  case CalibrationFault::WrongUnitInches:
     return fmt::format("The given length is {:.3g} times what the cameras see: it is likely in "
                        "inches; give it in meters (1 inch = 0.0254 m).",
                        fault.value);
@@ -49,7 +50,7 @@ std::string faultSentence(const NamedFault& fault, const std::vector<std::string
         "The images fit when shifted by {:+.1f} px along both axes: a program likely "
         "counts pixels from their corners; convert the principal points.",
         fault.value);
-  case CalibrationFault::CameraLate:
+  case CalibrationFault::CameraDelayed:
     return fmt::format(
         "{} fits when its video is shifted: it likely shows everything {:.0f} frames "
         "{}; synchronize the videos or set its offset.",

@@ -11,15 +11,15 @@ namespace dewpoint::calibration {
 
 /// Common mistakes in a calibration.
 enum class CalibrationFault {
-  MirroredBoard,    ///< one axis of the entered or printed points is reversed, or the floor is
-                    ///< mirrored
-  MillimetersMixed, ///< a length is a thousand times too large or small
-  InchesMixed,      ///< a length was entered in inches
-  CamerasSwapped,   ///< the videos of two cameras are exchanged
-  WrongSquareCount, ///< the number of squares in a row differs from the one entered
+  MirroredBoard,        ///< one axis of the entered or printed points is reversed, or the floor is
+                        ///< mirrored
+  WrongUnitMillimeters, ///< a length is a thousand times too large or small
+  WrongUnitInches,      ///< a length was entered in inches
+  CamerasSwapped,       ///< the videos of two cameras are exchanged
+  WrongSquareCount,     ///< the number of squares in a row differs from the one entered
   WrongSquareSize,
   HalfPixel,      ///< image points or principal points are half a pixel off in all cameras
-  CameraLate,     ///< one video is shifted in time relative to the others, by whole frames
+  CameraDelayed,  ///< one video is shifted in time relative to the others, by whole frames
   CameraMoved,    ///< a camera was moved at some time
   VideoFlipped,   ///< a video is mirrored or upside down
   ZoomChanged,    ///< the focal length differs from the calibrated one
@@ -27,7 +27,7 @@ enum class CalibrationFault {
 };
 
 /// Fault that explains the observations clearly better than assuming no fault.
-struct NamedFault {
+struct DetectedFault {
   CalibrationFault fault = CalibrationFault::CamerasSwapped;
   std::vector<std::size_t> cameras = {}; ///< affected cameras; empty: all cameras, or none
   /// Size of the fault: delay in frames, time of a camera motion in seconds, ratio of focal lengths
@@ -42,6 +42,7 @@ struct NamedFault {
 const char* faultName(CalibrationFault fault);
 
 /// Returns a sentence with cause and advice that refers to cameras by name.
-std::string faultSentence(const NamedFault& fault, const std::vector<std::string>& cameraNames);
+std::string faultDescription(const DetectedFault& fault,
+                             const std::vector<std::string>& cameraNames);
 
 } // namespace dewpoint::calibration

@@ -11,7 +11,7 @@
 
 namespace dewpoint::calibration {
 
-std::optional<double> metersOfUnit(const std::string& text) {
+std::optional<double> parseLengthUnit(const std::string& text) {
   for (const auto& [name, meters] :
        {std::pair("m", 1.0), std::pair("mm", 0.001), std::pair("cm", 0.01), std::pair("in", 0.0254),
         std::pair("ft", 0.3048)}) {
@@ -19,7 +19,7 @@ std::optional<double> metersOfUnit(const std::string& text) {
       return meters;
     }
   }
-  const auto meters = numberOf(text);
+  const auto meters = parseNumber(text);
   return meters && *meters > 0.0 && std::isfinite(*meters) ? meters : std::nullopt;
 }
 

@@ -30,7 +30,7 @@ struct CalibrationHints {
 
 /// Cameras read from a file. If `unit` is empty, the lengths of the rig are in the unit of the
 /// file.
-struct ReadCalibration {
+struct ParsedCalibration {
   CameraRig rig;
   std::string format;         ///< format name
   std::optional<double> unit; ///< meters per unit of length, if specified in the file
@@ -40,7 +40,7 @@ struct ReadCalibration {
 };
 
 /// Lens models that a format can represent.
-struct LensRange {
+struct LensSupport {
   int pinholeCoefficients = 8; ///< 4: k1 k2 p1 p2; 5: k3 in addition; 8: k4 k5 k6 in addition
   bool fisheye = false;        ///< true if it also has the four coefficients of LensModel::Fisheye
 };
@@ -63,19 +63,19 @@ struct CalibrationFormat {
   const char* name = "";      ///< name used with the options --from and --to
   const char* title = "";     ///< commonly used name of the format
   const char* extension = ""; ///< extension of written files, including the dot
-  const char* holds = "";     ///< content and structure, in one sentence
+  const char* contents = "";  ///< content and structure, in one sentence
   FileLayout layout = FileLayout::OneFile;
-  LensRange lenses;
+  LensSupport lenses;
   bool sharesKeys = false;         ///< true for TOML dialects that only the user can tell apart
   bool firstCameraIsWorld = false; ///< true if poses are always relative to the first camera
   std::optional<double> unit;      ///< meters per unit, if defined by the format's documentation
-  double usualUnit = 1.0; ///< unit used for writing unless another one is requested, meters
+  double defaultUnit = 1.0; ///< unit used for writing unless another one is requested, meters
   /// Returns the reason for recognizing this format in the content of a file, or an empty string if
   /// it is not this format. Only examines the text, so that a broken file is still recognized and
   /// its own error is reported.
   std::string (*recognize)(const CalibrationText& source) = nullptr;
-  Result<ReadCalibration> (*read)(const CalibrationText& source,
-                                  const CalibrationHints& hints) = nullptr;
+  Result<ParsedCalibration> (*read)(const CalibrationText& source,
+                                    const CalibrationHints& hints) = nullptr;
   /// Creates the files for `rig`, which must fit `lenses` and already use the file's unit. Null if
   /// the format can only be read.
   std::vector<CalibrationText> (*write)(const CameraRig& rig,
@@ -84,6 +84,6 @@ struct CalibrationFormat {
 
 /// Returns the size of a length unit in meters. The text is m, mm, cm, in, ft, or a positive number
 /// of meters. Returns nothing for any other text.
-std::optional<double> metersOfUnit(const std::string& text);
+std::optional<double> parseLengthUnit(const std::string& text);
 
 } // namespace dewpoint::calibration

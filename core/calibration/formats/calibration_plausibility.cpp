@@ -14,9 +14,9 @@
 namespace dewpoint::calibration {
 namespace {
 
-constexpr double kNarrowestRoom = 0.02; // meters: two cameras cannot stand closer
+constexpr double kMinCameraSpread = 0.02; // meters: two cameras cannot stand closer
 /// Units: a wider rig is likely in millimeters.
-constexpr double kCertainlyMillimeters = 50.0;
+constexpr double kMaxSpreadInMeters = 50.0;
 constexpr double kSameDirection = 0.94; // cosine of 20 degrees
 /// Times, by which inverted poses miss a common point less.
 constexpr double kClearlyBetter = 3.0;
@@ -24,7 +24,7 @@ constexpr double kClearlyBetter = 3.0;
 /// How well the cameras of a rig look at one place: the root mean square of the angles' tangents by
 /// which their axes miss it. Infinite when there is no such place before all cameras, when one does
 /// not have it in its image, or when all look into nearly the same direction.
-double missedBy(const CameraRig& rig) {
+double missDistance(const CameraRig& rig) {
   constexpr double kNowhere = std::numeric_limits<double>::infinity();
   std::vector<Ray> axes;
   double leastCosine = 1.0;
@@ -50,7 +50,7 @@ double missedBy(const CameraRig& rig) {
   return std::sqrt(sum / double(rig.size()));
 }
 
-Status doubtPrincipalPoint(const CameraRig& rig, const std::string& file) {
+Status checkPrincipalPoint(const CameraRig& rig, const std::string& file) {
   for (const Camera& camera : rig) {
     const auto& in = camera.intrinsics;
     if (in.centerX < 0.0 || in.centerY < 0.0 || in.centerX > in.width || in.centerY > in.height) {
@@ -77,15 +77,15 @@ Status checkReach(const CameraRig& rig, const std::string& file) {
   return {};
 }
 
-Status doubtUnit(const CameraRig& rig, const std::string& file) {
+Status checkUnit(const CameraRig& rig, const std::string& file) {
   const double spread = cameraSpread(rig);
-  if (spread > kWidestRoom) {
+  if (spread > kMaxCameraSpread) {
     return failure(ErrorCode::BadValue, file, "translation",
                    fmt::format("the cameras would be {:.0f} m apart; the lengths are probably in "
                                "mm: convert with --unit mm",
                                spread));
   }
-  if (rig.size() > 1 && spread < kNarrowestRoom && spread > 0.0) {
+  if (rig.size() > 1 && spread < kMinCameraSpread && spread > 0.0) {
     return failure(ErrorCode::BadValue, file, "translation",
                    fmt::format("the cameras would be {:.2g} mm apart; the lengths are probably "
                                "already in meters: convert with --unit m",
@@ -94,8 +94,9 @@ Status doubtUnit(const CameraRig& rig, const std::string& file) {
   return {};
 }
 
-Status doubtDirection(const CameraRig& rig, const std::string& file) {
-  if (rig.size() >= 2 && kClearlyBetter * missedBy(withInvertedPoses(rig)) < missedBy(rig)) {
+Status checkPoseDirection(const CameraRig& rig, const std::string& file) {
+  if (rig.size() >= 2 &&
+      kClearlyBetter * missDistance(withInvertedPoses(rig)) < missDistance(rig)) {
     return failure(ErrorCode::BadValue, file, "rotation",
                    "the lines of sight diverge, but with inverted poses they meet: the poses are "
                    "probably world from camera; convert with --poses world-from-camera, or with "
@@ -120,7 +121,7 @@ double cameraSpread(const CameraRig& rig) {
 }
 
 const char* likelyUnit(double spread) {
-  return spread > kCertainlyMillimeters ? "mm" : "m";
+  return spread > kMaxSpreadInMeters ? "mm" : "m";
 }
 
 CameraRig withInvertedPoses(CameraRig rig) {
@@ -130,18 +131,18 @@ CameraRig withInvertedPoses(CameraRig rig) {
   return rig;
 }
 
-Status checkPlausible(const ReadCalibration& calibration, const CalibrationHints& hints,
+Status checkPlausible(const ParsedCalibration& calibration, const CalibrationHints& hints,
                       const std::string& file) {
   const CameraRig& rig = calibration.rig;
-  Status status = doubtPrincipalPoint(rig, file);
+  Status status = checkPrincipalPoint(rig, file);
   if (status && !hints.unit && calibration.hasPoses) {
-    status = doubtUnit(rig, file);
+    status = checkUnit(rig, file);
   }
   if (status && calibration.hasPoses) {
     status = checkReach(rig, file);
   }
   if (status && !hints.posesAreWorldFromCamera && calibration.hasPoses) {
-    status = doubtDirection(rig, file);
+    status = checkPoseDirection(rig, file);
   }
   return status;
 }

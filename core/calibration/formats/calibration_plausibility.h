@@ -7,7 +7,7 @@ namespace dewpoint::calibration {
 
 /// Largest plausible distance between cameras in a room, in meters. A larger rig is assumed to be
 /// in another unit. Origin not recorded.
-inline constexpr double kWidestRoom = 100.0;
+inline constexpr double kMaxCameraSpread = 100.0;
 
 /// Returns the largest distance between two cameras, or of a single camera from the origin, in the
 /// rig's unit.
@@ -27,7 +27,7 @@ CameraRig withInvertedPoses(CameraRig rig);
 ///   world-from-camera are exchanged.
 ///
 /// Properties given explicitly in `hints` are not checked.
-Status checkPlausible(const ReadCalibration& calibration, const CalibrationHints& hints,
+Status checkPlausible(const ParsedCalibration& calibration, const CalibrationHints& hints,
                       const std::string& file);
 
 } // namespace dewpoint::calibration

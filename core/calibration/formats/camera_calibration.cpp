@@ -44,7 +44,7 @@ bool readMatrix(TableReader& reader, const char* key, Eigen::Matrix3d& matrix) {
 void readIntrinsics(TableReader& reader, Intrinsics& intrinsics) {
   double size[2] = {};
   reader.require("size");
-  if (reader.numbers("size", size, 2, 1, limits::kMostImageSide)) {
+  if (reader.numbers("size", size, 2, 1, limits::kMaxImageSide)) {
     intrinsics.width = static_cast<int>(size[0]);
     intrinsics.height = static_cast<int>(size[1]);
     if (intrinsics.width != size[0] || intrinsics.height != size[1]) {
@@ -52,7 +52,7 @@ void readIntrinsics(TableReader& reader, Intrinsics& intrinsics) {
     } else if (!limits::isImageSize(intrinsics.width, intrinsics.height)) {
       reader.fail(ErrorCode::BadValue, "size",
                   fmt::format("{} x {} pixels are more than {}", intrinsics.width,
-                              intrinsics.height, limits::kMostImagePixels));
+                              intrinsics.height, limits::kMaxImagePixels));
     }
   }
   Eigen::Matrix3d matrix;
@@ -109,7 +109,7 @@ void readRotation(TableReader& reader, Camera& camera) {
   reader.require("rotation");
   Eigen::Vector3d vector;
   if (reader.numbers("rotation", vector.data(), 3, -100, 100)) {
-    camera.cameraFromWorld.linear() = rotationOfVector(vector);
+    camera.cameraFromWorld.linear() = rotationFromVector(vector);
   }
 }
 
@@ -117,10 +117,10 @@ void readRotation(TableReader& reader, Camera& camera) {
 
 Result<Camera> cameraFromToml(const toml::table& table, const std::string& file,
                               const std::string& prefix,
-                              std::initializer_list<const char*> passedOver) {
+                              std::initializer_list<const char*> ignoredKeys) {
   Camera camera;
   TableReader reader(table, file, prefix);
-  for (const char* key : passedOver) {
+  for (const char* key : ignoredKeys) {
     reader.node(key);
   }
   reader.text("name", camera.name);
@@ -152,7 +152,7 @@ std::string rotationText(const Eigen::Matrix3d& rotation, RotationForm form) {
     return fmt::format("[{}, {}, {}]", values(0), values(1), values(2));
   };
   if (form == RotationForm::Vector) {
-    return row(vectorOfRotation(rotation));
+    return row(vectorFromRotation(rotation));
   }
   return fmt::format("[{}, {}, {}]", row(rotation.row(0)), row(rotation.row(1)),
                      row(rotation.row(2)));

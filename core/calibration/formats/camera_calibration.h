@@ -20,10 +20,10 @@ namespace dewpoint::calibration {
 ///
 /// This program adds the key `unit`, the number of meters in one unit of `translation` (default 1).
 /// `name` is optional. Errors name `file` and `prefix` + key: not finite, focal length not
-/// positive, not a rotation, ... Unknown keys are errors, except those in `passedOver`.
+/// positive, not a rotation, ... Unknown keys are errors, except those in `ignoredKeys`.
 Result<Camera> cameraFromToml(const toml::table& table, const std::string& file,
                               const std::string& prefix,
-                              std::initializer_list<const char*> passedOver = {});
+                              std::initializer_list<const char*> ignoredKeys = {});
 
 /// Form in which a rotation is written. The matrix is restored bit by bit when read. The Rodrigues
 /// vector (radians) is the form that other tools read.

@@ -6,8 +6,8 @@
 namespace dewpoint::calibration {
 
 tl::unexpected<Error> tooManyCameras(const std::string& file) {
-  return failure(ErrorCode::BadValue, file, fmt::format("camera {}", limits::kMostCameras + 1),
-                 fmt::format("at most {} cameras are possible", limits::kMostCameras));
+  return failure(ErrorCode::BadValue, file, fmt::format("camera {}", limits::kMaxCameras + 1),
+                 fmt::format("at most {} cameras are possible", limits::kMaxCameras));
 }
 
 } // namespace dewpoint::calibration

@@ -8,7 +8,7 @@
 
 namespace dewpoint::calibration {
 
-/// Returns the error for a file with more than limits::kMostCameras cameras.
+/// Returns the error for a file with more than limits::kMaxCameras cameras.
 tl::unexpected<Error> tooManyCameras(const std::string& file);
 
 } // namespace dewpoint::calibration

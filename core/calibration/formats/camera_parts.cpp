@@ -17,16 +17,16 @@ constexpr double kLargestNumber = 1e9;
 
 std::string sizeFault(const CameraParts& parts) {
   const auto whole = [](double value) {
-    return value >= 1.0 && value <= limits::kMostImageSide && value == std::floor(value);
+    return value >= 1.0 && value <= limits::kMaxImageSide && value == std::floor(value);
   };
   if (!whole(parts.width) || !whole(parts.height)) {
     return fmt::format("the image size must be whole pixels, 1 to {}, found {} x {}",
-                       limits::kMostImageSide, parts.width, parts.height);
+                       limits::kMaxImageSide, parts.width, parts.height);
   }
   return limits::isImageSize(std::int64_t(parts.width), std::int64_t(parts.height))
              ? ""
              : fmt::format("{} x {} pixels are more than {}", parts.width, parts.height,
-                           limits::kMostImagePixels);
+                           limits::kMaxImagePixels);
 }
 
 std::string matrixFault(const Eigen::Matrix3d& matrix) {

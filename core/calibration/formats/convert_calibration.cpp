@@ -20,7 +20,7 @@ constexpr int kGrid = 9;
 constexpr double kDepths[] = {0.3, 1.0, 3.0, 10.0}; // meters along the ray
 
 /// The format a person named, or the only one with the path's ending.
-Result<const CalibrationFormat*> targetFormat(const CalibrationTarget& target) {
+Result<const CalibrationFormat*> targetFormat(const CalibrationOutput& target) {
   if (!target.format.empty()) {
     return calibrationFormat(target.format);
   }
@@ -48,7 +48,8 @@ Result<const CalibrationFormat*> targetFormat(const CalibrationTarget& target) {
   return only;
 }
 
-Status holdsRig(const CalibrationFormat& format, const CameraRig& rig, const std::string& file) {
+Status checkRigFits(const CalibrationFormat& format, const CameraRig& rig,
+                    const std::string& file) {
   if (format.write == nullptr) {
     return failure(ErrorCode::BadValue, file, "",
                    fmt::format("{} can only be read, not written", format.title));
@@ -105,8 +106,8 @@ CameraRig inUnit(CameraRig rig, double unit) {
 }
 
 /// Anipose's own projection passes over p1 and p2 (its source says so): how much that is.
-void warnOfTangential(const CalibrationFormat& format, const CameraRig& rig,
-                      CalibrationConversion& conversion) {
+void noteTangentialDistortion(const CalibrationFormat& format, const CameraRig& rig,
+                              CalibrationConversion& conversion) {
   if (std::string(format.name) != "anipose") {
     return;
   }
@@ -122,7 +123,7 @@ void warnOfTangential(const CalibrationFormat& format, const CameraRig& rig,
   }
 }
 
-Status writeFiles(const std::vector<CalibrationText>& files, const CalibrationTarget& target,
+Status writeFiles(const std::vector<CalibrationText>& files, const CalibrationOutput& target,
                   CalibrationConversion& conversion) {
   std::error_code problem;
   for (const CalibrationText& file : files) {
@@ -145,9 +146,9 @@ Status writeFiles(const std::vector<CalibrationText>& files, const CalibrationTa
 
 /// Reads what was written, each camera from a file of its own where it has one: a folder may hold
 /// other calibrations too.
-Result<CameraRig> readAgain(const CalibrationFormat& format,
-                            const std::vector<CalibrationText>& files, const CameraRig& rig,
-                            double unit) {
+Result<CameraRig> readBack(const CalibrationFormat& format,
+                           const std::vector<CalibrationText>& files, const CameraRig& rig,
+                           double unit) {
   CalibrationHints hints;
   hints.format = format.name;
   hints.unit = unit;
@@ -196,13 +197,13 @@ CameraDifference difference(const Camera& camera, const Camera& other,
 }
 
 Result<CalibrationConversion> writeCalibration(const CameraRig& rig,
-                                               const CalibrationTarget& target) {
+                                               const CalibrationOutput& target) {
   const auto known = targetFormat(target);
   if (!known) {
     return tl::make_unexpected(known.error());
   }
   const CalibrationFormat& format = **known;
-  if (const auto status = holdsRig(format, rig, target.path.string()); !status) {
+  if (const auto status = checkRigFits(format, rig, target.path.string()); !status) {
     return tl::make_unexpected(status.error());
   }
   if (target.unit && format.unit && *target.unit != *format.unit) {
@@ -211,10 +212,10 @@ Result<CalibrationConversion> writeCalibration(const CameraRig& rig,
   }
   CalibrationConversion conversion;
   conversion.to = format.name;
-  const double unit = target.unit.value_or(format.unit.value_or(format.usualUnit));
+  const double unit = target.unit.value_or(format.unit.value_or(format.defaultUnit));
   const CameraRig held = fitted(format, rig, conversion);
-  warnOfTangential(format, rig, conversion);
-  conversion.decisions.push_back(fmt::format("Written as {}: {}.", format.title, format.holds));
+  noteTangentialDistortion(format, rig, conversion);
+  conversion.decisions.push_back(fmt::format("Written as {}: {}.", format.title, format.contents));
   conversion.decisions.push_back(unit == 1.0
                                      ? "Lengths are written in meters."
                                      : fmt::format("Lengths are written in units of {} m.", unit));
@@ -222,7 +223,7 @@ Result<CalibrationConversion> writeCalibration(const CameraRig& rig,
   if (const auto status = writeFiles(files, target, conversion); !status) {
     return tl::make_unexpected(status.error());
   }
-  const auto again = readAgain(format, files, held, unit);
+  const auto again = readBack(format, files, held, unit);
   if (!again) {
     return tl::make_unexpected(again.error());
   }
@@ -240,7 +241,7 @@ Result<CalibrationConversion> writeCalibration(const CameraRig& rig,
 
 Result<CalibrationConversion> convertCalibration(const std::filesystem::path& in,
                                                  const CalibrationHints& hints,
-                                                 const CalibrationTarget& target) {
+                                                 const CalibrationOutput& target) {
   const auto read = readCalibration(in, hints);
   if (!read) {
     return tl::make_unexpected(read.error());

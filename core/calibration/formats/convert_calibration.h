@@ -9,7 +9,7 @@
 namespace dewpoint::calibration {
 
 /// Where and how to write a calibration.
-struct CalibrationTarget {
+struct CalibrationOutput {
   std::filesystem::path path; ///< a file, or a folder for formats with one file per camera
   std::string format;         ///< format name; derived from the extension if only one format has it
   std::optional<double> unit; ///< meters per unit, for formats that do not define their unit
@@ -45,11 +45,11 @@ CameraDifference difference(const Camera& camera, const Camera& other,
 /// the first camera defines the world if the format requires that. The files are then read back,
 /// and every camera is compared with the original.
 Result<CalibrationConversion> writeCalibration(const CameraRig& rig,
-                                               const CalibrationTarget& target);
+                                               const CalibrationOutput& target);
 
 /// Calls readCalibration(), then writeCalibration().
 Result<CalibrationConversion> convertCalibration(const std::filesystem::path& in,
                                                  const CalibrationHints& hints,
-                                                 const CalibrationTarget& target);
+                                                 const CalibrationOutput& target);
 
 } // namespace dewpoint::calibration

@@ -16,7 +16,7 @@ std::string matrixNode(const std::string& indent, const std::string& key,
                      listText(std::span(rows.data(), std::size_t(rows.size()))));
 }
 
-Eigen::MatrixXd rowOf(const std::vector<double>& values) {
+Eigen::MatrixXd rowMatrix(const std::vector<double>& values) {
   return Eigen::Map<const Eigen::RowVectorXd>(values.data(), Eigen::Index(values.size()));
 }
 

@@ -16,6 +16,6 @@ std::string matrixNode(const std::string& indent, const std::string& key,
                        const Eigen::MatrixXd& matrix);
 
 /// Returns a matrix with the values as its only row.
-Eigen::MatrixXd rowOf(const std::vector<double>& values);
+Eigen::MatrixXd rowMatrix(const std::vector<double>& values);
 
 } // namespace dewpoint::calibration

@@ -32,7 +32,7 @@ void setLens(CameraRig& rig, LensModel lens) {
   }
 }
 
-Result<ReadCalibration> read(const CalibrationText& source, const CalibrationHints& hints) {
+Result<ParsedCalibration> read(const CalibrationText& source, const CalibrationHints& hints) {
   // What FreeMoCap adds.
   auto cameras = camerasFromToml(source, {"world_position", "world_orientation"});
   if (!cameras) {
@@ -44,7 +44,7 @@ Result<ReadCalibration> read(const CalibrationText& source, const CalibrationHin
                    "four coefficients are k1 k2 p1 p2 of a pinhole, or k1 k2 k3 k4 of a fisheye; "
                    "convert with --lens pinhole or --lens fisheye");
   }
-  ReadCalibration calibration;
+  ParsedCalibration calibration;
   calibration.rig = std::move(*cameras);
   calibration.decisions = {"Poses are camera from world, as here."};
   if (hints.lens) {
@@ -70,11 +70,11 @@ std::string camerasText(const CameraRig& rig, int coefficients, bool saysPinhole
     const double size[] = {double(camera.intrinsics.width), double(camera.intrinsics.height)};
     text += fmt::format("[cam_{}]\nname = {}\nsize = {}\nmatrix = {}\ndistortions = {}\n"
                         "rotation = {}\ntranslation = {}\n",
-                        k, quoted(camera.name),
+                        k, tomlQuoted(camera.name),
                         saysPinhole ? listText(size) : fmt::format("[{}, {}]", size[0], size[1]),
-                        rowsText(matrixOf(camera.intrinsics)),
+                        matrixListText(matrixOf(camera.intrinsics)),
                         listText(coefficientsOf(camera, coefficients)),
-                        listText(vectorOfRotation(camera.cameraFromWorld.linear())),
+                        listText(vectorFromRotation(camera.cameraFromWorld.linear())),
                         listText(Eigen::VectorXd(camera.cameraFromWorld.translation())));
     text += fisheye ? "fisheye = true\n\n" : saysPinhole ? "fisheye = false\n\n" : "\n";
   }
@@ -96,10 +96,10 @@ CalibrationFormat aniposeFormat() {
   format.name = "anipose";
   format.title = "Anipose or FreeMoCap";
   format.extension = ".toml";
-  format.holds =
+  format.contents =
       "5 coefficients or fisheye, camera from world, in the unit of its board, mostly mm";
   format.lenses = {5, true};
-  format.usualUnit = 0.001;
+  format.defaultUnit = 0.001;
   format.sharesKeys = true;
   format.recognize = recognizeAnipose;
   format.read = read;
@@ -111,10 +111,10 @@ CalibrationFormat pose2simFormat() {
   CalibrationFormat format = aniposeFormat();
   format.name = "pose2sim";
   format.title = "Pose2Sim";
-  format.holds = "4 coefficients, camera from world, meters";
+  format.contents = "4 coefficients, camera from world, meters";
   format.lenses = {4, false};
   format.unit = 1.0;
-  format.usualUnit = 1.0;
+  format.defaultUnit = 1.0;
   format.recognize = recognizePose2Sim;
   format.write = writePose2Sim;
   return format;

@@ -15,11 +15,11 @@ namespace dewpoint::calibration {
 namespace {
 
 std::string recognize(const CalibrationText& source) {
-  return hasLine(source.text, "[cameras.") ? "tables [cameras.N]" : "";
+  return hasLineStartingWith(source.text, "[cameras.") ? "tables [cameras.N]" : "";
 }
 
 Status readCamera(const std::string& key, const toml::table& table, const std::string& file,
-                  ReadCalibration& calibration) {
+                  ParsedCalibration& calibration) {
   const std::string name = "cam_" + key;
   if (table["ignore"].value_or(false)) {
     calibration.decisions.push_back(
@@ -49,7 +49,7 @@ Status readCamera(const std::string& key, const toml::table& table, const std::s
   return {};
 }
 
-Result<ReadCalibration> read(const CalibrationText& source, const CalibrationHints&) {
+Result<ParsedCalibration> read(const CalibrationText& source, const CalibrationHints&) {
   const std::string file = source.file.string();
   const auto table = parseToml(source.text, file);
   if (!table) {
@@ -59,7 +59,7 @@ Result<ReadCalibration> read(const CalibrationText& source, const CalibrationHin
   if (cameras == nullptr) {
     return failure(ErrorCode::MissingKey, file, "cameras", "");
   }
-  ReadCalibration calibration;
+  ParsedCalibration calibration;
   calibration.decisions = {"Poses are camera from world, as here."};
   std::vector<std::pair<std::string, const toml::table*>> sections;
   for (const auto& [key, node] : *cameras) {
@@ -69,7 +69,7 @@ Result<ReadCalibration> read(const CalibrationText& source, const CalibrationHin
   }
   std::ranges::stable_sort(sections, {},
                            [](const auto& section) { return section.second->source().begin.line; });
-  if (sections.size() > limits::kMostCameras) {
+  if (sections.size() > limits::kMaxCameras) {
     return tooManyCameras(file);
   }
   for (const auto& [key, section] : sections) {
@@ -90,9 +90,9 @@ std::vector<CalibrationText> write(const CameraRig& rig, const std::filesystem::
         "error = 0.0\nmatrix = {3}\ndistortions = {4}\ntranslation = {5}\n"
         "rotation = {6}\nexposure = 0\ngrid_count = 0\nignore = false\n"
         "fisheye = {7}\n\n",
-        k, in.width, in.height, rowsText(matrixOf(in)), listText(coefficientsOf(camera, 5)),
+        k, in.width, in.height, matrixListText(matrixOf(in)), listText(coefficientsOf(camera, 5)),
         listText(Eigen::VectorXd(camera.cameraFromWorld.translation())),
-        rowsText(camera.cameraFromWorld.linear()), camera.lens == LensModel::Fisheye);
+        matrixListText(camera.cameraFromWorld.linear()), camera.lens == LensModel::Fisheye);
   }
   return {{out, text}};
 }
@@ -104,7 +104,8 @@ CalibrationFormat caliscopeFormat() {
   format.name = "caliscope";
   format.title = "Caliscope";
   format.extension = ".toml";
-  format.holds = "5 coefficients or fisheye, camera from world, meters; numbers instead of names";
+  format.contents =
+      "5 coefficients or fisheye, camera from world, meters; numbers instead of names";
   format.lenses = {5, true};
   format.unit = 1.0;
   format.recognize = recognize;

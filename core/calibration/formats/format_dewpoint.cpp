@@ -18,7 +18,7 @@ std::string recognize(const CalibrationText& source) {
   }
   // So that a broken file gets its own error.
   return dialect == TomlDialect::None && source.file.extension() == ".toml" &&
-                 !hasLine(source.text, "[cameras.")
+                 !hasLineStartingWith(source.text, "[cameras.")
              ? "its ending"
              : "";
 }
@@ -32,14 +32,14 @@ Result<std::optional<double>> metadataUnit(const CalibrationText& source) {
     return std::optional<double>();
   }
   const std::string name = unit->value_or(std::string());
-  if (const auto meters = metersOfUnit(name)) {
+  if (const auto meters = parseLengthUnit(name)) {
     return meters;
   }
   return failure(ErrorCode::BadValue, file, "metadata.unit",
                  fmt::format("\"{}\" is not a unit of length; expected m, mm, cm, in or ft", name));
 }
 
-Result<ReadCalibration> read(const CalibrationText& source, const CalibrationHints&) {
+Result<ParsedCalibration> read(const CalibrationText& source, const CalibrationHints&) {
   auto cameras = camerasFromToml(source, {});
   if (!cameras) {
     return tl::make_unexpected(cameras.error());
@@ -48,7 +48,7 @@ Result<ReadCalibration> read(const CalibrationText& source, const CalibrationHin
   if (!unit) {
     return tl::make_unexpected(unit.error());
   }
-  ReadCalibration calibration;
+  ParsedCalibration calibration;
   calibration.rig = std::move(*cameras);
   calibration.unit = *unit;
   calibration.decisions = {"Poses are camera from world, as here."};
@@ -64,7 +64,7 @@ std::vector<CalibrationText> write(const CameraRig& rig, const std::filesystem::
 std::string calibrationText(const CameraRig& rig) {
   std::string text = "# Camera calibration: meters, radians, camera from world (OpenCV axes)\n";
   for (std::size_t k = 0; k < rig.size(); ++k) {
-    text += fmt::format("\n[cam_{}]\nname = {}\n", k, quoted(rig[k].name)) +
+    text += fmt::format("\n[cam_{}]\nname = {}\n", k, tomlQuoted(rig[k].name)) +
             cameraToToml(rig[k], RotationForm::Vector);
   }
   return text + "\n[metadata]\nunit = \"m\"\n";
@@ -75,7 +75,7 @@ CalibrationFormat dewpointFormat() {
   format.name = "dewpoint";
   format.title = "Dewpoint";
   format.extension = ".toml";
-  format.holds = "every lens and pose; meters, camera from world";
+  format.contents = "every lens and pose; meters, camera from world";
   format.lenses = {8, true};
   format.unit = 1.0;
   format.sharesKeys = true;

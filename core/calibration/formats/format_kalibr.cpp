@@ -12,7 +12,8 @@ namespace dewpoint::calibration {
 namespace {
 
 std::string recognize(const CalibrationText& source) {
-  return hasLine(source.text, "cam0:") && hasLine(source.text, "intrinsics:")
+  return hasLineStartingWith(source.text, "cam0:") &&
+                 hasLineStartingWith(source.text, "intrinsics:")
              ? "sections cam0, cam1, ... with \"intrinsics\""
              : "";
 }
@@ -64,7 +65,7 @@ Eigen::Matrix4d stepFromPrevious(const YamlReader& camera, bool first) {
   return camera.matrix("T_cn_cnm1", 4, 4);
 }
 
-Result<ReadCalibration> read(const CalibrationText& source, const CalibrationHints&) {
+Result<ParsedCalibration> read(const CalibrationText& source, const CalibrationHints&) {
   const std::string file = source.file.string();
   const auto node = parseYaml(source.text, file);
   if (!node) {
@@ -74,7 +75,7 @@ Result<ReadCalibration> read(const CalibrationText& source, const CalibrationHin
   if (reader.error()) {
     return tl::make_unexpected(*reader.error());
   }
-  ReadCalibration calibration;
+  ParsedCalibration calibration;
   calibration.decisions = {
       "T_cn_cnm1 leads from the camera before to each camera: chained from cam0, whose axes are "
       "the "
@@ -82,7 +83,7 @@ Result<ReadCalibration> read(const CalibrationText& source, const CalibrationHin
       "camera_model, intrinsics: fu fv pu pv in pixels; timeshift_cam_imu is left out."};
   Eigen::Matrix4d pose = Eigen::Matrix4d::Identity();
   for (int k = 0; reader.has(fmt::format("cam{}", k).c_str()); ++k) {
-    if (calibration.rig.size() == limits::kMostCameras) {
+    if (calibration.rig.size() == limits::kMaxCameras) {
       return tooManyCameras(file);
     }
     const std::string name = fmt::format("cam{}", k);
@@ -148,7 +149,7 @@ CalibrationFormat kalibrFormat() {
   format.name = "kalibr";
   format.title = "Kalibr camchain";
   format.extension = ".yaml";
-  format.holds =
+  format.contents =
       "4 coefficients (radtan) or fisheye (equidistant), each camera from the one before, "
       "meters; no names, no world";
   format.lenses = {4, true};

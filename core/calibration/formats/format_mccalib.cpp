@@ -13,8 +13,9 @@ namespace dewpoint::calibration {
 namespace {
 
 std::string recognize(const CalibrationText& source) {
-  return hasLine(source.text, "nb_camera:") ? "\"nb_camera\" and sections camera_0, camera_1, ..."
-                                            : "";
+  return hasLineStartingWith(source.text, "nb_camera:")
+             ? "\"nb_camera\" and sections camera_0, camera_1, ..."
+             : "";
 }
 
 Result<Camera> readCamera(const YamlReader& section, const std::string& name,
@@ -39,7 +40,7 @@ Result<Camera> readCamera(const YamlReader& section, const std::string& name,
                         section.field("camera_pose_matrix")});
 }
 
-Result<ReadCalibration> read(const CalibrationText& source, const CalibrationHints&) {
+Result<ParsedCalibration> read(const CalibrationText& source, const CalibrationHints&) {
   const std::string file = source.file.string();
   const auto node = parseYaml(source.text, file);
   if (!node) {
@@ -50,12 +51,12 @@ Result<ReadCalibration> read(const CalibrationText& source, const CalibrationHin
   if (reader.error()) {
     return tl::make_unexpected(*reader.error());
   }
-  if (!(count >= 1.0 && count <= double(limits::kMostCameras))) {
+  if (!(count >= 1.0 && count <= double(limits::kMaxCameras))) {
     reader.fail(ErrorCode::BadValue, "nb_camera",
-                fmt::format("1 to {} cameras are expected, found {}", limits::kMostCameras, count));
+                fmt::format("1 to {} cameras are expected, found {}", limits::kMaxCameras, count));
     return tl::make_unexpected(*reader.error());
   }
-  ReadCalibration calibration;
+  ParsedCalibration calibration;
   calibration.decisions = {"camera_pose_matrix is rig from camera: inverted."};
   std::string group;
   for (int k = 0; k < count; ++k) {
@@ -84,7 +85,7 @@ std::vector<CalibrationText> write(const CameraRig& rig, const std::filesystem::
     const bool fisheye = camera.lens == LensModel::Fisheye;
     text += fmt::format("camera_{}:\n", k) +
             matrixNode("   ", "camera_matrix", matrixOf(camera.intrinsics)) +
-            matrixNode("   ", "distortion_vector", rowOf(coefficients)) +
+            matrixNode("   ", "distortion_vector", rowMatrix(coefficients)) +
             fmt::format("   distortion_type: {}\n   camera_group: 0\n   img_width: {}\n"
                         "   img_height: {}\n",
                         int(fisheye), camera.intrinsics.width, camera.intrinsics.height) +
@@ -100,7 +101,7 @@ CalibrationFormat mcCalibFormat() {
   format.name = "mc-calib";
   format.title = "MC-Calib";
   format.extension = ".yml";
-  format.holds =
+  format.contents =
       "5 coefficients or fisheye, poses as rig (the first camera) from camera, in the unit "
       "of its board; no names, no world";
   format.lenses = {5, true};

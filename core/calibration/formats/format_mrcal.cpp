@@ -65,11 +65,11 @@ void readPose(const YamlReader& reader, CameraParts& parts) {
       }
     }
   }
-  parts.rotation = rotationOfVector({pose[0], pose[1], pose[2]});
+  parts.rotation = rotationFromVector({pose[0], pose[1], pose[2]});
   parts.translation = {pose[3], pose[4], pose[5]};
 }
 
-Result<ReadCalibration> read(const CalibrationText& source, const CalibrationHints&) {
+Result<ParsedCalibration> read(const CalibrationText& source, const CalibrationHints&) {
   const std::string file = source.file.string();
   const auto node = parseYaml(withoutInputs(source.text), file);
   if (!node) {
@@ -91,7 +91,7 @@ Result<ReadCalibration> read(const CalibrationText& source, const CalibrationHin
   if (!camera) {
     return tl::make_unexpected(camera.error());
   }
-  ReadCalibration calibration;
+  ParsedCalibration calibration;
   calibration.decisions = {"Poses are camera from reference, as here."};
   calibration.rig.push_back(std::move(*camera));
   return calibration;
@@ -101,13 +101,13 @@ std::string cameraText(const Camera& camera) {
   const auto& in = camera.intrinsics;
   std::vector<double> values = {in.focalX, in.focalY, in.centerX, in.centerY};
   std::string model = "LENSMODEL_PINHOLE";
-  if (camera.distorted()) {
+  if (camera.hasDistortion()) {
     const auto coefficients = coefficientsOf(camera, 4);
     values.insert(values.end(), coefficients.begin(), coefficients.end());
     model = fmt::format("LENSMODEL_OPENCV{}", coefficients.size());
   }
   Eigen::VectorXd pose(6);
-  pose << vectorOfRotation(camera.cameraFromWorld.linear()), camera.cameraFromWorld.translation();
+  pose << vectorFromRotation(camera.cameraFromWorld.linear()), camera.cameraFromWorld.translation();
   // Both keys: releases before 2.5 know the second only.
   return fmt::format("{{\n    'lensmodel':  '{0}',\n\n"
                      "    # intrinsics are fx,fy,cx,cy,distortion0,distortion1,....\n"
@@ -133,7 +133,7 @@ CalibrationFormat mrcalFormat() {
   format.name = "mrcal";
   format.title = "mrcal camera model";
   format.extension = ".cameramodel";
-  format.holds = "8 coefficients, one camera a file, camera from reference, meters";
+  format.contents = "8 coefficients, one camera a file, camera from reference, meters";
   format.layout = FileLayout::FilePerCamera;
   format.lenses = {8, false};
   format.unit = 1.0;

@@ -54,8 +54,8 @@ PoseEntry readPose(const YamlReader& poses, const std::string& key) {
 }
 
 /// The pose of a camera through its parents; nothing for a chain that does not end.
-std::optional<Eigen::Isometry3d> chained(const std::map<std::string, PoseEntry>& poses,
-                                         std::string name) {
+std::optional<Eigen::Isometry3d> poseThroughParents(const std::map<std::string, PoseEntry>& poses,
+                                                    std::string name) {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   for (std::size_t step = 0; step <= poses.size(); ++step) {
     const auto entry = poses.find(name);
@@ -71,7 +71,7 @@ std::optional<Eigen::Isometry3d> chained(const std::map<std::string, PoseEntry>&
   return std::nullopt;
 }
 
-Result<ReadCalibration> read(const CalibrationText& source, const CalibrationHints&) {
+Result<ParsedCalibration> read(const CalibrationText& source, const CalibrationHints&) {
   const std::string file = source.file.string();
   const auto node = parseYaml(source.text, file); // JSON is YAML
   if (!node) {
@@ -87,7 +87,7 @@ Result<ReadCalibration> read(const CalibrationText& source, const CalibrationHin
   for (const std::string& key : poses.keys()) {
     entries[key.substr(0, key.find("_to_"))] = readPose(poses, key);
   }
-  ReadCalibration calibration;
+  ParsedCalibration calibration;
   calibration.decisions = {"\"b_to_a\" is b from a: chained from the first camera, whose axes are "
                            "the world."};
   for (const std::string& name : cameras.keys()) {
@@ -96,7 +96,7 @@ Result<ReadCalibration> read(const CalibrationText& source, const CalibrationHin
     if (!parts) {
       return tl::make_unexpected(parts.error());
     }
-    const auto pose = chained(entries, name);
+    const auto pose = poseThroughParents(entries, name);
     if (!pose) {
       return failure(ErrorCode::MissingKey, file, "camera_poses." + name,
                      "no chain of poses leads from this camera to the first");
@@ -125,7 +125,7 @@ CalibrationFormat multicalFormat() {
   format.name = "multical";
   format.title = "multical";
   format.extension = ".json";
-  format.holds = "8 coefficients or fisheye, each camera from another, in the unit of its board";
+  format.contents = "8 coefficients or fisheye, each camera from another, in the unit of its board";
   format.lenses = {8, true};
   format.firstCameraIsWorld = true;
   format.recognize = recognize;

@@ -18,17 +18,17 @@ bool isFileStorage(const std::string& text) {
 }
 
 std::string recognizeCamera(const CalibrationText& source) {
-  return isFileStorage(source.text) && hasLine(source.text, "camera_matrix:") &&
-                 !hasLine(source.text, "nb_camera:")
+  return isFileStorage(source.text) && hasLineStartingWith(source.text, "camera_matrix:") &&
+                 !hasLineStartingWith(source.text, "nb_camera:")
              ? "an OpenCV FileStorage with camera_matrix"
              : "";
 }
 
 bool isIntrinsics(const std::string& text) {
-  return hasLine(text, "M1:");
+  return hasLineStartingWith(text, "M1:");
 }
 bool isExtrinsics(const std::string& text) {
-  return hasLine(text, "R:") && hasLine(text, "T:");
+  return hasLineStartingWith(text, "R:") && hasLineStartingWith(text, "T:");
 }
 
 std::string recognizePair(const CalibrationText& source) {
@@ -51,7 +51,7 @@ void readSize(const YamlReader& reader, const CalibrationHints& hints, CameraPar
 }
 
 /// The pose of the only view, when the file has just one: its board is the world then.
-void readView(const YamlReader& reader, CameraParts& parts, ReadCalibration& calibration) {
+void readView(const YamlReader& reader, CameraParts& parts, ParsedCalibration& calibration) {
   calibration.hasPoses = false;
   if (!reader.has("extrinsic_parameters")) {
     return;
@@ -65,20 +65,20 @@ void readView(const YamlReader& reader, CameraParts& parts, ReadCalibration& cal
         "The {} poses are those of a moved board, not of the camera: left out.", views.size() / 6));
   } else {
     calibration.hasPoses = true;
-    parts.rotation = rotationOfVector({views[0], views[1], views[2]});
+    parts.rotation = rotationFromVector({views[0], views[1], views[2]});
     parts.translation = {views[3], views[4], views[5]};
     calibration.decisions.emplace_back("The world is the board of the one view.");
   }
 }
 
-Result<ReadCalibration> readCamera(const CalibrationText& source, const CalibrationHints& hints) {
+Result<ParsedCalibration> readCamera(const CalibrationText& source, const CalibrationHints& hints) {
   const std::string file = source.file.string();
   const auto node = parseYaml(source.text, file);
   if (!node) {
     return tl::make_unexpected(node.error());
   }
   const YamlReader reader(*node, file);
-  ReadCalibration calibration;
+  ParsedCalibration calibration;
   CameraParts parts;
   parts.name = source.file.stem().string();
   readSize(reader, hints, parts);
@@ -108,24 +108,24 @@ std::vector<CalibrationText> writeCameras(const CameraRig& rig, const std::files
     const Camera& camera = rig[k];
     const auto& in = camera.intrinsics;
     Eigen::MatrixXd view(1, 6);
-    view << vectorOfRotation(camera.cameraFromWorld.linear()).transpose(),
+    view << vectorFromRotation(camera.cameraFromWorld.linear()).transpose(),
         camera.cameraFromWorld.translation().transpose();
     std::string text =
         fmt::format("%YAML:1.0\n---\nimage_width: {}\nimage_height: {}\n", in.width, in.height);
     if (camera.lens == LensModel::Fisheye) {
       text += "fisheye_model: 1\n";
     }
-    text +=
-        matrixNode("", "camera_matrix", matrixOf(in)) +
-        matrixNode("", "distortion_coefficients", rowOf(coefficientsOf(camera, 5)).transpose()) +
-        matrixNode("", "extrinsic_parameters", view);
+    text += matrixNode("", "camera_matrix", matrixOf(in)) +
+            matrixNode("", "distortion_coefficients",
+                       rowMatrix(coefficientsOf(camera, 5)).transpose()) +
+            matrixNode("", "extrinsic_parameters", view);
     files.push_back({cameraFile(rig, k, out, ".yml"), text});
   }
   return files;
 }
 
 /// The other file of a pair: intrinsics.yml and extrinsics.yml, whatever is around these words.
-std::filesystem::path partner(const std::filesystem::path& file, bool isIntrinsicsFile) {
+std::filesystem::path otherFileOfPair(const std::filesystem::path& file, bool isIntrinsicsFile) {
   const std::string own = isIntrinsicsFile ? "intrinsic" : "extrinsic";
   const std::string other = isIntrinsicsFile ? "extrinsic" : "intrinsic";
   std::string name = file.filename().string();
@@ -135,14 +135,14 @@ std::filesystem::path partner(const std::filesystem::path& file, bool isIntrinsi
   return file.parent_path() / (other + "s" + file.extension().string());
 }
 
-Result<ReadCalibration> readPair(const CalibrationText& source, const CalibrationHints& hints) {
+Result<ParsedCalibration> readPair(const CalibrationText& source, const CalibrationHints& hints) {
   const std::string file = source.file.string();
   std::string text[2] = {source.text, source.text};
   std::filesystem::path files[2] = {source.file, source.file};
   const bool hasIntrinsics = isIntrinsics(source.text);
   if (!hasIntrinsics || !isExtrinsics(source.text)) {
     const int missing = hasIntrinsics ? 1 : 0;
-    files[missing] = partner(source.file, hasIntrinsics);
+    files[missing] = otherFileOfPair(source.file, hasIntrinsics);
     auto other = readTextFile(files[missing]);
     if (!other) {
       return failure(ErrorCode::FileMissing, file, hasIntrinsics ? "R" : "M1",
@@ -163,7 +163,7 @@ Result<ReadCalibration> readPair(const CalibrationText& source, const Calibratio
         ErrorCode::MissingKey, files[0].string(), "image_width",
         "the stereo sample does not write the image size; convert with --size WIDTHxHEIGHT");
   }
-  ReadCalibration calibration;
+  ParsedCalibration calibration;
   calibration.decisions = {"The world is the axes of the first camera; R and T lead from it to the "
                            "second."};
   for (const char* number : {"1", "2"}) {
@@ -197,13 +197,13 @@ std::vector<CalibrationText> writePair(const CameraRig& rig, const std::filesyst
   std::string inner = "%YAML:1.0\n---\n";
   for (std::size_t k = 0; k < 2; ++k) {
     inner += matrixNode("", fmt::format("M{}", k + 1), matrixOf(rig[k].intrinsics)) +
-             matrixNode("", fmt::format("D{}", k + 1), rowOf(coefficientsOf(rig[k], 5)));
+             matrixNode("", fmt::format("D{}", k + 1), rowMatrix(coefficientsOf(rig[k], 5)));
   }
   inner += fmt::format("image_width: {}\nimage_height: {}\n", size.width, size.height);
   const Eigen::Isometry3d second = rig[1].cameraFromWorld * rig[0].cameraFromWorld.inverse();
   const std::string outer = "%YAML:1.0\n---\n" + matrixNode("", "R", second.linear()) +
                             matrixNode("", "T", second.translation());
-  return {{out, inner}, {partner(out, true), outer}};
+  return {{out, inner}, {otherFileOfPair(out, true), outer}};
 }
 
 } // namespace
@@ -213,8 +213,8 @@ CalibrationFormat opencvFormat() {
   format.name = "opencv";
   format.title = "OpenCV calibration sample";
   format.extension = ".yml";
-  format.holds = "8 coefficients or fisheye, one camera a file, the pose as the one view's "
-                 "(camera from board), in the unit of its board";
+  format.contents = "8 coefficients or fisheye, one camera a file, the pose as the one view's "
+                    "(camera from board), in the unit of its board";
   format.layout = FileLayout::FilePerCamera;
   format.lenses = {8, true};
   format.recognize = recognizeCamera;
@@ -228,7 +228,7 @@ CalibrationFormat opencvStereoFormat() {
   format.name = "opencv-stereo";
   format.title = "OpenCV stereo sample";
   format.extension = ".yml";
-  format.holds =
+  format.contents =
       "8 coefficients, two cameras with images of one size, the second from the first, in "
       "the unit of its board; no names, no world";
   format.layout = FileLayout::CameraPair;

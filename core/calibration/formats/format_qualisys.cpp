@@ -32,7 +32,7 @@ public:
 
   double number(const pugi::xml_node& node, const char* element, const char* name) {
     const pugi::xml_attribute attribute = node.child(element).attribute(name);
-    const auto value = numberOf(attribute.value());
+    const auto value = parseNumber(attribute.value());
     if (!value && !error_) {
       error_ = Error{attribute.empty() ? ErrorCode::MissingKey : ErrorCode::WrongType, file_,
                      field(element) + "." + name, attribute.empty() ? "" : "a number is expected"};
@@ -80,8 +80,8 @@ void readPose(const pugi::xml_node& camera, AttributeReader& reader, CameraParts
 }
 
 /// Markers' cameras are in the same file; only those that make video matter here.
-bool makesVideo(const pugi::xml_node& camera) {
-  const std::string model = inLowerCase(camera.attribute("model").value());
+bool isVideoCamera(const pugi::xml_node& camera) {
+  const std::string model = toLowerCase(camera.attribute("model").value());
   return model.find("video") != std::string::npos || model.empty() || model == "none";
 }
 
@@ -100,7 +100,7 @@ Result<Camera> readCamera(const pugi::xml_node& node, const std::string& file) {
                         reader.field("transform")});
 }
 
-Result<ReadCalibration> read(const CalibrationText& source, const CalibrationHints&) {
+Result<ParsedCalibration> read(const CalibrationText& source, const CalibrationHints&) {
   const std::string file = source.file.string();
   pugi::xml_document document;
   const auto parsed = document.load_buffer(source.text.data(), source.text.size());
@@ -108,7 +108,7 @@ Result<ReadCalibration> read(const CalibrationText& source, const CalibrationHin
     return failure(ErrorCode::NotParsed, file, fmt::format("byte {}", parsed.offset),
                    parsed.description());
   }
-  ReadCalibration calibration;
+  ParsedCalibration calibration;
   calibration.decisions = {
       "Rotation is read column by column and turned half about x: Qualisys' cameras look along -z.",
       "Intrinsics are in 1/64 pixels, shifted by the left and top of fov_video; distortion as it "
@@ -116,7 +116,7 @@ Result<ReadCalibration> read(const CalibrationText& source, const CalibrationHin
       "(Pose2Sim divides it by 64 too)."};
   int markerCameras = 0;
   for (const pugi::xml_node& node : document.child("calibration").child("cameras")) {
-    if (!makesVideo(node)) {
+    if (!isVideoCamera(node)) {
       ++markerCameras;
       continue;
     }
@@ -124,7 +124,7 @@ Result<ReadCalibration> read(const CalibrationText& source, const CalibrationHin
     if (!camera) {
       return tl::make_unexpected(camera.error());
     }
-    if (calibration.rig.size() == limits::kMostCameras) {
+    if (calibration.rig.size() == limits::kMaxCameras) {
       return tooManyCameras(file);
     }
     calibration.rig.push_back(std::move(*camera));
@@ -155,7 +155,7 @@ std::string cameraText(const Camera& camera) {
   const Eigen::Vector3d at = camera.center();
   return fmt::format("    <camera active=\"1\" avg-residual=\"0.0\" serial=\"{}\" "
                      "model=\"Video\" viewrotation=\"0\">\n",
-                     escaped(camera.name)) +
+                     htmlEscaped(camera.name)) +
          fmt::format("      <fov_video left=\"0\" top=\"0\" right=\"{}\" bottom=\"{}\"/>\n",
                      in.width - 1, in.height - 1) +
          "      <transform" +
@@ -204,11 +204,11 @@ CalibrationFormat qualisysFormat() {
   format.name = "qualisys";
   format.title = "Qualisys";
   format.extension = ".qca.txt";
-  format.holds =
+  format.contents =
       "5 coefficients, world from camera with cameras that look along -z, mm, 1/64 pixels";
   format.lenses = {5, false};
   format.unit = 0.001;
-  format.usualUnit = 0.001;
+  format.defaultUnit = 0.001;
   format.recognize = recognize;
   format.read = read;
   format.write = write;

@@ -17,10 +17,10 @@ constexpr const char* kTransforms = "static_transforms.yaml";
 constexpr const char* kFrameEnding = "_optical_frame";
 
 std::string recognize(const CalibrationText& source) {
-  const bool fits =
-      source.text.find("!!opencv-matrix") == std::string::npos &&
-      hasLine(source.text, "camera_matrix:") &&
-      (hasLine(source.text, "distortion_model:") || hasLine(source.text, "image_width:"));
+  const bool fits = source.text.find("!!opencv-matrix") == std::string::npos &&
+                    hasLineStartingWith(source.text, "camera_matrix:") &&
+                    (hasLineStartingWith(source.text, "distortion_model:") ||
+                     hasLineStartingWith(source.text, "image_width:"));
   return fits ? "YAML with camera_matrix and distortion_model, and no OpenCV tags" : "";
 }
 
@@ -77,7 +77,7 @@ Result<std::optional<Eigen::Isometry3d>> worldFrom(const std::string& child,
   return std::optional<Eigen::Isometry3d>();
 }
 
-Status readPose(const CalibrationText& source, CameraParts& parts, ReadCalibration& calibration) {
+Status readPose(const CalibrationText& source, CameraParts& parts, ParsedCalibration& calibration) {
   const auto transforms = source.file.parent_path() / kTransforms;
   std::error_code ignored;
   calibration.hasPoses = std::filesystem::exists(transforms, ignored);
@@ -102,7 +102,7 @@ Status readPose(const CalibrationText& source, CameraParts& parts, ReadCalibrati
   return {};
 }
 
-Result<ReadCalibration> read(const CalibrationText& source, const CalibrationHints&) {
+Result<ParsedCalibration> read(const CalibrationText& source, const CalibrationHints&) {
   const std::string file = source.file.string();
   const auto node = parseYaml(source.text, file);
   if (!node) {
@@ -118,7 +118,7 @@ Result<ReadCalibration> read(const CalibrationText& source, const CalibrationHin
   if (reader.error()) {
     return tl::make_unexpected(*reader.error());
   }
-  ReadCalibration calibration;
+  ParsedCalibration calibration;
   calibration.decisions = {"Intrinsics are camera_matrix and its coefficients, for unrectified "
                            "images; rectification and projection_matrix are left out."};
   if (const auto status = readPose(source, parts, calibration); !status) {
@@ -188,8 +188,8 @@ CalibrationFormat rosFormat() {
   format.name = "ros";
   format.title = "ROS camera_info";
   format.extension = ".yaml";
-  format.holds = "8 coefficients (plumb_bob, rational_polynomial) or fisheye (equidistant), one "
-                 "camera a file; poses in static_transforms.yaml beside it, meters";
+  format.contents = "8 coefficients (plumb_bob, rational_polynomial) or fisheye (equidistant), one "
+                    "camera a file; poses in static_transforms.yaml beside it, meters";
   format.layout = FileLayout::FilePerCamera;
   format.lenses = {8, true};
   format.unit = 1.0;

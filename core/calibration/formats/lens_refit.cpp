@@ -32,7 +32,7 @@ std::vector<Sample> samples(Camera camera) {
     for (int column = 0; column < kSamples; ++column) {
       const Eigen::Vector2d pixel(column * (camera.intrinsics.width - 1.0) / (kSamples - 1),
                                   row * (camera.intrinsics.height - 1.0) / (kSamples - 1));
-      const auto ray = unprojector.rayWorld(pixel);
+      const auto ray = unprojector.worldDirection(pixel);
       if (ray && ray->z() > kSteepest) {
         result.push_back({ray->hnormalized(), pixel});
       }
@@ -111,7 +111,7 @@ void measure(const std::vector<Sample>& seen, LensRefit& refit) {
 
 } // namespace
 
-bool fits(const Camera& camera, const LensRange& range) {
+bool fits(const Camera& camera, const LensSupport& range) {
   if (camera.lens == LensModel::Fisheye) {
     return range.fisheye;
   }
@@ -119,7 +119,7 @@ bool fits(const Camera& camera, const LensRange& range) {
                      [](double value) { return value == 0.0; });
 }
 
-LensRefit refitLens(const Camera& camera, const LensRange& range) {
+LensRefit refitLens(const Camera& camera, const LensSupport& range) {
   LensRefit refit;
   refit.camera = camera;
   if (fits(camera, range)) {

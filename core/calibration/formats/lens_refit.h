@@ -15,7 +15,7 @@ struct LensRefit {
 };
 
 /// Returns whether the format's coefficients can represent this lens exactly.
-bool fits(const Camera& camera, const LensRange& range);
+bool fits(const Camera& camera, const LensSupport& range);
 
 /// Fits a camera's lens to the coefficients of a format. If the format can represent the lens
 /// exactly, returns the camera unchanged. Otherwise finds the focal lengths, principal point and
@@ -23,6 +23,6 @@ bool fits(const Camera& camera, const LensRange& range);
 /// squares over 33 x 33 pixels in the image (Levenberg-Marquardt). The pose is unchanged. A fisheye
 /// lens becomes a pinhole lens if the range has no fisheye model; pixels 85 degrees or more off its
 /// axis are then ignored.
-LensRefit refitLens(const Camera& camera, const LensRange& range);
+LensRefit refitLens(const Camera& camera, const LensSupport& range);
 
 } // namespace dewpoint::calibration

@@ -32,7 +32,7 @@ std::string listText(const Eigen::VectorXd& values) {
   return listText(std::span(values.data(), std::size_t(values.size())));
 }
 
-std::string rowsText(const Eigen::MatrixXd& matrix) {
+std::string matrixListText(const Eigen::MatrixXd& matrix) {
   std::string text = "[";
   for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
     text += (row > 0 ? ", " : "") + listText(Eigen::VectorXd(matrix.row(row)));
@@ -40,7 +40,7 @@ std::string rowsText(const Eigen::MatrixXd& matrix) {
   return text + "]";
 }
 
-std::optional<double> numberOf(std::string_view text) {
+std::optional<double> parseNumber(std::string_view text) {
   const auto blank = [](char letter) { return letter == ' ' || letter == '\t' || letter == '\r'; };
   while (!text.empty() && blank(text.front())) {
     text.remove_prefix(1);
@@ -57,10 +57,10 @@ std::optional<double> numberOf(std::string_view text) {
   if (text == ".Inf" || text == ".inf" || text == "-.Inf" || text == "-.inf") {
     return (text.front() == '-' ? -1.0 : 1.0) * std::numeric_limits<double>::infinity();
   }
-  return numberFrom<double>(text);
+  return toNumber<double>(text);
 }
 
-bool hasLine(std::string_view text, std::string_view start) {
+bool hasLineStartingWith(std::string_view text, std::string_view start) {
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
     std::string_view line = text.substr(at, end - at);

@@ -22,13 +22,13 @@ std::string listText(std::span<const double> values);
 std::string listText(const Eigen::VectorXd& values);
 
 /// Returns the text of a matrix, row by row: "[[...], [...], [...]]".
-std::string rowsText(const Eigen::MatrixXd& matrix);
+std::string matrixListText(const Eigen::MatrixXd& matrix);
 
 /// Parses a number written by any tool, in the C locale, including "1.", "+2", ".5" and "nan".
 /// Returns nothing if the text contains anything else.
-std::optional<double> numberOf(std::string_view text);
+std::optional<double> parseNumber(std::string_view text);
 
 /// Returns whether any line of the text begins with `start` after its indentation.
-bool hasLine(std::string_view text, std::string_view start);
+bool hasLineStartingWith(std::string_view text, std::string_view start);
 
 } // namespace dewpoint::calibration

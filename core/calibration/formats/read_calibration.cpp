@@ -54,7 +54,7 @@ std::string unitSentence(double unit) {
 
 /// Brings the lengths to meters: as asked, else as the format says, else it is an error.
 Status toMeters(const CalibrationFormat& format, const CalibrationHints& hints,
-                const std::string& file, ReadCalibration& calibration) {
+                const std::string& file, ParsedCalibration& calibration) {
   if (!calibration.hasPoses) {
     return {};
   }
@@ -86,7 +86,7 @@ Status toMeters(const CalibrationFormat& format, const CalibrationHints& hints,
 }
 
 Status finish(const CalibrationFormat& format, const CalibrationHints& hints,
-              const std::string& file, ReadCalibration& calibration) {
+              const std::string& file, ParsedCalibration& calibration) {
   calibration.format = format.name;
   if (hints.posesAreWorldFromCamera.value_or(false)) {
     calibration.rig = withInvertedPoses(std::move(calibration.rig));
@@ -106,8 +106,8 @@ Status finish(const CalibrationFormat& format, const CalibrationHints& hints,
   return checkPlausible(calibration, hints, file);
 }
 
-Result<ReadCalibration> readOne(const CalibrationText& source, const CalibrationHints& hints,
-                                const CalibrationFormat*& format) {
+Result<ParsedCalibration> readOne(const CalibrationText& source, const CalibrationHints& hints,
+                                  const CalibrationFormat*& format) {
   std::string reason;
   const auto known = formatOf(source, hints, reason);
   if (!known) {
@@ -126,14 +126,14 @@ Result<CalibrationText> readSource(const std::filesystem::path& file) {
   if (!text) {
     return tl::make_unexpected(text.error());
   }
-  if (text->size() > limits::kMostCalibrationBytes && text->find(kInputs) == std::string::npos) {
+  if (text->size() > limits::kMaxCalibrationBytes && text->find(kInputs) == std::string::npos) {
     return failure(ErrorCode::NotParsed, file.string(), "", "too large for a calibration");
   }
   return CalibrationText{file, std::move(*text)};
 }
 
 /// "cam2" before "cam10": by length of the number, as people count.
-bool countsBefore(const std::filesystem::path& a, const std::filesystem::path& b) {
+bool numericLess(const std::filesystem::path& a, const std::filesystem::path& b) {
   const std::string one = a.filename().string();
   const std::string other = b.filename().string();
   const auto [i, j] = std::ranges::mismatch(one, other);
@@ -156,7 +156,7 @@ Result<std::vector<CalibrationText>> folderSources(const std::filesystem::path& 
       files.push_back(entry.path());
     }
   }
-  std::ranges::sort(files, countsBefore);
+  std::ranges::sort(files, numericLess);
   std::vector<CalibrationText> sources;
   for (const auto& file : files) {
     auto source = readSource(file);
@@ -176,7 +176,7 @@ Result<std::vector<CalibrationText>> folderSources(const std::filesystem::path& 
   return sources;
 }
 
-void append(ReadCalibration& whole, ReadCalibration&& part) {
+void append(ParsedCalibration& whole, ParsedCalibration&& part) {
   std::ranges::move(part.rig, std::back_inserter(whole.rig));
   whole.hasPoses = whole.hasPoses && part.hasPoses;
   for (std::string& decision : part.decisions) {
@@ -188,8 +188,8 @@ void append(ReadCalibration& whole, ReadCalibration&& part) {
 
 } // namespace
 
-Result<ReadCalibration> readCalibration(const std::filesystem::path& path,
-                                        const CalibrationHints& hints) {
+Result<ParsedCalibration> readCalibration(const std::filesystem::path& path,
+                                          const CalibrationHints& hints) {
   std::error_code problem;
   Result<std::vector<CalibrationText>> sources;
   if (std::filesystem::is_directory(path, problem)) {
@@ -201,7 +201,7 @@ Result<ReadCalibration> readCalibration(const std::filesystem::path& path,
   if (!sources) {
     return tl::make_unexpected(sources.error());
   }
-  ReadCalibration whole;
+  ParsedCalibration whole;
   const CalibrationFormat* format = nullptr;
   for (const CalibrationText& source : *sources) {
     const CalibrationFormat* before = format;

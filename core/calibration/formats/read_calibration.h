@@ -12,7 +12,7 @@ namespace dewpoint::calibration {
 /// Information missing from the file (unit, meaning of four coefficients, image size) is never
 /// guessed: the error asks the user for it. Implausible values (a room of 900 m, inverted poses, a
 /// principal point outside the image) are an error with the likely cause.
-Result<ReadCalibration> readCalibration(const std::filesystem::path& path,
-                                        const CalibrationHints& hints = {});
+Result<ParsedCalibration> readCalibration(const std::filesystem::path& path,
+                                          const CalibrationHints& hints = {});
 
 } // namespace dewpoint::calibration

@@ -65,18 +65,18 @@ TomlDialect tomlDialect(const CalibrationText& source) {
 }
 
 Result<CameraRig> camerasFromToml(const CalibrationText& source,
-                                  std::initializer_list<const char*> passedOver) {
+                                  std::initializer_list<const char*> ignoredKeys) {
   const auto table = parseToml(source.text, source.file.string());
   if (!table) {
     return tl::make_unexpected(table.error());
   }
   CameraRig rig;
   const CameraTables sections = cameraTables(*table);
-  if (sections.size() > limits::kMostCameras) {
+  if (sections.size() > limits::kMaxCameras) {
     return tooManyCameras(source.file.string());
   }
   for (const auto& [key, section] : sections) {
-    auto camera = cameraFromToml(*section, source.file.string(), key + ".", passedOver);
+    auto camera = cameraFromToml(*section, source.file.string(), key + ".", ignoredKeys);
     if (!camera) {
       return tl::make_unexpected(camera.error());
     }

@@ -20,9 +20,9 @@ enum class TomlDialect {
 TomlDialect tomlDialect(const CalibrationText& source);
 
 /// Reads every camera table in a file, except [metadata], in the unit of the file. A camera without
-/// `name` is named after its table. `passedOver` lists keys from other tools that are ignored.
+/// `name` is named after its table. `ignoredKeys` lists keys from other tools that are ignored.
 Result<CameraRig> camerasFromToml(const CalibrationText& source,
-                                  std::initializer_list<const char*> passedOver);
+                                  std::initializer_list<const char*> ignoredKeys);
 
 /// Returns the name of the first camera table with four coefficients and no `fisheye`, which leaves
 /// the meaning of the coefficients open; empty if there is none.

@@ -13,7 +13,7 @@ namespace dewpoint::calibration {
 namespace {
 
 /// Of one mapping, each of which is looked through for every key: one per camera, and some more.
-constexpr std::size_t kMostKeys = 2 * limits::kMostCameras;
+constexpr std::size_t kMostKeys = 2 * limits::kMaxCameras;
 
 } // namespace
 
@@ -22,7 +22,7 @@ Result<YAML::Node> parseYaml(const std::string& text, const std::string& file) {
   if (body.starts_with("%YAML:")) {
     body.replace(0, 1, "#"); // keeps the numbers of the lines
   }
-  if (body.size() > limits::kMostCalibrationBytes) {
+  if (body.size() > limits::kMaxCalibrationBytes) {
     return failure(ErrorCode::NotParsed, file, "", "too large for a calibration");
   }
   try {
@@ -81,9 +81,9 @@ std::vector<std::string> YamlReader::keys() const {
     return names;
   }
   for (const auto& item : node_) {
-    if (names.size() == limits::kMostCameras) {
+    if (names.size() == limits::kMaxCameras) {
       fail(ErrorCode::BadValue, fmt::format("camera {}", names.size() + 1),
-           fmt::format("at most {} cameras are possible", limits::kMostCameras));
+           fmt::format("at most {} cameras are possible", limits::kMaxCameras));
       break;
     }
     if (item.first.IsDefined() && item.first.IsScalar()) {
@@ -122,7 +122,7 @@ public:
       return std::all_of(node.begin(), node.end(),
                          [&](const YAML::Node& item) { return collect(item, level + 1); });
     }
-    const auto value = node.IsScalar() ? numberOf(node.Scalar()) : std::nullopt;
+    const auto value = node.IsScalar() ? parseNumber(node.Scalar()) : std::nullopt;
     values_.push_back(value.value_or(0.0));
     return value.has_value();
   }

@@ -113,7 +113,7 @@ cv::Mat magnified(const cv::Mat& image, const Eigen::Vector2d& center, int side,
   return result;
 }
 
-cv::Mat edgePicture(const cv::Mat& image) {
+cv::Mat edgeStrengthImage(const cv::Mat& image) {
   cv::Mat edges(image.rows, image.cols, CV_8UC1, cv::Scalar(0));
   if (!isUsable(image)) {
     return edges;
@@ -136,14 +136,14 @@ cv::Mat edgePicture(const cv::Mat& image) {
   return edges;
 }
 
-cv::Mat edgePicture(const cv::Mat& image, const cv::Size& size) {
+cv::Mat edgeStrengthImage(const cv::Mat& image, const cv::Size& size) {
   cv::Mat fitted;
   try {
     cv::resize(image, fitted, size, 0.0, 0.0, cv::INTER_AREA);
   } catch (const cv::Exception&) {
     return cv::Mat(size, CV_8UC1, cv::Scalar(0));
   }
-  return edgePicture(fitted);
+  return edgeStrengthImage(fitted);
 }
 
 } // namespace dewpoint::calibration

@@ -22,8 +22,8 @@ std::optional<Eigen::Vector2d> snapToCorner(const cv::Mat& image, const Eigen::V
 cv::Mat magnified(const cv::Mat& image, const Eigen::Vector2d& center, int side, int factor);
 
 /// Returns the edge strength of an image (Sobel), 0 to 255, as CV_8UC1 with the size of the image.
-cv::Mat edgePicture(const cv::Mat& image);
+cv::Mat edgeStrengthImage(const cv::Mat& image);
 /// Returns the edge strength of an image after resizing it to `size`, which must not be empty.
-cv::Mat edgePicture(const cv::Mat& image, const cv::Size& size);
+cv::Mat edgeStrengthImage(const cv::Mat& image, const cv::Size& size);
 
 } // namespace dewpoint::calibration

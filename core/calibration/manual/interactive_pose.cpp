@@ -30,7 +30,7 @@ Camera moved(const Camera& camera, const Eigen::Vector3d& meters, NudgeFrame fra
 Camera rotated(const Camera& camera, const Eigen::Vector3d& rotation, NudgeFrame frame) {
   const Eigen::Vector3d inCamera =
       frame == NudgeFrame::Camera ? rotation : camera.cameraFromWorld.linear() * rotation;
-  return rotatedBy(camera, rotationOfVector(-inCamera)); // what it sees turns the other way
+  return rotatedBy(camera, rotationFromVector(-inCamera)); // what it sees turns the other way
 }
 
 Camera zoomed(const Camera& camera, double factor) {
@@ -81,7 +81,7 @@ Camera withPosition(const Camera& camera, const Eigen::Vector3d& position) {
   return result;
 }
 
-Eigen::Vector3d lookedAt(const Camera& camera, double height) {
+Eigen::Vector3d aimPoint(const Camera& camera, double height) {
   constexpr double kFarthest = 100.0; // meters
   const Eigen::Vector3d center = camera.center();
   const Eigen::Vector3d axis = camera.opticalAxis();
@@ -119,7 +119,7 @@ ReferenceGrid gridFor(const CameraRig& rig) {
     axes.push_back({camera.center(), camera.opticalAxis()});
   }
   // What they all look at; a single camera looks at the floor.
-  const Eigen::Vector3d middle = nearestPoint(axes).value_or(lookedAt(rig.front(), 0.0));
+  const Eigen::Vector3d middle = nearestPoint(axes).value_or(aimPoint(rig.front(), 0.0));
   double distance = 0.0;
   for (const Camera& camera : rig) {
     distance += (middle - camera.center()).norm() / static_cast<double>(rig.size());

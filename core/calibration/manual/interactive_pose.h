@@ -41,7 +41,7 @@ Camera withPosition(const Camera& camera, const Eigen::Vector3d& position);
 /// Returns the point where the optical axis meets the horizontal plane at `height` (meters), if
 /// that point is in front of the camera and within 100 m. Otherwise returns the point 1 m in front
 /// of the camera.
-Eigen::Vector3d lookedAt(const Camera& camera, double height);
+Eigen::Vector3d aimPoint(const Camera& camera, double height);
 /// Returns the camera rotated towards a point (world, meters), with its position and roll
 /// unchanged. A target at the camera's center leaves the camera unchanged.
 Camera lookingAt(const Camera& camera, const Eigen::Vector3d& target);

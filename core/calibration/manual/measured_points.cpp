@@ -88,7 +88,7 @@ void findWorst(const std::vector<bool>& solved, const std::vector<MeasuredPoint>
     if (rms && *rms < least) {
       least = *rms;
       solution.worst = k;
-      solution.worstExplains = true;
+      solution.isWorstWrong = true;
     }
   }
 }
@@ -147,7 +147,7 @@ PointSolution solveFromPoints(const CameraRig& rig, const std::vector<MeasuredPo
     if (anchors.empty()) {
       continue;
     }
-    const PointPose pose = poseFromPoints(rig[k], anchors, settings.alsoFocal);
+    const PointPose pose = poseFromPoints(rig[k], anchors, settings.estimateFocal);
     CameraFromPoints camera{static_cast<int>(k), static_cast<int>(anchors.size()), pose.status,
                             pose.rmsPx, std::nullopt};
     if (isSolved(pose.status)) {
@@ -155,7 +155,7 @@ PointSolution solveFromPoints(const CameraRig& rig, const std::vector<MeasuredPo
       solved[k] = true;
     }
     if (isSolved(pose.status) || pose.status == PoseStatus::NoPose) {
-      camera.proposal = betterSymmetry(rig[k], anchors, pose);
+      camera.proposal = proposeSymmetry(rig[k], anchors, pose);
     }
     solution.cameras.push_back(camera);
   }

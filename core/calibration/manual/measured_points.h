@@ -79,20 +79,20 @@ struct PointSolution {
   std::vector<ClickResidual>
       residuals; ///< residuals for the solved rig, relative to the points as entered
   double rmsPx = 0.0;
-  std::optional<int> worst;   ///< index of the point with the largest residual
-  bool worstExplains = false; ///< true if everything else fits without this point, so that it was
-                              ///< entered or clicked incorrectly
+  std::optional<int> worst;  ///< index of the point with the largest residual
+  bool isWorstWrong = false; ///< true if everything else fits without this point, so that it was
+                             ///< entered or clicked incorrectly
 
   bool anySolved() const;
 };
 
 /// Settings of solveFromPoints().
 struct PointSettings {
-  bool alsoFocal =
+  bool estimateFocal =
       false; ///< true to estimate the focal lengths of cameras with at least six points
   /// Standard deviations used as weights in the joint refinement.
-  double tape = 0.003; ///< of a tape measurement, meters
-  double click = 0.5;  ///< of a click, pixels
+  double tapeSigma = 0.003; ///< of a tape measurement, meters
+  double clickSigma = 0.5;  ///< of a click, pixels
 };
 
 /// Estimates the poses of all cameras from clicks on measured points.

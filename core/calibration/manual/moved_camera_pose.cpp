@@ -43,7 +43,7 @@ struct PointMotion {
   Eigen::Vector3d shift;
 
   explicit PointMotion(const Vector6& change)
-      : turn(rotationOfVector(change.head<3>())), shift(change.tail<3>()) {}
+      : turn(rotationFromVector(change.head<3>())), shift(change.tail<3>()) {}
   Eigen::Vector3d operator*(const Eigen::Vector3d& point) const { return turn * point - shift; }
 };
 
@@ -99,7 +99,7 @@ public:
          std::span<const PointSighting> sightings)
       : lens_(withoutPose(camera)) {
     mean_ << prior.turn, Eigen::Vector3d::Zero();
-    const double turn = std::hypot(prior.turnSigma, prior.shiftSigma / kBackgroundAt);
+    const double turn = std::hypot(prior.rotationSigma, prior.shiftSigma / kBackgroundAt);
     sigmas_ << Eigen::Vector3d::Constant(turn), Eigen::Vector3d::Constant(prior.shiftSigma);
     for (const PointSighting& sighting : sightings) {
       costs_.emplace_back(camera, lens_, sighting);
@@ -168,7 +168,7 @@ double medianPixels(const Camera& camera, std::span<const PointSighting> sightin
 Camera rotatedCamera(const Camera& camera, const Eigen::Vector3d& turn) {
   Camera rotated = camera;
   Eigen::Isometry3d rotation = Eigen::Isometry3d::Identity();
-  rotation.linear() = rotationOfVector(turn);
+  rotation.linear() = rotationFromVector(turn);
   rotated.cameraFromWorld = rotation * camera.cameraFromWorld;
   return rotated;
 }

@@ -22,7 +22,7 @@ struct PointSighting {
 struct CameraMotionPrior {
   Eigen::Vector3d turn =
       Eigen::Vector3d::Zero(); ///< measured rotation, as in CameraRotation; radians
-  double turnSigma =
+  double rotationSigma =
       2e-4; ///< standard deviation of the rotation, which is measured from the background; radians
   double shiftSigma = 0.01; ///< standard deviation of a possible displacement of the camera; meters
 };
@@ -48,7 +48,7 @@ Camera rotatedCamera(const Camera& camera, const Eigen::Vector3d& turn);
 /// fixed. Least squares (Ceres) over the six pose parameters, from the sightings (Huber loss at two
 /// sigma) and the prior. A displaced camera also appears to rotate relative to its background, by
 /// displacement over distance. The prior's rotation is therefore assumed to be known to within
-/// turnSigma and shiftSigma at 3 m combined. Without sightings, the result is the old camera,
+/// rotationSigma and shiftSigma at 3 m combined. Without sightings, the result is the old camera,
 /// rotated. Error: Mismatch if the sightings contradict the result (fewer than half agree).
 Result<MovedCameraPose> estimateMovedPose(const Camera& camera, const CameraMotionPrior& prior,
                                           std::span<const PointSighting> sightings);

@@ -67,7 +67,7 @@ void refineTogether(CameraRig& rig, const std::vector<bool>& solved,
       if (const PointClick* click = clickIn(points[k], static_cast<int>(c))) {
         using Cost = ceres::NumericDiffCostFunction<ClickCost, ceres::CENTRAL, 2, 6, 3>;
         auto* cost =
-            new ClickCost(rig[c], depths[c], points[k].world, click->pixel, settings.click);
+            new ClickCost(rig[c], depths[c], points[k].world, click->pixel, settings.clickSigma);
         problem.AddResidualBlock(new Cost(cost), nullptr, poses[c].data(), offsets[k].data());
         used[k] = true;
       }
@@ -76,7 +76,8 @@ void refineTogether(CameraRig& rig, const std::vector<bool>& solved,
   for (std::size_t k = 0; k < points.size(); ++k) {
     if (used[k]) {
       using Cost = ceres::AutoDiffCostFunction<TapeCost, 3, 3>;
-      problem.AddResidualBlock(new Cost(new TapeCost{settings.tape}), nullptr, offsets[k].data());
+      problem.AddResidualBlock(new Cost(new TapeCost{settings.tapeSigma}), nullptr,
+                               offsets[k].data());
     }
   }
   ceres::Solver::Options options;

@@ -9,7 +9,7 @@
 namespace dewpoint::calibration {
 
 /// Refines the poses of all cameras marked in `solved` together with the points. Clicks are
-/// weighted by `settings.click`, point positions by `settings.tape`.
+/// weighted by `settings.clickSigma`, point positions by `settings.tapeSigma`.
 void refineTogether(CameraRig& rig, const std::vector<bool>& solved,
                     const std::vector<MeasuredPoint>& points, const PointSettings& settings);
 

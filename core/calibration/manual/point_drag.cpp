@@ -35,7 +35,7 @@ Drag finished(const Camera& camera, DragLimit limit, const ImageAnchor& dragged)
 /// Nothing held: in closed form.
 Drag dragFree(const Camera& camera, const ImageAnchor& dragged, DragMode mode) {
   const Eigen::Vector3d point = camera.cameraFromWorld * dragged.world;
-  const auto wanted = Unprojector(camera).rayWorld(dragged.pixel);
+  const auto wanted = Unprojector(camera).worldDirection(dragged.pixel);
   if (!wanted || !(point.z() > 0.0)) {
     return finished(camera, DragLimit::OutOfSight, dragged);
   }
@@ -187,8 +187,8 @@ Drag dragPoint(const Camera& camera, const std::vector<ImageAnchor>& held,
   if (held.empty()) {
     return dragFree(camera, dragged, settings.mode);
   }
-  if (held.size() > static_cast<std::size_t>(kMostHeld) ||
-      (held.size() == static_cast<std::size_t>(kMostHeld) && !settings.focalMayChange)) {
+  if (held.size() > static_cast<std::size_t>(kMaxHeldPoints) ||
+      (held.size() == static_cast<std::size_t>(kMaxHeldPoints) && !settings.focalMayChange)) {
     return finished(camera, DragLimit::Fixed, dragged);
   }
   std::vector<ImageAnchor> exact = held;
@@ -208,7 +208,7 @@ Drag dragPoint(const Camera& camera, const std::vector<ImageAnchor>& held,
   if (held.size() == 1 && settings.mode == DragMode::Turn) {
     basis = aboutRay(camera, held.front());
     exact.erase(exact.begin()); // that ray keeps the held point by itself
-  } else if (held.size() == static_cast<std::size_t>(kMostHeld)) {
+  } else if (held.size() == static_cast<std::size_t>(kMaxHeldPoints)) {
     basis = ConstrainedChange::Basis::Identity(7, 7);
     approximate.push_back(exact.back());
     exact.pop_back();

@@ -38,7 +38,7 @@ struct Drag {
 };
 
 /// Maximum number of points held during a drag.
-inline constexpr int kMostHeld = 3;
+inline constexpr int kMaxHeldPoints = 3;
 
 /// Moves a camera so that `dragged.world` is seen at `dragged.pixel` while the held points stay at
 /// their pixels (to 1e-6 px). What changes depends on the number of held points:

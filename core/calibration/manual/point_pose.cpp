@@ -48,7 +48,7 @@ std::vector<Eigen::Isometry3d> posesOf(const std::vector<cv::Point3d>& points,
     for (std::size_t k = 0; k < turns.size(); ++k) {
       const Eigen::Vector3d vector(turns[k][0], turns[k][1], turns[k][2]);
       Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-      pose.linear() = rotationOfVector(vector);
+      pose.linear() = rotationFromVector(vector);
       pose.translation() = Eigen::Vector3d(shifts[k][0], shifts[k][1], shifts[k][2]);
       if (pose.matrix().allFinite()) {
         poses.push_back(pose);
@@ -68,7 +68,7 @@ std::vector<Eigen::Isometry3d> candidates(const Camera& camera,
   std::vector<cv::Point3d> points;
   std::vector<cv::Point2d> normalized;
   for (const ImageAnchor& anchor : anchors) {
-    const auto ray = unprojector.rayWorld(anchor.pixel);
+    const auto ray = unprojector.worldDirection(anchor.pixel);
     if (!ray || !(ray->z() > 0.0)) {
       return {};
     }
@@ -88,7 +88,7 @@ bool differ(const Camera& a, const Camera& b) {
 }
 
 /// Whether a second pose explains the points about as well as the best.
-bool hasRival(const std::vector<PointPose>& poses) {
+bool hasSecondPose(const std::vector<PointPose>& poses) {
   return std::any_of(poses.begin() + 1, poses.end(), [&](const PointPose& other) {
     return differ(other.camera, poses.front().camera) &&
            other.rmsPx < std::max(kAsGood * poses.front().rmsPx, kAsGoodPx);
@@ -125,7 +125,7 @@ bool isBelowPlane(const Camera& camera, const std::vector<ImageAnchor>& anchors)
 } // namespace
 
 PointPose poseFromPoints(const Camera& camera, const std::vector<ImageAnchor>& anchors,
-                         bool alsoFocal) {
+                         bool estimateFocal) {
   PointPose result{camera, PoseStatus::TooFew, false, 0.0};
   if (anchors.size() < kFewest) {
     return result;
@@ -152,16 +152,16 @@ PointPose poseFromPoints(const Camera& camera, const std::vector<ImageAnchor>& a
   }
   std::ranges::stable_sort(poses, {}, &PointPose::rmsPx);
   poses.front().status =
-      result.planar && hasRival(poses) ? PoseStatus::Ambiguous : PoseStatus::None;
-  if (alsoFocal && anchors.size() >= 6) {
+      result.planar && hasSecondPose(poses) ? PoseStatus::Ambiguous : PoseStatus::None;
+  if (estimateFocal && anchors.size() >= 6) {
     poses.front().rmsPx = refinePose(poses.front().camera, anchors, true).value_or(poses[0].rmsPx);
   }
   return poses.front();
 }
 
-std::optional<SymmetryProposal> betterSymmetry(const Camera& camera,
-                                               const std::vector<ImageAnchor>& anchors,
-                                               const PointPose& found) {
+std::optional<SymmetryProposal> proposeSymmetry(const Camera& camera,
+                                                const std::vector<ImageAnchor>& anchors,
+                                                const PointPose& found) {
   constexpr double kBad = 3.0;     // pixels: clicks are better than that
   constexpr double kBetter = 0.25; // of the rms as it is
   const bool looksBad = found.status == PoseStatus::NoPose || found.rmsPx > kBad;

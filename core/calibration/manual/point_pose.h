@@ -16,14 +16,14 @@ struct PointPose {
 
 /// Estimates a pose by perspective-n-point without a start value, followed by least squares.
 PointPose poseFromPoints(const Camera& camera, const std::vector<ImageAnchor>& anchors,
-                         bool alsoFocal);
+                         bool estimateFocal);
 
 /// Checks whether the images of a camera are rotated or mirrored. `found` is the result of
 /// poseFromPoints() for the current images. A mirrored or rotated image is proposed if it fits and
 /// the current one does not. A rotated image is also proposed if both fit but the camera is upright
 /// only with the rotation.
-std::optional<SymmetryProposal> betterSymmetry(const Camera& camera,
-                                               const std::vector<ImageAnchor>& anchors,
-                                               const PointPose& found);
+std::optional<SymmetryProposal> proposeSymmetry(const Camera& camera,
+                                                const std::vector<ImageAnchor>& anchors,
+                                                const PointPose& found);
 
 } // namespace dewpoint::calibration

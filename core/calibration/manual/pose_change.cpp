@@ -55,7 +55,7 @@ PoseChange::PoseChange(const Camera& camera, double depth)
 
 Eigen::Isometry3d PoseChange::step(const ChangeVector& change) const {
   Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
-  result.linear() = rotationOfVector(change.head<3>());
+  result.linear() = rotationFromVector(change.head<3>());
   result.translation() = depth_ * change.segment<3>(3);
   return result;
 }
@@ -123,7 +123,7 @@ double rmsOfPoints(const Eigen::VectorXd& residuals) {
 }
 
 std::optional<double> refinePose(Camera& camera, const std::vector<ImageAnchor>& anchors,
-                                 bool alsoFocal) {
+                                 bool estimateFocal) {
   // A change is a small rotation; from where it led, the next one is small again.
   /// Steps of the solver.
   constexpr int kMostRounds = 10;
@@ -141,7 +141,7 @@ std::optional<double> refinePose(Camera& camera, const std::vector<ImageAnchor>&
     const PoseChange around(camera, meanDistance(camera, anchors));
     ChangeVector change = ChangeVector::Zero();
     ceres::Problem problem;
-    problem.AddResidualBlock(new PoseCost(around, anchors, alsoFocal ? 7 : 6), nullptr,
+    problem.AddResidualBlock(new PoseCost(around, anchors, estimateFocal ? 7 : 6), nullptr,
                              change.data());
     ceres::Solver::Summary summary;
     ceres::Solve(options, &problem, &summary);

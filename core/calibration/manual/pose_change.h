@@ -56,11 +56,11 @@ double meanDistance(const Camera& camera, const std::vector<ImageAnchor>& anchor
 /// Returns the root mean square length of `residuals` over points (two rows per point).
 double rmsOfPoints(const Eigen::VectorXd& residuals);
 
-/// Refines the pose of `camera` and, if `alsoFocal`, its focal length by least squares (Ceres).
+/// Refines the pose of `camera` and, if `estimateFocal`, its focal length by least squares (Ceres).
 /// Returns the root mean square distance in pixels, or nothing if a point is not visible from the
 /// start pose.
 std::optional<double> refinePose(Camera& camera, const std::vector<ImageAnchor>& anchors,
-                                 bool alsoFocal);
+                                 bool estimateFocal);
 
 /// Difference between two poses of a camera.
 struct PoseShift {

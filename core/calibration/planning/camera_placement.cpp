@@ -39,7 +39,7 @@ public:
     low_.z() += kLowest * (high_.z() - low_.z());
   }
 
-  double within() const { return map_.shareWithin(settings_.goodSigma); }
+  double within() const { return map_.fractionWithin(settings_.goodSigma); }
   Camera cameraAt(const Mount& mount) const {
     Camera camera = lens_;
     camera.cameraFromWorld = lookAt(mount.position, mount.target);
@@ -157,14 +157,15 @@ Status check(const Camera& lens, const PlacementSettings& settings) {
   return {};
 }
 
-double shareWithin(const CameraRig& rig, const PlacementSettings& settings) {
+double fractionWithin(const CameraRig& rig, const PlacementSettings& settings) {
   const VolumeGrid cells = gridOver(settings.volume, settings.reportedCells);
   return summaryOf(RigMapper().map(cells, settings.pixelSigma, rig), settings.goodSigma).within;
 }
 
 } // namespace
 
-Camera inFarthestCorner(Camera camera, const CameraRig& rig, const Eigen::AlignedBox3d& volume) {
+Camera placedInFarthestCorner(Camera camera, const CameraRig& rig,
+                              const Eigen::AlignedBox3d& volume) {
   Eigen::Vector3d best = volume.max();
   double farthest = -1.0;
   for (int k = 4; k < 8; ++k) { // the upper corners
@@ -198,12 +199,13 @@ Result<Placement> placeCamera(const CameraRig& rig, const Camera& lens,
   }
   Search search(rig, lens, settings);
   Placement result;
-  result.withinBefore = search.within();
+  result.fractionBefore = search.within();
   const std::vector<Mount> mounts = search.mounts();
   Mount best = mounts.front();
   double value = -1.0;
   for (std::size_t k = 0; k < mounts.size(); ++k) {
-    if (!goesOn(progress, CalibrationStage::PlacementSearch, double(k) / double(mounts.size()))) {
+    if (!reportProgress(progress, CalibrationStage::PlacementSearch,
+                        double(k) / double(mounts.size()))) {
       return canceled();
     }
     if (const double found = search.worth(mounts[k]); found > value) {
@@ -214,12 +216,12 @@ Result<Placement> placeCamera(const CameraRig& rig, const Camera& lens,
   best = search.improved(best);
   (void)search.worth(best);
   result.camera = search.cameraAt(best);
-  result.withinAfter = search.within();
+  result.fractionAfter = search.within();
   if (settings.reportedCells > 0) {
     CameraRig with = rig;
     with.push_back(result.camera);
-    result.withinBefore = shareWithin(rig, settings);
-    result.withinAfter = shareWithin(with, settings);
+    result.fractionBefore = fractionWithin(rig, settings);
+    result.fractionAfter = fractionWithin(with, settings);
   }
   return result;
 }

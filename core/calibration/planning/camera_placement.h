@@ -18,7 +18,8 @@ Camera idealCamera(const std::string& name, int width, int height, double fieldO
 /// Places the camera in the upper corner of the volume that is farthest from all cameras in the
 /// rig, looking at the center of the volume. This is the start pose of a planned camera. Among
 /// equally distant corners, the first in Eigen's order is used.
-Camera inFarthestCorner(Camera camera, const CameraRig& rig, const Eigen::AlignedBox3d& volume);
+Camera placedInFarthestCorner(Camera camera, const CameraRig& rig,
+                              const Eigen::AlignedBox3d& volume);
 
 /// Settings of placeCamera().
 struct PlacementSettings {
@@ -35,9 +36,9 @@ struct PlacementSettings {
 /// Result of placeCamera().
 struct Placement {
   Camera camera; ///< the given camera in its new pose
-  double withinBefore =
+  double fractionBefore =
       0.0; ///< fraction of the volume that is good enough without the new camera, 0 to 1
-  double withinAfter = 0.0; ///< the same fraction with the new camera
+  double fractionAfter = 0.0; ///< the same fraction with the new camera
 };
 
 /// Finds the best pose for an additional camera: on one of the four walls (in the upper half) or on

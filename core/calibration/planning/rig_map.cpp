@@ -12,7 +12,7 @@ namespace dewpoint::calibration {
 namespace {
 
 /// The same to a map: names do not matter.
-bool seesAlike(const Camera& a, const Camera& b) {
+bool haveSameView(const Camera& a, const Camera& b) {
   Camera named = a;
   named.name = b.name;
   return named == b;
@@ -74,7 +74,7 @@ VolumeGrid gridOver(const Eigen::AlignedBox3d& volume, std::size_t cellCount) {
   return grid;
 }
 
-Eigen::AlignedBox3d roomOf(const CameraRig& rig, const ReferenceGrid& grid) {
+Eigen::AlignedBox3d roomVolume(const CameraRig& rig, const ReferenceGrid& grid) {
   const Eigen::Isometry3d worldFromGrid = grid.worldFromGrid();
   const double length = std::max(grid.size.x(), grid.kind == GridKind::Wall ? 0.0 : grid.size.y());
   Eigen::Vector3d low = Eigen::Vector3d::Zero();
@@ -101,7 +101,7 @@ Eigen::AlignedBox3d roomOf(const CameraRig& rig, const ReferenceGrid& grid) {
 std::vector<std::size_t> changedCameras(const CameraRig& before, const CameraRig& now) {
   std::vector<std::size_t> changed;
   for (std::size_t k = 0; k < now.size(); ++k) {
-    if (k >= before.size() || !seesAlike(now[k], before[k])) {
+    if (k >= before.size() || !haveSameView(now[k], before[k])) {
       changed.push_back(k);
     }
   }

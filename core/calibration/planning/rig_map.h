@@ -46,7 +46,7 @@ VolumeGrid gridOver(const Eigen::AlignedBox3d& volume, std::size_t cellCount);
 /// extends up to the highest camera, but at most as high as the floor is long and at least a
 /// quarter of that. A wall grid has no depth, so the room extends towards the cameras by the length
 /// of the wall.
-Eigen::AlignedBox3d roomOf(const CameraRig& rig, const ReferenceGrid& grid);
+Eigen::AlignedBox3d roomVolume(const CameraRig& rig, const ReferenceGrid& grid);
 
 /// Number of cells in a displayed map. Displayed fractions are also computed from these cells. A
 /// map for six cameras takes a few milliseconds.

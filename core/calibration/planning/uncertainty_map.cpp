@@ -191,7 +191,7 @@ std::optional<int> UncertaintyMap::layerAt(double height) const {
   return std::min(int(share * grid_.cells[2]), grid_.cells[2] - 1);
 }
 
-double UncertaintyMap::shareWithin(double sigma) const {
+double UncertaintyMap::fractionWithin(double sigma) const {
   const auto good = std::ranges::count_if(largest_, [&](float value) { return value <= sigma; });
   return double(good) / double(std::max<std::size_t>(largest_.size(), 1));
 }

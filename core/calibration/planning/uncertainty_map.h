@@ -77,7 +77,7 @@ public:
   std::optional<int> layerAt(double height) const;
   /// Returns the fraction of cells (0 to 1) seen by at least two cameras whose largest sigma is at
   /// most `sigma` meters.
-  double shareWithin(double sigma) const;
+  double fractionWithin(double sigma) const;
 
 private:
   /// Symmetric 3 x 3 matrices for all cells, stored as xx xy xz yy yz zz, and whether the camera

@@ -80,7 +80,7 @@ std::optional<double> upSigma(const ExtrinsicsResult& result, const BoardDescrip
 }
 
 /// What the views show, before anything is solved.
-BundleProblem asSeen(const ExtrinsicsRequest& request, double framesPerSecond) {
+BundleProblem problemFromViews(const ExtrinsicsRequest& request, double framesPerSecond) {
   BundleProblem problem;
   BundleBody body{"board", BundleBody::Kind::Board};
   for (int id = 0; id < request.board.cornerCount(); ++id) {
@@ -127,10 +127,10 @@ void countFrames(FaultReport& report, double stride, const ExtrinsicsRequest& re
   for (const BoardCamera& camera : request.cameras) {
     names.push_back(camera.camera.name);
   }
-  for (NamedFault& fault : report.faults) {
-    if (fault.fault == CalibrationFault::CameraLate) {
+  for (DetectedFault& fault : report.faults) {
+    if (fault.fault == CalibrationFault::CameraDelayed) {
       fault.value *= stride;
-      fault.sentence = faultSentence(fault, names);
+      fault.sentence = faultDescription(fault, names);
     }
   }
 }
@@ -140,7 +140,7 @@ void countFrames(FaultReport& report, double stride, const ExtrinsicsRequest& re
 Result<CalibrationAccuracy> assessBoard(const ExtrinsicsResult& result,
                                         const BoardDescription& board,
                                         std::optional<std::int64_t> worldInstant) {
-  AccuracyKnowledge known;
+  AccuracyPriors known;
   known.scaleSigma =
       kRulerSigma / (board.squareSize * std::max(board.squareColumns(), board.squareRows()));
   known.upSigma = worldInstant ? upSigma(result, board, *worldInstant) : std::nullopt;
@@ -155,8 +155,8 @@ FaultReport findBoardFaults(const ExtrinsicsRequest& request, double framesPerSe
   if (seeing < 2 || (alike && result == nullptr)) {
     return {};
   }
-  FaultQuestion question;
-  question.problem = alike ? result->problem : asSeen(request, framesPerSecond);
+  FaultSearchInput question;
+  question.problem = alike ? result->problem : problemFromViews(request, framesPerSecond);
   question.board = request.board;
   CameraRig former;
   for (const BoardCamera& camera : request.cameras) {

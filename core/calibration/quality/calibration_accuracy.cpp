@@ -119,8 +119,8 @@ Eigen::MatrixXd root(const Eigen::MatrixXd& covariance) {
 }
 
 /// The distance that 95 % of the drawn errors keep below.
-double ninetyFive(const PositionErrors& errors, const Eigen::MatrixXd& perDraw, double scaleSigma,
-                  double pixelSigma) {
+double percentile95(const PositionErrors& errors, const Eigen::MatrixXd& perDraw, double scaleSigma,
+                    double pixelSigma) {
   std::vector<Eigen::Matrix3d> noise;
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < errors.positions.size(); ++i) {
@@ -165,7 +165,7 @@ std::optional<double> upFromFloor(const WandResult& result, const std::vector<do
   std::vector<Eigen::Vector2d> touches;
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();
   for (const double time : times) {
-    if (const auto position = ballAt(result.bundle, time)) {
+    if (const auto position = ballPositionAt(result.bundle, time)) {
       touches.emplace_back(position->head<2>());
       middle += touches.back();
     }
@@ -187,7 +187,7 @@ std::optional<double> upFromFloor(const WandResult& result, const std::vector<do
 
 Result<CalibrationAccuracy> assessCalibration(const BundleProblem& problem,
                                               const BundleResult& result,
-                                              const AccuracyKnowledge& known) {
+                                              const AccuracyPriors& known) {
   const PositionErrors errors = propagateToPositions(problem, result, kPositions);
   if (result.covariance.columns.empty() || errors.positions.size() < 4) {
     return failure(ErrorCode::Undetermined, "", "accuracy",
@@ -207,9 +207,9 @@ Result<CalibrationAccuracy> assessCalibration(const BundleProblem& problem,
       folds.points > 0 ? std::sqrt(folds.squares / static_cast<double>(folds.points)) : 0.0;
   const Eigen::MatrixXd deviation = accuracy.modelFactor * root(covariance);
   const double scale = known.scaleKnown ? known.scaleSigma : 0.0;
-  accuracy.cameras95 = ninetyFive(errors, perCamera * deviation, scale, 0.0);
+  accuracy.cameras95 = percentile95(errors, perCamera * deviation, scale, 0.0);
   accuracy.position95 =
-      ninetyFive(errors, perCamera * deviation, scale, noise * typicalSigma(problem));
+      percentile95(errors, perCamera * deviation, scale, noise * typicalSigma(problem));
   if (known.scaleKnown && (!sizeless || known.scaleSigma > 0.0)) {
     const double found =
         sizeless ? 0.0 : sizeChange(errors.positions, errors.fromCameras * deviation).norm();
@@ -223,18 +223,18 @@ Result<CalibrationAccuracy> assessCalibration(const BundleProblem& problem,
 
 Result<CalibrationAccuracy> assessWand(const WandResult& result,
                                        const std::vector<double>& floorTimes) {
-  AccuracyKnowledge known;
+  AccuracyPriors known;
   known.scaleKnown = result.scale != WandScale::InitialRig;
   known.scaleSigma = result.scaleSigma;
   if (result.floorFound) {
     known.upSigma = upFromFloor(result, floorTimes);
-  } else if (result.drop) {
-    known.upSigma = result.drop->sigma / kGravity;
+  } else if (result.freeFall) {
+    known.upSigma = result.freeFall->sigma / kGravity;
   }
   return assessCalibration(result.problem, result.bundle, known);
 }
 
-std::string accuracySentence(const CalibrationAccuracy& accuracy) {
+std::string accuracySummary(const CalibrationAccuracy& accuracy) {
   std::string text =
       fmt::format("In this volume +-{:.2g} mm (95 %)", inMillimeters(accuracy.position95));
   text += accuracy.scale95 ? fmt::format(", scale +-{:.2g} %", inPercent(*accuracy.scale95))

@@ -12,7 +12,7 @@
 namespace dewpoint::calibration {
 
 /// Prior knowledge about a calibration that is not part of its adjustment.
-struct AccuracyKnowledge {
+struct AccuracyPriors {
   double scaleSigma = 0.0; ///< relative standard deviation of the scale; 0: exact, or unknown
   bool scaleKnown =
       true; ///< false if the scale is a convention, so that its accuracy is not reported
@@ -54,7 +54,7 @@ struct CalibrationAccuracy {
 /// Errors: those of adjustBundle(), and Undetermined without free cameras or observed positions.
 Result<CalibrationAccuracy> assessCalibration(const BundleProblem& problem,
                                               const BundleResult& result,
-                                              const AccuracyKnowledge& known = {});
+                                              const AccuracyPriors& known = {});
 
 /// Assesses the accuracy of a calibration by wand. `floorTimes` are those of its WandProblem.
 Result<CalibrationAccuracy> assessWand(const WandResult& result,
@@ -62,6 +62,6 @@ Result<CalibrationAccuracy> assessWand(const WandResult& result,
 
 /// Returns a sentence about the accuracy: "In this volume +-3.1 mm (95 %), scale +-0.10 %, up
 /// +-0.20 degrees."
-std::string accuracySentence(const CalibrationAccuracy& accuracy);
+std::string accuracySummary(const CalibrationAccuracy& accuracy);
 
 } // namespace dewpoint::calibration

@@ -12,8 +12,8 @@ constexpr double kLeastGainOfAll = 25.0;
 
 } // namespace
 
-std::optional<NamedFault> faultOfAll(const FaultQuestion& question, const ImagePoints& imagePoints,
-                                     const PointFit& fit) {
+std::optional<DetectedFault> findCommonFault(const FaultSearchInput& question,
+                                             const ImagePoints& imagePoints, const PointFit& fit) {
   const std::vector<bool> everyone(imagePoints.perCamera.size(), true);
   CameraRig initialRig;
   for (const BundleCamera& camera : question.problem.cameras) {
@@ -29,7 +29,7 @@ std::optional<NamedFault> faultOfAll(const FaultQuestion& question, const ImageP
   const auto total = [&](const PointFit& one) {
     return static_cast<double>(fit.squares.size()) * meanCost(one.squares, free->sigmaPx);
   };
-  std::optional<NamedFault> best;
+  std::optional<DetectedFault> best;
   for (const double shift : {-0.5, 0.5}) {
     ImagePoints shifted = imagePoints;
     for (auto& camera : shifted.perCamera) {
@@ -48,7 +48,7 @@ std::optional<NamedFault> faultOfAll(const FaultQuestion& question, const ImageP
     if (gain > kLeastGainOfAll &&
         worseThanFree < 2.0 * static_cast<double>(initialRig.size()) + 8.0 &&
         (!best || gain > best->gain)) {
-      best = NamedFault{CalibrationFault::HalfPixel, {}, shift, gain};
+      best = DetectedFault{CalibrationFault::HalfPixel, {}, shift, gain};
     }
   }
   return best;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/calibration/bundle/fault.h"
-#include "core/calibration/quality/fault_question.h"
+#include "core/calibration/quality/fault_search_input.h"
 
 #include <optional>
 
@@ -10,7 +10,7 @@ namespace dewpoint::calibration {
 
 /// Finds faults common to all cameras, based on the joint fit of all: image points that are off by
 /// half a pixel.
-std::optional<NamedFault> faultOfAll(const FaultQuestion& question, const ImagePoints& imagePoints,
-                                     const PointFit& fit);
+std::optional<DetectedFault> findCommonFault(const FaultSearchInput& question,
+                                             const ImagePoints& imagePoints, const PointFit& fit);
 
 } // namespace dewpoint::calibration

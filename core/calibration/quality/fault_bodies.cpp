@@ -21,9 +21,10 @@ constexpr double kLeastSizeSigma = 0.005;
 /// Standard deviations of the size beyond which a length is wrong.
 constexpr double kClearSigmas = 4.0;
 constexpr double kSameSize = 0.1; ///< relative scatter of the length over the instants
-constexpr double kFits = 0.1; ///< of a square: a board's points lie so near to where they should
+constexpr double kGoodMisfit =
+    0.1; ///< of a square: a board's points lie so near to where they should
 /// Of a square: beyond it a board does not fit.
-constexpr double kFitsNot = 0.4;
+constexpr double kBadMisfit = 0.4;
 /// Columns of corners that are tried.
 constexpr double kMostColumns = 24;
 
@@ -53,12 +54,12 @@ std::vector<SeenBoard> seenBoards(const BundleProblem& problem, const PointPosit
 }
 
 /// Where a body's points come to lie, and how well.
-struct Laid {
+struct BodyFit {
   Similarity worldFromBody;
   double rms = 0.0; ///< meters, in the world of the cameras
 };
 
-std::optional<Laid> laid(const SeenBoard& board, const std::vector<Eigen::Vector3d>& points) {
+std::optional<BodyFit> fitBody(const SeenBoard& board, const std::vector<Eigen::Vector3d>& points) {
   std::vector<Eigen::Vector3d> from;
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (const std::size_t id : board.ids) {
@@ -76,7 +77,7 @@ std::optional<Laid> laid(const SeenBoard& board, const std::vector<Eigen::Vector
   if (axes[1] < 1e-3 * axes[2]) {
     return std::nullopt; // one row says nothing
   }
-  Laid found{fitSimilarity(from, board.positions, true), 0.0};
+  BodyFit found{fitSimilarity(from, board.positions, true), 0.0};
   for (std::size_t i = 0; i < from.size(); ++i) {
     found.rms += (found.worldFromBody * from[i] - board.positions[i]).squaredNorm();
   }
@@ -95,35 +96,35 @@ std::optional<double> misfit(const std::vector<SeenBoard>& boards, double square
       const int row = number / columns;
       points.emplace_back(square * column, square * row, 0.0);
     }
-    if (const auto found = laid(board, points)) {
+    if (const auto found = fitBody(board, points)) {
       misfits.push_back(found->rms / (found->worldFromBody.scale * square));
     }
   }
   return misfits.size() < kFewest ? std::nullopt : std::optional(upperMedian(misfits));
 }
 
-std::optional<NamedFault> squareCount(const FaultQuestion& question,
-                                      const std::vector<SeenBoard>& boards) {
+std::optional<DetectedFault> squareCount(const FaultSearchInput& question,
+                                         const std::vector<SeenBoard>& boards) {
   const int given = question.board->cornerColumns();
   const auto asGiven = misfit(boards, question.board->squareSize, given);
-  if (!asGiven || *asGiven < kFitsNot) {
+  if (!asGiven || *asGiven < kBadMisfit) {
     return std::nullopt;
   }
-  std::optional<NamedFault> best;
-  double least = kFits;
+  std::optional<DetectedFault> best;
+  double least = kGoodMisfit;
   for (int columns = 2; columns <= kMostColumns; ++columns) {
     const auto now = misfit(boards, question.board->squareSize, columns);
     if (columns != given && now && *now < least) {
       least = *now;
-      best = NamedFault{CalibrationFault::WrongSquareCount, {}, double(columns)};
+      best = DetectedFault{CalibrationFault::WrongSquareCount, {}, double(columns)};
     }
   }
   return best;
 }
 
 /// Whether the cameras see the wrong side: of a board (its z goes into it), or of the floor.
-std::optional<NamedFault> mirrored(const FaultQuestion& question,
-                                   const std::vector<SeenBoard>& boards, const CameraRig& rig) {
+std::optional<DetectedFault> mirrored(const FaultSearchInput& question,
+                                      const std::vector<SeenBoard>& boards, const CameraRig& rig) {
   std::vector<std::set<std::size_t>> seeing(question.problem.states.size());
   for (const BundleObservation& seen : question.problem.observations) {
     seeing[seen.state].insert(seen.camera);
@@ -132,7 +133,7 @@ std::optional<NamedFault> mirrored(const FaultQuestion& question,
   std::size_t back = 0;
   for (const SeenBoard& board : boards) {
     const BundleState& state = question.problem.states[board.state];
-    const auto found = laid(board, question.problem.bodies[state.body].points);
+    const auto found = fitBody(board, question.problem.bodies[state.body].points);
     if (!found) {
       continue;
     }
@@ -146,7 +147,7 @@ std::optional<NamedFault> mirrored(const FaultQuestion& question,
     }
   }
   if (back + front >= 3 && back > 9 * front) {
-    return NamedFault{CalibrationFault::MirroredBoard};
+    return DetectedFault{CalibrationFault::MirroredBoard};
   }
   return std::nullopt;
 }
@@ -157,7 +158,7 @@ std::vector<double> lengthRatios(const BundleProblem& problem, const PointPositi
   std::vector<double> ratios;
   for (const SeenBoard& board : boards) {
     const auto& points = problem.bodies[problem.states[board.state].body].points;
-    if (const auto found = laid(board, points)) {
+    if (const auto found = fitBody(board, points)) {
       ratios.push_back(1.0 / found->worldFromBody.scale);
     }
   }
@@ -171,8 +172,9 @@ std::vector<double> lengthRatios(const BundleProblem& problem, const PointPositi
   return ratios;
 }
 
-std::optional<NamedFault> lengths(const FaultQuestion& question, const PointPositions& positions,
-                                  const std::vector<SeenBoard>& boards, double sigma) {
+std::optional<DetectedFault> lengths(const FaultSearchInput& question,
+                                     const PointPositions& positions,
+                                     const std::vector<SeenBoard>& boards, double sigma) {
   auto ratios = lengthRatios(question.problem, positions, boards);
   const double ratio = upperMedian(ratios);
   for (double& value : ratios) {
@@ -190,15 +192,16 @@ std::optional<NamedFault> lengths(const FaultQuestion& question, const PointPosi
            clear;
   };
   if (near(1000.0)) {
-    return NamedFault{CalibrationFault::MillimetersMixed, {}, ratio};
+    return DetectedFault{CalibrationFault::WrongUnitMillimeters, {}, ratio};
   }
   for (const double inches : {1.0 / 0.0254, 25.4, 2.54}) {
     if (near(inches)) {
-      return NamedFault{CalibrationFault::InchesMixed, {}, ratio};
+      return DetectedFault{CalibrationFault::WrongUnitInches, {}, ratio};
     }
   }
-  return boards.empty() ? std::nullopt
-                        : std::optional(NamedFault{CalibrationFault::WrongSquareSize, {}, ratio});
+  return boards.empty()
+             ? std::nullopt
+             : std::optional(DetectedFault{CalibrationFault::WrongSquareSize, {}, ratio});
 }
 
 } // namespace
@@ -209,15 +212,15 @@ double sizeSigma(const CameraRig& rig, const InitialRigSigma& sigma) {
   return std::max(kLeastSizeSigma, sigma.position / std::max(spread, 1e-6) / cameras);
 }
 
-std::vector<NamedFault> faultsOfBodies(const FaultQuestion& question,
-                                       const PointPositions& positions, const CameraRig& rig) {
+std::vector<DetectedFault> findBodyFaults(const FaultSearchInput& question,
+                                          const PointPositions& positions, const CameraRig& rig) {
   const auto boards = seenBoards(question.problem, positions);
   if (question.board) {
     if (auto count = squareCount(question, boards)) {
       return {*count};
     }
   }
-  std::vector<NamedFault> faults;
+  std::vector<DetectedFault> faults;
   if (auto side = mirrored(question, boards, rig)) {
     faults.push_back(*side);
   }

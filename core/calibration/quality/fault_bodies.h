@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/calibration/bundle/fault.h"
-#include "core/calibration/quality/fault_question.h"
+#include "core/calibration/quality/fault_search_input.h"
 
 #include <vector>
 
@@ -10,8 +10,8 @@ namespace dewpoint::calibration {
 
 /// Finds incorrect lengths, boards and floors in the entered data, using point positions
 /// triangulated by all cameras.
-std::vector<NamedFault> faultsOfBodies(const FaultQuestion& question,
-                                       const PointPositions& positions, const CameraRig& rig);
+std::vector<DetectedFault> findBodyFaults(const FaultSearchInput& question,
+                                          const PointPositions& positions, const CameraRig& rig);
 
 /// Returns the relative standard deviation of the initial rig's size.
 double sizeSigma(const CameraRig& rig, const InitialRigSigma& sigma);

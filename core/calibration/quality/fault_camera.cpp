@@ -31,10 +31,10 @@ constexpr double kLeastMove = 3.0;     ///< standard deviations of an image poin
 /// the recording charuco4 at hand, whose cameras stood still: halves of its late camera cost 3.3
 /// to 4.2.
 constexpr double kMovedCost = 2.0;
-constexpr double kLeastZoom = 0.03; ///< lenses are rarely known better when others calibrated
-constexpr int kMostLate = 120;      ///< frames
+constexpr double kLeastZoom = 0.03;  ///< lenses are rarely known better when others calibrated
+constexpr int kMaxDelayFrames = 120; ///< frames
 /// Frames that a late camera is late by, at least.
-constexpr int kLeastLate = 2;
+constexpr int kMinDelayFrames = 2;
 constexpr double kPositionNoise = 1.5; ///< noise of the positions adds to that of the image points
 /// Ratios of the sizes of videos and lens data that occur.
 constexpr std::array<double, 8> kResolutions{2.0, 0.5,       1.5,       2.0 / 3.0,
@@ -48,13 +48,13 @@ struct Explained {
 
 class CameraSuspicion {
 public:
-  CameraSuspicion(const FaultQuestion& question, const Suspect& suspect)
+  CameraSuspicion(const FaultSearchInput& question, const Suspect& suspect)
       : question_(question), suspect_(suspect),
         initial_(question.problem.cameras[suspect.camera].camera),
         sigma_(kPositionNoise * std::max(suspect.sigmaPx, 1e-3)) {}
 
-  std::optional<NamedFault> run() {
-    const auto correspondences = spreadOver(known(0.0), kMostCorrespondences);
+  std::optional<DetectedFault> run() {
+    const auto correspondences = evenSelection(known(0.0), kMostCorrespondences);
     const auto asIs = correspondences.size() < kFewestCorrespondences
                           ? std::nullopt
                           : explain(initial_, correspondences, false);
@@ -68,7 +68,7 @@ public:
     tryZoom(correspondences);
     tryMoved(correspondences);
     if (base_.median > kWellExplained * sigma_) {
-      tryLate();
+      tryDelay();
     }
     return best_;
   }
@@ -113,16 +113,16 @@ private:
   }
 
   /// Keeps the hypothesis if it is clearly better than none and than the best so far.
-  void weigh(CalibrationFault fault, double value, const std::optional<Explained>& now,
-             double penalty) {
+  void considerHypothesis(CalibrationFault fault, double value, const std::optional<Explained>& now,
+                          double penalty) {
     if (!now) {
       return;
     }
     const double share = question_.unsynchronized ? kLeastGainShareUnsynchronized : kLeastGainShare;
     const double gain = numbers_ * (base_.cost - now->cost) - penalty;
-    if (gain > std::max(kLeastGain, share * numbers_) && now->median < kWellExplained * sigma_ &&
+    if (gain > std::max(kMinGain, share * numbers_) && now->median < kWellExplained * sigma_ &&
         (!best_ || gain > best_->gain)) {
-      best_ = NamedFault{fault, {suspect_.camera}, value, gain};
+      best_ = DetectedFault{fault, {suspect_.camera}, value, gain};
     }
   }
 
@@ -134,7 +134,8 @@ private:
       for (PointCorrespondence& seen : flipped) {
         seen.pixel = transformed(symmetry, seen.pixel, in.width, in.height);
       }
-      weigh(CalibrationFault::VideoFlipped, 0.0, explain(initial_, flipped, false), 1.0);
+      considerHypothesis(CalibrationFault::VideoFlipped, 0.0, explain(initial_, flipped, false),
+                         1.0);
     }
   }
 
@@ -145,7 +146,7 @@ private:
         seen.pixel = (seen.pixel.array() + 0.5) / ratio - 0.5;
       }
       auto now = explain(initial_, scaled, false);
-      weigh(CalibrationFault::WrongResolution, ratio, now, 2.0);
+      considerHypothesis(CalibrationFault::WrongResolution, ratio, now, 2.0);
     }
   }
 
@@ -161,7 +162,7 @@ private:
       const auto now = explain(begin, correspondences, true, false, &found);
       const double ratio = now ? found.intrinsics.focalX / initial_.intrinsics.focalX : 1.0;
       if (std::abs(std::log(ratio)) > kLeastZoom) {
-        weigh(CalibrationFault::ZoomChanged, ratio, now, 0.5 * std::log(numbers_));
+        considerHypothesis(CalibrationFault::ZoomChanged, ratio, now, 0.5 * std::log(numbers_));
       }
     }
   }
@@ -171,8 +172,10 @@ private:
     for (int tenth = 2; tenth <= 8; ++tenth) {
       const std::size_t split = correspondences.size() * static_cast<std::size_t>(tenth) / 10;
       const auto middle = correspondences.begin() + static_cast<std::ptrdiff_t>(split);
-      const auto before = fitCamera(initial_, {correspondences.begin(), middle}, wide(), false);
-      const auto after = fitCamera(initial_, {middle, correspondences.end()}, wide(), false);
+      const auto before =
+          fitCamera(initial_, {correspondences.begin(), middle}, widenedSigma(), false);
+      const auto after =
+          fitCamera(initial_, {middle, correspondences.end()}, widenedSigma(), false);
       if (!before || !after ||
           movedBy(before->camera, after->camera, correspondences) < kLeastMove * sigma_) {
         continue;
@@ -183,8 +186,9 @@ private:
       if (cost > kMovedCost) {
         continue; // two places explain it a little better, as two of anything would
       }
-      weigh(CalibrationFault::CameraMoved, correspondences[split].time,
-            Explained{cost, std::sqrt(upperMedian(squares))}, 3.5 * std::log(numbers_));
+      considerHypothesis(CalibrationFault::CameraMoved, correspondences[split].time,
+                         Explained{cost, std::sqrt(upperMedian(squares))},
+                         3.5 * std::log(numbers_));
     }
   }
 
@@ -203,11 +207,11 @@ private:
   }
 
   /// A camera that was moved may be farther off than the initial rig.
-  InitialRigSigma wide() const {
+  InitialRigSigma widenedSigma() const {
     return {2.0 * question_.initialSigma.turn, 2.0 * question_.initialSigma.position};
   }
 
-  void tryLate() {
+  void tryDelay() {
     const auto& times = suspect_.imagePoints->times;
     const auto& states = question_.problem.states;
     std::vector<double> gaps;
@@ -224,9 +228,9 @@ private:
       return;
     }
     std::vector<std::pair<double, int>> order; // cost, frames
-    for (int frames = -kMostLate; frames <= kMostLate; ++frames) {
-      const auto correspondences = spreadOver(known(frames * period_), kQuickCorrespondences);
-      if (std::abs(frames) < kLeastLate || correspondences.size() < kFewestCorrespondences) {
+    for (int frames = -kMaxDelayFrames; frames <= kMaxDelayFrames; ++frames) {
+      const auto correspondences = evenSelection(known(frames * period_), kQuickCorrespondences);
+      if (std::abs(frames) < kMinDelayFrames || correspondences.size() < kFewestCorrespondences) {
         continue;
       }
       if (const auto now = explain(initial_, correspondences, false, true)) {
@@ -236,14 +240,14 @@ private:
     std::sort(order.begin(), order.end());
     for (std::size_t k = 0; k < std::min<std::size_t>(3, order.size()); ++k) {
       const auto correspondences =
-          spreadOver(known(order[k].second * period_), kMostCorrespondences);
-      weigh(CalibrationFault::CameraLate, order[k].second,
-            explain(initial_, correspondences, false),
-            0.5 * std::log(numbers_) + std::log(2.0 * kMostLate));
+          evenSelection(known(order[k].second * period_), kMostCorrespondences);
+      considerHypothesis(CalibrationFault::CameraDelayed, order[k].second,
+                         explain(initial_, correspondences, false),
+                         0.5 * std::log(numbers_) + std::log(2.0 * kMaxDelayFrames));
     }
   }
 
-  const FaultQuestion& question_;
+  const FaultSearchInput& question_;
   const Suspect& suspect_;
   const Camera& initial_;
   double sigma_;
@@ -251,12 +255,13 @@ private:
   double period_ = 0.0;
   std::map<double, std::size_t> byTime_;
   Explained base_;
-  std::optional<NamedFault> best_;
+  std::optional<DetectedFault> best_;
 };
 
 } // namespace
 
-std::optional<NamedFault> faultOfCamera(const FaultQuestion& question, const Suspect& suspect) {
+std::optional<DetectedFault> findCameraFault(const FaultSearchInput& question,
+                                             const Suspect& suspect) {
   return CameraSuspicion(question, suspect).run();
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/calibration/bundle/fault.h"
-#include "core/calibration/quality/fault_question.h"
+#include "core/calibration/quality/fault_search_input.h"
 
 #include <cstddef>
 #include <optional>
@@ -20,6 +20,7 @@ struct Suspect {
 
 /// Finds the fault that best explains a suspect. Returns it only if it explains the suspect clearly
 /// better than no fault.
-std::optional<NamedFault> faultOfCamera(const FaultQuestion& question, const Suspect& suspect);
+std::optional<DetectedFault> findCameraFault(const FaultSearchInput& question,
+                                             const Suspect& suspect);
 
 } // namespace dewpoint::calibration

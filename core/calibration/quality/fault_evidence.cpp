@@ -63,7 +63,7 @@ BundleProblem pointProblem(const CameraRig& initialRig, const ImagePoints& image
       }
     }
   }
-  for (const SeenBy& seen : spreadOver(points, kMostPoints)) {
+  for (const SeenBy& seen : evenSelection(points, kMostPoints)) {
     for (const auto& [camera, pixel] : seen) {
       problem.observations.push_back(
           {.camera = renamed[camera], .state = problem.states.size(), .pixel = pixel});
@@ -160,10 +160,10 @@ std::optional<PointFit> estimateStructureAndPoses(const CameraRig& initialRig,
   }
   fit.points = problem.states.size();
   const auto rows = static_cast<double>(fit.squares.size());
-  const double freedoms = rows - 3.0 * static_cast<double>(problem.states.size()) -
-                          6.0 * static_cast<double>(problem.cameras.size());
-  fit.sigmaPx =
-      std::sqrt(upperMedian(fit.squares) / kMedianSquare * rows / std::max(freedoms, 0.1 * rows));
+  const double degreesOfFreedom = rows - 3.0 * static_cast<double>(problem.states.size()) -
+                                  6.0 * static_cast<double>(problem.cameras.size());
+  fit.sigmaPx = std::sqrt(upperMedian(fit.squares) / kMedianSquare * rows /
+                          std::max(degreesOfFreedom, 0.1 * rows));
   return fit;
 }
 

@@ -84,7 +84,7 @@ std::optional<CameraResection> fitCamera(const Camera& initial,
 double meanCost(const std::vector<double>& squares, double sigmaPx);
 
 /// Selects at most `most` elements, evenly spread.
-template <class T> std::vector<T> spreadOver(const std::vector<T>& all, std::size_t most) {
+template <class T> std::vector<T> evenSelection(const std::vector<T>& all, std::size_t most) {
   if (all.size() <= most) {
     return all;
   }

@@ -15,16 +15,16 @@ namespace dewpoint::calibration {
 namespace {
 
 /// Cameras agree when their residuals are within the best times this.
-constexpr double kClean = 2.0;
+constexpr double kAgreeingFactor = 2.0;
 constexpr double kSwapExplains = 0.5; ///< exchanged cameras fit at least so much better
 
 /// Lens data of another size than the video: no question of residuals.
-std::optional<NamedFault> declaredSize(const FaultQuestion& question) {
+std::optional<DetectedFault> declaredSize(const FaultSearchInput& question) {
   for (std::size_t c = 0; c < question.imageSizes.size(); ++c) {
     const Intrinsics& in = question.problem.cameras.at(c).camera.intrinsics;
     const auto& size = question.imageSizes[c];
     if (size[0] != in.width || size[1] != in.height) {
-      return NamedFault{CalibrationFault::WrongResolution, {c}, double(size[0]) / in.width};
+      return DetectedFault{CalibrationFault::WrongResolution, {c}, double(size[0]) / in.width};
     }
   }
   return std::nullopt;
@@ -33,12 +33,12 @@ std::optional<NamedFault> declaredSize(const FaultQuestion& question) {
 /// The search for one question.
 class FaultSearch {
 public:
-  explicit FaultSearch(const FaultQuestion& question)
+  explicit FaultSearch(const FaultSearchInput& question)
       : question_(question), imagePoints_(imagePointsOf(question.problem)) {
     for (const BundleCamera& camera : question.problem.cameras) {
       initialRig_.push_back(camera.camera);
     }
-    if (cameraSpread(initialRig_) > kWidestRoom) {
+    if (cameraSpread(initialRig_) > kMaxCameraSpread) {
       question_.initialSigma.position *= 1000.0;
     }
     everyone_.assign(initialRig_.size(), true);
@@ -59,15 +59,15 @@ public:
       named = swap;
     }
     if (!named && all_) {
-      named = faultOfAll(question_, imagePoints_, *all_);
+      named = findCommonFault(question_, imagePoints_, *all_);
     }
     if (named) {
       report.faults.push_back(*named);
     }
-    if (all_ && all_->sigmaPx <= kClean * best_ &&
+    if (all_ && all_->sigmaPx <= kAgreeingFactor * best_ &&
         (!named || named->fault == CalibrationFault::HalfPixel)) {
-      for (NamedFault& fault :
-           faultsOfBodies(question_, triangulated(all_->rig, imagePoints_, everyone_), all_->rig)) {
+      for (DetectedFault& fault :
+           findBodyFaults(question_, triangulated(all_->rig, imagePoints_, everyone_), all_->rig)) {
         report.faults.push_back(fault);
       }
     }
@@ -85,8 +85,8 @@ private:
     for (const Camera& camera : initialRig_) {
       names.push_back(camera.name);
     }
-    for (NamedFault& fault : report.faults) {
-      fault.sentence = faultSentence(fault, names);
+    for (DetectedFault& fault : report.faults) {
+      fault.sentence = faultDescription(fault, names);
     }
     return report;
   }
@@ -140,15 +140,15 @@ private:
     }
   }
 
-  std::optional<NamedFault> ofOneCamera() const {
-    std::optional<NamedFault> best;
+  std::optional<DetectedFault> ofOneCamera() const {
+    std::optional<DetectedFault> best;
     for (std::size_t c = 0; c < initialRig_.size(); ++c) {
-      if (!others_[c] || others_[c]->sigmaPx > kClean * best_) {
+      if (!others_[c] || others_[c]->sigmaPx > kAgreeingFactor * best_) {
         continue;
       }
       const PointPositions positions = triangulated(others_[c]->rig, imagePoints_, without(c));
       const auto found =
-          faultOfCamera(question_, {c, &imagePoints_, &positions, others_[c]->sigmaPx});
+          findCameraFault(question_, {c, &imagePoints_, &positions, others_[c]->sigmaPx});
       if (found && (!best || found->gain > best->gain)) {
         best = found;
       }
@@ -156,23 +156,23 @@ private:
     return best;
   }
 
-  std::optional<NamedFault> ofTwoCameras() const {
-    std::optional<NamedFault> best;
+  std::optional<DetectedFault> ofTwoCameras() const {
+    std::optional<DetectedFault> best;
     for (const Swap& swap : swaps_) {
-      if (!all_ || swap.fit.sigmaPx > kClean * best_ ||
+      if (!all_ || swap.fit.sigmaPx > kAgreeingFactor * best_ ||
           swap.fit.sigmaPx > kSwapExplains * all_->sigmaPx) {
         continue;
       }
       const double gain = static_cast<double>(swap.fit.squares.size()) *
                           (meanCost(all_->squares, best_) - meanCost(swap.fit.squares, best_));
-      if (gain > kLeastGain && (!best || gain > best->gain)) {
-        best = NamedFault{CalibrationFault::CamerasSwapped, {swap.one, swap.other}, 0.0, gain};
+      if (gain > kMinGain && (!best || gain > best->gain)) {
+        best = DetectedFault{CalibrationFault::CamerasSwapped, {swap.one, swap.other}, 0.0, gain};
       }
     }
     return best;
   }
 
-  FaultQuestion question_;
+  FaultSearchInput question_;
   ImagePoints imagePoints_;
   CameraRig initialRig_;
   std::vector<bool> everyone_;
@@ -184,15 +184,15 @@ private:
 
 } // namespace
 
-FaultReport findFaults(const FaultQuestion& question) {
+FaultReport findFaults(const FaultSearchInput& question) {
   return FaultSearch(question).run();
 }
 
 Result<FaultReport> findWandFaults(const WandProblem& problem) {
   return wandBundle(problem).map([&](const BundleProblem& bundle) {
-    FaultQuestion question;
+    FaultSearchInput question;
     question.problem = bundle;
-    question.initialSigma = {problem.initialTurnError, problem.initialPositionError};
+    question.initialSigma = {problem.initialRotationError, problem.initialPositionError};
     question.focalUnknown = problem.findFocal;
     question.unsynchronized =
         problem.findOffsets ||

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/calibration/bundle/fault.h"
-#include "core/calibration/quality/fault_question.h"
+#include "core/calibration/quality/fault_search_input.h"
 #include "core/calibration/wand/wand_calibration.h"
 
 #include <vector>
@@ -11,7 +11,7 @@ namespace dewpoint::calibration {
 
 /// Result of a search for faults.
 struct FaultReport {
-  std::vector<NamedFault> faults;
+  std::vector<DetectedFault> faults;
   double sigmaPx =
       0.0; ///< standard deviation of an image point per axis, from the cameras that agree; pixels
 };
@@ -30,7 +30,7 @@ struct FaultReport {
 /// three more faults are tested: half-pixel shifts of all cameras, lengths relative to the size of
 /// the initial rig, and the board's side and columns. With only two cameras, faults of a single
 /// camera cannot be identified and are not searched for.
-FaultReport findFaults(const FaultQuestion& question);
+FaultReport findFaults(const FaultSearchInput& question);
 
 /// Searches for faults in the observations of a wand. Errors: those of calibrateFromWand()
 /// regarding its views.

@@ -62,7 +62,7 @@ Camera changed(Camera camera, CameraQuantity quantity, double step) {
   if (index < 3) {
     const Eigen::Vector3d center = camera.center();
     camera.cameraFromWorld.linear() =
-        turnRotation(step * Eigen::Vector3d::Unit(index)) * camera.cameraFromWorld.linear();
+        rotationFromTurn(step * Eigen::Vector3d::Unit(index)) * camera.cameraFromWorld.linear();
     camera.cameraFromWorld.translation() = -camera.cameraFromWorld.linear() * center;
   } else if (index < kPoseSize) {
     const Eigen::Vector3d center = camera.center() + step * Eigen::Vector3d::Unit(index - 3);
@@ -201,8 +201,8 @@ Eigen::VectorXd cameraDifference(const std::vector<CameraColumn>& columns, const
     const int index = static_cast<int>(columns[k].quantity);
     double& value = difference[static_cast<Eigen::Index>(k)];
     if (index < 3) {
-      value = vectorOfRotation(after.cameraFromWorld.linear() *
-                               before.cameraFromWorld.linear().transpose())[index];
+      value = vectorFromRotation(after.cameraFromWorld.linear() *
+                                 before.cameraFromWorld.linear().transpose())[index];
     } else if (index < kPoseSize) {
       value = after.center()[index - 3] - before.center()[index - 3];
     } else if (columns[k].quantity == CameraQuantity::TimeOffset) {

@@ -70,15 +70,15 @@ void addCamera(std::string& html, const BoardReport::CameraPart& camera) {
   fmt::format_to(out,
                  "<h2>{}</h2>\n<p>rms {:.4f} px over {} corners in {} of {} pictures; corners in "
                  "{:.0f} % of the image",
-                 escaped(camera.name), camera.rmsPx, corners, used, camera.views.size(),
-                 inPercent(camera.coverage.imagePart()));
+                 htmlEscaped(camera.name), camera.rmsPx, corners, used, camera.views.size(),
+                 inPercent(camera.coverage.coveredFraction()));
   if (camera.projectionPx) {
     fmt::format_to(out, "; a ray is known to {:.2f} px (1 sigma) where the image is known least",
                    *camera.projectionPx);
   }
   if (camera.centerSigma && *camera.centerSigma > 0.0) {
     fmt::format_to(out, "; place ±{:.2f} mm, direction ±{:.3f}° against the first camera (1 sigma)",
-                   inMillimeters(*camera.centerSigma), inDegrees(*camera.turnSigma));
+                   inMillimeters(*camera.centerSigma), inDegrees(*camera.rotationSigma));
   }
   html += ".</p>\n";
   addParameters(html, camera);
@@ -91,13 +91,13 @@ void addCamera(std::string& html, const BoardReport::CameraPart& camera) {
 }
 
 void addReport(std::string& html, const BoardReport& report) {
-  html += fmt::format("<h1>{}</h1>\n<p>Board: <code>{}</code></p>\n", escaped(report.title),
-                      escaped(boardText(report.board)));
+  html += fmt::format("<h1>{}</h1>\n<p>Board: <code>{}</code></p>\n", htmlEscaped(report.title),
+                      htmlEscaped(boardText(report.board)));
   if (!report.accuracy.empty()) {
-    html += fmt::format("<p><b>{}</b></p>\n", escaped(report.accuracy));
+    html += fmt::format("<p><b>{}</b></p>\n", htmlEscaped(report.accuracy));
   }
   for (const std::string& notice : report.notices) {
-    html += fmt::format("<p class=\"notice\">{}.</p>\n", escaped(notice));
+    html += fmt::format("<p class=\"notice\">{}.</p>\n", htmlEscaped(notice));
   }
   if (!report.boardPoses.empty()) {
     CameraRig rig;
@@ -141,7 +141,7 @@ BoardReport reportOf(const BoardDescription& board, const ExtrinsicsResult& resu
     part.coverage = fit.coverage;
     part.views = fit.views;
     part.centerSigma = fit.centerSigma;
-    part.turnSigma = fit.turnSigma;
+    part.rotationSigma = fit.rotationSigma;
     report.cameras.push_back(std::move(part));
   }
   return report;

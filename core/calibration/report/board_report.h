@@ -23,7 +23,7 @@ struct BoardReport {
     std::optional<double>
         centerSigma; ///< standard deviation of the position, meters; if poses were estimated
     std::optional<double>
-        turnSigma; ///< standard deviation of the orientation, radians; if poses were estimated
+        rotationSigma; ///< standard deviation of the orientation, radians; if poses were estimated
   };
 
   std::string title;

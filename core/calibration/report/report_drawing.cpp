@@ -68,7 +68,7 @@ td, th {{ padding: .1rem .9rem .1rem 0; text-align: left; border-bottom: 1px sol
 } // namespace
 
 std::string pageHead(const std::string& title) {
-  return fmt::format(kHead, escaped(title));
+  return fmt::format(kHead, htmlEscaped(title));
 }
 
 std::string residualDrawing(const Intrinsics& image, const std::vector<ImageResidual>& residuals) {
@@ -121,7 +121,7 @@ std::string coverageDrawing(const Intrinsics& image, const BoardCoverage& covera
   }
   for (std::size_t k = 0; k < notes.size(); ++k) {
     fmt::format_to(out, "<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", width + 16.0,
-                   18.0 + 20.0 * static_cast<double>(k), escaped(notes[k]));
+                   18.0 + 20.0 * static_cast<double>(k), htmlEscaped(notes[k]));
   }
   return svg + "</svg>\n";
 }
@@ -144,9 +144,9 @@ std::string errorDrawing(const std::vector<ViewFit>& views) {
                    "<text x=\"0\" y=\"{0:.1f}\">{1}</text><rect class=\"{2}\" x=\"{3:.1f}\" "
                    "y=\"{4:.1f}\" width=\"{5:.1f}\" height=\"{6}\"/><text x=\"{7:.1f}\" "
                    "y=\"{0:.1f}\">{8}</text>\n",
-                   y + kBarHeight - 2.0, escaped(view.name), kind, 0.3 * kDrawingWidth, y,
+                   y + kBarHeight - 2.0, htmlEscaped(view.name), kind, 0.3 * kDrawingWidth, y,
                    view.used ? width : 0.0, kBarHeight,
-                   0.3 * kDrawingWidth + (view.used ? width : 0.0) + 4.0, escaped(words));
+                   0.3 * kDrawingWidth + (view.used ? width : 0.0) + 4.0, htmlEscaped(words));
     y += kBarHeight + 2.0;
   }
   return svg + "</svg>\n";

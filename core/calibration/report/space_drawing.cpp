@@ -107,7 +107,7 @@ std::string drawn(const SpaceScene& scene, const Eigen::Matrix<double, 2, 3>& vi
   for (const Label& words : scene.labels) {
     const Eigen::Vector2d at = toDrawing(words.at);
     fmt::format_to(out, "<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", at.x() + 4.0, at.y() - 4.0,
-                   escaped(words.text));
+                   htmlEscaped(words.text));
   }
   double bar = std::pow(10.0, std::floor(std::log10(0.3 * kDrawingWidth / scale)));
   bar *= 5.0 * bar * scale < 0.3 * kDrawingWidth   ? 5.0

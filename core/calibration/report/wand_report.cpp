@@ -30,7 +30,7 @@ std::vector<std::vector<ImageResidual>> residualsOf(const WandResult& result) {
 }
 
 /// A stick is drawn where it was; a ball as the way it took, cut at gaps.
-std::vector<SpaceLine> wayOf(const WandResult& result) {
+std::vector<SpaceLine> wandPath(const WandResult& result) {
   std::vector<SpaceLine> lines;
   const auto& states = result.bundle.states;
   const auto& bodies = result.problem.bodies;
@@ -56,7 +56,7 @@ std::vector<SpaceLine> wayOf(const WandResult& result) {
   return lines;
 }
 
-void addFigures(std::string& html, const WandReport& report) {
+void addStatistics(std::string& html, const WandReport& report) {
   const WandResult& result = report.result;
   html += "<table><tr><th>camera</th><th>views</th><th>dropped</th><th>rms px</th>"
           "<th>median px</th><th>moved cm</th><th>rotated</th>";
@@ -68,7 +68,7 @@ void addFigures(std::string& html, const WandReport& report) {
     fmt::format_to(out,
                    "<tr><td>{}</td><td>{}</td><td>{}</td><td>{:.3f}</td><td>{:.3f}</td>"
                    "<td>{:.2f}</td><td>{:.2f}°</td>",
-                   escaped(camera.name), result.views[c], result.dropped[c],
+                   htmlEscaped(camera.name), result.views[c], result.dropped[c],
                    result.bundle.cameraRms.at(c), result.cameraMedianPx[c],
                    inCentimeters(shift.meters), inDegrees(shift.radians));
     if (report.offsetsFound) {
@@ -85,11 +85,12 @@ void addCamera(std::string& html, const Camera& camera, const std::vector<ImageR
       std::back_inserter(html),
       "<h2>{}</h2>\n<h3>Residuals</h3><p>Arrows from the projected to the detected positions of "
       "the ball.</p>\n",
-      escaped(camera.name));
+      htmlEscaped(camera.name));
   html += residualDrawing(camera.intrinsics, residuals);
   html += "<h3>Coverage</h3><p>Detections of balls in each part of the image.</p>\n";
-  html += coverageDrawing(camera.intrinsics, coverage,
-                          {fmt::format("{:.0f} % of the image", inPercent(coverage.imagePart()))});
+  html += coverageDrawing(
+      camera.intrinsics, coverage,
+      {fmt::format("{:.0f} % of the image", inPercent(coverage.coveredFraction()))});
 }
 
 } // namespace
@@ -99,14 +100,14 @@ std::string htmlText(const WandReport& report) {
   const std::string title =
       fmt::format("Poses of {} cameras, calibrated with a wand", result.cameras.size());
   std::string html = pageHead(title);
-  html += fmt::format("<h1>{}</h1>\n<p><strong>{}</strong></p>\n", escaped(title),
-                      escaped(report.accuracy));
-  for (const NamedFault& fault : result.faults) {
-    html += fmt::format("<p class=\"notice\">{}</p>\n", escaped(fault.sentence));
+  html += fmt::format("<h1>{}</h1>\n<p><strong>{}</strong></p>\n", htmlEscaped(title),
+                      htmlEscaped(report.accuracy));
+  for (const DetectedFault& fault : result.faults) {
+    html += fmt::format("<p class=\"notice\">{}</p>\n", htmlEscaped(fault.sentence));
   }
-  addFigures(html, report);
-  html +=
-      "<h2>In space</h2>\n" + spaceDrawing(result.cameras, wayOf(result), "cameras and the wand");
+  addStatistics(html, report);
+  html += "<h2>In space</h2>\n" +
+          spaceDrawing(result.cameras, wandPath(result), "cameras and the wand");
   const auto residuals = residualsOf(result);
   for (std::size_t c = 0; c < result.cameras.size(); ++c) {
     addCamera(html, result.cameras[c], residuals[c], report.coverage.at(c));

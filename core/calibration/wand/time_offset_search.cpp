@@ -40,7 +40,7 @@ Track trackOf(const WandProblem& problem, std::size_t camera, std::size_t ball) 
   const Unprojector unprojector(problem.initialRig[camera]);
   Track track{unprojector.center(), {}};
   for (const MarkerObservation& view : problem.views[camera]) {
-    const auto direction = unprojector.rayWorld(view.pixel);
+    const auto direction = unprojector.worldDirection(view.pixel);
     if (view.ball == ball && direction && std::isfinite(view.time)) {
       track.directions.push_back({view.time, *direction});
     }

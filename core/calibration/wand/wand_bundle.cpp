@@ -148,8 +148,8 @@ BundleProblem thinned(const BundleProblem& problem, int most, bool inRuns) {
   return fewer;
 }
 
-void correctOutlines(const std::array<double, 2>& ballRadius, const BundleResult& now,
-                     BundleProblem& problem) {
+void updateOutlineShifts(const std::array<double, 2>& ballRadius, const BundleResult& now,
+                         BundleProblem& problem) {
   std::vector<SphereProjector> projectors;
   for (const Camera& camera : now.cameras) {
     projectors.emplace_back(camera);
@@ -165,8 +165,8 @@ void correctOutlines(const std::array<double, 2>& ballRadius, const BundleResult
   }
 }
 
-std::size_t dropWorst(const BundleResult& now, double limit, BundleProblem& problem,
-                      std::vector<std::size_t>& dropped) {
+std::size_t dropWorstObservations(const BundleResult& now, double limit, BundleProblem& problem,
+                                  std::vector<std::size_t>& dropped) {
   const std::size_t count = problem.observations.size();
   std::vector<std::size_t> worst(problem.states.size(), count);
   for (std::size_t i = 0; i < count; ++i) {

@@ -18,13 +18,13 @@ BundleProblem thinned(const BundleProblem& problem, int most, bool inRuns);
 
 /// Sets the outlineShift of every observation based on the current cameras and states. `ballRadius`
 /// is in meters.
-void correctOutlines(const std::array<double, 2>& ballRadius, const BundleResult& now,
-                     BundleProblem& problem);
+void updateOutlineShifts(const std::array<double, 2>& ballRadius, const BundleResult& now,
+                         BundleProblem& problem);
 
 /// Drops the worst observation of each state if its residual exceeds `limit` pixels. Returns the
 /// number of dropped observations; `dropped` counts them per camera.
-std::size_t dropWorst(const BundleResult& now, double limit, BundleProblem& problem,
-                      std::vector<std::size_t>& dropped);
+std::size_t dropWorstObservations(const BundleResult& now, double limit, BundleProblem& problem,
+                                  std::vector<std::size_t>& dropped);
 
 /// Returns the median length of the residuals of used observations in pixels, for one camera or for
 /// all.

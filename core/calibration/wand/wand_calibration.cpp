@@ -105,8 +105,8 @@ private:
           rig[c].center() +
           share * given_.initialPositionError * Eigen::Vector3d(place[0], place[1], place[2]);
       auto& pose = rig[c].cameraFromWorld;
-      pose.linear() = turnRotation(share * given_.initialTurnError *
-                                   Eigen::Vector3d(turn[0], turn[1], turn[2])) *
+      pose.linear() = rotationFromTurn(share * given_.initialRotationError *
+                                       Eigen::Vector3d(turn[0], turn[1], turn[2])) *
                       pose.linear();
       pose.translation() = -pose.linear() * center;
     }
@@ -134,7 +134,7 @@ private:
       for (std::size_t c = 0; c < rig.size(); ++c) {
         bundle.cameras[c].camera = now->cameras[c];
       }
-      correctOutlines(given_.ballRadius, *now, bundle);
+      updateOutlineShifts(given_.ballRadius, *now, bundle);
     }
     return now;
   }
@@ -204,7 +204,7 @@ private:
   /// Everything that is asked for, on all views; gross errors are dropped round after round.
   Status narrow(BundleProblem bundle) {
     const bool inTime = followsInTime(bundle); // then an instant costs far more
-    bundle = thinned(bundle, given_.mostInstants / (inTime ? 2 : 1), inTime);
+    bundle = thinned(bundle, given_.maxInstants / (inTime ? 2 : 1), inTime);
     freeRequested(bundle);
     setStick(bundle, kTightStick);
     result_.dropped.assign(bundle.cameras.size(), 0);
@@ -224,12 +224,12 @@ private:
       if (!bundle.draft) {
         break;
       }
-      const bool clean = dropWorst(result_.bundle, limit, bundle, result_.dropped) == 0;
+      const bool clean = dropWorstObservations(result_.bundle, limit, bundle, result_.dropped) == 0;
       for (std::size_t c = 0; c < bundle.cameras.size(); ++c) {
         bundle.cameras[c].camera = result_.bundle.cameras[c];
         bundle.cameras[c].offset = result_.bundle.offsets[c];
       }
-      correctOutlines(given_.ballRadius, result_.bundle, bundle);
+      updateOutlineShifts(given_.ballRadius, result_.bundle, bundle);
       bundle.draft = !(clean && round > 0) && round + 2 < kMostRounds;
     }
     return {};
@@ -240,7 +240,7 @@ private:
     const bool sized = given_.scale == WandScale::InitialRig && given_.stickLength <= 0.0;
     const Similarity back = fitRigSimilarity(result_.bundle.cameras, given_.initialRig, sized);
     moveWorld(back, result_.bundle);
-    const auto scale = scaleOf(given_, result_.problem, result_.bundle);
+    const auto scale = estimateScale(given_, result_.problem, result_.bundle);
     if (!scale) {
       return tl::make_unexpected(scale.error());
     }

@@ -48,15 +48,15 @@ struct WandProblem {
   WandScale scale = WandScale::InitialRig;
   TouchedDistance distance;       ///< for WandScale::Distance
   std::vector<double> floorTimes; ///< times when ball 0 lay on the floor or touched it, seconds
-  std::optional<std::array<double, 2>> drop; ///< time span in which ball 0 fell freely, seconds
-  bool findOffsets = false;       ///< estimate time offsets of the cameras relative to the first
-  bool findFocal = false;         ///< estimate focal lengths, keeping their ratio
-  bool findDistortion = false;    ///< estimate k1 for every camera
-  double initialTurnError = 0.06; ///< expected error of the initial rig's orientations, radians
+  std::optional<std::array<double, 2>> fallSpan; ///< time span in which ball 0 fell freely, seconds
+  bool findOffsets = false;    ///< estimate time offsets of the cameras relative to the first
+  bool findFocal = false;      ///< estimate focal lengths, keeping their ratio
+  bool findDistortion = false; ///< estimate k1 for every camera
+  double initialRotationError = 0.06; ///< expected error of the initial rig's orientations, radians
   double initialPositionError = 0.12; ///< expected error of the initial rig's positions, meters
   int starts = 6;         ///< number of starts: the initial rig and perturbed copies of it
   std::uint64_t seed = 1; ///< random seed for the perturbations
-  int mostInstants = 900; ///< maximum number of instants used, spread evenly over the recording
+  int maxInstants = 900;  ///< maximum number of instants used, spread evenly over the recording
 };
 
 /// Quality of the solution obtained from one start.
@@ -66,7 +66,7 @@ struct WandStart {
 };
 
 /// Measurements made during a free fall.
-struct WandDrop {
+struct FreeFall {
   double gravity =
       0.0; ///< measured acceleration, meters per second squared; 9.81 if the scale is correct
   double sigma = 0.0;       ///< standard deviation of `gravity`
@@ -88,13 +88,13 @@ struct WandResult {
   double scaleSigma = 0.0;  ///< relative standard deviation of the scale; 0: unknown
   bool floorFound = false;
   double floorRms = 0.0; ///< RMS distance of the touched positions from the floor plane, meters
-  std::optional<WandDrop> drop;
-  double upRotated =
+  std::optional<FreeFall> freeFall;
+  double upCorrectionAngle =
       0.0; ///< angle between the upward directions of the initial rig and of the result, radians
-  BundleProblem problem;               ///< last adjusted problem, in the world frame of the result
-  BundleResult bundle;                 ///< solution of `problem`, with the covariance
-  double seconds = 0.0;                ///< computation time, seconds
-  std::vector<NamedFault> faults = {}; ///< filled by findWandFaults()
+  BundleProblem problem; ///< last adjusted problem, in the world frame of the result
+  BundleResult bundle;   ///< solution of `problem`, with the covariance
+  double seconds = 0.0;  ///< computation time, seconds
+  std::vector<DetectedFault> faults = {}; ///< filled by findWandFaults()
 };
 
 /// Progress of the computation. The callback returns false to stop the computation.

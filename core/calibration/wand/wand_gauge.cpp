@@ -25,28 +25,29 @@ constexpr std::size_t kFewestOfFall = 5;
 constexpr double kEdgePx = 0.05;
 constexpr double kFlatEnough = 0.05; ///< meters that floor touches must spread in both directions
 
-tl::unexpected<Error> notSeen(const char* field, double time) {
+tl::unexpected<Error> ballNotSeenError(const char* field, double time) {
   return failure(ErrorCode::Undetermined, "", field,
                  fmt::format("the ball is not seen by two cameras at {:.2f} s", time));
 }
 
-Result<ScaleFound> scaleOfDistance(const WandProblem& problem, const BundleResult& now) {
-  const auto first = ballAt(now, problem.distance.firstTime);
-  const auto second = ballAt(now, problem.distance.secondTime);
+Result<ScaleEstimate> scaleOfDistance(const WandProblem& problem, const BundleResult& now) {
+  const auto first = ballPositionAt(now, problem.distance.firstTime);
+  const auto second = ballPositionAt(now, problem.distance.secondTime);
   if (!first || !second) {
-    return notSeen("distance", first ? problem.distance.secondTime : problem.distance.firstTime);
+    return ballNotSeenError("distance",
+                            first ? problem.distance.secondTime : problem.distance.firstTime);
   }
   const double seen = (*second - *first).norm();
   if (!(problem.distance.meters > 0.0) || !(seen > 0.0)) {
     return failure(ErrorCode::BadValue, "", "distance", "it must be more than zero");
   }
   // A millimeter at either end, as a hand holds a ball to a mark.
-  return ScaleFound{problem.distance.meters / seen, 0.0015 / problem.distance.meters};
+  return ScaleEstimate{problem.distance.meters / seen, 0.0015 / problem.distance.meters};
 }
 
 /// Apparent against expected radius. The median: a hidden or blurred ball is too small or large.
-Result<ScaleFound> scaleOfDiameter(const WandProblem& problem, const BundleProblem& bundle,
-                                   const BundleResult& now) {
+Result<ScaleEstimate> scaleOfDiameter(const WandProblem& problem, const BundleProblem& bundle,
+                                      const BundleResult& now) {
   std::vector<SphereProjector> projectors;
   for (const Camera& camera : now.cameras) {
     projectors.emplace_back(camera);
@@ -76,7 +77,7 @@ Result<ScaleFound> scaleOfDiameter(const WandProblem& problem, const BundleProbl
     return ratios[static_cast<std::size_t>(share * (count - 1.0))];
   };
   const double spread = 0.5 * (at(0.84) - at(0.16)) / std::sqrt(count);
-  return ScaleFound{at(0.5), std::hypot(spread, kEdgePx * count / pixels)};
+  return ScaleEstimate{at(0.5), std::hypot(spread, kEdgePx * count / pixels)};
 }
 
 /// Rotates `up` to Z and leaves the rest as it was.
@@ -87,7 +88,7 @@ Similarity toUpright(const Eigen::Vector3d& up) {
 }
 
 /// Fits place = a + b t + c t² to the fall: acceleration 2 c.
-Result<WandDrop> fall(const std::array<double, 2>& when, const BundleResult& now,
+Result<FreeFall> fall(const std::array<double, 2>& when, const BundleResult& now,
                       Eigen::Vector3d& acceleration) {
   std::vector<const BundleState*> seen;
   for (const BundleState& state : now.states) {
@@ -111,19 +112,19 @@ Result<WandDrop> fall(const std::array<double, 2>& when, const BundleResult& now
   }
   const Eigen::MatrixXd fitted = geometry::leastSquares(powers, positions);
   acceleration = 2.0 * fitted.row(2).transpose();
-  const double freedoms = static_cast<double>(3 * std::max<Eigen::Index>(rows - 3, 1));
-  const double variance = (powers * fitted - positions).squaredNorm() / freedoms;
+  const double degreesOfFreedom = static_cast<double>(3 * std::max<Eigen::Index>(rows - 3, 1));
+  const double variance = (powers * fitted - positions).squaredNorm() / degreesOfFreedom;
   const Eigen::Matrix3d inverse = (powers.transpose() * powers).inverse();
-  return WandDrop{acceleration.norm(), 2.0 * std::sqrt(variance * inverse(2, 2)), seen.size()};
+  return FreeFall{acceleration.norm(), 2.0 * std::sqrt(variance * inverse(2, 2)), seen.size()};
 }
 
 Result<Similarity> onFloor(const WandProblem& problem, const BundleResult& now,
                            const Eigen::Vector3d& fallUp, WandResult& result) {
   std::vector<Eigen::Vector3d> touches;
   for (const double time : problem.floorTimes) {
-    const auto position = ballAt(now, time);
+    const auto position = ballPositionAt(now, time);
     if (!position) {
-      return notSeen("floor", time);
+      return ballNotSeenError("floor", time);
     }
     touches.push_back(*position);
   }
@@ -215,7 +216,8 @@ void moveWorld(const Similarity& change, BundleResult& result) {
   }
 }
 
-std::optional<Eigen::Vector3d> ballAt(const BundleResult& now, double time, std::size_t ball) {
+std::optional<Eigen::Vector3d> ballPositionAt(const BundleResult& now, double time,
+                                              std::size_t ball) {
   std::vector<Eigen::Vector3d> positions;
   for (const BundleState& state : now.states) {
     if (state.known && std::abs(state.time - time) <= kTouchSeconds) {
@@ -225,36 +227,36 @@ std::optional<Eigen::Vector3d> ballAt(const BundleResult& now, double time, std:
   return positions.empty() ? std::nullopt : std::optional(geometry::meanVector(positions));
 }
 
-Result<ScaleFound> scaleOf(const WandProblem& problem, const BundleProblem& bundle,
-                           const BundleResult& now) {
+Result<ScaleEstimate> estimateScale(const WandProblem& problem, const BundleProblem& bundle,
+                                    const BundleResult& now) {
   switch (problem.scale) {
   case WandScale::Distance:
     return scaleOfDistance(problem, now);
   case WandScale::Diameter:
     return scaleOfDiameter(problem, bundle, now);
   case WandScale::Stick: // a stick is measured to half a millimeter
-    return ScaleFound{1.0, problem.stickLength > 0.0 ? 5e-4 / problem.stickLength : 0.0};
+    return ScaleEstimate{1.0, problem.stickLength > 0.0 ? 5e-4 / problem.stickLength : 0.0};
   default:
-    return ScaleFound{};
+    return ScaleEstimate{};
   }
 }
 
 Result<Similarity> uprightWorld(const WandProblem& problem, const BundleResult& now,
                                 WandResult& result) {
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
-  if (problem.drop) {
+  if (problem.fallSpan) {
     Eigen::Vector3d acceleration;
-    const auto fell = fall(*problem.drop, now, acceleration);
+    const auto fell = fall(*problem.fallSpan, now, acceleration);
     if (!fell) {
       return tl::make_unexpected(fell.error());
     }
-    result.drop = *fell;
+    result.freeFall = *fell;
     up = -acceleration.normalized();
   }
   const auto change = problem.floorTimes.empty() ? Result<Similarity>(toUpright(up))
                                                  : onFloor(problem, now, up, result);
   if (change) {
-    result.upRotated = std::acos(std::clamp(change->rotation(2, 2), -1.0, 1.0));
+    result.upCorrectionAngle = std::acos(std::clamp(change->rotation(2, 2), -1.0, 1.0));
   }
   return change;
 }

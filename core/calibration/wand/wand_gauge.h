@@ -17,18 +17,19 @@ void moveWorld(const Similarity& change, BundleResult& result);
 
 /// Returns the mean position of ball `ball` within a tenth of a second of `time`, or nothing if the
 /// ball was not seen.
-std::optional<Eigen::Vector3d> ballAt(const BundleResult& now, double time, std::size_t ball = 0);
+std::optional<Eigen::Vector3d> ballPositionAt(const BundleResult& now, double time,
+                                              std::size_t ball = 0);
 
 /// Scale factor determined from the scale source of the problem, with its relative standard
 /// deviation. The factor is 1 for the stick (the adjustment already uses its length) and for the
 /// initial rig.
-struct ScaleFound {
+struct ScaleEstimate {
   double factor = 1.0;
   double sigma = 0.0;
 };
 /// Determines the scale factor of a solution from the scale source of the problem.
-Result<ScaleFound> scaleOf(const WandProblem& problem, const BundleProblem& bundle,
-                           const BundleResult& now);
+Result<ScaleEstimate> estimateScale(const WandProblem& problem, const BundleProblem& bundle,
+                                    const BundleResult& now);
 
 /// Returns the change of the world frame (already metric) based on the floor touches or the fall;
 /// the identity if there are neither. Stores its findings in `result`.

@@ -35,7 +35,7 @@ Similarity rotationOfWorld(const Eigen::Matrix3d& rotation) {
 }
 
 Eigen::Matrix3d turnAboutVertical(double radians) {
-  return rotationOfVector(Eigen::Vector3d(0.0, 0.0, radians));
+  return rotationFromVector(Eigen::Vector3d(0.0, 0.0, radians));
 }
 
 /// The turn about the vertical that brings a horizontal direction onto the x axis.

@@ -87,7 +87,7 @@ AgreementModel::instantsOf(std::size_t color, std::size_t camera, std::size_t ca
   const SightingHistory& history = histories_[color][camera];
   const double focal = focals_[calibration];
   const double anyShape = radii_[color] > 0.0 ? 0.0 : kAnyShape;
-  const std::size_t stride = history.counted() / kMostCounted + 1;
+  const std::size_t stride = history.countedSightings() / kMostCounted + 1;
   std::size_t counted = 0;
   std::vector<Instant> instants;
   instants.reserve(history.images().size());
@@ -103,8 +103,8 @@ AgreementModel::instantsOf(std::size_t color, std::size_t camera, std::size_t ca
       SeenRegion seen{sighting.direction, sighting.directionRate, radius / focal,
                       uncertain / focal,  bias / focal,           counts};
       if (calibration != camera) {
-        const auto direction = unprojectors_[calibration].rayWorld(center);
-        const auto next = unprojectors_[calibration].rayWorld(center + kStep * sighting.rate);
+        const auto direction = unprojectors_[calibration].worldDirection(center);
+        const auto next = unprojectors_[calibration].worldDirection(center + kStep * sighting.rate);
         if (!direction || !next) {
           continue;
         }
@@ -151,7 +151,7 @@ void AgreementModel::compare(const Views& views, const std::vector<Pose>& poses,
   const std::size_t count = poses.size();
   std::vector<Eigen::Matrix3d> rotations;
   for (std::size_t k = 0; k < count; ++k) {
-    rotations.push_back(poses[k].worldFromCamera * geometry::rotationOfVector(-errors[k].turn));
+    rotations.push_back(poses[k].worldFromCamera * geometry::rotationFromVector(-errors[k].turn));
   }
   std::vector<RegionMatch> matches;
   for (std::size_t color = 0; color < views.size(); ++color) {
@@ -230,9 +230,9 @@ void AgreementModel::Sums::add(std::size_t a, std::size_t b, const Slope& slope,
   gradient.segment<4>(atB) -= share * residual * slope.tail<4>();
 }
 
-AgreementFit AgreementModel::evaluated(const Views& views, const std::vector<Pose>& poses,
-                                       const Eigen::VectorXd& unknowns, double widening,
-                                       Sums& sums) const {
+AgreementFit AgreementModel::evaluate(const Views& views, const std::vector<Pose>& poses,
+                                      const Eigen::VectorXd& unknowns, double widening,
+                                      Sums& sums) const {
   const std::size_t count = cameras_.size();
   // Of what pairs of cameras say, so much is new: an object's position takes three numbers.
   const double pairCount = 0.5 * static_cast<double>(count * (count - 1));
@@ -332,7 +332,7 @@ AgreementFit AgreementModel::fit(const AgreementHypothesis& hypothesis) const {
   std::optional<AgreementFit> best;
   for (const double widening : widenings) {
     Sums sums{priors.asDiagonal(), -(priors.array() * unknowns.array()).matrix()};
-    AgreementFit now = evaluated(views, poses, unknowns, widening, sums);
+    AgreementFit now = evaluate(views, poses, unknowns, widening, sums);
     now.logPrior = -0.5 * (priors.array() * unknowns.array().square()).sum();
     if (widening == 0.0 &&
         (!best || now.logLikelihood + now.logPrior > best->logLikelihood + best->logPrior)) {
@@ -349,7 +349,7 @@ AgreementFit AgreementModel::fit(const AgreementHypothesis& hypothesis) const {
   return std::move(*best);
 }
 
-double AgreementModel::roughly(std::size_t camera, double delay) const {
+double AgreementModel::roughLogLikelihood(std::size_t camera, double delay) const {
   std::vector<CameraError> errors(cameras_.size());
   errors[camera].delay = delay;
   double sum = 0.0;

@@ -78,7 +78,7 @@ public:
   AgreementFit fit(const AgreementHypothesis& hypothesis) const;
   /// Returns a rough log likelihood of a camera's delay without fitting anything, based on the
   /// pairs that include the camera.
-  double roughly(std::size_t camera, double delay) const;
+  double roughLogLikelihood(std::size_t camera, double delay) const;
 
   /// Returns the median ratio of measured to known size over the regions that agree under these
   /// errors. Returns nothing if there are only a few.
@@ -113,8 +113,8 @@ private:
   Eigen::VectorXd priorInformation(const AgreementHypothesis& hypothesis, const Views& views) const;
   /// Returns the likelihood at given errors for each pair of cameras. Adds to the normal equations
   /// at that point.
-  AgreementFit evaluated(const Views& views, const std::vector<Pose>& poses,
-                         const Eigen::VectorXd& unknowns, double widening, Sums& sums) const;
+  AgreementFit evaluate(const Views& views, const std::vector<Pose>& poses,
+                        const Eigen::VectorXd& unknowns, double widening, Sums& sums) const;
   void summarizePairs(AgreementFit& fit) const;
   /// Returns the usual bias of a camera's sightings that count.
   static double biasOf(const Views& views, std::size_t camera);

@@ -119,7 +119,7 @@ void addLate(const AgreementModel& model, Candidates& candidates) {
     hypothesis.freeDelay = camera;
     double best = -1e18;
     for (double delay = earliest; delay <= kMostDelay; delay += step) {
-      if (const double value = model.roughly(camera, delay); value > best) {
+      if (const double value = model.roughLogLikelihood(camera, delay); value > best) {
         best = value;
         hypothesis.initialDelay = delay;
       }
@@ -173,11 +173,11 @@ void addUnknown(const AgreementModel& model, const AgreementFit& asDeclared,
 
 } // namespace
 
-bool isGood(const AgreementFit& asDeclared) {
+bool isGoodFit(const AgreementFit& asDeclared) {
   return asDeclared.leastMean > kWellExplained && asDeclared.logPrior > kUsualErrors;
 }
 
-bool isBad(const AgreementFit& asDeclared) {
+bool isBadFit(const AgreementFit& asDeclared) {
   return asDeclared.leastMean < kUnexplained;
 }
 

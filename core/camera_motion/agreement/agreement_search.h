@@ -12,9 +12,9 @@ namespace dewpoint::camera_motion {
 
 /// Returns whether the rig as declared explains the sightings well, with errors that are usual for
 /// calibrations.
-bool isGood(const AgreementFit& asDeclared);
+bool isGoodFit(const AgreementFit& asDeclared);
 /// Returns whether the rig as declared explains hardly any of the sightings.
-bool isBad(const AgreementFit& asDeclared);
+bool isBadFit(const AgreementFit& asDeclared);
 
 /// Finds a fault that explains the sightings clearly better than the declared rig (log odds of at
 /// least kLeastLogOdds) and than every other fault (by at least kLeastLead). If several faults

@@ -54,7 +54,7 @@ void CameraAgreement::restart() {
   sparse_ = false;
 }
 
-void CameraAgreement::takeColors(const std::vector<Target>& targets) {
+void CameraAgreement::updateColors(const std::vector<Target>& targets) {
   std::vector<ColorRanges> colors;
   std::vector<double> radii;
   for (const Target& target : targets) {
@@ -89,7 +89,7 @@ void CameraAgreement::watch(const FrameSet& frames, const std::vector<Target>& t
   if (rig_.size() < 2 || (sparse_ && now < due_ - kCheckWindow)) {
     return;
   }
-  takeColors(targets);
+  updateColors(targets);
   for (std::size_t k = 0; k < std::min(rig_.size(), frames.frames.size()); ++k) {
     const FramePtr& frame = frames.frames[k];
     const Intrinsics& in = rig_[k].intrinsics;
@@ -111,13 +111,13 @@ void CameraAgreement::watch(const FrameSet& frames, const std::vector<Target>& t
   }
 }
 
-bool CameraAgreement::tellsSomething() const {
+bool CameraAgreement::hasEnoughSightings() const {
   std::size_t counted = 0;
   double regions = 0.0;
   double images = 0.0;
   for (const auto& color : histories_) {
     for (const SightingHistory& history : color) {
-      counted += history.counted();
+      counted += history.countedSightings();
       for (const SightingImage& image : history.images()) {
         regions += static_cast<double>(image.regions.size());
         images += image.regions.empty() ? 0.0 : 1.0;
@@ -128,23 +128,23 @@ bool CameraAgreement::tellsSomething() const {
 }
 
 void CameraAgreement::check(double time) {
-  if (!tellsSomething()) {
-    checkSparsely(sparse_);
+  if (!hasEnoughSightings()) {
+    setSparseChecking(sparse_);
     return;
   }
   const AgreementModel model(rig_, histories_, radii_);
   const AgreementFit asDeclared = model.fit({});
   if (asDeclared.leastMean == 0.0) {
-    checkSparsely(sparse_); // hardly ever seen at one instant
-  } else if (isGood(asDeclared)) {
-    takeGood(model, asDeclared, time);
+    setSparseChecking(sparse_); // hardly ever seen at one instant
+  } else if (isGoodFit(asDeclared)) {
+    onGoodFit(model, asDeclared, time);
   } else {
     sparse_ = false;
-    takeDoubtful(model, asDeclared, time);
+    onDoubtfulFit(model, asDeclared, time);
   }
 }
 
-void CameraAgreement::checkSparsely(bool sparse) {
+void CameraAgreement::setSparseChecking(bool sparse) {
   sparse_ = sparse;
   if (sparse_) {
     for (auto& color : histories_) {
@@ -155,28 +155,28 @@ void CameraAgreement::checkSparsely(bool sparse) {
   }
 }
 
-void CameraAgreement::takeGood(const AgreementModel& model, const AgreementFit& asDeclared,
-                               double time) {
+void CameraAgreement::onGoodFit(const AgreementModel& model, const AgreementFit& asDeclared,
+                                double time) {
   badSince_.reset();
   unclearSince_.reset();
   suspected_.reset();
   wait_ = kEvery;
   goodSince_ = goodSince_.value_or(time);
   const auto ratio = model.sizeRatio(asDeclared.errors);
-  const double unit = ratio ? unitOfRatio(*ratio) : 0.0;
+  const double unit = ratio ? unitFromRatio(*ratio) : 0.0;
   if (unit > 0.0) {
     report(CameraDisagreement{.fault = CameraFault::Unit, .scale = unit});
   } else if (time - *goodSince_ >= kGoodAgain) {
     report(std::nullopt);
   }
   const bool isQuiet = found_.size() == ofRig_;
-  checkSparsely(sparse_ || (isQuiet && time - *goodSince_ >= kSparseAfter));
+  setSparseChecking(sparse_ || (isQuiet && time - *goodSince_ >= kSparseAfter));
 }
 
-void CameraAgreement::takeDoubtful(const AgreementModel& model, const AgreementFit& asDeclared,
-                                   double time) {
+void CameraAgreement::onDoubtfulFit(const AgreementModel& model, const AgreementFit& asDeclared,
+                                    double time) {
   goodSince_.reset();
-  badSince_ = isBad(asDeclared) ? std::optional(badSince_.value_or(time)) : std::nullopt;
+  badSince_ = isBadFit(asDeclared) ? std::optional(badSince_.value_or(time)) : std::nullopt;
   unclearSince_ = unclearSince_.value_or(time);
   const bool isNamed = found_.size() > ofRig_ && found_.back().fault != CameraFault::Unknown;
   if (isNamed) {

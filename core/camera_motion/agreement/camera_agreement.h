@@ -35,14 +35,14 @@ public:
   void restart();
 
 private:
-  void takeColors(const std::vector<Target>& targets);
+  void updateColors(const std::vector<Target>& targets);
   /// Returns whether enough regions were seen, but not too many in one image.
-  bool tellsSomething() const;
+  bool hasEnoughSightings() const;
   void check(double time);
-  void takeGood(const AgreementModel& model, const AgreementFit& asDeclared, double time);
-  void takeDoubtful(const AgreementModel& model, const AgreementFit& asDeclared, double time);
+  void onGoodFit(const AgreementModel& model, const AgreementFit& asDeclared, double time);
+  void onDoubtfulFit(const AgreementModel& model, const AgreementFit& asDeclared, double time);
   /// Sets whether the rig is checked only occasionally from now on.
-  void checkSparsely(bool sparse);
+  void setSparseChecking(bool sparse);
   void report(const std::optional<CameraDisagreement>& seen);
 
   CameraRig rig_;

@@ -120,7 +120,7 @@ void ColorRegionSearch::scanRow(const cv::Mat& image, int row, int step) {
   std::swap(above_, here_);
 }
 
-void ColorRegionSearch::joinNear() {
+void ColorRegionSearch::mergeNearRegions() {
   for (std::size_t i = 0; i < sums_.size(); ++i) {
     for (std::size_t j = i + 1; j < sums_.size();) {
       const double reach = kJoined * (sums_[i].radius() + sums_[j].radius());
@@ -177,7 +177,7 @@ const std::vector<ColorRegion>& ColorRegionSearch::find(const cv::Mat& image) {
   std::ranges::stable_sort(sums_, std::ranges::greater(), &Sums::area);
   constexpr std::size_t kMostParts = 4 * kMost; // of which regions are joined
   sums_.resize(std::min(sums_.size(), kMostParts));
-  joinNear();
+  mergeNearRegions();
   std::ranges::stable_sort(sums_, std::ranges::greater(), &Sums::area);
   sums_.resize(std::min(sums_.size(), kMost));
   for (const Sums& sums : sums_) {

@@ -54,7 +54,7 @@ private:
   };
   std::size_t rootOf(std::size_t part);
   void scanRow(const cv::Mat& image, int row, int step);
-  void joinNear();
+  void mergeNearRegions();
   ColorRegion regionOf(const Sums& sums, const cv::Mat& image, int step) const;
 
   ColorClassifier classifier_;

@@ -10,7 +10,7 @@
 
 namespace dewpoint::camera_motion {
 
-std::string disagreementSentence(const CameraDisagreement& found, const CameraRig& rig) {
+std::string describeDisagreement(const CameraDisagreement& found, const CameraRig& rig) {
   const auto name = [&](std::size_t i) {
     const std::size_t camera = found.cameras.at(i);
     return geometry::nameOrNumber(rig[camera], camera);

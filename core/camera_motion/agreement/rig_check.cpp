@@ -33,7 +33,7 @@ bool haveSamePose(const Camera& a, const Camera& b) {
 
 } // namespace
 
-double unitOfRatio(double ratio) {
+double unitFromRatio(double ratio) {
   for (const double unit : std::array{kMillimeter, kCentimeter, kInch}) {
     const double off = ratio * unit;
     if (off < kUnitTolerance && off > 1.0 / kUnitTolerance) {
@@ -46,7 +46,7 @@ double unitOfRatio(double ratio) {
 std::vector<CameraDisagreement> checkRig(const CameraRig& rig) {
   std::vector<CameraDisagreement> found;
   const double spread = calibration::cameraSpread(rig);
-  if (spread > calibration::kWidestRoom) {
+  if (spread > calibration::kMaxCameraSpread) {
     const bool isNarrow = kMillimeter * spread < kNarrowestInMillimeters;
     found.push_back({.fault = CameraFault::Unit, .scale = isNarrow ? kCentimeter : kMillimeter});
   }

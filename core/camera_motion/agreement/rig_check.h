@@ -14,6 +14,6 @@ std::vector<CameraDisagreement> checkRig(const CameraRig& rig);
 
 /// Returns the likely unit, in meters, of a calibration whose lengths are too large by about this
 /// factor: a millimeter, a centimeter or an inch. Returns 0 if the factor is close to none of them.
-double unitOfRatio(double ratio);
+double unitFromRatio(double ratio);
 
 } // namespace dewpoint::camera_motion

@@ -21,7 +21,7 @@ constexpr double kLeastMoved = 6.0;  ///< pixels: more than noise moves a small 
 SightingHistory::SightingHistory(const ColorRanges& color, const Camera& camera)
     : search_(color), unprojector_(geometry::withoutPose(camera)) {}
 
-std::size_t SightingHistory::counted() const {
+std::size_t SightingHistory::countedSightings() const {
   std::size_t count = 0;
   for (const SightingImage& image : images_) {
     count +=
@@ -36,17 +36,17 @@ void SightingHistory::add(const cv::Mat& image, double time) {
   }
   SightingImage now{time, {}};
   for (const ColorRegion& region : search_.find(image)) {
-    if (const auto direction = unprojector_.rayWorld(region.center)) {
+    if (const auto direction = unprojector_.worldDirection(region.center)) {
       now.regions.push_back({.region = region, .direction = *direction});
     }
   }
   if (!images_.empty() && time - images_.back().time <= kLongestGap) {
-    follow(images_.back(), now);
+    trackRegions(images_.back(), now);
   }
-  std::vector<Counted> counted;
+  std::vector<CountedPosition> counted;
   for (RegionSighting& sighting : now.regions) {
     const auto& center = sighting.region.center;
-    const auto last = std::ranges::find(counted_, sighting.track, &Counted::track);
+    const auto last = std::ranges::find(counted_, sighting.track, &CountedPosition::track);
     if (sighting.track == 0 || last == counted_.end()) {
       sighting.track = ++tracks_;
       counted.push_back({sighting.track, center});
@@ -63,7 +63,7 @@ void SightingHistory::add(const cv::Mat& image, double time) {
   }
 }
 
-void SightingHistory::follow(const SightingImage& before, SightingImage& now) {
+void SightingHistory::trackRegions(const SightingImage& before, SightingImage& now) {
   const double passed = now.time - before.time;
   std::vector<bool> taken(now.regions.size(), false);
   for (const RegionSighting& old : before.regions) { // the largest first

@@ -44,22 +44,22 @@ public:
   void add(const cv::Mat& image, double time);
   void clear() { images_.clear(); }
   /// Returns the number of sightings that count.
-  std::size_t counted() const;
+  std::size_t countedSightings() const;
   /// Images in chronological order.
   const std::deque<SightingImage>& images() const { return images_; }
 
 private:
   /// Position at which a track last counted, or at which it began.
-  struct Counted {
+  struct CountedPosition {
     int track;
     Eigen::Vector2d center;
   };
-  void follow(const SightingImage& before, SightingImage& now);
+  void trackRegions(const SightingImage& before, SightingImage& now);
 
   ColorRegionSearch search_;
   Unprojector unprojector_; ///< to camera axes
   std::deque<SightingImage> images_;
-  std::vector<Counted> counted_; ///< one per track in the last image
+  std::vector<CountedPosition> counted_; ///< one per track in the last image
   int tracks_ = 0;
 };
 

@@ -26,7 +26,7 @@ inline std::uint16_t colorCell(std::uint8_t blue, std::uint8_t green, std::uint8
 }
 
 /// Group of similar colors: blue, green and red in gray levels, 0 to 255, and their total weight.
-struct BgrColors {
+struct WeightedBgrColor {
   std::array<double, 3> bgr{};
   double weight = 0.0;
 };

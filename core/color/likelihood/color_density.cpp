@@ -12,7 +12,7 @@ namespace {
 using BgrLevels = std::array<double, 3>; ///< blue, green, red; gray levels
 using CellValues = std::vector<double>;
 
-// The standard deviations of the variants of inOtherLight(), rounded.
+// The standard deviations of the variants of withLightVariations(), rounded.
 
 /// Natural logarithm of the brightness.
 constexpr double kBrightnessSigma = 0.32;
@@ -161,10 +161,10 @@ void spreadByNoise(std::size_t stride, const NoiseTaps& taps, CellValues& cells)
 
 } // namespace
 
-ColorDensity::ColorDensity(const std::vector<BgrColors>& colors, double otherLight)
+ColorDensity::ColorDensity(const std::vector<WeightedBgrColor>& colors, double otherLight)
     : cells_(kColorCellCount, 0.0) {
   double total = 0.0;
-  for (const BgrColors& color : colors) {
+  for (const WeightedBgrColor& color : colors) {
     total += color.weight;
     splat(color.bgr, (1.0 - otherLight) * color.weight, cells_);
     if (otherLight > 0.0) {

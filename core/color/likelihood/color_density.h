@@ -13,13 +13,13 @@ namespace dewpoint::color {
 /// A fraction of each color's weight is spread the way changes in lighting would spread it: along
 /// the ray through black (brightness), toward gray and away from it (highlights, haze, saturation),
 /// and around the gray axis (tint of the light). The spread is a normal distribution with the
-/// standard deviations of inOtherLight(). Channels above 255 are clipped, as in a sensor. The
-/// result is then smoothed equally in all directions by the noise of sensor and compression.
+/// standard deviations of withLightVariations(). Channels above 255 are clipped, as in a sensor.
+/// The result is then smoothed equally in all directions by the noise of sensor and compression.
 class ColorDensity {
 public:
   /// Computes the density of weighted colors. `otherLight`, 0 to 1: fraction of each color's weight
   /// that is spread as in other light.
-  ColorDensity(const std::vector<BgrColors>& colors, double otherLight);
+  ColorDensity(const std::vector<WeightedBgrColor>& colors, double otherLight);
 
   /// Returns the density in a cell, relative to colors spread evenly over all cells, so that the
   /// mean over all cells is 1. The density is 0 everywhere if no color has any weight.

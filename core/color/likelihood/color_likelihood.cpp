@@ -27,8 +27,8 @@ ColorLikelihood::ColorLikelihood(const std::vector<double>& logRatios) {
     (*steps)[cell] = static_cast<std::int8_t>(std::lround(bounded / kStep));
     if ((*steps)[cell] > -kMostSteps) {
       const auto coordinates =
-          reachCoordinates(static_cast<int>(cell >> 10U), static_cast<int>((cell >> 5U) & 31U),
-                           static_cast<int>(cell & 31U));
+          boundedCoordinates(static_cast<int>(cell >> 10U), static_cast<int>((cell >> 5U) & 31U),
+                             static_cast<int>(cell & 31U));
       for (std::size_t i = 0; i < coordinates.size(); ++i) {
         reach_[i].include(coordinates[i]);
       }

@@ -62,14 +62,14 @@ private:
   };
   /// Bounds of red - green, green - blue, red - blue and the sum, over all cells above the lowest
   /// log ratio. The colors of a single-hue target lie in a wedge that these bounds enclose tightly.
-  using Reach = std::array<Bounds, 4>;
-  static std::array<int, 4> reachCoordinates(int blue, int green, int red) {
+  using ChannelBounds = std::array<Bounds, 4>;
+  static std::array<int, 4> boundedCoordinates(int blue, int green, int red) {
     return {red - green, green - blue, red - blue, red + green + blue};
   }
 
   using Steps = std::array<std::int8_t, kColorCellCount>;
   std::shared_ptr<const Steps> steps_;
-  Reach reach_;
+  ChannelBounds reach_;
 };
 
 } // namespace dewpoint::color

@@ -22,19 +22,19 @@ constexpr std::array<double, 3> kExposure{0.74, 1.0, 1.35};
 /// a tenth of a percent of an image in one cell of color has 33.
 constexpr double kUnseen = 0.3;
 
-std::vector<BgrColors> asOtherCamerasShow(const std::vector<BgrColor>& target) {
+std::vector<WeightedBgrColor> asOtherCamerasShow(const std::vector<BgrColor>& target) {
   HsiCounts counts;
   for (const BgrColor& color : target) {
     counts.add(color, 1.0);
   }
-  std::vector<BgrColors> result;
-  for (const HsiColors& cell : counts.colors()) {
+  std::vector<WeightedBgrColor> result;
+  for (const WeightedHsiColor& cell : counts.colors()) {
     const auto bgr = bgrFromHsi(cell.color);
     for (const double exposure : kExposure) {
       for (const double blue : kWhiteBalance) {
         for (const double red : kWhiteBalance) {
           const std::array<double, 3> factors{exposure * blue, exposure, exposure * red};
-          BgrColors& shown = result.emplace_back(BgrColors{{}, cell.weight});
+          WeightedBgrColor& shown = result.emplace_back(WeightedBgrColor{{}, cell.weight});
           for (std::size_t i = 0; i < 3; ++i) {
             shown.bgr[i] = std::min(255.0, bgr[i] * factors[i]);
           }
@@ -49,13 +49,13 @@ std::vector<BgrColors> asOtherCamerasShow(const std::vector<BgrColor>& target) {
 /// judgment.
 constexpr double kFarWeight = 0.2;
 
-std::vector<BgrColors> colorsBeside(const cv::Mat& bgr, const cv::Mat& near,
-                                    const cv::Mat& region) {
+std::vector<WeightedBgrColor> colorsBeside(const cv::Mat& bgr, const cv::Mat& near,
+                                           const cv::Mat& region) {
   HsiCounts counts;
   counts.add(bgr, region, kFarWeight);
   counts.add(bgr, ~near | region, 1.0 - kFarWeight);
-  std::vector<BgrColors> result;
-  for (const HsiColors& cell : counts.colors()) {
+  std::vector<WeightedBgrColor> result;
+  for (const WeightedHsiColor& cell : counts.colors()) {
     result.push_back({bgrFromHsi(cell.color), cell.weight});
   }
   return result;
@@ -76,7 +76,8 @@ std::vector<double> OtherCameraLikelihood::logRatios(const cv::Mat& bgr, const c
   return result;
 }
 
-ColorLikelihood OtherCameraLikelihood::inImage(const cv::Mat& bgr, const cv::Mat& near) const {
+ColorLikelihood OtherCameraLikelihood::likelihoodForImage(const cv::Mat& bgr,
+                                                          const cv::Mat& near) const {
   return ColorLikelihood(logRatios(bgr, near, cv::Mat::zeros(bgr.size(), CV_8UC1)));
 }
 

@@ -24,7 +24,7 @@ public:
   /// Returns the table for a camera, based on the pixels of its image (CV_8UC3). `near` (CV_8UC1 of
   /// the same size) is 255 where the target may be. Pixels elsewhere cannot be confused with the
   /// target, and count a fifth. The pixels of a large target count against the target itself.
-  ColorLikelihood inImage(const cv::Mat& bgr, const cv::Mat& near) const;
+  ColorLikelihood likelihoodForImage(const cv::Mat& bgr, const cv::Mat& near) const;
   /// Returns the mean log ratio (nats) of the pixels in `region` (CV_8UC1 with the size of the
   /// image, 255 inside), with all other pixels as the rest.
   double meanLogRatio(const cv::Mat& bgr, const cv::Mat& near, const cv::Mat& region) const;

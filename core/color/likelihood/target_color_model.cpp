@@ -26,25 +26,26 @@ double factorOf(const ColorGain& gain, std::size_t channel) {
   return channel == 0 ? gain.blue : channel == 1 ? gain.green : gain.red;
 }
 
-double weightOf(const std::vector<BgrColors>& colors) {
+double weightOf(const std::vector<WeightedBgrColor>& colors) {
   double sum = 0.0;
-  for (const BgrColors& color : colors) {
+  for (const WeightedBgrColor& color : colors) {
     sum += color.weight;
   }
   return sum;
 }
 
-std::vector<BgrColors> bgrColors(const std::vector<HsiColors>& colors) {
-  std::vector<BgrColors> result;
+std::vector<WeightedBgrColor> bgrColors(const std::vector<WeightedHsiColor>& colors) {
+  std::vector<WeightedBgrColor> result;
   result.reserve(colors.size());
-  for (const HsiColors& color : colors) {
+  for (const WeightedHsiColor& color : colors) {
     result.push_back({bgrFromHsi(color.color), color.weight});
   }
   return result;
 }
 
-std::vector<BgrColors> withGain(std::vector<BgrColors> colors, const ColorGain& gain) {
-  for (BgrColors& color : colors) {
+std::vector<WeightedBgrColor> withGain(std::vector<WeightedBgrColor> colors,
+                                       const ColorGain& gain) {
+  for (WeightedBgrColor& color : colors) {
     for (std::size_t i = 0; i < 3; ++i) {
       color.bgr[i] = std::min(255.0, color.bgr[i] * factorOf(gain, i));
     }
@@ -126,22 +127,22 @@ TargetColorModel::TargetColorModel(const ColorRange& range)
 TargetColorModel::TargetColorModel(const ColorRange& range, const ColorRange& limits)
     : range_(range), limits_(limits) {}
 
-void TargetColorModel::add(const std::vector<HsiColors>& colors, const ColorGain& gain) {
+void TargetColorModel::add(const std::vector<WeightedHsiColor>& colors, const ColorGain& gain) {
   const ColorGain inverse{1.0 / gain.blue, 1.0 / gain.green, 1.0 / gain.red};
-  for (const BgrColors& color : bgrColors(colors)) {
-    BgrColors& added = target_.emplace_back(color);
+  for (const WeightedBgrColor& color : bgrColors(colors)) {
+    WeightedBgrColor& added = target_.emplace_back(color);
     for (std::size_t i = 0; i < 3; ++i) {
       added.bgr[i] *= factorOf(inverse, i);
     }
   }
 }
 
-ColorLikelihood TargetColorModel::inCamera(const ColorGain& gain,
-                                           const std::vector<HsiColors>& rest,
-                                           double restPerTarget) const {
+ColorLikelihood TargetColorModel::likelihoodForCamera(const ColorGain& gain,
+                                                      const std::vector<WeightedHsiColor>& rest,
+                                                      double restPerTarget) const {
   assert(gain.blue > 0.0 && gain.green > 0.0 && gain.red > 0.0 && restPerTarget > 0.0);
-  const std::vector<BgrColors> target = withGain(target_, gain);
-  const std::vector<BgrColors> others = bgrColors(rest);
+  const std::vector<WeightedBgrColor> target = withGain(target_, gain);
+  const std::vector<WeightedBgrColor> others = bgrColors(rest);
   const ColorDensity targetDensity(target, kTargetInOtherLight);
   const ColorDensity restDensity(others, kRestInOtherLight);
   const double trust = trustIn(weightOf(target), weightOf(others));
@@ -177,7 +178,7 @@ ColorLikelihood learnLikelihood(const ColorEvidence& evidence, const ColorRange&
                                 double restPerTarget) {
   TargetColorModel model(range);
   model.add(evidence.target);
-  return model.inCamera({}, evidence.rest, restPerTarget);
+  return model.likelihoodForCamera({}, evidence.rest, restPerTarget);
 }
 
 } // namespace dewpoint::color

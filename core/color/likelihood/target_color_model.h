@@ -48,8 +48,8 @@ public:
   /// cells.
   static constexpr double kUnseenDensity = 0.3;
   /// Margins between the range and the limits. The hue margin is at least twice the effect of other
-  /// light on a hue (inOtherLight()); the other margins are about equal to that effect, because a
-  /// fitted range ends where the background begins.
+  /// light on a hue (withLightVariations()); the other margins are about equal to that effect,
+  /// because a fitted range ends where the background begins.
   static constexpr double kHueMarginDegrees = 20.0;
   static constexpr double kSaturationMargin = 0.15;
   static constexpr double kIntensityMargin = 0.10;
@@ -62,7 +62,7 @@ public:
   TargetColorModel(const ColorRange& range, const ColorRange& limits);
 
   /// Adds target colors as shown by a camera with this gain. Weights are in pixels.
-  void add(const std::vector<HsiColors>& colors, const ColorGain& gain = {});
+  void add(const std::vector<WeightedHsiColor>& colors, const ColorGain& gain = {});
 
   /// Returns the table for a camera with this gain that shows the target in front of `rest` (the
   /// colors in the camera's own images; weights are in pixels). `restPerTarget` > 0 is the number
@@ -71,13 +71,14 @@ public:
   /// With pixelRatio(), the log ratio is 0 for colors with as many pixels in the target as in the
   /// rest, consistent with the weights in fitRange(). This is intended for callers that segment
   /// whole images.
-  ColorLikelihood inCamera(const ColorGain& gain, const std::vector<HsiColors>& rest,
-                           double restPerTarget = 1.0) const;
+  ColorLikelihood likelihoodForCamera(const ColorGain& gain,
+                                      const std::vector<WeightedHsiColor>& rest,
+                                      double restPerTarget = 1.0) const;
 
 private:
   ColorRange range_;
   ColorRange limits_;
-  std::vector<BgrColors> target_; ///< in the colors of the reference camera
+  std::vector<WeightedBgrColor> target_; ///< in the colors of the reference camera
 };
 
 /// Returns the number of pixels of the rest per target pixel; 1 if either has none.

@@ -5,7 +5,8 @@
 
 namespace dewpoint::experiment {
 
-void KalmanPoint::start(const Eigen::Vector3d& position, const Eigen::Matrix3d& covariance) {
+void PositionKalmanFilter::start(const Eigen::Vector3d& position,
+                                 const Eigen::Matrix3d& covariance) {
   state_ << position, Eigen::Vector3d::Zero();
   covariance_.setZero();
   covariance_.topLeftCorner<3, 3>() = covariance;
@@ -16,13 +17,13 @@ void KalmanPoint::start(const Eigen::Vector3d& position, const Eigen::Matrix3d& 
   sinceMeasurement_ = 0.0;
 }
 
-void KalmanPoint::predict(double seconds) {
+void PositionKalmanFilter::predict(double seconds) {
   if (!started_) {
     return;
   }
   sinceMeasurement_ += seconds;
-  if (sinceMeasurement_ > setup_.forgetAfter) {
-    forget();
+  if (sinceMeasurement_ > setup_.lostAfter) {
+    reset();
     return;
   }
   StateCovariance transition = StateCovariance::Identity();
@@ -35,7 +36,8 @@ void KalmanPoint::predict(double seconds) {
                 setup_.accelerationSigma * setup_.accelerationSigma * push * push.transpose();
 }
 
-void KalmanPoint::update(const Eigen::Vector3d& position, const Eigen::Matrix3d& covariance) {
+void PositionKalmanFilter::update(const Eigen::Vector3d& position,
+                                  const Eigen::Matrix3d& covariance) {
   if (!started_) {
     start(position, covariance);
     return;

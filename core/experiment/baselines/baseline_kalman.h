@@ -17,19 +17,19 @@ struct KalmanSetup {
   double gate = 16.266;
   int restartAfter =
       3; ///< number of successive measurements outside the gate after which the filter restarts
-  double forgetAfter =
+  double lostAfter =
       0.5; ///< time without a measurement after which the target counts as lost, seconds
 };
 
 /// Constant-velocity Kalman filter on positions with known covariance (Bar-Shalom, Li & Kirubarajan
 /// 2001, section 6.3.2: white-noise acceleration, piecewise constant). World frame, meters and
 /// seconds.
-class KalmanPoint {
+class PositionKalmanFilter {
 public:
-  explicit KalmanPoint(const KalmanSetup& setup = {}) : setup_(setup) {}
+  explicit PositionKalmanFilter(const KalmanSetup& setup = {}) : setup_(setup) {}
 
   /// Returns to the state before the first measurement.
-  void forget() { *this = KalmanPoint(setup_); }
+  void reset() { *this = PositionKalmanFilter(setup_); }
   /// Predicts the state `seconds` later.
   void predict(double seconds);
   /// Updates the state with a measurement (m, m²), unless it is outside the gate. The first

@@ -40,8 +40,8 @@ constexpr std::array<std::string_view, 2> kStartFromRig{"barrera", "dynamics"};
 
 StartVolume startOf(const std::string& method, const ScenarioRun& run) {
   return std::ranges::find(kStartFromRig, method) != kStartFromRig.end()
-             ? startFromRig(run)
-             : StartVolume{run.startCenter, run.startHalf};
+             ? startVolumeFromRig(run)
+             : StartVolume{run.startCenter, run.startHalfSize};
 }
 
 /// The method's defaults with what the run says of its start and sensing.
@@ -74,7 +74,7 @@ Result<ParameterValues> parametersFor(const std::string& method, const ScenarioR
 } // namespace
 
 std::vector<std::string> suiteMethods() {
-  std::vector<std::string> names = methodNames(TargetsFrom::Color); // the default first
+  std::vector<std::string> names = methodNames(TargetSource::Color); // the default first
   names.insert(names.begin() + 1, kSmoothedMethod);
   for (const Baseline& baseline : baselines()) {
     names.emplace_back(baseline.name);
@@ -87,7 +87,7 @@ Result<std::unique_ptr<Tracker>> makeSuiteTracker(const std::string& method,
   for (const Baseline& baseline : baselines()) {
     if (method == baseline.name) {
       return std::make_unique<BaselineTracker>(baseline.setup, run.rig, run.targets,
-                                               StartVolume{run.startCenter, run.startHalf});
+                                               StartVolume{run.startCenter, run.startHalfSize});
     }
   }
   const std::string tracked =

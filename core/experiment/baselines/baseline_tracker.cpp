@@ -52,8 +52,8 @@ void BaselineTracker::setTargets(const std::vector<Target>& targets) {
 void BaselineTracker::restart(std::uint64_t) {
   tracked_.clear();
   for (std::size_t k = 0; k < targets_.size(); ++k) {
-    tracked_.push_back(
-        {CameraFollowers(setup_.follower, cameraCount_), KalmanPoint(), std::nullopt, 0.0});
+    tracked_.push_back({CameraFollowers(setup_.follower, cameraCount_), PositionKalmanFilter(),
+                        std::nullopt, 0.0});
   }
   estimates_.assign(targets_.size(), SphereEstimate{});
   time_.reset();
@@ -64,12 +64,12 @@ void BaselineTracker::iterate(ThreadTeam&) {
     return;
   }
   predict();
-  Measured measured(targets_.size());
-  for (const Members& members : groups()) {
+  MeasuredPositions measured(targets_.size());
+  for (const TargetIndices& members : groups()) {
     measure(members, measured);
   }
   for (std::size_t k = 0; k < targets_.size(); ++k) {
-    conclude(k, measured[k]);
+    updateEstimate(k, measured[k]);
   }
 }
 
@@ -88,10 +88,10 @@ void BaselineTracker::predict() {
 }
 
 /// The targets by what they look like.
-std::vector<BaselineTracker::Members> BaselineTracker::groups() const {
-  std::vector<Members> groups;
+std::vector<BaselineTracker::TargetIndices> BaselineTracker::groups() const {
+  std::vector<TargetIndices> groups;
   for (std::size_t k = 0; k < targets_.size(); ++k) {
-    const auto same = std::ranges::find_if(groups, [&](const Members& members) {
+    const auto same = std::ranges::find_if(groups, [&](const TargetIndices& members) {
       const Target& first = targets_[members.front()];
       return first.colors() == targets_[k].colors() && first.radius == targets_[k].radius;
     });
@@ -116,10 +116,10 @@ BaselineTracker::Views BaselineTracker::viewsOf(const ColorRanges& color) const 
   return views;
 }
 
-void BaselineTracker::measure(const Members& members, Measured& measured) {
+void BaselineTracker::measure(const TargetIndices& members, MeasuredPositions& measured) {
   const Target& target = targets_[members.front()];
   const Views views = viewsOf(target.colors());
-  const Members open = follow(members, views, measured);
+  const TargetIndices open = follow(members, views, measured);
   if (open.empty()) {
     return;
   }
@@ -127,24 +127,25 @@ void BaselineTracker::measure(const Members& members, Measured& measured) {
   for (const std::size_t k : members) {
     if (measured[k]) { // what its followers hold is no other target
       std::erase_if(pairs, [&](const PairedBlobs& pair) {
-        return residualShare(pair.point.bearings, measured[k]->position) <= 1.0;
+        return relativeResidual(pair.point.bearings, measured[k]->position) <= 1.0;
       });
     }
   }
-  find(open, views, pairs, measured);
+  assignBlobs(open, views, pairs, measured);
 }
 
 /// Measures those whose followers agree; returns the others.
-BaselineTracker::Members BaselineTracker::follow(const Members& members, const Views& views,
-                                                 Measured& measured) {
+BaselineTracker::TargetIndices BaselineTracker::follow(const TargetIndices& members,
+                                                       const Views& views,
+                                                       MeasuredPositions& measured) {
   if (setup_.follower == nullptr) {
     return members;
   }
-  Members open;
+  TargetIndices open;
   for (const std::size_t k : members) {
-    measured[k] = followed(tracked_[k], views);
+    measured[k] = triangulateFollowers(tracked_[k], views);
     if (measured[k]) {
-      joinCameras(k, views, measured[k]->position);
+      startMissingFollowers(k, views, measured[k]->position);
     } else {
       open.push_back(k);
     }
@@ -152,8 +153,8 @@ BaselineTracker::Members BaselineTracker::follow(const Members& members, const V
   return open;
 }
 
-std::optional<TriangulatedPoint> BaselineTracker::followed(Tracked& tracked,
-                                                           const Views& views) const {
+std::optional<TriangulatedPoint> BaselineTracker::triangulateFollowers(Tracked& tracked,
+                                                                       const Views& views) const {
   const auto pixels = tracked.followers.step(views.images);
   std::vector<Bearing> bearings;
   for (std::size_t camera = 0; camera < pixels.size(); ++camera) {
@@ -165,16 +166,16 @@ std::optional<TriangulatedPoint> BaselineTracker::followed(Tracked& tracked,
     }
   }
   auto point = triangulate(std::move(bearings));
-  const bool agreed = point && residualShare(point->bearings, point->position) <= 1.0;
+  const bool agreed = point && relativeResidual(point->bearings, point->position) <= 1.0;
   return agreed ? std::move(point) : std::nullopt;
 }
 
-void BaselineTracker::joinCameras(std::size_t target, const Views& views,
-                                  const Eigen::Vector3d& position) {
+void BaselineTracker::startMissingFollowers(std::size_t target, const Views& views,
+                                            const Eigen::Vector3d& position) {
   CameraFollowers& followers = tracked_[target].followers;
   for (std::size_t camera = 0; camera < cameraCount_; ++camera) {
     const std::vector<Blob>& blobs = views.blobs[camera].blobs;
-    if (followers.follows(camera) || blobs.empty()) {
+    if (followers.hasFollower(camera) || blobs.empty()) {
       continue;
     }
     if (const auto blob = pairing_.blobAt(camera, blobs, position, targets_[target].radius)) {
@@ -183,12 +184,13 @@ void BaselineTracker::joinCameras(std::size_t target, const Views& views,
   }
 }
 
-void BaselineTracker::find(const Members& members, const Views& views,
-                           const std::vector<PairedBlobs>& pairs, Measured& measured) {
+void BaselineTracker::assignBlobs(const TargetIndices& members, const Views& views,
+                                  const std::vector<PairedBlobs>& pairs,
+                                  MeasuredPositions& measured) {
   std::vector<ExpectedPosition> expected;
   expected.reserve(members.size());
   for (const std::size_t k : members) {
-    expected.push_back(expectedOf(tracked_[k]));
+    expected.push_back(expectedPositionOf(tracked_[k]));
   }
   auto found = assignPairs(pairs, expected);
   for (std::size_t i = 0; i < members.size(); ++i) {
@@ -196,7 +198,7 @@ void BaselineTracker::find(const Members& members, const Views& views,
       continue;
     }
     CameraFollowers& followers = tracked_[members[i]].followers;
-    followers.forget();
+    followers.clear();
     for (const Bearing& bearing : found[i]->bearings) {
       followers.start(bearing.camera, views.images[bearing.camera],
                       views.blobs[bearing.camera].blobs[bearing.blob].box);
@@ -205,7 +207,7 @@ void BaselineTracker::find(const Members& members, const Views& views,
   }
 }
 
-ExpectedPosition BaselineTracker::expectedOf(const Tracked& tracked) const {
+ExpectedPosition BaselineTracker::expectedPositionOf(const Tracked& tracked) const {
   if (setup_.kalman && tracked.filter.started()) {
     return {tracked.filter.position(), tracked.filter.covariance(), tracked.filter.gate()};
   }
@@ -217,8 +219,8 @@ ExpectedPosition BaselineTracker::expectedOf(const Tracked& tracked) const {
   return {start_.center, squared(sigmas), std::nullopt};
 }
 
-void BaselineTracker::conclude(std::size_t target,
-                               const std::optional<TriangulatedPoint>& position) {
+void BaselineTracker::updateEstimate(std::size_t target,
+                                     const std::optional<TriangulatedPoint>& position) {
   Tracked& tracked = tracked_[target];
   SphereEstimate estimate;
   estimate.camerasSeeing = position ? static_cast<int>(position->bearings.size()) : 0;

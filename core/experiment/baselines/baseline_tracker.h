@@ -36,7 +36,7 @@ struct BaselineSetup {
 /// blob that fits the position from the others. The method is deterministic; seed and parameters
 /// have no effect.
 class BaselineTracker final : public Tracker,
-                              public TargetFollowing,
+                              public TargetTracking,
                               public CameraCalibrated,
                               public ParticleCloud {
 public:
@@ -45,7 +45,7 @@ public:
                   const StartVolume& start);
 
   void setTargets(const std::vector<Target>& targets) override;
-  bool takesAnyNumber() const override { return false; }
+  bool canChangeTargetCount() const override { return false; }
   void setCameras(const CameraRig& rig) override;
   void restart(std::uint64_t seed) override;
   int iterationsPerFrame() const override { return 1; }
@@ -59,7 +59,7 @@ public:
 private:
   struct Tracked {
     CameraFollowers followers;
-    KalmanPoint filter;
+    PositionKalmanFilter filter;
     std::optional<Eigen::Vector3d> last; ///< last or predicted position, world, meters
     double sinceSeen = 0.0;              ///< seconds since the target was last seen
   };
@@ -68,20 +68,22 @@ private:
     std::vector<CameraImages> images;
     std::vector<CameraBlobs> blobs;
   };
-  using Members = std::vector<std::size_t>; ///< indices of targets
-  using Measured = std::vector<std::optional<TriangulatedPoint>>;
+  using TargetIndices = std::vector<std::size_t>; ///< indices of targets
+  using MeasuredPositions = std::vector<std::optional<TriangulatedPoint>>;
 
   void predict();
-  std::vector<Members> groups() const;
+  std::vector<TargetIndices> groups() const;
   Views viewsOf(const ColorRanges& color) const;
-  void measure(const Members& members, Measured& measured);
-  Members follow(const Members& members, const Views& views, Measured& measured);
-  std::optional<TriangulatedPoint> followed(Tracked& tracked, const Views& views) const;
-  void joinCameras(std::size_t target, const Views& views, const Eigen::Vector3d& position);
-  void find(const Members& members, const Views& views, const std::vector<PairedBlobs>& pairs,
-            Measured& measured);
-  ExpectedPosition expectedOf(const Tracked& tracked) const;
-  void conclude(std::size_t target, const std::optional<TriangulatedPoint>& position);
+  void measure(const TargetIndices& members, MeasuredPositions& measured);
+  TargetIndices follow(const TargetIndices& members, const Views& views,
+                       MeasuredPositions& measured);
+  std::optional<TriangulatedPoint> triangulateFollowers(Tracked& tracked, const Views& views) const;
+  void startMissingFollowers(std::size_t target, const Views& views,
+                             const Eigen::Vector3d& position);
+  void assignBlobs(const TargetIndices& members, const Views& views,
+                   const std::vector<PairedBlobs>& pairs, MeasuredPositions& measured);
+  ExpectedPosition expectedPositionOf(const Tracked& tracked) const;
+  void updateEstimate(std::size_t target, const std::optional<TriangulatedPoint>& position);
 
   BaselineSetup setup_;
   BlobPairing pairing_;

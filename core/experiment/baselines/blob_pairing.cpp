@@ -24,7 +24,7 @@ constexpr double kProbeRadius = 0.01;
 constexpr double kOutsideGate = 1e6;
 
 double allowedPx(const Bearing& bearing) {
-  return std::max(kResidualPx, kResidualRadii * bearing.radiusPx);
+  return std::max(kMaxResidualPx, kMaxResidualRadii * bearing.radiusPx);
 }
 
 double distanceCost(const PairedBlobs& pair, const ExpectedPosition& expected) {
@@ -42,7 +42,7 @@ double distanceCost(const PairedBlobs& pair, const ExpectedPosition& expected) {
 
 } // namespace
 
-double residualShare(const std::vector<Bearing>& bearings, const Eigen::Vector3d& position) {
+double relativeResidual(const std::vector<Bearing>& bearings, const Eigen::Vector3d& position) {
   double share = 0.0;
   for (const Bearing& bearing : bearings) {
     share = std::max(share, residualPx(bearing, position) / allowedPx(bearing));
@@ -105,7 +105,7 @@ std::optional<double> BlobPairing::sizeCost(const std::vector<Bearing>& bearings
   double cost = 0.0;
   for (const double logarithm : logarithms) {
     const double off = logarithm - expected;
-    if (std::abs(off) > std::log(kSizeFactor)) {
+    if (std::abs(off) > std::log(kMaxSizeRatio)) {
       return std::nullopt;
     }
     cost += off * off / (kSizeSigma * kSizeSigma);
@@ -128,14 +128,14 @@ double BlobPairing::missingCost(const TriangulatedPoint& point,
   return cost;
 }
 
-std::optional<PairedBlobs> BlobPairing::assessed(std::vector<Bearing> bearings,
-                                                 const std::vector<CameraBlobs>& cameras,
-                                                 double radius) const {
+std::optional<PairedBlobs> BlobPairing::evaluatePair(std::vector<Bearing> bearings,
+                                                     const std::vector<CameraBlobs>& cameras,
+                                                     double radius) const {
   auto point = triangulate(std::move(bearings));
   if (!point) {
     return std::nullopt;
   }
-  const double share = residualShare(point->bearings, point->position);
+  const double share = relativeResidual(point->bearings, point->position);
   const auto size =
       share <= 1.0 ? sizeCost(point->bearings, point->position, radius) : std::optional<double>();
   if (!size) {
@@ -146,9 +146,9 @@ std::optional<PairedBlobs> BlobPairing::assessed(std::vector<Bearing> bearings,
   return PairedBlobs{std::move(*point), cost};
 }
 
-std::vector<Bearing> BlobPairing::joined(std::vector<Bearing> members,
-                                         const Eigen::Vector3d& position,
-                                         const std::vector<std::vector<Bearing>>& all) const {
+std::vector<Bearing> BlobPairing::extendPair(std::vector<Bearing> members,
+                                             const Eigen::Vector3d& position,
+                                             const std::vector<std::vector<Bearing>>& all) const {
   const std::size_t first = members[0].camera;
   const std::size_t second = members[1].camera;
   for (std::size_t camera = 0; camera < all.size(); ++camera) {
@@ -157,11 +157,11 @@ std::vector<Bearing> BlobPairing::joined(std::vector<Bearing> members,
     }
     const Bearing& nearest =
         *std::ranges::min_element(all[camera], {}, [&](const Bearing& bearing) {
-          return residualShare({bearing}, position);
+          return relativeResidual({bearing}, position);
         });
     members.push_back(nearest);
     const auto more = triangulate(members);
-    if (!more || residualShare(members, more->position) > 1.0) {
+    if (!more || relativeResidual(members, more->position) > 1.0) {
       members.pop_back();
     }
   }
@@ -176,13 +176,13 @@ std::vector<PairedBlobs> BlobPairing::pair(const std::vector<CameraBlobs>& camer
     for (std::size_t b = a + 1; b < bearings.size(); ++b) {
       for (const Bearing& first : bearings[a]) {
         for (const Bearing& second : bearings[b]) {
-          auto two = assessed({first, second}, cameras, radius);
+          auto two = evaluatePair({first, second}, cameras, radius);
           if (!two) {
             continue;
           }
-          auto all = joined(two->point.bearings, two->point.position, bearings);
+          auto all = extendPair(two->point.bearings, two->point.position, bearings);
           if (all.size() > 2) {
-            if (auto more = assessed(std::move(all), cameras, radius)) {
+            if (auto more = evaluatePair(std::move(all), cameras, radius)) {
               pairs.push_back(std::move(*more));
             }
           }
@@ -204,7 +204,7 @@ std::optional<std::size_t> BlobPairing::blobAt(std::size_t camera, const std::ve
     if (!seen) {
       continue;
     }
-    const double share = residualShare({*seen}, position);
+    const double share = relativeResidual({*seen}, position);
     if (share <= least && (radius <= 0.0 || sizeCost({*seen}, position, radius))) {
       least = share;
       best = k;

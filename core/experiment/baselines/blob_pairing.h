@@ -37,13 +37,13 @@ struct ExpectedPosition {
 };
 
 /// Largest distance between a blob's ray and the position, pixels.
-inline constexpr double kResidualPx = 4.0;
+inline constexpr double kMaxResidualPx = 4.0;
 /// The same limit for large blobs, in blob radii. The center of mass of a half-hidden ball is off
 /// by 0.42 radii.
-inline constexpr double kResidualRadii = 0.5;
+inline constexpr double kMaxResidualRadii = 0.5;
 /// Largest ratio between apparent and expected size, in both directions. A ball that is three
 /// quarters hidden appears half as large.
-inline constexpr double kSizeFactor = 2.0;
+inline constexpr double kMaxSizeRatio = 2.0;
 /// Standard deviation of the logarithm of the apparent size. Hiding half of a disk shifts it by 1.7
 /// standard deviations.
 inline constexpr double kSizeSigma = 0.2;
@@ -83,10 +83,11 @@ private:
   std::optional<double> sizeCost(const std::vector<Bearing>& bearings,
                                  const Eigen::Vector3d& position, double radius) const;
   double missingCost(const TriangulatedPoint& point, const std::vector<CameraBlobs>& cameras) const;
-  std::optional<PairedBlobs> assessed(std::vector<Bearing> bearings,
-                                      const std::vector<CameraBlobs>& cameras, double radius) const;
-  std::vector<Bearing> joined(std::vector<Bearing> members, const Eigen::Vector3d& position,
-                              const std::vector<std::vector<Bearing>>& all) const;
+  std::optional<PairedBlobs> evaluatePair(std::vector<Bearing> bearings,
+                                          const std::vector<CameraBlobs>& cameras,
+                                          double radius) const;
+  std::vector<Bearing> extendPair(std::vector<Bearing> members, const Eigen::Vector3d& position,
+                                  const std::vector<std::vector<Bearing>>& all) const;
 
   CameraRig rig_;
   std::vector<Unprojector> unprojectors_;
@@ -95,7 +96,7 @@ private:
 
 /// Returns the largest residual of the bearings at a position, as a fraction of the allowed
 /// residual. It is at most 1 if the bearings agree.
-double residualShare(const std::vector<Bearing>& bearings, const Eigen::Vector3d& position);
+double relativeResidual(const std::vector<Bearing>& bearings, const Eigen::Vector3d& position);
 
 /// Assigns pairs to targets by the cost of the pair plus the cost of its distance from the expected
 /// position. The cheapest is assigned first, and each blob is used once. Targets without a pair get

@@ -5,7 +5,7 @@
 
 namespace dewpoint::experiment {
 
-void CameraFollowers::forget() {
+void CameraFollowers::clear() {
   for (auto& follower : followers_) {
     follower.reset();
   }

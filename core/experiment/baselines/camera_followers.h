@@ -16,8 +16,8 @@ public:
       : make_(make), followers_(cameraCount) {}
 
   /// Removes all followers.
-  void forget();
-  bool follows(std::size_t camera) const { return followers_[camera] != nullptr; }
+  void clear();
+  bool hasFollower(std::size_t camera) const { return followers_[camera] != nullptr; }
   /// Replaces the follower of this camera with a new one. If the new one cannot start there, the
   /// camera has no follower.
   void start(std::size_t camera, const CameraImages& images, const cv::Rect& box);

@@ -7,7 +7,7 @@
 
 namespace dewpoint::experiment {
 
-std::optional<StartVolume> commonView(const CameraRig& rig) {
+std::optional<StartVolume> commonViewVolume(const CameraRig& rig) {
   if (rig.size() < 2) {
     return std::nullopt;
   }
@@ -18,9 +18,9 @@ std::optional<StartVolume> commonView(const CameraRig& rig) {
   return box ? std::optional(StartVolume{box->center(), box->half()}) : std::nullopt;
 }
 
-StartVolume startFromRig(const ScenarioRun& run) {
-  const StartVolume given{run.startCenter, run.startHalf};
-  const auto view = commonView(run.rig);
+StartVolume startVolumeFromRig(const ScenarioRun& run) {
+  const StartVolume given{run.startCenter, run.startHalfSize};
+  const auto view = commonViewVolume(run.rig);
   if (!view) {
     return given;
   }

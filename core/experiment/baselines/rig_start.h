@@ -11,12 +11,12 @@ namespace dewpoint::experiment {
 /// Returns the volume that all cameras of a rig see (geometry::commonVolume). If there is none,
 /// returns a volume that two cameras see. Nothing for fewer than two cameras, or if no two cameras
 /// see a common volume.
-std::optional<StartVolume> commonView(const CameraRig& rig);
+std::optional<StartVolume> commonViewVolume(const CameraRig& rig);
 
 /// Returns the start volume for a method that would otherwise start on the desk described in its
 /// paper. It is the part of the run's start volume that lies in the common view of the cameras. If
 /// the run starts at a point, it is the whole common view. If the two volumes do not intersect, it
 /// is the run's start volume.
-StartVolume startFromRig(const ScenarioRun& run);
+StartVolume startVolumeFromRig(const ScenarioRun& run);
 
 } // namespace dewpoint::experiment

@@ -40,7 +40,7 @@ public:
 
   Status start(const cv::Mat& bgr, const ImageBox& box) override {
     frame_ = 0;
-    auto* const following = capability<BoxFollowing>(*tracker_);
+    auto* const following = capability<BoxTracking>(*tracker_);
     assert(following != nullptr);
     return following->follow(0, bgr, {0, frame_, box}, seed_);
   }
@@ -53,11 +53,11 @@ public:
     claim_ = {estimate.similarity, estimate.visible};
     return estimate.box;
   }
-  std::optional<BoxClaim> claim() const override { return claim_; }
+  std::optional<BoxConfidence> confidence() const override { return claim_; }
 
 private:
   std::unique_ptr<Tracker> tracker_;
-  BoxClaim claim_;
+  BoxConfidence claim_;
   std::uint64_t seed_;
   std::int64_t frame_ = 0;
   ThreadTeam team_;
@@ -180,7 +180,7 @@ std::unique_ptr<BoxFollower> makeOpenCvFollower(const std::string& name) {
 
 const std::vector<std::string>& boxFollowerNames() {
   static const std::vector<std::string> kNames = [] {
-    std::vector<std::string> names = methodNames(TargetsFrom::Box);
+    std::vector<std::string> names = methodNames(TargetSource::Box);
     for (const std::string& name : openCvFollowers()) {
       names.push_back(name + kBoxSuffix);
     }

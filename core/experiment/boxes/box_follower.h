@@ -15,7 +15,7 @@
 namespace dewpoint::experiment {
 
 /// Confidence that a follower reports for the box it found.
-struct BoxClaim {
+struct BoxConfidence {
   double similarity = 0.0; ///< similarity to the target, [0, 1]
   bool visible = true; ///< false: the target is hidden, and the box stays at its assumed position
 };
@@ -30,7 +30,7 @@ public:
   /// target.
   virtual std::optional<ImageBox> step(const cv::Mat& bgr) = 0;
   /// Returns the confidence in the last box, or nothing if the method reports none.
-  virtual std::optional<BoxClaim> claim() const { return std::nullopt; }
+  virtual std::optional<BoxConfidence> confidence() const { return std::nullopt; }
 };
 
 /// Creates one of our methods that follow boxes, by name. It uses one thread.

@@ -98,7 +98,7 @@ Result<CalibratedClip> bandsClip(const ClipFolders& folders) {
   clip.rig = std::move(*rig);
   clip.cameras = {folder / "leftCam_20251015_180349.avi", folder / "rightCam_20251015_180349.avi"};
   clip.framesPerSecond = kBandRate;
-  clip.startHalf = kBandStartHalf;
+  clip.startHalfSize = kBandStartHalf;
   std::int64_t last = 0;
   for (std::size_t band = 0; band < kBands.size(); ++band) {
     ColorSample click;
@@ -121,7 +121,7 @@ Result<CalibratedClip> bandsClip(const ClipFolders& folders) {
     }
     clip.starts.push_back(*start);
   }
-  clip.instants = evenInstants(0, last + 1, clip.cameras.size(), kBandRate);
+  clip.instants = simultaneousInstants(0, last + 1, clip.cameras.size(), kBandRate);
   return clip;
 }
 

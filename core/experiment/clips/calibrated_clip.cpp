@@ -5,7 +5,7 @@
 #include "core/geometry/image_bounds.h"
 #include "core/geometry/projector.h"
 #include "core/geometry/ray.h"
-#include "core/setup/clicks/click_lesson.h"
+#include "core/setup/clicks/click_learning.h"
 
 #include <fmt/format.h>
 
@@ -133,10 +133,10 @@ void placeStart(const CalibratedClip& clip, ScenarioRun& run) {
     low = low.cwiseMin(start);
     high = high.cwiseMax(start);
   }
-  Draws draws(run.seed, clip.name);
-  const Eigen::Vector3d most = Eigen::Vector3d::Constant(0.5 * clip.startHalf);
-  run.startCenter = 0.5 * (low + high) + draws.inBox(-most, most);
-  run.startHalf = 0.5 * (high - low) + Eigen::Vector3d::Constant(clip.startHalf);
+  RandomDraws draws(run.seed, clip.name);
+  const Eigen::Vector3d most = Eigen::Vector3d::Constant(0.5 * clip.startHalfSize);
+  run.startCenter = 0.5 * (low + high) + draws.pointInBox(-most, most);
+  run.startHalfSize = 0.5 * (high - low) + Eigen::Vector3d::Constant(clip.startHalfSize);
 }
 
 } // namespace

@@ -33,7 +33,7 @@ struct ClipPosition {
 
 /// Half the side length of the box in which the search starts, meters. The same value is used in
 /// rendered scenarios that start near the truth.
-inline constexpr double kClipStartHalf = 0.1;
+inline constexpr double kClipStartHalfSize = 0.1;
 /// Largest distance (pixels) from all marks of a frame at which an estimate counts as on its
 /// target, unless the clip sets another value. It is about half the width of the bands in
 /// tapes2_limbs. Chosen from the range 5 to 30.
@@ -57,13 +57,13 @@ struct CalibratedClip {
   std::vector<Eigen::Vector3d> starts;
   /// Half the side length of the boxes around the starts, meters. Larger if the starts are
   /// uncertain.
-  double startHalf = kClipStartHalf;
+  double startHalfSize = kClipStartHalfSize;
 };
 
 /// Creates a run of a clip, with grade `Real`. The color of each target is learned from its one
 /// click. The search starts in a box around the targets' first positions, shifted by up to half of
-/// `startHalf` per axis. The seed determines this shift and the random numbers of the methods. The
-/// files are opened here. Mismatch if images and calibration have different sizes.
+/// `startHalfSize` per axis. The seed determines this shift and the random numbers of the methods.
+/// The files are opened here. Mismatch if images and calibration have different sizes.
 Result<ScenarioRun> clipRun(const CalibratedClip& clip, std::uint64_t seed);
 
 /// Returns the point (world, meters) where the rays through a target's marks at one instant meet

@@ -31,7 +31,7 @@ ClipDeclaration handRow() {
                "the calibration's chessboard is not known";
   clip.origin = TruthOrigin::Marked;
   clip.truthSigma = kHandMarkMm;
-  clip.tunedOn = TunedOn::Looked;
+  clip.tunedOn = TunedOn::Viewed;
   clip.tuned = "color range and parameters of its example project were set by hand, which are not "
                "used here; the truth was made later than the methods";
   clip.needsTruthFolder = true;
@@ -84,7 +84,7 @@ ClipDeclaration boardRow() {
   clip.truth = "the board's center, the mean of opposite corners of the published twelve";
   clip.origin = TruthOrigin::Board;
   clip.truthSigma = kBoardMm;
-  clip.tunedOn = TunedOn::Looked;
+  clip.tunedOn = TunedOn::Viewed;
   clip.tuned = "the people methods' example project and the tests of calibration use it; nothing "
                "that tracks a target of a color was tried on it";
   clip.calibrated = boardClip;

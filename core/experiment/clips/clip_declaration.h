@@ -27,7 +27,7 @@ enum class TruthOrigin {
 /// Use of a clip during the development of methods.
 enum class TunedOn {
   No,     ///< as far as recorded, not viewed during development
-  Looked, ///< viewed or used for tests; no constant is recorded as chosen on it
+  Viewed, ///< viewed or used for tests; no constant is recorded as chosen on it
   Yes     ///< constants or defaults were chosen on it
 };
 

@@ -23,8 +23,8 @@ std::int64_t lastFrameOf(const std::vector<ClipInstant>& instants, std::size_t c
 
 } // namespace
 
-std::vector<ClipInstant> evenInstants(std::int64_t first, std::int64_t end, std::size_t cameras,
-                                      double framesPerSecond) {
+std::vector<ClipInstant> simultaneousInstants(std::int64_t first, std::int64_t end,
+                                              std::size_t cameras, double framesPerSecond) {
   std::vector<ClipInstant> instants;
   for (std::int64_t frame = first; frame < end; ++frame) {
     const double time = static_cast<double>(frame) / framesPerSecond;
@@ -41,8 +41,9 @@ ClipFrames::open(const std::vector<std::filesystem::path>& cameras,
   for (std::size_t camera = 0; camera < cameras.size(); ++camera) {
     const std::string path = cameras[camera].string();
     const std::string field = fmt::format("camera {}", camera + 1);
-    auto reader = std::filesystem::is_directory(cameras[camera]) ? openImageReader(path, field)
-                                                                 : openVideoReader(path, field);
+    auto reader = std::filesystem::is_directory(cameras[camera])
+                      ? openImageFolderReader(path, field)
+                      : openVideoReader(path, field);
     if (!reader) {
       return tl::make_unexpected(reader.error());
     }

@@ -3,7 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/capture/frame.h"
-#include "core/capture/picture_reader.h"
+#include "core/capture/frame_reader.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -21,8 +21,8 @@ struct ClipInstant {
 
 /// Returns instants at which all cameras take frame k simultaneously, at k / `framesPerSecond`
 /// seconds, for k from `first` to `end` - 1.
-std::vector<ClipInstant> evenInstants(std::int64_t first, std::int64_t end, std::size_t cameras,
-                                      double framesPerSecond);
+std::vector<ClipInstant> simultaneousInstants(std::int64_t first, std::int64_t end,
+                                              std::size_t cameras, double framesPerSecond);
 
 /// Images of a recording, by instant. Reading is fastest in ascending order. Only one thread may
 /// use an object at a time.
@@ -41,7 +41,7 @@ public:
 private:
   ClipFrames() = default;
 
-  std::vector<PictureReaderPtr> readers_;
+  std::vector<FrameReaderPtr> readers_;
   std::vector<ClipInstant> instants_;
 };
 

@@ -99,7 +99,7 @@ Result<ClipTable> readClipTable(const std::filesystem::path& file,
     }
     auto& row = table.rows.emplace_back();
     for (std::size_t column = 0; column < columns.size(); ++column) {
-      const auto value = numberFrom<double>(source.cells[(*positions)[column]]);
+      const auto value = toNumber<double>(source.cells[(*positions)[column]]);
       if (!value) {
         return refuse("a number is expected");
       }

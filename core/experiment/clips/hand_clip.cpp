@@ -60,7 +60,7 @@ Result<CalibratedClip> handClip(const ClipFolders& folders) {
   clip.cameras = {folders.recordings / "hand2_desk" / "cam0.mp4",
                   folders.recordings / "hand2_desk" / "cam1.mp4"};
   clip.framesPerSecond = kHandRate;
-  clip.instants = evenInstants(first, last + 1, clip.cameras.size(), kHandRate);
+  clip.instants = simultaneousInstants(first, last + 1, clip.cameras.size(), kHandRate);
   ColorSample click;
   click.frame = kHandClickFrame - first;
   click.x = kHandClickX;

@@ -31,7 +31,7 @@ const char* tunedText(TunedOn tuned) {
   switch (tuned) {
   case TunedOn::No:
     return "no";
-  case TunedOn::Looked:
+  case TunedOn::Viewed:
     return "looked at";
   case TunedOn::Yes:
     break;
@@ -59,7 +59,7 @@ ScenarioDeclaration scenarioOf(const ClipDeclaration& clip, const ClipFolders& f
   ScenarioDeclaration scenario;
   scenario.name = clip.name;
   scenario.family = clip.name.substr(0, clip.name.find('-'));
-  scenario.sentence = clipSentence(clip);
+  scenario.sentence = clipDescription(clip);
   scenario.seeds = clip.seeds;
   scenario.recorded = true;
   if (clip.images) {
@@ -95,7 +95,7 @@ RealScenarios realScenarios(const ClipFolders& folders, std::span<const ClipDecl
   return result;
 }
 
-std::string clipSentence(const ClipDeclaration& clip) {
+std::string clipDescription(const ClipDeclaration& clip) {
   return fmt::format("{} Start: {} Truth: {} ({}; ±{:g} {}). Tuned on: {} ({}).", clip.sentence,
                      clip.start, clip.truth, originText(clip.origin), clip.truthSigma,
                      isInPixels(clip) ? "px" : "mm", tunedText(clip.tunedOn), clip.tuned);

@@ -28,6 +28,6 @@ RealScenarios realScenarios(const ClipFolders& folders, std::span<const ClipDecl
 
 /// Returns the description of a clip for a report: what it shows, how a target is learned, the
 /// truth, and whether methods were tuned on it.
-std::string clipSentence(const ClipDeclaration& clip);
+std::string clipDescription(const ClipDeclaration& clip);
 
 } // namespace dewpoint::experiment

@@ -32,7 +32,7 @@ BoxMetrics measureBoxes(std::span<const std::optional<ImageBox>> found,
     const double distance = (last.center() - truth[frame].center()).norm();
     metrics.rmse += distance * distance;
     if (found[frame]) {
-      metrics.success += successOf(overlap(*found[frame], truth[frame]));
+      metrics.success += successOf(intersectionOverUnion(*found[frame], truth[frame]));
       metrics.precision += distance <= radius ? 1.0 : 0.0;
     }
   }

@@ -41,8 +41,8 @@ std::optional<std::int64_t> framesToConverge(std::span<const TargetFrame> frames
   for (const TargetFrame& frame : frames) {
     ++seen;
     run = frame.isFollowed(gate) ? run + 1 : 0;
-    if (run == kConvergedRun)
-      return seen - kConvergedRun;
+    if (run == kConvergedFrames)
+      return seen - kConvergedFrames;
   }
   return std::nullopt;
 }

@@ -32,7 +32,7 @@ struct TargetFrame {
 std::vector<TargetFrame> targetFrames(std::span<const TrackFrame> frames, int truthIdentity,
                                       int estimateIdentity);
 
-/// Returns the number of frames before the first of kConvergedRun successive followed frames. 0
+/// Returns the number of frames before the first of kConvergedFrames successive followed frames. 0
 /// means that the target is followed from the start. Nothing if there is no such run.
 std::optional<std::int64_t> framesToConverge(std::span<const TargetFrame> frames, double gate);
 

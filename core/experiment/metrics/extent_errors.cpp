@@ -25,7 +25,7 @@ ExtentErrors extentErrors(std::span<const ExtentSample> samples) {
     ++result.near.total;
     if (sample.distance && sample.halfExtent > 0.0 && std::isfinite(*sample.distance)) {
       centroids.push_back(*sample.distance / sample.halfExtent);
-      result.near.count += centroids.back() <= kNearShare ? 1 : 0;
+      result.near.count += centroids.back() <= kNearFraction ? 1 : 0;
     }
     if (sample.estimatedRadius && sample.radius > 0.0 && std::isfinite(*sample.estimatedRadius)) {
       sizes.push_back(std::abs(*sample.estimatedRadius - sample.radius) / sample.radius);

@@ -11,7 +11,7 @@ namespace dewpoint::experiment {
 /// Largest distance, as a fraction of the half extent, at which an estimate is near a target's
 /// centroid. It is above 0 and at most 1, chosen by judgment. A quarter is 9 mm for the suite's
 /// usual ball and about 5 cm for a stick of 30 cm.
-inline constexpr double kNearShare = 0.25;
+inline constexpr double kNearFraction = 0.25;
 
 /// Error of an estimate and true target size, in one frame in which the target can be seen. Meters.
 struct ExtentSample {
@@ -24,8 +24,8 @@ struct ExtentSample {
 /// Errors relative to the target size. An error of 30 mm is large for a marble and small for a
 /// shirt.
 struct ExtentErrors {
-  /// Samples with an estimate within kNearShare of the half extent. The total includes samples in
-  /// which the target is not declared present.
+  /// Samples with an estimate within kNearFraction of the half extent. The total includes samples
+  /// in which the target is not declared present.
   Proportion near;
   double centroid = 0.0; ///< median of distance / halfExtent; NaN without a finite value
   double size = 0.0;     ///< median of |estimatedRadius - radius| / radius; NaN without values

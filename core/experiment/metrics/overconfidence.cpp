@@ -5,33 +5,33 @@
 
 namespace dewpoint::experiment {
 
-double statedRadius(const Eigen::Matrix3d& covariance) {
+double reportedRadius(const Eigen::Matrix3d& covariance) {
   return spreadOf(covariance);
 }
 
-bool isWrong(const StatedBelief& belief, double gate) {
+bool isWrong(const ReportedBelief& belief, double gate) {
   // The comparison is false for NaN, so that such a position is wrong.
   return belief.declared && !(belief.truth && (belief.position - *belief.truth).norm() < gate);
 }
 
-bool isSureAndWrong(const StatedBelief& belief) {
-  if (!(belief.probability > kSureProbability)) {
+bool isConfidentlyWrong(const ReportedBelief& belief) {
+  if (!(belief.probability > kConfidentProbability)) {
     return false;
   }
   return !(belief.truth && (belief.position - *belief.truth).norm() <=
-                               kSureRadii * statedRadius(belief.covariance));
+                               kConfidentRadii * reportedRadius(belief.covariance));
 }
 
-Overconfidence overconfidence(std::span<const StatedBelief> beliefs, double gate) {
+Overconfidence overconfidence(std::span<const ReportedBelief> beliefs, double gate) {
   Overconfidence result;
-  for (Proportion* share : {&result.wrong, &result.wrongWhenSure, &result.sureAndWrong}) {
+  for (Proportion* share : {&result.wrong, &result.wrongWhenConfident, &result.confidentlyWrong}) {
     share->total = static_cast<std::int64_t>(beliefs.size());
   }
-  for (const StatedBelief& belief : beliefs) {
+  for (const ReportedBelief& belief : beliefs) {
     const bool wrong = isWrong(belief, gate);
     result.wrong.count += wrong ? 1 : 0;
-    result.wrongWhenSure.count += wrong && belief.probability > kSureProbability ? 1 : 0;
-    result.sureAndWrong.count += isSureAndWrong(belief) ? 1 : 0;
+    result.wrongWhenConfident.count += wrong && belief.probability > kConfidentProbability ? 1 : 0;
+    result.confidentlyWrong.count += isConfidentlyWrong(belief) ? 1 : 0;
   }
   return result;
 }

@@ -12,7 +12,7 @@ namespace dewpoint::experiment {
 
 /// Report of a method about one target in one frame, and the truth. World frame; position in m,
 /// covariance in m².
-struct StatedBelief {
+struct ReportedBelief {
   double probability = 0.0; ///< reported P(exists), in [0, 1]
   bool declared = false;    ///< the method declares the target present
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
@@ -21,34 +21,34 @@ struct StatedBelief {
 };
 
 /// Reported P(exists) above which a method counts as confident.
-inline constexpr double kSureProbability = 0.95;
+inline constexpr double kConfidentProbability = 0.95;
 /// Largest acceptable error of a confident estimate, in reported radii. Three was chosen: with a
 /// correct covariance, the error is larger in only 0.0006 % (round ellipsoid) to 0.27 % (one
 /// dominant axis) of the frames.
-inline constexpr double kSureRadii = 3.0;
+inline constexpr double kConfidentRadii = 3.0;
 
 /// Returns the typical distance to the truth that a covariance implies: sqrt(trace), the root mean
 /// square length of the error, in meters. NaN if the trace is negative or NaN.
-double statedRadius(const Eigen::Matrix3d& covariance);
+double reportedRadius(const Eigen::Matrix3d& covariance);
 
 /// Returns whether the target is declared present but is absent, or is at least `gate` meters from
 /// the reported position.
-bool isWrong(const StatedBelief& belief, double gate);
+bool isWrong(const ReportedBelief& belief, double gate);
 
-/// Returns whether the method is confidently wrong: P(exists) is above kSureProbability although
-/// the target is absent, or farther than kSureRadii reported radii from the reported position. A
-/// position or covariance that is not finite also counts as wrong.
-bool isSureAndWrong(const StatedBelief& belief);
+/// Returns whether the method is confidently wrong: P(exists) is above kConfidentProbability
+/// although the target is absent, or farther than kConfidentRadii reported radii from the reported
+/// position. A position or covariance that is not finite also counts as wrong.
+bool isConfidentlyWrong(const ReportedBelief& belief);
 
 /// Number of cases in which a method is wrong, and in which it is confidently wrong. Each total
 /// counts all beliefs, including those in which the method reports nothing.
 struct Overconfidence {
-  Proportion wrong;         ///< isWrong()
-  Proportion wrongWhenSure; ///< isWrong() with P(exists) above kSureProbability
-  Proportion sureAndWrong;  ///< isSureAndWrong()
+  Proportion wrong;              ///< isWrong()
+  Proportion wrongWhenConfident; ///< isWrong() with P(exists) above kConfidentProbability
+  Proportion confidentlyWrong;   ///< isConfidentlyWrong()
 };
 
 /// Counts the wrong beliefs; `gate` is in meters.
-Overconfidence overconfidence(std::span<const StatedBelief> beliefs, double gate);
+Overconfidence overconfidence(std::span<const ReportedBelief> beliefs, double gate);
 
 } // namespace dewpoint::experiment

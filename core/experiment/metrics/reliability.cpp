@@ -53,11 +53,11 @@ Reliability reliability(std::span<const Forecast> forecasts, int binCount) {
       continue;
     const double difference = std::abs(bin.frequency - bin.meanProbability);
     result.expectedError += count / total * difference;
-    result.greatestError = std::max(result.greatestError, difference);
+    result.maxError = std::max(result.maxError, difference);
   }
   result.brier /= total;
   if (result.count == 0)
-    result.expectedError = result.greatestError = result.brier = kNoForecast;
+    result.expectedError = result.maxError = result.brier = kNoForecast;
   return result;
 }
 

@@ -30,10 +30,10 @@ struct Reliability {
   /// Expected calibration error (Naeini, Cooper & Hauskrecht 2015): sum over the bins of count /
   /// total * |frequency - meanProbability|. NaN without usable forecasts.
   double expectedError = 0.0;
-  double greatestError = 0.0; ///< largest difference |frequency - meanProbability|
-  double brier = 0.0;         ///< mean of (probability - outcome)² (Brier 1950)
-  std::int64_t count = 0;     ///< usable forecasts
-  std::int64_t unusable = 0;  ///< forecasts whose probability is not in [0, 1]
+  double maxError = 0.0;     ///< largest difference |frequency - meanProbability|
+  double brier = 0.0;        ///< mean of (probability - outcome)² (Brier 1950)
+  std::int64_t count = 0;    ///< usable forecasts
+  std::int64_t unusable = 0; ///< forecasts whose probability is not in [0, 1]
 };
 
 /// Computes the table with bins of equal width; `binCount` is at least 1.

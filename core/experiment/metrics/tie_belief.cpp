@@ -5,13 +5,14 @@
 
 namespace dewpoint::experiment {
 
-bool isSureOfTie(const StatedBelief& belief, int equalCandidates) {
-  return belief.declared && belief.probability > 1.0 / equalCandidates + kTieSlack;
+bool isConfidentInTie(const ReportedBelief& belief, int equalCandidates) {
+  return belief.declared && belief.probability > 1.0 / equalCandidates + kTieMargin;
 }
 
-Proportion sureOfTie(std::span<const StatedBelief> beliefs, int equalCandidates) {
-  const auto sure = std::ranges::count_if(
-      beliefs, [&](const StatedBelief& belief) { return isSureOfTie(belief, equalCandidates); });
+Proportion confidentInTie(std::span<const ReportedBelief> beliefs, int equalCandidates) {
+  const auto sure = std::ranges::count_if(beliefs, [&](const ReportedBelief& belief) {
+    return isConfidentInTie(belief, equalCandidates);
+  });
   return {sure, static_cast<std::int64_t>(beliefs.size())};
 }
 

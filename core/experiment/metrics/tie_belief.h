@@ -11,18 +11,18 @@ namespace dewpoint::experiment {
 /// confident in a tie. It is a probability in [0, 0.5), chosen by judgment. It equals the
 /// calibration error of P(exists) that the suite accepts in general, so random variation does not
 /// count as a claim.
-inline constexpr double kTieSlack = 0.05;
+inline constexpr double kTieMargin = 0.05;
 
 /// Returns whether a method claims knowledge that the images cannot provide. `equalCandidates`
 /// objects (at least 1) fit the target equally well, so the probability that an estimate is on the
 /// right object is at most 1 / equalCandidates. P(exists) is the probability that the target exists
 /// and is at the estimate. The result is true if the target is declared present and P(exists)
-/// exceeds that bound by more than kTieSlack. Whether the estimate is right does not matter,
+/// exceeds that bound by more than kTieMargin. Whether the estimate is right does not matter,
 /// because that is luck.
-bool isSureOfTie(const StatedBelief& belief, int equalCandidates);
+bool isConfidentInTie(const ReportedBelief& belief, int equalCandidates);
 
 /// Counts the frames in which a method is confident in a tie. The total counts all beliefs,
 /// including those in which the method reports nothing.
-Proportion sureOfTie(std::span<const StatedBelief> beliefs, int equalCandidates);
+Proportion confidentInTie(std::span<const ReportedBelief> beliefs, int equalCandidates);
 
 } // namespace dewpoint::experiment

@@ -19,14 +19,14 @@ namespace {
 std::string rowOf(const std::vector<std::string>& cells, const char* tag) {
   std::string text = "<tr>";
   for (const std::string& cell : cells) {
-    text += fmt::format("<{0}>{1}</{0}>", tag, escaped(cell));
+    text += fmt::format("<{0}>{1}</{0}>", tag, htmlEscaped(cell));
   }
   return text + "</tr>";
 }
 
 } // namespace
 
-ClaimOutcome claimOfNone(const std::vector<double>& shares) {
+ClaimOutcome noConvergenceOutcome(const std::vector<double>& shares) {
   constexpr double kNone = 0.1;
   const auto none = std::ranges::count_if(shares, [](double share) { return share < kNone; });
   return none == 0                    ? ClaimOutcome::NotReproduced
@@ -35,16 +35,17 @@ ClaimOutcome claimOfNone(const std::vector<double>& shares) {
 }
 
 FigurePage::FigurePage(const std::string& title, const std::string& sentence)
-    : title_(title), body_(fmt::format("<header><h1>{}</h1><p class='meta'>Dewpoint {}</p></header>"
-                                       "<p>{}</p>",
-                                       escaped(title), DEWPOINT_VERSION, escaped(sentence))) {}
+    : title_(title),
+      body_(fmt::format("<header><h1>{}</h1><p class='meta'>Dewpoint {}</p></header>"
+                        "<p>{}</p>",
+                        htmlEscaped(title), DEWPOINT_VERSION, htmlEscaped(sentence))) {}
 
 void FigurePage::heading(const std::string& text) {
-  body_ += fmt::format("<h2>{}</h2>", escaped(text));
+  body_ += fmt::format("<h2>{}</h2>", htmlEscaped(text));
 }
 
 void FigurePage::paragraph(const std::string& text) {
-  body_ += fmt::format("<p>{}</p>", escaped(text));
+  body_ += fmt::format("<p>{}</p>", htmlEscaped(text));
 }
 
 void FigurePage::claim(const std::string& text, bool reproduced, const std::string& here) {
@@ -59,12 +60,12 @@ void FigurePage::claim(const std::string& text, ClaimOutcome outcome, const std:
                      : outcome == ClaimOutcome::InPart   ? "reproduced in part"
                                                          : "not reproduced";
   body_ += fmt::format("<p><span class='chip {}'>{}</span> <b>{}</b> {}</p>", style, word,
-                       escaped(text), escaped(here));
+                       htmlEscaped(text), htmlEscaped(here));
 }
 
-void FigurePage::bar(const std::string& word, bool good, const std::string& text) {
+void FigurePage::requirement(const std::string& word, bool good, const std::string& text) {
   body_ += fmt::format("<p><span class='chip {}'>{}</span> {}</p>", good ? "good" : "bad",
-                       escaped(word), escaped(text));
+                       htmlEscaped(word), htmlEscaped(text));
 }
 
 void FigurePage::plots(const std::vector<std::pair<std::string, Plot>>& plots,
@@ -72,19 +73,20 @@ void FigurePage::plots(const std::vector<std::pair<std::string, Plot>>& plots,
   body_ += plotsHtml(plots, legend);
 }
 
-void FigurePage::picture(const std::string& name, const std::string& caption,
-                         const cv::Mat& image) {
+void FigurePage::pngImage(const std::string& name, const std::string& caption,
+                          const cv::Mat& image) {
   this->image(name, ".png", caption, image);
 }
 
-void FigurePage::photo(const std::string& name, const std::string& caption, const cv::Mat& image) {
+void FigurePage::jpegImage(const std::string& name, const std::string& caption,
+                           const cv::Mat& image) {
   this->image(name, ".jpg", caption, image);
 }
 
 void FigurePage::image(const std::string& name, const std::string& format,
                        const std::string& caption, const cv::Mat& image) {
-  files_.emplace_back(name + format, imageFile(image, format));
-  body_ += pictureHtml(name + format, caption);
+  files_.emplace_back(name + format, encodeImage(image, format));
+  body_ += imageHtml(name + format, caption);
 }
 
 void FigurePage::table(const std::vector<std::string>& head,
@@ -104,7 +106,7 @@ void FigurePage::data(const std::string& name, std::string text) {
 std::string FigurePage::html() const {
   return fmt::format("<!DOCTYPE html><html lang='en'><head><meta charset='utf-8'><title>{}</title>"
                      "<style>{}</style></head><body><main>{}</main></body></html>\n",
-                     escaped(title_), reportStyle(), body_);
+                     htmlEscaped(title_), reportStyle(), body_);
 }
 
 Status FigurePage::write(const std::filesystem::path& folder) const {
@@ -125,25 +127,25 @@ std::string plotsHtml(const std::vector<std::pair<std::string, Plot>>& plots,
   if (!legend.empty()) {
     text += "<div class='legend'>";
     for (const auto& [style, name] : legend) {
-      text += fmt::format("<span class='{}'>{}</span>", style, escaped(name));
+      text += fmt::format("<span class='{}'>{}</span>", style, htmlEscaped(name));
     }
     text += "</div>";
   }
   text += "<div class='plots'>";
   for (const auto& [caption, plot] : plots) {
-    text += fmt::format("<figure><figcaption>{}</figcaption>{}</figure>", escaped(caption),
-                        svgOf(plot));
+    text += fmt::format("<figure><figcaption>{}</figcaption>{}</figure>", htmlEscaped(caption),
+                        renderSvg(plot));
   }
   return text + "</div>";
 }
 
-std::string pictureHtml(const std::string& file, const std::string& caption) {
+std::string imageHtml(const std::string& file, const std::string& caption) {
   return fmt::format("<figure><figcaption>{0}</figcaption><img src='{1}' alt='{0}' "
                      "style='max-width:100%'></figure>",
-                     escaped(caption), escaped(file));
+                     htmlEscaped(caption), htmlEscaped(file));
 }
 
-std::string imageFile(const cv::Mat& image, const std::string& format) {
+std::string encodeImage(const cv::Mat& image, const std::string& format) {
   constexpr int kJpegQuality = 88;
   std::vector<std::uint8_t> bytes;
   cv::imencode(format, image, bytes,

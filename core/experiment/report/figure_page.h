@@ -20,7 +20,7 @@ enum class ClaimOutcome { Reproduced, InPart, NotReproduced };
 /// Returns the outcome for the claim that nothing converges, from the converged fraction for each
 /// start. The claim is reproduced if every fraction is below a tenth, and reproduced in part if
 /// some are.
-ClaimOutcome claimOfNone(const std::vector<double>& shares);
+ClaimOutcome noConvergenceOutcome(const std::vector<double>& shares);
 
 /// Report of one experiment: a page with inline plots and separate image files, for light and dark
 /// mode. Text arguments are plain text; the page escapes them.
@@ -37,18 +37,18 @@ public:
   void claim(const std::string& text, bool reproduced, const std::string& here);
   void claim(const std::string& text, ClaimOutcome outcome, const std::string& here);
   /// Adds a requirement. `word` says whether it is met, and `good` determines the color.
-  void bar(const std::string& word, bool good, const std::string& text);
+  void requirement(const std::string& word, bool good, const std::string& text);
   /// Adds plots side by side, each with a caption. `legend` contains the name of each style.
   void plots(const std::vector<std::pair<std::string, Plot>>& plots,
              const std::vector<std::pair<std::string, std::string>>& legend = {});
   /// Adds an image, which is written as `name`.png.
-  void picture(const std::string& name, const std::string& caption, const cv::Mat& image);
+  void pngImage(const std::string& name, const std::string& caption, const cv::Mat& image);
   /// Adds a table with column headers `head`.
   void table(const std::vector<std::string>& head,
              const std::vector<std::vector<std::string>>& rows);
   /// Adds an image that is written as `name`.jpg. Use it for camera images, whose noise makes PNG
   /// files large.
-  void photo(const std::string& name, const std::string& caption, const cv::Mat& image);
+  void jpegImage(const std::string& name, const std::string& caption, const cv::Mat& image);
   /// Adds a separate file next to the page. The page mentions its name.
   void data(const std::string& name, std::string text);
 
@@ -69,9 +69,9 @@ private:
 /// Returns a part of a report page as HTML.
 std::string plotsHtml(const std::vector<std::pair<std::string, Plot>>& plots,
                       const std::vector<std::pair<std::string, std::string>>& legend);
-std::string pictureHtml(const std::string& file, const std::string& caption);
+std::string imageHtml(const std::string& file, const std::string& caption);
 /// Encodes an image and returns the bytes of the file. `format` is ".png" or ".jpg".
-std::string imageFile(const cv::Mat& image, const std::string& format);
+std::string encodeImage(const cv::Mat& image, const std::string& format);
 
 /// Formats columns of numbers as CSV, with their names in the first line.
 std::string numbersAsCsv(const std::vector<std::string>& names,

@@ -7,16 +7,16 @@
 
 namespace dewpoint::experiment {
 
-Status experimentStopped() {
+Status stoppedExperimentError() {
   return failure(ErrorCode::Canceled, "", "experiment", "stopped");
 }
 
-bool experimentGoesOn(const ExperimentOptions& options, double part) {
+bool reportProgress(const ExperimentOptions& options, double part) {
   return !options.progress || options.progress(part);
 }
 
-SvgSeries lineOver(const std::string& style, const std::vector<double>& values, double first,
-                   double step) {
+SvgSeries lineSeries(const std::string& style, const std::vector<double>& values, double first,
+                     double step) {
   SvgSeries series;
   series.style = style;
   for (std::size_t k = 0; k < values.size(); ++k) {
@@ -25,7 +25,7 @@ SvgSeries lineOver(const std::string& style, const std::vector<double>& values, 
   return series;
 }
 
-void showAll(std::initializer_list<Plot*> plots, double least) {
+void setCommonAxes(std::initializer_list<Plot*> plots, double least) {
   constexpr double kProportion = 1.6; // of a plot's width to its height
   constexpr double kMargin = 0.05;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -52,8 +52,8 @@ void showAll(std::initializer_list<Plot*> plots, double least) {
   }
 }
 
-SvgSeries pointsOf(const std::string& style, const Eigen::ArrayXXd& rows, Eigen::Index across,
-                   Eigen::Index up, double area) {
+SvgSeries pointSeries(const std::string& style, const Eigen::ArrayXXd& rows, Eigen::Index across,
+                      Eigen::Index up, double area) {
   constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
   SvgSeries series;
   series.style = style;

@@ -18,20 +18,20 @@ namespace dewpoint::experiment {
 using PlotLegend = std::vector<std::pair<std::string, std::string>>;
 
 /// Returns the error for an experiment that was stopped.
-Status experimentStopped();
+Status stoppedExperimentError();
 /// Reports the progress `part` (0 to 1). Returns false if the experiment must stop.
-bool experimentGoesOn(const ExperimentOptions& options, double part);
+bool reportProgress(const ExperimentOptions& options, double part);
 
 /// Creates a line through the values, at the x positions `first` + i * `step`.
-SvgSeries lineOver(const std::string& style, const std::vector<double>& values, double first = 0.0,
-                   double step = 1.0);
+SvgSeries lineSeries(const std::string& style, const std::vector<double>& values,
+                     double first = 0.0, double step = 1.0);
 /// Creates points without a line. Columns `across` and `up` of the rows are their x and y. `area`
 /// is the size of a point in square pixels.
-SvgSeries pointsOf(const std::string& style, const Eigen::ArrayXXd& rows, Eigen::Index across,
-                   Eigen::Index up, double area = 7.0);
+SvgSeries pointSeries(const std::string& style, const Eigen::ArrayXXd& rows, Eigen::Index across,
+                      Eigen::Index up, double area = 7.0);
 
 /// Sets the same axes on all given plots, with one scale for both directions, so that every point
 /// is visible. The axes cover at least `least` meters vertically.
-void showAll(std::initializer_list<Plot*> plots, double least = 0.5);
+void setCommonAxes(std::initializer_list<Plot*> plots, double least = 0.5);
 
 } // namespace dewpoint::experiment

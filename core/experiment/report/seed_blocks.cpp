@@ -9,15 +9,15 @@ namespace dewpoint::experiment {
 namespace {
 
 /// What a report says of seeds that are all of one block.
-std::string_view judgementOf(SeedUse use) {
+std::string_view judgementOf(SeedPurpose use) {
   switch (use) {
-  case SeedUse::Tuning:
+  case SeedPurpose::Tuning:
     return "TUNING seeds, not to be quoted as results";
-  case SeedUse::Validation:
+  case SeedPurpose::Validation:
     return "VALIDATION seeds, which were looked at before; not to be quoted as results";
-  case SeedUse::Reserve:
+  case SeedPurpose::Reserve:
     return "RESERVE seeds, kept for later reports; not to be looked at yet";
-  case SeedUse::Reporting:
+  case SeedPurpose::Reporting:
     break;
   }
   return "reporting seeds, on which no method was tuned";
@@ -32,17 +32,17 @@ const SeedBlock& seedBlockOf(std::uint64_t seed) {
 
 bool areReportingSeeds(const std::vector<std::uint64_t>& seeds) {
   return !seeds.empty() && std::ranges::all_of(seeds, [](std::uint64_t seed) {
-    return seedBlockOf(seed).use == SeedUse::Reporting;
+    return seedBlockOf(seed).use == SeedPurpose::Reporting;
   });
 }
 
-std::string seedSentence(const std::vector<std::uint64_t>& seeds) {
+std::string describeSeeds(const std::vector<std::uint64_t>& seeds) {
   if (seeds.empty()) {
     return "none";
   }
   const std::string range =
       fmt::format("{} to {}, {} in all: ", seeds.front(), seeds.back(), seeds.size());
-  const SeedUse use = seedBlockOf(seeds.front()).use;
+  const SeedPurpose use = seedBlockOf(seeds.front()).use;
   if (seedBlockOf(seeds.back()).use == use) {
     return range + std::string(judgementOf(use));
   }
@@ -56,13 +56,13 @@ std::string seedSentence(const std::vector<std::uint64_t>& seeds) {
   return range + names + " seeds mixed, not to be quoted as results";
 }
 
-std::string seedSentence(std::uint64_t first, int count) {
+std::string describeSeeds(std::uint64_t first, int count) {
   std::vector<std::uint64_t> seeds;
   seeds.reserve(static_cast<std::size_t>(std::max(0, count)));
   for (int k = 0; k < count; ++k) {
     seeds.push_back(first + static_cast<std::uint64_t>(k));
   }
-  return seedSentence(seeds);
+  return describeSeeds(seeds);
 }
 
 } // namespace dewpoint::experiment

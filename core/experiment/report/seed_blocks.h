@@ -13,12 +13,12 @@
 namespace dewpoint::experiment {
 
 /// Purpose of a block of seeds.
-enum class SeedUse { Tuning, Validation, Reporting, Reserve };
+enum class SeedPurpose { Tuning, Validation, Reporting, Reserve };
 
 /// Range of seeds from `first` to `last`, inclusive. The blocks apply to every study: the accuracy
 /// suite, people, boxes, the papers' experiments and wand calibration.
 struct SeedBlock {
-  SeedUse use = SeedUse::Tuning;
+  SeedPurpose use = SeedPurpose::Tuning;
   std::string_view name; ///< "tuning"
   std::uint64_t first = 0;
   std::uint64_t last = 0;
@@ -35,14 +35,15 @@ inline constexpr std::uint64_t kLastReportingSeed = kFirstReportingSeed + 999;
 
 /// All blocks, in ascending order and without gaps.
 inline constexpr std::array<SeedBlock, 4> kSeedBlocks{{
-    {SeedUse::Tuning, "tuning", 0, 1000000,
+    {SeedPurpose::Tuning, "tuning", 0, 1000000,
      "Methods and their constants are chosen on these; results on them are not quoted."},
-    {SeedUse::Validation, "validation", 1000001, kFirstReportingSeed - 1,
+    {SeedPurpose::Validation, "validation", 1000001, kFirstReportingSeed - 1,
      "A finished change is checked on these before it is reported. They hold all former reporting "
      "blocks, which were looked at (from 1000001, 1002001, 1004001 and 1005001 on)."},
-    {SeedUse::Reporting, "reporting", kFirstReportingSeed, kLastReportingSeed,
+    {SeedPurpose::Reporting, "reporting", kFirstReportingSeed, kLastReportingSeed,
      "The tables of the documentation; no method was changed after a look at them."},
-    {SeedUse::Reserve, "reserve", kLastReportingSeed + 1, std::numeric_limits<std::uint64_t>::max(),
+    {SeedPurpose::Reserve, "reserve", kLastReportingSeed + 1,
+     std::numeric_limits<std::uint64_t>::max(),
      "Nobody looks at these; the next reporting block is taken from their beginning."},
 }};
 
@@ -54,8 +55,8 @@ bool areReportingSeeds(const std::vector<std::uint64_t>& seeds);
 
 /// Describes the seeds (ascending, without duplicates) and their block, with a warning unless all
 /// are in the reporting block: "1006001 to 1006020, 20 in all: reporting seeds, ...".
-std::string seedSentence(const std::vector<std::uint64_t>& seeds);
+std::string describeSeeds(const std::vector<std::uint64_t>& seeds);
 /// Describes `count` seeds from `first` on in the same way.
-std::string seedSentence(std::uint64_t first, int count);
+std::string describeSeeds(std::uint64_t first, int count);
 
 } // namespace dewpoint::experiment

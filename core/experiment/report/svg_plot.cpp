@@ -39,13 +39,13 @@ std::string at(const Plot& plot, double x, double y) {
 
 std::string gridOf(const Plot& plot) {
   std::string text;
-  for (const double mark : axisMarks(plot.x)) {
+  for (const double mark : axisTicks(plot.x)) {
     const double x = column(plot, mark);
     text += fmt::format("<line class='grid' x1='{0:.1f}' x2='{0:.1f}' y1='{1}' y2='{2}'/>"
                         "<text class='mark' x='{0:.1f}' y='{3}' text-anchor='middle'>{4:g}</text>",
                         x, kTop, kHeight - kBottom, kHeight - kBottom + 14.0, mark);
   }
-  for (const double mark : axisMarks(plot.y)) {
+  for (const double mark : axisTicks(plot.y)) {
     const double y = row(plot, mark);
     text += fmt::format("<line class='grid' x1='{1}' x2='{2}' y1='{0:.1f}' y2='{0:.1f}'/>"
                         "<text class='mark' x='{3}' y='{4:.1f}' text-anchor='end'>{5:g}</text>",
@@ -123,7 +123,7 @@ std::string disksOf(const Plot& plot, const SvgSeries& series) {
 
 } // namespace
 
-std::vector<double> axisMarks(const SvgAxis& axis) {
+std::vector<double> axisTicks(const SvgAxis& axis) {
   std::vector<double> marks;
   if (axis.logarithmic) {
     const auto first = static_cast<int>(std::ceil(std::log10(axis.low) - 1e-9));
@@ -144,7 +144,7 @@ std::vector<double> axisMarks(const SvgAxis& axis) {
   return marks;
 }
 
-std::string svgOf(const Plot& plot) {
+std::string renderSvg(const Plot& plot) {
   std::string text = fmt::format("<svg viewBox='0 0 {} {}' role='img' aria-label='{}'>", kWidth,
                                  kHeight, plot.title) +
                      gridOf(plot);

@@ -43,9 +43,9 @@ struct Plot {
 
 /// Renders the plot as an SVG element for an HTML page, with the page's CSS variables as colors.
 /// Values outside the axis ranges are moved to the border.
-std::string svgOf(const Plot& plot);
+std::string renderSvg(const Plot& plot);
 
 /// Returns the tick positions of an axis in ascending order. There are at most about six.
-std::vector<double> axisMarks(const SvgAxis& axis);
+std::vector<double> axisTicks(const SvgAxis& axis);
 
 } // namespace dewpoint::experiment

@@ -17,18 +17,18 @@ std::uint32_t hashOf(const std::string& text);
 inline constexpr double kFullTurn = 2.0 * std::numbers::pi; ///< radians
 
 /// Sequence of random numbers for building a scenario, determined by a seed.
-class Draws {
+class RandomDraws {
 public:
-  explicit Draws(const RandomStream& stream) : stream_(stream) {}
+  explicit RandomDraws(const RandomStream& stream) : stream_(stream) {}
   /// Starts the sequence for a seed and a name. Each name, such as a scenario name, has a separate
   /// sequence.
-  Draws(std::uint64_t seed, const std::string& name);
+  RandomDraws(std::uint64_t seed, const std::string& name);
 
   double uniform(double low, double high);
   double normal(double sigma);
-  int whole(int low, int high); ///< low to high, both included
-  bool coin() { return whole(0, 1) == 1; }
-  Eigen::Vector3d inBox(const Eigen::Vector3d& low, const Eigen::Vector3d& high);
+  int integer(int low, int high); ///< low to high, both included
+  bool coinFlip() { return integer(0, 1) == 1; }
+  Eigen::Vector3d pointInBox(const Eigen::Vector3d& low, const Eigen::Vector3d& high);
   Eigen::Vector3d direction(); ///< unit vector, uniform over the sphere
 
 private:

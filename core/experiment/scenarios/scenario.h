@@ -70,8 +70,8 @@ struct ScenarioRun {
   std::vector<Target> targets;
   /// Center of the volume in which the search starts, meters.
   Eigen::Vector3d startCenter = Eigen::Vector3d::Zero();
-  Eigen::Vector3d startHalf = Eigen::Vector3d::Zero(); ///< half size of that volume, meters
-  double framesPerSecond = simulation::kUsualFrameRate;
+  Eigen::Vector3d startHalfSize = Eigen::Vector3d::Zero(); ///< half size of that volume, meters
+  double framesPerSecond = simulation::kDefaultFrameRate;
   std::int64_t frameCount = 0;
   /// True trajectory, with one sample per target and frame. A sample is not `valid` while the
   /// target is not in the scene. The position is the center of a ball, or the centroid of any other

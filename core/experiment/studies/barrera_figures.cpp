@@ -179,7 +179,7 @@ Status assessFigure3(const std::map<int, Instant>& instants, const ConvergenceCa
     return (instants.at(iteration).estimate.mean - setup.ball).norm();
   };
   page.paragraph("Pictures and table are of the first of these seeds: " +
-                 seedSentence(options.firstSeed, options.runs) + ".");
+                 describeSeeds(options.firstSeed, options.runs) + ".");
   page.heading("What the paper says");
   // Two steps of 3 cm in front of a camera that is 14 cm away: its image never holds them all.
   const bool away = insideAtTwo[1] < 20;
@@ -218,9 +218,9 @@ Status barreraFigure3(const ExperimentOptions& options) {
       inside[iteration].at(camera) =
           drawParticles(rig[camera], instant.particles, instant.images[camera]);
     }
-    page.picture(fmt::format("iteration-{}", iteration),
-                 fmt::format("Iteration {}: camera 1 and camera 2", iteration),
-                 beside(instant.images));
+    page.pngImage(fmt::format("iteration-{}", iteration),
+                  fmt::format("Iteration {}: camera 1 and camera 2", iteration),
+                  beside(instant.images));
     rows.push_back(rowOf(iteration, instant, setup, rig.front().opticalAxis()));
     rows.back().push_back(fmt::format("{} and {}", inside[iteration][0], inside[iteration][1]));
   }
@@ -252,20 +252,20 @@ Status barreraFigure4(const ExperimentOptions& options) {
   std::vector<std::vector<std::string>> rows;
   for (const auto& [iteration, instant] : *instants) {
     const std::string style = fmt::format("m{}", legend.size());
-    plot.series.push_back(pointsOf(style, instant.particles, 0, 1));
+    plot.series.push_back(pointSeries(style, instant.particles, 0, 1));
     legend.emplace_back(style, fmt::format("iteration {}", iteration));
     rows.push_back(rowOf(iteration, instant, setup, rig.front().opticalAxis()));
   }
   Eigen::ArrayXXd positions(3, 3);
   positions << setup.ball.transpose().array(), rig[0].center().transpose().array(),
       rig[1].center().transpose().array();
-  plot.series.push_back(pointsOf("m5", positions, 0, 1, 60.0));
+  plot.series.push_back(pointSeries("m5", positions, 0, 1, 60.0));
   legend.emplace_back("m5", "the ball and both cameras");
-  showAll({&plot});
+  setCommonAxes({&plot});
   page.plots({{"The room from above, all particles of each instant", plot}}, legend);
   page.table(kInstantHead, rows);
   page.paragraph(kSpreadSentence);
-  page.paragraph("Seeds " + seedSentence(options.firstSeed, 1) + ".");
+  page.paragraph("Seeds " + describeSeeds(options.firstSeed, 1) + ".");
   page.heading("What the paper says");
   const Instant& way = instants->at(50);
   const Eigen::Vector3d axis = rig.front().opticalAxis();

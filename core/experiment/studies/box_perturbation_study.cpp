@@ -38,7 +38,7 @@ struct Claims {
   int framesOff = 0;
   int wrong = 0;
 
-  void add(const BoxClaim& claim, bool isOn) {
+  void add(const BoxConfidence& claim, bool isOn) {
     const double similarity = claim.visible ? claim.similarity : 0.0;
     (isOn ? on : off) += similarity;
     ++(isOn ? framesOn : framesOff);
@@ -54,7 +54,7 @@ Status follow(const BoxClip& clip, const std::vector<cv::Mat>& images, const Ima
   std::vector<std::optional<ImageBox>> found{first};
   for (std::size_t frame = 1; frame < images.size(); ++frame) {
     found.push_back(follower.step(images[frame]));
-    if (const auto claim = follower.claim(); claim && found.back()) {
+    if (const auto claim = follower.confidence(); claim && found.back()) {
       const double away = (found.back()->center() - clip.truth[frame].center()).norm();
       claims.add(*claim, away <= clip.radius);
     }
@@ -73,7 +73,7 @@ void conclude(const Claims& claims, BoxPerturbationRow& row) {
   row.metrics.success /= row.runs;
   row.metrics.precision /= row.runs;
   const int frames = claims.framesOn + claims.framesOff;
-  row.claims = frames > 0;
+  row.reportsConfidence = frames > 0;
   row.similarityOn = claims.on / std::max(1, claims.framesOn);
   row.similarityOff = claims.off / std::max(1, claims.framesOff);
   row.confidentlyWrong = double(claims.wrong) / std::max(1, frames);
@@ -97,7 +97,7 @@ Result<BoxPerturbationRow> measure(const BoxClip& clip, const std::vector<cv::Ma
         return tl::make_unexpected(follower.error());
       }
       const auto done =
-          follow(clip, images, perturbation.of(clip.truth.front()), **follower, claims, row);
+          follow(clip, images, perturbation.appliedTo(clip.truth.front()), **follower, claims, row);
       if (!done) {
         return tl::make_unexpected(done.error());
       }

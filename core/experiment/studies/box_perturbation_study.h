@@ -18,7 +18,7 @@ struct BoxPerturbation {
   double right = 0.0; ///< shift of the center, in true widths
   double down = 0.0;  ///< shift of the center, in true heights
 
-  ImageBox of(const ImageBox& box) const {
+  ImageBox appliedTo(const ImageBox& box) const {
     return ImageBox::around(box.center() + Eigen::Vector2d(right * box.width, down * box.height),
                             scale * box.width, scale * box.height);
   }
@@ -37,7 +37,7 @@ struct BoxPerturbationRow {
   int runs = 0;       ///< number of runs: shifts times seeds
   BoxMetrics metrics; ///< against the true boxes
   double worstPrecision = 1.0;
-  bool claims =
+  bool reportsConfidence =
       false; ///< the remaining fields are known, because the method reports its confidence
   double similarityOn = 0.0; ///< mean similarity with the center within the radius
   double similarityOff =

@@ -22,8 +22,8 @@ std::string convergenceCsv(const std::vector<ConvergenceResult>& results) {
   for (const ConvergenceResult& result : results) {
     const ConvergenceCase& setup = result.setup;
     text += fmt::format("{},{},{},{},{},{},{},{}", csvCell(setup.name), cellsOf(setup.ball),
-                        cellsOf(setup.start), cellsOf(setup.startHalf), setup.firstSeed, setup.runs,
-                        result.converged, result.within);
+                        cellsOf(setup.start), cellsOf(setup.startHalfSize), setup.firstSeed,
+                        setup.runs, result.converged, result.within);
     text += result.converged > 0
                 ? fmt::format(",{:g},{:.6g},{:.6g}\n", result.medianIterations,
                               inMillimeters(result.rmse), inMillimeters(result.depthBias))

@@ -63,7 +63,7 @@ ParameterValues parametersOf(const ConvergenceCase& setup) {
   for (int axis = 0; axis < 3; ++axis) {
     // Within the declared range by construction of the cases.
     (void)parameters.set(std::string("start_") + axes[axis], setup.start[axis]);
-    (void)parameters.set(std::string("start_half_") + axes[axis], setup.startHalf[axis]);
+    (void)parameters.set(std::string("start_half_") + axes[axis], setup.startHalfSize[axis]);
   }
   return parameters;
 }
@@ -93,7 +93,7 @@ private:
 /// Brings what the run believes of its target to a watch.
 class BeliefObserver final : public FrameObserver {
 public:
-  explicit BeliefObserver(const ConvergenceWatch& watch) : watch_(watch) {}
+  explicit BeliefObserver(const ConvergenceCallback& watch) : watch_(watch) {}
 
   Status tracked(const TrackingRun& run) override {
     watch_(static_cast<int>(run.iterations()), run, std::get<SphereEstimate>(run.estimate(0)));
@@ -101,7 +101,7 @@ public:
   }
 
 private:
-  const ConvergenceWatch& watch_;
+  const ConvergenceCallback& watch_;
 };
 
 /// The run of a still scene that is to find its ball, and the scene's frames.
@@ -113,7 +113,8 @@ struct Trial {
 };
 
 /// One iteration per frame, as the method does unless it is told otherwise.
-Status watchRun(Trial& trial, std::uint64_t seed, int iterations, const ConvergenceWatch& watch) {
+Status watchRun(Trial& trial, std::uint64_t seed, int iterations,
+                const ConvergenceCallback& watch) {
   trial.run.restart(seed);
   RepeatedFrames source(trial.frames);
   BeliefObserver observer(watch);
@@ -186,7 +187,7 @@ Result<ConvergenceResult> resultOf(const ConvergenceCase& setup, Trial& trial) {
     if (!path) {
       return tl::make_unexpected(path.error());
     }
-    const auto converged = convergedFrom(path->spreads, trial.motionSigma);
+    const auto converged = convergenceIteration(path->spreads, trial.motionSigma);
     if (!converged) {
       continue;
     }
@@ -220,7 +221,7 @@ Result<std::vector<double>> driftOf(const Eigen::Vector3d& start, Trial& trial, 
 
 } // namespace
 
-std::optional<int> convergedFrom(std::span<const double> spreads, double motionSigma) {
+std::optional<int> convergenceIteration(std::span<const double> spreads, double motionSigma) {
   const double bound = std::sqrt(3.0) * motionSigma;
   std::size_t begin = spreads.size(); // of the spreads below the bound at the end
   while (begin > 0 && spreads[begin - 1] < bound) {
@@ -284,7 +285,7 @@ Result<ConvergenceResult> studyConvergence(const ConvergenceCase& setup) {
 }
 
 Status watchConvergence(const ConvergenceCase& setup, std::uint64_t seed,
-                        const ConvergenceWatch& watch) {
+                        const ConvergenceCallback& watch) {
   return prepare(stillScene(setup), setup).and_then([&](Trial trial) {
     return watchRun(trial, seed, setup.iterations, watch);
   });

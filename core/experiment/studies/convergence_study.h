@@ -23,7 +23,7 @@ struct ConvergenceCase {
   std::string name;
   Eigen::Vector3d ball;
   Eigen::Vector3d start;
-  Eigen::Vector3d startHalf =
+  Eigen::Vector3d startHalfSize =
       Eigen::Vector3d::Zero(); ///< half sizes of the uniform start box; 0: a point
   int runs = 100;
   int iterations = 150;
@@ -33,8 +33,8 @@ struct ConvergenceCase {
 };
 
 /// Results of the `barrera` method for a case with `runs` seeds (from the first one on) and one
-/// iteration per frame. Convergence is determined from the cloud alone, see convergedFrom(). From
-/// then on, its distance to the ball is measured.
+/// iteration per frame. Convergence is determined from the cloud alone, see convergenceIteration().
+/// From then on, its distance to the ball is measured.
 struct ConvergenceResult {
   ConvergenceCase setup;
   int converged = 0; ///< number of runs whose cloud has converged at the end
@@ -49,7 +49,7 @@ struct ConvergenceResult {
 /// mean square distance of the weighted particles to their mean, meters) is below sqrt(3) sigma_m.
 /// This is the spread that a single motion step gives to a point. A smaller spread means that the
 /// images add more information than the motion removes. Nothing if the last spread is larger.
-std::optional<int> convergedFrom(std::span<const double> spreads, double motionSigma);
+std::optional<int> convergenceIteration(std::span<const double> spreads, double motionSigma);
 
 /// Returns the cases of Barrera et al. 2005, section III. Values that the paper does not give are
 /// chosen here: ball positions, start volumes and camera directions.
@@ -66,11 +66,11 @@ ConvergenceCase figure3Case(int runs = 100, std::uint64_t firstSeed = kFirstTuni
 Result<ConvergenceResult> studyConvergence(const ConvergenceCase& setup);
 
 /// Callback after each iteration (counted from 1) of a run, with the run and its estimate.
-using ConvergenceWatch =
+using ConvergenceCallback =
     std::function<void(int iteration, const TrackingRun& run, const SphereEstimate& estimate)>;
 /// Runs one seed of a case and calls `watch` after each iteration.
 Status watchConvergence(const ConvergenceCase& setup, std::uint64_t seed,
-                        const ConvergenceWatch& watch);
+                        const ConvergenceCallback& watch);
 
 /// Returns the distance that the mean has moved after each iteration, meters. See measureDrift().
 Result<std::vector<double>> driftCurve(int runs, int iterations,

@@ -21,7 +21,7 @@
 namespace dewpoint::experiment {
 namespace {
 
-const Eigen::Vector3d kBall = simulation::kDeskMiddle; ///< on camera 1's optical axis
+const Eigen::Vector3d kBall = simulation::kDeskCenter; ///< on camera 1's optical axis
 constexpr double kMotionSigma = 0.03; ///< meters per axis and iteration, the paper's
 constexpr double kHalfWindow = 2.5;   ///< pixels: a window of 5 x 5 reaches so far
 
@@ -78,7 +78,7 @@ Plot conePlot(const Camera& camera, const std::map<int, Eigen::ArrayXXd>& clouds
   double length = (kBall - camera.center()).norm();
   for (const auto& [iteration, cloud] : clouds) {
     const std::string style = fmt::format("m{}", legend.size());
-    plot.series.push_back(pointsOf(style, cloud, 0, 1));
+    plot.series.push_back(pointSeries(style, cloud, 0, 1));
     legend.emplace_back(style, fmt::format("iteration {}", iteration));
     const Eigen::VectorXd depths =
         (cloud.matrix().rowwise() - camera.center().transpose()) * camera.opticalAxis();
@@ -86,11 +86,11 @@ Plot conePlot(const Camera& camera, const std::map<int, Eigen::ArrayXXd>& clouds
   }
   Eigen::ArrayXXd positions(2, 3);
   positions << kBall.transpose().array(), camera.center().transpose().array();
-  plot.series.push_back(pointsOf("m4", positions, 0, 1, 60.0));
+  plot.series.push_back(pointSeries("m4", positions, 0, 1, 60.0));
   legend.emplace_back("m4", "the ball and camera 1");
   plot.series.push_back(coneEdges(camera, length, "m5"));
   legend.emplace_back("m5", "where camera 1 finds the ball's color");
-  showAll({&plot});
+  setCommonAxes({&plot});
   return plot;
 }
 
@@ -106,7 +106,7 @@ StayCurves stayCurves(double slope) {
     curves.steps.push_back(kLongestStep * (2.0 * k / (kStepCount - 1) - 1.0));
   }
   for (const double depth : kConeDepths) {
-    curves.shares.push_back(shareThatStaysInCone(slope, depth, kMotionSigma, curves.steps));
+    curves.shares.push_back(fractionStayingInCone(slope, depth, kMotionSigma, curves.steps));
   }
   return curves;
 }
@@ -119,7 +119,7 @@ Plot stayPlot(const StayCurves& curves, PlotLegend& legend) {
   const double spacing = curves.steps[1] - curves.steps[0];
   for (std::size_t k = 0; k < kConeDepths.size(); ++k) {
     const std::string style = fmt::format("m{}", k);
-    plot.series.push_back(lineOver(style, curves.shares[k], -kLongestStep, spacing));
+    plot.series.push_back(lineSeries(style, curves.shares[k], -kLongestStep, spacing));
     legend.emplace_back(style, fmt::format("{} m from the camera", kConeDepths.at(k)));
   }
   return plot;
@@ -149,8 +149,8 @@ void assessCone(const StayCurves& curves, FigurePage& page) {
 
 } // namespace
 
-std::vector<double> shareThatStaysInCone(double slope, double depth, double motionSigma,
-                                         const std::vector<double>& steps) {
+std::vector<double> fractionStayingInCone(double slope, double depth, double motionSigma,
+                                          const std::vector<double>& steps) {
   constexpr int kDraws = 20000; // the standard error of a share is at most 0.4 %
   const RandomStream stream(1, 0, 0, RandomPurpose::Simulation);
   std::vector<double> radii; // from the axis, meters, after the sideways part of a step
@@ -197,7 +197,7 @@ Status barreraFigure5(const ExperimentOptions& options) {
         "the motion model draws it: the chance that it is still in the cone",
         stay}},
       stayLegend);
-  page.paragraph("Seeds of the clouds: " + seedSentence(options.firstSeed, 1) + ".");
+  page.paragraph("Seeds of the clouds: " + describeSeeds(options.firstSeed, 1) + ".");
   assessCone(curves, page);
   std::vector<std::vector<double>> columns{curves.steps};
   columns.insert(columns.end(), curves.shares.begin(), curves.shares.end());
@@ -220,9 +220,9 @@ Status barreraDrift(const ExperimentOptions& options) {
   plot.title = "Movement away from the camera";
   plot.x = {"iteration", 0.0, kIterations, false};
   plot.y = {"moved away, m", 0.0, 1.1 * std::max(0.01, std::ranges::max(*moved)), false};
-  plot.series.push_back(lineOver("m0", *moved, 1.0));
+  plot.series.push_back(lineSeries("m0", *moved, 1.0));
   page.plots({{"Movement away from camera 1", plot}});
-  page.paragraph("Seeds " + seedSentence(options.firstSeed, options.runs) + ".");
+  page.paragraph("Seeds " + describeSeeds(options.firstSeed, options.runs) + ".");
   page.heading("What the paper says");
   page.claim("The particles move away from the camera along its optical axis, systematically.",
              moved->back() > 0.05,
@@ -255,8 +255,8 @@ Result<StartShares> sharesOf(const std::vector<ConvergenceCase>& cases,
     shares.converged.push_back(double(result->converged) / setup.runs);
     shares.within.push_back(double(result->within) / setup.runs);
     const double part = double(shares.converged.size()) / double(cases.size());
-    if (!experimentGoesOn(options, from + (to - from) * part)) {
-      return tl::make_unexpected(experimentStopped().error());
+    if (!reportProgress(options, from + (to - from) * part)) {
+      return tl::make_unexpected(stoppedExperimentError().error());
     }
   }
   return shares;
@@ -319,20 +319,22 @@ Status barreraStarts(const ExperimentOptions& options) {
               {"From one point (0.5, y, 0.15), at and beyond the ball",
                sharePlot("y, m", beyond, *pointShares)}},
              {{"m0", "the cloud has converged"}, {"m1", "and is within 3 cm of the ball"}});
-  page.paragraph("Seeds " + seedSentence(options.firstSeed, options.runs) + ".");
+  page.paragraph("Seeds " + describeSeeds(options.firstSeed, options.runs) + ".");
   page.heading("What the paper says");
-  page.claim("From random starts it does not converge at all.", claimOfNone(boxShares->converged),
+  page.claim("From random starts it does not converge at all.",
+             noConvergenceOutcome(boxShares->converged),
              fmt::format("It depends on the volume, which the paper does not state: here {:.0f} % "
                          "converge from a cube of 0.4 m, {:.0f} % from one of 1 m, {:.0f} % from "
                          "one of 4 m.",
                          inPercent(boxShares->converged[2]), inPercent(boxShares->converged[4]),
                          inPercent(boxShares->converged.back())));
-  page.claim("From a start farther than the ball it does not converge at all.",
-             claimOfNone({pointShares->converged.begin() + 1, pointShares->converged.end()}),
-             fmt::format("It depends on how far: here {:.0f} % converge from 0.1 m beyond the "
-                         "ball, {:.0f} % from 0.3 m, {:.0f} % from 0.5 m.",
-                         inPercent(pointShares->converged[2]), inPercent(pointShares->converged[6]),
-                         inPercent(pointShares->converged.back())));
+  page.claim(
+      "From a start farther than the ball it does not converge at all.",
+      noConvergenceOutcome({pointShares->converged.begin() + 1, pointShares->converged.end()}),
+      fmt::format("It depends on how far: here {:.0f} % converge from 0.1 m beyond the "
+                  "ball, {:.0f} % from 0.3 m, {:.0f} % from 0.5 m.",
+                  inPercent(pointShares->converged[2]), inPercent(pointShares->converged[6]),
+                  inPercent(pointShares->converged.back())));
   page.paragraph("Reproduced: fewer than 10 % converge from every start that was tried; in part: "
                  "from some of them.");
   page.data("boxes.csv", numbersAsCsv({"half_edge_m", "share", "share_within_3_cm"},

@@ -13,8 +13,8 @@ namespace dewpoint::experiment {
 /// `depth` meters from its apex (radius `slope` times the depth). A step moves them by its length
 /// (meters) along the axis, away from the apex, and by N(0, motionSigma) sideways. The result has
 /// one value per entry in `steps`. Random numbers use a fixed seed.
-std::vector<double> shareThatStaysInCone(double slope, double depth, double motionSigma,
-                                         const std::vector<double>& steps);
+std::vector<double> fractionStayingInCone(double slope, double depth, double motionSigma,
+                                          const std::vector<double>& steps);
 
 // Functions that reproduce figures of Barrera et al. 2005, section III-B, on the simulated demo.
 // For FigureExperiment::run.

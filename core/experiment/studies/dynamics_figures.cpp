@@ -43,7 +43,7 @@ Plot errorPlot(const std::vector<std::pair<std::string, std::vector<double>>>& c
   plot.x = {"iteration", 0.0, double(curves.front().second.size()), false};
   plot.y = {"error, m", 0.0, 2.2, false};
   for (const auto& [style, errors] : curves) {
-    plot.series.push_back(lineOver(style, errors));
+    plot.series.push_back(lineSeries(style, errors));
   }
   return plot;
 }
@@ -105,7 +105,7 @@ Plot cloudPlot(const DynamicsRun& run) {
   plot.x.label = "along the jump, m";
   plot.y.label = "across, m";
   for (std::size_t k = 0; k < run.clouds.size(); ++k) {
-    plot.series.push_back(pointsOf(fmt::format("m{}", k), run.clouds[k], 0, 1));
+    plot.series.push_back(pointSeries(fmt::format("m{}", k), run.clouds[k], 0, 1));
   }
   return plot;
 }
@@ -166,8 +166,8 @@ Status dynamicsFigure6(const ExperimentOptions& options) {
     setup.motionSigma = sigmas[k];
     const auto errors = meanErrors(setup, runs, options.firstSeed);
     const Convergence one = found.emplace_back(convergenceOf(errors, setup));
-    const double limit = speedLimit(setup, 10, options.firstSeed);
-    const double most = farAdvance(setup, 10, options.firstSeed);
+    const double limit = maxTrackableSpeed(setup, 10, options.firstSeed);
+    const double most = advanceTowardFarObject(setup, 10, options.firstSeed);
     rows.push_back({fmt::format("{:.2f} m", sigmas[k]), iterationsText(one.first),
                     fmt::format("{:.2f} m", errors[std::size_t(setup.jump)]),
                     iterationsText(one.again),
@@ -176,15 +176,15 @@ Status dynamicsFigure6(const ExperimentOptions& options) {
     curves.emplace_back(fmt::format("m{}", k), errors);
     legend.emplace_back(fmt::format("m{}", k), fmt::format("sigma_m {:.2f} m", sigmas[k]));
     columns.push_back(errors);
-    if (!experimentGoesOn(options, double(k + 1) / double(sigmas.size()))) {
-      return experimentStopped();
+    if (!reportProgress(options, double(k + 1) / double(sigmas.size()))) {
+      return stoppedExperimentError();
     }
   }
   for (std::size_t k = 0; k < columns[1].size(); ++k) {
     columns[0].push_back(double(k));
   }
   page.plots({{fmt::format("Mean of {} runs", runs), errorPlot(curves)}}, legend);
-  page.paragraph("Seeds " + seedSentence(options.firstSeed, runs) + ".");
+  page.paragraph("Seeds " + describeSeeds(options.firstSeed, runs) + ".");
   page.table({"motion sigma", "first found after", "error at iteration 30", "found again after",
               "fastest it follows, per iteration", "its way toward a far object, per iteration"},
              rows);
@@ -220,19 +220,19 @@ Status dynamicsFigure7(const ExperimentOptions& options) {
     columns[0].push_back(setup.motionSigma);
     columns[1].push_back(convergenceOf(errors.back(), setup).again);
     columns[2].push_back(errors.back()[69]);
-    if (!experimentGoesOn(options, double(k + 1) / kSigmas)) {
-      return experimentStopped();
+    if (!reportProgress(options, double(k + 1) / kSigmas)) {
+      return stoppedExperimentError();
     }
   }
   FigurePage page("Error over iteration and motion sigma (figure 7)",
                   chosen("on the object, so that a small sigma_m has found it, too"));
-  page.picture(
+  page.pngImage(
       "figure7",
       fmt::format("Mean error of {} runs: black 2 m, white 0. Across: iterations; upwards: "
                   "sigma_m from 0.001 to 0.3 m",
                   options.runs),
       framed(errorImage(errors), kLowest, kHighest));
-  page.paragraph("Seeds " + seedSentence(options.firstSeed, options.runs) + ".");
+  page.paragraph("Seeds " + describeSeeds(options.firstSeed, options.runs) + ".");
   const auto at = [&](double sigma) {
     return std::size_t(std::lround((sigma - kLowest) / (kHighest - kLowest) * (kSigmas - 1)));
   };
@@ -267,7 +267,7 @@ Status dynamicsFigure8(const ExperimentOptions& options) {
                   "Particles at iterations 29, 32, 36, 42, 50 and 69; the object jumps by 2 m "
                   "before iteration 30. Projected to the plane of the jump.");
   page.paragraph(chosen(kStartsBeside));
-  page.paragraph("Seeds " + seedSentence(options.firstSeed, 1) + ".");
+  page.paragraph("Seeds " + describeSeeds(options.firstSeed, 1) + ".");
   std::array<DynamicsRun, 2> runs;
   std::array<Plot, 2> clouds;
   constexpr std::array kSigmas{0.03, 0.15}; // meters: the paper's, and five times that
@@ -276,11 +276,11 @@ Status dynamicsFigure8(const ExperimentOptions& options) {
     setup.motionSigma = kSigmas[k];
     runs[k] = runDynamics(setup, options.firstSeed, instants);
     clouds[k] = cloudPlot(runs[k]);
-    if (!experimentGoesOn(options, double(k + 1) / double(kSigmas.size()))) {
-      return experimentStopped();
+    if (!reportProgress(options, double(k + 1) / double(kSigmas.size()))) {
+      return stoppedExperimentError();
     }
   }
-  showAll({&clouds[0], &clouds[1]});
+  setCommonAxes({&clouds[0], &clouds[1]});
   PlotLegend legend;
   std::vector<std::vector<std::string>> rows;
   for (std::size_t i = 0; i < instants.size(); ++i) {

@@ -92,7 +92,7 @@ int iterationsUntilBelow(const std::vector<double>& errors, int from, int end, d
   return last == end ? -1 : last - from + 1;
 }
 
-double speedLimit(DynamicsSetup setup, int runs, std::uint64_t firstSeed) {
+double maxTrackableSpeed(DynamicsSetup setup, int runs, std::uint64_t firstSeed) {
   // Chosen: the limit is known to a 256th of the interval in which it lies.
   constexpr int kSteps = 60;
   constexpr int kHalvings = 8;
@@ -107,7 +107,7 @@ double speedLimit(DynamicsSetup setup, int runs, std::uint64_t firstSeed) {
   return kept;
 }
 
-double farAdvance(DynamicsSetup setup, int runs, std::uint64_t firstSeed) {
+double advanceTowardFarObject(DynamicsSetup setup, int runs, std::uint64_t firstSeed) {
   static constexpr double kFar = 50.0; // meters; chosen: beyond what a step can reach
   constexpr int kSteps = 40;           // iterations of which the mean is taken; chosen
   setup.start = Eigen::Vector3d::Zero();

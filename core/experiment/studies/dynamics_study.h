@@ -55,11 +55,12 @@ int iterationsUntilBelow(const std::vector<double>& errors, int from, int end, d
 /// Returns the largest speed of a steadily moving object that a cloud can follow with an error
 /// below a quarter of a meter, in meters per iteration. It is found by bisection over 60 iterations
 /// and `runs` seeds.
-double speedLimit(DynamicsSetup setup, int runs, std::uint64_t firstSeed = kFirstTuningSeed);
+double maxTrackableSpeed(DynamicsSetup setup, int runs, std::uint64_t firstSeed = kFirstTuningSeed);
 
 /// Returns the distance per iteration (meters) by which the mean moves toward a distant object.
 /// This is a mean over `runs` seeds. It is about the expected largest of N standard normals times
 /// sigma_m (2.75 sigma_m at N = 200), because only the nearest particle survives.
-double farAdvance(DynamicsSetup setup, int runs, std::uint64_t firstSeed = kFirstTuningSeed);
+double advanceTowardFarObject(DynamicsSetup setup, int runs,
+                              std::uint64_t firstSeed = kFirstTuningSeed);
 
 } // namespace dewpoint::experiment

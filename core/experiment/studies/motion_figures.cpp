@@ -85,8 +85,8 @@ Result<std::map<std::int64_t, MotionFrame>> motionFrames(const OfficeRenderer& r
     if (const auto tracked = trackOneFrame(*run, set, {}); !tracked) {
       return tl::make_unexpected(tracked.error());
     }
-    if (!experimentGoesOn(options, double(frame + 1) / double(count))) {
-      return tl::make_unexpected(experimentStopped().error());
+    if (!reportProgress(options, double(frame + 1) / double(count))) {
+      return tl::make_unexpected(stoppedExperimentError().error());
     }
     const cv::Mat mask = run->capability<PeopleFinding>()->foreground(0);
     if (mask.empty()) {
@@ -254,7 +254,7 @@ MaskQuality maskQuality(const cv::Mat& mask, const cv::Mat& people) {
   cv::Mat centers;
   const int count = cv::connectedComponentsWithStats(mask, labels, statistics, centers, 8);
   for (int label = 1; label < count; ++label) { // 0 is the background
-    quality.regions += statistics.at<int>(label, cv::CC_STAT_AREA) >= kSmallestRegion ? 1 : 0;
+    quality.regions += statistics.at<int>(label, cv::CC_STAT_AREA) >= kMinRegionArea ? 1 : 0;
   }
   const cv::Mat isPerson = people != 0;
   const int both = cv::countNonZero(isPerson & mask);
@@ -270,7 +270,7 @@ Status mohedanoMotionFigures(const ExperimentOptions& options) {
   if (!scenario) {
     return tl::make_unexpected(scenario.error());
   }
-  const std::vector<PeopleInstant> instants = tellingInstants(*scenario);
+  const std::vector<PeopleInstant> instants = instantsToShow(*scenario);
   const std::int64_t nearest = instants.at(instants.size() / 2).frame; // before, nearest, after
   OfficeScene scene = scenario->scene;
   scene.cameras.resize(1); // the masks of a camera do not depend on the others
@@ -287,9 +287,9 @@ Status mohedanoMotionFigures(const ExperimentOptions& options) {
                   "Two people cross in the simulated office, in different clothes; camera 1, "
                   "method mohedano-ms with its defaults: MOG2 of OpenCV, sigma 4 pixels, p_B "
                   "0.2.");
-  page.paragraph("Seeds " + seedSentence(options.firstSeed, 1) + ".");
+  page.paragraph("Seeds " + describeSeeds(options.firstSeed, 1) + ".");
   const MotionFrame& shown = middle->second;
-  page.photo(
+  page.jpegImage(
       "figure-1",
       fmt::format("Figure 1, frame {}: the image, its motion mask, and the motion likelihood "
                   "image D",
@@ -304,8 +304,8 @@ Status mohedanoMotionFigures(const ExperimentOptions& options) {
     }
   }
   if (!masks.empty()) {
-    page.photo("figure-3", fmt::format("Figure 3: motion masks of frames {}", names),
-               besideEachOther(masks));
+    page.jpegImage("figure-3", fmt::format("Figure 3: motion masks of frames {}", names),
+                   besideEachOther(masks));
   }
   const MaskNumbers numbers = maskNumbersOf(scene, *frames);
   showNumbers(numbers, page);

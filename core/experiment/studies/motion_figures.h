@@ -10,13 +10,13 @@ namespace dewpoint::experiment {
 
 /// Agreement of a motion mask with the people in an image.
 struct MaskQuality {
-  int regions = 0; ///< number of connected regions (8 neighbors) of at least kSmallestRegion pixels
+  int regions = 0; ///< number of connected regions (8 neighbors) of at least kMinRegionArea pixels
   double recall = 0.0; ///< fraction of the people's pixels that are in the mask; 1 without people
   double precision = 0.0; ///< fraction of the mask's pixels that are on people; 1 for an empty mask
 };
 
 /// Minimum region area (pixels). Smaller regions are noise. Chosen by judgment.
-inline constexpr int kSmallestRegion = 20;
+inline constexpr int kMinRegionArea = 20;
 
 /// Compares a mask (CV_8UC1, 0 or 255) with the pixels of people (CV_8UC1, nonzero on a person).
 MaskQuality maskQuality(const cv::Mat& mask, const cv::Mat& people);

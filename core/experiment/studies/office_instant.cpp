@@ -23,13 +23,13 @@ OfficeInstant renderInstant(const PeopleRecording& recording, const OfficeRender
   instant.camerasSeeing.assign(scene.people.size(), 0);
   instant.frames = recording.frames(frame);
   for (std::size_t k = 0; k < scene.cameras.size(); ++k) {
-    const cv::Mat who = renderer.visible(k, frame);
+    const cv::Mat who = renderer.visiblePeople(k, frame);
     for (std::size_t person = 0; person < scene.people.size(); ++person) {
-      const bool seen = cv::countNonZero(who == static_cast<int>(person + 1)) >= kVisiblePixels;
+      const bool seen = cv::countNonZero(who == static_cast<int>(person + 1)) >= kMinVisiblePixels;
       instant.camerasSeeing[person] += seen ? 1 : 0;
     }
     instant.who.push_back(who);
-    if (frame % kSilhouetteEvery == 0) {
+    if (frame % kSilhouetteInterval == 0) {
       instant.silhouettes.push_back(silhouettesIn(renderer, k, frame));
     }
   }

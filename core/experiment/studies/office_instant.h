@@ -15,15 +15,15 @@ namespace dewpoint::experiment {
 
 /// Minimum number of visible pixels at which a camera counts as seeing a person. It is a quarter of
 /// a fully visible adult, who has 600 or more pixels.
-inline constexpr int kVisiblePixels = 150;
+inline constexpr int kMinVisiblePixels = 150;
 /// Number of frames between two comparisons of silhouettes. Chosen to be a third of a second.
-inline constexpr std::int64_t kSilhouetteEvery = 5;
+inline constexpr std::int64_t kSilhouetteInterval = 5;
 
 /// One instant of a scene with people: its images, and the people that the true cameras see at that
 /// time, regardless of delays.
 struct OfficeInstant {
   FrameSetPtr frames; ///< images as they arrive, see PeopleRecording
-  /// Number of cameras that see at least kVisiblePixels, per person.
+  /// Number of cameras that see at least kMinVisiblePixels, per person.
   std::vector<int> camerasSeeing;
   std::vector<cv::Mat> who; ///< visible person at each pixel, per camera; see paintPeople()
   /// Complete silhouettes, by camera and then by person. Empty at instants that are not compared.

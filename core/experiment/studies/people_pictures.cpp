@@ -105,7 +105,7 @@ void drawPerson(const PersonEstimate& person, const PersonShape& shape, cv::Mat&
 
 } // namespace
 
-std::vector<PeopleInstant> tellingInstants(const PeopleScenario& scenario) {
+std::vector<PeopleInstant> instantsToShow(const PeopleScenario& scenario) {
   const OfficeScene& scene = scenario.scene;
   const auto instantAt = [&](double time, const char* words) {
     const auto frame = std::llround(time * scene.framesPerSecond);
@@ -129,8 +129,8 @@ std::vector<PeopleInstant> tellingInstants(const PeopleScenario& scenario) {
           instantAt(scenario.after, "after")};
 }
 
-cv::Mat peoplePicture(const PeopleFinding& people, const FrameSet& frames, const CameraRig& rig,
-                      std::span<const TrackPoint> truth) {
+cv::Mat drawPeopleImage(const PeopleFinding& people, const FrameSet& frames, const CameraRig& rig,
+                        std::span<const TrackPoint> truth) {
   const cv::Mat views = folded(peopleOverlay(people, frames, rig, kViewWidth), kViewWidth);
   cv::Mat floor = emptyFloor(rig);
   for (const PersonEstimate& person : people.people()) {

@@ -9,8 +9,8 @@
 namespace dewpoint::experiment {
 
 Result<std::vector<PeopleTrial>>
-studyManyPeople(PeopleStudySetup setup, const std::vector<PeopleClothes>& clothes, int seeds,
-                const std::function<bool(std::int64_t done, std::int64_t all)>& progress) {
+studyPeopleSeries(PeopleStudySetup setup, const std::vector<PeopleClothes>& clothes, int seeds,
+                  const std::function<bool(std::int64_t done, std::int64_t all)>& progress) {
   simulation::ViewCache views;
   std::vector<PeopleTrial> trials;
   const std::uint64_t first = setup.seed;
@@ -40,7 +40,7 @@ Status writePeopleStudy(const std::string& scenario, const std::vector<PeopleTri
     seeds.insert(trial.seed);
   }
   FigurePage page = peopleReport(scenario, trials);
-  page.paragraph("Seeds " + seedSentence({seeds.begin(), seeds.end()}) + ".");
+  page.paragraph("Seeds " + describeSeeds({seeds.begin(), seeds.end()}) + ".");
   return page.write(folder);
 }
 

@@ -16,8 +16,8 @@ namespace dewpoint::experiment {
 /// the number of finished scenes and the total number of scenes. If it returns false, the function
 /// returns the results so far.
 Result<std::vector<PeopleTrial>>
-studyManyPeople(PeopleStudySetup setup, const std::vector<PeopleClothes>& clothes, int seeds,
-                const std::function<bool(std::int64_t done, std::int64_t all)>& progress);
+studyPeopleSeries(PeopleStudySetup setup, const std::vector<PeopleClothes>& clothes, int seeds,
+                  const std::function<bool(std::int64_t done, std::int64_t all)>& progress);
 
 /// Writes runs.csv, report.html and its images into a folder, which is created. Error:
 /// FileUnwritable.

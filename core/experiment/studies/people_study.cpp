@@ -30,7 +30,7 @@ namespace dewpoint::experiment {
 namespace {
 
 constexpr std::int64_t kVolumeEvery = 15; ///< frames, a second; a volume costs more than a step
-static_assert(kVolumeEvery % kSilhouetteEvery == 0);
+static_assert(kVolumeEvery % kSilhouetteInterval == 0);
 
 /// Which estimate (identity) each truth (identity) has.
 std::map<int, int> matched(const TrackFrame& frame, double gate) {
@@ -95,8 +95,8 @@ public:
     record(renderer, instant);
     for (const PeopleInstant& pictured : picturedInstants) {
       if (pictured.frame == instant.frames->index) {
-        pictures_.push_back(
-            {pictured.words, peoplePicture(found(), *instant.frames, rig_, frames_.back().truth)});
+        pictures_.push_back({pictured.words, drawPeopleImage(found(), *instant.frames, rig_,
+                                                             frames_.back().truth)});
       }
     }
     return {};
@@ -146,8 +146,8 @@ private:
     TrackFrame frame{instant.frames->index, time, {}, {}};
     const double interval = 1.0 / renderer.scene().framesPerSecond;
     for (std::size_t k = 0; k < renderer.scene().people.size(); ++k) {
-      if (renderer.inside(k, time)) {
-        Eigen::Vector3d position = renderer.middle(k, time);
+      if (renderer.isInsideOffice(k, time)) {
+        Eigen::Vector3d position = renderer.bodyCenter(k, time);
         position.z() = 0.0;
         frame.truth.push_back({static_cast<int>(k), position});
       }
@@ -156,7 +156,7 @@ private:
       frame.estimates.push_back({person.identity, {person.position.x(), person.position.y(), 0.0}});
     }
     const auto pairs = matched(frame, kPeopleGate);
-    if (frame.frame % kSilhouetteEvery == 0) {
+    if (frame.frame % kSilhouetteInterval == 0) {
       measureVolumes(instant, pairs);
     }
     measureHeights(renderer.scene(), pairs);
@@ -209,7 +209,7 @@ private:
                           const ConvexHull& hull) {
     for (std::size_t camera = 0; camera < projectors_.size(); ++camera) {
       const cv::Mat visible = instant.visible(camera, person);
-      if (cv::countNonZero(visible) < kVisiblePixels) {
+      if (cv::countNonZero(visible) < kMinVisiblePixels) {
         continue;
       }
       const cv::Mat outline =
@@ -240,7 +240,7 @@ private:
   std::vector<PersonTally> tallies_;  ///< per person
   PersonTally everybody_;
   std::vector<TrackFrame> frames_;
-  std::vector<PeoplePicture> pictures_;
+  std::vector<PeopleImage> pictures_;
   LongestRun ghosts_;
   LongestRun missed_;
   double volume_ = 0.0;
@@ -325,7 +325,7 @@ Result<std::vector<PeopleTrial>> studyPeople(const PeopleStudySetup& setup,
   }
   const OfficeRenderer renderer(recording.scene, recording.views);
   const auto picturedInstants =
-      setup.pictures ? tellingInstants(*scenario) : std::vector<PeopleInstant>();
+      setup.pictures ? instantsToShow(*scenario) : std::vector<PeopleInstant>();
   for (std::int64_t frame = 0; frame < scenario->scene.frameCount; ++frame) {
     const OfficeInstant instant = renderInstant(recording, renderer, frame);
     for (EvaluatedTracker& one : *all) {

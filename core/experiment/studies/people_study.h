@@ -17,8 +17,8 @@
 
 namespace dewpoint::experiment {
 
-/// Result of a method at one instant of a scene, see peoplePicture().
-struct PeoplePicture {
+/// Result of a method at one instant of a scene, see drawPeopleImage().
+struct PeopleImage {
   std::string words; ///< description with the time of the instant
   cv::Mat image;
 };
@@ -41,11 +41,11 @@ struct PeopleTrial {
   double longestGhost = 0.0; ///< longest time that an estimate has no person nearby, seconds
   /// Longest time that a person seen by at least two cameras has no estimate, seconds.
   double longestMissed = 0.0;
-  double hullVolume = 0.0;             ///< m³, mean over people and frames
-  double stepMs = 0.0;                 ///< mean CPU time per frame with people, ms
-  PersonResult everybody;              ///< results over all people in the scene
-  std::vector<PersonResult> persons;   ///< results per person, in scene order
-  std::vector<PeoplePicture> pictures; ///< images of tellingInstants(), if requested
+  double hullVolume = 0.0;           ///< m³, mean over people and frames
+  double stepMs = 0.0;               ///< mean CPU time per frame with people, ms
+  PersonResult everybody;            ///< results over all people in the scene
+  std::vector<PersonResult> persons; ///< results per person, in scene order
+  std::vector<PeopleImage> pictures; ///< images of instantsToShow(), if requested
 };
 
 /// Largest distance (meters) at which an estimate is assigned to a person: the width of an adult.
@@ -56,11 +56,12 @@ struct PeopleStudySetup {
   std::string scenario;
   Grade grade = Grade::Ideal; ///< any grade except Real
   PeopleClothes clothes = PeopleClothes::Different;
-  std::vector<std::string> methods = methodNames(TargetsFrom::Images); ///< methods that find people
+  std::vector<std::string> methods =
+      methodNames(TargetSource::Images); ///< methods that find people
   std::uint64_t seed = kFirstTuningSeed;
   /// Non-default parameter values. They apply to the methods that have such a parameter.
   std::vector<std::pair<std::string, double>> parameters;
-  bool pictures = false; ///< draw images of tellingInstants()
+  bool pictures = false; ///< draw images of instantsToShow()
 };
 
 /// Checks the parameters. UnknownKey for a parameter that no method has, or BadValue for a value

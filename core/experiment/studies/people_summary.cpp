@@ -228,10 +228,10 @@ void addPictures(const std::vector<PeopleTrial>& trials, FigurePage& page) {
         page.heading("Volumes and densities");
         page.paragraph(kPictureSentence);
       }
-      page.photo(fmt::format("{}-{}-{}", clothesName(trial.clothes), trial.method, k + 1),
-                 fmt::format("{}, {} clothes: {}", trial.method, clothesName(trial.clothes),
-                             trial.pictures[k].words),
-                 trial.pictures[k].image);
+      page.jpegImage(fmt::format("{}-{}-{}", clothesName(trial.clothes), trial.method, k + 1),
+                     fmt::format("{}, {} clothes: {}", trial.method, clothesName(trial.clothes),
+                                 trial.pictures[k].words),
+                     trial.pictures[k].image);
     }
   }
 }
@@ -360,7 +360,7 @@ std::string peoplePersonsCsv(const std::vector<PeopleTrial>& trials) {
 FigurePage peopleReport(const std::string& scenario, const std::vector<PeopleTrial>& trials) {
   const auto summaries = summarize(trials);
   FigurePage page("People: " + scenario,
-                  peopleScenarioSentence(scenario) + " Simulated office, 320x240 cameras; " +
+                  peopleScenarioDescription(scenario) + " Simulated office, 320x240 cameras; " +
                       "mohedano-ms and mohedano-msc are the paper's methods by motion alone and "
                       "by motion and color, people is our own." +
                       gradesOfTrials(trials));
@@ -384,7 +384,7 @@ FigurePage peopleReport(const std::string& scenario, const std::vector<PeopleTri
   page.heading("What is expected, and whether it came out");
   addCoverage(summaries, page);
   for (const Bar& bar : barsOf(summaries)) {
-    page.bar(assessmentOf(bar), bar.reached, bar.words);
+    page.requirement(assessmentOf(bar), bar.reached, bar.words);
   }
   page.paragraph(kHowToRead);
   addHeights(trials, page);

@@ -40,7 +40,7 @@ Status sugandiRmse(const ExperimentOptions& options) {
   }
   const auto study = studyBoxes(
       clips, std::max(1, options.runs),
-      [&](const BoxRow&) { return goOn(std::min(1.0, ++rows / all)); }, options.firstSeed);
+      [&](const BoxStudyRow&) { return goOn(std::min(1.0, ++rows / all)); }, options.firstSeed);
   if (!study) {
     return tl::make_unexpected(study.error());
   }
@@ -68,11 +68,11 @@ Status studyScenario(const char* scenario, const ExperimentOptions& options) {
   setup.seed = options.firstSeed;
   bool goOn = true;
   const auto trials =
-      studyManyPeople(setup, clothesOf(options.clothes), std::max(1, options.runs),
-                      [&](std::int64_t done, std::int64_t all) {
-                        goOn = !options.progress || options.progress(double(done) / double(all));
-                        return goOn;
-                      });
+      studyPeopleSeries(setup, clothesOf(options.clothes), std::max(1, options.runs),
+                        [&](std::int64_t done, std::int64_t all) {
+                          goOn = !options.progress || options.progress(double(done) / double(all));
+                          return goOn;
+                        });
   if (!trials) {
     return tl::make_unexpected(trials.error());
   }

@@ -106,19 +106,19 @@ Plot plotOf(const std::string& title, const std::string& unit, std::vector<SvgSe
   return plot;
 }
 
-const BoxRow* rowOf(const BoxStudy& study, const std::string& clip, const char* method) {
+const BoxStudyRow* rowOf(const BoxStudy& study, const std::string& clip, const char* method) {
   const auto found = std::ranges::find_if(
-      study.rows, [&](const BoxRow& row) { return row.clip == clip && row.method == method; });
+      study.rows, [&](const BoxStudyRow& row) { return row.clip == clip && row.method == method; });
   return found == study.rows.end() ? nullptr : &*found;
 }
 
 } // namespace
 
-cv::Mat boxFrames(const std::vector<cv::Mat>& images, const std::vector<ImageBox>& truth,
-                  const BoxRow& few, const BoxRow& many) {
+cv::Mat drawBoxFrames(const std::vector<cv::Mat>& images, const std::vector<ImageBox>& truth,
+                      const BoxStudyRow& few, const BoxStudyRow& many) {
   std::vector<cv::Mat> lines;
   const auto frames = tellingFrames(few.boxes, truth);
-  for (const BoxRow* row : {&few, &many}) {
+  for (const BoxStudyRow* row : {&few, &many}) {
     std::vector<cv::Mat> cells;
     cells.reserve(frames.size());
     for (const std::size_t frame : frames) {
@@ -131,7 +131,7 @@ cv::Mat boxFrames(const std::vector<cv::Mat>& images, const std::vector<ImageBox
   return page;
 }
 
-std::string boxFramesFile(std::size_t clip) {
+std::string boxFramesFileName(std::size_t clip) {
   return fmt::format("clip-{}.jpg", clip + 1);
 }
 
@@ -147,7 +147,7 @@ std::string boxFiguresHtml(const BoxStudy& study, std::size_t clip) {
   std::vector<SvgSeries> errors;
   std::vector<std::pair<std::string, std::string>> legend{{"m5", "truth"}};
   for (const Shown& shown : kShown) {
-    const BoxRow* row = rowOf(study, figures.clip, shown.method);
+    const BoxStudyRow* row = rowOf(study, figures.clip, shown.method);
     if (row == nullptr) {
       continue;
     }
@@ -165,11 +165,11 @@ std::string boxFiguresHtml(const BoxStudy& study, std::size_t clip) {
                     {"Distance to the true center",
                      plotOf("error over frames", "error, px", errors, true)}},
                    legend) +
-         pictureHtml(boxFramesFile(clip),
-                     figures.clip + ": sugandi with 100 particles (above) and with 300 (below), "
-                                    "red: box and center as found, white: true box; four frames "
-                                    "evenly picked and the one where 100 particles are farthest "
-                                    "off");
+         imageHtml(boxFramesFileName(clip),
+                   figures.clip + ": sugandi with 100 particles (above) and with 300 (below), "
+                                  "red: box and center as found, white: true box; four frames "
+                                  "evenly picked and the one where 100 particles are farthest "
+                                  "off");
 }
 
 std::string boxHistogramsHtml(const BoxStudy& study, std::size_t clip) {
@@ -225,7 +225,7 @@ std::string boxTracksCsv(const BoxStudy& study) {
   };
   for (const BoxClipFigures& figures : study.figures) {
     add(figures, "truth", Found(figures.truth.begin(), figures.truth.end()));
-    for (const BoxRow& row : study.rows) {
+    for (const BoxStudyRow& row : study.rows) {
       if (row.clip == figures.clip) {
         add(figures, row.method, row.boxes);
       }

@@ -15,14 +15,14 @@ namespace dewpoint::experiment {
 /// clip: four evenly spaced frames, and the frame with the largest error with 100 particles. The
 /// boxes and centers found with 100 particles (upper row) and 300 particles (lower row) are red.
 /// The true box is white.
-cv::Mat boxFrames(const std::vector<cv::Mat>& images, const std::vector<ImageBox>& truth,
-                  const BoxRow& few, const BoxRow& many);
+cv::Mat drawBoxFrames(const std::vector<cv::Mat>& images, const std::vector<ImageBox>& truth,
+                      const BoxStudyRow& few, const BoxStudyRow& many);
 
 /// Returns the plots of a clip as HTML: x, y and error of the centers over the frames, and the
 /// image of its frames.
 std::string boxFiguresHtml(const BoxStudy& study, std::size_t clip);
 /// Returns the file name of the image that shows a clip's frames.
-std::string boxFramesFile(std::size_t clip);
+std::string boxFramesFileName(std::size_t clip);
 /// Returns plots for a clip as HTML, like figure 1 of Sugandi et al. 2009: the color histograms of
 /// the given box and of the box found halfway through the clip.
 std::string boxHistogramsHtml(const BoxStudy& study, std::size_t clip);

@@ -34,10 +34,10 @@ constexpr const char* kRemarks[] = {
     "numbers. Bins are numbered 64 r + 8 g + b, with r, g and b from 0 to 7."};
 
 std::string seedRemark(const BoxStudy& study) {
-  return "Seeds of our methods: " + seedSentence(study.firstSeed, study.seeds) + ".";
+  return "Seeds of our methods: " + describeSeeds(study.firstSeed, study.seeds) + ".";
 }
 
-std::string starred(const BoxRow& row) {
+std::string starred(const BoxStudyRow& row) {
   return row.clip + (row.exactBoxes ? "" : " *");
 }
 
@@ -47,10 +47,10 @@ std::string tableHead() {
          "<tbody>";
 }
 
-std::string tableRow(const BoxRow& row) {
+std::string tableRow(const BoxStudyRow& row) {
   return fmt::format("<tr{}><td>{}</td><td>{}</td><td>{:.2f}</td><td>{:.3f}</td><td>{:.1f} %</td>"
                      "<td>{:.1f} %</td><td>{:.2f}</td></tr>",
-                     row.ours ? " class='ours'" : "", escaped(row.method), row.seeds,
+                     row.ours ? " class='ours'" : "", htmlEscaped(row.method), row.seeds,
                      row.metrics.rmse, row.metrics.success, inPercent(row.metrics.precision),
                      inPercent(row.worstPrecision), row.milliseconds);
 }
@@ -59,21 +59,21 @@ std::string tableRow(const BoxRow& row) {
 std::string clipHtml(const BoxStudy& study, std::size_t clip) {
   std::string rows;
   std::string title;
-  for (const BoxRow& row : study.rows) {
+  for (const BoxStudyRow& row : study.rows) {
     if (row.clip == study.figures[clip].clip) {
       title = starred(row);
       rows += tableRow(row);
     }
   }
-  return fmt::format("<h2>{}</h2>{}{}</tbody></table></div>{}", escaped(title), tableHead(), rows,
-                     boxHistogramsHtml(study, clip) + boxFiguresHtml(study, clip));
+  return fmt::format("<h2>{}</h2>{}{}</tbody></table></div>{}", htmlEscaped(title), tableHead(),
+                     rows, boxHistogramsHtml(study, clip) + boxFiguresHtml(study, clip));
 }
 
 std::string barsHtml(const BoxStudy& study) {
   std::string text = "<h2>What must be reached</h2><div class='scroll'><table><tbody>";
-  for (const BoxBar& bar : study.bars) {
+  for (const BoxRequirement& bar : study.bars) {
     text += fmt::format("<tr><td class='text'>{}</td><td><span class='chip {}'>{}</span></td></tr>",
-                        escaped(bar.sentence), bar.reached ? "good" : "bad",
+                        htmlEscaped(bar.sentence), bar.reached ? "good" : "bad",
                         bar.reached ? "reached" : "not reached");
   }
   return text + "</tbody></table></div>";
@@ -88,9 +88,9 @@ constexpr const char* kPerturbationRemark =
     "target with a similarity above 0.9.";
 
 std::string claimsText(const BoxPerturbationRow& row) {
-  return row.claims ? fmt::format("{:>6.2f} {:>6.2f} {:>6.1f} %", row.similarityOn,
-                                  row.similarityOff, inPercent(row.confidentlyWrong))
-                    : std::string();
+  return row.reportsConfidence ? fmt::format("{:>6.2f} {:>6.2f} {:>6.1f} %", row.similarityOn,
+                                             row.similarityOff, inPercent(row.confidentlyWrong))
+                               : std::string();
 }
 
 std::string perturbationText(const std::vector<BoxPerturbationRow>& rows) {
@@ -109,7 +109,7 @@ std::string perturbationText(const std::vector<BoxPerturbationRow>& rows) {
 }
 
 std::string claimsCells(const BoxPerturbationRow& row) {
-  return row.claims
+  return row.reportsConfidence
              ? fmt::format("<td>{:.2f}</td><td>{:.2f}</td><td>{:.1f} %</td>", row.similarityOn,
                            row.similarityOff, inPercent(row.confidentlyWrong))
              : "<td></td><td></td><td></td>";
@@ -124,12 +124,12 @@ std::string perturbationHtml(const std::vector<BoxPerturbationRow>& rows) {
   for (const BoxPerturbationRow& row : rows) {
     text += fmt::format("<tr{}><td>{}</td><td>{}</td><td>{:.1f}</td><td>{}</td><td>{:.2f}</td>"
                         "<td>{:.3f}</td><td>{:.1f} %</td><td>{:.1f} %</td>{}</tr>",
-                        row.claims ? " class='ours'" : "", escaped(row.clip), escaped(row.method),
-                        row.scale, row.runs, row.metrics.rmse, row.metrics.success,
-                        inPercent(row.metrics.precision), inPercent(row.worstPrecision),
-                        claimsCells(row));
+                        row.reportsConfidence ? " class='ours'" : "", htmlEscaped(row.clip),
+                        htmlEscaped(row.method), row.scale, row.runs, row.metrics.rmse,
+                        row.metrics.success, inPercent(row.metrics.precision),
+                        inPercent(row.worstPrecision), claimsCells(row));
   }
-  return text + fmt::format("</tbody></table></div><p>{}</p>", escaped(kPerturbationRemark));
+  return text + fmt::format("</tbody></table></div><p>{}</p>", htmlEscaped(kPerturbationRemark));
 }
 
 } // namespace
@@ -141,9 +141,9 @@ std::string perturbedBoxesCsv(const std::vector<BoxPerturbationRow>& rows) {
     text += fmt::format("{},{},{},{},{},{},{},{}", csvCell(row.clip), csvCell(row.method),
                         row.scale, row.runs, row.metrics.rmse, row.metrics.success,
                         row.metrics.precision, row.worstPrecision);
-    text += row.claims ? fmt::format(",{},{},{}\n", row.similarityOn, row.similarityOff,
-                                     row.confidentlyWrong)
-                       : ",,,\n";
+    text += row.reportsConfidence ? fmt::format(",{},{},{}\n", row.similarityOn, row.similarityOff,
+                                                row.confidentlyWrong)
+                                  : ",,,\n";
   }
   return text;
 }
@@ -152,14 +152,14 @@ std::string boxStudyText(const BoxStudy& study) {
   std::string text =
       fmt::format("{:<26} {:<25} {:>5} {:>8} {:>8} {:>9} {:>8} {:>8}\n", "clip", "method", "seeds",
                   "RMSE px", "success", "precision", "worst", "ms");
-  for (const BoxRow& row : study.rows) {
+  for (const BoxStudyRow& row : study.rows) {
     text += fmt::format("{:<26} {:<25} {:>5} {:>8.2f} {:>8.3f} {:>7.1f} % {:>6.1f} % {:>8.2f}\n",
                         starred(row), row.method, row.seeds, row.metrics.rmse, row.metrics.success,
                         inPercent(row.metrics.precision), inPercent(row.worstPrecision),
                         row.milliseconds);
   }
   text += '\n';
-  for (const BoxBar& bar : study.bars) {
+  for (const BoxRequirement& bar : study.bars) {
     text += fmt::format("{:<12} {}\n", bar.reached ? "reached" : "NOT REACHED", bar.sentence);
   }
   text += '\n';
@@ -172,7 +172,7 @@ std::string boxStudyText(const BoxStudy& study) {
 
 std::string boxStudyCsv(const BoxStudy& study) {
   std::string text = "clip,method,seeds,rmse_px,success,precision,worst_precision,ms_per_frame\n";
-  for (const BoxRow& row : study.rows) {
+  for (const BoxStudyRow& row : study.rows) {
     text += fmt::format("{},{},{},{},{},{},{},{}\n", csvCell(row.clip), csvCell(row.method),
                         row.seeds, row.metrics.rmse, row.metrics.success, row.metrics.precision,
                         row.worstPrecision, row.milliseconds);
@@ -194,9 +194,9 @@ std::string boxStudyHtml(const BoxStudy& study) {
   text += study.perturbed.empty() ? "" : perturbationHtml(study.perturbed);
   text += "<h2>How to read it</h2>";
   for (const char* remark : kRemarks) {
-    text += fmt::format("<p>{}</p>", escaped(remark));
+    text += fmt::format("<p>{}</p>", htmlEscaped(remark));
   }
-  text += fmt::format("<p>{}</p>", escaped(seedRemark(study)));
+  text += fmt::format("<p>{}</p>", htmlEscaped(seedRemark(study)));
   return text + "\n</main></body></html>\n";
 }
 
@@ -207,7 +207,7 @@ Status writeBoxStudy(const BoxStudy& study, const std::filesystem::path& folder)
       {"tracks.csv", boxTracksCsv(study)},
       {"histograms.csv", boxHistogramsCsv(study)}};
   for (std::size_t clip = 0; clip < study.figures.size(); ++clip) {
-    files.emplace_back(boxFramesFile(clip), imageFile(study.figures[clip].frames, ".jpg"));
+    files.emplace_back(boxFramesFileName(clip), encodeImage(study.figures[clip].frames, ".jpg"));
   }
   if (!study.perturbed.empty()) {
     files.emplace_back("sloppy-boxes.csv", perturbedBoxesCsv(study.perturbed));

@@ -43,7 +43,7 @@ Result<std::unique_ptr<BoxFollower>> make(const Contender& contender, std::uint6
 
 /// One run; adds its figures and times, divided by `runs`, to the row.
 Status follow(const BoxClip& clip, const std::vector<cv::Mat>& images, BoxFollower& follower,
-              int runs, BoxRow& row) {
+              int runs, BoxStudyRow& row) {
   if (const auto started = follower.start(images.front(), clip.truth.front()); !started) {
     return started;
   }
@@ -65,9 +65,9 @@ Status follow(const BoxClip& clip, const std::vector<cv::Mat>& images, BoxFollow
   return {};
 }
 
-Result<BoxRow> measure(const BoxClip& clip, const std::vector<cv::Mat>& images,
-                       const Contender& contender, int seeds, std::uint64_t firstSeed) {
-  BoxRow row;
+Result<BoxStudyRow> measure(const BoxClip& clip, const std::vector<cv::Mat>& images,
+                            const Contender& contender, int seeds, std::uint64_t firstSeed) {
+  BoxStudyRow row;
   row.clip = clip.name;
   row.method = contender.shown();
   row.ours = contender.particles > 0;
@@ -88,14 +88,14 @@ Result<BoxRow> measure(const BoxClip& clip, const std::vector<cv::Mat>& images,
 
 constexpr double kJuggleBar = 0.85; // share of frames within a ball's radius; chosen
 
-const BoxRow* rowOf(const std::vector<BoxRow>& rows, const std::string& clip,
-                    const std::string& method) {
+const BoxStudyRow* rowOf(const std::vector<BoxStudyRow>& rows, const std::string& clip,
+                         const std::string& method) {
   const auto found = std::ranges::find_if(
-      rows, [&](const BoxRow& row) { return row.clip == clip && row.method == method; });
+      rows, [&](const BoxStudyRow& row) { return row.clip == clip && row.method == method; });
   return found == rows.end() ? nullptr : &*found;
 }
 
-BoxBar trendBar(const BoxRow& few, const BoxRow& many) {
+BoxRequirement trendBar(const BoxStudyRow& few, const BoxStudyRow& many) {
   return {
       fmt::format("{}: sugandi's RMSE falls from 100 to 300 particles ({:.2f} to {:.2f} px; the "
                   "paper 6.48 to 2.28 px on its own clip)",
@@ -103,9 +103,9 @@ BoxBar trendBar(const BoxRow& few, const BoxRow& many) {
       many.metrics.rmse < few.metrics.rmse};
 }
 
-BoxBar peerBar(const std::vector<BoxRow>& rows, const BoxRow& ours) {
-  const BoxRow* best = nullptr;
-  for (const BoxRow& row : rows) {
+BoxRequirement peerBar(const std::vector<BoxStudyRow>& rows, const BoxStudyRow& ours) {
+  const BoxStudyRow* best = nullptr;
+  for (const BoxStudyRow& row : rows) {
     const bool isBetter = best == nullptr || row.metrics.success > best->metrics.success;
     best = row.clip == ours.clip && !row.ours && isBetter ? &row : best;
   }
@@ -115,10 +115,10 @@ BoxBar peerBar(const std::vector<BoxRow>& rows, const BoxRow& ours) {
           ours.metrics.success >= peer};
 }
 
-std::vector<BoxBar> barsOf(const std::vector<BoxRow>& rows) {
-  std::vector<BoxBar> bars;
-  for (const BoxRow& row : rows) {
-    const BoxRow* few = rowOf(rows, row.clip, kSugandiFew);
+std::vector<BoxRequirement> barsOf(const std::vector<BoxStudyRow>& rows) {
+  std::vector<BoxRequirement> bars;
+  for (const BoxStudyRow& row : rows) {
+    const BoxStudyRow* few = rowOf(rows, row.clip, kSugandiFew);
     if (row.clip.starts_with("simulated") && row.method == kSugandiMany && few != nullptr) {
       bars.push_back(trendBar(*few, row));
     }
@@ -140,11 +140,11 @@ std::vector<BoxBar> barsOf(const std::vector<BoxRow>& rows) {
 }
 
 BoxClipFigures clipFiguresOf(const BoxClip& clip, const std::vector<cv::Mat>& images,
-                             const BoxRow& few, const BoxRow& many) {
+                             const BoxStudyRow& few, const BoxStudyRow& many) {
   BoxClipFigures figures;
   figures.clip = clip.name;
   figures.truth = clip.truth;
-  figures.frames = boxFrames(images, clip.truth, few, many);
+  figures.frames = drawBoxFrames(images, clip.truth, few, many);
   figures.reference = boxHistogram(images.front(), clip.truth.front());
   figures.candidateFrame = images.size() / 2;
   if (const auto& found = many.boxes[figures.candidateFrame]) {
@@ -156,7 +156,7 @@ BoxClipFigures clipFiguresOf(const BoxClip& clip, const std::vector<cv::Mat>& im
 } // namespace
 
 Result<BoxStudy> studyBoxes(const std::vector<BoxClip>& clips, int seeds,
-                            const std::function<bool(const BoxRow&)>& report,
+                            const std::function<bool(const BoxStudyRow&)>& report,
                             std::uint64_t firstSeed) {
   BoxStudy study;
   study.firstSeed = firstSeed;

@@ -24,7 +24,7 @@ inline constexpr const char* kBoxReport = "sugandi-rmse.html";
 
 /// Results of one method on one clip, started with the true box of the first frame. Values are
 /// means over the seeds.
-struct BoxRow {
+struct BoxStudyRow {
   std::string clip;
   std::string method; ///< display name: "sugandi, 100 particles", "csrt"
   bool ours = false;  ///< one of our methods, otherwise OpenCV's
@@ -39,7 +39,7 @@ struct BoxRow {
 };
 
 /// Requirement, and whether it is met.
-struct BoxBar {
+struct BoxRequirement {
   std::string sentence;
   bool reached = false;
 };
@@ -48,7 +48,7 @@ struct BoxBar {
 struct BoxClipFigures {
   std::string clip;
   std::vector<ImageBox> truth;
-  cv::Mat frames; ///< see boxFrames()
+  cv::Mat frames; ///< see drawBoxFrames()
   /// Color histograms (boxHistogram()) of the given box, and of the box that `sugandi` with 300
   /// particles found in a frame halfway through the clip. A histogram is empty if its box is
   /// outside the image.
@@ -59,8 +59,8 @@ struct BoxClipFigures {
 
 /// Results of the box study.
 struct BoxStudy {
-  std::vector<BoxRow> rows; ///< grouped by clip
-  std::vector<BoxBar> bars;
+  std::vector<BoxStudyRow> rows; ///< grouped by clip
+  std::vector<BoxRequirement> bars;
   std::vector<BoxClipFigures> figures; ///< one per clip
   std::vector<BoxPerturbationRow>
       perturbed; ///< results of studyPerturbedBoxes(); empty unless requested
@@ -72,7 +72,7 @@ struct BoxStudy {
 /// trackers. Our methods run with `seeds` seeds from `firstSeed` on. `report` receives each row
 /// when it is finished, and returns false to stop.
 Result<BoxStudy> studyBoxes(const std::vector<BoxClip>& clips, int seeds,
-                            const std::function<bool(const BoxRow&)>& report,
+                            const std::function<bool(const BoxStudyRow&)>& report,
                             std::uint64_t firstSeed = kFirstTuningSeed);
 
 } // namespace dewpoint::experiment

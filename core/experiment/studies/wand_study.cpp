@@ -61,7 +61,7 @@ public:
       : draws_(seed, "wand"), framesPerSecond_(recording.framesPerSecond) {
     const auto phases = [&] {
       const double full = 2.0 * std::numbers::pi;
-      return draws_.inBox(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(full));
+      return draws_.pointInBox(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(full));
     };
     wave_.phase = phases();
     wave_.turnPhase = phases();
@@ -145,7 +145,7 @@ private:
     options.findOffsets = kind == WandCase::Unsynced;
     if (kind == WandCase::Far) {
       options.initialPositionError = 0.3;
-      options.initialTurnError = 10.0 * kDegree;
+      options.initialRotationError = 10.0 * kDegree;
     }
     return options;
   }
@@ -190,12 +190,12 @@ private:
     }
     trial.medianPx = result.medianPx;
     trial.solveSeconds = result.seconds;
-    const double bar = wandBar(trial.kind);
+    const double bar = wandRmsLimit(trial.kind);
     trial.passed = trial.cameraRms <= bar && trial.pointRms <= bar &&
                    trial.offsetError <= kOffsetBar && trial.solveSeconds <= kSolveBar;
   }
 
-  Draws draws_;
+  RandomDraws draws_;
   double framesPerSecond_;
   Wave wave_;
   CameraRig rig_;
@@ -223,7 +223,7 @@ std::vector<WandTrial> studyWand(std::uint64_t seed, const WandRecording& record
   return trials;
 }
 
-double wandBar(WandCase kind) {
+double wandRmsLimit(WandCase kind) {
   switch (kind) {
   case WandCase::Unsynced:
     return 2e-3;

@@ -49,7 +49,7 @@ std::vector<WandTrial> studyWand(std::uint64_t seed, const WandRecording& record
 
 /// Returns the requirement of a case: the largest allowed RMS of cameras and points, meters.
 /// Infinite if there is no requirement.
-double wandBar(WandCase kind);
+double wandRmsLimit(WandCase kind);
 /// Returns the name of a case in reports.
 std::string wandCaseName(WandCase kind);
 

@@ -16,7 +16,7 @@
 namespace dewpoint::experiment {
 namespace {
 
-constexpr double kAnyHigh = std::numeric_limits<double>::infinity();
+constexpr double kNoUpperLimit = std::numeric_limits<double>::infinity();
 constexpr int kBeliefItem = 7;
 constexpr int kAccuracyItem = 8;
 /// Expected calibration error of P(exists), in [0, 1], the same in every grade: of all runs and of
@@ -29,12 +29,12 @@ constexpr double kGreatestEceOfScenario = 0.1;
 /// What a grade asks of the stated belief. Percent.
 struct BeliefLimits {
   const char* grade;
-  double covered;                  ///< least share of truths in the 95 % ellipsoid...
-  double coveredAtMost;            ///< ... and the greatest: more is too vague
-  double coveredWorst;             ///< least share in any scenario
-  double sureAndWrong;             ///< greatest share of frames in any scenario
-  std::optional<double> sureOfTie; ///< the same; nothing where no run has equal candidates
-  bool existence;                  ///< whether P(exists) has a bar over all runs, too
+  double covered;                       ///< least share of truths in the 95 % ellipsoid...
+  double coveredAtMost;                 ///< ... and the greatest: more is too vague
+  double coveredWorst;                  ///< least share in any scenario
+  double confidentlyWrong;              ///< greatest share of frames in any scenario
+  std::optional<double> confidentInTie; ///< the same; nothing where no run has equal candidates
+  bool existence;                       ///< whether P(exists) has a bar over all runs, too
 };
 
 /// `ideal` has a bar for P(exists) over all runs already, and nothing of what `room` asks may be
@@ -68,8 +68,9 @@ double neesAt(double coveredPercent) {
   return rounded(3.0 * excessAt(coveredPercent));
 }
 
-SuiteBar aim(int item, const char* grade, std::string sentence, std::string unit, double low,
-             double high, BarMeasure measure, std::vector<std::string> scenarios = {}) {
+SuiteRequirement aim(int item, const char* grade, std::string sentence, std::string unit,
+                     double low, double high, RequirementMeasure measure,
+                     std::vector<std::string> scenarios = {}) {
   return {item, std::move(sentence),  std::move(unit),    low,
           high, std::move(scenarios), std::move(measure), grade,
           true};
@@ -83,76 +84,76 @@ struct Bounds {
 /// Two bars for a figure of belief: the median of the scenarios, and the worst of them.
 void addBothWays(const char* grade, const std::string& sentence, const std::string& unit,
                  const std::string& figure, const Bounds& median, const Bounds& worst,
-                 std::vector<SuiteBar>& bars) {
+                 std::vector<SuiteRequirement>& bars) {
   bars.push_back(aim(kBeliefItem, grade, sentence + ", median of the scenarios", unit, median.low,
-                     median.high, medianScenario(beliefMetric(figure))));
+                     median.high, medianOverScenarios(beliefMetric(figure))));
   bars.push_back(aim(kBeliefItem, grade, sentence + ", worst scenario", unit, worst.low, worst.high,
-                     worstScenario(beliefMetric(figure))));
+                     worstOverScenarios(beliefMetric(figure))));
 }
 
 /// Each bound of the 50 % ellipsoid and of NEES is the one that goes with the bound of the 95 %
 /// ellipsoid: the three ask for the same. The worst scenario is the one that is too sure.
-void addConsistency(const BeliefLimits& limits, std::vector<SuiteBar>& bars) {
+void addConsistency(const BeliefLimits& limits, std::vector<SuiteRequirement>& bars) {
   addBothWays(limits.grade, "Truth inside the stated 95 % ellipsoid", "%", "coverage95_percent",
-              {limits.covered, limits.coveredAtMost}, {limits.coveredWorst, kAnyHigh}, bars);
+              {limits.covered, limits.coveredAtMost}, {limits.coveredWorst, kNoUpperLimit}, bars);
   addBothWays(limits.grade, "Truth inside the stated 50 % ellipsoid", "%", "coverage50_percent",
               {within50At(limits.covered), within50At(limits.coveredAtMost)},
-              {within50At(limits.coveredWorst), kAnyHigh}, bars);
+              {within50At(limits.coveredWorst), kNoUpperLimit}, bars);
   addBothWays(limits.grade, "Normalized estimation error squared", "", "nees",
               {neesAt(limits.coveredAtMost), neesAt(limits.covered)},
-              {kAnyLow, neesAt(limits.coveredWorst)}, bars);
+              {kNoLowerLimit, neesAt(limits.coveredWorst)}, bars);
 }
 
-void addBelief(const BeliefLimits& limits, std::vector<SuiteBar>& bars) {
+void addBelief(const BeliefLimits& limits, std::vector<SuiteRequirement>& bars) {
   addConsistency(limits, bars);
   addBothWays(limits.grade,
               "Sure and wrong: frames with P(exists) above 0.95 and farther off than three stated "
               "radii",
-              "%", "sure_and_wrong_percent", {kAnyLow, limits.sureAndWrong},
-              {kAnyLow, limits.sureAndWrong}, bars);
+              "%", "sure_and_wrong_percent", {kNoLowerLimit, limits.confidentlyWrong},
+              {kNoLowerLimit, limits.confidentlyWrong}, bars);
   addBothWays(limits.grade, "Expected calibration error of P(exists)", "", "existence_ece",
-              {kAnyLow, kGreatestEce}, {kAnyLow, kGreatestEceOfScenario}, bars);
+              {kNoLowerLimit, kGreatestEce}, {kNoLowerLimit, kGreatestEceOfScenario}, bars);
   if (limits.existence) {
     bars.push_back(aim(kBeliefItem, limits.grade,
-                       "Expected calibration error of P(exists), all runs", "", kAnyLow,
+                       "Expected calibration error of P(exists), all runs", "", kNoLowerLimit,
                        kGreatestEce, pooledEceOfRuns));
   }
-  if (limits.sureOfTie) {
+  if (limits.confidentInTie) {
     bars.push_back(aim(
         kBeliefItem, limits.grade,
         fmt::format("Sure of a tie: frames with P(exists) more than {:g} above one over the number "
                     "of equal candidates, worst scenario",
-                    kTieSlack),
-        "%", kAnyLow, *limits.sureOfTie, worstScenario(beliefMetric("sure_of_tie_percent")),
-        {"S19-even-start"}));
+                    kTieMargin),
+        "%", kNoLowerLimit, *limits.confidentInTie,
+        worstOverScenarios(beliefMetric("sure_of_tie_percent")), {"S19-even-start"}));
   }
 }
 
 /// In every scenario at least as good as the same mask's centroids.
-void addNeverBehind(const char* grade, std::vector<SuiteBar>& bars) {
+void addNeverBehind(const char* grade, std::vector<SuiteRequirement>& bars) {
   bars.push_back(aim(kAccuracyItem, grade,
                      "RMSE relative to paired triangulation, frames in which both declare the "
                      "target, worst scenario",
-                     "x", kAnyLow, 1.0, greatestOfScenarios(sharedFramesRatio)));
+                     "x", kNoLowerLimit, 1.0, maxOverScenarios(rmseRatioOnSharedFrames)));
   bars.push_back(aim(kAccuracyItem, grade,
                      "Frames lost minus those of paired triangulation, worst scenario", "%",
-                     kAnyLow, 0.0, greatestOfScenarios(lostBeyondTriangulation)));
+                     kNoLowerLimit, 0.0, maxOverScenarios(lostFramesOverTriangulation)));
 }
 
 /// `least`: percent of the runs.
-SuiteBar oneClick(const char* grade, double least) {
+SuiteRequirement oneClick(const char* grade, double least) {
   return aim(kAccuracyItem, grade, "Learned by one click in one camera: runs that find the target",
-             "%", least, kAnyHigh,
+             "%", least, kNoUpperLimit,
              percentWithin(&SuiteRow::framesToConverge, std::numeric_limits<double>::max()),
              {"S22"});
 }
 
-std::vector<SuiteBar> accuracyBars() {
-  std::vector<SuiteBar> bars{
-      aim(kAccuracyItem, "room", "Clean: median RMSE, worst scenario", "mm", kAnyLow, 2.5,
+std::vector<SuiteRequirement> accuracyBars() {
+  std::vector<SuiteRequirement> bars{
+      aim(kAccuracyItem, "room", "Clean: median RMSE, worst scenario", "mm", kNoLowerLimit, 2.5,
           worstMedian(&SuiteRow::rmseMm), {"S0"}),
       aim(kAccuracyItem, "room", "Clean: RMSE relative to paired triangulation, worst scenario",
-          "x", kAnyLow, 0.8, greatestOfScenarios(againstTriangulation), {"S0"}),
+          "x", kNoLowerLimit, 0.8, maxOverScenarios(rmseRatioToTriangulation), {"S0"}),
       oneClick("room", 95.0),
       oneClick("wild", 85.0),
   };
@@ -163,12 +164,12 @@ std::vector<SuiteBar> accuracyBars() {
 
 } // namespace
 
-std::vector<SuiteBar> aimBars() {
-  std::vector<SuiteBar> bars;
+std::vector<SuiteRequirement> aimRequirements() {
+  std::vector<SuiteRequirement> bars;
   for (const BeliefLimits& limits : kLimits) {
     addBelief(limits, bars);
   }
-  for (SuiteBar& bar : accuracyBars()) {
+  for (SuiteRequirement& bar : accuracyBars()) {
     bars.push_back(std::move(bar));
   }
   return bars;

@@ -10,6 +10,6 @@ namespace dewpoint::experiment {
 /// Returns the aims for the next version: belief metrics in every grade, by the median and by the
 /// worst scenario, and accuracy outside grade `ideal`. Their item numbers continue the numbering of
 /// the current requirements.
-std::vector<SuiteBar> aimBars();
+std::vector<SuiteRequirement> aimRequirements();
 
 } // namespace dewpoint::experiment

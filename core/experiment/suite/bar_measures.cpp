@@ -12,15 +12,15 @@
 namespace dewpoint::experiment {
 namespace {
 
-BarRuns runsOf(const BarRuns& runs, const std::string& scenario) {
-  BarRuns same;
+MeasuredRuns runsOf(const MeasuredRuns& runs, const std::string& scenario) {
+  MeasuredRuns same;
   std::ranges::copy_if(runs, std::back_inserter(same),
                        [&](const SuiteResult* run) { return run->row.key.scenario == scenario; });
   return same;
 }
 
 /// The scenarios of some runs, each once, in the order of the runs.
-std::vector<std::string> scenariosOf(const BarRuns& runs) {
+std::vector<std::string> scenariosOf(const MeasuredRuns& runs) {
   std::vector<std::string> names;
   for (const SuiteResult* run : runs) {
     if (std::ranges::find(names, run->row.key.scenario) == names.end()) {
@@ -30,17 +30,17 @@ std::vector<std::string> scenariosOf(const BarRuns& runs) {
   return names;
 }
 
-OverScenarios beliefOver(const BarRuns& runs, const BeliefMetric& metric) {
+ScenarioSummary beliefOver(const MeasuredRuns& runs, const BeliefMetric& metric) {
   std::vector<ScenarioValue> values;
   for (const std::string& scenario : scenariosOf(runs)) {
     values.push_back({scenario, metric.of(runsOf(runs, scenario))});
   }
-  return overScenarios(values, metric.lessIsBetter);
+  return summarizeScenarios(values, metric.lessIsBetter);
 }
 
 /// Our runs, each with the other of the same scenario and seed, where there is one.
-std::vector<std::pair<const SuiteResult*, const SuiteResult*>> sameFrames(const BarRuns& ours,
-                                                                          const BarRuns& others) {
+std::vector<std::pair<const SuiteResult*, const SuiteResult*>>
+sameFrames(const MeasuredRuns& ours, const MeasuredRuns& others) {
   std::vector<std::pair<const SuiteResult*, const SuiteResult*>> pairs;
   for (const SuiteResult* run : ours) {
     const auto same = std::ranges::find_if(others, [&](const SuiteResult* other) {
@@ -69,68 +69,71 @@ double ratioOf(const SuiteTrace& ours, const SuiteTrace& other) {
       }
     }
   }
-  return otherSquares > 0.0 ? std::sqrt(squares / otherSquares) : kNoFigure;
+  return otherSquares > 0.0 ? std::sqrt(squares / otherSquares) : kNoValue;
 }
 
 } // namespace
 
-BarMeasure quantileAt(BarColumn figure, double fraction) {
-  return [=](const BarRuns& ours, const BarRuns&) { return quantileOf(ours, figure, fraction); };
+RequirementMeasure quantileOverRuns(ResultColumn figure, double fraction) {
+  return [=](const MeasuredRuns& ours, const MeasuredRuns&) {
+    return quantileOf(ours, figure, fraction);
+  };
 }
 
-BarMeasure worstRun(BarColumn figure) {
-  return quantileAt(figure, 1.0);
+RequirementMeasure worstRun(ResultColumn figure) {
+  return quantileOverRuns(figure, 1.0);
 }
 
-BarMeasure worstMedian(BarColumn figure) {
-  return greatestOfScenarios(quantileAt(figure, 0.5));
+RequirementMeasure worstMedian(ResultColumn figure) {
+  return maxOverScenarios(quantileOverRuns(figure, 0.5));
 }
 
-BarMeasure meanOfRuns(BarColumn figure, double factor) {
-  return [=](const BarRuns& ours, const BarRuns&) { return factor * meanOf(ours, figure); };
+RequirementMeasure meanOverRuns(ResultColumn figure, double factor) {
+  return
+      [=](const MeasuredRuns& ours, const MeasuredRuns&) { return factor * meanOf(ours, figure); };
 }
 
-BarMeasure percentWithin(BarColumn figure, double limit) {
-  return [=](const BarRuns& ours, const BarRuns&) {
-    const auto values = figuresOf(ours, figure);
+RequirementMeasure percentWithin(ResultColumn figure, double limit) {
+  return [=](const MeasuredRuns& ours, const MeasuredRuns&) {
+    const auto values = columnValues(ours, figure);
     const auto within = std::ranges::count_if(values, [&](double v) { return v <= limit; });
     return values.empty()
-               ? kNoFigure
+               ? kNoValue
                : inPercent(static_cast<double>(within)) / static_cast<double>(values.size());
   };
 }
 
-BarMeasure failures(BarColumn figure) {
-  return [=](const BarRuns& ours, const BarRuns&) {
-    const auto values = figuresOf(ours, figure);
-    return values.empty() ? kNoFigure
+RequirementMeasure failureCount(ResultColumn figure) {
+  return [=](const MeasuredRuns& ours, const MeasuredRuns&) {
+    const auto values = columnValues(ours, figure);
+    return values.empty() ? kNoValue
                           : static_cast<double>(std::ranges::count_if(
                                 values, [](double v) { return std::isinf(v); }));
   };
 }
 
-BarFigure pooledP95(const BarRuns& ours, const BarRuns&) {
+RequirementValue pooledP95(const MeasuredRuns& ours, const MeasuredRuns&) {
   std::vector<double> all;
   for (const auto& errors : errorsAfterConvergence(ours)) {
     all.insert(all.end(), errors.begin(), errors.end());
   }
   std::ranges::sort(all);
-  return all.empty() ? kNoFigure : quantile(all, 0.95);
+  return all.empty() ? kNoValue : quantile(all, 0.95);
 }
 
-BarFigure pooledEceOfRuns(const BarRuns& ours, const BarRuns&) {
+RequirementValue pooledEceOfRuns(const MeasuredRuns& ours, const MeasuredRuns&) {
   return pooledReliability(ours).expectedError;
 }
 
-BarFigure depthBias(const BarRuns& ours, const BarRuns&) {
+RequirementValue depthBias(const MeasuredRuns& ours, const MeasuredRuns&) {
   return std::abs(meanOf(ours, &SuiteRow::depthBiasMm));
 }
 
-BarFigure againstTriangulation(const BarRuns& ours, const BarRuns& others) {
+RequirementValue rmseRatioToTriangulation(const MeasuredRuns& ours, const MeasuredRuns& others) {
   return quantileOf(ours, &SuiteRow::rmseMm, 0.5) / quantileOf(others, &SuiteRow::rmseMm, 0.5);
 }
 
-BarFigure sharedFramesRatio(const BarRuns& ours, const BarRuns& others) {
+RequirementValue rmseRatioOnSharedFrames(const MeasuredRuns& ours, const MeasuredRuns& others) {
   std::vector<double> ratios;
   for (const auto& [run, other] : sameFrames(ours, others)) {
     const double ratio = ratioOf(run->trace, other->trace);
@@ -138,10 +141,10 @@ BarFigure sharedFramesRatio(const BarRuns& ours, const BarRuns& others) {
       ratios.push_back(ratio);
     }
   }
-  return ratios.empty() ? kNoFigure : median(std::move(ratios));
+  return ratios.empty() ? kNoValue : median(std::move(ratios));
 }
 
-BarFigure lostBeyondTriangulation(const BarRuns& ours, const BarRuns& others) {
+RequirementValue lostFramesOverTriangulation(const MeasuredRuns& ours, const MeasuredRuns& others) {
   double sum = 0.0;
   int count = 0;
   for (const auto& [run, other] : sameFrames(ours, others)) {
@@ -150,28 +153,30 @@ BarFigure lostBeyondTriangulation(const BarRuns& ours, const BarRuns& others) {
       ++count;
     }
   }
-  return count > 0 ? sum / count : kNoFigure;
+  return count > 0 ? sum / count : kNoValue;
 }
 
-BarMeasure medianScenario(const BeliefMetric& metric) {
-  return [&metric](const BarRuns& ours, const BarRuns&) { return beliefOver(ours, metric).median; };
-}
-
-BarMeasure worstScenario(const BeliefMetric& metric) {
-  return [&metric](const BarRuns& ours, const BarRuns&) {
-    OverScenarios over = beliefOver(ours, metric);
-    return BarFigure(over.worst, std::move(over.worstScenario));
+RequirementMeasure medianOverScenarios(const BeliefMetric& metric) {
+  return [&metric](const MeasuredRuns& ours, const MeasuredRuns&) {
+    return beliefOver(ours, metric).median;
   };
 }
 
-BarMeasure greatestOfScenarios(BarMeasure measure) {
-  return [measure = std::move(measure)](const BarRuns& ours, const BarRuns& others) {
+RequirementMeasure worstOverScenarios(const BeliefMetric& metric) {
+  return [&metric](const MeasuredRuns& ours, const MeasuredRuns&) {
+    ScenarioSummary over = beliefOver(ours, metric);
+    return RequirementValue(over.worst, std::move(over.worstScenario));
+  };
+}
+
+RequirementMeasure maxOverScenarios(RequirementMeasure measure) {
+  return [measure = std::move(measure)](const MeasuredRuns& ours, const MeasuredRuns& others) {
     std::vector<ScenarioValue> values;
     for (const std::string& scenario : scenariosOf(ours)) {
       values.push_back({scenario, measure(runsOf(ours, scenario), runsOf(others, scenario)).value});
     }
-    OverScenarios over = overScenarios(values, true);
-    return BarFigure(over.worst, std::move(over.worstScenario));
+    ScenarioSummary over = summarizeScenarios(values, true);
+    return RequirementValue(over.worst, std::move(over.worstScenario));
   };
 }
 

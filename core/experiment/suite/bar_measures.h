@@ -12,59 +12,60 @@
 namespace dewpoint::experiment {
 
 /// Runs from which a measure is computed.
-using BarRuns = std::vector<const SuiteResult*>;
+using MeasuredRuns = std::vector<const SuiteResult*>;
 
 /// Value of a measure. If a single scenario determines the value, it includes that scenario.
-struct BarFigure {
-  BarFigure(double number) : value(number) {} // a plain value has no scenario
-  BarFigure(double number, std::string name) : value(number), scenario(std::move(name)) {}
+struct RequirementValue {
+  RequirementValue(double number) : value(number) {} // a plain value has no scenario
+  RequirementValue(double number, std::string name) : value(number), scenario(std::move(name)) {}
   double value;
   std::string scenario;
 };
 
 /// Computes the value from our runs. `others` are the runs of plain triangulation in the same
 /// scenarios and grade.
-using BarMeasure = std::function<BarFigure(const BarRuns& ours, const BarRuns& others)>;
+using RequirementMeasure =
+    std::function<RequirementValue(const MeasuredRuns& ours, const MeasuredRuns& others)>;
 /// Column of runs.csv that a measure reads.
-using BarColumn = SuiteRow::Figure SuiteRow::*;
+using ResultColumn = SuiteRow::Value SuiteRow::*;
 
 /// Returns a measure: the quantile over the runs. `fraction` is in [0, 1].
-BarMeasure quantileAt(BarColumn figure, double fraction);
+RequirementMeasure quantileOverRuns(ResultColumn figure, double fraction);
 /// Returns a measure: the value of the worst run.
-BarMeasure worstRun(BarColumn figure);
+RequirementMeasure worstRun(ResultColumn figure);
 /// Returns a measure: the largest scenario median, where each median is taken over the runs of a
 /// scenario.
-BarMeasure worstMedian(BarColumn figure);
+RequirementMeasure worstMedian(ResultColumn figure);
 /// Returns a measure: the mean over all runs, times `factor`.
-BarMeasure meanOfRuns(BarColumn figure, double factor = 1.0);
+RequirementMeasure meanOverRuns(ResultColumn figure, double factor = 1.0);
 /// Returns a measure: the percentage of runs whose value is at most `limit`.
-BarMeasure percentWithin(BarColumn figure, double limit);
+RequirementMeasure percentWithin(ResultColumn figure, double limit);
 /// Returns a measure: the number of runs in which the event never happened.
-BarMeasure failures(BarColumn figure);
+RequirementMeasure failureCount(ResultColumn figure);
 
 /// Computes the 95th percentile of all errors after convergence.
-BarFigure pooledP95(const BarRuns& ours, const BarRuns& others);
+RequirementValue pooledP95(const MeasuredRuns& ours, const MeasuredRuns& others);
 /// Computes the calibration error of P(exists), over all frames of all runs.
-BarFigure pooledEceOfRuns(const BarRuns& ours, const BarRuns& others);
+RequirementValue pooledEceOfRuns(const MeasuredRuns& ours, const MeasuredRuns& others);
 /// Computes the absolute value of the mean depth bias over runs.
-BarFigure depthBias(const BarRuns& ours, const BarRuns& others);
+RequirementValue depthBias(const MeasuredRuns& ours, const MeasuredRuns& others);
 /// Computes the ratio of the median RMSE of our runs to the median RMSE of triangulation.
-BarFigure againstTriangulation(const BarRuns& ours, const BarRuns& others);
+RequirementValue rmseRatioToTriangulation(const MeasuredRuns& ours, const MeasuredRuns& others);
 
 /// Computes the ratio of the RMSE of our run to that of the other method's run with the same seed,
 /// over the frames in which both declare the target. Returns the median over the seeds. A method
 /// that gives up on difficult frames therefore gains nothing.
-BarFigure sharedFramesRatio(const BarRuns& ours, const BarRuns& others);
+RequirementValue rmseRatioOnSharedFrames(const MeasuredRuns& ours, const MeasuredRuns& others);
 /// Computes the percentage of lost frames minus the percentage in the other run with the same seed.
 /// Returns the mean over the seeds.
-BarFigure lostBeyondTriangulation(const BarRuns& ours, const BarRuns& others);
+RequirementValue lostFramesOverTriangulation(const MeasuredRuns& ours, const MeasuredRuns& others);
 
 /// Returns a measure: the median of a belief metric over the scenarios.
-BarMeasure medianScenario(const BeliefMetric& metric);
+RequirementMeasure medianOverScenarios(const BeliefMetric& metric);
 /// Returns a measure: the value of a belief metric in the worst scenario.
-BarMeasure worstScenario(const BeliefMetric& metric);
+RequirementMeasure worstOverScenarios(const BeliefMetric& metric);
 /// Returns a measure: the largest value that another measure has when it is computed for each
 /// scenario separately.
-BarMeasure greatestOfScenarios(BarMeasure measure);
+RequirementMeasure maxOverScenarios(RequirementMeasure measure);
 
 } // namespace dewpoint::experiment

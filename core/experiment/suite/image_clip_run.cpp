@@ -43,7 +43,7 @@ std::vector<TargetFrame> framesInPixels(const BoxClip& clip,
 
 } // namespace
 
-const std::vector<std::string>& imageMethods() {
+const std::vector<std::string>& imageClipMethods() {
   return boxFollowerNames();
 }
 

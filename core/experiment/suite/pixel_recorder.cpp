@@ -45,7 +45,7 @@ void PixelRecorder::add(std::int64_t frame, const std::vector<SphereEstimate>& e
     const SphereEstimate estimate =
         target < estimates.size() ? estimates[target] : SphereEstimate();
     Sample sample;
-    sample.declared = statesPresence(estimate);
+    sample.declared = reportsPresence(estimate);
     sample.existence = estimate.existenceProbability;
     for (const MarkedCenter& mark : marks->second) {
       if (mark.target == target) {
@@ -76,7 +76,7 @@ std::vector<TargetFrame> PixelRecorder::framesOf(std::size_t target) const {
   return frames;
 }
 
-SuiteRow::Figure PixelRecorder::rmsePx() const {
+SuiteRow::Value PixelRecorder::rmsePx() const {
   double sum = 0.0;
   std::int64_t count = 0;
   for (std::size_t target = 0; target < samples_.size(); ++target) {
@@ -91,7 +91,7 @@ SuiteRow::Figure PixelRecorder::rmsePx() const {
       }
     }
   }
-  return count > 0 ? SuiteRow::Figure(std::sqrt(sum / static_cast<double>(count))) : std::nullopt;
+  return count > 0 ? SuiteRow::Value(std::sqrt(sum / static_cast<double>(count))) : std::nullopt;
 }
 
 SuiteResult PixelRecorder::result(RunKey key, double usPerFrame) const {
@@ -101,7 +101,7 @@ SuiteResult PixelRecorder::result(RunKey key, double usPerFrame) const {
   result.trace.key = row.key;
   Proportion lost;
   Proportion wrong;
-  Proportion wrongWhenSure;
+  Proportion wrongWhenConfident;
   std::vector<Forecast> forecasts;
   for (std::size_t target = 0; target < samples_.size(); ++target) {
     const auto frames = framesOf(target);
@@ -116,9 +116,9 @@ SuiteResult PixelRecorder::result(RunKey key, double usPerFrame) const {
       forecasts.push_back({sample.existence, sample.worst < gate_});
       const bool isWrong = sample.declared && sample.worst > gate_;
       wrong.count += isWrong ? 1 : 0;
-      wrongWhenSure.count += isWrong && sample.existence > kSureProbability ? 1 : 0;
+      wrongWhenConfident.count += isWrong && sample.existence > kConfidentProbability ? 1 : 0;
       ++wrong.total;
-      ++wrongWhenSure.total;
+      ++wrongWhenConfident.total;
     }
     // No length is known: "not declared" in every frame.
     result.trace.errorsMm.emplace_back(std::max<std::size_t>(1, frames.size()),
@@ -129,7 +129,7 @@ SuiteResult PixelRecorder::result(RunKey key, double usPerFrame) const {
   }
   if (wrong.total > 0) {
     row.wrongPercent = inPercent(wrong.value());
-    row.wrongWhenSurePercent = inPercent(wrongWhenSure.value());
+    row.wrongWhenConfidentPercent = inPercent(wrongWhenConfident.value());
   }
   fillBelief(forecasts, result);
   row.rmsePx = rmsePx();

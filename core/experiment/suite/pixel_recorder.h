@@ -31,7 +31,7 @@ public:
   /// Returns the RMS distance of the projections from the marks, pixels. It covers all marks in
   /// frames in which the target is declared present, from each target's convergence on (from the
   /// start if it never converges). Nothing if there are no such marks.
-  SuiteRow::Figure rmsePx() const;
+  SuiteRow::Value rmsePx() const;
 
   /// Returns the result of a run that has only marks. It contains no lengths, but convergence, loss
   /// and the reliability of P(exists), all measured with the marks.

@@ -73,7 +73,7 @@ std::optional<SkippedRun> parseSkipped(const std::string& line) {
   }
   const auto grade = gradeNamed(line.substr(first + 1, second - first - 1));
   const auto seed =
-      numberFrom<std::uint64_t>(std::string_view(line).substr(second + 1, third - second - 1));
+      toNumber<std::uint64_t>(std::string_view(line).substr(second + 1, third - second - 1));
   const auto reason = unquoted(line.substr(third + 1));
   if (!grade || !seed || !reason) {
     return std::nullopt;
@@ -81,7 +81,8 @@ std::optional<SkippedRun> parseSkipped(const std::string& line) {
   return SkippedRun{line.substr(0, first), *grade, *seed, *reason};
 }
 
-std::vector<ScenarioGrade> withoutAnyRun(const SkippedRuns& skipped, const std::set<RunKey>& done) {
+std::vector<ScenarioGrade> scenariosWithoutRuns(const SkippedRuns& skipped,
+                                                const std::set<RunKey>& done) {
   std::vector<ScenarioGrade> found;
   for (const SkippedRun& run : skipped) {
     const bool isKnown =

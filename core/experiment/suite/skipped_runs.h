@@ -49,6 +49,7 @@ struct ScenarioGrade {
 
 /// Returns the scenarios and grades in which all runs were skipped, so that there are no results.
 /// `done` contains the keys of the existing runs.
-std::vector<ScenarioGrade> withoutAnyRun(const SkippedRuns& skipped, const std::set<RunKey>& done);
+std::vector<ScenarioGrade> scenariosWithoutRuns(const SkippedRuns& skipped,
+                                                const std::set<RunKey>& done);
 
 } // namespace dewpoint::experiment

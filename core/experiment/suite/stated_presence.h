@@ -7,7 +7,7 @@ namespace dewpoint::experiment {
 
 /// Returns whether an estimate reports that its target is present: it has a position, and either it
 /// is valid or its existence probability is above one half.
-inline bool statesPresence(const SphereEstimate& estimate) {
+inline bool reportsPresence(const SphereEstimate& estimate) {
   return estimate.mean.allFinite() && (estimate.valid || estimate.existenceProbability > 0.5);
 }
 

@@ -16,7 +16,8 @@ namespace {
 constexpr const char* kOther = "triangulation";
 
 /// The families of the first version's requirements. What is asked of all runs of grade `ideal`
-/// was set for these; the families after them are judged by the figures of belief (aimBars()).
+/// was set for these; the families after them are judged by the figures of belief
+/// (aimRequirements()).
 const std::vector<std::string>& firstFamilies() {
   static const std::vector<std::string> kFamilies{"S0", "S1", "S2", "S3", "S4", "S5",
                                                   "S6", "S7", "S8", "S9", "S10"};
@@ -24,14 +25,14 @@ const std::vector<std::string>& firstFamilies() {
 }
 
 /// At most `high`.
-SuiteBar most(int item, std::string sentence, std::string unit, double high,
-              std::vector<std::string> scenarios, BarMeasure measure) {
-  return {item, std::move(sentence),  std::move(unit),   kAnyLow,
+SuiteRequirement most(int item, std::string sentence, std::string unit, double high,
+                      std::vector<std::string> scenarios, RequirementMeasure measure) {
+  return {item, std::move(sentence),  std::move(unit),   kNoLowerLimit,
           high, std::move(scenarios), std::move(measure)};
 }
 
-std::vector<SuiteBar> startBars() {
-  const BarMeasure quick = percentWithin(&SuiteRow::framesToConverge, kQuickFrames);
+std::vector<SuiteRequirement> startBars() {
+  const RequirementMeasure quick = percentWithin(&SuiteRow::framesToConverge, kQuickFrames);
   return {
       {1,
        "Desk box, cloud and point starts: converged within 5 frames",
@@ -50,22 +51,22 @@ std::vector<SuiteBar> startBars() {
   };
 }
 
-std::vector<SuiteBar> cleanBars() {
+std::vector<SuiteRequirement> cleanBars() {
   return {
       most(2, "Clean, slow: median RMSE", "mm", 1.1, {"S0-slow"},
-           quantileAt(&SuiteRow::rmseMm, 0.5)),
+           quantileOverRuns(&SuiteRow::rmseMm, 0.5)),
       most(2, "Clean, fast: median RMSE", "mm", 1.2, {"S0-fast"},
-           quantileAt(&SuiteRow::rmseMm, 0.5)),
+           quantileOverRuns(&SuiteRow::rmseMm, 0.5)),
       most(2, "Clean: 95th percentile of the error", "mm", 1.9, {"S0"}, pooledP95),
       most(2, "Clean, slow: RMSE relative to triangulation of the same mask", "x", 1.05,
-           {"S0-slow"}, againstTriangulation),
+           {"S0-slow"}, rmseRatioToTriangulation),
       most(2, "Clean, fast: RMSE relative to triangulation of the same mask", "x", 1.05,
-           {"S0-fast"}, againstTriangulation),
+           {"S0-fast"}, rmseRatioToTriangulation),
       most(2, "Clean: depth bias", "mm", 1.0, {"S0"}, depthBias),
   };
 }
 
-std::vector<SuiteBar> disturbedBars() {
+std::vector<SuiteRequirement> disturbedBars() {
   const std::vector<std::string> blind{"S3-one-blind"};
   return {
       most(3, "Distractors: frames lost, worst run", "%", 0.0, {"S1"},
@@ -77,42 +78,42 @@ std::vector<SuiteBar> disturbedBars() {
       most(3, "Half hidden, with a third camera: median RMSE", "mm", 3.0, {"S2-three-cameras"},
            worstMedian(&SuiteRow::rmseMm)),
       most(3, "One of two cameras blind for 0.5 s: RMSE meanwhile, median", "mm", 14.0, blind,
-           quantileAt(&SuiteRow::blackoutRmseMm, 0.5)),
+           quantileOverRuns(&SuiteRow::blackoutRmseMm, 0.5)),
       most(3, "One of two cameras blind for 0.5 s: RMSE meanwhile, 90th percentile", "mm", 40.0,
-           blind, quantileAt(&SuiteRow::blackoutRmseMm, 0.9)),
+           blind, quantileOverRuns(&SuiteRow::blackoutRmseMm, 0.9)),
       most(3, "One of three cameras blind for 0.5 s: RMSE meanwhile, median", "mm", 2.0,
-           {"S3-one-blind-three-cameras"}, quantileAt(&SuiteRow::blackoutRmseMm, 0.5)),
+           {"S3-one-blind-three-cameras"}, quantileOverRuns(&SuiteRow::blackoutRmseMm, 0.5)),
   };
 }
 
-std::vector<SuiteBar> jumpBars() {
-  const BarColumn found = &SuiteRow::framesToReacquire;
+std::vector<SuiteRequirement> jumpBars() {
+  const ResultColumn found = &SuiteRow::framesToReacquire;
   return {
       most(4, "Jump of 0.355 m: runs that never find it again", "", 0.0, {"S4-jump-desk"},
-           failures(found)),
+           failureCount(found)),
       most(4, "Jump of 0.355 m: frames to find it again, 90th percentile", "frames", 2.0,
-           {"S4-jump-desk"}, quantileAt(found, 0.9)),
+           {"S4-jump-desk"}, quantileOverRuns(found, 0.9)),
       most(4, "Jump of 2 m in the room: runs that never find it again", "", 0.0, {"S4-jump-room"},
-           failures(found)),
+           failureCount(found)),
       most(4, "Jump of 2 m in the room: frames to find it again, 90th percentile", "frames", 5.0,
-           {"S4-jump-room"}, quantileAt(found, 0.9)),
+           {"S4-jump-room"}, quantileOverRuns(found, 0.9)),
   };
 }
 
-std::vector<SuiteBar> honestyBars() {
+std::vector<SuiteRequirement> honestyBars() {
   return {
       most(5, "Vanished: frames until the loss is declared, worst run", "frames", 3.0,
            {"S3-vanish"}, worstRun(&SuiteRow::framesToDeclareLoss)),
       most(5, "False alarms per frame, mean of all runs of S0 to S10", "", 1e-3, firstFamilies(),
-           meanOfRuns(&SuiteRow::falseAlarmPercent, 0.01)),
+           meanOverRuns(&SuiteRow::falseAlarmPercent, 0.01)),
       most(5, "Expected calibration error of P(exists), all runs of S0 to S10", "", 0.05,
            firstFamilies(), pooledEceOfRuns),
       {5, "Truth inside the stated 95 % ellipsoid, mean of all runs of S0 to S10", "%", 92.0, 98.0,
-       firstFamilies(), meanOfRuns(&SuiteRow::coverage95Percent)},
+       firstFamilies(), meanOverRuns(&SuiteRow::coverage95Percent)},
   };
 }
 
-std::vector<SuiteBar> identityBars() {
+std::vector<SuiteRequirement> identityBars() {
   return {
       most(6, "Eight identical balls, 2 minutes, 4 cameras: identity switches, worst run", "", 2.0,
            {"S5-eight"}, worstRun(&SuiteRow::identitySwitches)),
@@ -122,8 +123,9 @@ std::vector<SuiteBar> identityBars() {
 }
 
 /// The runs of a method that a bar is measured on; of every scenario where it names none.
-BarRuns runsFor(const SuiteBar& bar, const std::vector<SuiteCell>& cells, std::string_view method) {
-  BarRuns runs;
+MeasuredRuns runsFor(const SuiteRequirement& bar, const std::vector<SuiteCell>& cells,
+                     std::string_view method) {
+  MeasuredRuns runs;
   for (const SuiteCell& cell : cells) {
     const bool meant =
         bar.scenarios.empty() || std::ranges::any_of(bar.scenarios, [&](const std::string& name) {
@@ -139,11 +141,11 @@ BarRuns runsFor(const SuiteBar& bar, const std::vector<SuiteCell>& cells, std::s
 
 } // namespace
 
-const std::vector<SuiteBar>& suiteBars() {
-  static const std::vector<SuiteBar> all = [] {
-    std::vector<SuiteBar> bars;
+const std::vector<SuiteRequirement>& suiteRequirements() {
+  static const std::vector<SuiteRequirement> all = [] {
+    std::vector<SuiteRequirement> bars;
     for (const auto& part : {startBars(), cleanBars(), disturbedBars(), jumpBars(), honestyBars(),
-                             identityBars(), aimBars()}) {
+                             identityBars(), aimRequirements()}) {
       bars.insert(bars.end(), part.begin(), part.end());
     }
     return bars;
@@ -151,24 +153,25 @@ const std::vector<SuiteBar>& suiteBars() {
   return all;
 }
 
-bool BarResult::measured() const {
+bool RequirementResult::isMeasured() const {
   return runs > 0 && !std::isnan(value);
 }
 
-bool BarResult::reached() const {
-  return measured() && value >= bar->low && value <= bar->high;
+bool RequirementResult::isMet() const {
+  return isMeasured() && value >= bar->low && value <= bar->high;
 }
 
-double BarResult::shortfall() const {
+double RequirementResult::shortfall() const {
   return std::max({0.0, bar->low - value, value - bar->high});
 }
 
-std::vector<BarResult> measureBars(const std::vector<SuiteCell>& cells) {
-  std::vector<BarResult> results;
-  for (const SuiteBar& bar : suiteBars()) {
-    const BarRuns ours = runsFor(bar, cells, defaultMethod());
-    const BarRuns others = runsFor(bar, cells, kOther);
-    const BarFigure figure = ours.empty() ? BarFigure(kNoFigure) : bar.measure(ours, others);
+std::vector<RequirementResult> measureRequirements(const std::vector<SuiteCell>& cells) {
+  std::vector<RequirementResult> results;
+  for (const SuiteRequirement& bar : suiteRequirements()) {
+    const MeasuredRuns ours = runsFor(bar, cells, defaultMethod());
+    const MeasuredRuns others = runsFor(bar, cells, kOther);
+    const RequirementValue figure =
+        ours.empty() ? RequirementValue(kNoValue) : bar.measure(ours, others);
     results.push_back({&bar, ours.size(), figure.value, figure.scenario});
   }
   return results;

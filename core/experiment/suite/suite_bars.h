@@ -10,10 +10,10 @@
 namespace dewpoint::experiment {
 
 /// Lower bound of a requirement without a lower limit.
-inline constexpr double kAnyLow = -std::numeric_limits<double>::infinity();
+inline constexpr double kNoLowerLimit = -std::numeric_limits<double>::infinity();
 
 /// Requirement for the `dewpoint` method in one grade.
-struct SuiteBar {
+struct SuiteRequirement {
   int item = 0;         ///< number in the list of requirements
   std::string sentence; ///< what is measured, and where
   std::string unit;
@@ -21,7 +21,7 @@ struct SuiteBar {
   double high = 0.0;
   /// Names or families of the evaluated scenarios. If empty, all scenarios are evaluated.
   std::vector<std::string> scenarios;
-  BarMeasure measure;
+  RequirementMeasure measure;
   /// Name of the grade, as in gradeName(). Nothing is measured if no run has this grade.
   std::string grade = "ideal";
   /// True if this is an aim for the next version, which the current version may miss.
@@ -29,23 +29,23 @@ struct SuiteBar {
 };
 
 /// Returns all requirements in list order.
-const std::vector<SuiteBar>& suiteBars();
+const std::vector<SuiteRequirement>& suiteRequirements();
 
 /// Result of a requirement.
-struct BarResult {
-  const SuiteBar* bar = nullptr;
+struct RequirementResult {
+  const SuiteRequirement* bar = nullptr;
   std::size_t runs = 0;      ///< number of measured runs; 0: not measured
   double value = 0.0;        ///< NaN if the runs have no such value
   std::string scenario = {}; ///< scenario that determines the value, if a single one does
   /// Returns whether there are runs and a value for this requirement.
-  bool measured() const;
+  bool isMeasured() const;
   /// Returns whether the value is within [low, high].
-  bool reached() const;
+  bool isMet() const;
   double shortfall() const; ///< returns the distance from [low, high]; 0 inside
 };
 
 /// Measures all requirements from the `dewpoint` runs in the cells, each requirement in its own
 /// grade. Runs with tuning seeds also count; the report shows the seeds.
-std::vector<BarResult> measureBars(const std::vector<SuiteCell>& cells);
+std::vector<RequirementResult> measureRequirements(const std::vector<SuiteCell>& cells);
 
 } // namespace dewpoint::experiment

@@ -14,7 +14,7 @@ namespace {
 
 using RunSpan = std::span<const SuiteResult* const>;
 
-template <SuiteRow::Figure SuiteRow::*Member> double meanFigure(RunSpan runs) {
+template <SuiteRow::Value SuiteRow::*Member> double meanFigure(RunSpan runs) {
   return meanOf(runs, Member);
 }
 
@@ -37,7 +37,7 @@ BeliefSummary summaryOf(std::span<const SuiteCell* const> cells) {
     for (const SuiteCell* cell : cells) {
       values.push_back({cell->scenario, metric.of(cell->runs)});
     }
-    summary.figures.push_back(overScenarios(values, metric.lessIsBetter));
+    summary.figures.push_back(summarizeScenarios(values, metric.lessIsBetter));
   }
   return summary;
 }
@@ -61,18 +61,18 @@ std::span<const BeliefMetric> beliefMetrics() {
       BeliefMetric{"sure_and_wrong_percent", "sure and<br>wrong %",
                    "frames with P(exists) above 0.95 and the target absent or farther off than "
                    "three stated radii, mean over the runs",
-                   meanFigure<&SuiteRow::sureAndWrongPercent>, true},
+                   meanFigure<&SuiteRow::confidentlyWrongPercent>, true},
       BeliefMetric{"wrong_percent", "declared, not<br>within 30 mm %",
                    "frames with the target declared, but absent or not within 30 mm, mean over the "
                    "runs",
                    meanFigure<&SuiteRow::wrongPercent>, true},
       BeliefMetric{"wrong_when_sure_percent", "the same with<br>P &gt; 0.95 %",
                    "the same with P(exists) above 0.95",
-                   meanFigure<&SuiteRow::wrongWhenSurePercent>, true},
+                   meanFigure<&SuiteRow::wrongWhenConfidentPercent>, true},
       BeliefMetric{"sure_of_tie_percent", "sure of<br>a tie %",
                    "where N objects are the target equally well: frames with the target declared "
                    "and P(exists) above 1 / N + 0.05, mean over the runs",
-                   meanFigure<&SuiteRow::sureOfTiePercent>, true},
+                   meanFigure<&SuiteRow::confidentInTiePercent>, true},
   };
   return kFigures;
 }
@@ -85,7 +85,7 @@ const BeliefMetric& beliefMetric(const std::string& name) {
   return *found;
 }
 
-OverScenarios overScenarios(std::span<const ScenarioValue> values, bool lessIsBetter) {
+ScenarioSummary summarizeScenarios(std::span<const ScenarioValue> values, bool lessIsBetter) {
   std::vector<double> usable;
   const ScenarioValue* worst = nullptr;
   for (const ScenarioValue& value : values) {

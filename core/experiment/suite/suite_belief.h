@@ -28,7 +28,7 @@ std::span<const BeliefMetric> beliefMetrics();
 const BeliefMetric& beliefMetric(const std::string& name);
 
 /// Summary of one value per scenario: the median and the worst value.
-struct OverScenarios {
+struct ScenarioSummary {
   double median = 0.0; ///< NaN without a value
   double worst = 0.0;
   std::string worstScenario; ///< the first one if there are ties; empty without a value
@@ -40,7 +40,7 @@ struct ScenarioValue {
   double value = 0.0; ///< NaN: ignored
 };
 /// Computes the median and the worst value.
-OverScenarios overScenarios(std::span<const ScenarioValue> values, bool lessIsBetter);
+ScenarioSummary summarizeScenarios(std::span<const ScenarioValue> values, bool lessIsBetter);
 
 /// Belief metrics of a method over all scenarios of one grade.
 struct BeliefSummary {
@@ -48,7 +48,7 @@ struct BeliefSummary {
   std::string method;
   std::size_t scenarios = 0;
   std::size_t runs = 0;
-  std::vector<OverScenarios> figures; ///< one entry per metric, in the order of beliefMetrics()
+  std::vector<ScenarioSummary> figures; ///< one entry per metric, in the order of beliefMetrics()
 };
 
 /// Returns one summary for each grade and method in the cells. Grades are in ascending order, and

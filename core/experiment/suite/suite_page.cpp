@@ -54,7 +54,7 @@ std::string head(const SuiteReport& report) {
     runs += cell.runs.size();
   }
   const bool quotable = areReportingSeeds(report.seeds);
-  const std::string seeds = escaped(seedSentence(report.seeds));
+  const std::string seeds = htmlEscaped(describeSeeds(report.seeds));
   return fmt::format("<header><h1>Dewpoint accuracy suite</h1><p class='meta'>Version {} · {} runs "
                      "· seeds {}</p>{}</header>",
                      DEWPOINT_VERSION, runs, seeds,
@@ -74,7 +74,7 @@ std::string skippedRuns(const SuiteReport& report) {
                   "these seeds that fits the scenario; no result contains them.</summary><ul>",
                   report.skipped.size());
   for (const SkippedRun& run : report.skipped) {
-    text += fmt::format("<li>{}</li>", escaped(skippedSentence(run)));
+    text += fmt::format("<li>{}</li>", htmlEscaped(skippedSentence(run)));
   }
   return text + "</ul></details>";
 }
@@ -83,7 +83,7 @@ std::string skippedRuns(const SuiteReport& report) {
 std::string notesOf(const SuiteReport& report) {
   std::string text;
   for (const std::string& note : report.notes) {
-    text += fmt::format("<p class='note'>{}</p>", escaped(note));
+    text += fmt::format("<p class='note'>{}</p>", htmlEscaped(note));
   }
   return text + skippedRuns(report);
 }
@@ -107,11 +107,12 @@ std::string gradeSentence(const std::string& grade) {
 
 /// The bars of one grade.
 std::string requirementsOf(const SuiteReport& report, const std::string& grade) {
-  std::vector<BarResult> bars;
+  std::vector<RequirementResult> bars;
   std::ranges::copy_if(report.bars, std::back_inserter(bars),
-                       [&](const BarResult& result) { return result.bar->grade == grade; });
-  return fmt::format("<h3>Grade {}</h3><p>{}</p>", escaped(grade), escaped(gradeSentence(grade))) +
-         barTable(bars);
+                       [&](const RequirementResult& result) { return result.bar->grade == grade; });
+  return fmt::format("<h3>Grade {}</h3><p>{}</p>", htmlEscaped(grade),
+                     htmlEscaped(gradeSentence(grade))) +
+         requirementTable(bars);
 }
 
 /// How many are reached of the bars of this version, or of those that the next one aims at.
@@ -119,9 +120,9 @@ std::string tiles(const SuiteReport& report, bool aims, const char* caption) {
   std::ptrdiff_t reached = 0;
   std::ptrdiff_t missed = 0;
   std::ptrdiff_t open = 0;
-  for (const BarResult& result : report.bars) {
+  for (const RequirementResult& result : report.bars) {
     if (result.bar->isAim == aims) {
-      ++(!result.measured() ? open : result.reached() ? reached : missed);
+      ++(!result.isMeasured() ? open : result.isMet() ? reached : missed);
     }
   }
   return fmt::format("<p class='soft'>{}</p><div class='tiles'>", caption) +
@@ -136,7 +137,7 @@ std::string requirements(const SuiteReport& report) {
       "what the next version aims at: this one is measured against it.</p>" +
       tiles(report, false, "This version") + tiles(report, true, "Next version");
   std::set<std::string> done;
-  for (const BarResult& result : report.bars) {
+  for (const RequirementResult& result : report.bars) {
     if (done.insert(result.bar->grade).second) {
       text += requirementsOf(report, result.bar->grade);
     }
@@ -186,21 +187,21 @@ std::string extents(const SuiteReport& report) {
                      "{:g} of the target's longest semi-axis from its centroid: mean over the "
                      "runs. Where methods are not told the size and estimate it, the median error "
                      "of the radius, of that of a ball of the target's volume, is beside it.</p>",
-                     kNearShare) +
+                     kNearFraction) +
          extentTable(report.cells);
 }
 
 std::string legendOf(std::span<const SuiteCell> cells) {
   std::string text = "<div class='legend'>";
   for (const SuiteCell& cell : cells) {
-    text +=
-        fmt::format("<span class='{}'>{}</span>", methodStyle(cell.method), escaped(cell.method));
+    text += fmt::format("<span class='{}'>{}</span>", methodStyle(cell.method),
+                        htmlEscaped(cell.method));
   }
   return text + "</div>";
 }
 
 std::string figureOf(const char* caption, const Plot& plot) {
-  return fmt::format("<figure><figcaption>{}</figcaption>{}</figure>", caption, svgOf(plot));
+  return fmt::format("<figure><figcaption>{}</figcaption>{}</figure>", caption, renderSvg(plot));
 }
 
 /// Clips that are measured in pixels have no errors to draw, those of one camera no P(exists).
@@ -253,14 +254,15 @@ std::string scenarioRows(const SuiteReport& report) {
     }
     if (const std::string now = familyOf(report, first.scenario); now != family) {
       family = now;
-      text += fmt::format("<h2 id='{}'>{}</h2>", escaped(family), escaped(familyTitle(family)));
+      text +=
+          fmt::format("<h2 id='{}'>{}</h2>", htmlEscaped(family), htmlEscaped(familyTitle(family)));
     }
     const bool again = first.scenario == scenario;
     if (!again) {
       scenario = first.scenario;
       const ScenarioDeclaration* known = declared(report, scenario);
-      text += fmt::format("<h3>{}</h3><p>{}</p>", escaped(scenario),
-                          known != nullptr ? escaped(known->sentence) : std::string());
+      text += fmt::format("<h3>{}</h3><p>{}</p>", htmlEscaped(scenario),
+                          known != nullptr ? htmlEscaped(known->sentence) : std::string());
     }
     text += block(cells.subspan(begin, end - begin), again);
     begin = end;
@@ -275,7 +277,7 @@ std::string links(const SuiteReport& report) {
   for (const SuiteCell& cell : report.cells) {
     const std::string family = familyOf(report, cell.scenario);
     if (done.insert(family).second) {
-      text += fmt::format("<a href='#{0}'>{0}</a>", escaped(family));
+      text += fmt::format("<a href='#{0}'>{0}</a>", htmlEscaped(family));
     }
   }
   return text + "<a href='#columns'>How to read it</a></nav>";
@@ -290,7 +292,7 @@ std::string explanation() {
       "it did not happen before the run ended. Medians and means are over runs. The columns of "
       "<code>runs.csv</code>, one row per run:</p><dl>";
   for (const SuiteColumn& column : suiteColumns()) {
-    text += fmt::format("<dt>{}</dt><dd>{}</dd>", column.name, escaped(column.sentence));
+    text += fmt::format("<dt>{}</dt><dd>{}</dd>", column.name, htmlEscaped(column.sentence));
   }
   return text + "</dl>";
 }

@@ -33,7 +33,7 @@ double framesOrNever(const std::optional<std::int64_t>& frames) {
 }
 
 /// The worst so far and one more.
-void raise(SuiteRow::Figure& worst, double value) {
+void raise(SuiteRow::Value& worst, double value) {
   worst = std::max(worst.value_or(value), value);
 }
 
@@ -165,8 +165,8 @@ void fillConsistency(const std::vector<StateError>& samples, SuiteRow& row) {
 }
 
 /// Nothing where there was nothing to measure.
-SuiteRow::Figure figureOrNone(double value) {
-  return std::isnan(value) ? std::nullopt : SuiteRow::Figure(value);
+SuiteRow::Value figureOrNone(double value) {
+  return std::isnan(value) ? std::nullopt : SuiteRow::Value(value);
 }
 
 void fillExtents(const std::vector<ExtentSample>& samples, SuiteRow& row) {
@@ -176,11 +176,11 @@ void fillExtents(const std::vector<ExtentSample>& samples, SuiteRow& row) {
   row.sizeErrorPercent = figureOrNone(inPercent(errors.size));
 }
 
-void fillOverconfidence(const std::vector<StatedBelief>& beliefs, SuiteRow& row) {
+void fillOverconfidence(const std::vector<ReportedBelief>& beliefs, SuiteRow& row) {
   const Overconfidence shares = overconfidence(beliefs, kFollowGate);
-  row.sureAndWrongPercent = inPercent(shares.sureAndWrong.value());
+  row.confidentlyWrongPercent = inPercent(shares.confidentlyWrong.value());
   row.wrongPercent = inPercent(shares.wrong.value());
-  row.wrongWhenSurePercent = inPercent(shares.wrongWhenSure.value());
+  row.wrongWhenConfidentPercent = inPercent(shares.wrongWhenConfident.value());
 }
 
 } // namespace
@@ -192,8 +192,8 @@ struct SuiteRecorder::Samples {
   std::vector<ErrorSequence> sequences; ///< one per target
   std::vector<ExtentSample> extents;
   std::vector<Forecast> forecasts;
-  std::vector<StatedBelief> beliefs;
-  std::vector<StatedBelief> firstBeliefs; ///< those in the first target
+  std::vector<ReportedBelief> beliefs;
+  std::vector<ReportedBelief> firstBeliefs; ///< those in the first target
   Proportion lost;
   Proportion blindInside;
 };
@@ -227,13 +227,13 @@ void SuiteRecorder::add(const std::vector<SphereEstimate>& estimates) {
   estimates_.back().resize(run_.targets.size());
 }
 
-bool SuiteRecorder::allBlind(std::int64_t frame) const {
+bool SuiteRecorder::areAllCamerasBlind(std::int64_t frame) const {
   return std::ranges::any_of(run_.events, [&](const ScenarioEvent& event) {
     return event.camera < 0 && isWithin(run_, event, frame);
   });
 }
 
-bool SuiteRecorder::anyBlind(std::int64_t frame) const {
+bool SuiteRecorder::isAnyCameraBlind(std::int64_t frame) const {
   return std::ranges::any_of(
       run_.events, [&](const ScenarioEvent& event) { return isWithin(run_, event, frame); });
 }
@@ -244,16 +244,16 @@ std::vector<TargetFrame> SuiteRecorder::framesOf(std::size_t truth, std::size_t 
     TargetFrame frame;
     frame.frame = static_cast<std::int64_t>(k);
     frame.truth = truth_[k][truth];
-    if (statesPresence(estimates_[k][estimate])) {
+    if (reportsPresence(estimates_[k][estimate])) {
       frame.estimate = estimates_[k][estimate].mean;
     }
-    frame.visible = !allBlind(frame.frame) && !isOutOfView(run_, frame.frame);
+    frame.visible = !areAllCamerasBlind(frame.frame) && !isOutOfView(run_, frame.frame);
     frames.push_back(frame);
   }
   return frames;
 }
 
-std::vector<std::size_t> SuiteRecorder::estimateOfTruth() const {
+std::vector<std::size_t> SuiteRecorder::truthToEstimate() const {
   const auto count = static_cast<Eigen::Index>(run_.targets.size());
   Eigen::MatrixXd cost(count, count);
   for (Eigen::Index truth = 0; truth < count; ++truth) {
@@ -287,7 +287,7 @@ std::vector<TrackFrame> SuiteRecorder::trackFrames() const {
       if (truth_[k][target]) {
         frame.truth.push_back({static_cast<int>(target), *truth_[k][target]});
       }
-      if (statesPresence(estimates_[k][target])) {
+      if (reportsPresence(estimates_[k][target])) {
         frame.estimates.push_back({static_cast<int>(target), estimates_[k][target].mean});
       }
     }
@@ -324,12 +324,12 @@ void SuiteRecorder::addTarget(std::size_t target, std::size_t estimate, Samples&
     samples.forecasts.push_back(
         {stated.existenceProbability,
          frames[k].truth.has_value() && (stated.mean - *frames[k].truth).norm() < kFollowGate});
-    samples.beliefs.push_back({stated.existenceProbability, statesPresence(stated), stated.mean,
+    samples.beliefs.push_back({stated.existenceProbability, reportsPresence(stated), stated.mean,
                                covariance, frames[k].truth});
     if (target == 0) {
       samples.firstBeliefs.push_back(samples.beliefs.back());
     }
-    if (frames[k].truth && anyBlind(frames[k].frame)) {
+    if (frames[k].truth && isAnyCameraBlind(frames[k].frame)) {
       ++samples.blindInside.total;
       samples.blindInside.count += error && isInside95({*error, covariance}) ? 1 : 0;
     }
@@ -357,7 +357,7 @@ SuiteResult SuiteRecorder::result(double usPerFrame) const {
   row.key = {run_.scenario, run_.grade, method_, run_.seed};
   result.trace.key = row.key;
   Samples samples;
-  const auto estimateOf = estimateOfTruth();
+  const auto estimateOf = truthToEstimate();
   for (std::size_t target = 0; target < estimateOf.size(); ++target) {
     addTarget(target, estimateOf[target], samples, result);
   }
@@ -368,8 +368,8 @@ SuiteResult SuiteRecorder::result(double usPerFrame) const {
   fillReliability(samples.forecasts, result);
   fillOverconfidence(samples.beliefs, row);
   if (run_.equalCandidates > 1) {
-    row.sureOfTiePercent =
-        figureOrNone(inPercent(sureOfTie(samples.firstBeliefs, run_.equalCandidates).value()));
+    row.confidentInTiePercent =
+        figureOrNone(inPercent(confidentInTie(samples.firstBeliefs, run_.equalCandidates).value()));
   }
   fillTracks(trackFrames(), row);
   if (samples.lost.total > 0) {

@@ -42,11 +42,11 @@ private:
                  SuiteResult& result) const;
   /// Returns the target size in a frame, or null if the run does not contain it.
   const TargetExtent* extentOf(std::size_t frame, std::size_t target) const;
-  std::vector<std::size_t> estimateOfTruth() const;
+  std::vector<std::size_t> truthToEstimate() const;
   std::vector<TargetFrame> framesOf(std::size_t truth, std::size_t estimate) const;
   std::vector<TrackFrame> trackFrames() const;
-  bool allBlind(std::int64_t frame) const;
-  bool anyBlind(std::int64_t frame) const;
+  bool areAllCamerasBlind(std::int64_t frame) const;
+  bool isAnyCameraBlind(std::int64_t frame) const;
 
   const ScenarioRun& run_;
   std::string method_;

@@ -29,7 +29,7 @@ Json interval(const Interval& value) {
   return {{"value", number(value.value)}, {"low", number(value.low)}, {"high", number(value.high)}};
 }
 
-Json barJson(const BarResult& result) {
+Json barJson(const RequirementResult& result) {
   Json json;
   json["item"] = result.bar->item;
   json["grade"] = result.bar->grade;
@@ -42,10 +42,10 @@ Json barJson(const BarResult& result) {
   json["runs"] = result.runs;
   json["value"] = number(result.value);
   json["scenario"] = result.scenario.empty() ? Json(nullptr) : Json(result.scenario);
-  json["shortfall"] = result.measured() ? number(result.shortfall()) : Json(nullptr);
-  json["verdict"] = !result.measured() ? "not measured"
-                    : result.reached() ? "reached"
-                                       : "not reached";
+  json["shortfall"] = result.isMeasured() ? number(result.shortfall()) : Json(nullptr);
+  json["verdict"] = !result.isMeasured() ? "not measured"
+                    : result.isMet()     ? "reached"
+                                         : "not reached";
   return json;
 }
 
@@ -56,7 +56,7 @@ Json beliefJson(const BeliefSummary& summary) {
   json["scenarios"] = summary.scenarios;
   json["runs"] = summary.runs;
   for (std::size_t k = 0; k < summary.figures.size(); ++k) {
-    const OverScenarios& figure = summary.figures[k];
+    const ScenarioSummary& figure = summary.figures[k];
     json["figures"][beliefMetrics()[k].name] = {{"median", number(figure.median)},
                                                 {"worst", number(figure.worst)},
                                                 {"worst_scenario", figure.worstScenario}};
@@ -126,7 +126,7 @@ std::string beliefCsv(const SuiteReport& report) {
   std::string text = "grade,method,scenarios,runs,figure,median,worst,worst_scenario\n";
   for (const BeliefSummary& summary : report.belief) {
     for (std::size_t k = 0; k < summary.figures.size(); ++k) {
-      const OverScenarios& figure = summary.figures[k];
+      const ScenarioSummary& figure = summary.figures[k];
       text += fmt::format("{},{},{},{},{},{},{},{}\n", gradeName(summary.grade), summary.method,
                           summary.scenarios, summary.runs, beliefMetrics()[k].name,
                           csvNumber(figure.median), csvNumber(figure.worst), figure.worstScenario);
@@ -139,7 +139,7 @@ std::string reportJson(const SuiteReport& report) {
   Json json;
   json["version"] = DEWPOINT_VERSION;
   json["seeds"] = report.seeds;
-  json["seeds_sentence"] = seedSentence(report.seeds);
+  json["seeds_sentence"] = describeSeeds(report.seeds);
   json["reporting_seeds"] = areReportingSeeds(report.seeds);
   json["notes"] = report.notes;
   json["skipped"] = Json::array();
@@ -147,7 +147,7 @@ std::string reportJson(const SuiteReport& report) {
     json["skipped"].push_back(skippedJson(run));
   }
   json["bars"] = Json::array();
-  for (const BarResult& result : report.bars) {
+  for (const RequirementResult& result : report.bars) {
     json["bars"].push_back(barJson(result));
   }
   json["belief"] = Json::array();
@@ -168,7 +168,7 @@ Status writeSuiteReport(const std::filesystem::path& folder, const SuiteResults&
   SuiteReport report;
   report.cells = summarizeSuite(results, order);
   report.belief = summarizeBelief(report.cells);
-  report.bars = measureBars(report.cells);
+  report.bars = measureRequirements(report.cells);
   report.catalog = catalog;
   report.notes = notes;
   report.skipped = skipped;

@@ -35,7 +35,7 @@ std::optional<RunKey> parseKey(const std::vector<std::string>& fields) {
     return std::nullopt;
   }
   const auto grade = gradeNamed(fields[1]);
-  const auto seed = numberFrom<std::uint64_t>(fields[3]);
+  const auto seed = toNumber<std::uint64_t>(fields[3]);
   return grade && seed ? std::optional(RunKey{fields[0], *grade, fields[2], *seed}) : std::nullopt;
 }
 
@@ -54,7 +54,7 @@ std::optional<std::vector<double>> parseErrors(const std::string& text) {
   std::vector<double> errors;
   for (const std::string& part : split(text, ' ')) {
     const auto value = part == "-" ? std::numeric_limits<double>::quiet_NaN()
-                                   : numberFrom<double>(part).value_or(-1.0);
+                                   : toNumber<double>(part).value_or(-1.0);
     if (value < 0.0) {
       return std::nullopt;
     }
@@ -68,9 +68,9 @@ std::optional<ReliabilityCount> parseReliability(const std::string& text) {
   if (parts.size() != 3) {
     return std::nullopt;
   }
-  const auto count = numberFrom<std::int64_t>(parts[0]);
-  const auto sum = numberFrom<double>(parts[1]);
-  const auto happened = numberFrom<std::int64_t>(parts[2]);
+  const auto count = toNumber<std::int64_t>(parts[0]);
+  const auto sum = toNumber<double>(parts[1]);
+  const auto happened = toNumber<std::int64_t>(parts[2]);
   return count && sum && happened ? std::optional(ReliabilityCount{*count, *sum, *happened})
                                   : std::nullopt;
 }
@@ -123,14 +123,14 @@ std::span<const SuiteColumn> suiteColumns() {
                   "truths inside the stated 95 % ellipsoid"},
       SuiteColumn{"coverage50_percent", &SuiteRow::coverage50Percent,
                   "truths inside the stated 50 % ellipsoid"},
-      SuiteColumn{"sure_and_wrong_percent", &SuiteRow::sureAndWrongPercent,
+      SuiteColumn{"sure_and_wrong_percent", &SuiteRow::confidentlyWrongPercent,
                   "of all frames, those with P(exists) above 0.95 and the target absent or farther "
                   "off than three stated radii (root mean square errors by the covariance)"},
       SuiteColumn{"wrong_percent", &SuiteRow::wrongPercent,
                   "of all frames, those with the target declared, but absent or not within 30 mm"},
-      SuiteColumn{"wrong_when_sure_percent", &SuiteRow::wrongWhenSurePercent,
+      SuiteColumn{"wrong_when_sure_percent", &SuiteRow::wrongWhenConfidentPercent,
                   "the same with P(exists) above 0.95"},
-      SuiteColumn{"sure_of_tie_percent", &SuiteRow::sureOfTiePercent,
+      SuiteColumn{"sure_of_tie_percent", &SuiteRow::confidentInTiePercent,
                   "where N objects are the target equally well: of all frames, those with the "
                   "target declared and P(exists) above 1 / N + 0.05"},
       SuiteColumn{"near_centroid_percent", &SuiteRow::nearCentroidPercent,
@@ -179,7 +179,7 @@ std::string rowHeader() {
 std::string rowText(const SuiteRow& row) {
   std::string text = keyText(row.key);
   for (const SuiteColumn& column : suiteColumns()) {
-    const SuiteRow::Figure& figure = row.*column.figure;
+    const SuiteRow::Value& figure = row.*column.figure;
     text += ',';
     if (figure && !std::isnan(*figure)) {
       text += fmt::format("{:.6g}", *figure);
@@ -219,7 +219,7 @@ std::optional<SuiteRow> parseRow(const std::string& line) {
   for (std::size_t k = 0; k < columns.size(); ++k) {
     const std::string& field = fields[kKeyFields + k];
     if (!field.empty()) {
-      const auto value = numberFrom<double>(field);
+      const auto value = toNumber<double>(field);
       if (!value) {
         return std::nullopt;
       }

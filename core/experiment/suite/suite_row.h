@@ -41,50 +41,50 @@ struct RunKey {
 /// Measurements of one run: one row of runs.csv. A value that does not apply is empty. It is
 /// infinite if an expected event never happened.
 struct SuiteRow {
-  using Figure = std::optional<double>;
+  using Value = std::optional<double>;
   RunKey key;
-  Figure rmseMm;
-  Figure medianMm;
-  Figure p95Mm;
-  Figure maxMm;
-  Figure depthMm;
-  Figure lateralMm;
-  Figure biasMm;
-  Figure depthBiasMm;
-  Figure jitterMm;
-  Figure framesToConverge;
-  Figure framesToReacquire;
-  Figure framesToDeclareLoss;
-  Figure lostPercent;
-  Figure falseAlarmPercent;
-  Figure nees;
-  Figure coverage95Percent;
-  Figure coverage50Percent;
-  Figure sureAndWrongPercent;
-  Figure wrongPercent;
-  Figure wrongWhenSurePercent;
-  Figure sureOfTiePercent;
-  Figure nearCentroidPercent;
-  Figure centroidErrorPercent;
-  Figure sizeErrorPercent;
-  Figure gospaMm;
-  Figure mota;
-  Figure hota;
-  Figure identitySwitches;
-  Figure existenceEce;
-  Figure blackoutRmseMm;
-  Figure blackoutCoverage95Percent;
-  Figure largestStepMm;
-  Figure rmsePx;
-  Figure success;
-  Figure usPerFrame;
-  Figure frames;
+  Value rmseMm;
+  Value medianMm;
+  Value p95Mm;
+  Value maxMm;
+  Value depthMm;
+  Value lateralMm;
+  Value biasMm;
+  Value depthBiasMm;
+  Value jitterMm;
+  Value framesToConverge;
+  Value framesToReacquire;
+  Value framesToDeclareLoss;
+  Value lostPercent;
+  Value falseAlarmPercent;
+  Value nees;
+  Value coverage95Percent;
+  Value coverage50Percent;
+  Value confidentlyWrongPercent;
+  Value wrongPercent;
+  Value wrongWhenConfidentPercent;
+  Value confidentInTiePercent;
+  Value nearCentroidPercent;
+  Value centroidErrorPercent;
+  Value sizeErrorPercent;
+  Value gospaMm;
+  Value mota;
+  Value hota;
+  Value identitySwitches;
+  Value existenceEce;
+  Value blackoutRmseMm;
+  Value blackoutCoverage95Percent;
+  Value largestStepMm;
+  Value rmsePx;
+  Value success;
+  Value usPerFrame;
+  Value frames;
 };
 
 /// Column of runs.csv after the four key columns.
 struct SuiteColumn {
   const char* name;
-  SuiteRow::Figure SuiteRow::*figure;
+  SuiteRow::Value SuiteRow::*figure;
   const char* sentence; ///< meaning of the column, for the report
 };
 /// Returns the columns in the order of runs.csv.

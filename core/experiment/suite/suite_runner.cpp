@@ -191,7 +191,7 @@ bool isRunIn(const ScenarioDeclaration& scenario, Grade grade) {
 }
 
 bool isRunBy(const ScenarioDeclaration& scenario, const std::string& method) {
-  const auto methods = scenario.clip ? imageMethods() : suiteMethods();
+  const auto methods = scenario.clip ? imageClipMethods() : suiteMethods();
   return std::ranges::find(methods, method) != methods.end();
 }
 
@@ -226,7 +226,7 @@ selectScenarios(std::span<const ScenarioDeclaration> catalog,
 
 std::vector<std::string> allSuiteMethods() {
   std::vector<std::string> all = suiteMethods();
-  std::ranges::copy_if(imageMethods(), std::back_inserter(all), [&](const std::string& method) {
+  std::ranges::copy_if(imageClipMethods(), std::back_inserter(all), [&](const std::string& method) {
     return std::ranges::find(all, method) == all.end();
   });
   return all;

@@ -39,7 +39,7 @@ selectScenarios(std::span<const ScenarioDeclaration> catalog,
                 const std::vector<std::string>& names);
 
 /// Returns the methods of all scenarios in table order, without duplicates: first suiteMethods(),
-/// then imageMethods(), which only follow clips of one camera.
+/// then imageClipMethods(), which only follow clips of one camera.
 std::vector<std::string> allSuiteMethods();
 
 /// Returns the methods with the given names, in the order of `known` and without duplicates.
@@ -50,7 +50,8 @@ selectMethods(const std::vector<std::string>& names,
 
 /// Returns the remaining jobs in order: runs that are neither finished nor known to be skipped. A
 /// scenario runs only in its own grades and with suitable methods. Real clips run in grade `Real`,
-/// and all other scenarios run in the other grades. Clips of one camera run with imageMethods().
+/// and all other scenarios run in the other grades. Clips of one camera run with
+/// imageClipMethods().
 std::vector<SuiteJob> planSuite(const SuiteRequest& request, const SuiteResults& done,
                                 const SkippedRuns& skipped = {});
 /// Returns the total number of runs in all jobs.

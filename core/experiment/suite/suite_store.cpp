@@ -111,11 +111,11 @@ Result<SkippedRuns> SuiteStore::readSkipped(const std::filesystem::path& folder)
       });
 }
 
-void SuiteStore::take(const SkippedRuns& skipped) {
+void SuiteStore::merge(const SkippedRuns& skipped) {
   skipped_.insert(skipped.begin(), skipped.end());
 }
 
-void SuiteStore::take(const SuiteResults& results) {
+void SuiteStore::merge(const SuiteResults& results) {
   for (const auto& [key, result] : results) {
     results_.insert_or_assign(key, result);
   }

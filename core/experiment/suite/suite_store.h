@@ -37,9 +37,9 @@ public:
   const SkippedRuns& skipped() const { return skipped_; }
   /// Adds results to results() only. They replace existing results of the same runs. rewrite()
   /// writes them to the files.
-  void take(const SuiteResults& results);
+  void merge(const SuiteResults& results);
   /// Adds skipped runs to skipped() only.
-  void take(const SkippedRuns& skipped);
+  void merge(const SkippedRuns& skipped);
   /// Appends one result to both files and to results().
   Status append(const SuiteResult& result);
   /// Adds one skipped run to skipped.csv and to skipped().

@@ -18,7 +18,7 @@ constexpr int kResamplesOfRuns = 2000;
 constexpr int kResamplesOfFrames = 300; // each sorts every frame of the cell
 
 /// Where five followed frames in a row begin, 0 if they never do.
-std::size_t convergedFrom(const std::vector<double>& errorsMm) {
+std::size_t convergenceIteration(const std::vector<double>& errorsMm) {
   std::vector<TargetFrame> frames;
   for (std::size_t k = 0; k < errorsMm.size(); ++k) {
     TargetFrame frame;
@@ -34,7 +34,7 @@ std::size_t convergedFrom(const std::vector<double>& errorsMm) {
 
 Interval medianOfRuns(const SuiteCell& cell) {
   std::vector<std::vector<double>> each;
-  for (const double value : figuresOf(cell.runs, &SuiteRow::rmseMm)) {
+  for (const double value : columnValues(cell.runs, &SuiteRow::rmseMm)) {
     each.push_back({value});
   }
   return bootstrapInterval(each, medianOf, {kResamplesOfRuns, 0.95, 1});
@@ -72,8 +72,8 @@ std::vector<SuiteCell> summarizeSuite(const SuiteResults& results,
   return cells;
 }
 
-std::vector<double> figuresOf(std::span<const SuiteResult* const> runs,
-                              SuiteRow::Figure SuiteRow::*figure) {
+std::vector<double> columnValues(std::span<const SuiteResult* const> runs,
+                                 SuiteRow::Value SuiteRow::*figure) {
   std::vector<double> values;
   for (const SuiteResult* run : runs) {
     const auto& value = run->row.*figure;
@@ -85,23 +85,23 @@ std::vector<double> figuresOf(std::span<const SuiteResult* const> runs,
   return values;
 }
 
-double quantileOf(std::span<const SuiteResult* const> runs, SuiteRow::Figure SuiteRow::*figure,
+double quantileOf(std::span<const SuiteResult* const> runs, SuiteRow::Value SuiteRow::*figure,
                   double fraction) {
-  const auto values = figuresOf(runs, figure);
+  const auto values = columnValues(runs, figure);
   if (values.empty()) {
-    return kNoFigure;
+    return kNoValue;
   }
   const double value = quantile(values, fraction);
   return std::isnan(value) ? values.back() : value; // between two infinite ones
 }
 
-double meanOf(std::span<const SuiteResult* const> runs, SuiteRow::Figure SuiteRow::*figure) {
-  const auto values = figuresOf(runs, figure);
+double meanOf(std::span<const SuiteResult* const> runs, SuiteRow::Value SuiteRow::*figure) {
+  const auto values = columnValues(runs, figure);
   double sum = 0.0;
   for (const double value : values) {
     sum += value;
   }
-  return values.empty() ? kNoFigure : sum / static_cast<double>(values.size());
+  return values.empty() ? kNoValue : sum / static_cast<double>(values.size());
 }
 
 std::vector<std::vector<double>> errorsAfterConvergence(std::span<const SuiteResult* const> runs) {
@@ -109,7 +109,7 @@ std::vector<std::vector<double>> errorsAfterConvergence(std::span<const SuiteRes
   for (const SuiteResult* run : runs) {
     auto& errors = all.emplace_back();
     for (const auto& target : run->trace.errorsMm) {
-      for (std::size_t k = convergedFrom(target); k < target.size(); ++k) {
+      for (std::size_t k = convergenceIteration(target); k < target.size(); ++k) {
         if (std::isfinite(target[k])) {
           errors.push_back(target[k]);
         }
@@ -131,8 +131,8 @@ Reliability pooledReliability(std::span<const SuiteResult* const> runs) {
       pooled.count += bin.count;
     }
   }
-  pooled.expectedError = pooled.count > 0 ? 0.0 : kNoFigure;
-  pooled.brier = kNoFigure; // needs each forecast
+  pooled.expectedError = pooled.count > 0 ? 0.0 : kNoValue;
+  pooled.brier = kNoValue; // needs each forecast
   for (std::size_t k = 0; k < sums.size(); ++k) {
     const auto count = static_cast<double>(sums[k].count);
     const ReliabilityBin bin{static_cast<double>(k) / kReliabilityBins,
@@ -143,7 +143,7 @@ Reliability pooledReliability(std::span<const SuiteResult* const> runs) {
     if (bin.count > 0) {
       const double gap = std::abs(bin.frequency - bin.meanProbability);
       pooled.expectedError += count / static_cast<double>(pooled.count) * gap;
-      pooled.greatestError = std::max(pooled.greatestError, gap);
+      pooled.maxError = std::max(pooled.maxError, gap);
     }
   }
   return pooled;

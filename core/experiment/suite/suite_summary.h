@@ -13,7 +13,7 @@
 namespace dewpoint::experiment {
 
 /// Placeholder for a value that does not apply.
-inline constexpr double kNoFigure = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 /// Runs of one method in one scenario and grade: one cell of the report's tables.
 struct SuiteCell {
@@ -35,13 +35,13 @@ std::vector<SuiteCell> summarizeSuite(const SuiteResults& results,
 
 /// Returns the values of a column over the runs, in ascending order. Empty values are left out, and
 /// infinite values come last.
-std::vector<double> figuresOf(std::span<const SuiteResult* const> runs,
-                              SuiteRow::Figure SuiteRow::*figure);
-/// Returns the quantile or mean of figuresOf(). NaN if there are no values. A quantile next to an
-/// infinite value is infinite.
-double quantileOf(std::span<const SuiteResult* const> runs, SuiteRow::Figure SuiteRow::*figure,
+std::vector<double> columnValues(std::span<const SuiteResult* const> runs,
+                                 SuiteRow::Value SuiteRow::*figure);
+/// Returns the quantile or mean of columnValues(). NaN if there are no values. A quantile next to
+/// an infinite value is infinite.
+double quantileOf(std::span<const SuiteResult* const> runs, SuiteRow::Value SuiteRow::*figure,
                   double fraction);
-double meanOf(std::span<const SuiteResult* const> runs, SuiteRow::Figure SuiteRow::*figure);
+double meanOf(std::span<const SuiteResult* const> runs, SuiteRow::Value SuiteRow::*figure);
 
 /// Returns the errors of each target in each run, from its convergence on (from the start if it
 /// never converged), millimeters.

@@ -18,11 +18,11 @@ std::string intervalText(const Interval& interval) {
   if (std::isnan(interval.value)) {
     return "-";
   }
-  return fmt::format("{}<small>{}–{}</small>", figureText(interval.value), figureText(interval.low),
-                     figureText(interval.high));
+  return fmt::format("{}<small>{}–{}</small>", formatValue(interval.value),
+                     formatValue(interval.low), formatValue(interval.high));
 }
 
-std::string requirementOf(const SuiteBar& bar) {
+std::string requirementOf(const SuiteRequirement& bar) {
   const std::string unit = bar.unit.empty() ? "" : " " + bar.unit;
   if (std::isinf(bar.low)) {
     return fmt::format("≤ {:g}{}", bar.high, unit);
@@ -34,38 +34,39 @@ std::string requirementOf(const SuiteBar& bar) {
                              : fmt::format("{:g}–{:g}{}", bar.low, bar.high, unit);
 }
 
-std::string assessmentOf(const BarResult& result) {
-  if (!result.measured()) {
+std::string assessmentOf(const RequirementResult& result) {
+  if (!result.isMeasured()) {
     return "<span class='chip'>not measured</span>";
   }
-  if (result.reached()) {
+  if (result.isMet()) {
     return "<span class='chip good'>✓ reached</span>";
   }
   const double shortfall = result.shortfall();
   const std::string unit = result.bar->unit.empty() ? "" : " " + result.bar->unit;
   return std::isinf(shortfall)
              ? std::string("<span class='chip bad'>✗ not reached</span>")
-             : fmt::format("<span class='chip bad'>✗ by {}{}</span>", figureText(shortfall), unit);
+             : fmt::format("<span class='chip bad'>✗ by {}{}</span>", formatValue(shortfall), unit);
 }
 
 /// The figure, and the scenario that decides it.
-std::string valueOf(const BarResult& result) {
-  return figureText(result.value) +
-         (result.scenario.empty() ? std::string()
-                                  : fmt::format("<br><small>{}</small>", escaped(result.scenario)));
+std::string valueOf(const RequirementResult& result) {
+  return formatValue(result.value) +
+         (result.scenario.empty()
+              ? std::string()
+              : fmt::format("<br><small>{}</small>", htmlEscaped(result.scenario)));
 }
 
-std::string beliefCell(const OverScenarios& figure) {
+std::string beliefCell(const ScenarioSummary& figure) {
   if (std::isnan(figure.median)) {
     return "<td>-</td>";
   }
-  return fmt::format("<td>{}<br><small>{} in {}</small></td>", figureText(figure.median),
-                     figureText(figure.worst), escaped(figure.worstScenario));
+  return fmt::format("<td>{}<br><small>{} in {}</small></td>", formatValue(figure.median),
+                     formatValue(figure.worst), htmlEscaped(figure.worstScenario));
 }
 
 std::string methodName(const std::string& method) {
   return fmt::format("<span class='{}'><span class='dot'></span>{}</span>", methodStyle(method),
-                     escaped(method));
+                     htmlEscaped(method));
 }
 
 struct TableColumn {
@@ -74,12 +75,12 @@ struct TableColumn {
   bool ofMany = false; ///< says something new with several targets only
 };
 
-template <SuiteRow::Figure SuiteRow::*Member> std::string medianText(const SuiteCell& cell) {
-  return figureText(quantileOf(cell.runs, Member, 0.5));
+template <SuiteRow::Value SuiteRow::*Member> std::string medianText(const SuiteCell& cell) {
+  return formatValue(quantileOf(cell.runs, Member, 0.5));
 }
 
-template <SuiteRow::Figure SuiteRow::*Member> std::string meanText(const SuiteCell& cell) {
-  return figureText(meanOf(cell.runs, Member));
+template <SuiteRow::Value SuiteRow::*Member> std::string meanText(const SuiteCell& cell) {
+  return formatValue(meanOf(cell.runs, Member));
 }
 
 std::string countText(const Proportion& proportion) {
@@ -106,10 +107,10 @@ const std::vector<TableColumn>& tableColumns() {
       {"in 50 %<br>ellipsoid %", meanText<&SuiteRow::coverage50Percent>},
       {"in 95 %<br>ellipsoid %", meanText<&SuiteRow::coverage95Percent>},
       {"ECE of<br>P(exists)",
-       [](const SuiteCell& c) { return figureText(pooledReliability(c.runs).expectedError); }},
-      {"sure and<br>wrong %", meanText<&SuiteRow::sureAndWrongPercent>},
+       [](const SuiteCell& c) { return formatValue(pooledReliability(c.runs).expectedError); }},
+      {"sure and<br>wrong %", meanText<&SuiteRow::confidentlyWrongPercent>},
       {"declared, not<br>within 30 mm %", meanText<&SuiteRow::wrongPercent>},
-      {"sure of<br>a tie %", meanText<&SuiteRow::sureOfTiePercent>},
+      {"sure of<br>a tie %", meanText<&SuiteRow::confidentInTiePercent>},
       {"near the<br>centroid %", meanText<&SuiteRow::nearCentroidPercent>},
       {"error in %<br>of extent", medianText<&SuiteRow::centroidErrorPercent>},
       {"error of<br>radius %", medianText<&SuiteRow::sizeErrorPercent>},
@@ -160,7 +161,7 @@ std::span<const SuiteCell> firstRow(std::span<const SuiteCell> cells) {
 }
 
 std::string rowHead(const SuiteCell& cell) {
-  return fmt::format("<tr><td>{}</td><td class='text soft'>{}</td>", escaped(cell.scenario),
+  return fmt::format("<tr><td>{}</td><td class='text soft'>{}</td>", htmlEscaped(cell.scenario),
                      gradeName(cell.grade));
 }
 
@@ -188,13 +189,13 @@ std::string extentRow(std::span<const SuiteCell> row, const std::vector<std::str
   for (const std::string& method : methods) {
     const auto cell = std::ranges::find(row, method, &SuiteCell::method);
     const double near =
-        cell == row.end() ? kNoFigure : meanOf(cell->runs, &SuiteRow::nearCentroidPercent);
+        cell == row.end() ? kNoValue : meanOf(cell->runs, &SuiteRow::nearCentroidPercent);
     const double size =
-        cell == row.end() ? kNoFigure : quantileOf(cell->runs, &SuiteRow::sizeErrorPercent, 0.5);
-    text += fmt::format("<td>{}{}</td>", figureText(near),
+        cell == row.end() ? kNoValue : quantileOf(cell->runs, &SuiteRow::sizeErrorPercent, 0.5);
+    text += fmt::format("<td>{}{}</td>", formatValue(near),
                         std::isnan(size)
                             ? std::string()
-                            : fmt::format("<small>radius off by {} %</small>", figureText(size)));
+                            : fmt::format("<small>radius off by {} %</small>", formatValue(size)));
   }
   return text + "</tr>";
 }
@@ -219,8 +220,8 @@ std::string overviewRow(std::span<const SuiteCell> row, const std::vector<std::s
     const bool known = !std::isnan(error.value);
     text +=
         fmt::format("<td{}>{}{}{}</td>", cell == best && known ? " class='best'" : "",
-                    figureText(error.value), known ? error.unit : "",
-                    lost >= kLostNotice ? fmt::format("<small>{} % lost</small>", figureText(lost))
+                    formatValue(error.value), known ? error.unit : "",
+                    lost >= kLostNotice ? fmt::format("<small>{} % lost</small>", formatValue(lost))
                                         : std::string());
   }
   return text + "</tr>";
@@ -228,7 +229,7 @@ std::string overviewRow(std::span<const SuiteCell> row, const std::vector<std::s
 
 } // namespace
 
-std::string figureText(double value) {
+std::string formatValue(double value) {
   if (std::isnan(value)) {
     return "-";
   }
@@ -248,16 +249,16 @@ std::string figureText(double value) {
                         : fmt::format("{:.1g}", value);
 }
 
-std::string barTable(std::span<const BarResult> bars) {
+std::string requirementTable(std::span<const RequirementResult> bars) {
   std::string text = "<div class='scroll'><table><thead><tr><th>No.</th><th class='text'>What</th>"
                      "<th>must be</th><th>is</th><th>runs</th><th class='text'>verdict</th></tr>"
                      "</thead><tbody>";
-  for (const BarResult& result : bars) {
+  for (const RequirementResult& result : bars) {
     const char* const aim = result.bar->isAim ? " <span class='chip'>next version</span>" : "";
     text +=
         fmt::format("<tr><td>{}</td><td class='text'>{}{}</td><td>{}</td><td>{}</td><td>{}</td>"
                     "<td class='text'>{}</td></tr>",
-                    result.bar->item, escaped(result.bar->sentence), aim,
+                    result.bar->item, htmlEscaped(result.bar->sentence), aim,
                     requirementOf(*result.bar), valueOf(result), result.runs, assessmentOf(result));
   }
   return text + "</tbody></table></div>";
@@ -273,7 +274,7 @@ std::string beliefTable(std::span<const BeliefSummary> methods) {
     text += fmt::format("<tr{}><td>{}</td><td>{}</td>",
                         summary.method == defaultMethod() ? " class='ours'" : "",
                         methodName(summary.method), summary.scenarios);
-    for (const OverScenarios& figure : summary.figures) {
+    for (const ScenarioSummary& figure : summary.figures) {
       text += beliefCell(figure);
     }
     text += "</tr>";

@@ -11,10 +11,10 @@ namespace dewpoint::experiment {
 
 /// Formats a number with about three significant digits, such as "1.41", "23.4" or "630". Infinity
 /// becomes "never", and a missing value becomes "-".
-std::string figureText(double value);
+std::string formatValue(double value);
 
 /// Returns an HTML table of the requirements of one grade, showing whether each is met.
-std::string barTable(std::span<const BarResult> bars);
+std::string requirementTable(std::span<const RequirementResult> bars);
 /// Returns an HTML table of the belief metrics of one grade, with one row per method. Each cell has
 /// the metric's median over the scenarios, and below it the worst scenario by name.
 std::string beliefTable(std::span<const BeliefSummary> methods);

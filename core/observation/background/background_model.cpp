@@ -228,7 +228,7 @@ void BackgroundModel::reset() {
   }
 }
 
-void BackgroundModel::followLight(const cv::Mat& image) {
+void BackgroundModel::adaptToLight(const cv::Mat& image) {
   if (!mean_.empty() && mean_.size() == image.size() && image.type() == CV_8UC3) {
     if (const auto gain = estimateLightChange(image, mean_, confidence_, light_)) {
       cv::multiply(mean_, cv::Scalar((*gain)[0], (*gain)[1], (*gain)[2]), mean_);
@@ -251,7 +251,7 @@ void BackgroundModel::start(const cv::Mat& image) {
   news_.resize(static_cast<std::size_t>(image.cols));
 }
 
-void BackgroundModel::learn(const cv::Mat& image, const std::vector<Hidden>& hidden,
+void BackgroundModel::learn(const cv::Mat& image, const std::vector<ExcludedCircle>& hidden,
                             bool noTargetElsewhere) {
   if (image.empty() || image.type() != CV_8UC3) {
     return;
@@ -277,7 +277,7 @@ void BackgroundModel::forgetFamiliarPixels() {
   }
 }
 
-void BackgroundModel::forgetFamiliarPixels(const Hidden& circle) {
+void BackgroundModel::forgetFamiliarPixels(const ExcludedCircle& circle) {
   if (familiar_.empty()) {
     return;
   }
@@ -308,13 +308,13 @@ void BackgroundModel::learnPixels(const cv::Mat& image, int row, int begin, int 
   runKernel<TallyKernel>(static_cast<const std::uint8_t*>(news_.data()), count, &known_, &new_);
 }
 
-void BackgroundModel::learnRow(const cv::Mat& image, int row, const std::vector<Hidden>& hidden,
-                               bool noTargetElsewhere) {
+void BackgroundModel::learnRow(const cv::Mat& image, int row,
+                               const std::vector<ExcludedCircle>& hidden, bool noTargetElsewhere) {
   int begin = 0;
   while (begin < image.cols) {
     // The next stretch of the row that no target hides.
     int end = image.cols;
-    for (const Hidden& circle : hidden) {
+    for (const ExcludedCircle& circle : hidden) {
       const double above = row - circle.center.y();
       const double halfSquared = circle.radius * circle.radius - above * above;
       if (!(halfSquared > 0.0)) {

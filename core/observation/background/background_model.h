@@ -18,7 +18,7 @@ namespace dewpoint::observation {
 class BackgroundModel {
 public:
   /// Circle in the image, in pixels, in which nothing is learned because a target is there.
-  struct Hidden {
+  struct ExcludedCircle {
     Eigen::Vector2d center = Eigen::Vector2d::Zero();
     double radius = 0.0;
   };
@@ -30,8 +30,8 @@ public:
   /// Tolerance in gray levels (five standard deviations of usual sensor noise). A color agrees with
   /// the mean if the difference is at most this tolerance plus one eighth of the mean, which allows
   /// for small light changes.
-  static constexpr int kTolerance = kFamiliarLevels;
-  static constexpr int kToleranceShift = kFamiliarShift;
+  static constexpr int kTolerance = kBackgroundTolerance;
+  static constexpr int kToleranceShift = kBackgroundToleranceShift;
 
   BackgroundModel() = default;
   /// Copies the model including its pixels.
@@ -49,17 +49,17 @@ public:
   /// Adapts the means to the light in an image if the whole image has suddenly become brighter,
   /// darker or differently tinted (estimateLightChange()). Call it before the labels of the image
   /// are computed.
-  void followLight(const cv::Mat& image);
+  void adaptToLight(const cv::Mat& image);
   /// Learns from every fourth row of an image (CV_8UC3), starting at a different row each time. An
   /// image of another size restarts the model. If `noTargetElsewhere` is set, there is no target
   /// outside `hidden`. A pixel there with a target's color is therefore not a target. After some
   /// observations, it counts as if the background image contained it.
-  void learn(const cv::Mat& image, const std::vector<Hidden>& hidden,
+  void learn(const cv::Mat& image, const std::vector<ExcludedCircle>& hidden,
              bool noTargetElsewhere = false);
   /// Discards what learn() with `noTargetElsewhere` has learned, either everywhere or inside a
   /// circle that did contain a target.
   void forgetFamiliarPixels();
-  void forgetFamiliarPixels(const Hidden& circle);
+  void forgetFamiliarPixels(const ExcludedCircle& circle);
   /// Returns the size of the model's images, bytes.
   std::size_t memoryBytes() const;
   /// Returns the fraction of known pixels that showed something new in the last learn(), 0 to 1. It
@@ -75,7 +75,7 @@ public:
   /// Value of `matched` in labelRow() for a pixel that has the target color only after conversion
   /// to the reference light. Such a pixel belongs to the target unless it agrees with the
   /// background.
-  static constexpr std::uint8_t kInUsualLight = 1;
+  static constexpr std::uint8_t kInReferenceLight = 1;
   /// Computes the labels (PixelLabel) of `count` pixels in one row, from `column` on. Where
   /// `matched` is 255, the label is Target, or Explained if the background image is known to show
   /// the same color there. Elsewhere it is Unlearned, Background or Unknown.
@@ -83,7 +83,7 @@ public:
                 std::uint8_t* labels) const;
 
 private:
-  void learnRow(const cv::Mat& image, int row, const std::vector<Hidden>& hidden,
+  void learnRow(const cv::Mat& image, int row, const std::vector<ExcludedCircle>& hidden,
                 bool noTargetElsewhere);
   void start(const cv::Mat& image);
   void learnPixels(const cv::Mat& image, int row, int begin, int end, bool noTargetElsewhere);

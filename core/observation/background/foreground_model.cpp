@@ -28,7 +28,7 @@ public:
     cv::threshold(mask, mask, kShadow, 255.0, cv::THRESH_BINARY);
   }
 
-  std::unique_ptr<ForegroundModel> fresh() const override {
+  std::unique_ptr<ForegroundModel> makeUntrained() const override {
     return std::make_unique<OpenCvForeground>(settings_);
   }
 

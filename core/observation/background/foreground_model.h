@@ -43,7 +43,7 @@ public:
   /// is nonzero.
   virtual void subtract(const cv::Mat& image, const cv::Mat& keep, cv::Mat& mask) = 0;
   /// Returns a new, untrained model with the same settings.
-  virtual std::unique_ptr<ForegroundModel> fresh() const = 0;
+  virtual std::unique_ptr<ForegroundModel> makeUntrained() const = 0;
   /// Returns a copy that continues from here with bit-identical results and shares no writable
   /// data. Returns null if the model cannot be copied, because OpenCV does not give access to its
   /// state.

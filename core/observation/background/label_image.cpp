@@ -35,7 +35,7 @@ struct RelightKernel {
 struct EitherKernel {
   DEWPOINT_KERNEL void run(const std::uint8_t* again, std::int64_t count, std::uint8_t* matched) {
     for (std::int64_t i = 0; i < count; ++i) {
-      matched[i] |= static_cast<std::uint8_t>(again[i] & BackgroundModel::kInUsualLight);
+      matched[i] |= static_cast<std::uint8_t>(again[i] & BackgroundModel::kInReferenceLight);
     }
   }
 };
@@ -61,7 +61,7 @@ void LabelImage::clear() {
   explained_.clear();
 }
 
-void LabelImage::require(const cv::Rect& area) {
+void LabelImage::ensureLabels(const cv::Rect& area) {
   const cv::Rect whole(0, 0, image_.cols, image_.rows);
   cv::Rect wanted = area & whole;
   if (wanted.empty() || (wanted & covered_) == wanted) {
@@ -74,18 +74,18 @@ void LabelImage::require(const cv::Rect& area) {
   const cv::Rect before = covered_;
   covered_ = cv::Rect(left, wanted.y, right - left, wanted.height) & whole;
   if (before.empty()) {
-    make(covered_);
+    computeLabels(covered_);
     return;
   }
   const int bottom = before.y + before.height;
   const int behind = before.x + before.width;
-  make({covered_.x, covered_.y, covered_.width, before.y - covered_.y});
-  make({covered_.x, bottom, covered_.width, covered_.y + covered_.height - bottom});
-  make({covered_.x, before.y, before.x - covered_.x, before.height});
-  make({behind, before.y, covered_.x + covered_.width - behind, before.height});
+  computeLabels({covered_.x, covered_.y, covered_.width, before.y - covered_.y});
+  computeLabels({covered_.x, bottom, covered_.width, covered_.y + covered_.height - bottom});
+  computeLabels({covered_.x, before.y, before.x - covered_.x, before.height});
+  computeLabels({behind, before.y, covered_.x + covered_.width - behind, before.height});
 }
 
-void LabelImage::matchInUsualLight(const std::uint8_t* row, int count) {
+void LabelImage::matchInReferenceLight(const std::uint8_t* row, int count) {
   const auto width = static_cast<std::size_t>(count);
   relit_.resize(3 * width);
   again_.resize(width);
@@ -98,7 +98,7 @@ void LabelImage::matchInUsualLight(const std::uint8_t* row, int count) {
                           matched_.data());
 }
 
-void LabelImage::make(const cv::Rect& area) {
+void LabelImage::computeLabels(const cv::Rect& area) {
   if (area.empty()) {
     return;
   }
@@ -108,22 +108,22 @@ void LabelImage::make(const cv::Rect& area) {
     const std::uint8_t* pixels = image_.ptr<std::uint8_t>(row) + std::ptrdiff_t{3} * area.x;
     classifier_->matchRow(pixels, area.width, matched_.data());
     if (otherLight) {
-      matchInUsualLight(pixels, area.width);
+      matchInReferenceLight(pixels, area.width);
     }
     background_->labelRow(image_, area.x, row, area.width, matched_.data(),
                           labels_.ptr<std::uint8_t>(row) + area.x);
   }
   for (const Explanation& explanation : explained_) {
-    mark(explanation, area);
+    applyExplanation(explanation, area);
   }
 }
 
-void LabelImage::explain(const Circle& other, const Circle& except) {
+void LabelImage::markExplained(const Circle& other, const Circle& except) {
   explained_.push_back({other, except});
-  mark(explained_.back(), covered_);
+  applyExplanation(explained_.back(), covered_);
 }
 
-void LabelImage::mark(const Explanation& explanation, const cv::Rect& area) {
+void LabelImage::applyExplanation(const Explanation& explanation, const cv::Rect& area) {
   const auto& [other, except] = explanation;
   const double reach = other.radius;
   const int top = std::max(area.y, static_cast<int>(std::ceil(other.center.y() - reach)));

@@ -43,10 +43,10 @@ public:
   cv::Size size() const { return image_.size(); }
 
   /// Computes the labels for an area, clipped to the image. Existing labels are not computed again.
-  void require(const cv::Rect& area);
-  void requireAll() { require({0, 0, image_.cols, image_.rows}); }
+  void ensureLabels(const cv::Rect& area);
+  void ensureAllLabels() { ensureLabels({0, 0, image_.cols, image_.rows}); }
   /// Returns the part of the image whose labels have been computed, pixels.
-  const cv::Rect& covered() const { return covered_; }
+  const cv::Rect& labeledArea() const { return covered_; }
 
   /// Circle in the image, pixels.
   struct Circle {
@@ -55,7 +55,7 @@ public:
   };
   /// Marks matching pixels within the circle `other` as explained by another target, except those
   /// within `except`. This also applies to labels computed later.
-  void explain(const Circle& other, const Circle& except);
+  void markExplained(const Circle& other, const Circle& except);
 
   /// Returns the label of a pixel. Outside the covered part, the label is Explained, which is no
   /// evidence.
@@ -75,8 +75,8 @@ private:
     Circle other;
     Circle except;
   };
-  void make(const cv::Rect& area);
-  void mark(const Explanation& explanation, const cv::Rect& area);
+  void computeLabels(const cv::Rect& area);
+  void applyExplanation(const Explanation& explanation, const cv::Rect& area);
 
   cv::Mat image_;
   const BackgroundModel* background_ = nullptr;
@@ -87,7 +87,7 @@ private:
   std::vector<Explanation> explained_;
   /// Marks the pixels in `row` that match only after conversion to the reference light, among those
   /// where matched_ is 0.
-  void matchInUsualLight(const std::uint8_t* row, int count);
+  void matchInReferenceLight(const std::uint8_t* row, int count);
 
   std::vector<std::uint8_t> matched_; ///< scratch, one row
   std::vector<std::uint8_t> relit_;   ///< scratch, one row of three bytes per pixel

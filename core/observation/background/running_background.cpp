@@ -102,7 +102,7 @@ void RunningBackground::start(const cv::Mat& image) {
   deviation_.assign(image.total(), kFirstDeviation);
 }
 
-void RunningBackground::takePlanes(const cv::Mat& image) {
+void RunningBackground::splitChannels(const cv::Mat& image) {
   if (image.size() != size_) {
     start(image);
   }
@@ -110,7 +110,7 @@ void RunningBackground::takePlanes(const cv::Mat& image) {
 }
 
 void RunningBackground::learn(const cv::Mat& image) {
-  takePlanes(image);
+  splitChannels(image);
   // The mean of all so far; the deviation likewise from the third one on.
   const float rate = 1.0F / static_cast<float>(++learned_);
   runKernel<LearnKernel>(static_cast<std::int64_t>(image.total()),
@@ -123,7 +123,7 @@ void RunningBackground::subtract(const cv::Mat& image, const cv::Mat& keep, cv::
   if (image.size() != size_) {
     learn(image);
   }
-  takePlanes(image);
+  splitChannels(image);
   mask.create(size_, CV_8UC1);
   constexpr float kRate = 0.02F; // per frame: the mean follows the light within some seconds
   const auto slow = static_cast<float>(0.7 / std::max(1.0, settings_.memoryFrames));

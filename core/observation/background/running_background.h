@@ -19,7 +19,7 @@ public:
 
   void learn(const cv::Mat& image) override;
   void subtract(const cv::Mat& image, const cv::Mat& keep, cv::Mat& mask) override;
-  std::unique_ptr<ForegroundModel> fresh() const override {
+  std::unique_ptr<ForegroundModel> makeUntrained() const override {
     return std::make_unique<RunningBackground>(settings_);
   }
   std::unique_ptr<ForegroundModel> clone() const override {
@@ -34,7 +34,7 @@ public:
 
 private:
   void start(const cv::Mat& image);
-  void takePlanes(const cv::Mat& image);
+  void splitChannels(const cv::Mat& image);
 
   ForegroundSettings settings_;
   cv::Size size_;

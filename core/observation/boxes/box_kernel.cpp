@@ -30,7 +30,7 @@ BoxKernel::BoxKernel(int width, int height) : width_(width), height_(height) {
     for (int column = 0; column < width; ++column) {
       const double x = column + 0.5 - 0.5 * width;
       const double y = row + 0.5 - 0.5 * height;
-      exact.push_back(profile((x * x + y * y) / reachSquared));
+      exact.push_back(kernelProfile((x * x + y * y) / reachSquared));
       sum += exact.back();
     }
   }

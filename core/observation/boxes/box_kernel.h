@@ -12,7 +12,7 @@ namespace dewpoint::observation {
 
 /// Returns the kernel profile g(r): 1 - r² for r < 1, otherwise 0 (Sugandi et al. 2009, equation
 /// 6). The argument is r².
-inline double profile(double rSquared) {
+inline double kernelProfile(double rSquared) {
   return rSquared < 1.0 ? 1.0 - rSquared : 0.0;
 }
 

@@ -51,7 +51,7 @@ struct Candidate {
 class Outlook {
 public:
   Outlook(const cv::Mat& bgr, const Eigen::Vector2d& pixel, double scale)
-      : part_(pixelsOf(
+      : part_(clippedToImage(
             ImageBox::around(pixel, std::max(2.0, 2.0 * kReach * scale), 2.0 * kReach * scale),
             bgr)),
         scale_(scale), click_((pixel - corner()) / scale), contrast_(smaller(bgr), click_) {}
@@ -140,26 +140,26 @@ ImageBox boxOf(const cv::Rect& pixels) {
 /// The bounding box of the color region at a pixel of an object, grown around that pixel.
 ImageBox grownBox(const cv::Mat& bgr, const Eigen::Vector2d& pixel, const ImageBox& object) {
   const double side = std::max(kLeastNearby, kNearby * std::max(object.width, object.height));
-  const cv::Rect part = pixelsOf(ImageBox::around(pixel, side, side), bgr);
+  const cv::Rect part = clippedToImage(ImageBox::around(pixel, side, side), bgr);
   const cv::Point at(static_cast<int>(pixel.x()), static_cast<int>(pixel.y()));
   return boxOf(cv::boundingRect(growRegion(bgr(part), at - part.tl())) + part.tl());
 }
 
 /// The figure in a box that was found.
 ImageBox figureOf(const cv::Mat& bgr, const Candidate& found) {
-  return figureBox(bgr, boxOf(pixelsOf(enlarged(found.box, kMargin), bgr)));
+  return figureBox(bgr, boxOf(clippedToImage(enlarged(found.box, kMargin), bgr)));
 }
 
 bool holdsMost(const ImageBox& box, const ImageBox& part) {
-  return commonArea(box, part) >= kAgree * part.area();
+  return intersectionArea(box, part) >= kAgree * part.area();
 }
 
 /// How well the colors that would be learned from a box distinguish it from its surroundings: the
-/// mean of TargetColors::likeness(), [0, 1].
+/// mean of TargetColors::similarityOf(), [0, 1].
 double distinctness(const cv::Mat& bgr, const ImageBox& box) {
   TargetColors colors;
   colors.learn(bgr, box);
-  return colors.likeness(bgr, box);
+  return colors.similarityOf(bgr, box);
 }
 
 /// The largest figure that is nearly as distinct as the best one: a hand around a ball, or what is
@@ -191,7 +191,7 @@ std::optional<ImageBox> clickBox(const cv::Mat& bgr, const Eigen::Vector2d& pixe
   }
   const ImageBox object = figureOf(bgr, *chosen);
   const ImageBox region = grownBox(bgr, pixel, object);
-  if (overlap(region, object) >= kAgree) {
+  if (intersectionOverUnion(region, object) >= kAgree) {
     return region;
   }
   std::vector<ImageBox> figures;
@@ -202,7 +202,7 @@ std::optional<ImageBox> clickBox(const cv::Mat& bgr, const Eigen::Vector2d& pixe
   }
   figures.push_back(object);
   const ImageBox box = largestDistinct(bgr, figures, region, holdsMost(object, region));
-  return overlap(region, box) >= kAgree ? region : box;
+  return intersectionOverUnion(region, box) >= kAgree ? region : box;
 }
 
 } // namespace dewpoint::observation

@@ -34,7 +34,7 @@ FineHistogram figureColors(const FineHistogram& center, const FineHistogram& gro
 
 /// The integral image of P(figure | color) - 1/2 in a part of an image.
 cv::Mat evidence(const cv::Mat& bgr, const cv::Rect& part, const ImageBox& drawn) {
-  const FineHistogram ground = surroundingsOf(bgr, drawn);
+  const FineHistogram ground = surroundingsHistogramOf(bgr, drawn);
   const FineHistogram figure = figureColors(centralHistogramOf(bgr, drawn), ground);
   cv::Mat map(part.size(), CV_64F);
   for (int y = 0; y < part.height; ++y) {
@@ -74,7 +74,7 @@ Interval bestColumns(const double* top, const double* bottom, int columns, int l
 } // namespace
 
 ImageBox figureBox(const cv::Mat& bgr, const ImageBox& drawn) {
-  const cv::Rect part = pixelsOf(drawn, bgr);
+  const cv::Rect part = clippedToImage(drawn, bgr);
   if (part.empty()) {
     return drawn;
   }

@@ -31,7 +31,7 @@ FigureContrast::FigureContrast(const cv::Mat& bgr, const Eigen::Vector2d& pixel)
     for (int x = 0; x < size_.width; ++x) {
       ++row[palette_.labels().at<std::uint8_t>(y, x)];
       sums += kColors;
-      std::transform(row.begin(), row.end(), upTo(x + 1, y), sums, std::plus<>());
+      std::transform(row.begin(), row.end(), integralAt(x + 1, y), sums, std::plus<>());
     }
   }
   add(pixel.x() - kKnownReach, pixel.y() - kKnownReach, pixel.x() + kKnownReach,
@@ -50,14 +50,15 @@ void FigureContrast::add(double left, double top, double right, double bottom,
   if (to <= from || below <= above) {
     return;
   }
-  const int* corners[] = {upTo(from, above), upTo(to, above), upTo(from, below), upTo(to, below)};
+  const int* corners[] = {integralAt(from, above), integralAt(to, above), integralAt(from, below),
+                          integralAt(to, below)};
   for (std::size_t k = 0; k < ColorPalette::kColors; ++k) {
     colors.counts[k] += corners[3][k] - corners[2][k] - corners[1][k] + corners[0][k];
   }
   colors.pixels += double(to - from) * (below - above);
 }
 
-FigureContrast::Colors FigureContrast::inOval(const ImageBox& box) const {
+FigureContrast::Colors FigureContrast::colorsInOval(const ImageBox& box) const {
   const Eigen::Vector2d center = box.center();
   const double right = 0.5 * box.width;
   const double down = 0.5 * box.height;
@@ -73,8 +74,8 @@ FigureContrast::Colors FigureContrast::inOval(const ImageBox& box) const {
 }
 
 double FigureContrast::at(const ImageBox& box) const {
-  const Colors figure = inOval(box);
-  Colors ring = inOval(ImageBox::around(box.center(), kRing * box.width, kRing * box.height));
+  const Colors figure = colorsInOval(box);
+  Colors ring = colorsInOval(ImageBox::around(box.center(), kRing * box.width, kRing * box.height));
   ring.pixels -= figure.pixels;
   if (figure.pixels < kFewestPixels || ring.pixels < kLeastRing * figure.pixels ||
       known_.pixels <= 0.0) {
@@ -83,8 +84,8 @@ double FigureContrast::at(const ImageBox& box) const {
   for (std::size_t k = 0; k < ColorPalette::kColors; ++k) {
     ring.counts[k] -= figure.counts[k];
   }
-  const Shares inside = palette_.softened(figure.counts);
-  const Shares around = palette_.softened(ring.counts);
+  const Shares inside = palette_.spreadOverSimilarColors(figure.counts);
+  const Shares around = palette_.spreadOverSimilarColors(ring.counts);
   double difference = 0.0;
   double differenceAtKnown = 0.0;
   for (std::size_t k = 0; k < ColorPalette::kColors; ++k) {

@@ -31,8 +31,8 @@ private:
   };
   /// Adds the colors in a rectangle, which is rounded to whole pixels.
   void add(double left, double top, double right, double bottom, Colors& colors) const;
-  Colors inOval(const ImageBox& box) const;
-  const int* upTo(int x, int y) const {
+  Colors colorsInOval(const ImageBox& box) const;
+  const int* integralAt(int x, int y) const {
     return &sums_[(static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.width + 1) +
                    static_cast<std::size_t>(x)) *
                   ColorPalette::kColors];

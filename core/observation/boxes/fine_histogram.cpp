@@ -64,7 +64,7 @@ FineHistogram histogramAround(const cv::Mat& bgr, const cv::Rect& part, const cv
 
 } // namespace
 
-cv::Rect pixelsOf(const ImageBox& box, const cv::Mat& image) {
+cv::Rect clippedToImage(const ImageBox& box, const cv::Mat& image) {
   const int left = static_cast<int>(std::lround(box.x));
   const int top = static_cast<int>(std::lround(box.y));
   const int right = static_cast<int>(std::lround(box.x + box.width));
@@ -78,7 +78,7 @@ FineHistogram fineHistogramOf(const cv::Mat& bgr, const cv::Rect& part) {
 
 FineHistogram centralHistogramOf(const cv::Mat& bgr, const ImageBox& box) {
   FineHistogram histogram(kFineRgbBinCount, 0.0);
-  const cv::Rect part = pixelsOf(box, bgr);
+  const cv::Rect part = clippedToImage(box, bgr);
   for (int y = part.y; y < part.y + part.height; ++y) {
     const auto* row = bgr.ptr<cv::Vec3b>(y);
     const double down = (y + 0.5 - box.center().y()) / (0.5 * box.height);
@@ -92,12 +92,12 @@ FineHistogram centralHistogramOf(const cv::Mat& bgr, const ImageBox& box) {
   return histogram;
 }
 
-FineHistogram surroundingsOf(const cv::Mat& bgr, const ImageBox& box) {
+FineHistogram surroundingsHistogramOf(const cv::Mat& bgr, const ImageBox& box) {
   const ImageBox grown =
       ImageBox::around(box.center(), (1.0 + 2.0 * kRing) * box.width + 2.0 * kRingPx,
                        (1.0 + 2.0 * kRing) * box.height + 2.0 * kRingPx);
-  const cv::Rect hole = pixelsOf(box, bgr);
-  FineHistogram near = histogramAround(bgr, pixelsOf(grown, bgr), hole);
+  const cv::Rect hole = clippedToImage(box, bgr);
+  FineHistogram near = histogramAround(bgr, clippedToImage(grown, bgr), hole);
   const FineHistogram all = histogramAround(bgr, {{0, 0}, bgr.size()}, hole, kElsewhereStep);
   for (std::size_t bin = 0; bin < near.size(); ++bin) {
     near[bin] = (1.0 - kElsewhere) * near[bin] + kElsewhere * all[bin];

@@ -18,7 +18,7 @@ using FineHistogram = std::vector<double>;
 inline constexpr double kChanceShare = 1e-3;
 
 /// Returns the pixels of a box that lie inside the image.
-cv::Rect pixelsOf(const ImageBox& box, const cv::Mat& image);
+cv::Rect clippedToImage(const ImageBox& box, const cv::Mat& image);
 
 /// Computes the histogram of a part of an image (CV_8UC3).
 FineHistogram fineHistogramOf(const cv::Mat& bgr, const cv::Rect& part);
@@ -30,6 +30,6 @@ FineHistogram centralHistogramOf(const cv::Mat& bgr, const ImageBox& box);
 
 /// Computes the histogram of a box's surroundings: a ring (70 %) and the rest of the image (30 %),
 /// through which the target may move.
-FineHistogram surroundingsOf(const cv::Mat& bgr, const ImageBox& box);
+FineHistogram surroundingsHistogramOf(const cv::Mat& bgr, const ImageBox& box);
 
 } // namespace dewpoint::observation

@@ -121,7 +121,7 @@ void HistogramSimilarity::fit(const cv::Mat& image) {
   before_.resize(std::size_t(columns_ + 1) * std::size_t(rows_));
 }
 
-void HistogramSimilarity::takeRow(const std::uint16_t* bins, int row, int first, int count) {
+void HistogramSimilarity::addRow(const std::uint16_t* bins, int row, int first, int count) {
   std::uint32_t* pixels = pixels_.data() + std::ptrdiff_t(row) * columns_;
   std::uint16_t* before = before_.data() + std::ptrdiff_t(row) * (columns_ + 1) + first;
   std::uint32_t found = 0;
@@ -134,21 +134,21 @@ void HistogramSimilarity::takeRow(const std::uint16_t* bins, int row, int first,
   before[count] = static_cast<std::uint16_t>(found);
 }
 
-void HistogramSimilarity::show(const cv::Mat& bins, const cv::Rect& part) {
+void HistogramSimilarity::loadBins(const cv::Mat& bins, const cv::Rect& part) {
   fit(bins);
   for (int row = part.y; row < part.y + part.height; ++row) {
-    takeRow(bins.ptr<std::uint16_t>(row) + part.x, row, part.x, part.width);
+    addRow(bins.ptr<std::uint16_t>(row) + part.x, row, part.x, part.width);
   }
 }
 
-void HistogramSimilarity::showColors(const cv::Mat& bgr, const cv::Rect& part) {
+void HistogramSimilarity::loadColors(const cv::Mat& bgr, const cv::Rect& part) {
   assert(slotOfBin_.size() == kRgbBinCount);
   fit(bgr);
   std::vector<std::uint16_t> bins(std::size_t(part.width));
   for (int row = part.y; row < part.y + part.height; ++row) {
     const auto* from = bgr.ptr<std::uint8_t>(row) + 3 * std::ptrdiff_t(part.x);
     runKernel<RgbBinKernel>(from, part.width, bins.data());
-    takeRow(bins.data(), row, part.x, part.width);
+    addRow(bins.data(), row, part.x, part.width);
   }
 }
 

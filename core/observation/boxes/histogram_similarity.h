@@ -32,9 +32,9 @@ public:
 
   const BoxKernel& kernel() const { return kernel_; }
   /// Reads the bins of a part of an image. The part must contain every pixel that at() will read.
-  void show(const cv::Mat& bins, const cv::Rect& part);
+  void loadBins(const cv::Mat& bins, const cv::Rect& part);
   /// Reads the colors of a part of an image (CV_8UC3) as bins of rgbBin().
-  void showColors(const cv::Mat& bgr, const cv::Rect& part);
+  void loadColors(const cv::Mat& bgr, const cv::Rect& part);
   /// Returns the similarity rho with the kernel's center at (x, y), in pixels from the image
   /// corner. 0 if no pixel is inside the image. May be called from several threads.
   double at(double x, double y) const;
@@ -46,7 +46,7 @@ public:
 
 private:
   void fit(const cv::Mat& image);
-  void takeRow(const std::uint16_t* bins, int row, int first, int count);
+  void addRow(const std::uint16_t* bins, int row, int first, int count);
   double weightInside(const KernelPlacement& placement) const;
 
   BoxKernel kernel_;

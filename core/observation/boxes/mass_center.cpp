@@ -7,7 +7,7 @@
 
 namespace dewpoint::observation {
 
-std::optional<Eigen::Vector2d> massCenter(const cv::Mat& bgr, const ColorClassifier& classifier) {
+std::optional<Eigen::Vector2d> centerOfMass(const cv::Mat& bgr, const ColorClassifier& classifier) {
   const cv::Mat match = matchImage(bgr, classifier);
   if (match.empty()) {
     return std::nullopt;

@@ -39,10 +39,10 @@ ImageBox TargetColors::partOf(const ImageBox& box, int part) {
 
 void TargetColors::learn(const cv::Mat& bgr, const ImageBox& box) {
   for (int part = 0; part < kParts; ++part) {
-    first_[std::size_t(part)] = fineHistogramOf(bgr, pixelsOf(partOf(box, part), bgr));
+    first_[std::size_t(part)] = fineHistogramOf(bgr, clippedToImage(partOf(box, part), bgr));
   }
   parts_ = first_;
-  surroundings_ = surroundingsOf(bgr, box);
+  surroundings_ = surroundingsHistogramOf(bgr, box);
 }
 
 /// The colors of some pixels without those that are rather the surroundings' than the reference's:
@@ -63,7 +63,7 @@ FineHistogram TargetColors::figureOf(FineHistogram now, const FineHistogram& ref
 
 void TargetColors::adaptTarget(const cv::Mat& bgr, const ImageBox& box, double rate) {
   for (int part = 0; part < kParts; ++part) {
-    const cv::Rect pixels = pixelsOf(partOf(box, part), bgr);
+    const cv::Rect pixels = clippedToImage(partOf(box, part), bgr);
     if (pixels.empty()) {
       continue; // outside the image: nothing is known of it
     }
@@ -78,7 +78,7 @@ void TargetColors::adaptTarget(const cv::Mat& bgr, const ImageBox& box, double r
 }
 
 void TargetColors::adaptSurroundings(const cv::Mat& bgr, const ImageBox& box, double rate) {
-  const FineHistogram now = surroundingsOf(bgr, box);
+  const FineHistogram now = surroundingsHistogramOf(bgr, box);
   for (std::size_t bin = 0; bin < now.size(); ++bin) {
     surroundings_[bin] += rate * (now[bin] - surroundings_[bin]);
   }
@@ -94,10 +94,10 @@ BinShares TargetColors::shares(int part) const {
   return shares;
 }
 
-double TargetColors::likeness(const cv::Mat& bgr, const ImageBox& box) const {
+double TargetColors::similarityOf(const cv::Mat& bgr, const ImageBox& box) const {
   double sum = 0.0;
   for (int part = 0; part < kParts; ++part) {
-    const cv::Rect pixels = pixelsOf(partOf(box, part), bgr);
+    const cv::Rect pixels = clippedToImage(partOf(box, part), bgr);
     const FineHistogram& reference = first_[std::size_t(part)];
     for (int y = pixels.y; y < pixels.y + pixels.height; ++y) {
       const auto* row = bgr.ptr<cv::Vec3b>(y);

@@ -38,7 +38,7 @@ public:
 
   /// Returns the similarity between a box and the target as first learned, relative to the current
   /// surroundings: the mean of max(0, 2 P - 1) over its pixels, in [0, 1].
-  double likeness(const cv::Mat& bgr, const ImageBox& box) const;
+  double similarityOf(const cv::Mat& bgr, const ImageBox& box) const;
 
   /// Returns the approximate size of a copy, bytes.
   std::size_t memoryBytes() const {

@@ -25,12 +25,12 @@ double bodyHalfWidth(int piece, double height) {
   return kHalfWidths.at(static_cast<std::size_t>(piece)) * height / kReferenceHeight;
 }
 
-SilhouetteMaker::SilhouetteMaker(const Camera& camera)
+SilhouetteProjector::SilhouetteProjector(const Camera& camera)
     : projector_(camera), center_(camera.center()), axis_(camera.opticalAxis()),
       focal_(std::sqrt(camera.intrinsics.focalX * camera.intrinsics.focalY)) {}
 
-BodySilhouette SilhouetteMaker::of(const Eigen::Vector2d& position, double floor,
-                                   double height) const {
+BodySilhouette SilhouetteProjector::project(const Eigen::Vector2d& position, double floor,
+                                            double height) const {
   constexpr double kNearest = 0.2; // meters
   std::array<double, kBodyPieces + 1> x;
   std::array<double, kBodyPieces + 1> y;

@@ -32,13 +32,13 @@ double bodyHalfWidth(int piece, double height);
 
 /// Computes silhouettes in one camera. Construction is done once; computing a silhouette is then
 /// fast.
-class SilhouetteMaker {
+class SilhouetteProjector {
 public:
-  explicit SilhouetteMaker(const Camera& camera);
+  explicit SilhouetteProjector(const Camera& camera);
 
   /// Returns the silhouette of a person of `height` meters who stands at `position` (world x and y,
   /// meters) on a floor at z = `floor` (meters).
-  BodySilhouette of(const Eigen::Vector2d& position, double floor, double height) const;
+  BodySilhouette project(const Eigen::Vector2d& position, double floor, double height) const;
   /// Returns the distance in front of the camera along its optical axis, meters.
   double depth(const Eigen::Vector3d& point) const { return axis_.dot(point - center_); }
 

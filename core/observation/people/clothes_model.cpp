@@ -80,7 +80,7 @@ void ClothesModel::finishFrame() {
   updateCount_ += learned ? 1 : 0;
 }
 
-ClothesRatio ClothesModel::against(const ClothesModel& other) const {
+ClothesRatio ClothesModel::logRatioAgainst(const ClothesModel& other) const {
   ClothesRatio ratio{};
   if (!known() || !other.known()) {
     return ratio;

@@ -34,7 +34,7 @@ public:
   /// Returns whether enough frames have been learned.
   bool known() const { return updateCount_ >= kEnoughUpdates; }
   /// Returns the log ratio of this person's colors against the colors of another person.
-  ClothesRatio against(const ClothesModel& other) const;
+  ClothesRatio logRatioAgainst(const ClothesModel& other) const;
   /// Returns the mean log ratio of the uncovered moving pixels of a silhouette, or 0 without such
   /// pixels.
   static double meanRatio(const ClothesRatio& ratio, const cv::Mat& image, const cv::Mat& mask,

@@ -94,7 +94,7 @@ std::vector<ColorRegion> findRegions(LabelImage& labels, const cv::Rect& window,
     return {};
   }
   // With the neighbors of the pixels at its edge.
-  labels.require({area.x - 1, area.y - 1, area.width + 2, area.height + 2});
+  labels.ensureLabels({area.x - 1, area.y - 1, area.width + 2, area.height + 2});
   cv::Mat mask;
   cv::compare(labels.labels()(area), static_cast<int>(PixelLabel::Target), mask, cv::CMP_EQ);
   cv::Mat grown;

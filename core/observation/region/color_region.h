@@ -22,7 +22,9 @@ struct ColorRegion {
 
   /// Returns the fraction of the rim, 0 to 1, where the image border or another object may cut off
   /// the region.
-  double openShare() const { return rim > 0 ? static_cast<double>(cutRim + hiddenRim) / rim : 0.0; }
+  double cutOffShare() const {
+    return rim > 0 ? static_cast<double>(cutRim + hiddenRim) / rim : 0.0;
+  }
 };
 
 /// Finds the regions with the target color inside `window`, largest first. Pieces at most four

@@ -73,7 +73,7 @@ Eigen::Matrix2d centerNoise(const RegionMeasurement& measurement, const EllipseI
 
 bool isWhole(const RegionMeasurement& measurement) {
   return measurement.region && measurement.visible >= kWhole &&
-         measurement.region->openShare() <= kMostOpen;
+         measurement.region->cutOffShare() <= kMostOpen;
 }
 
 /// Keeps the semi-axes positive.
@@ -145,7 +145,7 @@ void compareViews(const RegionObservation& observation, const EllipsoidPrior& pr
       fit.disagreement += off.dot(centerNoise(fit.views[k], *image, kShapeShare).inverse() * off);
     }
   }
-  fit.freedoms = fit.seeing > 1 ? 2 * fit.seeing - 3 : 0;
+  fit.degreesOfFreedom = fit.seeing > 1 ? 2 * fit.seeing - 3 : 0;
 }
 
 } // namespace

@@ -33,10 +33,10 @@ struct EllipsoidFit {
   std::vector<RegionMeasurement> views; ///< one per camera, measured at the second-to-last outline
   int seeing = 0;                       ///< number of cameras that see the target
   /// Sum of the squared center residuals, each divided by its standard deviation (which includes
-  /// kShapeShare). `freedoms` is the number of degrees of freedom: residuals minus unknowns. Both
-  /// are 0 if only one camera sees the target.
+  /// kShapeShare). `degreesOfFreedom` is the number of degrees of freedom: residuals minus
+  /// unknowns. Both are 0 if only one camera sees the target.
   double disagreement = 0.0;
-  int freedoms = 0;
+  int degreesOfFreedom = 0;
 };
 
 /// Standard deviation of the centroid seen by one camera, as a fraction of the standard deviation

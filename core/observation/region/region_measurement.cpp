@@ -97,7 +97,7 @@ void countPixels(LabelImage& labels, RegionMeasurement& measurement) {
   const EllipseImage& expected = measurement.expected;
   const cv::Rect image(cv::Point(0, 0), labels.size());
   const cv::Rect area = boxAround(expected, kRingEnd, Eigen::Matrix2d::Zero()) & image;
-  labels.require(area);
+  labels.ensureLabels(area);
   const Eigen::Matrix2d inverse = expected.extent.inverse();
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   double visible = 0.0;
@@ -162,7 +162,7 @@ RegionMeasurement measureRegion(LabelImage& labels, const EllipseImage& expected
 }
 
 double fullRegionEvidence() {
-  return SphereEvidence::best();
+  return SphereEvidence::maxLogLikelihoodRatio();
 }
 
 double regionEvidence(const RegionMeasurement& measurement, double fill) {

@@ -68,7 +68,7 @@ std::optional<double> shapeEvidence(const ColorRegion& region, const EllipseImag
   // What is no ball has regions of all sizes where one of its size was found: that they fit says
   // nothing.
   const double ofSize = std::max(0.0, logRatio(round.excess, kBallExcess, kOtherExcess));
-  if (region.openShare() > kMostOpen) {
+  if (region.cutOffShare() > kMostOpen) {
     return ofSize > 0.0 ? std::optional(ofSize) : std::nullopt;
   }
   return ofSize + logRatio(round.elongation, kBallElongation, kOtherElongation) +

@@ -154,7 +154,7 @@ std::pair<double, double> quantiles(std::vector<double>& values) {
 
 } // namespace
 
-AdaptiveColor::PerCamera AdaptiveColor::startOf(const ColorRanges& base) {
+AdaptiveColor::PerCamera AdaptiveColor::initialState(const ColorRanges& base) {
   PerCamera camera{.ranges = {}, .classifier = ColorClassifier(base)};
   for (const ColorRange& range : base) {
     camera.ranges.emplace_back(range);
@@ -164,7 +164,7 @@ AdaptiveColor::PerCamera AdaptiveColor::startOf(const ColorRanges& base) {
 
 AdaptiveColor::AdaptiveColor(const ColorRanges& learned, std::size_t cameras)
     : learned_(learned), learnedClassifier_(std::make_shared<const ColorClassifier>(learned)),
-      cameras_(cameras, startOf(learned)) {}
+      cameras_(cameras, initialState(learned)) {}
 
 ColorRanges AdaptiveColor::rangesOf(const PerCamera& camera) {
   std::vector<ColorRange> ranges;
@@ -190,8 +190,8 @@ std::vector<ColorRanges> AdaptiveColor::rangesInUse() const {
   return changed ? ranges : std::vector<ColorRanges>{};
 }
 
-void AdaptiveColor::forget() {
-  cameras_.assign(cameras_.size(), startOf(learned_));
+void AdaptiveColor::restoreLearned() {
+  cameras_.assign(cameras_.size(), initialState(learned_));
 }
 
 namespace {
@@ -207,22 +207,22 @@ ColorRanges basesOf(const std::vector<FollowedRange>& ranges) {
 
 } // namespace
 
-void AdaptiveColor::undoFollowing() {
+void AdaptiveColor::undoAdaptation() {
   for (PerCamera& camera : cameras_) {
-    camera = startOf(basesOf(camera.ranges));
+    camera = initialState(basesOf(camera.ranges));
   }
 }
 
-void AdaptiveColor::reach(std::size_t index, const cv::Mat& image) {
+void AdaptiveColor::extendToLight(std::size_t index, const cv::Mat& image) {
   PerCamera& camera = cameras_.at(index);
   std::vector<ColorRange> bases;
   bases.reserve(learned_.size());
   for (const ColorRange& range : learned_) {
-    bases.push_back(reachInLight(range, image));
+    bases.push_back(extendRangeToLight(range, image));
   }
   const ColorRanges base(std::move(bases));
   if (!(base == basesOf(camera.ranges))) {
-    camera = startOf(base);
+    camera = initialState(base);
   }
 }
 
@@ -244,7 +244,7 @@ bool AdaptiveColor::measure(const PerCamera& camera, const TargetImage& target,
     if (own != wider.end()) { // black does not match
       ++counting;
       const auto range = static_cast<std::size_t>(own - wider.begin());
-      const auto place = camera.ranges[range].placeOf(color);
+      const auto place = camera.ranges[range].coordinatesOf(color);
       for (std::size_t k = 0; k < place.size(); ++k) {
         values[range][k].push_back(place[k]);
       }
@@ -318,8 +318,8 @@ void AdaptiveColor::tighten(PerCamera& camera, const TargetImage& target, double
   }
 }
 
-bool AdaptiveColor::follow(std::size_t index, const cv::Mat& image, const SphereImage& outline,
-                           const std::vector<SphereImage>& others, double share) {
+bool AdaptiveColor::adapt(std::size_t index, const cv::Mat& image, const SphereImage& outline,
+                          const std::vector<SphereImage>& others, double share) {
   PerCamera& camera = cameras_.at(index);
   const TargetImage target{image, outline, others, camera.updateCount};
   Measured measured;
@@ -334,7 +334,7 @@ bool AdaptiveColor::follow(std::size_t index, const cv::Mat& image, const Sphere
   bool moves = false;
   for (std::size_t k = 0; k < measured.size(); ++k) {
     FollowedRange& range = camera.ranges[k];
-    if (measured[k] && range.takeReference(*measured[k], kReferenceUpdates)) {
+    if (measured[k] && range.addReference(*measured[k], kReferenceUpdates)) {
       measured[k].reset();
     } else if (measured[k]) {
       measured[k] = range.toward(*measured[k], share);

@@ -37,13 +37,14 @@ public:
   std::vector<ColorRanges> rangesInUse() const;
 
   /// Restores the learned ranges in all cameras.
-  void forget();
-  /// Restores the ranges for each camera's initial light. This undoes follow(), but not reach().
-  void undoFollowing();
-  /// Adjusts the ranges to the light in a camera's image, see reachInLight(). It is meant for a
-  /// target that is not tracked. If a range changes, all changes by follow() in this camera are
+  void restoreLearned();
+  /// Restores the ranges for each camera's initial light. This undoes adapt(), but not
+  /// extendToLight().
+  void undoAdaptation();
+  /// Adjusts the ranges to the light in a camera's image, see extendRangeToLight(). It is meant for
+  /// a target that is not tracked. If a range changes, all changes by adapt() in this camera are
   /// lost.
-  void reach(std::size_t camera, const cv::Mat& image);
+  void extendToLight(std::size_t camera, const cv::Mat& image);
   /// Updates the color in one camera from an image (CV_8UC3) in which the target is completely
   /// visible and not covered. The ranges move toward the colors on the target by the fraction
   /// `share` (0 to 1) of the difference. A range with too few visible pixels stays unchanged. The
@@ -53,8 +54,8 @@ public:
   /// Does nothing if too few pixels inside the outline have approximately the color in use. A step
   /// is rejected if the new ranges would match too much of the ring around the target or of the
   /// rest of the image. Returns whether a step was taken.
-  bool follow(std::size_t camera, const cv::Mat& image, const SphereImage& outline,
-              const std::vector<SphereImage>& others, double share);
+  bool adapt(std::size_t camera, const cv::Mat& image, const SphereImage& outline,
+             const std::vector<SphereImage>& others, double share);
 
   /// Number of updates that only measure: a third of a second. Chosen by judgment
   /// (docs/method-dewpoint.md, section 8).
@@ -72,7 +73,7 @@ private:
   /// Quantiles of each range. Empty if too few pixels have approximately its color.
   using Measured = std::vector<std::optional<Quantiles>>;
 
-  static PerCamera startOf(const ColorRanges& base);
+  static PerCamera initialState(const ColorRanges& base);
   static ColorRanges rangesOf(const PerCamera& camera);
   /// Measures the quantiles. Returns whether enough pixels of the target have approximately one of
   /// its colors.

@@ -18,7 +18,7 @@ struct CameraEvidence {
 
 /// Returns the posterior probability of a hypothesis with even prior odds: 1 / (1 +
 /// exp(-logLikelihoodRatio)).
-inline double probabilityFrom(double logLikelihoodRatio) {
+inline double probabilityFromLogOdds(double logLikelihoodRatio) {
   return 1.0 / (1.0 + std::exp(-logLikelihoodRatio));
 }
 

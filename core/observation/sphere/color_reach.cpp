@@ -65,10 +65,10 @@ ColorRange moved(ColorRange range, const Step& step) {
     range.saturationMax = std::min(1.0, range.saturationMax + step.amount);
     break;
   case Bound::LowerHue:
-    range.hueMin = hueOf(range.hueMin - step.amount);
+    range.hueMin = normalizedHue(range.hueMin - step.amount);
     break;
   case Bound::HigherHue:
-    range.hueMax = hueOf(range.hueMax + step.amount);
+    range.hueMax = normalizedHue(range.hueMax + step.amount);
     break;
   }
   return range;
@@ -110,7 +110,7 @@ cv::Mat matched(const cv::Mat& image, const ColorRange& range) {
 
 } // namespace
 
-ColorRange reachInLight(const ColorRange& learned, const cv::Mat& image) {
+ColorRange extendRangeToLight(const ColorRange& learned, const cv::Mat& image) {
   if (image.type() != CV_8UC3 || image.empty() || spansEveryHue(learned)) {
     return learned;
   }

@@ -13,6 +13,6 @@ namespace dewpoint::observation {
 /// connected to those that matched before (the shaded side of the same object) and are not
 /// scattered over the rest of the image. `image` is CV_8UC3. Returns `learned` itself if nothing
 /// matches or nothing is gained.
-ColorRange reachInLight(const ColorRange& learned, const cv::Mat& image);
+ColorRange extendRangeToLight(const ColorRange& learned, const cv::Mat& image);
 
 } // namespace dewpoint::observation

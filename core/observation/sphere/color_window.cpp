@@ -84,8 +84,8 @@ void ColorWindow::prepare(std::int64_t windowCount) {
   }
 }
 
-void ColorWindow::pixelsOf(const View& view, std::int64_t count, const double* x, const double* y,
-                           const double* z, std::int32_t* pixels) {
+void ColorWindow::projectToPixels(const View& view, std::int64_t count, const double* x,
+                                  const double* y, const double* z, std::int32_t* pixels) {
   std::array<double, kBlock> columns;
   std::array<double, kBlock> rows;
   view.projector.projectBatch(count, x, y, z, columns.data(), rows.data());
@@ -107,7 +107,7 @@ void ColorWindow::addLogLikelihood(ConstStateRows rows, LogWeightSegment logLike
       if (view.image.empty()) {
         continue;
       }
-      pixelsOf(view, count, x + begin, y + begin, z + begin, pixels.data());
+      projectToPixels(view, count, x + begin, y + begin, z + begin, pixels.data());
       if (view.counts.empty()) {
         countWindows(view.image, classifier_, count, pixels.data(), counts.data());
         for (int i = 0; i < count; ++i) {
@@ -130,7 +130,7 @@ std::optional<int> ColorWindow::matchCount(std::size_t camera,
     return std::nullopt;
   }
   std::int32_t pixel = 0;
-  pixelsOf(view, 1, &pointWorld.x(), &pointWorld.y(), &pointWorld.z(), &pixel);
+  projectToPixels(view, 1, &pointWorld.x(), &pointWorld.y(), &pointWorld.z(), &pixel);
   if (pixel >= static_cast<std::int64_t>(view.image.total())) {
     return std::nullopt;
   }

@@ -54,8 +54,8 @@ private:
     WindowCounts counts; ///< empty while windows are counted individually
   };
 
-  static void pixelsOf(const View& view, std::int64_t count, const double* x, const double* y,
-                       const double* z, std::int32_t* pixels);
+  static void projectToPixels(const View& view, std::int64_t count, const double* x,
+                              const double* y, const double* z, std::int32_t* pixels);
 
   std::vector<View> views_;
   ColorClassifier classifier_;

@@ -24,7 +24,7 @@ double aside(double angle) {
   return angle - 360.0 * std::floor((angle + 180.0) / 360.0);
 }
 double widthOf(const ColorRange& range) {
-  return spansEveryHue(range) ? 360.0 : hueOf(range.hueMax - range.hueMin);
+  return spansEveryHue(range) ? 360.0 : normalizedHue(range.hueMax - range.hueMin);
 }
 
 } // namespace
@@ -35,8 +35,8 @@ ColorRange FollowedRange::widened() const {
     range.hueMin = 0.0;
     range.hueMax = 360.0;
   } else {
-    range.hueMin = hueOf(range.hueMin - kWiderHue);
-    range.hueMax = hueOf(range.hueMax + kWiderHue);
+    range.hueMin = normalizedHue(range.hueMin - kWiderHue);
+    range.hueMax = normalizedHue(range.hueMax + kWiderHue);
   }
   range.saturationMin = std::max(0.0, range.saturationMin - kWiderSaturation);
   range.saturationMax = std::min(1.0, range.saturationMax + kWiderSaturation);
@@ -55,7 +55,7 @@ double FollowedRange::center() const {
   return base_.hueMin + 0.5 * widthOf(base_);
 }
 
-std::array<double, 3> FollowedRange::placeOf(const Hsi& color) const {
+std::array<double, 3> FollowedRange::coordinatesOf(const Hsi& color) const {
   return {std::isnan(color.hueDegrees) ? 0.0 : aside(color.hueDegrees - center()), color.saturation,
           std::log(color.intensity)};
 }
@@ -83,8 +83,9 @@ ColorRange FollowedRange::rangeOf(const Quantiles& now, const Quantiles& slack) 
   }
   ColorRange range = base_; // a bound that is no bound stays none
   if (!spansEveryHue(base_)) {
-    range.hueMin = hueOf(center() + bounds[0]);
-    range.hueMax = hueOf(center() + std::max(bounds[0], std::min(bounds[1], bounds[0] + 350.0)));
+    range.hueMin = normalizedHue(center() + bounds[0]);
+    range.hueMax =
+        normalizedHue(center() + std::max(bounds[0], std::min(bounds[1], bounds[0] + 350.0)));
   }
   if (base_.saturationMin > 0.0) {
     range.saturationMin = std::clamp(bounds[2], 0.0, 1.0);
@@ -101,7 +102,7 @@ ColorRange FollowedRange::rangeOf(const Quantiles& now, const Quantiles& slack) 
   return range;
 }
 
-bool FollowedRange::takeReference(const Quantiles& measured, int updates) {
+bool FollowedRange::addReference(const Quantiles& measured, int updates) {
   if (updateCount_ >= updates) {
     return false;
   }

@@ -28,11 +28,11 @@ public:
   ColorRange widened() const;
   /// Returns the coordinates of a color: hue in degrees from the center of the base range (0 for
   /// gray), saturation, and the logarithm of the intensity, which must not be 0.
-  std::array<double, 3> placeOf(const Hsi& color) const;
+  std::array<double, 3> coordinatesOf(const Hsi& color) const;
 
   /// Adds measured quantiles to the mean quantiles of the initial light. Returns true for the first
   /// `updates` calls; later calls change nothing.
-  bool takeReference(const Quantiles& measured, int updates);
+  bool addReference(const Quantiles& measured, int updates);
   /// Returns the quantiles at the fraction `share` (0 to 1) of the way from the current to the
   /// measured quantiles.
   Quantiles toward(const Quantiles& measured, double share) const;

@@ -107,8 +107,8 @@ std::vector<Edge> findEdges(LabelImage& labels, const SphereImage& outline, doub
   const double from = std::max(0.0, outline.radius - margin);
   const double until = std::min(outline.radius + margin, kSearchRadii * outline.radius + 3.0);
   const cv::Rect area = areaOf(outline, kSearchRadii, 5.0);
-  labels.require(area);
-  const bool covered = (area & labels.covered()) == area;
+  labels.ensureLabels(area);
+  const bool covered = (area & labels.labeledArea()) == area;
   // A spoke for every three pixels of the outline.
   const int every = outline.radius < 9.0 ? 2 : 1;
   std::vector<Edge> edges;
@@ -208,7 +208,7 @@ void compareCameras(const std::vector<CameraEquations>& cameras, const Vector4& 
   }
   if (seeing > 1) {
     fit.disagreement = sum;
-    fit.freedoms = 2 * seeing - 3; // a column and a row each, against one position
+    fit.degreesOfFreedom = 2 * seeing - 3; // a column and a row each, against one position
   }
 }
 

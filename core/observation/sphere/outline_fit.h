@@ -31,9 +31,9 @@ struct OutlineFit {
   bool found = false;     ///< enough of the outline was seen; otherwise no other field is valid
   /// Disagreement between the cameras: the sum over the cameras of the squared Mahalanobis distance
   /// between the position from that camera alone and the position from all cameras. Its mean is
-  /// `freedoms` if the edge errors are as assumed. It is much larger if a camera was moved.
+  /// `degreesOfFreedom` if the edge errors are as assumed. It is much larger if a camera was moved.
   double disagreement = 0.0;
-  int freedoms = 0; ///< 0 if only one camera sees the outline
+  int degreesOfFreedom = 0; ///< 0 if only one camera sees the outline
   /// Deviation of the outline from its expected size: the sum over the cameras of the squared
   /// common edge offset, divided by its variance.
   double sizeMisfit = 0.0;

@@ -82,7 +82,7 @@ public:
   Sampler(const LabelImage& labels, const SphereImage& outline)
       : labels_(labels), outline_(outline) {
     const cv::Rect area = areaOf(outline, SphereEvidence::kReach);
-    inside_ = (area & labels.covered()) == area;
+    inside_ = (area & labels.labeledArea()) == area;
     data_ = labels.labels().ptr<std::uint8_t>();
     stride_ = static_cast<std::ptrdiff_t>(labels.labels().step[0]);
   }
@@ -119,7 +119,7 @@ cv::Rect areaOf(const SphereImage& outline, double radii, double margin) {
           bounded(std::ceil(outline.center.y() + reach)) - top + 1};
 }
 
-double SphereEvidence::best() {
+double SphereEvidence::maxLogLikelihoodRatio() {
   return kSampleCorrelationFactor * (kInsideMatch * (2 * kSpokes + 1) + kRingClean * kSpokes);
 }
 

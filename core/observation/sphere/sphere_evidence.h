@@ -25,7 +25,7 @@ public:
   static constexpr double kOutlineMargin = 1.05;
   /// Returns the log likelihood ratio of a fully visible target when its color does not occur in
   /// the background.
-  static double best();
+  static double maxLogLikelihoodRatio();
 
   /// Returns the log likelihood ratio of an outline in the labels. The labels around the outline
   /// must have been computed. The ratio is lower for outlines of few pixels, where several samples

@@ -50,7 +50,7 @@ SphereImage SphereObservation::outlineOf(const View& view, ConstStateRows rows,
   return outline && outline->radius < kLargestRadiusPx ? *outline : SphereImage{};
 }
 
-void SphereObservation::cover(ConstStateRows rows) {
+void SphereObservation::ensureLabelsFor(ConstStateRows rows) {
   ThreadTeam alone;
   logLikelihoods(rows, alone);
 }
@@ -86,7 +86,7 @@ Eigen::ArrayXd SphereObservation::logLikelihoods(ConstStateRows rows, ThreadTeam
         all |= areaOf(outline, SphereEvidence::kReach) & whole;
       }
     }
-    view.labels.require(all);
+    view.labels.ensureLabels(all);
     team.forEachRange(rows.rows(), [&](std::int64_t begin, std::int64_t end) {
       for (std::int64_t i = begin; i < end; ++i) {
         const SphereImage& outline = view.outlines[static_cast<std::size_t>(i)];
@@ -105,7 +105,7 @@ double SphereObservation::logLikelihoodRatio(const Eigen::Vector3d& center,
   for (View& view : views_) {
     const auto outline = view.projector.project(center + view.timeOffset * velocity, radius_);
     if (!view.labels.empty() && outline && outline->radius < kLargestRadiusPx) {
-      view.labels.require(areaOf(*outline, SphereEvidence::kReach));
+      view.labels.ensureLabels(areaOf(*outline, SphereEvidence::kReach));
       sum += SphereEvidence::logLikelihoodRatio(view.labels, *outline);
     }
   }
@@ -138,7 +138,7 @@ double SphereObservation::fullyVisibleLogLikelihoodRatio(const Eigen::Vector3d& 
   for (const View& view : views_) {
     const auto outline = view.projector.project(center + view.timeOffset * velocity, radius_);
     if (!view.labels.empty() && outline && isInImage(*outline, view.labels.size())) {
-      sum += SphereEvidence::best();
+      sum += SphereEvidence::maxLogLikelihoodRatio();
     }
   }
   return sum;
@@ -151,13 +151,13 @@ bool SphereObservation::showsRim(const Eigen::Vector3d& center, const Eigen::Vec
         !isInImage(*outline, view.labels.size())) {
       return false;
     }
-    view.labels.require(areaOf(*outline, SphereEvidence::kReach));
+    view.labels.ensureLabels(areaOf(*outline, SphereEvidence::kReach));
     return SphereEvidence::rimShare(view.labels, *outline) >= kRimShare;
   });
 }
 
-int SphereObservation::camerasInView(const Eigen::Vector3d& center,
-                                     const Eigen::Vector3d& velocity) const {
+int SphereObservation::countCamerasInView(const Eigen::Vector3d& center,
+                                          const Eigen::Vector3d& velocity) const {
   int count = 0;
   for (const View& view : views_) {
     const auto outline = view.projector.project(center + view.timeOffset * velocity, radius_);
@@ -173,10 +173,10 @@ std::vector<CameraEvidence> SphereObservation::evidence(const Eigen::Vector3d& c
     View& view = views_[k];
     const auto outline = view.projector.project(center + view.timeOffset * velocity, radius_);
     if (!view.labels.empty() && outline && outline->radius < kLargestRadiusPx) {
-      view.labels.require(areaOf(*outline, SphereEvidence::kReach));
+      view.labels.ensureLabels(areaOf(*outline, SphereEvidence::kReach));
       cameras[k].inView = isInImage(*outline, view.labels.size());
       cameras[k].logLikelihood = SphereEvidence::logLikelihoodRatio(view.labels, *outline);
-      cameras[k].existenceProbability = probabilityFrom(cameras[k].logLikelihood);
+      cameras[k].existenceProbability = probabilityFromLogOdds(cameras[k].logLikelihood);
       cameras[k].visible = SphereEvidence::matchShare(view.labels, *outline);
     }
   }

@@ -56,11 +56,11 @@ public:
 
   /// Computes the labels that addLogLikelihood() will read for these states. Must not be called
   /// while other threads use the model.
-  void cover(ConstStateRows rows);
+  void ensureLabelsFor(ConstStateRows rows);
   /// Adds the log likelihood ratio (SphereEvidence) of each state, summed over the cameras.
   void addLogLikelihood(ConstStateRows rows, LogWeightSegment logLikelihood) const;
-  /// Combines cover() and addLogLikelihood(), projecting each state only once. The work is
-  /// distributed over the thread team.
+  /// Combines ensureLabelsFor() and addLogLikelihood(), projecting each state only once. The work
+  /// is distributed over the thread team.
   Eigen::ArrayXd logLikelihoods(ConstStateRows rows, ThreadTeam& team);
 
   /// Returns the log likelihood ratio of one position. Labels are computed as needed.
@@ -79,7 +79,7 @@ public:
   /// hidden. A part of a larger object of the same color has no rim.
   bool showsRim(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity);
   /// Returns the number of cameras with an image into which the position projects.
-  int camerasInView(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity) const;
+  int countCamerasInView(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity) const;
   /// Returns the evidence from each camera for one position: SphereEvidence, and the fraction of
   /// the outline with the target color.
   std::vector<CameraEvidence> evidence(const Eigen::Vector3d& center,

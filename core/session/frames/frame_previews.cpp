@@ -26,10 +26,10 @@ void FramePreviews::add(const FrameSet& frames) {
   }
   Entry entry;
   entry.time = frames.time;
-  entry.bytes = sizeof(Entry) + frames.frames.size() * sizeof(Small);
+  entry.bytes = sizeof(Entry) + frames.frames.size() * sizeof(Thumbnail);
   try {
     for (const FramePtr& frame : frames.frames) {
-      Small& small = entry.cameras.emplace_back();
+      Thumbnail& small = entry.cameras.emplace_back();
       if (frame && !frame->image.empty()) {
         small.width = frame->image.cols;
         small.height = frame->image.rows;
@@ -69,7 +69,7 @@ FrameSetPtr FramePreviews::at(std::int64_t frame) const {
   set->index = frame;
   set->time = entry.time;
   try {
-    for (const Small& small : entry.cameras) {
+    for (const Thumbnail& small : entry.cameras) {
       if (small.jpeg.empty()) {
         set->frames.push_back(nullptr);
         continue;

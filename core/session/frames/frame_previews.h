@@ -15,7 +15,7 @@ namespace dewpoint::session {
 /// every second preview is removed, and the nearest earlier one is shown instead.
 class FramePreviews {
 public:
-  explicit FramePreviews(std::size_t mostBytes) : most_(mostBytes) {}
+  explicit FramePreviews(std::size_t maxBytes) : most_(maxBytes) {}
 
   /// Adds the previews of a frame.
   void add(const FrameSet& frames);
@@ -25,14 +25,14 @@ public:
   std::size_t most() const { return most_; }
 
 private:
-  struct Small {
+  struct Thumbnail {
     std::vector<std::uint8_t> jpeg; ///< empty: the camera delivered no image
     int width = 0;                  ///< width of the frame, pixels
     int height = 0;
   };
   struct Entry {
     TimeStamp time{};
-    std::vector<Small> cameras;
+    std::vector<Thumbnail> cameras;
     std::size_t bytes = 0;
   };
   void thin();

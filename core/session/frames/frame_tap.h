@@ -25,7 +25,7 @@ public:
     tap_ = std::move(tap);
   }
   /// Passes a frame set to the tap, if there is one.
-  void give(const FrameSetPtr& frames) {
+  void deliver(const FrameSetPtr& frames) {
     const std::lock_guard lock(mutex_);
     if (tap_) {
       tap_(frames);

@@ -18,27 +18,27 @@ namespace {
 /// Of JPEG; below it the edges of small targets begin to blur.
 constexpr int kKeptQuality = 92;
 /// This share of the memory holds frames as they came; what is older is compressed.
-constexpr std::size_t kRawShare = 4; // one quarter
+constexpr std::size_t kUncompressedDivisor = 4; // one quarter
 
-struct PackedFrame {
+struct CompressedFrame {
   std::int64_t index = 0;
   TimeStamp captureTime{};
   std::vector<std::uint8_t> bytes; ///< a JPEG file; empty: the camera delivered nothing
 };
 
 /// One frame set: as it came, or packed.
-struct Kept {
+struct CachedFrame {
   std::int64_t index = 0;
   TimeStamp time{};
   FrameSetPtr raw;
-  std::vector<PackedFrame> packed;
+  std::vector<CompressedFrame> packed;
   std::size_t bytes = 0;
 };
 
-std::vector<PackedFrame> pack(const FrameSet& frames) {
-  std::vector<PackedFrame> packed;
+std::vector<CompressedFrame> compress(const FrameSet& frames) {
+  std::vector<CompressedFrame> packed;
   for (const FramePtr& frame : frames.frames) {
-    PackedFrame& one = packed.emplace_back();
+    CompressedFrame& one = packed.emplace_back();
     if (frame && !frame->image.empty()) {
       one.index = frame->index;
       one.captureTime = frame->captureTime;
@@ -48,11 +48,11 @@ std::vector<PackedFrame> pack(const FrameSet& frames) {
   return packed;
 }
 
-FrameSetPtr unpack(const Kept& kept) {
+FrameSetPtr decompress(const CachedFrame& kept) {
   auto set = std::make_shared<FrameSet>();
   set->index = kept.index;
   set->time = kept.time;
-  for (const PackedFrame& packed : kept.packed) {
+  for (const CompressedFrame& packed : kept.packed) {
     if (packed.bytes.empty()) {
       set->frames.push_back(nullptr);
       continue;
@@ -65,8 +65,8 @@ FrameSetPtr unpack(const Kept& kept) {
 
 class LiveFrames final : public FrameCache {
 public:
-  explicit LiveFrames(std::size_t mostBytes) : most_(mostBytes) {
-    packer_ = std::jthread([this](const std::stop_token& stop) { packOld(stop); });
+  explicit LiveFrames(std::size_t maxBytes) : most_(maxBytes) {
+    compressor_ = std::jthread([this](const std::stop_token& stop) { compressOld(stop); });
   }
 
   void add(const FrameSetPtr& frames) override {
@@ -80,13 +80,13 @@ public:
     while (bytes_ > most_ && kept_.size() > 1) {
       forgetOldest();
     }
-    if (rawBytes_ > most_ / kRawShare) {
+    if (rawBytes_ > most_ / kUncompressedDivisor) {
       wake_.notify_one();
     }
   }
 
   Result<FrameSetPtr> at(std::int64_t frame) override {
-    Kept found;
+    CachedFrame found;
     {
       const std::lock_guard lock(mutex_);
       const auto entry = find(frame);
@@ -99,7 +99,7 @@ public:
       return found.raw;
     }
     try {
-      return unpack(found);
+      return decompress(found);
     } catch (const std::exception& problem) {
       return failure(ErrorCode::FileUnreadable, "", "history", problem.what());
     }
@@ -130,10 +130,10 @@ public:
   }
 
 private:
-  std::deque<Kept>::iterator find(std::int64_t frame) {
-    const auto entry =
-        std::lower_bound(kept_.begin(), kept_.end(), frame,
-                         [](const Kept& kept, std::int64_t index) { return kept.index < index; });
+  std::deque<CachedFrame>::iterator find(std::int64_t frame) {
+    const auto entry = std::lower_bound(
+        kept_.begin(), kept_.end(), frame,
+        [](const CachedFrame& kept, std::int64_t index) { return kept.index < index; });
     return entry != kept_.end() && entry->index == frame ? entry : kept_.end();
   }
 
@@ -144,20 +144,21 @@ private:
   }
 
   /// The oldest that is not packed; null when there is room for all that are not.
-  FrameSetPtr oldestRaw() {
-    const auto entry = rawBytes_ > most_ / kRawShare
-                           ? std::find_if(kept_.begin(), kept_.end(),
-                                          [](const Kept& kept) { return kept.raw != nullptr; })
-                           : kept_.end();
+  FrameSetPtr oldestUncompressed() {
+    const auto entry =
+        rawBytes_ > most_ / kUncompressedDivisor
+            ? std::find_if(kept_.begin(), kept_.end(),
+                           [](const CachedFrame& kept) { return kept.raw != nullptr; })
+            : kept_.end();
     return entry != kept_.end() ? entry->raw : nullptr;
   }
 
-  void packOld(const std::stop_token& stop) {
+  void compressOld(const std::stop_token& stop) {
     while (!stop.stop_requested()) {
       FrameSetPtr next;
       {
         std::unique_lock lock(mutex_);
-        wake_.wait(lock, stop, [&] { return (next = oldestRaw()) != nullptr; });
+        wake_.wait(lock, stop, [&] { return (next = oldestUncompressed()) != nullptr; });
       }
       if (next) {
         replace(next);
@@ -166,9 +167,9 @@ private:
   }
 
   void replace(const FrameSetPtr& raw) {
-    std::vector<PackedFrame> packed;
+    std::vector<CompressedFrame> packed;
     try {
-      packed = pack(*raw);
+      packed = compress(*raw);
     } catch (const std::exception&) {
       packed.assign(raw->frames.size(), {}); // shown as missing
     }
@@ -182,7 +183,7 @@ private:
     entry->raw = nullptr;
     entry->packed = std::move(packed);
     entry->bytes = 0;
-    for (const PackedFrame& frame : entry->packed) {
+    for (const CompressedFrame& frame : entry->packed) {
       entry->bytes += frame.bytes.size();
     }
     bytes_ += entry->bytes;
@@ -191,16 +192,16 @@ private:
   std::size_t most_;
   mutable std::mutex mutex_;
   std::condition_variable_any wake_;
-  std::deque<Kept> kept_; ///< by rising number
+  std::deque<CachedFrame> kept_; ///< by rising number
   std::size_t bytes_ = 0;
   std::size_t rawBytes_ = 0;
-  std::jthread packer_; // last: joined before the rest goes
+  std::jthread compressor_; // last: joined before the rest goes
 };
 
 } // namespace
 
-std::unique_ptr<FrameCache> liveFrames(std::size_t mostBytes) {
-  return std::make_unique<LiveFrames>(mostBytes);
+std::unique_ptr<FrameCache> makeLiveFrameCache(std::size_t maxBytes) {
+  return std::make_unique<LiveFrames>(maxBytes);
 }
 
 } // namespace dewpoint::session

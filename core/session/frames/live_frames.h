@@ -9,7 +9,7 @@
 namespace dewpoint::session {
 
 /// Returns a cache of frames from live cameras: the newest uncompressed, older ones as JPEG, which
-/// a separate thread compresses. It uses up to `mostBytes` in total.
-std::unique_ptr<FrameCache> liveFrames(std::size_t mostBytes);
+/// a separate thread compresses. It uses up to `maxBytes` in total.
+std::unique_ptr<FrameCache> makeLiveFrameCache(std::size_t maxBytes);
 
 } // namespace dewpoint::session

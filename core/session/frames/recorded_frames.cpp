@@ -19,8 +19,8 @@ constexpr std::size_t kPreviewShare = 2;
 
 class RecordedFrames final : public FrameCache {
 public:
-  RecordedFrames(FrameSetSource& source, std::size_t mostBytes)
-      : source_(source), most_(mostBytes), previews_(mostBytes / kPreviewShare) {}
+  RecordedFrames(FrameSetSource& source, std::size_t maxBytes)
+      : source_(source), most_(maxBytes), previews_(maxBytes / kPreviewShare) {}
 
   void add(const FrameSetPtr& frames) override {
     if (frames) {
@@ -86,8 +86,8 @@ private:
 
 } // namespace
 
-std::unique_ptr<FrameCache> recordedFrames(FrameSetSource& source, std::size_t mostBytes) {
-  return std::make_unique<RecordedFrames>(source, mostBytes);
+std::unique_ptr<FrameCache> makeRecordedFrameCache(FrameSetSource& source, std::size_t maxBytes) {
+  return std::make_unique<RecordedFrames>(source, maxBytes);
 }
 
 } // namespace dewpoint::session

@@ -10,9 +10,9 @@
 namespace dewpoint::session {
 
 /// Returns a cache of frames of a recording, which are read again by seeking. It keeps the most
-/// recently decoded frames, and small images of all past frames, up to `mostBytes`. When frames are
+/// recently decoded frames, and small images of all past frames, up to `maxBytes`. When frames are
 /// requested backward, some earlier ones are decoded at the same time. The cache changes the
 /// position of `source`.
-std::unique_ptr<FrameCache> recordedFrames(FrameSetSource& source, std::size_t mostBytes);
+std::unique_ptr<FrameCache> makeRecordedFrameCache(FrameSetSource& source, std::size_t maxBytes);
 
 } // namespace dewpoint::session

@@ -13,7 +13,7 @@ std::size_t TrackedFrame::bytes() const {
         sizeof(float) * static_cast<std::size_t>(target.particles.size() + target.weights.size());
     sum += sizeof(float) * static_cast<std::size_t>(target.boxParticles.centers.size() +
                                                     target.boxParticles.weights.size());
-    sum += target.proposals.capacity() * sizeof(CandidatePosition);
+    sum += target.positionCandidates.capacity() * sizeof(CandidatePosition);
     sum += target.reasons.capacity() * sizeof(CameraReport);
     sum += cameraEvidenceOf(target.estimate).capacity() * sizeof(CameraEvidence);
     for (const ColorRanges& colors : colorsOf(target.estimate)) {

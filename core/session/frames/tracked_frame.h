@@ -30,7 +30,7 @@ struct TrackedTarget {
   TrackEstimate estimate;
   Eigen::ArrayXXf particles; ///< rows of x, y, z; meters
   Eigen::ArrayXf weights;    ///< one per row, linear
-  std::vector<CandidatePosition> proposals;
+  std::vector<CandidatePosition> positionCandidates;
   std::vector<CameraReport> reasons; ///< per camera: reason why it does not confirm the target
   TargetStatus status = TargetStatus::Searching;
   BoxParticles boxParticles; ///< particles of a BoxEstimate

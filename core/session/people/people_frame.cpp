@@ -19,7 +19,7 @@ PeopleFramePtr peopleFrame(const TrackedFrame& trackedFrame) {
 }
 
 Result<std::size_t> savePeople(const PeopleRecord& record, const std::filesystem::path& folder,
-                               const std::function<bool(double)>& goOn) {
+                               const std::function<bool(double)>& shouldContinue) {
   auto writer = PeopleWriter::create(folder, record.trajectory.header);
   if (!writer) {
     return tl::make_unexpected(writer.error());
@@ -27,7 +27,7 @@ Result<std::size_t> savePeople(const PeopleRecord& record, const std::filesystem
   const auto total = static_cast<double>(record.frames.size());
   std::size_t done = 0;
   for (const PeopleFramePtr& frame : record.frames) {
-    if (!goOn(static_cast<double>(done) / total)) {
+    if (!shouldContinue(static_cast<double>(done) / total)) {
       break;
     }
     for (const PeopleFrame::Person& person : frame->people) {

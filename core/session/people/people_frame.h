@@ -39,10 +39,10 @@ struct PeopleRecord {
   std::vector<PeopleFramePtr> frames;
 };
 /// Writes trajectory.csv, volumes.csv, hulls.csv and ground.csv to a folder (PeopleWriter), which
-/// takes a few milliseconds per person and frame. `goOn` receives the progress (0 to 1); if it
-/// returns false, the remaining frames are omitted. Returns the number of frames written, or
+/// takes a few milliseconds per person and frame. `shouldContinue` receives the progress (0 to 1);
+/// if it returns false, the remaining frames are omitted. Returns the number of frames written, or
 /// FileUnwritable.
 Result<std::size_t> savePeople(const PeopleRecord& record, const std::filesystem::path& folder,
-                               const std::function<bool(double)>& goOn);
+                               const std::function<bool(double)>& shouldContinue);
 
 } // namespace dewpoint::session

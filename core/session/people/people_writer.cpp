@@ -40,9 +40,9 @@ std::string hullRows(const PersonEstimate& person, const ConvexHull& hull, std::
 std::string groundRows(const PersonEstimate& person, const GroundGrid& density,
                        std::int64_t frame) {
   std::string text;
-  for (const double share : kGroundShares) {
+  for (const double share : kGroundFractions) {
     int curve = 0;
-    for (const LevelCurve& line : levelCurves(density, levelHolding(density, share))) {
+    for (const LevelCurve& line : levelCurves(density, levelForProbability(density, share))) {
       int point = 0;
       for (const auto& position : line) {
         text += fmt::format("{},{},{},{},{},{:.4f},{:.4f}\n", frame, person.identity, share, curve,

@@ -29,25 +29,25 @@ std::optional<int> personNear(const PeopleFinding& finding, const Eigen::Vector2
 
 PeopleChange peopleChange(const PersonCorrection& correction, const PeopleFinding& finding,
                           const CameraRig& rig, const ParameterValues& parameters,
-                          std::vector<Error>& refusals) {
+                          std::vector<Error>& correctionErrors) {
   PeopleChange change;
   if (correction.position && !correction.present) {
-    change.personGone = personNear(finding, *correction.position);
+    change.removedPerson = personNear(finding, *correction.position);
   } else if (correction.position &&
              peopleSettings(parameters).area.contains(*correction.position)) {
     change.newPerson = bodyCenter(*correction.position, parameters);
   } else if (correction.position) {
-    refusals.push_back({ErrorCode::BadValue, "", "place of a person",
-                        fmt::format("{:.2f}, {:.2f} m lies outside the watched floor",
-                                    correction.position->x(), correction.position->y())});
+    correctionErrors.push_back({ErrorCode::BadValue, "", "place of a person",
+                                fmt::format("{:.2f}, {:.2f} m lies outside the watched floor",
+                                            correction.position->x(), correction.position->y())});
   }
   if (correction.click) {
     const auto camera = static_cast<std::size_t>(correction.click->camera);
     change.newPerson =
         personAtPixel(finding, rig, parameters, correction.click->camera, correction.click->pixel);
     if (!change.newPerson && camera < rig.size()) {
-      refusals.push_back({ErrorCode::Undetermined, "", rig[camera].name,
-                          "a person on the tracked floor cannot appear at this pixel"});
+      correctionErrors.push_back({ErrorCode::Undetermined, "", rig[camera].name,
+                                  "a person on the tracked floor cannot appear at this pixel"});
     }
   }
   return change;

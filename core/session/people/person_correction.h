@@ -16,14 +16,14 @@ namespace dewpoint::session {
 /// exist.
 struct PeopleChange {
   std::optional<Eigen::Vector3d> newPerson; ///< PersonPlacing::addPerson
-  std::optional<int> personGone;            ///< PersonPlacing::removePerson
+  std::optional<int> removedPerson;         ///< PersonPlacing::removePerson
 };
 
 /// Returns the effect of a correction in its frame: a new person, or one to remove. A correction
 /// that cannot be applied, such as a person outside the observed floor, changes nothing and adds an
-/// error to `refusals`.
+/// error to `correctionErrors`.
 PeopleChange peopleChange(const PersonCorrection& correction, const PeopleFinding& finding,
                           const CameraRig& rig, const ParameterValues& parameters,
-                          std::vector<Error>& refusals);
+                          std::vector<Error>& correctionErrors);
 
 } // namespace dewpoint::session

@@ -10,7 +10,7 @@ namespace {
 
 BodyCloud thinned(const BodyCloud& body) {
   const Eigen::Index count = body.points.rows();
-  const Eigen::Index kept = std::min<Eigen::Index>(count, kShapePoints);
+  const Eigen::Index kept = std::min<Eigen::Index>(count, kMaxShapePoints);
   BodyCloud result{Eigen::ArrayXXd(kept, 3), Eigen::ArrayXd(kept)};
   for (Eigen::Index i = 0; i < kept; ++i) {
     result.points.row(i) = body.points.row(i * count / kept);
@@ -34,8 +34,8 @@ PersonShape personShape(const BodyCloud& body) {
   shape.hull = bodyHull(shown);
   shape.volume = shape.hull.volume();
   const GroundGrid density = groundDensity(shown);
-  for (const double share : kGroundShares) {
-    shape.ground.push_back(levelCurves(density, levelHolding(density, share)));
+  for (const double share : kGroundFractions) {
+    shape.ground.push_back(levelCurves(density, levelForProbability(density, share)));
   }
   return shape;
 }

@@ -14,17 +14,17 @@ namespace dewpoint::session {
 struct PersonShape {
   ConvexHull hull;     ///< convex hull of the 95 % volume
   double volume = 0.0; ///< volume of the hull, m³
-  /// Level curves around the smallest areas of the floor that contain the fractions kGroundShares
-  /// of the density, the smallest area first. Each area may have several parts.
+  /// Level curves around the smallest areas of the floor that contain the fractions
+  /// kGroundFractions of the density, the smallest area first. Each area may have several parts.
   std::vector<std::vector<LevelCurve>> ground;
 };
 
 /// Fractions of the density on the floor for the level curves.
-inline constexpr double kGroundShares[] = {0.25, 0.5, 0.75, 0.95};
+inline constexpr double kGroundFractions[] = {0.25, 0.5, 0.75, 0.95};
 /// Largest number of points used for a person's shape, since the density is a sum over all pairs.
-inline constexpr int kShapePoints = 500;
+inline constexpr int kMaxShapePoints = 500;
 
-/// Returns the shape of a body from an even selection of up to kShapePoints of its points.
+/// Returns the shape of a body from an even selection of up to kMaxShapePoints of its points.
 PersonShape personShape(const BodyCloud& body);
 
 } // namespace dewpoint::session

@@ -45,13 +45,13 @@ void History::clear() {
   checkpointBytes_ = 0;
   spacing_ = 0;
   changes_.clear();
-  begun_.reset();
+  methodStart_.reset();
   tailBegins_.clear();
 }
 
 void History::beforeFrame(std::int64_t frame, const TrackingRun& run) {
-  if (!begun_) {
-    begun_ = Checkpoint{frame, {nullptr, run.definition(), run.iterations(), 0}};
+  if (!methodStart_) {
+    methodStart_ = Checkpoint{frame, {nullptr, run.definition(), run.iterations(), 0}};
   }
   const bool due = checkpoints_.empty() || frame >= checkpoints_.rbegin()->first + spacing_;
   if (!due || checkpoints_.contains(frame)) {
@@ -135,7 +135,7 @@ void History::forgetParticles(TrackedFrame& trackedFrame) {
   for (TrackedTarget& target : trackedFrame.targets) {
     target.particles.resize(0, 3);
     target.weights.resize(0);
-    target.proposals = {};
+    target.positionCandidates = {};
     target.boxParticles.centers.resize(0, 2);
     target.boxParticles.weights.resize(0);
   }
@@ -153,17 +153,17 @@ void History::forgetFrom(std::int64_t frame) {
   }
   changes_.erase(changes_.lower_bound({frame, 0}), changes_.end());
   tailBegins_.erase(tailBegins_.lower_bound(frame), tailBegins_.end());
-  if (begun_ && begun_->frame >= frame) {
-    begun_.reset();
+  if (methodStart_ && methodStart_->frame >= frame) {
+    methodStart_.reset();
   }
 }
 
-void History::forgetCopies() {
+void History::removeCheckpoints() {
   checkpoints_.clear();
   checkpointBytes_ = 0;
   spacing_ = 0;
   changes_.clear();
-  begun_.reset();
+  methodStart_.reset();
 }
 
 void History::forgetBefore(std::int64_t frame) {

@@ -47,7 +47,7 @@ public:
   /// before it is kept.
   void forgetFrom(std::int64_t frame);
   /// Removes all checkpoints because the method has changed.
-  void forgetCopies();
+  void removeCheckpoints();
   /// Starts new tails at this frame, which do not continue earlier estimates.
   void beginTails(std::int64_t frame) { tailBegins_.insert(frame); }
   /// Removes everything before this frame, whose images no longer exist.
@@ -78,7 +78,7 @@ public:
   const Checkpoint* checkpointFor(std::int64_t frame) const;
   /// Returns the definition and frame with which the method began from scratch; its state has no
   /// tracker. Empty before that.
-  const std::optional<Checkpoint>& begun() const { return begun_; }
+  const std::optional<Checkpoint>& methodStart() const { return methodStart_; }
   /// Returns the changes made while the run was at `frame` after `iterations`, in order.
   std::vector<RunChange> changesAt(std::int64_t frame, int iterations) const;
 
@@ -97,7 +97,7 @@ private:
   std::map<std::int64_t, Checkpoint> checkpoints_;
   std::size_t checkpointBytes_ = 0;
   std::int64_t spacing_ = 0; ///< frames between checkpoints
-  std::optional<Checkpoint> begun_;
+  std::optional<Checkpoint> methodStart_;
   std::map<std::pair<std::int64_t, int>, std::vector<RunChange>> changes_;
   std::set<std::int64_t> tailBegins_;
 };

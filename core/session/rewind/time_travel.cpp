@@ -17,7 +17,7 @@ constexpr int kParticlesKept = 500;
 TimeTravel::TimeTravel(FrameSetSource& source, std::size_t bytes)
     : live_(source.isLive()), history_(HistoryLimits::of(bytes, live_)) {
   const std::size_t most = history_.limits().frames;
-  cache_ = live_ ? liveFrames(most) : recordedFrames(source, most);
+  cache_ = live_ ? makeLiveFrameCache(most) : makeRecordedFrameCache(source, most);
 }
 
 void TimeTravel::clear() {
@@ -52,7 +52,7 @@ std::optional<std::int64_t> TimeTravel::nearest(std::int64_t frame) const {
   return newest < 0 ? std::nullopt : std::optional(std::clamp(frame, cache_->oldest(), newest));
 }
 
-std::optional<std::int64_t> TimeTravel::following(std::int64_t frame) const {
+std::optional<std::int64_t> TimeTravel::nextShowable(std::int64_t frame) const {
   return frame < cache_->newest() ? nearest(frame + 1) : std::nullopt;
 }
 
@@ -68,14 +68,14 @@ HistoryState TimeTravel::state() const {
   state.first = cache_->oldest();
   state.last = cache_->newest();
   state.bytes = history_.bytes() + cache_->bytes();
-  state.mostBytes = history_.limits().sum();
+  state.maxBytes = history_.limits().sum();
   if (const TrackedFrame* newest = history_.newest()) {
     state.head = newest->frame;
   }
   return state;
 }
 
-Status TimeTravel::repeat(TrackingRun& run, const TrackedFrame& trackedFrame) {
+Status TimeTravel::trackAgain(TrackingRun& run, const TrackedFrame& trackedFrame) {
   const auto frames = cache_->at(trackedFrame.frame);
   if (!frames) {
     return tl::make_unexpected(frames.error());
@@ -92,14 +92,14 @@ Status TimeTravel::repeat(TrackingRun& run, const TrackedFrame& trackedFrame) {
   return {};
 }
 
-bool TimeTravel::bringNear(TrackingRun& run, std::int64_t frame, std::int64_t& next) const {
+bool TimeTravel::restoreCheckpoint(TrackingRun& run, std::int64_t frame, std::int64_t& next) const {
   if (const History::Checkpoint* checkpoint = history_.checkpointFor(frame)) {
     run.restore(checkpoint->state);
     next = checkpoint->frame;
     return true;
   }
   // A method that cannot be copied goes over everything again, as long as there are images.
-  const auto& begun = history_.begun();
+  const auto& begun = history_.methodStart();
   const bool again =
       begun && begun->frame < frame && begun->frame >= cache_->oldest() && !run.canBeCopied();
   next = again ? begun->frame : frame;
@@ -108,30 +108,32 @@ bool TimeTravel::bringNear(TrackingRun& run, std::int64_t frame, std::int64_t& n
   }
   const TrackedFrame* before = history_.before(next);
   run.restart(run.definition()->seed);
-  run.countFrom(before != nullptr ? before->totalIterations : 0);
+  run.setIterationCount(before != nullptr ? before->totalIterations : 0);
   return again;
 }
 
-Result<std::int64_t> TimeTravel::goBack(TrackingRun& run, std::int64_t frame, const GoOn& goOn) {
+Result<std::int64_t> TimeTravel::goBack(TrackingRun& run, std::int64_t frame,
+                                        const ShouldContinue& shouldContinue) {
   std::int64_t next = frame;
-  if (!bringNear(run, frame, next)) {
+  if (!restoreCheckpoint(run, frame, next)) {
     return frame;
   }
   const TrackedFrame* trackedFrame = history_.at(next);
   trackedFrame = trackedFrame != nullptr ? trackedFrame : history_.after(next);
   for (; trackedFrame != nullptr && trackedFrame->frame < frame;
        trackedFrame = history_.after(trackedFrame->frame)) {
-    if (!goOn()) {
+    if (!shouldContinue()) {
       return trackedFrame->frame;
     }
-    if (const auto repeated = repeat(run, *trackedFrame); !repeated) {
+    if (const auto repeated = trackAgain(run, *trackedFrame); !repeated) {
       return tl::make_unexpected(repeated.error());
     }
   }
   return frame;
 }
 
-const TrackingRun* TimeTravel::runAt(std::int64_t frame, const TrackingRun& run, const GoOn& goOn) {
+const TrackingRun* TimeTravel::runAt(std::int64_t frame, const TrackingRun& run,
+                                     const ShouldContinue& shouldContinue) {
   const History::Checkpoint* checkpoint = history_.checkpointFor(frame);
   if (history_.at(frame) == nullptr || checkpoint == nullptr) {
     return nullptr;
@@ -150,7 +152,7 @@ const TrackingRun* TimeTravel::runAt(std::int64_t frame, const TrackingRun& run,
   const TrackedFrame* next = history_.at(*probeNext_);
   next = next != nullptr ? next : history_.after(*probeNext_);
   for (; next != nullptr && next->frame <= frame; next = history_.after(next->frame)) {
-    if (!goOn() || !repeat(*probe_, *next)) {
+    if (!shouldContinue() || !trackAgain(*probe_, *next)) {
       probe_.reset();
       return nullptr;
     }

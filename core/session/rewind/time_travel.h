@@ -35,7 +35,7 @@ public:
   /// Returns the displayable frame closest to this one; nothing before the first frame.
   std::optional<std::int64_t> nearest(std::int64_t frame) const;
   /// Returns the next frame after this one that can be shown; nothing at the end.
-  std::optional<std::int64_t> following(std::int64_t frame) const;
+  std::optional<std::int64_t> nextShowable(std::int64_t frame) const;
   /// Like frames(), but may return small images scaled up; `preview` is then true.
   Result<FrameSetPtr> previewAt(std::int64_t frame, bool& preview);
   /// Returns the range of frames that can be shown, and the memory used for them.
@@ -43,20 +43,21 @@ public:
   const History& history() const { return history_; }
 
   /// Returns whether to continue a long operation.
-  using GoOn = std::function<bool()>;
+  using ShouldContinue = std::function<bool()>;
   /// Restores `run` to its state right before it began `frame`, by tracking from the nearest
   /// checkpoint with the definition used at that time. Without a checkpoint before the frame, `run`
   /// starts from scratch there. Nothing is removed from the history. Returns the frame reached,
-  /// which is `frame` unless `goOn` returned false, or an error.
-  Result<std::int64_t> goBack(TrackingRun& run, std::int64_t frame, const GoOn& goOn);
+  /// which is `frame` unless `shouldContinue` returned false, or an error.
+  Result<std::int64_t> goBack(TrackingRun& run, std::int64_t frame,
+                              const ShouldContinue& shouldContinue);
   /// Removes the results of this frame and later ones.
   void forgetFrom(std::int64_t frame) {
     history_.forgetFrom(frame);
     probe_.reset();
   }
   /// Removes all checkpoints because another run continues from here.
-  void forgetCopies() {
-    history_.forgetCopies();
+  void removeCheckpoints() {
+    history_.removeCheckpoints();
     probe_.reset();
   }
   /// Calls History::beginTails().
@@ -64,8 +65,9 @@ public:
 
   /// Returns a separate run, restored to the state of `run` after this past frame. It provides
   /// likelihood maps and motion masks, which the history does not store. Null if this is not
-  /// possible or `goOn` returned false.
-  const TrackingRun* runAt(std::int64_t frame, const TrackingRun& run, const GoOn& goOn);
+  /// possible or `shouldContinue` returned false.
+  const TrackingRun* runAt(std::int64_t frame, const TrackingRun& run,
+                           const ShouldContinue& shouldContinue);
   /// Sets the number of threads of the run returned by runAt().
   void setThreadCount(int threadCount);
 
@@ -73,9 +75,9 @@ private:
   /// Restores a run from a checkpoint before `frame`, or from the start of the method if it cannot
   /// be copied; `next` is the frame to begin next. Returns false if the run starts from scratch at
   /// `frame`.
-  bool bringNear(TrackingRun& run, std::int64_t frame, std::int64_t& next) const;
+  bool restoreCheckpoint(TrackingRun& run, std::int64_t frame, std::int64_t& next) const;
   /// Tracks one past frame again, with the changes made during it.
-  Status repeat(TrackingRun& run, const TrackedFrame& trackedFrame);
+  Status trackAgain(TrackingRun& run, const TrackedFrame& trackedFrame);
 
   bool live_;
   History history_;

@@ -55,7 +55,7 @@ Result<std::vector<cv::Mat>> loadBackgroundImages(const Project& project) {
   return rooms;
 }
 
-Result<std::filesystem::path> keepBackgroundImage(const Project& project, std::size_t camera,
+Result<std::filesystem::path> saveBackgroundImage(const Project& project, std::size_t camera,
                                                   const cv::Mat& image,
                                                   const std::filesystem::path& folder) {
   const ProjectCamera& its = project.cameras.at(camera);
@@ -69,7 +69,7 @@ Result<std::filesystem::path> keepBackgroundImage(const Project& project, std::s
   if (its.mirrored) {
     cv::flip(image, rotated, 1);
   }
-  const auto back = shaped(rotated, {its.camera.name, (360 - its.rotateDegrees) % 360}, "");
+  const auto back = prepareImage(rotated, {its.camera.name, (360 - its.rotateDegrees) % 360}, "");
   if (!back) {
     return tl::make_unexpected(back.error());
   }

@@ -21,7 +21,7 @@ Result<std::vector<cv::Mat>> loadBackgroundImages(const Project& project);
 /// image, with the rotation undone. The folder is created if it does not exist, and the file gets a
 /// new name. Returns the file, or FileUnwritable if it cannot be written. Waits for the disk, so do
 /// not call it from a window's thread.
-Result<std::filesystem::path> keepBackgroundImage(const Project& project, std::size_t camera,
+Result<std::filesystem::path> saveBackgroundImage(const Project& project, std::size_t camera,
                                                   const cv::Mat& image,
                                                   const std::filesystem::path& folder);
 

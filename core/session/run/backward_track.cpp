@@ -25,9 +25,9 @@ namespace {
 constexpr double kLostSeconds = 0.5;
 /// Seconds for which it is where it was believed to be, until the track has ended: what was
 /// believed before was right as well. It could be wrong once more before a shorter time.
-constexpr double kRightSeconds = 10.0;
+constexpr double kAgreementSeconds = 10.0;
 /// Frames in a row: fewer in which it was believed elsewhere, or there, are chance.
-constexpr int kInARow = 5;
+constexpr int kConsecutiveFrames = 5;
 /// Standard deviations of both together up to which two positions are the same.
 constexpr double kSamePosition = 4.0;
 /// Seconds between the corrections that are made of it: a target that is lost again on the way is
@@ -37,9 +37,9 @@ constexpr double kSpacingSeconds = 0.5;
 constexpr double kLeastVariance = 1e-8;
 
 /// What was believed, by frame.
-class BelievedPositions {
+class EstimatedPositions {
 public:
-  BelievedPositions(const std::vector<TrajectorySample>& samples, const std::string& target) {
+  EstimatedPositions(const std::vector<TrajectorySample>& samples, const std::string& target) {
     for (const TrajectorySample& sample : samples) {
       if (sample.target == target && sample.valid) {
         positions_[sample.frame] = {sample.position, sample.covariance};
@@ -68,12 +68,12 @@ private:
 
 /// The run's definition with the correction, and what was believed of other targets there, as the
 /// only ones.
-RunDefinitionPtr definitionFrom(const BackwardOrder& order) {
+RunDefinitionPtr definitionFrom(const BackwardRequest& order) {
   auto definition = std::make_shared<RunDefinition>(order.definition);
   definition->people.clear();
   definition->corrections = {order.from};
   for (std::size_t k = 0; k < definition->targets.size(); ++k) {
-    for (const TrajectorySample& sample : order.believed) {
+    for (const TrajectorySample& sample : order.estimates) {
       if (static_cast<int>(k) != order.from.target && sample.frame == order.from.frame &&
           sample.valid && sample.target == definition->targets[k].name) {
         definition->corrections.push_back({.frame = order.from.frame,
@@ -86,7 +86,7 @@ RunDefinitionPtr definitionFrom(const BackwardOrder& order) {
   return definition;
 }
 
-bool isSaidAt(const BackwardOrder& order, std::int64_t frame) {
+bool isCorrectedAt(const BackwardRequest& order, std::int64_t frame) {
   return std::ranges::any_of(order.definition.corrections, [&](const PositionCorrection& one) {
     return one.frame == frame && one.target == order.from.target && !one.trackedFrom;
   });
@@ -108,9 +108,9 @@ struct BackwardPositions {
 /// Follows the target from the correction back.
 class BackwardFollower final : public FrameObserver {
 public:
-  explicit BackwardFollower(const BackwardOrder& order)
+  explicit BackwardFollower(const BackwardRequest& order)
       : at_(order.from.frame), target_(static_cast<std::size_t>(order.from.target)),
-        believed_(order.believed, order.definition.targets[target_].name),
+        believed_(order.estimates, order.definition.targets[target_].name),
         common_(order.from.position) {}
 
   Status tracked(const TrackingRun& run) override {
@@ -146,12 +146,12 @@ private:
     found_.held.push_back({frame, position, agrees});
     found_.frameSeconds = before / static_cast<double>(at_ - frame);
     lastWrong_ = agrees ? lastWrong_ : before;
-    hasEnded_ = before - lastWrong_ > kRightSeconds;
+    hasEnded_ = before - lastWrong_ > kAgreementSeconds;
   }
 
   std::int64_t at_;
   std::size_t target_;
-  BelievedPositions believed_;
+  EstimatedPositions believed_;
   BackwardPositions found_;
   std::optional<TimeStamp> begin_;
   double lastHeld_ = 0.0;  ///< seconds before the correction
@@ -162,14 +162,14 @@ private:
   bool hasEnded_ = false;
 };
 
-Result<BackwardPositions> positionsBefore(FrameSetSource& source, const BackwardOrder& order,
+Result<BackwardPositions> positionsBefore(FrameSetSource& source, const BackwardRequest& order,
                                           int threads, const BackwardProgress& progress) {
   auto run = TrackingRun::create(definitionFrom(order), threads);
   if (!run) {
     return tl::make_unexpected(run.error());
   }
   const auto target = static_cast<std::size_t>(order.from.target);
-  if (!run->takesCorrections() || target >= order.definition.targets.size()) {
+  if (!run->supportsCorrections() || target >= order.definition.targets.size()) {
     return BackwardPositions();
   }
   const std::int64_t at = order.from.frame;
@@ -177,15 +177,15 @@ Result<BackwardPositions> positionsBefore(FrameSetSource& source, const Backward
   ReversedFrames reversed(source, at);
   const std::array<FrameObserver*, 1> observers{&follower};
   bool wanted = true;
-  const auto goOn = [&] {
+  const auto shouldContinue = [&] {
     const std::int64_t frame = reversed.nextFrame();
-    if (follower.hasEnded() || frame < 0 || (frame < at && isSaidAt(order, frame))) {
+    if (follower.hasEnded() || frame < 0 || (frame < at && isCorrectedAt(order, frame))) {
       return false;
     }
     wanted = progress(static_cast<double>(at - frame) / static_cast<double>(at + 1));
     return wanted;
   };
-  const auto tracked = trackFrames(reversed, {}, *run, observers, goOn);
+  const auto tracked = trackFrames(reversed, {}, *run, observers, shouldContinue);
   if (!tracked) {
     return tl::make_unexpected(tracked.error());
   }
@@ -203,7 +203,8 @@ void smooth(std::vector<BackwardPosition>& positions) {
         return one.wasBelieved != begin->wasBelieved;
       });
       // Agreement in passing first: then what is left of disagreement is as long as it is.
-      if (begin->wasBelieved == kind && end - begin < kInARow && end != positions.end()) {
+      if (begin->wasBelieved == kind && end - begin < kConsecutiveFrames &&
+          end != positions.end()) {
         std::for_each(begin, end, [&](BackwardPosition& one) { one.wasBelieved = !kind; });
       }
       begin = end;
@@ -240,10 +241,10 @@ std::vector<PositionCorrection> correctionsFrom(BackwardPositions positions,
 }
 
 /// What a run believes in each of the frames up to one.
-Result<std::vector<TrajectorySample>> believedUpTo(FrameSetSource& source,
-                                                   const RunDefinition& definition,
-                                                   std::int64_t last, int threads,
-                                                   const BackwardProgress& progress) {
+Result<std::vector<TrajectorySample>> estimatesUpTo(FrameSetSource& source,
+                                                    const RunDefinition& definition,
+                                                    std::int64_t last, int threads,
+                                                    const BackwardProgress& progress) {
   class Samples final : public FrameObserver {
   public:
     std::vector<TrajectorySample> all;
@@ -264,11 +265,11 @@ Result<std::vector<TrajectorySample>> believedUpTo(FrameSetSource& source,
   const std::array<FrameObserver*, 1> observers{&samples};
   std::int64_t done = 0;
   bool wanted = true;
-  const auto goOn = [&] {
+  const auto shouldContinue = [&] {
     wanted = progress(static_cast<double>(done++) / static_cast<double>(last + 1));
     return wanted;
   };
-  const auto tracked = trackFrames(source, {0, last + 1}, *run, observers, goOn);
+  const auto tracked = trackFrames(source, {0, last + 1}, *run, observers, shouldContinue);
   if (!tracked) {
     return tl::make_unexpected(tracked.error());
   }
@@ -281,7 +282,7 @@ Result<std::vector<TrajectorySample>> believedUpTo(FrameSetSource& source,
 } // namespace
 
 Result<std::vector<PositionCorrection>> trackBackwards(FrameSetSource& source,
-                                                       const BackwardOrder& order, int threads,
+                                                       const BackwardRequest& order, int threads,
                                                        const BackwardProgress& progress) {
   if (source.isLive()) {
     return std::vector<PositionCorrection>();
@@ -291,9 +292,9 @@ Result<std::vector<PositionCorrection>> trackBackwards(FrameSetSource& source,
   });
 }
 
-Result<Project> trackedBackwards(const Project& project, FrameSetSource& source,
-                                 const std::vector<cv::Mat>& backgroundImages, int threads,
-                                 const BackwardProgress& progress) {
+Result<Project> withBackwardCorrections(const Project& project, FrameSetSource& source,
+                                        const std::vector<cv::Mat>& backgroundImages, int threads,
+                                        const BackwardProgress& progress) {
   Project result = project;
   std::erase_if(result.corrections,
                 [](const PositionCorrection& one) { return one.trackedFrom.has_value(); });
@@ -306,7 +307,7 @@ Result<Project> trackedBackwards(const Project& project, FrameSetSource& source,
       };
     };
     const RunDefinition definition = RunDefinition::of(result, backgroundImages);
-    auto believed = believedUpTo(source, definition, said[k].frame, threads, part(0.0, 0.5));
+    auto believed = estimatesUpTo(source, definition, said[k].frame, threads, part(0.0, 0.5));
     if (!believed) {
       return tl::make_unexpected(believed.error());
     }

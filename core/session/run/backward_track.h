@@ -13,11 +13,11 @@
 namespace dewpoint::session {
 
 /// A correction from which its target is to be tracked backward in time.
-struct BackwardOrder {
+struct BackwardRequest {
   RunDefinition definition; ///< definition of the run
   PositionCorrection from;  ///< correction to start from, one of the run's corrections
   /// Estimates of all targets in the run up to and including the frame of the correction.
-  std::vector<TrajectorySample> believed;
+  std::vector<TrajectorySample> estimates;
 };
 
 /// Receives the progress, 0 to 1; returning false cancels the work.
@@ -35,15 +35,15 @@ using BackwardProgress = std::function<bool(double)>;
 /// cannot apply corrections. Returns the errors of the source and of TrackingRun::create(), and
 /// Canceled if `progress` canceled the work.
 Result<std::vector<PositionCorrection>> trackBackwards(FrameSetSource& source,
-                                                       const BackwardOrder& order, int threads,
+                                                       const BackwardRequest& order, int threads,
                                                        const BackwardProgress& progress);
 
 /// Returns the project with the results of trackBackwards() for each correction made by the user,
 /// in frame order. They replace all earlier corrections obtained by tracking backward. The
 /// estimates before each correction are computed by tracking up to it. `backgroundImages` as for
 /// RunDefinition::of().
-Result<Project> trackedBackwards(const Project& project, FrameSetSource& source,
-                                 const std::vector<cv::Mat>& backgroundImages, int threads,
-                                 const BackwardProgress& progress);
+Result<Project> withBackwardCorrections(const Project& project, FrameSetSource& source,
+                                        const std::vector<cv::Mat>& backgroundImages, int threads,
+                                        const BackwardProgress& progress);
 
 } // namespace dewpoint::session

@@ -51,14 +51,14 @@ std::optional<std::int64_t> FrameRange::count(const FrameSetSource& source) cons
 }
 
 Status trackFrames(FrameSetSource& source, const FrameRange& range, TrackingRun& run,
-                   FrameObservers observers, const std::function<bool()>& goOn) {
+                   FrameObservers observers, const std::function<bool()>& shouldContinue) {
   if (range.first > 0) {
     if (const auto sought = source.seek(range.first); !sought) {
       return sought;
     }
   }
   const auto count = range.count(source);
-  for (std::int64_t done = 0; goOn() && (!count || done < *count);) {
+  for (std::int64_t done = 0; shouldContinue() && (!count || done < *count);) {
     auto frames = source.next();
     if (!frames) {
       return tl::make_unexpected(frames.error());

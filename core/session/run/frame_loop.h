@@ -51,9 +51,9 @@ struct FrameRange {
   std::optional<std::int64_t> count(const FrameSetSource& source) const;
 };
 
-/// Tracks frames of a source until the range is finished, an error occurs, or `goOn` returns false.
-/// `goOn` is called before each frame.
+/// Tracks frames of a source until the range is finished, an error occurs, or `shouldContinue`
+/// returns false. `shouldContinue` is called before each frame.
 Status trackFrames(FrameSetSource& source, const FrameRange& range, TrackingRun& run,
-                   FrameObservers observers, const std::function<bool()>& goOn);
+                   FrameObservers observers, const std::function<bool()>& shouldContinue);
 
 } // namespace dewpoint::session

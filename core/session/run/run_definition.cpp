@@ -67,7 +67,7 @@ Project RunDefinition::appliedTo(Project project) const {
 }
 
 void RunDefinition::useCameras() {
-  parameters = tracking::parametersInUse(std::move(parameters), *rig, volumeOfInterest);
+  parameters = tracking::effectiveParameters(std::move(parameters), *rig, volumeOfInterest);
 }
 
 bool RunDefinition::operator==(const RunDefinition& other) const {

@@ -38,8 +38,8 @@ struct RunDefinition {
   /// Returns the project with the values of this definition in place of its own.
   Project appliedTo(Project project) const;
 
-  /// Derives parameters that the user has not set from the cameras (parametersInUse()). Required
-  /// after a change of cameras, parameters or volume of interest; of() includes it.
+  /// Derives parameters that the user has not set from the cameras (effectiveParameters()).
+  /// Required after a change of cameras, parameters or volume of interest; of() includes it.
   void useCameras();
 
   MethodFamily family() const { return methodFamily(method); }

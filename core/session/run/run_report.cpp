@@ -44,7 +44,7 @@ nlohmann::ordered_json correctionJson(const PositionCorrection& correction,
 
 } // namespace
 
-std::string runReport(const Project& project, const RunFigures& figures) {
+std::string runReport(const Project& project, const RunStatistics& figures) {
   nlohmann::ordered_json json;
   json["version"] = DEWPOINT_VERSION;
   json["project"] = project.name;

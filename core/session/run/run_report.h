@@ -11,7 +11,7 @@
 namespace dewpoint::session {
 
 /// Statistics of a run so far.
-struct RunFigures {
+struct RunStatistics {
   std::int64_t frames = 0;
   /// Wall-clock time from the arrival of the first frame to the last estimate.
   double seconds = 0.0;
@@ -24,6 +24,6 @@ struct RunFigures {
 };
 
 /// Returns the text of run.json: statistics, method, seed, parameters and corrections of a run.
-std::string runReport(const Project& project, const RunFigures& figures);
+std::string runReport(const Project& project, const RunStatistics& figures);
 
 } // namespace dewpoint::session

@@ -49,7 +49,7 @@ TrajectoryHeader headerOf(const ParameterValues& parameters, std::uint64_t seed)
   header.entries = {{"method", "dynamics"}, {"seed", std::to_string(seed)}};
   header.hasBest = true;
   for (const auto& declaration : parameters.declarations()) {
-    if (isStartOfPositions(declaration.key)) {
+    if (isStartPositionParameter(declaration.key)) {
       continue; // its own of each target
     }
     header.entries.emplace_back(declaration.key,
@@ -74,11 +74,11 @@ void numberInstants(Trajectory& measured) {
 
 } // namespace
 
-bool isStartOfPositions(std::string_view key) {
+bool isStartPositionParameter(std::string_view key) {
   return std::ranges::find(kStart, key) != kStart.end();
 }
 
-Result<bool> giveTimes(Trajectory& measured, double rate) {
+Result<bool> addMissingTimes(Trajectory& measured, double rate) {
   const auto hasTime = [](const TrajectorySample& sample) { return std::isfinite(sample.time); };
   if (std::ranges::all_of(measured.samples, hasTime)) {
     numberInstants(measured);

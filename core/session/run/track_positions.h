@@ -16,11 +16,11 @@ inline constexpr double kPositionsPerSecond = 30.0;
 /// Adds missing times or frame numbers: computes times from frame numbers at `rate` frames per
 /// second, or numbers the instants as frames. Returns true if times were present. Returns
 /// MissingKey if a sample has neither, or only some samples have times.
-Result<bool> giveTimes(Trajectory& measured, double rate);
+Result<bool> addMissingTimes(Trajectory& measured, double rate);
 
 /// Returns whether trackPositions() takes this parameter from the first position of each target:
 /// start_x, start_y, start_z.
-bool isStartOfPositions(std::string_view key);
+bool isStartPositionParameter(std::string_view key);
 
 /// Runs the `dynamics` method on measured 3D positions instead of images (Barrera et al. 2005,
 /// section III-C). Every target of `measured` has its own filter, which runs the method's

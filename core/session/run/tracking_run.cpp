@@ -49,7 +49,7 @@ TrajectoryHeader trajectoryHeader(const Project& project) {
   const Method* const method = findMethod(project.method);
   header.hasSeen = method != nullptr && method->writesMeasurements;
   header.hasBest = method != nullptr && method->family.hasBestParticle;
-  header.hasAmbiguous = method != nullptr && method->statesAmbiguity;
+  header.hasAmbiguous = method != nullptr && method->writesAmbiguity;
   const auto mayBeNoBall = [](const Target& target) { return target.shape != TargetShape::Ball; };
   header.hasExtent = method != nullptr && method->learnsShapes &&
                      std::ranges::any_of(project.targets, mayBeNoBall);
@@ -115,15 +115,15 @@ void TrackingRun::restart(std::uint64_t seed) {
   frameIterations_ = 0;
 }
 
-bool TrackingRun::takes(const RunDefinition& definition) const {
-  const auto* const following = capability<TargetFollowing>();
-  const bool takesAnyNumber = following == nullptr || following->takesAnyNumber();
-  return definition.method == definition_->method && haveSameImages(*definition.rig, rig()) &&
-         (definition.targets.size() == definition_->targets.size() || takesAnyNumber);
+bool TrackingRun::accepts(const RunDefinition& definition) const {
+  const auto* const following = capability<TargetTracking>();
+  const bool canChangeTargetCount = following == nullptr || following->canChangeTargetCount();
+  return definition.method == definition_->method && haveSameImageSizes(*definition.rig, rig()) &&
+         (definition.targets.size() == definition_->targets.size() || canChangeTargetCount);
 }
 
 void TrackingRun::apply(const RunDefinitionPtr& definition) {
-  assert(takes(*definition));
+  assert(accepts(*definition));
   const RunDefinitionPtr before = std::exchange(definition_, definition);
   auto* const bounded = tracking::capability<VolumeBounded>(*tracker_);
   if (bounded != nullptr && definition->volumeOfInterest != before->volumeOfInterest) {
@@ -133,7 +133,7 @@ void TrackingRun::apply(const RunDefinitionPtr& definition) {
   if (configurable != nullptr && !(definition->parameters == before->parameters)) {
     configurable->configure(definition->parameters);
   }
-  auto* const following = tracking::capability<TargetFollowing>(*tracker_);
+  auto* const following = tracking::capability<TargetTracking>(*tracker_);
   if (following != nullptr && definition->targets != before->targets) {
     following->setTargets(definition->targets);
   }
@@ -160,34 +160,34 @@ void TrackingRun::applyCorrection(const PeopleChange& people) {
   if (people.newPerson && placing != nullptr) {
     placing->addPerson(*people.newPerson);
   }
-  if (people.personGone && placing != nullptr) {
-    placing->removePerson(*people.personGone);
+  if (people.removedPerson && placing != nullptr) {
+    placing->removePerson(*people.removedPerson);
   }
 }
 
 const std::vector<Target>& TrackingRun::targets() const {
   const auto* const finding = capability<PeopleFinding>();
-  return finding != nullptr ? finding->everybody() : definition_->targets;
+  return finding != nullptr ? finding->allPeople() : definition_->targets;
 }
 
 bool TrackingRun::canBeCopied() const {
-  const auto* const copying = capability<Copying>();
+  const auto* const copying = capability<Copyable>();
   return copying != nullptr && copying->canBeCopied();
 }
 
 TrackingRun::State TrackingRun::save() const {
   State state{nullptr, definition_, iterations_, 0};
-  const auto* const copying = capability<Copying>();
+  const auto* const copying = capability<Copyable>();
   if (std::unique_ptr<Tracker> copy = copying != nullptr ? copying->clone() : nullptr) {
     copy->beginFrame(nullptr); // the images of the last frame are not needed to go on
-    state.bytes = tracking::capability<Copying>(*copy)->memoryBytes();
+    state.bytes = tracking::capability<Copyable>(*copy)->memoryBytes();
     state.tracker = std::move(copy);
   }
   return state;
 }
 
 void TrackingRun::restore(const State& state) {
-  tracker_ = tracking::capability<Copying>(*state.tracker)->clone();
+  tracker_ = tracking::capability<Copyable>(*state.tracker)->clone();
   definition_ = state.definition;
   frames_ = nullptr;
   iterations_ = state.iterations;
@@ -219,15 +219,15 @@ double TrackingRun::iterate() {
 void TrackingRun::correctPeople() {
   for (const PersonCorrection& correction : definition_->people) {
     if (frames_ && correction.frame == frames_->index) {
-      apply(changeBy(correction));
+      apply(effectOf(correction));
     }
   }
 }
 
-PeopleChange TrackingRun::changeBy(const PersonCorrection& correction) {
+PeopleChange TrackingRun::effectOf(const PersonCorrection& correction) {
   const auto* const finding = capability<PeopleFinding>();
   return finding != nullptr
-             ? peopleChange(correction, *finding, rig(), definition_->parameters, refusals_)
+             ? peopleChange(correction, *finding, rig(), definition_->parameters, correctionErrors_)
              : PeopleChange{};
 }
 
@@ -248,7 +248,7 @@ void TrackingRun::correctPositions() {
 }
 
 bool TrackingRun::isCorrected(std::size_t target) const {
-  return takesCorrections() &&
+  return supportsCorrections() &&
          std::ranges::any_of(definition_->corrections, [&](const PositionCorrection& correction) {
            return correction.frame == frames_->index && !correction.trackedFrom &&
                   static_cast<std::size_t>(correction.target) == target;
@@ -313,7 +313,7 @@ TrackedFrame TrackingRun::commonTrackedFrame(const TrackedFrame* before,
   if (const auto* const finding = capability<PeopleFinding>()) {
     trackedFrame.peopleCameras = finding->cameraStates();
   }
-  const auto* const boxes = capability<BoxFollowing>();
+  const auto* const boxes = capability<BoxTracking>();
   trackedFrame.targets.resize(tracked.size());
   for (std::size_t k = 0; k < tracked.size(); ++k) {
     TrackedTarget& target = trackedFrame.targets[k];
@@ -325,14 +325,14 @@ TrackedFrame TrackingRun::commonTrackedFrame(const TrackedFrame* before,
   return trackedFrame;
 }
 
-TrackedFrame TrackingRun::present(const TrackedFrame* recorded, int boxParticleLimit) const {
+TrackedFrame TrackingRun::currentFrame(const TrackedFrame* recorded, int boxParticleLimit) const {
   TrackedFrame trackedFrame = commonTrackedFrame(recorded, boxParticleLimit);
   for (std::size_t k = 0; k < trackedFrame.targets.size(); ++k) {
     TrackedTarget& target = trackedFrame.targets[k];
     if (recorded != nullptr && k < recorded->targets.size()) {
       target.status = recorded->targets[k].status;
       target.reasons = recorded->targets[k].reasons;
-      target.proposals = recorded->targets[k].proposals;
+      target.positionCandidates = recorded->targets[k].positionCandidates;
     } else {
       target.status = std::visit(kStatusBeforeTracking, target.estimate);
     }
@@ -342,8 +342,8 @@ TrackedFrame TrackingRun::present(const TrackedFrame* recorded, int boxParticleL
 
 TrackedFrame TrackingRun::trackedFrame(int particleLimit, const TrackedFrame* previous) const {
   TrackedFrame trackedFrame = commonTrackedFrame(previous, particleLimit);
-  const auto* const proposing = capability<PositionProposing>();
-  const auto* const explaining = capability<CameraExplaining>();
+  const auto* const proposing = capability<CandidateReporting>();
+  const auto* const explaining = capability<CameraReporting>();
   for (std::size_t k = 0; k < trackedFrame.targets.size(); ++k) {
     TrackedTarget& target = trackedFrame.targets[k];
     Eigen::ArrayXXd positions;
@@ -352,10 +352,10 @@ TrackedFrame TrackingRun::trackedFrame(int particleLimit, const TrackedFrame* pr
     target.particles = positions.cast<float>();
     target.weights = weights.cast<float>();
     if (proposing != nullptr) {
-      target.proposals = proposing->proposals(k);
+      target.positionCandidates = proposing->positionCandidates(k);
     }
     if (explaining != nullptr) {
-      target.reasons = explaining->explain(k);
+      target.reasons = explaining->cameraReports(k);
     }
     if (previous != nullptr && k < previous->targets.size()) {
       target.lastHeld = previous->targets[k].lastHeld;

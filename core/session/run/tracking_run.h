@@ -56,10 +56,10 @@ public:
   const RunDefinitionPtr& definition() const { return definition_; }
   /// Returns whether this run can use a definition: the same method and images, and as many
   /// targets, unless the method takes any number. Otherwise a new run is needed.
-  bool takes(const RunDefinition& definition) const;
+  bool accepts(const RunDefinition& definition) const;
   /// Discards all tracks.
   void restart(std::uint64_t seed);
-  /// Applies another definition from the next iteration on; takes() must be true for it. Tracks
+  /// Applies another definition from the next iteration on; accepts() must be true for it. Tracks
   /// continue. Only the differences are passed to the tracker. Another seed takes effect at the
   /// next restart().
   void apply(const RunDefinitionPtr& definition);
@@ -80,9 +80,9 @@ public:
   /// Returns whether save() includes a tracker.
   bool canBeCopied() const;
   /// Returns whether the user may correct positions.
-  bool takesCorrections() const { return capability<PositionCorrecting>() != nullptr; }
+  bool supportsCorrections() const { return capability<PositionCorrecting>() != nullptr; }
   /// Sets the iteration count.
-  void countFrom(std::int64_t iterations) { iterations_ = iterations; }
+  void setIterationCount(std::int64_t iterations) { iterations_ = iterations; }
   /// Sets the number of threads from the next iteration on; it never changes the result.
   void setThreadCount(int threadCount) { team_ = std::make_unique<ThreadTeam>(threadCount); }
   int threadCount() const { return team_->threadCount(); }
@@ -96,9 +96,9 @@ public:
   double iterate();
 
   /// Returns the effect of a correction in the current frame; empty unless the method finds people.
-  PeopleChange changeBy(const PersonCorrection& correction);
+  PeopleChange effectOf(const PersonCorrection& correction);
   /// Returns errors for the corrections for people that could not be applied since the last call.
-  std::vector<Error> takeRefusals() { return std::exchange(refusals_, {}); }
+  std::vector<Error> takeCorrectionErrors() { return std::exchange(correctionErrors_, {}); }
 
   std::int64_t iterations() const { return iterations_; }
   /// Returns the tracked targets: those of the project, or the persons found so far.
@@ -123,7 +123,7 @@ public:
                  Eigen::ArrayXd& weights) const;
   /// Returns the present estimates without 3D particles. Status and reasons are copied from
   /// `recorded`, the stored TrackedFrame of this frame, which is null if the frame was not tracked.
-  TrackedFrame present(const TrackedFrame* recorded, int boxParticleLimit) const;
+  TrackedFrame currentFrame(const TrackedFrame* recorded, int boxParticleLimit) const;
   /// Returns the data stored for the current frame; `previous` is the frame before, null at the
   /// beginning.
   TrackedFrame trackedFrame(int particleLimit, const TrackedFrame* previous) const;
@@ -149,7 +149,7 @@ private:
   std::unique_ptr<ThreadTeam> team_;
   std::int64_t iterations_ = 0;
   int frameIterations_ = 0;
-  std::vector<Error> refusals_;
+  std::vector<Error> correctionErrors_;
 };
 
 /// Ground truth by target and frame, for fast access during tracking.

@@ -31,14 +31,14 @@ constexpr double kNoDisk = 0.1;         ///< GB that are free
 constexpr double kLargestError = 0.005; ///< meters: several times that of the demo
 constexpr double kUsualRate = 30.0;     ///< frames per second of ordinary cameras
 
-void addVersions(const SelfTestParts& /*parts*/, SelfTestLines& lines) {
+void addVersions(const SelfTestInputs& /*parts*/, SelfTestLines& lines) {
   lines.push_back({Ok, "versions",
                    fmt::format("Dewpoint {}, OpenCV {}, Eigen {}.{}.{}, Ceres {}", DEWPOINT_VERSION,
                                CV_VERSION, EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION,
                                EIGEN_MINOR_VERSION, CERES_VERSION_STRING)});
 }
 
-void addMachine(const SelfTestParts& /*parts*/, SelfTestLines& lines) {
+void addMachine(const SelfTestInputs& /*parts*/, SelfTestLines& lines) {
   const double memory = static_cast<double>(::sysconf(_SC_PHYS_PAGES)) *
                         static_cast<double>(::sysconf(_SC_PAGESIZE)) / kBytesPerGigabyte;
   lines.push_back(
@@ -47,7 +47,7 @@ void addMachine(const SelfTestParts& /*parts*/, SelfTestLines& lines) {
                    memory < kLittleMemory ? "; long live runs may need more" : "")});
 }
 
-void addDisk(const SelfTestParts& parts, SelfTestLines& lines) {
+void addDisk(const SelfTestInputs& parts, SelfTestLines& lines) {
   std::error_code problem;
   const auto space = std::filesystem::space(parts.scratch, problem);
   if (problem) {
@@ -65,7 +65,7 @@ void addDisk(const SelfTestParts& parts, SelfTestLines& lines) {
        fmt::format("{:.1f} GB are free in {}", free, parts.scratch.parent_path().string())});
 }
 
-void addCameras(const SelfTestParts& parts, SelfTestLines& lines) {
+void addCameras(const SelfTestInputs& parts, SelfTestLines& lines) {
   if (parts.cameras.empty()) {
     lines.push_back(
         {Note, "cameras", "no camera is connected (/dev/video*); recordings can still be used"});
@@ -78,7 +78,7 @@ void addCameras(const SelfTestParts& parts, SelfTestLines& lines) {
   }
 }
 
-void addCodecs(const SelfTestParts& parts, SelfTestLines& lines) {
+void addCodecs(const SelfTestInputs& parts, SelfTestLines& lines) {
   for (const CodecOutcome& codec : checkCodecs(parts.scratch)) {
     SelfTestLine line{Ok, "codec " + codec.name, "written and read back"};
     if (codec.isMissing) {
@@ -100,16 +100,17 @@ struct SceneRun {
   double rate = 0.0; ///< frames per second
 };
 
-Result<SceneRun> trackScene(SessionInputs& inputs, const std::function<bool()>& goOn) {
+Result<SceneRun> trackScene(SessionInputs& inputs, const std::function<bool()>& shouldContinue) {
   TrackingClock clock;
   const std::array<FrameObserver*, 1> observers{&clock};
   const auto frames =
       static_cast<std::int64_t>(kSelfTestSeconds * inputs.source->framesPerSecond());
-  const RunOrder order{.frames = {0, frames}, .threads = filterThreads(0), .observers = observers};
+  const RecordRunOptions order{
+      .frames = {0, frames}, .threads = filterThreadCount(0), .observers = observers};
   auto run = recordRun(inputs.project, *inputs.source, inputs.backgroundImages, order,
-                       [&](auto /*done*/, auto /*total*/) { return goOn(); });
-  if (!run || run->broken) {
-    return tl::make_unexpected(run ? *run->broken : run.error());
+                       [&](auto /*done*/, auto /*total*/) { return shouldContinue(); });
+  if (!run || run->endError) {
+    return tl::make_unexpected(run ? *run->endError : run.error());
   }
   const double seconds = clock.seconds();
   const double rate = seconds > 0.0 ? static_cast<double>(run->frames) / seconds : 0.0;
@@ -136,12 +137,12 @@ SelfTestLine outcomeOf(const SceneRun& run, const std::vector<Evaluation>& targe
                   isFast ? "" : "; slower than ordinary cameras")};
 }
 
-void addTracking(const SelfTestParts& parts, SelfTestLines& lines) {
+void addTracking(const SelfTestInputs& parts, SelfTestLines& lines) {
   if (!parts.openScene) {
     return;
   }
   const auto line = parts.openScene().and_then([&](SessionInputs inputs) {
-    return trackScene(inputs, parts.goOn).and_then([&](const SceneRun& scene) {
+    return trackScene(inputs, parts.shouldContinue).and_then([&](const SceneRun& scene) {
       return evaluate(scene.run.trajectory, inputs.truth)
           .map([&](const std::vector<Evaluation>& targets) { return outcomeOf(scene, targets); });
     });
@@ -154,12 +155,12 @@ constexpr std::array kSelfTests{&addVersions, &addMachine, &addDisk,
 
 } // namespace
 
-std::vector<SelfTestLine> runSelfTest(const SelfTestParts& parts) {
+std::vector<SelfTestLine> runSelfTest(const SelfTestInputs& parts) {
   std::error_code problem; // then the line about the disk says so
   std::filesystem::create_directories(parts.scratch, problem);
   SelfTestLines lines;
   for (const auto& test : kSelfTests) {
-    if (!parts.goOn()) {
+    if (!parts.shouldContinue()) {
       break;
     }
     test(parts, lines);

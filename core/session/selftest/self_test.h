@@ -21,7 +21,7 @@ struct SelfTestLine {
 };
 
 /// Inputs of the self-test.
-struct SelfTestParts {
+struct SelfTestInputs {
   /// Opens a simulated scene with known ground truth, of which the first kSelfTestSeconds are
   /// tracked. If empty, this test is omitted.
   std::function<Result<SessionInputs>()> openScene = {};
@@ -30,7 +30,7 @@ struct SelfTestParts {
   /// contents.
   std::filesystem::path scratch = {};
   /// Called between the tests; returning false ends the self-test.
-  std::function<bool()> goOn = [] { return true; };
+  std::function<bool()> shouldContinue = [] { return true; };
 };
 
 /// Duration of the tracked part of the scene, in seconds.
@@ -39,7 +39,7 @@ inline constexpr double kSelfTestSeconds = 5.0;
 /// Tests whether this computer is suitable for tracking: versions, processor and memory, disk,
 /// cameras, codecs, and the frame rate and error of a run on a scene with known ground truth. Takes
 /// several seconds.
-std::vector<SelfTestLine> runSelfTest(const SelfTestParts& parts);
+std::vector<SelfTestLine> runSelfTest(const SelfTestInputs& parts);
 
 /// Returns a line as text: "ok       codec FFV1: ..."
 std::string selfTestText(const SelfTestLine& line);

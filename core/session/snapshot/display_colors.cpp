@@ -63,7 +63,7 @@ DisplayColor screenColor(const Eigen::Vector3d& lab) {
 }
 
 /// Paler until the screen can show it.
-DisplayColor nearestShown(const Eigen::Vector3d& lab) {
+DisplayColor nearestDisplayable(const Eigen::Vector3d& lab) {
   double shown = 0.0;
   double tooMuch = 1.0;
   const auto at = [&](double chroma) {
@@ -92,7 +92,7 @@ LabColor labColor(const DisplayColor& color) {
   return {color, okLab(color)};
 }
 
-bool labsAreAlike(const Eigen::Vector3d& one, const Eigen::Vector3d& other) {
+bool areLabsSimilar(const Eigen::Vector3d& one, const Eigen::Vector3d& other) {
   Eigen::Vector3d difference = one - other;
   difference[0] *= 0.5;
   return difference.norm() < kAlike;
@@ -100,13 +100,13 @@ bool labsAreAlike(const Eigen::Vector3d& one, const Eigen::Vector3d& other) {
 
 } // namespace
 
-std::optional<DisplayColor> middleColor(const ColorRange& range) {
+std::optional<DisplayColor> centralColor(const ColorRange& range) {
   double width = range.hueMax - range.hueMin;
   width += width < 0.0 ? 360.0 : 0.0;
   if (range.saturationMin < kLeastSaturation || width > kWidestHue) {
     return std::nullopt;
   }
-  const Hsi middle{hueOf(range.hueMin + 0.5 * width),
+  const Hsi middle{normalizedHue(range.hueMin + 0.5 * width),
                    0.5 * (range.saturationMin + range.saturationMax),
                    0.5 * (range.intensityMin + range.intensityMax)};
   const auto [blue, green, red] = bgrFromHsi(middle);
@@ -118,30 +118,32 @@ std::optional<DisplayColor> middleColor(const ColorRange& range) {
   return found;
 }
 
-DisplayColor legibleOn(const DisplayColor& color, bool darkGround) {
+DisplayColor legibleOn(const DisplayColor& color, bool darkBackground) {
   Eigen::Vector3d lab = okLab(color);
-  const double lightness = darkGround ? std::clamp(lab[0], kDarkestOnDark, kBrightestOnDark)
-                                      : std::clamp(lab[0], kDarkestOnLight, kBrightestOnLight);
+  const double lightness = darkBackground ? std::clamp(lab[0], kDarkestOnDark, kBrightestOnDark)
+                                          : std::clamp(lab[0], kDarkestOnLight, kBrightestOnLight);
   if (lightness == lab[0]) {
     return color;
   }
   lab[0] = lightness;
-  return nearestShown(lab);
+  return nearestDisplayable(lab);
 }
 
-bool areAlike(const DisplayColor& one, const DisplayColor& other) {
-  return labsAreAlike(okLab(one), okLab(other));
+bool areSimilar(const DisplayColor& one, const DisplayColor& other) {
+  return areLabsSimilar(okLab(one), okLab(other));
 }
 
 std::vector<DisplayColor> displayColors(const std::vector<DisplayColorSource>& sources,
-                                        const std::vector<DisplayColor>& palette, bool darkGround) {
+                                        const std::vector<DisplayColor>& palette,
+                                        bool darkBackground) {
   std::vector<std::optional<LabColor>> chosen(sources.size());
   for (std::size_t k = 0; k < sources.size(); ++k) {
     if (sources[k].fixed) {
       chosen[k] = labColor(*sources[k].fixed);
     } else if (!sources[k].learned.empty()) {
-      const auto middle = middleColor(sources[k].learned[0]);
-      chosen[k] = middle ? std::optional(labColor(legibleOn(*middle, darkGround))) : std::nullopt;
+      const auto middle = centralColor(sources[k].learned[0]);
+      chosen[k] =
+          middle ? std::optional(labColor(legibleOn(*middle, darkBackground))) : std::nullopt;
     }
   }
   // All of a group that look alike give way, so that none of them depends on their order.
@@ -149,7 +151,7 @@ std::vector<DisplayColor> displayColors(const std::vector<DisplayColorSource>& s
   for (std::size_t k = 0; k < sources.size(); ++k) {
     for (std::size_t other = 0; other < sources.size() && !sources[k].fixed; ++other) {
       if (other != k && before[k] && before[other] &&
-          labsAreAlike(before[k]->lab, before[other]->lab)) {
+          areLabsSimilar(before[k]->lab, before[other]->lab)) {
         chosen[k].reset();
         break;
       }
@@ -159,7 +161,7 @@ std::vector<DisplayColor> displayColors(const std::vector<DisplayColorSource>& s
   std::ranges::transform(palette, std::back_inserter(offered), labColor);
   const auto isTaken = [&](const LabColor& color) {
     return std::ranges::any_of(
-        chosen, [&](const auto& one) { return one && labsAreAlike(one->lab, color.lab); });
+        chosen, [&](const auto& one) { return one && areLabsSimilar(one->lab, color.lab); });
   };
   std::vector<DisplayColor> colors;
   colors.reserve(chosen.size());

@@ -23,21 +23,22 @@ struct DisplayColorSource {
 
 /// Returns the central color of a learned range; nothing if that is gray or the range contains many
 /// different colors.
-std::optional<DisplayColor> middleColor(const ColorRange& range);
+std::optional<DisplayColor> centralColor(const ColorRange& range);
 
 /// Returns a color of the same hue, darkened or lightened until it is legible on a light or dark
 /// background.
-DisplayColor legibleOn(const DisplayColor& color, bool darkGround);
+DisplayColor legibleOn(const DisplayColor& color, bool darkBackground);
 
 /// Returns whether two colors are hard to distinguish. They are compared in OKLab (Ottosson 2020),
 /// with half weight for lightness.
-bool areAlike(const DisplayColor& one, const DisplayColor& other);
+bool areSimilar(const DisplayColor& one, const DisplayColor& other);
 
 /// Returns one color per target: the center of its first learned range, made legible on the
 /// background. Targets whose colors are too similar, and those without a clear color, get the color
 /// at their index in `palette` (not empty; used cyclically), or the next one that no other target
 /// has.
 std::vector<DisplayColor> displayColors(const std::vector<DisplayColorSource>& sources,
-                                        const std::vector<DisplayColor>& palette, bool darkGround);
+                                        const std::vector<DisplayColor>& palette,
+                                        bool darkBackground);
 
 } // namespace dewpoint::session

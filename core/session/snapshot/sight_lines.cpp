@@ -11,14 +11,14 @@ namespace dewpoint::session {
 namespace {
 
 /// A ray ends so many times as far away as the position on it. Chosen.
-constexpr double kBeyond = 1.25;
+constexpr double kRayEndFactor = 1.25;
 
 std::optional<Ray> rayOf(const TrackSnapshot& snapshot, const PointClick& click) {
   const Camera* camera = cameraOf(snapshot, click.camera);
   return camera != nullptr ? Unprojector(*camera).ray(click.pixel) : std::nullopt;
 }
 
-bool estimateIsIn(const Camera& camera, const Eigen::Vector3d& point) {
+bool isEstimateInImage(const Camera& camera, const Eigen::Vector3d& point) {
   const auto pixel = Projector(camera).project(point);
   return pixel && pixel->x() >= -0.5 && pixel->x() <= camera.intrinsics.width - 0.5 &&
          pixel->y() >= -0.5 && pixel->y() <= camera.intrinsics.height - 0.5;
@@ -51,7 +51,8 @@ std::vector<SightLine> sightLines(const TrackSnapshot& snapshot, const TargetSna
     const Camera& camera = (*snapshot.rig)[k];
     const CameraStatus status = statusInCamera(target, k);
     if (status == CameraStatus::NoImage || status == CameraStatus::OutOfView ||
-        !camera.cameraFromWorld.matrix().allFinite() || !estimateIsIn(camera, position->mean)) {
+        !camera.cameraFromWorld.matrix().allFinite() ||
+        !isEstimateInImage(camera, position->mean)) {
       continue;
     }
     const bool sees = status == CameraStatus::None || status == CameraStatus::PartlyHidden;
@@ -68,13 +69,13 @@ std::vector<ImageLine> clickedRay(const TrackSnapshot& snapshot, const PointClic
                                                            : std::vector<ImageLine>();
 }
 
-std::vector<Eigen::Vector3d> clickedSight(const TrackSnapshot& snapshot, const PointClick& click,
-                                          const Eigen::Vector3d& position) {
+std::vector<Eigen::Vector3d> clickedRayEnds(const TrackSnapshot& snapshot, const PointClick& click,
+                                            const Eigen::Vector3d& position) {
   const auto ray = rayOf(snapshot, click);
   if (!ray) {
     return {};
   }
-  const double length = kBeyond * (position - ray->origin).norm();
+  const double length = kRayEndFactor * (position - ray->origin).norm();
   return {ray->origin, ray->origin + length * ray->direction};
 }
 

@@ -34,8 +34,8 @@ std::vector<ImageLine> clickedRay(const TrackSnapshot& snapshot, const PointClic
 /// Returns both ends of a click's ray: the camera, and a point a quarter farther away than the
 /// position computed from the click, so that the ray visibly passes through this position. Empty if
 /// the camera does not exist.
-std::vector<Eigen::Vector3d> clickedSight(const TrackSnapshot& snapshot, const PointClick& click,
-                                          const Eigen::Vector3d& position);
+std::vector<Eigen::Vector3d> clickedRayEnds(const TrackSnapshot& snapshot, const PointClick& click,
+                                            const Eigen::Vector3d& position);
 
 /// Returns a dashed line: `count` dashes from one point to another, with gaps of the same length.
 std::vector<std::vector<Eigen::Vector3d>> dashes(const Eigen::Vector3d& from,

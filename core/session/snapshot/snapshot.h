@@ -32,13 +32,14 @@ struct TargetSnapshot {
       tail; ///< positions in the last frames, oldest first; NaN if not held
   std::optional<Eigen::Vector3d> truth;
   TargetStatus status = TargetStatus::Searching;
-  HoldState absence = HoldState::Gone; ///< state shown while the target is absent
-  BoxParticles boxParticles;           ///< particles of a BoxEstimate
+  HoldState stateWhileAbsent = HoldState::Gone; ///< state shown while the target is absent
+  BoxParticles boxParticles;                    ///< particles of a BoxEstimate
   /// Histograms of a BoxEstimate; null if there is no image.
   std::shared_ptr<const ColorHistograms> histograms;
-  /// Per camera: reason why it does not confirm the target (reasonSentence()); may be empty.
+  /// Per camera: reason why it does not confirm the target (describeReasons()); may be empty.
   std::vector<CameraReport> reasons;
-  std::vector<CandidatePosition> proposals; ///< candidate positions of this frame; may be empty
+  std::vector<CandidatePosition>
+      positionCandidates;                   ///< candidate positions of this frame; may be empty
   std::vector<LikelihoodMap> maps;          ///< per camera; empty unless requested
   std::shared_ptr<const PersonShape> shape; ///< shape of a person; null unless requested
 
@@ -65,7 +66,7 @@ struct HistoryState {
   std::int64_t last = -1; ///< newest frame that can be shown; -1: none yet
   std::int64_t head = -1; ///< newest frame that was tracked; -1: none yet
   std::size_t bytes = 0;  ///< memory used by images, particles and copies of the method
-  std::size_t mostBytes = 0;
+  std::size_t maxBytes = 0;
 };
 
 /// Range of past frames that a run is tracking again.
@@ -76,7 +77,7 @@ struct RerunState {
 
 /// How well a run meets its time budget per iteration (parameter `time_budget`), since the budget
 /// was set or the run began.
-struct BudgetFigures {
+struct BudgetStatistics {
   double milliseconds = 0.0;   ///< time budget per iteration; 0: none
   std::int64_t iterations = 0; ///< number of iterations
   std::int64_t late = 0;       ///< number of iterations that took longer
@@ -111,7 +112,7 @@ struct TrackSnapshot {
   double framesPerSecond = 0.0;          ///< achieved frame rate
   double microsecondsPerIteration = 0.0; ///< running median
   Latency latency;
-  BudgetFigures budget;
+  BudgetStatistics budget;
   std::int64_t droppedFrames = 0;
   std::uint64_t seed = 0;
   PlayState state = PlayState::Paused;

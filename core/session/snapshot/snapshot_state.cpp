@@ -2,7 +2,7 @@
 #include "core/session/snapshot/snapshot_state.h"
 
 #include "core/base/overloaded.h"
-#include "core/capture/picture.h"
+#include "core/capture/image_shape.h"
 #include "core/geometry/convex_hull.h"
 
 #include <algorithm>
@@ -54,20 +54,21 @@ HoldState holdState(TargetStatus status) {
 
 HoldState holdState(const TargetSnapshot& target) {
   const HoldState state = holdState(target.status);
-  return std::visit(Overloaded{[state](const SphereEstimate&) { return state; },
-                               [state](const BoxEstimate&) {
-                                 return state == HoldState::Searching ? HoldState::Hidden : state;
-                               },
-                               [state](const PersonEstimate&) { return state; },
-                               [&target](const AbsentEstimate&) { return target.absence; }},
-                    target.estimate);
+  return std::visit(
+      Overloaded{[state](const SphereEstimate&) { return state; },
+                 [state](const BoxEstimate&) {
+                   return state == HoldState::Searching ? HoldState::Hidden : state;
+                 },
+                 [state](const PersonEstimate&) { return state; },
+                 [&target](const AbsentEstimate&) { return target.stateWhileAbsent; }},
+      target.estimate);
 }
 
 namespace {
 
 /// Whether a camera has something to say of a target: a box is followed in the camera of the box
 /// only.
-bool concerns(const TargetSnapshot& target, int camera) {
+bool isShownIn(const TargetSnapshot& target, int camera) {
   const auto& given = target.target.box;
   return std::visit(Overloaded{[](const SphereEstimate&) { return true; },
                                [camera](const BoxEstimate& box) { return box.camera == camera; },
@@ -127,7 +128,7 @@ HoldState holdState(const TrackSnapshot& snapshot) {
 
 HoldState holdState(const TrackSnapshot& snapshot, int camera) {
   return worstState(snapshot,
-                    [camera](const TargetSnapshot& target) { return concerns(target, camera); });
+                    [camera](const TargetSnapshot& target) { return isShownIn(target, camera); });
 }
 
 const TargetSnapshot* targetToExplain(const TrackSnapshot& snapshot, int preferred) {
@@ -191,7 +192,7 @@ std::optional<Eigen::Vector2d> pixelOf(const TrackSnapshot& snapshot, int camera
   return its != nullptr ? Projector(*its).project(position) : std::nullopt;
 }
 
-std::optional<Gaussian3> beliefOf(const TrackSnapshot& snapshot, int target) {
+std::optional<Gaussian3> positionEstimate(const TrackSnapshot& snapshot, int target) {
   const auto index = static_cast<std::size_t>(target);
   if (target < 0 || index >= snapshot.targets.size()) {
     return std::nullopt;
@@ -205,7 +206,7 @@ int targetNear(const TrackSnapshot& snapshot, int count, int camera, const Eigen
   int nearest = -1;
   double least = reach;
   for (int target = 0; target < count; ++target) {
-    const auto belief = beliefOf(snapshot, target);
+    const auto belief = positionEstimate(snapshot, target);
     const auto there = belief ? pixelOf(snapshot, camera, belief->mean) : std::nullopt;
     if (const double distance = there ? (*there - pixel).norm() : 0.0; there && distance <= least) {
       least = distance;

@@ -39,7 +39,7 @@ std::optional<Eigen::Vector2d> pixelOf(const TrackSnapshot& snapshot, int camera
                                        const Eigen::Vector3d& position);
 
 /// Returns the estimate of a target's position; nothing for a frame that was not tracked.
-std::optional<Gaussian3> beliefOf(const TrackSnapshot& snapshot, int target);
+std::optional<Gaussian3> positionEstimate(const TrackSnapshot& snapshot, int target);
 
 /// Returns the index of the target, among the first `count`, whose estimate is closest to a pixel
 /// of a camera and at most `reach` pixels away; -1 if there is none.

@@ -10,7 +10,7 @@ namespace dewpoint::session {
 
 namespace {
 /// Frames that are kept: more than a line is fitted to, so that one can step back a little.
-constexpr std::size_t kMostFrames = 240;
+constexpr std::size_t kMaxFrames = 240;
 constexpr std::size_t kReach = 2; ///< frames before and after the one shown
 } // namespace
 
@@ -33,8 +33,8 @@ void TargetSpeed::add(const TrackSnapshot& snapshot, const TargetSnapshot& targe
     return;
   }
   track_.insert(place, sample);
-  if (track_.size() > kMostFrames) {
-    const bool first = shown_ < kMostFrames / 2; // the farther end goes
+  if (track_.size() > kMaxFrames) {
+    const bool first = shown_ < kMaxFrames / 2; // the farther end goes
     track_.erase(first ? track_.end() - 1 : track_.begin());
     shown_ -= first ? 0 : 1;
   }

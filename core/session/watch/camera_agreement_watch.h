@@ -27,14 +27,14 @@ public:
   /// Sets other calibrations of the same cameras and starts the assessment from scratch.
   void setCameras(const CameraRig& rig) { agreement_ = CameraAgreement(rig); }
   /// Pauses the check while a calibration board is shown to live cameras.
-  void setResting(bool resting) { resting_ = resting; }
+  void setPaused(bool paused) { paused_ = paused; }
   /// Discards all measurements.
   void restart() { agreement_.restart(); }
 
 private:
   CameraAgreement agreement_;
   const CameraMotionWatch& motion_;
-  bool resting_ = false;
+  bool paused_ = false;
 };
 
 } // namespace dewpoint::session

@@ -12,11 +12,11 @@ namespace dewpoint::session {
 namespace {
 
 // Tuned; where no source is named here or in the docs, the origin is not recorded.
-constexpr double kPuttingDown =
-    3.0;                         // seconds from the end of a calibration until its board is gone
-constexpr double kEvery = 1.0;   // seconds
-constexpr double kSettled = 1.0; // seconds after a motion that count for nothing
-constexpr double kWindow = 2.0;  // seconds of residuals that are compared
+constexpr double kBoardRemovalSeconds =
+    3.0; // seconds from the end of a calibration until its board is gone
+constexpr double kUpdateInterval = 1.0; // seconds
+constexpr double kSettled = 1.0;        // seconds after a motion that count for nothing
+constexpr double kWindow = 2.0;         // seconds of residuals that are compared
 /// Residuals that are compared.
 constexpr std::size_t kFewest = 10;
 constexpr std::int64_t kSameMotion = 60; // frames: where a run that begins again may notice it
@@ -35,7 +35,7 @@ Result<MovedCameraPose> estimatePoseAfterMotion(const Camera& camera, const Came
   }
   CameraMotionPrior prior;
   prior.turn = turn.turn;
-  prior.turnSigma = std::max(prior.turnSigma, turn.sigma);
+  prior.rotationSigma = std::max(prior.rotationSigma, turn.sigma);
   return estimateMovedPose(camera, prior, points);
 }
 
@@ -54,7 +54,7 @@ void CameraMotionWatch::restart() {
   eventsSeen_ = 0;
   due_ = 0.0;
   lastTime_ = -1e18;
-  awakeFrom_ = -1e18;
+  resumeTime_ = -1e18;
 }
 
 void CameraMotionWatch::setCameras(const CameraRig& rig) {
@@ -72,8 +72,8 @@ void CameraMotionWatch::setCameras(const CameraRig& rig) {
   sightings_ = ReprojectionResiduals(rig);
 }
 
-void CameraMotionWatch::setResting(bool resting) {
-  if (resting_ && !resting) {
+void CameraMotionWatch::setPaused(bool paused) {
+  if (paused_ && !paused) {
     for (std::size_t k = 0; k < rig_.size(); ++k) {
       if (std::ranges::none_of(
               reports_, [&](const CameraMotionReport& one) { return one.event.camera == k; })) {
@@ -81,21 +81,21 @@ void CameraMotionWatch::setResting(bool resting) {
       }
     }
   }
-  wokenUp_ = wokenUp_ || (resting_ && !resting);
-  resting_ = resting;
+  resumed_ = resumed_ || (paused_ && !paused);
+  paused_ = paused;
 }
 
 void CameraMotionWatch::watch(const FrameSet& frames, const std::vector<Target>& targets,
                               const std::vector<SphereEstimate>& estimates) {
   const double time = seconds(frames.time);
-  if (time <= lastTime_ || resting_) {
+  if (time <= lastTime_ || paused_) {
     return; // a frame of the past that is tracked again
   }
-  if (wokenUp_) {
-    wokenUp_ = false;
-    awakeFrom_ = time + kPuttingDown;
+  if (resumed_) {
+    resumed_ = false;
+    resumeTime_ = time + kBoardRemovalSeconds;
   }
-  if (time < awakeFrom_) {
+  if (time < resumeTime_) {
     return;
   }
   lastTime_ = time;
@@ -112,7 +112,7 @@ void CameraMotionWatch::watch(const FrameSet& frames, const std::vector<Target>&
   if (time < due_) {
     return;
   }
-  due_ = time + kEvery;
+  due_ = time + kUpdateInterval;
   for (CameraMotionReport& report : reports_) {
     update(report, time);
   }
@@ -128,7 +128,7 @@ void CameraMotionWatch::update(CameraMotionReport& report, double time) {
   const CameraRotation& turn = detector_.camera(camera).turn;
   // With two cameras the estimate leans on the moved one too: the background alone is better.
   const auto& sightings =
-      rig_.size() < 3 ? std::deque<ReprojectionResidual>() : sightings_.of(camera);
+      rig_.size() < 3 ? std::deque<ReprojectionResidual>() : sightings_.sightings(camera);
   const auto solved = estimatePoseAfterMotion(rig_[camera], turn, sightings, since);
   report.newPose = solved && !report.back ? std::optional(*solved) : std::nullopt;
 }

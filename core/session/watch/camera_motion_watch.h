@@ -39,7 +39,7 @@ public:
   /// board was visible when the reference image was taken. After the board has been put down, the
   /// cameras that are not reported count as being in their calibrated poses, and their images
   /// become the reference.
-  void setResting(bool resting);
+  void setPaused(bool paused);
   const std::vector<CameraMotionReport>& reports() const { return reports_; }
   /// Returns one notice for each report: which camera moved, how far, and when.
   std::vector<Error> notices() const;
@@ -65,9 +65,9 @@ private:
   std::vector<CameraMotionReport> reports_;
   double due_ = 0.0; ///< seconds; time for work that is not done in every frame
   double lastTime_ = -1e18;
-  bool resting_ = false;
-  bool wokenUp_ = false;     ///< resting has ended and no frame has arrived since
-  double awakeFrom_ = -1e18; ///< seconds
+  bool paused_ = false;
+  bool resumed_ = false;      ///< the pause has ended and no frame has arrived since
+  double resumeTime_ = -1e18; ///< seconds
 };
 
 /// Returns the pose of a camera that moved in an event at `since` (seconds), from its present

@@ -19,7 +19,7 @@ constexpr std::int64_t kSeekFrom = 12;  // frames to pass over: fewer are read f
 
 /// One instant: the board in the images of all cameras, which are shared among threads.
 void detectAll(const BoardDetector& detector, DetectionEffort effort, const FrameSet& frames,
-               ThreadTeam& team, SeenBoards& seen) {
+               ThreadTeam& team, BoardDetections& seen) {
   std::vector<std::optional<BoardDetection>> found(seen.cameras.size());
   const auto count = static_cast<std::int64_t>(seen.cameras.size());
   team.forEachRange(count, [&](std::int64_t begin, std::int64_t end) {
@@ -65,7 +65,7 @@ Error named(Error error, const std::string& camera) {
   return error;
 }
 
-Result<IntrinsicsResult> lensOf(const SeenBoards::PerCamera& camera,
+Result<IntrinsicsResult> lensOf(const BoardDetections::PerCamera& camera,
                                 const BoardCalibrationRequest& request,
                                 const CalibrationProgress& progress) {
   if (camera.views.empty()) {
@@ -85,7 +85,7 @@ Result<IntrinsicsResult> lensOf(const SeenBoards::PerCamera& camera,
 
 /// The cameras that poses are found of: those that saw the board, if that are two; else all, so
 /// that the error names them.
-std::vector<std::size_t> camerasWithViews(const SeenBoards& seen) {
+std::vector<std::size_t> camerasWithViews(const BoardDetections& seen) {
   std::vector<std::size_t> with;
   std::vector<std::size_t> all;
   for (std::size_t k = 0; k < seen.cameras.size(); ++k) {
@@ -98,8 +98,8 @@ std::vector<std::size_t> camerasWithViews(const SeenBoards& seen) {
 }
 
 /// Cameras that took no part get their places in the result, as they were.
-void withTheOthers(const Project& project, const std::vector<std::size_t>& taking,
-                   ExtrinsicsResult& result) {
+void addUnusedCameras(const Project& project, const std::vector<std::size_t>& taking,
+                      ExtrinsicsResult& result) {
   if (taking.size() == project.cameras.size()) {
     return;
   }
@@ -121,7 +121,7 @@ void withTheOthers(const Project& project, const std::vector<std::size_t>& takin
   for (CameraColumn& column : result.covariance.columns) {
     column.camera = taking[column.camera];
   }
-  for (NamedFault& fault : result.faults) {
+  for (DetectedFault& fault : result.faults) {
     for (std::size_t& camera : fault.cameras) {
       camera = taking[camera];
     }
@@ -132,15 +132,15 @@ void withTheOthers(const Project& project, const std::vector<std::size_t>& takin
 
 } // namespace
 
-Result<SeenBoards> findBoards(const Project& project, FrameSetSource& source,
-                              const BoardCalibrationRequest& request,
-                              const CalibrationProgress& progress) {
+Result<BoardDetections> findBoards(const Project& project, FrameSetSource& source,
+                                   const BoardCalibrationRequest& request,
+                                   const CalibrationProgress& progress) {
   const auto total = source.frameCount();
   if (!total) {
     return failure(ErrorCode::BadValue, project.file.string(), "camera",
                    "the cameras are live, but a recording is needed");
   }
-  SeenBoards seen;
+  BoardDetections seen;
   for (const ProjectCamera& camera : project.cameras) {
     seen.cameras.push_back({camera.camera.name, 0, 0, 0, {}});
   }
@@ -149,12 +149,12 @@ Result<SeenBoards> findBoards(const Project& project, FrameSetSource& source,
   }
   const BoardDetector detector(request.board);
   const auto effort = *total <= kFewFrames ? DetectionEffort::Exact : DetectionEffort::Live;
-  ThreadTeam team(threadsForTasks(seen.cameras.size()));
+  ThreadTeam team(threadCountForTasks(seen.cameras.size()));
   const auto frames = framesToSearch(*total, request);
   std::int64_t next = -1;
   for (std::size_t k = 0; k < frames.size(); ++k) {
-    if (!goesOn(progress, CalibrationStage::BoardDetection,
-                static_cast<double>(k) / static_cast<double>(frames.size()))) {
+    if (!reportProgress(progress, CalibrationStage::BoardDetection,
+                        static_cast<double>(k) / static_cast<double>(frames.size()))) {
       return canceled();
     }
     if (next < 0 || frames[k] - next > kSeekFrom) {
@@ -178,16 +178,17 @@ Result<SeenBoards> findBoards(const Project& project, FrameSetSource& source,
   return seen;
 }
 
-Result<SeenBoards> findBoards(const std::vector<std::filesystem::path>& pictures,
-                              const BoardDescription& board, DetectionEffort effort,
-                              const CalibrationProgress& progress) {
-  SeenBoards seen;
+Result<BoardDetections> findBoards(const std::vector<std::filesystem::path>& pictures,
+                                   const BoardDescription& board, DetectionEffort effort,
+                                   const CalibrationProgress& progress) {
+  BoardDetections seen;
   auto& camera = seen.cameras.emplace_back();
   camera.name = "camera";
   const BoardDetector detector(board);
   for (const auto& file : pictures) {
-    if (!goesOn(progress, CalibrationStage::BoardDetection,
-                static_cast<double>(camera.searched) / static_cast<double>(pictures.size()))) {
+    if (!reportProgress(progress, CalibrationStage::BoardDetection,
+                        static_cast<double>(camera.searched) /
+                            static_cast<double>(pictures.size()))) {
       return canceled();
     }
     if (!std::filesystem::exists(file)) {
@@ -214,7 +215,7 @@ Result<SeenBoards> findBoards(const std::vector<std::filesystem::path>& pictures
   return seen;
 }
 
-Result<LensesFromBoards> intrinsicsFromBoards(const SeenBoards& seen,
+Result<LensesFromBoards> intrinsicsFromBoards(const BoardDetections& seen,
                                               const BoardCalibrationRequest& request,
                                               const CalibrationProgress& progress) {
   LensesFromBoards lenses;
@@ -240,7 +241,7 @@ Result<LensesFromBoards> intrinsicsFromBoards(const SeenBoards& seen,
   return lenses;
 }
 
-Result<ExtrinsicsResult> extrinsicsFromBoards(const Project& project, const SeenBoards& seen,
+Result<ExtrinsicsResult> extrinsicsFromBoards(const Project& project, const BoardDetections& seen,
                                               const BoardCalibrationRequest& request,
                                               const CalibrationProgress& progress) {
   const auto taking = camerasWithViews(seen);
@@ -269,7 +270,7 @@ Result<ExtrinsicsResult> extrinsicsFromBoards(const Project& project, const Seen
   if (!result && result.error().code == ErrorCode::Canceled) {
     return result;
   }
-  if (!goesOn(progress, CalibrationStage::Assessment, 0.0)) {
+  if (!reportProgress(progress, CalibrationStage::Assessment, 0.0)) {
     return canceled();
   }
   for (std::size_t i = 0; i < taking.size(); ++i) {
@@ -282,12 +283,12 @@ Result<ExtrinsicsResult> extrinsicsFromBoards(const Project& project, const Seen
   }
   if (result) {
     result->faults = report.faults;
-    withTheOthers(project, taking, *result);
+    addUnusedCameras(project, taking, *result);
   }
   return result;
 }
 
-BoardReport reportOf(const SeenBoards& seen, const BoardCalibrationRequest& request,
+BoardReport reportOf(const BoardDetections& seen, const BoardCalibrationRequest& request,
                      const LensesFromBoards& lenses) {
   BoardReport report;
   report.board = request.board;
@@ -299,12 +300,12 @@ BoardReport reportOf(const SeenBoards& seen, const BoardCalibrationRequest& requ
   report.title = fmt::format("Lenses of {} camera{} from a board", report.cameras.size(),
                              report.cameras.size() == 1 ? "" : "s");
   for (const Error& kept : lenses.kept) {
-    report.notices.push_back(keptSentence(kept));
+    report.notices.push_back(keptIntrinsicsText(kept));
   }
   return report;
 }
 
-std::string keptSentence(const Error& kept) {
+std::string keptIntrinsicsText(const Error& kept) {
   return fmt::format("{} keeps its intrinsics: {}", kept.field, kept.detail);
 }
 

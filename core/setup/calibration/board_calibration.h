@@ -31,7 +31,7 @@ struct BoardCalibrationRequest {
 };
 
 /// Board detections in the recording of several cameras, or in a set of images of one camera.
-struct SeenBoards {
+struct BoardDetections {
   struct PerCamera {
     std::string name;
     int width = 0;
@@ -45,15 +45,15 @@ struct SeenBoards {
 
 /// Searches a recording for the board, in evenly spaced frames that are the same for all cameras.
 /// Returns BadValue if the cameras are live, Canceled, or the errors of the source.
-Result<SeenBoards> findBoards(const Project& project, FrameSetSource& source,
-                              const BoardCalibrationRequest& request,
-                              const CalibrationProgress& progress = {});
+Result<BoardDetections> findBoards(const Project& project, FrameSetSource& source,
+                                   const BoardCalibrationRequest& request,
+                                   const CalibrationProgress& progress = {});
 
 /// Searches image files from one camera for the board. Each view is named after its file. Returns
 /// FileUnreadable, Mismatch if the image sizes differ, or Canceled.
-Result<SeenBoards> findBoards(const std::vector<std::filesystem::path>& pictures,
-                              const BoardDescription& board, DetectionEffort effort,
-                              const CalibrationProgress& progress = {});
+Result<BoardDetections> findBoards(const std::vector<std::filesystem::path>& pictures,
+                                   const BoardDescription& board, DetectionEffort effort,
+                                   const CalibrationProgress& progress = {});
 
 /// Estimated intrinsics, and the reasons why those of other cameras were not estimated.
 struct LensesFromBoards {
@@ -65,7 +65,7 @@ struct LensesFromBoards {
 /// Estimates the intrinsics of each camera in `seen` from views chosen by chooseViews(). A camera
 /// that did not see the board well keeps its intrinsics. If this applies to all cameras, returns
 /// the error, which names the camera. Returns Canceled if `progress` canceled the work.
-Result<LensesFromBoards> intrinsicsFromBoards(const SeenBoards& seen,
+Result<LensesFromBoards> intrinsicsFromBoards(const BoardDetections& seen,
                                               const BoardCalibrationRequest& request,
                                               const CalibrationProgress& progress = {});
 
@@ -74,15 +74,15 @@ Result<LensesFromBoards> intrinsicsFromBoards(const SeenBoards& seen,
 /// notices, if at least two others saw it. If the first camera is one of them, the first that saw
 /// the board keeps its pose instead. Faults that explain the detections better are named in the
 /// result, or in the error.
-Result<ExtrinsicsResult> extrinsicsFromBoards(const Project& project, const SeenBoards& seen,
+Result<ExtrinsicsResult> extrinsicsFromBoards(const Project& project, const BoardDetections& seen,
                                               const BoardCalibrationRequest& request,
                                               const CalibrationProgress& progress = {});
 
 /// Returns a sentence like "camera 2 keeps its intrinsics: it never saw the board in 60 images".
-std::string keptSentence(const Error& kept);
+std::string keptIntrinsicsText(const Error& kept);
 
 /// Returns the report on intrinsics.
-BoardReport reportOf(const SeenBoards& seen, const BoardCalibrationRequest& request,
+BoardReport reportOf(const BoardDetections& seen, const BoardCalibrationRequest& request,
                      const LensesFromBoards& lenses);
 
 } // namespace dewpoint::setup

@@ -29,10 +29,10 @@ BoardGuideState::Outline outlineOf(const BoardDetection& detection) {
 
 } // namespace
 
-BoardCalibrationRequest requestForTaken(const BoardGuideRequest& request,
-                                        const BoardGuideState& state) {
+BoardCalibrationRequest requestForCaptured(const BoardGuideRequest& request,
+                                           const BoardGuideState& state) {
   BoardCalibrationRequest all = request.board;
-  all.views = std::max(all.views, request.lenses.mostViews);
+  all.views = std::max(all.views, request.lenses.maxViews);
   all.worldFrame = state.floorFrame;
   return all;
 }
@@ -46,9 +46,9 @@ BoardGuide::BoardGuide(Project project, const BoardGuideRequest& request, int th
     seen_.cameras.push_back({camera.camera.name, 0, 0, 0, {}});
     state_.cameras.emplace_back().name = camera.camera.name;
   }
-  tried_.resize(project_.cameras.size());
+  viewsAtCalibration_.resize(project_.cameras.size());
   lenses_.resize(project_.cameras.size());
-  state_.seen = std::make_shared<const SeenBoards>(seen_);
+  state_.seen = std::make_shared<const BoardDetections>(seen_);
 }
 
 BoardGuide::Detections BoardGuide::detectIn(const FrameSet& frames) {
@@ -106,46 +106,46 @@ BoardGuideState BoardGuide::step(const FrameSet& frames) {
 void BoardGuide::stepLenses(double time, const Detections& found) {
   for (std::size_t k = 0; k < lenses_.size(); ++k) {
     if (lenses_[k]) {
-      keepLens(k, lenses_[k]->step(time, found[k]));
+      storeLensState(k, lenses_[k]->step(time, found[k]));
     }
   }
   if (std::ranges::all_of(state_.cameras, [](const auto& camera) {
         return camera.lens.advice == GuidanceAdvice::Finished;
       })) {
-    goOn();
+    skipToPoses();
   }
 }
 
-void BoardGuide::keepLens(std::size_t camera, const GuidanceState& state) {
+void BoardGuide::storeLensState(std::size_t camera, const GuidanceState& state) {
   state_.cameras[camera].lens = state;
   if (state.captured) {
-    keepView(camera);
-    learnLens(camera);
+    storeView(camera);
+    calibrateLens(camera);
   }
 }
 
 /// The detection that was just taken. Views have the numbers of their frames, so that those of one
 /// moment belong together.
-void BoardGuide::keepView(std::size_t camera) {
+void BoardGuide::storeView(std::size_t camera) {
   auto& of = state_.cameras[camera];
   if (!of.seen) {
     return;
   }
   seen_.cameras[camera].views.push_back(
       {fmt::format("frame {}", state_.frame), state_.frame, *of.seen});
-  if (of.taken.size() < request_.outlinesKept) {
+  if (of.taken.size() < request_.maxOutlines) {
     of.taken.push_back(of.outline);
   }
-  state_.seen = std::make_shared<const SeenBoards>(seen_);
+  state_.seen = std::make_shared<const BoardDetections>(seen_);
 }
 
-void BoardGuide::learnLens(std::size_t camera) {
+void BoardGuide::calibrateLens(std::size_t camera) {
   BoardGuidance& guidance = *lenses_[camera];
   const std::size_t count = guidance.views().size();
-  if (!guidance.wantsCalibration() || count == tried_[camera]) {
+  if (!guidance.isCalibrationDue() || count == viewsAtCalibration_[camera]) {
     return;
   }
-  tried_[camera] = count;
+  viewsAtCalibration_[camera] = count;
   IntrinsicsRequest lensRequest;
   lensRequest.board = request_.board.board;
   lensRequest.views = guidance.views();
@@ -177,7 +177,7 @@ void BoardGuide::beginRig() {
   }
 }
 
-BoardGuideState BoardGuide::goOn() {
+BoardGuideState BoardGuide::skipToPoses() {
   if (state_.phase == BoardGuideState::Phase::Lenses) {
     if (request_.goal.poses) {
       beginRig();
@@ -189,20 +189,20 @@ BoardGuideState BoardGuide::goOn() {
 }
 
 void BoardGuide::stepRig(double time, const Detections& found) {
-  keepRig(rigGuidance_->step(time, found));
+  storeRigState(rigGuidance_->step(time, found));
 }
 
-void BoardGuide::keepRig(const RigGuidance::State& state) {
+void BoardGuide::storeRigState(const RigGuidance::State& state) {
   state_.rig = state;
   if (state.captured) {
     for (std::size_t k = 0; k < state_.cameras.size(); ++k) {
       if (state_.cameras[k].seen) {
-        keepView(k);
+        storeView(k);
         ++state_.cameras[k].pairViews;
       }
     }
   }
-  if (state.finished && state.instants < request_.mostInstants) {
+  if (state.finished && state.instants < request_.maxInstants) {
     calibrateRig();
   } else if (state.finished) {
     state_.phase = BoardGuideState::Phase::Finished;
@@ -220,12 +220,12 @@ void BoardGuide::calibrateRig() {
   bool enough = result.has_value();
   for (std::size_t k = 0; result && k < result->fits.size(); ++k) {
     state_.cameras[k].positionSigma = result->fits[k].centerSigma;
-    enough = enough && result->fits[k].centerSigma <= request_.requestedPosition;
+    enough = enough && result->fits[k].centerSigma <= request_.requiredPositionSigma;
   }
   if (enough) {
     state_.phase = BoardGuideState::Phase::Finished;
   } else {
-    rigGuidance_->wantMore(kMoreInstants);
+    rigGuidance_->requireMore(kMoreInstants);
     state_.rig = rigGuidance_->state();
   }
 }
@@ -241,11 +241,11 @@ BoardGuideState BoardGuide::captureFloor() {
 
 BoardGuideState BoardGuide::captureNow() {
   if (state_.phase == BoardGuideState::Phase::Poses && rigGuidance_) {
-    keepRig(rigGuidance_->captureNow());
+    storeRigState(rigGuidance_->captureNow());
   } else if (state_.phase == BoardGuideState::Phase::Lenses) {
     for (std::size_t k = 0; k < lenses_.size(); ++k) {
       if (lenses_[k] && state_.cameras[k].seen) {
-        keepLens(k, lenses_[k]->captureNow());
+        storeLensState(k, lenses_[k]->captureNow());
       }
     }
   }

@@ -23,10 +23,10 @@ struct BoardGuideRequest {
   BoardGoal goal;
   GuidanceSettings lenses;   ///< settings for intrinsics, including the accuracy that is sufficient
   RigGuidance::Settings rig; ///< how often pairs of cameras must see the board together
-  double requestedPosition = 0.002; ///< meters: required CameraFit::centerSigma of each camera
+  double requiredPositionSigma = 0.002; ///< meters: required CameraFit::centerSigma of each camera
   /// Number of instants after which the calibration ends regardless of accuracy.
-  int mostInstants = 60;
-  std::size_t outlinesKept = 100; ///< number of outlines kept per camera
+  int maxInstants = 60;
+  std::size_t maxOutlines = 100; ///< number of outlines kept per camera
 };
 
 /// State of the guidance. Immutable once published.
@@ -57,15 +57,15 @@ struct BoardGuideState {
   RigGuidance::State rig;
   std::optional<std::int64_t> floorFrame; ///< frame in which the board lies on the floor
   /// Views captured so far, for calibrateFromBoards().
-  std::shared_ptr<const SeenBoards> seen;
+  std::shared_ptr<const BoardDetections> seen;
 };
 using BoardGuideStatePtr = std::shared_ptr<const BoardGuideState>;
 
 /// Returns the options with which calibrateFromBoards() processes the captured views of live
 /// cameras: intrinsics are estimated from all views, and the captured floor defines the world
 /// frame.
-BoardCalibrationRequest requestForTaken(const BoardGuideRequest& request,
-                                        const BoardGuideState& state);
+BoardCalibrationRequest requestForCaptured(const BoardGuideRequest& request,
+                                           const BoardGuideState& state);
 
 /// Guides the user through the calibration of live cameras with a board. It searches for the board
 /// in the images, tells the user what to show next, captures the board while it is held still,
@@ -84,7 +84,7 @@ public:
   /// least one detection.
   BoardGuideState captureFloor();
   /// Keeps the present accuracy of the intrinsics and continues with the poses.
-  BoardGuideState goOn();
+  BoardGuideState skipToPoses();
   const BoardGuideState& state() const { return state_; }
 
 private:
@@ -93,11 +93,11 @@ private:
   void begin(const FrameSet& frames);
   void stepLenses(double time, const Detections& found);
   void stepRig(double time, const Detections& found);
-  void learnLens(std::size_t camera);
+  void calibrateLens(std::size_t camera);
   void calibrateRig();
-  void keepLens(std::size_t camera, const GuidanceState& state);
-  void keepRig(const RigGuidance::State& state);
-  void keepView(std::size_t camera);
+  void storeLensState(std::size_t camera, const GuidanceState& state);
+  void storeRigState(const RigGuidance::State& state);
+  void storeView(std::size_t camera);
   void beginRig();
 
   Project project_; ///< project with the intrinsics estimated so far
@@ -105,10 +105,10 @@ private:
   BoardDetector detector_;
   ThreadTeam team_;
   BoardGuideState state_;
-  SeenBoards seen_;
+  BoardDetections seen_;
   std::vector<std::optional<BoardGuidance>> lenses_; ///< empty before a camera's first image
   /// Number of views of each camera at the last calibration of its intrinsics.
-  std::vector<std::size_t> tried_;
+  std::vector<std::size_t> viewsAtCalibration_;
   std::optional<RigGuidance> rigGuidance_;
 };
 

@@ -8,14 +8,14 @@ namespace {
 
 BoardReport extrinsicsReport(const BoardCalibrationRequest& request, const BoardOutcome& outcome) {
   BoardReport report = reportOf(request.board, *outcome.extrinsics);
-  report.accuracy = outcome.accuracySentence;
-  for (const NamedFault& fault : outcome.extrinsics->faults) {
+  report.accuracy = outcome.accuracySummary;
+  for (const DetectedFault& fault : outcome.extrinsics->faults) {
     report.accuracy += " " + fault.sentence;
   }
   return report;
 }
 
-std::string page(const SeenBoards& seen, const BoardCalibrationRequest& request,
+std::string page(const BoardDetections& seen, const BoardCalibrationRequest& request,
                  const BoardOutcome& outcome) {
   std::vector<BoardReport> reports;
   if (outcome.extrinsics) {
@@ -27,19 +27,19 @@ std::string page(const SeenBoards& seen, const BoardCalibrationRequest& request,
   return htmlText(reports);
 }
 
-Status addExtrinsics(const SeenBoards& seen, const BoardCalibrationRequest& request,
+Status addExtrinsics(const BoardDetections& seen, const BoardCalibrationRequest& request,
                      BoardOutcome& outcome, const CalibrationProgress& progress) {
   auto extrinsics = extrinsicsFromBoards(outcome.project, seen, request, progress);
   if (!extrinsics) {
     return tl::make_unexpected(extrinsics.error());
   }
-  if (!goesOn(progress, CalibrationStage::Assessment, 0.5)) {
+  if (!reportProgress(progress, CalibrationStage::Assessment, 0.5)) {
     return canceled();
   }
   const auto accuracy = assessBoard(*extrinsics, request.board, request.worldFrame);
   outcome.accuracy = accuracy ? std::optional(*accuracy) : std::nullopt;
-  outcome.accuracySentence =
-      accuracy ? accuracySentence(*accuracy) : "none; " + sentence(accuracy.error());
+  outcome.accuracySummary =
+      accuracy ? accuracySummary(*accuracy) : "none; " + sentence(accuracy.error());
   outcome.project = withCameras(std::move(outcome.project), extrinsics->cameras);
   outcome.extrinsics = std::move(*extrinsics);
   return {};
@@ -47,7 +47,7 @@ Status addExtrinsics(const SeenBoards& seen, const BoardCalibrationRequest& requ
 
 } // namespace
 
-Result<BoardOutcome> calibrateFromBoards(const Project& project, const SeenBoards& seen,
+Result<BoardOutcome> calibrateFromBoards(const Project& project, const BoardDetections& seen,
                                          const BoardCalibrationRequest& request,
                                          const BoardGoal& goal,
                                          const CalibrationProgress& progress) {
@@ -78,7 +78,7 @@ Result<BoardOutcome> calibrateFromBoards(const Project& project, FrameSetSource&
                                          const BoardCalibrationRequest& request,
                                          const BoardGoal& goal,
                                          const CalibrationProgress& progress) {
-  return findBoards(project, source, request, progress).and_then([&](const SeenBoards& seen) {
+  return findBoards(project, source, request, progress).and_then([&](const BoardDetections& seen) {
     return calibrateFromBoards(project, seen, request, goal, progress);
   });
 }
@@ -99,7 +99,7 @@ std::vector<std::string> remarksOn(const BoardOutcome& outcome) {
   std::vector<std::string> remarks;
   if (outcome.lenses) {
     for (const Error& kept : outcome.lenses->kept) {
-      remarks.push_back(keptSentence(kept) + ".");
+      remarks.push_back(keptIntrinsicsText(kept) + ".");
     }
   }
   if (outcome.extrinsicsError) {
@@ -109,7 +109,7 @@ std::vector<std::string> remarksOn(const BoardOutcome& outcome) {
     for (const std::string& notice : outcome.extrinsics->notices) {
       remarks.push_back(notice + ".");
     }
-    for (const NamedFault& fault : outcome.extrinsics->faults) {
+    for (const DetectedFault& fault : outcome.extrinsics->faults) {
       remarks.push_back(fault.sentence);
     }
   }

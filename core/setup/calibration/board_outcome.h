@@ -29,7 +29,7 @@ struct BoardOutcome {
       accuracy; ///< accuracy of the camera positions; empty if it could not be assessed
   /// Sentence with the accuracy, or with the reason why there is none. Empty if no camera poses
   /// were estimated.
-  std::string accuracySentence;
+  std::string accuracySummary;
   std::string report; ///< a single HTML page
 };
 
@@ -37,7 +37,7 @@ struct BoardOutcome {
 /// and the window give bit-identical results, for recordings and live cameras. The given project is
 /// not changed. The pose of a single camera can be estimated only if the board lies on the floor in
 /// at least one view. Returns the errors of intrinsicsFromBoards() and extrinsicsFromBoards().
-Result<BoardOutcome> calibrateFromBoards(const Project& project, const SeenBoards& seen,
+Result<BoardOutcome> calibrateFromBoards(const Project& project, const BoardDetections& seen,
                                          const BoardCalibrationRequest& request,
                                          const BoardGoal& goal,
                                          const CalibrationProgress& progress = {});

@@ -33,7 +33,7 @@ CheckedCalibration checkCalibration(const std::filesystem::path& file) {
   const auto read = readCalibration(file);
   if (!read) {
     AskedQuestion asked = askedQuestion(read.error());
-    checked.asks = asked.question != ImportQuestion::None;
+    checked.needsInput = asked.question != ImportQuestion::None;
     checked.problem = std::move(asked.error);
     checked.formatTitle = recognizedTitle(file);
     return checked;

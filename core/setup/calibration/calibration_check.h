@@ -17,14 +17,14 @@ struct CheckedCalibration {
   std::vector<std::string> cameras;
   std::optional<Error> problem; ///< reason why the file cannot be used without further information
   /// True if the file lacks information, such as its unit, that importCalibration() needs.
-  bool asks = false;
+  bool needsInput = false;
 };
 
-/// Reads a calibration as makeProject() does. The format of an unusable file is still reported if
-/// it can be recognized.
+/// Reads a calibration as createNewProject() does. The format of an unusable file is still reported
+/// if it can be recognized.
 CheckedCalibration checkCalibration(const std::filesystem::path& file);
 
-/// How makeProject() matches the cameras in a file to those of the project.
+/// How createNewProject() matches the cameras in a file to those of the project.
 enum class CameraMatch { ByName, ByOrder, None };
 /// Returns how names match. `cameras`: names in the project; `inFile`: names in the file.
 CameraMatch matchCameras(const std::vector<std::string>& cameras,

@@ -56,14 +56,14 @@ Result<std::size_t> cameraOfFile(const Project& project, const ImportRequest& re
 }
 
 /// Takes one camera alone.
-MadeProject withOneCamera(Project project, std::size_t index, const Camera& camera) {
+CreatedProject withOneCamera(Project project, std::size_t index, const Camera& camera) {
   project.cameras[index].camera = camera;
-  MadeProject made;
+  CreatedProject made;
   made.project = std::move(project);
   return made;
 }
 
-Result<double> lossOfKeeping(const CameraRig& rig, const std::string& file) {
+Result<double> roundTripError(const CameraRig& rig, const std::string& file) {
   const auto ours = calibrationFormat("dewpoint");
   const auto again = (*ours)->read({file, calibrationText(rig)}, {});
   if (!again) {
@@ -140,7 +140,7 @@ Result<CalibrationImport> importCalibration(const Project& project, const Import
     const std::string& from = source != original.end() ? source->name : original[k].name;
     result.cameras.push_back({k, before.name, from, poseShift(before, rig[k])});
   }
-  const auto loss = lossOfKeeping(rig, file);
+  const auto loss = roundTripError(rig, file);
   if (!loss) {
     return tl::make_unexpected(loss.error());
   }
@@ -176,11 +176,11 @@ AskedQuestion askedQuestion(Error error) {
 }
 
 Result<CalibrationConversion> exportCalibration(const Project& project,
-                                                const CalibrationTarget& target) {
+                                                const CalibrationOutput& target) {
   return writeCalibration(rigOf(project), target);
 }
 
-Result<CalibrationConversion> previewExport(const Project& project, CalibrationTarget target) {
+Result<CalibrationConversion> previewExport(const Project& project, CalibrationOutput target) {
   const ScratchFolder folder;
   const std::filesystem::path wanted = target.path;
   target.path = folder.path() / (wanted.filename().empty() ? "preview" : wanted.filename());

@@ -62,10 +62,10 @@ AskedQuestion askedQuestion(Error error);
 
 /// Writes the project's cameras in the format of any supported tool.
 Result<CalibrationConversion> exportCalibration(const Project& project,
-                                                const CalibrationTarget& target);
+                                                const CalibrationOutput& target);
 
 /// Returns what exportCalibration() would write and lose, without creating a file; `written` is
 /// empty.
-Result<CalibrationConversion> previewExport(const Project& project, CalibrationTarget target);
+Result<CalibrationConversion> previewExport(const Project& project, CalibrationOutput target);
 
 } // namespace dewpoint::setup

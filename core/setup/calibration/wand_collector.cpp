@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/setup/calibration/wand_collector.h"
 
-#include "core/base/thread_precedence.h"
+#include "core/base/thread_priority.h"
 
 #include <algorithm>
 
@@ -16,8 +16,8 @@ constexpr double kEnoughImage = 0.5;
 
 } // namespace
 
-bool sawEnough(const CameraSightings& camera) {
-  return camera.count >= kEnoughSightings && camera.coverage.imagePart() >= kEnoughImage;
+bool hasEnoughDetections(const CameraSightings& camera) {
+  return camera.count >= kEnoughSightings && camera.coverage.coveredFraction() >= kEnoughImage;
 }
 
 WandCollector::WandCollector(std::size_t cameraCount, const std::vector<ColorClassifier>& balls)
@@ -29,7 +29,7 @@ WandCollector::~WandCollector() = default;
 void WandCollector::offer(const FrameSetPtr& frames) {
   {
     const std::lock_guard lock(queueMutex_);
-    if (queue_.size() >= kWaiting) {
+    if (queue_.size() >= kMaxWaiting) {
       ++dropped_;
       return;
     }
@@ -40,7 +40,7 @@ void WandCollector::offer(const FrameSetPtr& frames) {
 }
 
 void WandCollector::run(const std::stop_token& stop) {
-  setPrecedence(Precedence::Patient);
+  setThreadPriority(ThreadPriority::Patient);
   while (!stop.stop_requested()) {
     FrameSetPtr frames;
     {

@@ -20,15 +20,15 @@ struct CameraSightings {
 
 /// Returns whether a camera saw the target often enough and in a sufficient part of its image. With
 /// fewer detections, a calibration may succeed, but with low accuracy.
-bool sawEnough(const CameraSightings& camera);
+bool hasEnoughDetections(const CameraSightings& camera);
 
 /// Searches for the balls of a wand in frame sets from live cameras, in a separate thread. offer()
-/// only waits for a lock. A frame set that arrives while `kWaiting` others are waiting is dropped
-/// and counted as dropped.
+/// only waits for a lock. A frame set that arrives while `kMaxWaiting` others are waiting is
+/// dropped and counted as dropped.
 class WandCollector {
 public:
   /// Largest number of waiting frame sets.
-  static constexpr std::size_t kWaiting = 32;
+  static constexpr std::size_t kMaxWaiting = 32;
 
   WandCollector(std::size_t cameraCount, const std::vector<ColorClassifier>& balls);
   /// Drops waiting sets and waits for the one in progress; do not call from a window's thread.

@@ -19,25 +19,25 @@ Result<WandRefinement> assessed(const Project& project, const WandOptions& optio
 
 } // namespace
 
-bool saysTooLittle(const WandRefinement& refinement) {
+bool isInaccurate(const WandRefinement& refinement) {
   return refinement.accuracy &&
          refinement.accuracy->cameras95 > refinement.options.initialPositionError;
 }
 
 bool isDoubtful(const WandRefinement& refinement) {
-  return !refinement.result.faults.empty() || saysTooLittle(refinement);
+  return !refinement.result.faults.empty() || isInaccurate(refinement);
 }
 
 Result<WandRefinement> refineFromRecording(const Project& project, FrameSetSource& source,
                                            const WandOptions& options,
-                                           const WandWorkCallback& callback) {
+                                           const WandCalibrationCallback& callback) {
   return assessed(project, options, calibrateFromRecording(project, source, options, callback));
 }
 
 Result<WandRefinement> refineFromViews(const Project& project,
                                        const std::vector<std::vector<MarkerObservation>>& views,
                                        const WandOptions& options,
-                                       const WandWorkCallback& callback) {
+                                       const WandCalibrationCallback& callback) {
   return assessed(project, options, calibrateFromViews(project, views, options, callback));
 }
 
@@ -56,7 +56,7 @@ std::string htmlText(const WandRefinement& refinement) {
   report.before = refinement.before;
   report.result = refinement.result;
   report.accuracy = refinement.accuracy
-                        ? accuracySentence(*refinement.accuracy)
+                        ? accuracySummary(*refinement.accuracy)
                         : "Accuracy unknown: " + sentence(refinement.accuracy.error());
   report.coverage = coverageOf(refinement.result);
   report.offsetsFound = refinement.options.findOffsets;

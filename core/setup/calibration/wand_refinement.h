@@ -21,22 +21,22 @@ struct WandRefinement {
 
 /// Returns whether the assessed accuracy is worse than the possible error of the cameras before the
 /// calibration, so that the former calibration should be kept.
-bool saysTooLittle(const WandRefinement& refinement);
+bool isInaccurate(const WandRefinement& refinement);
 
 /// Returns whether the user should decide before the result is stored in the project: a known fault
-/// explains the views better, or saysTooLittle() is true.
+/// explains the views better, or isInaccurate() is true.
 bool isDoubtful(const WandRefinement& refinement);
 
 /// Runs calibrateFromRecording() and assesses its accuracy. Returns the errors of the calibration.
 Result<WandRefinement> refineFromRecording(const Project& project, FrameSetSource& source,
                                            const WandOptions& options,
-                                           const WandWorkCallback& callback = nullptr);
+                                           const WandCalibrationCallback& callback = nullptr);
 
 /// Runs calibrateFromViews() on the views of a WandCollector and assesses its accuracy.
 Result<WandRefinement> refineFromViews(const Project& project,
                                        const std::vector<std::vector<MarkerObservation>>& views,
                                        const WandOptions& options,
-                                       const WandWorkCallback& callback = nullptr);
+                                       const WandCalibrationCallback& callback = nullptr);
 
 /// Returns, for each camera, the image regions of the balls used in the result.
 std::vector<BoardCoverage> coverageOf(const WandResult& result);

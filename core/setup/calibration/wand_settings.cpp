@@ -6,19 +6,19 @@
 namespace dewpoint::setup {
 namespace {
 
-std::optional<double> instantOf(const std::vector<TouchedInstant>& instants, TouchRole role) {
-  const auto found = std::ranges::find(instants, role, &TouchedInstant::role);
+std::optional<double> instantOf(const std::vector<MarkedInstant>& instants, WandEvent role) {
+  const auto found = std::ranges::find(instants, role, &MarkedInstant::role);
   return found != instants.end() ? std::optional(found->seconds) : std::nullopt;
 }
 
 } // namespace
 
-void addInstant(std::vector<TouchedInstant>& instants, const TouchedInstant& taken) {
-  std::erase_if(instants, [&](const TouchedInstant& instant) {
-    return instant == taken || (taken.role != TouchRole::Floor && instant.role == taken.role);
+void addInstant(std::vector<MarkedInstant>& instants, const MarkedInstant& taken) {
+  std::erase_if(instants, [&](const MarkedInstant& instant) {
+    return instant == taken || (taken.role != WandEvent::Floor && instant.role == taken.role);
   });
   instants.push_back(taken);
-  std::ranges::stable_sort(instants, {}, &TouchedInstant::seconds);
+  std::ranges::stable_sort(instants, {}, &MarkedInstant::seconds);
 }
 
 std::vector<std::string> selectedTargets(const WandSettings& settings, const Project& project) {
@@ -37,9 +37,9 @@ std::vector<std::string> selectedTargets(const WandSettings& settings, const Pro
   return balls;
 }
 
-WandObstacle obstacleOf(const WandSettings& settings, const std::vector<TouchedInstant>& instants,
+WandObstacle obstacleOf(const WandSettings& settings, const std::vector<MarkedInstant>& instants,
                         const Project& project) {
-  const auto taken = [&](TouchRole role) { return instantOf(instants, role).has_value(); };
+  const auto taken = [&](WandEvent role) { return instantOf(instants, role).has_value(); };
   const auto balls = selectedTargets(settings, project);
   if (project.cameras.size() < 2) {
     return WandObstacle::TooFewCameras;
@@ -53,41 +53,41 @@ WandObstacle obstacleOf(const WandSettings& settings, const std::vector<TouchedI
   if (settings.stick && balls[0] == balls[1]) {
     return WandObstacle::SameBallTwice;
   }
-  if (!settings.stick && settings.size == WandSize::Distance &&
-      !(taken(TouchRole::DistanceFrom) && taken(TouchRole::DistanceTo))) {
-    return WandObstacle::DistanceNotTaken;
+  if (!settings.stick && settings.size == WandScaleSource::Distance &&
+      !(taken(WandEvent::DistanceFrom) && taken(WandEvent::DistanceTo))) {
+    return WandObstacle::IncompleteDistance;
   }
-  return taken(TouchRole::FallBegins) != taken(TouchRole::FallEnds) ? WandObstacle::HalfAFall
+  return taken(WandEvent::FallBegins) != taken(WandEvent::FallEnds) ? WandObstacle::IncompleteFall
                                                                     : WandObstacle::None;
 }
 
-WandOptions toOptions(const WandSettings& settings, const std::vector<TouchedInstant>& instants,
-                      const Project& project, const std::optional<FrameStretch>& selected) {
+WandOptions toOptions(const WandSettings& settings, const std::vector<MarkedInstant>& instants,
+                      const Project& project, const std::optional<FrameSpan>& selected) {
   WandOptions options;
   options.targets = selectedTargets(settings, project);
   options.stickLength = settings.stick ? settings.length : 0.0;
-  options.fromDiameter = !settings.stick && settings.size == WandSize::Diameter;
-  if (!settings.stick && settings.size == WandSize::Distance) {
-    options.distance = TouchedDistance{instantOf(instants, TouchRole::DistanceFrom).value_or(0.0),
-                                       instantOf(instants, TouchRole::DistanceTo).value_or(0.0),
+  options.fromDiameter = !settings.stick && settings.size == WandScaleSource::Diameter;
+  if (!settings.stick && settings.size == WandScaleSource::Distance) {
+    options.distance = TouchedDistance{instantOf(instants, WandEvent::DistanceFrom).value_or(0.0),
+                                       instantOf(instants, WandEvent::DistanceTo).value_or(0.0),
                                        settings.distance};
   }
-  for (const TouchedInstant& instant : instants) {
-    if (instant.role == TouchRole::Floor) {
+  for (const MarkedInstant& instant : instants) {
+    if (instant.role == WandEvent::Floor) {
       options.floorTimes.push_back(instant.seconds);
     }
   }
-  const auto begin = instantOf(instants, TouchRole::FallBegins);
-  const auto end = instantOf(instants, TouchRole::FallEnds);
+  const auto begin = instantOf(instants, WandEvent::FallBegins);
+  const auto end = instantOf(instants, WandEvent::FallEnds);
   if (begin && end) {
-    options.drop = std::array<double, 2>{*begin, *end};
+    options.fallSpan = std::array<double, 2>{*begin, *end};
   }
   options.findOffsets = settings.findOffsets;
   options.findFocal = settings.findFocal;
   options.findDistortion = settings.findDistortion;
   options.initialPositionError = settings.initialPositionError;
-  options.initialTurnError = settings.initialTurnError;
-  if (settings.onlySpan && selected) {
+  options.initialRotationError = settings.initialRotationError;
+  if (settings.onlySelectedFrames && selected) {
     options.firstFrame = selected->first;
     options.endFrame = selected->last + 1;
   }

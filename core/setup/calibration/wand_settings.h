@@ -11,7 +11,7 @@
 namespace dewpoint::setup {
 
 /// Source of the scale of a wand calibration.
-enum class WandSize { Cameras, Diameter, Distance };
+enum class WandScaleSource { Cameras, Diameter, Distance };
 
 /// The user's choices for a wand calibration, as entered. They may not be valid yet.
 struct WandSettings {
@@ -19,35 +19,35 @@ struct WandSettings {
   std::string ball;    ///< names of targets; empty: the first ones
   std::string other;   ///< target at the other end of the stick
   double length = 0.5; ///< distance between the centers of the balls on the stick, meters
-  WandSize size = WandSize::Cameras; ///< source of the scale, with one ball
-  double distance = 1.0;             ///< distance between the two positions touched, meters
+  WandScaleSource size = WandScaleSource::Cameras; ///< source of the scale, with one ball
+  double distance = 1.0; ///< distance between the two positions touched, meters
   bool findOffsets = false;
   bool findFocal = false;
   bool findDistortion = false;
-  bool onlySpan = false; ///< search only the selected frames
+  bool onlySelectedFrames = false; ///< search only the selected frames
   double initialPositionError = WandOptions().initialPositionError; ///< meters
-  double initialTurnError = WandOptions().initialTurnError;         ///< radians
+  double initialRotationError = WandOptions().initialRotationError; ///< radians
 
   bool operator==(const WandSettings&) const = default;
 };
 
 /// Event of the ball at a marked instant.
-enum class TouchRole { Floor, DistanceFrom, DistanceTo, FallBegins, FallEnds };
-constexpr int kTouchRoles = 5;
+enum class WandEvent { Floor, DistanceFrom, DistanceTo, FallBegins, FallEnds };
+constexpr int kWandEventCount = 5;
 
 /// An instant marked by the user, and the event of the ball: `seconds` is its time in the
 /// recording.
-struct TouchedInstant {
+struct MarkedInstant {
   std::int64_t frame = 0;
   double seconds = 0.0;
-  TouchRole role = TouchRole::Floor;
+  WandEvent role = WandEvent::Floor;
 
-  bool operator==(const TouchedInstant&) const = default;
+  bool operator==(const MarkedInstant&) const = default;
 };
 
 /// Adds an instant, in ascending order of time. The floor may be touched several times; each other
 /// event occurs once, and a new instant replaces the earlier one.
-void addInstant(std::vector<TouchedInstant>& instants, const TouchedInstant& taken);
+void addInstant(std::vector<MarkedInstant>& instants, const MarkedInstant& taken);
 
 /// Returns the names of the balls: those in the settings, or the project's first targets. A stick
 /// has two, if the project has enough targets.
@@ -56,26 +56,26 @@ std::vector<std::string> selectedTargets(const WandSettings& settings, const Pro
 /// Reason why a calibration with these settings is not possible.
 enum class WandObstacle {
   None,
-  TooFewCameras,    ///< a single camera cannot determine the scale
-  NoBall,           ///< the project has no target
-  NoSecondBall,     ///< a stick needs two targets, but there is only one
-  SameBallTwice,    ///< both ends of the stick are the same target
-  DistanceNotTaken, ///< the scale is to come from a distance, but not both ends were touched
-  HalfAFall         ///< only one end of a fall is marked
+  TooFewCameras,      ///< a single camera cannot determine the scale
+  NoBall,             ///< the project has no target
+  NoSecondBall,       ///< a stick needs two targets, but there is only one
+  SameBallTwice,      ///< both ends of the stick are the same target
+  IncompleteDistance, ///< the scale is to come from a distance, but not both ends were touched
+  IncompleteFall      ///< only one end of a fall is marked
 };
 /// Returns the first obstacle, in the order of the enumeration.
-WandObstacle obstacleOf(const WandSettings& settings, const std::vector<TouchedInstant>& instants,
+WandObstacle obstacleOf(const WandSettings& settings, const std::vector<MarkedInstant>& instants,
                         const Project& project);
 
 /// Frames from the first to the last, both included.
-struct FrameStretch {
+struct FrameSpan {
   std::int64_t first = 0;
   std::int64_t last = 0;
 };
 
 /// Returns the options for settings without an obstacle. `selected` are the frames for
-/// WandSettings::onlySpan.
-WandOptions toOptions(const WandSettings& settings, const std::vector<TouchedInstant>& instants,
-                      const Project& project, const std::optional<FrameStretch>& selected = {});
+/// WandSettings::onlySelectedFrames.
+WandOptions toOptions(const WandSettings& settings, const std::vector<MarkedInstant>& instants,
+                      const Project& project, const std::optional<FrameSpan>& selected = {});
 
 } // namespace dewpoint::setup

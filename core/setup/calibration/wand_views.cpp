@@ -39,7 +39,7 @@ Result<std::vector<const Target*>> ballsOf(const Project& project, const WandOpt
 
 Result<std::vector<std::vector<MarkerObservation>>>
 searchThrough(const Project& project, FrameSetSource& source, const WandOptions& options,
-              const WandWorkCallback& callback) {
+              const WandCalibrationCallback& callback) {
   const auto colors = wandColors(project, options);
   if (!colors) {
     return tl::make_unexpected(colors.error());
@@ -114,12 +114,12 @@ Result<WandProblem> wandProblem(const Project& project, const WandOptions& optio
                                             : WandScale::InitialRig;
   problem.distance = options.distance.value_or(TouchedDistance{});
   problem.floorTimes = options.floorTimes;
-  problem.drop = options.drop;
+  problem.fallSpan = options.fallSpan;
   problem.findOffsets = options.findOffsets;
   problem.findFocal = options.findFocal;
   problem.findDistortion = options.findDistortion;
   problem.initialPositionError = options.initialPositionError;
-  problem.initialTurnError = options.initialTurnError;
+  problem.initialRotationError = options.initialRotationError;
   return problem;
 }
 
@@ -138,7 +138,7 @@ Result<std::vector<ColorClassifier>> wandColors(const Project& project,
 Result<WandResult> calibrateFromViews(const Project& project,
                                       const std::vector<std::vector<MarkerObservation>>& views,
                                       const WandOptions& options,
-                                      const WandWorkCallback& callback) {
+                                      const WandCalibrationCallback& callback) {
   auto problem = wandProblem(project, options);
   if (!problem) {
     return tl::make_unexpected(problem.error());
@@ -165,7 +165,7 @@ Result<WandResult> calibrateFromViews(const Project& project,
 
 Result<WandResult> calibrateFromRecording(const Project& project, FrameSetSource& source,
                                           const WandOptions& options,
-                                          const WandWorkCallback& callback) {
+                                          const WandCalibrationCallback& callback) {
   const auto views = searchThrough(project, source, options, callback);
   return views ? calibrateFromViews(project, *views, options, callback)
                : Result<WandResult>(tl::make_unexpected(views.error()));

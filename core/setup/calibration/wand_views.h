@@ -48,9 +48,9 @@ struct WandOptions {
   bool fromDiameter = false; ///< scale from the ball's radius in the project
   std::optional<TouchedDistance> distance;
   std::vector<double> floorTimes; ///< seconds
-  std::optional<std::array<double, 2>> drop;
+  std::optional<std::array<double, 2>> fallSpan;
   double initialPositionError = 0.12; ///< possible error of the project's camera positions, meters
-  double initialTurnError = 0.06;     ///< possible error of the camera orientations, radians
+  double initialRotationError = 0.06; ///< possible error of the camera orientations, radians
 };
 
 /// Returns the problem defined by the options for a project: its cameras as the initial rig, radii
@@ -61,14 +61,14 @@ Result<WandProblem> wandProblem(const Project& project, const WandOptions& optio
 Result<std::vector<ColorClassifier>> wandColors(const Project& project, const WandOptions& options);
 
 /// Progress of a calibration. The callback returns false to stop it.
-struct WandWork {
-  bool looking = true; ///< true: searching the images; false: solving
+struct WandCalibrationProgress {
+  bool isSearching = true; ///< true: searching the images; false: solving
   std::int64_t done = 0;
   std::int64_t total = 0; ///< 0 if unknown
   double rms = 0.0;       ///< reprojection error in pixels, while solving
 };
 /// Receives the progress; returning false stops the calibration.
-using WandWorkCallback = std::function<bool(const WandWork&)>;
+using WandCalibrationCallback = std::function<bool(const WandCalibrationProgress&)>;
 
 /// Calibrates from collected views, live or from a recording. The command line and the window give
 /// bit-identical results. The given project is not changed. Faults that explain the views better
@@ -76,11 +76,11 @@ using WandWorkCallback = std::function<bool(const WandWork&)>;
 Result<WandResult> calibrateFromViews(const Project& project,
                                       const std::vector<std::vector<MarkerObservation>>& views,
                                       const WandOptions& options,
-                                      const WandWorkCallback& callback = nullptr);
+                                      const WandCalibrationCallback& callback = nullptr);
 
 /// Searches a recording for the project's balls and calibrates from them.
 Result<WandResult> calibrateFromRecording(const Project& project, FrameSetSource& source,
                                           const WandOptions& options,
-                                          const WandWorkCallback& callback = nullptr);
+                                          const WandCalibrationCallback& callback = nullptr);
 
 } // namespace dewpoint::setup

@@ -92,7 +92,7 @@ Result<WorldStepResult> withWorldStep(const Project& project, WorldStep step,
   }
   return changeOf(step, rig, *positions, meters).map([&](const FloorChange& found) {
     return WorldStepResult{withMovedWorld(project, found.change),
-                           vectorOfRotation(found.change.rotation).norm(), found.change.scale,
+                           vectorFromRotation(found.change.rotation).norm(), found.change.scale,
                            found.rms};
   });
 }

@@ -50,7 +50,7 @@ Eigen::Matrix3d alongOf(const Ray& ray) {
   return ray.direction * ray.direction.transpose();
 }
 
-Result<Gaussian3> meetingOf(const std::vector<ClickRay>& clicks) {
+Result<Gaussian3> rayIntersection(const std::vector<ClickRay>& clicks) {
   std::vector<Ray> rays;
   std::ranges::transform(clicks, std::back_inserter(rays), &ClickRay::ray);
   const auto point = nearestPoint(rays);
@@ -65,8 +65,9 @@ Result<Gaussian3> meetingOf(const std::vector<ClickRay>& clicks) {
     information += (Eigen::Matrix3d::Identity() - alongOf(click.ray)) / (sigma * sigma);
     misfit += std::pow(distanceToRay(click.ray, *point) / sigma, 2);
   }
-  const double freedoms = 2.0 * static_cast<double>(clicks.size()) - 3.0;
-  const Eigen::Matrix3d covariance = std::max(1.0, misfit / freedoms) * information.inverse();
+  const double degreesOfFreedom = 2.0 * static_cast<double>(clicks.size()) - 3.0;
+  const Eigen::Matrix3d covariance =
+      std::max(1.0, misfit / degreesOfFreedom) * information.inverse();
   return Gaussian3{*point, 0.5 * (covariance + covariance.transpose())};
 }
 
@@ -150,7 +151,7 @@ Result<Gaussian3> clickedPosition(const CameraRig& rig, const std::vector<PointC
   if (rays.empty()) {
     return failure(ErrorCode::BadValue, "", "clicks", "there is none");
   }
-  return rays.size() > 1 ? meetingOf(rays)
+  return rays.size() > 1 ? rayIntersection(rays)
                          : pointOnRay(rig, clicks.front(), rays.front(), estimate);
 }
 

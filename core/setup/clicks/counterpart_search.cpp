@@ -33,12 +33,12 @@ constexpr double kColorWeight = 2.0;
 /// Log odds of a region before anything is known of it: a few places along a ray look like objects.
 constexpr double kRegionPrior = -1.0;
 /// Log odds of a camera that should see the object and shows nothing of it.
-constexpr double kHidden = -2.0;
+constexpr double kHiddenLogOdds = -2.0;
 /// Probability from which on a region is the object, and up to which it is not.
-constexpr double kFound = 0.9;
-constexpr double kNotIt = 0.02;
+constexpr double kAcceptProbability = 0.9;
+constexpr double kRejectProbability = 0.02;
 /// Log odds of what cannot be.
-constexpr double kImpossible = -1e9;
+constexpr double kImpossibleLogOdds = -1e9;
 
 double gauss(double sigmas) {
   return -0.5 * sigmas * sigmas;
@@ -50,7 +50,8 @@ bool isCalibrated(const Camera& camera, const cv::Mat& image) {
          image.rows == camera.intrinsics.height;
 }
 
-bool holdsExcluded(const RayRegion& region, int camera, const std::vector<ColorSample>& excluded) {
+bool containsExcluded(const RayRegion& region, int camera,
+                      const std::vector<ColorSample>& excluded) {
   return std::ranges::any_of(excluded, [&](const ColorSample& sample) {
     const cv::Point at(static_cast<int>(std::lround(sample.x + 0.5 * sample.width)),
                        static_cast<int>(std::lround(sample.y + 0.5 * sample.height)));
@@ -111,7 +112,7 @@ CounterpartSearch::CounterpartSearch(const CameraRig& rig, const std::vector<cv:
       regions = regionsAlongRay(object, rig[camera], images[camera], likelihood,
                                 [this](double depth) { return isPossible(depth); });
       std::erase_if(regions, [&](const RayRegion& region) {
-        return holdsExcluded(region, static_cast<int>(camera), limits.excluded);
+        return containsExcluded(region, static_cast<int>(camera), limits.excluded);
       });
     }
   }
@@ -136,7 +137,7 @@ double CounterpartSearch::weigh(std::size_t camera, const RayRegion& region,
                                 const Eigen::Vector3d& position, double depthSigma) const {
   const auto pixel = projectors_[camera].project(position);
   if (!pixel) {
-    return kImpossible;
+    return kImpossibleLogOdds;
   }
   const double radiusPx = object_.radiusPxIn(rig_[camera], position);
   const double sigma = ClickedObject::centerSigma(rig_[camera], radiusPx);
@@ -178,7 +179,7 @@ std::optional<Hypothesis> CounterpartSearch::hypothesisOf(std::size_t camera,
         !isInView(other, position)) {
       continue;
     }
-    double best = kHidden;
+    double best = kHiddenLogOdds;
     for (std::size_t i = 0; i < regions_[other].size(); ++i) {
       const double logOdds = weigh(other, regions_[other][i], position, depthSigma);
       if (logOdds > best) {
@@ -196,7 +197,7 @@ CounterpartSearch::probabilities(std::size_t camera,
                                  const std::vector<Hypothesis>& hypotheses) const {
   const std::size_t none = regions_[camera].size();
   // Hypotheses that agree on the region of this camera are one as far as it is concerned.
-  std::vector<double> best(none + 1, kImpossible);
+  std::vector<double> best(none + 1, kImpossibleLogOdds);
   best[none] = 0.0;
   double most = 0.0;
   for (const Hypothesis& hypothesis : hypotheses) {
@@ -224,9 +225,10 @@ void CounterpartSearch::decide(std::size_t camera, const std::vector<double>& pr
     sample.camera = static_cast<int>(camera);
     sample.x = regions[i].seed.x;
     sample.y = regions[i].seed.y;
-    const auto taken = probabilities[i] >= kFound ? color::takeSample(images_[camera], sample)
-                                                  : Result<ColorSample>(sample);
-    if (probabilities[i] >= kFound && taken) {
+    const auto taken = probabilities[i] >= kAcceptProbability
+                           ? color::takeSample(images_[camera], sample)
+                           : Result<ColorSample>(sample);
+    if (probabilities[i] >= kAcceptProbability && taken) {
       std::vector<std::vector<cv::Point>> outlines;
       cv::findContours(regions[i].mask.clone(), outlines, cv::RETR_EXTERNAL,
                        cv::CHAIN_APPROX_SIMPLE);
@@ -236,7 +238,7 @@ void CounterpartSearch::decide(std::size_t camera, const std::vector<double>& pr
       counterparts.undecided[camera].release();
       return;
     }
-    if (probabilities[i] > kNotIt) {
+    if (probabilities[i] > kRejectProbability) {
       cv::Mat& mask = counterparts.undecided[camera];
       mask = mask.empty() ? regions[i].mask.clone() : cv::Mat(mask | regions[i].mask);
     }

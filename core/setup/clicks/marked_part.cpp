@@ -123,7 +123,7 @@ std::optional<Gaussian3> onRay(const MarkRay& ray, const std::vector<double>& de
                    across * across * Eigen::Matrix3d::Identity() + variance * ray.along()};
 }
 
-std::optional<Gaussian3> whereRaysMeet(const std::vector<MarkRay>& rays) {
+std::optional<Gaussian3> rayIntersection(const std::vector<MarkRay>& rays) {
   std::vector<Ray> lines;
   lines.reserve(rays.size());
   for (const MarkRay& ray : rays) {
@@ -156,8 +156,8 @@ std::optional<PartMark> boxedPart(const cv::Mat& bgr, const ColorSample& box) {
       cv::Rect({0, 0}, bgr.size());
   const cv::Mat region = color::growRegion(bgr, middle);
   const double inside = within.empty() ? 0 : cv::countNonZero(region(within));
-  if (inside < color::kLeastOfBox * within.area() ||
-      inside > kMostInBox * cv::countNonZero(region)) {
+  if (inside < color::kMinBoxFill * within.area() ||
+      inside > kMaxBoxedFraction * cv::countNonZero(region)) {
     return std::nullopt;
   }
   return markOf(bgr, region, box, middle, within, 0.5 * std::min(within.width, within.height));
@@ -168,7 +168,7 @@ std::optional<PartMark> clickedPart(const cv::Mat& bgr, const ColorSample& click
     return std::nullopt;
   }
   const cv::Mat region = color::regionOfSample(bgr, click);
-  if (std::numbers::pi * radiusPx * radiusPx > kMostClicked * cv::countNonZero(region)) {
+  if (std::numbers::pi * radiusPx * radiusPx > kMaxClickedFraction * cv::countNonZero(region)) {
     return std::nullopt;
   }
   const cv::Point at = pixelOf(click.x, click.y, bgr);
@@ -192,7 +192,7 @@ std::optional<MarkedPart> locatePart(const CameraRig& rig, const std::vector<cv:
   }
   std::optional<Gaussian3> position;
   if (rays.size() > 1) {
-    position = whereRaysMeet(rays);
+    position = rayIntersection(rays);
   } else if (rays.size() == 1) {
     std::vector<std::pair<std::size_t, cv::Mat>> regions;
     for (const ColorSample& sample : found) {

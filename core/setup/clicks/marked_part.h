@@ -24,18 +24,18 @@ struct PartMark {
 };
 
 /// Returns the marked part if a box contains only a part of the region grown from its center in the
-/// image (CV_8UC3): at most kMostInBox of its pixels. Returns nothing for a box around a whole
-/// object, and for a click.
+/// image (CV_8UC3): at most kMaxBoxedFraction of its pixels. Returns nothing for a box around a
+/// whole object, and for a click.
 std::optional<PartMark> boxedPart(const cv::Mat& bgr, const ColorSample& box);
-/// Returns the marked part if a disc of this radius covers at most kMostClicked of the clicked
-/// object; the part has the size of the disc. Returns nothing for a click on a smaller object, and
-/// for a box.
+/// Returns the marked part if a disc of this radius covers at most kMaxClickedFraction of the
+/// clicked object; the part has the size of the disc. Returns nothing for a click on a smaller
+/// object, and for a box.
 std::optional<PartMark> clickedPart(const cv::Mat& bgr, const ColorSample& click, double radiusPx);
 /// Largest fractions of the whole object's area that count as a part. The values are estimates: a
 /// user who draws a box around an object omits little of it, and given radii are wrong by a factor
 /// of up to 1.6 (compareRadius()), which is 2.6 in area.
-inline constexpr double kMostInBox = 0.8;
-inline constexpr double kMostClicked = 0.4;
+inline constexpr double kMaxBoxedFraction = 0.8;
+inline constexpr double kMaxClickedFraction = 0.4;
 
 /// Position and size of a part in the room.
 struct MarkedPart {

@@ -216,7 +216,7 @@ std::vector<RayRegion> regionsAlongRay(const ClickedObject& object, const Camera
                                        const std::function<bool(double depth)>& isPossible) {
   const std::vector<RayPoint> points = imageOfRay(object, camera, isPossible);
   const cv::Mat near = maskNear(points, camera);
-  const LogRatioImage logRatios(image, likelihood.inImage(image, near));
+  const LogRatioImage logRatios(image, likelihood.likelihoodForImage(image, near));
   std::vector<RayRegion> regions;
   std::vector<cv::Point> grown;
   for (const Spot& spot : spotsNear(points, camera, logRatios)) {

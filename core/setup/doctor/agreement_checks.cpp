@@ -16,9 +16,9 @@ namespace {
 
 /// Seconds of a recording that are watched: swapped and late cameras are named within a few seconds
 /// of motion, and decoding them takes about as long.
-constexpr double kWatched = 10.0;
+constexpr double kCheckedSeconds = 10.0;
 
-bool isAsTheSceneSays(const ProjectCamera& camera) {
+bool matchesScene(const ProjectCamera& camera) {
   return camera.source == SourceKind::Simulation && !camera.adjusted;
 }
 
@@ -41,7 +41,7 @@ void checkAgreement(Examination& examination) {
   }
   const MethodFamily family = methodFamily(project.method);
   if (project.cameras.size() < 2 || !family.needsCalibration || !family.masksColors() ||
-      std::ranges::all_of(project.cameras, isAsTheSceneSays)) {
+      std::ranges::all_of(project.cameras, matchesScene)) {
     return; // it was only to be opened
   }
   const CameraRig rig = rigOf(project);
@@ -52,15 +52,16 @@ void checkAgreement(Examination& examination) {
       examination.add(FindingKind::CannotOpen, {sentence(set.error())});
       return;
     }
-    if (!*set || seconds((*set)->time) > kWatched ||
-        !examination.options.goOn(seconds((*set)->time) / kWatched)) {
+    if (!*set || seconds((*set)->time) > kCheckedSeconds ||
+        !examination.options.shouldContinue(seconds((*set)->time) / kCheckedSeconds)) {
       break;
     }
     agreement.watch(**set, project.targets);
   }
   for (const camera_motion::CameraDisagreement& found : agreement.found()) {
     examination.add(FindingKind::CamerasDisagree,
-                    {fmt::format("{:g}", kWatched), disagreementSentence(found, rig)}, "camera");
+                    {fmt::format("{:g}", kCheckedSeconds), describeDisagreement(found, rig)},
+                    "camera");
   }
 }
 

@@ -35,7 +35,7 @@ bool checkRigAlone(Examination& examination, const CameraRig& rig) {
   if (!faults.empty()) {
     return true;
   }
-  calibration::ReadCalibration read;
+  calibration::ParsedCalibration read;
   read.rig = rig;
   if (const auto plausible = calibration::checkPlausible(read, {}, ""); !plausible) {
     examination.add(FindingKind::CalibrationImplausible, {plausible.error().detail},
@@ -49,7 +49,7 @@ void checkFloor(Examination& examination, const CameraRig& rig) {
   for (std::size_t k = 0; k < rig.size(); ++k) {
     const double height = rig[k].center().z();
     if (height < -kOnTheFloor) {
-      examination.add(FindingKind::UnderFloor,
+      examination.add(FindingKind::BelowFloor,
                       {examination.nameOf(k), fmt::format("{:.2f}", -height)},
                       cameraKey(k, "calibration.translation"));
     }
@@ -63,7 +63,7 @@ void checkViews(Examination& examination, const CameraRig& rig) {
       shares = other != k && commonVolume({rig[k], rig[other]}, 2).has_value();
     }
     if (!shares) {
-      examination.add(FindingKind::LooksAway, {examination.nameOf(k)}, cameraKey(k, "calibration"));
+      examination.add(FindingKind::FacesAway, {examination.nameOf(k)}, cameraKey(k, "calibration"));
     }
   }
 }
@@ -76,7 +76,7 @@ void checkCalibration(Examination& examination) {
   if (!methodFamily(project.method).needsCalibration || rig.empty()) {
     return; // the method takes images as they are
   }
-  if (isGuessed(project)) {
+  if (hasGuessedPose(project)) {
     examination.add(FindingKind::CalibrationGuessed, {}, "camera.calibration");
     return;
   }

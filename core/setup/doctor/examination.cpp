@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/setup/doctor/examination.h"
 
-#include "core/capture/picture.h"
+#include "core/capture/image_shape.h"
 #include "core/geometry/camera_name.h"
 
 #include <fmt/format.h>

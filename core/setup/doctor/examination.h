@@ -28,7 +28,7 @@ struct ExaminationOptions {
   std::function<Result<std::unique_ptr<FrameSetSource>>(const Project&)> open = {};
   /// Called from time to time with the progress (0 to 1); returning false ends the examination
   /// early.
-  std::function<bool(double)> goOn = [](double) { return true; };
+  std::function<bool(double)> shouldContinue = [](double) { return true; };
 };
 
 /// Data about the recording of one camera.

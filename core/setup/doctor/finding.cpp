@@ -16,163 +16,163 @@ constexpr auto kFine = FindingLevel::Ok;
 constexpr auto kNote = FindingLevel::Note;
 constexpr auto kProblem = FindingLevel::Problem;
 
-constexpr std::array kFindingWords{
-    FindingWords{ProjectRead, "project-read", kFine, "The project can be read.", ""},
-    FindingWords{ProjectUnreadable, "project-unreadable", kProblem,
+constexpr std::array kFindingTexts{
+    FindingTexts{ProjectRead, "project-read", kFine, "The project can be read.", ""},
+    FindingTexts{ProjectUnreadable, "project-unreadable", kProblem,
                  "The project cannot be read: %1.",
                  "Correct the line in a text editor, or make a new project."},
-    FindingWords{FileMissing, "file-missing", kProblem, "A file of the project is not there: %1.",
+    FindingTexts{FileMissing, "file-missing", kProblem, "A file of the project is not there: %1.",
                  "Put it back, or correct the path in the project file."},
-    FindingWords{MixedSources, "mixed-sources", kProblem,
+    FindingTexts{MixedSources, "mixed-sources", kProblem,
                  "Some cameras are live and others are recordings.",
                  "Make one project of the live cameras and another one of the recordings."},
-    FindingWords{CannotOpen, "cannot-open", kProblem, "The project cannot be opened: %1.",
+    FindingTexts{CannotOpen, "cannot-open", kProblem, "The project cannot be opened: %1.",
                  "Correct what is named, then check again."},
-    FindingWords{RecordingFine, "recording-fine", kFine, "%1 has %2 frames of %3 pixels, %4.", ""},
-    FindingWords{RecordingMissing, "recording-missing", kProblem,
+    FindingTexts{RecordingFine, "recording-fine", kFine, "%1 has %2 frames of %3 pixels, %4.", ""},
+    FindingTexts{RecordingMissing, "recording-missing", kProblem,
                  "The recording of %1 is not there: %2.",
                  "Put it back, or correct the path in the project file."},
-    FindingWords{RecordingUnreadable, "recording-unreadable", kProblem,
+    FindingTexts{RecordingUnreadable, "recording-unreadable", kProblem,
                  "The recording of %1 cannot be opened: %2.",
                  "Copy it again, or convert it with FFmpeg."},
-    FindingWords{ImagesMissing, "images-missing", kNote,
+    FindingTexts{ImagesMissing, "images-missing", kNote,
                  "%1 lacks %2 of %3 images by their numbers, the first one after %4.",
                  "Copy the folder again; without them the camera has no image in these frames."},
-    FindingWords{FrameUnreadable, "frame-unreadable", kProblem,
+    FindingTexts{FrameUnreadable, "frame-unreadable", kProblem,
                  "Frame %2 of %1 cannot be read: %3.",
                  "Copy the recording again, or use only the frames before it."},
-    FindingWords{VideoCutOff, "video-cut-off", kProblem, "The video of %1 is cut off: %2.",
+    FindingTexts{VideoCutOff, "video-cut-off", kProblem, "The video of %1 is cut off: %2.",
                  "Copy it again, or repair it with FFmpeg (ffmpeg -i IN -c copy OUT)."},
-    FindingWords{SizeDiffers, "size-differs", kProblem,
+    FindingTexts{SizeDiffers, "size-differs", kProblem,
                  "The images of %1 have %2 pixels, but its calibration is for %3.",
                  "Use the calibration of these images, or images of that size."},
-    FindingWords{SizeRotated, "size-rotated", kProblem,
+    FindingTexts{SizeRotated, "size-rotated", kProblem,
                  "The images of %1 have %2 pixels, but its calibration is for %3.",
                  "Set rotate to 90 or 270 for this camera."},
-    FindingWords{LengthsDiffer, "lengths-differ", kNote, "The recordings differ in length: %1.",
+    FindingTexts{LengthsDiffer, "lengths-differ", kNote, "The recordings differ in length: %1.",
                  "Only the first %2 frames are used; check that all begin at one time."},
-    FindingWords{DeviceThere, "device-there", kFine, "The device of %1 is connected.", ""},
-    FindingWords{DeviceMissing, "device-missing", kProblem,
+    FindingTexts{DeviceFound, "device-there", kFine, "The device of %1 is connected.", ""},
+    FindingTexts{DeviceMissing, "device-missing", kProblem,
                  "The device of %1 is not connected: %2.", "Plug it in, or choose another one."},
-    FindingWords{StreamNotTried, "stream-not-tried", kNote,
+    FindingTexts{StreamNotTested, "stream-not-tried", kNote,
                  "The stream of %1 was not tried: a check opens no network connection.",
                  "Open the project to see whether images arrive."},
-    FindingWords{BackgroundImageUnusable, "empty-room-unusable", kProblem,
+    FindingTexts{BackgroundImageUnusable, "empty-room-unusable", kProblem,
                  "The background image of %1 cannot be used: %2.",
                  "Take it again, or remove empty_room from this camera."},
-    FindingWords{SceneCameras, "scene-cameras", kFine, "%1 cameras are simulated.", ""},
-    FindingWords{RatesDiffer, "rates-differ", kProblem,
+    FindingTexts{SceneCameras, "scene-cameras", kFine, "%1 cameras are simulated.", ""},
+    FindingTexts{RatesDiffer, "rates-differ", kProblem,
                  "The recordings differ in frames per second: %1.",
                  "Convert them to one rate, or give a table of times."},
-    FindingWords{RateOverridden, "rate-overridden", kNote,
+    FindingTexts{RateOverridden, "rate-overridden", kNote,
                  "The project says %1 frames per second, but the video of %2 has %3.",
                  "Remove frames_per_second unless the video is wrong."},
-    FindingWords{RateAssumed, "rate-assumed", kNote,
+    FindingTexts{RateAssumed, "rate-assumed", kNote,
                  "Nothing states the frames per second of the images; %1 is assumed.",
                  "Set frames_per_second; speeds depend on it."},
-    FindingWords{TimesUnusable, "times-unusable", kProblem,
+    FindingTexts{TimesUnusable, "times-unusable", kProblem,
                  "The table of times of %1 cannot be used: %2.",
                  "Correct the table, or remove times from this camera."},
-    FindingWords{TimesCountDiffers, "times-count-differs", kProblem,
+    FindingTexts{TimesCountDiffers, "times-count-differs", kProblem,
                  "The table of times of %1 has %2 times, but there are %3 images.",
                  "Use the table that belongs to this recording."},
-    FindingWords{TimesIncomplete, "times-incomplete", kProblem,
+    FindingTexts{TimesIncomplete, "times-incomplete", kProblem,
                  "Other cameras have a table of times, and %1 has none.",
                  "Give all cameras one, or none."},
-    FindingWords{TimesApart, "times-apart", kProblem,
+    FindingTexts{TimesApart, "times-apart", kProblem,
                  "The cameras were never recording at one time, by their tables of times.",
                  "Check that all tables go by one clock."},
-    FindingWords{DelayTooLong, "delay-too-long", kProblem,
+    FindingTexts{DelayTooLong, "delay-too-long", kProblem,
                  "The delay of %1, %2 s, is longer than its recording, so it has no image.",
                  "Correct late_by; it is in seconds."},
-    FindingWords{DelayUnusual, "delay-unusual", kNote, "The delay of %1 is %2 s, which is unusual.",
+    FindingTexts{DelayUnusual, "delay-unusual", kNote, "The delay of %1 is %2 s, which is unusual.",
                  "Check late_by; it is in seconds."},
-    FindingWords{CalibrationFine, "calibration-fine", kFine,
+    FindingTexts{CalibrationFine, "calibration-fine", kFine,
                  "The calibration of %1 cameras is plausible; they are up to %2 m apart.", ""},
-    FindingWords{CalibrationGuessed, "calibration-guessed", kProblem,
+    FindingTexts{CalibrationGuessed, "calibration-guessed", kProblem,
                  "The cameras are not calibrated: where they are is a guess, so positions mean "
                  "nothing.",
                  "Calibrate them with a board, a wand or measured points."},
-    FindingWords{UnitWrong, "unit-wrong", kProblem,
+    FindingTexts{UnitWrong, "unit-wrong", kProblem,
                  "The cameras are %1 m apart: their positions are likely in units of %2 m.",
                  "Import the calibration again with the right unit (calibration convert --unit)."},
-    FindingWords{CalibrationImplausible, "calibration-implausible", kProblem,
+    FindingTexts{CalibrationImplausible, "calibration-implausible", kProblem,
                  "The calibration cannot be right: %1.", "Import it again, or calibrate again."},
-    FindingWords{SamePose, "same-pose", kProblem, "%1 and %2 have the same pose.",
+    FindingTexts{SamePose, "same-pose", kProblem, "%1 and %2 have the same pose.",
                  "Calibrate both again; one was likely copied."},
-    FindingWords{UnderFloor, "under-floor", kNote, "%1 is %2 m under the floor (z = 0).",
+    FindingTexts{BelowFloor, "under-floor", kNote, "%1 is %2 m under the floor (z = 0).",
                  "Check that z points up and is 0 on the floor, unless the origin is elsewhere."},
-    FindingWords{LooksAway, "looks-away", kNote, "%1 sees nothing that another camera sees.",
+    FindingTexts{FacesAway, "looks-away", kNote, "%1 sees nothing that another camera sees.",
                  "Turn it toward the target, or calibrate it again."},
-    FindingWords{CamerasDisagree, "cameras-disagree", kProblem,
+    FindingTexts{CamerasDisagree, "cameras-disagree", kProblem,
                  "In the first %1 s, the images do not fit the calibration: %2.", ""},
-    FindingWords{TargetsLacking, "targets-lacking", kProblem, "Nothing can be tracked: %1.",
+    FindingTexts{TargetsMissing, "targets-lacking", kProblem, "Nothing can be tracked: %1.",
                  "Add a target, or choose a method that finds targets by itself."},
-    FindingWords{ColorNotLearned, "color-not-learned", kProblem, "Target %1 has no color yet.",
+    FindingTexts{ColorNotLearned, "color-not-learned", kProblem, "Target %1 has no color yet.",
                  "Click on it in an image, or use learn-color."},
-    FindingWords{ColorMatchesNothing, "color-matches-nothing", kProblem,
+    FindingTexts{ColorMatchesNothing, "color-matches-nothing", kProblem,
                  "No pixel can have the color of target %1: its range is too narrow.",
                  "Learn the color again."},
-    FindingWords{ColorEverywhere, "color-everywhere", kProblem,
+    FindingTexts{ColorEverywhere, "color-everywhere", kProblem,
                  "The color of target %1 covers %2 % of the images of %3.",
                  "Learn the color again, with fewer samples of the surroundings."},
-    FindingWords{ColorNowhere, "color-nowhere", kProblem,
+    FindingTexts{ColorNowhere, "color-nowhere", kProblem,
                  "The color of target %1 is in none of the %2 images that were checked.",
                  "Learn the color again in an image of this recording."},
-    FindingWords{ColorNotInCamera, "color-not-in-camera", kNote,
+    FindingTexts{ColorNotInCamera, "color-not-in-camera", kNote,
                  "The color of target %1 is in none of the images of %2 that were checked.",
                  "Check that the camera sees the target, and its exposure and white balance."},
-    FindingWords{ColorFine, "color-fine", kFine,
+    FindingTexts{ColorFine, "color-fine", kFine,
                  "The color of target %1 covers %2 % of the images.", ""},
-    FindingWords{RadiusUnlikely, "radius-unlikely", kProblem,
+    FindingTexts{RadiusUnlikely, "radius-unlikely", kProblem,
                  "Target %1 has a radius of %2 m, which is more than a person.",
                  "Give it in meters."},
-    FindingWords{BoxMissing, "box-missing", kProblem, "Target %1 has no box to begin with.",
+    FindingTexts{BoxMissing, "box-missing", kProblem, "Target %1 has no box to begin with.",
                  "Draw one in an image."},
-    FindingWords{BoxTooLate, "box-too-late", kProblem,
+    FindingTexts{BoxTooLate, "box-too-late", kProblem,
                  "The box of target %1 is in frame %2, but there are only %3 frames.",
                  "Draw it in an earlier frame."},
-    FindingWords{CorrectionTooLate, "correction-too-late", kNote,
+    FindingTexts{CorrectionTooLate, "correction-too-late", kNote,
                  "%1 corrections are in frames that the recording does not have.",
                  "Check that this is the recording they were made in."},
-    FindingWords{MethodFits, "method-fits", kFine, "The method %1 can work with this project.", ""},
-    FindingWords{NeedsCalibration, "needs-calibration", kProblem,
+    FindingTexts{MethodFits, "method-fits", kFine, "The method %1 can work with this project.", ""},
+    FindingTexts{NeedsCalibration, "needs-calibration", kProblem,
                  "The method %1 needs calibrated cameras.",
                  "Calibrate them, or choose a method that follows boxes in images."},
-    FindingWords{NeedsMoreCameras, "needs-more-cameras", kProblem,
+    FindingTexts{NeedsMoreCameras, "needs-more-cameras", kProblem,
                  "The method %1 needs at least %2 cameras, and there are %3.",
                  "Add cameras, or choose another method."},
-    FindingWords{VolumeOutOfView, "volume-out-of-view", kProblem,
+    FindingTexts{VolumeOutOfView, "volume-out-of-view", kProblem,
                  "No %1 cameras see any part of the volume of interest together.",
                  "Move the volume, or remove it."},
-    FindingWords{TruthUnusable, "truth-unusable", kProblem,
+    FindingTexts{TruthUnusable, "truth-unusable", kProblem,
                  "The true positions cannot be read: %1.",
                  "Correct the file, or remove truth from the project."},
-    FindingWords{DiskFine, "disk-fine", kFine, "There is room for results: %1 GB are free.", ""},
-    FindingWords{DiskNearlyFull, "disk-nearly-full", kNote, "Only %1 GB are free for results.",
+    FindingTexts{DiskFine, "disk-fine", kFine, "There is room for results: %1 GB are free.", ""},
+    FindingTexts{DiskNearlyFull, "disk-nearly-full", kNote, "Only %1 GB are free for results.",
                  "Make room, or write to another disk with --out."},
-    FindingWords{DiskFull, "disk-full", kProblem, "Only %1 MB are free for results.",
+    FindingTexts{DiskFull, "disk-full", kProblem, "Only %1 MB are free for results.",
                  "Make room, or write to another disk with --out."},
-    FindingWords{FolderUnwritable, "folder-unwritable", kNote,
+    FindingTexts{FolderUnwritable, "folder-unwritable", kNote,
                  "Nothing can be written to the folder of the project.",
                  "Write results to another folder with --out."},
 };
 
 } // namespace
 
-std::span<const FindingWords> findingWords() {
-  return kFindingWords;
+std::span<const FindingTexts> findingTexts() {
+  return kFindingTexts;
 }
 
-const FindingWords& wordsOf(FindingKind kind) {
-  return *std::ranges::find(kFindingWords, kind, &FindingWords::kind);
+const FindingTexts& textsOf(FindingKind kind) {
+  return *std::ranges::find(kFindingTexts, kind, &FindingTexts::kind);
 }
 
 FindingLevel worstOf(const std::vector<Finding>& findings) {
   return worstLevel(findings, &Finding::level);
 }
 
-std::string filledIn(std::string_view words, const std::vector<std::string>& values) {
+std::string fillPlaceholders(std::string_view words, const std::vector<std::string>& values) {
   std::string text;
   for (std::size_t k = 0; k < words.size(); ++k) {
     const bool isPlace = words[k] == '%' && k + 1 < words.size() && words[k + 1] >= '1' &&
@@ -190,15 +190,15 @@ std::string filledIn(std::string_view words, const std::vector<std::string>& val
 }
 
 std::string findingLine(const Finding& finding) {
-  const FindingWords& words = wordsOf(finding.kind);
+  const FindingTexts& words = textsOf(finding.kind);
   std::string line =
-      fmt::format("{:<8} {}", levelName(words.level), filledIn(words.what, finding.values));
+      fmt::format("{:<8} {}", levelName(words.level), fillPlaceholders(words.what, finding.values));
   if (!finding.file.empty() || !finding.field.empty()) {
     const bool both = !finding.file.empty() && !finding.field.empty();
     line += fmt::format(" ({}{}{})", finding.file, both ? ": " : "", finding.field);
   }
   if (!words.advice.empty()) {
-    line += " " + filledIn(words.advice, finding.values);
+    line += " " + fillPlaceholders(words.advice, finding.values);
   }
   return line;
 }

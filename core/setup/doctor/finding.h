@@ -28,9 +28,9 @@ enum class FindingKind {
   SizeDiffers,
   SizeRotated,
   LengthsDiffer,
-  DeviceThere,
+  DeviceFound,
   DeviceMissing,
-  StreamNotTried,
+  StreamNotTested,
   BackgroundImageUnusable,
   SceneCameras,
   // Times.
@@ -49,11 +49,11 @@ enum class FindingKind {
   UnitWrong,
   CalibrationImplausible,
   SamePose,
-  UnderFloor,
-  LooksAway,
+  BelowFloor,
+  FacesAway,
   CamerasDisagree,
   // Targets.
-  TargetsLacking,
+  TargetsMissing,
   ColorNotLearned,
   ColorMatchesNothing,
   ColorEverywhere,
@@ -79,7 +79,7 @@ enum class FindingKind {
 
 /// Texts of a kind of finding: one row of the table. They are full sentences in which "%1", "%2"
 /// ... stand for values.
-struct FindingWords {
+struct FindingTexts {
   FindingKind kind;
   std::string_view name; ///< identifier for programs: "recording-missing"
   FindingLevel level;
@@ -88,9 +88,9 @@ struct FindingWords {
 };
 
 /// Returns all rows, in the order of the kinds.
-std::span<const FindingWords> findingWords();
+std::span<const FindingTexts> findingTexts();
 /// Returns the texts of a kind of finding.
-const FindingWords& wordsOf(FindingKind kind);
+const FindingTexts& textsOf(FindingKind kind);
 
 /// A finding of a check, and the file and field it refers to.
 struct Finding {
@@ -99,14 +99,14 @@ struct Finding {
   std::string file = {};                ///< empty if it concerns no file
   std::string field = {};               ///< name in the project file; may be empty
 
-  FindingLevel level() const { return wordsOf(kind).level; }
+  FindingLevel level() const { return textsOf(kind).level; }
 };
 
 /// Returns the worst level of findings; Ok if there are none.
 FindingLevel worstOf(const std::vector<Finding>& findings);
 
 /// Returns a text of the table with its values inserted, beginning with a capital letter.
-std::string filledIn(std::string_view words, const std::vector<std::string>& values);
+std::string fillPlaceholders(std::string_view words, const std::vector<std::string>& values);
 
 /// Returns one line in plain English: level, finding, file and field in brackets, recommended
 /// action.

@@ -12,8 +12,8 @@ namespace {
 constexpr double kGigabyte = 1e9;
 constexpr double kMegabyte = 1e6;
 // Bytes. An hour of one target is about 30 MB of trajectory, of people some 100 MB with volumes.
-constexpr double kLittleRoom = 1e9;
-constexpr double kNoRoom = 1e8;
+constexpr double kLowDiskBytes = 1e9;
+constexpr double kFullDiskBytes = 1e8;
 
 /// The folder itself, or the nearest one above it that is there.
 std::filesystem::path existingFolder(std::filesystem::path folder) {
@@ -42,9 +42,9 @@ void checkOutput(Examination& examination) {
     return; // the system does not say
   }
   const auto free = static_cast<double>(space.available);
-  const FindingKind kind = free < kNoRoom       ? FindingKind::DiskFull
-                           : free < kLittleRoom ? FindingKind::DiskNearlyFull
-                                                : FindingKind::DiskFine;
+  const FindingKind kind = free < kFullDiskBytes  ? FindingKind::DiskFull
+                           : free < kLowDiskBytes ? FindingKind::DiskNearlyFull
+                                                  : FindingKind::DiskFine;
   const double unit = kind == FindingKind::DiskFull ? kMegabyte : kGigabyte;
   examination.addIn(folder.string(), kind, {fmt::format("{:.1f}", free / unit)});
 }

@@ -4,7 +4,7 @@
 #include "core/capture/background_image.h"
 #include "core/capture/capture_schedule.h"
 #include "core/capture/image_reader.h"
-#include "core/capture/picture.h"
+#include "core/capture/image_shape.h"
 #include "core/capture/video_reader.h"
 #include "core/project/project_format.h"
 
@@ -38,7 +38,7 @@ std::string sizeText(int width, int height) {
 }
 
 /// The name of the file after which an image is missing.
-std::string fileBeforeGap(const PictureReader& reader,
+std::string fileBeforeGap(const FrameReader& reader,
                           const std::vector<std::int64_t>& sequenceNumbers) {
   std::int64_t number = 0;
   while (sequenceNumbers[static_cast<std::size_t>(number)] == number) {
@@ -62,7 +62,7 @@ public:
       return;
     }
     auto reader = camera_.source == SourceKind::Video ? openVideoReader(camera_.location, "")
-                                                      : openImageReader(camera_.location, "");
+                                                      : openImageFolderReader(camera_.location, "");
     if (!reader) {
       examination_.addIn(camera_.location, FindingKind::RecordingUnreadable,
                          {name_, withoutFile(reader.error())});
@@ -79,15 +79,15 @@ public:
     checkRest(**reader);
     checkGaps(**reader);
     if (!hasFault_) {
-      sayFine();
+      addFineFinding();
     }
   }
 
 private:
-  PictureShape shape() const { return {"", camera_.rotateDegrees, 0, 0, camera_.mirrored}; }
+  ImageShape shape() const { return {"", camera_.rotateDegrees, 0, 0, camera_.mirrored}; }
 
   /// Reads a frame and keeps its image. False: it could not be read, which was reported.
-  bool take(PictureReader& reader, std::int64_t frame) {
+  bool take(FrameReader& reader, std::int64_t frame) {
     auto image = readAs(reader, frame);
     if (!image) {
       return false;
@@ -99,10 +99,10 @@ private:
     return true;
   }
 
-  Result<cv::Mat> readAs(PictureReader& reader, std::int64_t frame) {
+  Result<cv::Mat> readAs(FrameReader& reader, std::int64_t frame) {
     auto picture = reader.read(frame);
     if (picture && !picture->empty()) {
-      picture = shaped(*picture, shape(), reader.fileOf(frame)).map([](const cv::Mat& image) {
+      picture = prepareImage(*picture, shape(), reader.fileOf(frame)).map([](const cv::Mat& image) {
         return image.clone();
       });
     }
@@ -118,7 +118,7 @@ private:
     return picture;
   }
 
-  void checkRest(PictureReader& reader) {
+  void checkRest(FrameReader& reader) {
     const std::int64_t last = footage_.frames - 1;
     std::set<std::int64_t> kept{last / 2, last};
     kept.erase(0);
@@ -130,16 +130,16 @@ private:
       if (!(isKept ? take(reader, frame) : readAs(reader, frame).has_value())) {
         return;
       }
-      if (examination_.options.everyFrame && !goesOn(frame)) {
+      if (examination_.options.everyFrame && !reportProgress(frame)) {
         return;
       }
     }
   }
 
-  bool goesOn(std::int64_t frame) const {
+  bool reportProgress(std::int64_t frame) const {
     const double part = static_cast<double>(frame) / static_cast<double>(footage_.frames);
     const auto cameras = static_cast<double>(examination_.footage.size());
-    return examination_.options.goOn((static_cast<double>(number_) + part) / cameras);
+    return examination_.options.shouldContinue((static_cast<double>(number_) + part) / cameras);
   }
 
   void checkSize() {
@@ -156,7 +156,7 @@ private:
         cameraKey(number_, isTurned ? "rotate" : "calibration.size"));
   }
 
-  void checkGaps(const PictureReader& reader) {
+  void checkGaps(const FrameReader& reader) {
     const std::int64_t length =
         CaptureSchedule::lengthOf({footage_.frames, 0.0, {}, footage_.sequenceNumbers});
     if (length > footage_.frames && camera_.times.empty()) {
@@ -167,7 +167,7 @@ private:
     }
   }
 
-  void sayFine() {
+  void addFineFinding() {
     examination_.add(FindingKind::RecordingFine,
                      {name_, std::to_string(footage_.frames),
                       sizeText(footage_.size.width, footage_.size.height),
@@ -190,14 +190,14 @@ void checkLive(Examination& examination, std::size_t number) {
   const std::string name = examination.nameOf(number);
   const std::string field = cameraKey(number, sourceKey(camera.source));
   if (camera.source == SourceKind::Stream) {
-    examination.add(FindingKind::StreamNotTried, {name}, field);
+    examination.add(FindingKind::StreamNotTested, {name}, field);
     return;
   }
   std::error_code problem;
   const std::string file =
       camera.location.starts_with('/') ? camera.location : "/dev/video" + camera.location;
   const bool isThere = fs::exists(file, problem);
-  examination.add(isThere ? FindingKind::DeviceThere : FindingKind::DeviceMissing,
+  examination.add(isThere ? FindingKind::DeviceFound : FindingKind::DeviceMissing,
                   isThere ? std::vector{name} : std::vector{name, file}, field);
 }
 

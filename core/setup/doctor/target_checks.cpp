@@ -14,7 +14,7 @@ namespace dewpoint::setup {
 namespace {
 
 /// Share of a camera's images above which a color is rather that of the surroundings.
-constexpr double kTooMuch = 0.5;
+constexpr double kMaxColorCover = 0.5;
 /// Pixels of a color in an image below which they are noise.
 constexpr int kFewestPixels = 5;
 /// Meters: balloons and beach balls are smaller, millimeters taken for meters larger.
@@ -77,7 +77,7 @@ void checkColorInImages(Examination& examination, std::size_t number,
     images += footage.images.size();
     const ColorCover cover = coverOf(footage, color);
     share += cover.share;
-    if (cover.share > kTooMuch) {
+    if (cover.share > kMaxColorCover) {
       examination.add(
           FindingKind::ColorEverywhere,
           {target.name, fmt::format("{:.0f}", inPercent(cover.share)), examination.nameOf(k)},
@@ -149,7 +149,7 @@ void checkTargets(Examination& examination) {
     return;
   }
   if (family.lacksTargets(project.targets)) {
-    examination.add(FindingKind::TargetsLacking, {family.lack(project.method)}, "target");
+    examination.add(FindingKind::TargetsMissing, {family.noTargetsText(project.method)}, "target");
   }
   for (std::size_t k = 0; k < project.targets.size(); ++k) {
     if (!family.masksColors()) {

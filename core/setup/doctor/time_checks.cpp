@@ -21,7 +21,7 @@ std::string rateText(double rate) {
 }
 
 bool isSameRate(double a, double b) {
-  return std::abs(a - b) <= kSameRate * b;
+  return std::abs(a - b) <= kRateTolerance * b;
 }
 
 void compareRates(Examination& examination) {
@@ -77,7 +77,7 @@ void readTables(Examination& examination) {
       continue;
     }
     auto times =
-        readCaptureTimes(camera.times, timesNames(camera.camera.name, camera.location), "");
+        readCaptureTimes(camera.times, captureTimeIds(camera.camera.name, camera.location), "");
     if (!times) {
       examination.addIn(camera.times, FindingKind::TimesUnusable,
                         {name, withoutFile(times.error())});
@@ -92,7 +92,7 @@ void readTables(Examination& examination) {
 
 /// Whether the tables say that all cameras were recording at some time.
 void compareTables(Examination& examination) {
-  std::vector<CaptureSchedule::CameraPictures> pictures;
+  std::vector<CaptureSchedule::CameraImages> pictures;
   for (std::size_t k = 0; k < examination.footage.size(); ++k) {
     const CameraFootage& footage = examination.footage[k];
     if (!footage.times) {

@@ -33,13 +33,13 @@ constexpr auto kImageEndings = std::to_array<std::string_view>(
 
 template <std::size_t Count>
 bool holds(const std::array<std::string_view, Count>& endings, const fs::path& file) {
-  const std::string ending = inLowerCase(file.extension().string());
+  const std::string ending = toLowerCase(file.extension().string());
   return ending.size() > 1 &&
          std::ranges::find(endings, std::string_view(ending).substr(1)) != endings.end();
 }
 
 /// For files whose ending says nothing.
-bool beginsAsFootage(const fs::path& file) {
+bool hasFootageSignature(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::array<char, 16> bytes{};
   stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
@@ -60,18 +60,18 @@ bool beginsAsFootage(const fs::path& file) {
 }
 
 /// One character as it is sorted: what it is first, then its letter without case and accent.
-struct Sign {
+struct SortKey {
   int kind = 0; ///< 0 end, 1 anything else, 2 digit, 3 letter
   int letter = 0;
   // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 takes the 0 of a comparison for a pointer.
-  auto operator<=>(const Sign&) const = default;
+  auto operator<=>(const SortKey&) const = default;
 };
 
 /// Base letters of U+00C0 to U+00FF; '*' is no letter.
 constexpr std::string_view kLatin =
     "aaaaaaaceeeeiiiidnooooo*ouuuuytsaaaaaaaceeeeiiiidnooooo*ouuuuyty";
 
-Sign signAt(std::string_view text, std::size_t& offset) {
+SortKey sortKeyAt(std::string_view text, std::size_t& offset) {
   if (offset >= text.size()) {
     return {};
   }
@@ -111,8 +111,8 @@ std::strong_ordering inOrder(std::string_view one, std::string_view other) {
   while (i < one.size() || j < other.size()) {
     std::size_t nextI = i;
     std::size_t nextJ = j;
-    const Sign left = signAt(one, nextI);
-    const Sign right = signAt(other, nextJ);
+    const SortKey left = sortKeyAt(one, nextI);
+    const SortKey right = sortKeyAt(other, nextJ);
     if (left.kind == 2 && right.kind == 2) {
       const auto first = numberAt(one, i);
       const auto second = numberAt(other, j);
@@ -150,23 +150,23 @@ bool holdsImages(const fs::path& folder) {
 
 } // namespace
 
-bool comesBefore(const std::string& name, const std::string& other) {
+bool displayOrderLess(const std::string& name, const std::string& other) {
   const auto order = inOrder(name, other);
   return std::is_neq(order) ? std::is_lt(order) : name < other;
 }
 
 std::vector<std::string> inNaturalOrder(std::vector<std::string> files) {
   std::ranges::stable_sort(files, [](const std::string& one, const std::string& other) {
-    return comesBefore(fs::path(one).filename().string(), fs::path(other).filename().string());
+    return displayOrderLess(fs::path(one).filename().string(), fs::path(other).filename().string());
   });
   return files;
 }
 
 bool isFootage(const fs::path& file) {
-  return holds(kVideoEndings, file) || holds(kImageEndings, file) || beginsAsFootage(file);
+  return holds(kVideoEndings, file) || holds(kImageEndings, file) || hasFootageSignature(file);
 }
 
-bool showsImages(const std::string& location) {
+bool canBeImageSource(const std::string& location) {
   std::error_code problem;
   if (fs::is_directory(location, problem)) {
     return holdsImages(location);

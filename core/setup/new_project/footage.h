@@ -14,10 +14,11 @@ namespace dewpoint::setup {
 /// characters before digits before letters. Names that compare equal are ordered by their bytes.
 /// This is for lists shown to users; frames of an image folder have their own order, see
 /// naturallyBefore().
-bool comesBefore(const std::string& name, const std::string& other);
+bool displayOrderLess(const std::string& name, const std::string& other);
 
-/// Sorts files by name (without the folder) with comesBefore(). The order in which the user chose
-/// them has no meaning, but cameras of a calibration may be matched by the order of their files.
+/// Sorts files by name (without the folder) with displayOrderLess(). The order in which the user
+/// chose them has no meaning, but cameras of a calibration may be matched by the order of their
+/// files.
 std::vector<std::string> inNaturalOrder(std::vector<std::string> files);
 
 /// Returns whether a file may be a camera's recording, a video or an image: by its suffix, or by
@@ -27,7 +28,7 @@ bool isFootage(const std::filesystem::path& file);
 /// Returns whether a file or folder may be the source of a camera: footage, a folder with at least
 /// one file named like an image, a device, or something that does not exist (an address; missing
 /// files are reported on opening).
-bool showsImages(const std::string& location);
+bool canBeImageSource(const std::string& location);
 
 /// Returns the possible cameras in a folder: videos and image folders, in natural order, without
 /// subfolders of these. Empty if the folder cannot be read.

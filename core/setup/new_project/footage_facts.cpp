@@ -2,7 +2,7 @@
 #include "core/setup/new_project/footage_facts.h"
 
 #include "core/capture/image_reader.h"
-#include "core/capture/picture.h"
+#include "core/capture/image_shape.h"
 #include "core/capture/recording.h"
 #include "core/capture/video_reader.h"
 #include "core/setup/new_project/new_project.h"
@@ -38,7 +38,7 @@ bool differ(const std::vector<FootageFacts>& recordings, auto differs) {
 } // namespace
 
 Result<std::optional<FootageFacts>> readFootageFacts(const std::string& location) {
-  const SourceKind kind = guessedSource(location);
+  const SourceKind kind = guessSourceKind(location);
   std::error_code problem;
   const bool isThere = std::filesystem::exists(location, problem);
   const bool isFolder = std::filesystem::is_directory(location, problem);
@@ -47,7 +47,7 @@ Result<std::optional<FootageFacts>> readFootageFacts(const std::string& location
       (isThere && !isFolder && !isFile)) {
     return std::nullopt;
   }
-  auto reader = isFolder ? openImageReader(location, "") : openVideoReader(location, "");
+  auto reader = isFolder ? openImageFolderReader(location, "") : openVideoReader(location, "");
   if (!reader) {
     return tl::make_unexpected(reader.error());
   }
@@ -58,7 +58,7 @@ Result<std::optional<FootageFacts>> readFootageFacts(const std::string& location
   if (picture->empty()) {
     return failure(ErrorCode::FileUnreadable, location, "", "there is no image in it");
   }
-  const auto image = shaped(*picture, PictureShape(), (*reader)->fileOf(0));
+  const auto image = prepareImage(*picture, ImageShape(), (*reader)->fileOf(0));
   if (!image) {
     return tl::make_unexpected(image.error());
   }
@@ -90,7 +90,7 @@ FootageDifferences footageDifferences(const std::vector<FootageFacts>& recording
   }
   if (!rates.empty()) {
     const auto [least, most] = std::ranges::minmax(rates);
-    found.rates = most > least * (1.0 + kSameRate);
+    found.rates = most > least * (1.0 + kRateTolerance);
   }
   return found;
 }

@@ -137,7 +137,7 @@ void takeGuess(std::vector<ProjectCamera>& cameras, std::size_t index, const cv:
 
 Status guess(std::vector<ProjectCamera>& cameras, std::size_t index) {
   ProjectCamera& camera = cameras[index];
-  cv::Size size(kGuessedWidth, kGuessedHeight);
+  cv::Size size(kAssumedImageWidth, kAssumedImageHeight);
   if (isRecording(camera.source)) {
     const auto real = sizeOf(camera);
     if (!real) {
@@ -158,7 +158,7 @@ std::string methodWithoutCalibration() {
 
 } // namespace
 
-SourceKind guessedSource(const std::string& location) {
+SourceKind guessSourceKind(const std::string& location) {
   const bool isNumber =
       !location.empty() &&
       std::ranges::all_of(location, [](unsigned char letter) { return std::isdigit(letter) != 0; });
@@ -172,8 +172,8 @@ SourceKind guessedSource(const std::string& location) {
   return std::filesystem::is_directory(location, problem) ? SourceKind::Images : SourceKind::Video;
 }
 
-Result<MadeProject> makeProject(const NewProject& wanted) {
-  MadeProject made;
+Result<CreatedProject> createNewProject(const NewProject& wanted) {
+  CreatedProject made;
   Project& project = made.project;
   if (wanted.cameras.size() == 1 && !wanted.calibration) {
     project.method = methodWithoutCalibration(); // nothing else is of use
@@ -210,7 +210,7 @@ Result<MadeProject> makeProject(const NewProject& wanted) {
   return withCalibration(std::move(project), *wanted.calibration);
 }
 
-Status guessMissing(Project& project) {
+Status guessMissingCameras(Project& project) {
   bool any = false;
   for (std::size_t i = 0; i < project.cameras.size(); ++i) {
     if (project.cameras[i].camera.intrinsics.width == 0) {
@@ -223,7 +223,7 @@ Status guessMissing(Project& project) {
   return any ? checkProject(project) : Status(); // boxes may lie beyond the images
 }
 
-bool isGuessed(const Project& project, std::size_t index) {
+bool hasGuessedPose(const Project& project, std::size_t index) {
   constexpr double kRounding = 1e-6; // of a file
   const Camera& camera = project.cameras[index].camera;
   const Camera guessed = guessedCamera(index, project.cameras.size(),
@@ -232,20 +232,20 @@ bool isGuessed(const Project& project, std::size_t index) {
          std::abs(camera.intrinsics.focalX - guessed.intrinsics.focalX) < kRounding;
 }
 
-bool isGuessed(const Project& project) {
+bool hasGuessedPose(const Project& project) {
   for (std::size_t index = 0; index < project.cameras.size(); ++index) {
-    if (isGuessed(project, index)) {
+    if (hasGuessedPose(project, index)) {
       return true;
     }
   }
   return false;
 }
 
-void guessForSize(Project& project, std::size_t camera, const cv::Size& size) {
+void guessCalibration(Project& project, std::size_t camera, const cv::Size& size) {
   takeGuess(project.cameras, camera, size);
 }
 
-std::filesystem::path proposedFile(const Project& project) {
+std::filesystem::path proposedProjectFile(const Project& project) {
   std::string name = project.name.empty() ? "project" : project.name;
   std::ranges::replace_if(
       name, [](unsigned char letter) { return letter == '/' || letter == '\\' || letter < ' '; },
@@ -258,7 +258,7 @@ std::filesystem::path proposedFile(const Project& project) {
              : std::filesystem::path(recorded->location).parent_path() / file;
 }
 
-Result<MadeProject> withCalibration(Project project, const std::filesystem::path& file) {
+Result<CreatedProject> withCalibration(Project project, const std::filesystem::path& file) {
   const auto rig = loadCalibration(file);
   if (!rig) {
     return tl::make_unexpected(rig.error());
@@ -266,9 +266,9 @@ Result<MadeProject> withCalibration(Project project, const std::filesystem::path
   return withCalibration(std::move(project), *rig, file.string());
 }
 
-Result<MadeProject> withCalibration(Project project, const CameraRig& rig,
-                                    const std::string& file) {
-  MadeProject made;
+Result<CreatedProject> withCalibration(Project project, const CameraRig& rig,
+                                       const std::string& file) {
+  CreatedProject made;
   auto ordered = matched(project.cameras, rig, file, made.matchedByOrder);
   if (!ordered) {
     return tl::make_unexpected(ordered.error());

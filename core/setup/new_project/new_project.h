@@ -15,8 +15,8 @@ namespace dewpoint::setup {
 
 /// Assumed image size in pixels of a camera that does not report it before it is opened. Origin not
 /// recorded.
-inline constexpr int kGuessedWidth = 640;
-inline constexpr int kGuessedHeight = 480;
+inline constexpr int kAssumedImageWidth = 640;
+inline constexpr int kAssumedImageHeight = 480;
 
 /// A camera named by the user for a new project.
 struct NewCamera {
@@ -34,7 +34,7 @@ struct NewProject {
 };
 
 /// A new project, and notes about it.
-struct MadeProject {
+struct CreatedProject {
   Project project; ///< has no file and no targets yet; their colors must be learned first
   /// True if the poses are guessed and the method needs them: positions in space are not meaningful
   /// yet.
@@ -48,34 +48,35 @@ struct MadeProject {
 /// guessed: 53 degrees wide, in a ring around a box of 1 m. A single camera without a file gets a
 /// method that needs no calibration. Returns FileMissing, Mismatch, BadValue and the errors of the
 /// calibration file.
-Result<MadeProject> makeProject(const NewProject& wanted);
+Result<CreatedProject> createNewProject(const NewProject& wanted);
 
 /// Returns the project with the calibration of its cameras from a file, matched as by
-/// makeProject().
-Result<MadeProject> withCalibration(Project project, const std::filesystem::path& file);
+/// createNewProject().
+Result<CreatedProject> withCalibration(Project project, const std::filesystem::path& file);
 
 /// As above, from cameras that were read from this file.
-Result<MadeProject> withCalibration(Project project, const CameraRig& rig, const std::string& file);
+Result<CreatedProject> withCalibration(Project project, const CameraRig& rig,
+                                       const std::string& file);
 
 /// Sets the image size and a guessed pose for every camera with unknown image size (without a
-/// calibration, see loadProject()). Returns the errors of makeProject().
-Status guessMissing(Project& project);
+/// calibration, see loadProject()). Returns the errors of createNewProject().
+Status guessMissingCameras(Project& project);
 
-/// Returns whether at least one camera has the pose guessed by makeProject(), so that positions in
-/// space are not meaningful.
-bool isGuessed(const Project& project);
+/// Returns whether at least one camera has the pose guessed by createNewProject(), so that
+/// positions in space are not meaningful.
+bool hasGuessedPose(const Project& project);
 /// As above, for one camera.
-bool isGuessed(const Project& project, std::size_t camera);
+bool hasGuessedPose(const Project& project, std::size_t camera);
 /// Guesses the calibration of a camera again for images of this size in pixels, which is known for
 /// live cameras only after the first image.
-void guessForSize(Project& project, std::size_t camera, const cv::Size& size);
+void guessCalibration(Project& project, std::size_t camera, const cv::Size& size);
 
 /// Returns the proposed file for a project that was not saved yet: named after the project, next to
 /// its first recording; without a folder if no camera is a recording.
-std::filesystem::path proposedFile(const Project& project);
+std::filesystem::path proposedProjectFile(const Project& project);
 
 /// Returns the kind of a source given without further information: a folder is an image folder, a
 /// number or /dev/... a device, text with "://" or "gst:" a stream, anything else a video.
-SourceKind guessedSource(const std::string& location);
+SourceKind guessSourceKind(const std::string& location);
 
 } // namespace dewpoint::setup

@@ -224,7 +224,7 @@ void paintBodies(const RoomView& view, const BodiesAt& bodiesAt, const Exposure&
     }
     const double travel = cv::norm((first.tl() + first.br() - last.tl() - last.br()) / 2);
     const int instants =
-        std::clamp(static_cast<int>(std::ceil(travel / kPixelsPerInstant)), 1, kMostInstants);
+        std::clamp(static_cast<int>(std::ceil(travel / kPixelsPerInstant)), 1, kMaxInstants);
     shares.assign(static_cast<std::size_t>(area.area()), {});
     for (int k = 0; k < instants; ++k) {
       const double at = time + half * ((2.0 * k + 1.0) / instants - 1.0);

@@ -54,7 +54,7 @@ std::vector<MovingPart> grippingHand(const Grip& grip, double ballRadius, const 
   return parts;
 }
 
-std::vector<MovingPart> openingHand(double closed, const Vector3f& color) {
+std::vector<MovingPart> partlyClosedHand(double closed, const Vector3f& color) {
   // Lengths of a finger's three bones, and how far each joint bends in a fist, in radians.
   constexpr std::array<double, 3> kBones{0.045, 0.028, 0.022};
   constexpr std::array<double, 3> kBends{1.4, 1.6, 1.0};

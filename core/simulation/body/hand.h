@@ -32,7 +32,7 @@ std::vector<MovingPart> grippingHand(const Grip& grip, double ballRadius, const 
 /// Returns a hand between open and closed. `closed` = 0 is a flat hand with straight fingers, and 1
 /// is a fist. The palm is at the origin, in the plane of X (toward the fingertips) and Y (toward
 /// the thumb). All parts are marked as target.
-std::vector<MovingPart> openingHand(double closed, const Vector3f& color);
+std::vector<MovingPart> partlyClosedHand(double closed, const Vector3f& color);
 
 /// Skin color of hands in the room, BGR in full light.
 inline const Vector3f kSkinColor = rgb(222, 168, 134);

@@ -148,7 +148,7 @@ void meet(const MovingPart& part, const OwnRay& ray, Nearest& nearest) {
 
 } // namespace
 
-float boundOf(const MovingPart& part) {
+float boundingRadius(const MovingPart& part) {
   switch (part.shape) {
   case MovingShape::Ellipsoid:
     return part.size.maxCoeff();
@@ -181,7 +181,7 @@ double volumeOf(const MovingPart& part) {
 
 bool contains(const MovingPart& part, const Vector3f& point) {
   const Vector3f way = point - part.center;
-  const float bound = boundOf(part);
+  const float bound = boundingRadius(part);
   if (way.squaredNorm() > bound * bound) {
     return false;
   }
@@ -205,11 +205,11 @@ bool contains(const MovingPart& part, const Vector3f& point) {
   return false;
 }
 
-void castPart(const MovingPart& part, const Vector3f& origin, const Vector3f& direction,
-              PartHit& hit) {
+void intersectPart(const MovingPart& part, const Vector3f& origin, const Vector3f& direction,
+                   PartHit& hit) {
   const float shift = (part.center - origin).dot(direction);
   const Vector3f nearest = origin + shift * direction - part.center;
-  const float bound = boundOf(part);
+  const float bound = boundingRadius(part);
   if (nearest.squaredNorm() > bound * bound || shift + bound < 0.0F) {
     return;
   }

@@ -36,7 +36,7 @@ struct MovingPart {
 };
 
 /// Returns the radius in meters of a sphere around a part's center that contains the part.
-float boundOf(const MovingPart& part);
+float boundingRadius(const MovingPart& part);
 
 /// Returns the volume in cubic meters.
 double volumeOf(const MovingPart& part);
@@ -53,7 +53,7 @@ struct PartHit {
 
 /// Sets the hit to `part` if the ray enters it before the current hit. `direction` is a unit
 /// vector. A ray that begins inside a part does not hit it.
-void castPart(const MovingPart& part, const Vector3f& origin, const Vector3f& direction,
-              PartHit& hit);
+void intersectPart(const MovingPart& part, const Vector3f& origin, const Vector3f& direction,
+                   PartHit& hit);
 
 } // namespace dewpoint::simulation

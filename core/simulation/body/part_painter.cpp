@@ -35,10 +35,10 @@ cv::Rect boundsOf(const RoomView& view, const MovingPart& part) {
       return low | high;
     }
   }
-  if ((part.center - view.center).norm() <= boundOf(part)) {
+  if ((part.center - view.center).norm() <= boundingRadius(part)) {
     return {0, 0, view.width, view.height}; // the camera is among its ends
   }
-  return ball(part.center, boundOf(part));
+  return ball(part.center, boundingRadius(part));
 }
 
 /// The pixels that can show each part at one of three instants of an exposure.
@@ -59,7 +59,7 @@ double travelPx(const RoomView& view, const Parts& from, const Parts& to) {
   double most = 0.0;
   for (std::size_t i = 0; i < from.size(); ++i) {
     const float turned = (to[i].axes - from[i].axes).rowwise().norm().maxCoeff();
-    const float meters = (to[i].center - from[i].center).norm() + turned * boundOf(from[i]);
+    const float meters = (to[i].center - from[i].center).norm() + turned * boundingRadius(from[i]);
     const float distance = std::max(0.01F, (from[i].center - view.center).norm());
     most = std::max(most, view.projector.intrinsics().focalX * double{meters / distance});
   }
@@ -110,7 +110,7 @@ private:
     seen.direction = view_.direction(column, row, right, down);
     seen.hit.distance = view_.distances[view_.index(column, row)];
     for (const MovingPart* part : chosen_) {
-      castPart(*part, view_.center, seen.direction, seen.hit);
+      intersectPart(*part, view_.center, seen.direction, seen.hit);
     }
     if (seen.hit.part != nullptr) {
       seen.color = seen.hit.part->colorAt(seen.hit.normal);
@@ -182,7 +182,7 @@ void paintParts(const RoomView& view, const PartsAt& partsAt, const Exposure& ex
   }
   const double travel = travelPx(view, instants[0], instants[2]);
   const int count =
-      std::clamp(static_cast<int>(std::ceil(travel / kPixelsPerInstant)), 1, kMostInstants);
+      std::clamp(static_cast<int>(std::ceil(travel / kPixelsPerInstant)), 1, kMaxInstants);
   std::vector<Contribution> contributions(static_cast<std::size_t>(area.area()));
   for (int k = 0; k < count; ++k) {
     const double at = exposure.time + half * ((2.0 * k + 1.0) / count - 1.0);

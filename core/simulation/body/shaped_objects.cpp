@@ -28,7 +28,7 @@ std::vector<MovingPart> capOnHead(const Vector3f& color) {
 }
 
 std::vector<MovingPart> glovedHand(double closed, const Vector3f& color) {
-  std::vector<MovingPart> parts = openingHand(closed, color);
+  std::vector<MovingPart> parts = partlyClosedHand(closed, color);
   parts.push_back(
       capsuleBetween({-0.06, 0.0, 0.0}, {-0.3, 0.0, 0.0}, kPlainForearmRadius, kSkinColor));
   return parts;
@@ -37,7 +37,7 @@ std::vector<MovingPart> glovedHand(double closed, const Vector3f& color) {
 std::vector<MovingPart> sleevedArm(const Vector3f& color) {
   std::vector<MovingPart> parts{
       asTarget(frustumBetween({-0.12, 0.0, 0.0}, 0.055, {0.12, 0.0, 0.0}, 0.042, color))};
-  for (MovingPart part : openingHand(0.3, kSkinColor)) {
+  for (MovingPart part : partlyClosedHand(0.3, kSkinColor)) {
     part.target = false;
     parts.push_back(moved(part, Eigen::Matrix3d::Identity(), {0.18, 0.0, 0.0}));
   }

@@ -8,12 +8,12 @@
 namespace dewpoint::simulation {
 
 /// Default radius of a ball in meters: about that of a tennis ball (33 mm).
-inline constexpr double kUsualBallRadius = 0.035;
+inline constexpr double kDefaultBallRadius = 0.035;
 /// Radius of the balls in the hall in meters. These balls are four times as far from the cameras as
 /// balls on the desk, so they have about the same size in pixels.
 inline constexpr double kHallBallRadius = 0.10;
 /// Default ball color, BGR in full light, [0, 255]: pink as in Barrera et al. (2005). Nothing else
 /// in the rooms has this color.
-inline const Eigen::Vector3d kUsualBallColor{145.0, 85.0, 245.0};
+inline const Eigen::Vector3d kDefaultBallColor{145.0, 85.0, 245.0};
 
 } // namespace dewpoint::simulation

@@ -14,28 +14,28 @@ BodyPart boxPart(const Vector3f& center, const Vector3f& halfSize, const Vector3
   part.halfSize = halfSize;
   part.color = color;
   part.shape = PartShape::Box;
-  part.ofBody = false;
+  part.belongsToBody = false;
   return part;
 }
 
 } // namespace
 
-FurniturePosition MovableFurniture::at(double time) const {
-  const auto after = std::ranges::upper_bound(way, time, {}, &FurniturePosition::time);
+FurniturePose MovableFurniture::at(double time) const {
+  const auto after = std::ranges::upper_bound(way, time, {}, &FurniturePose::time);
   if (after == way.begin()) {
     return way.front();
   }
   if (after == way.end()) {
     return way.back();
   }
-  const FurniturePosition& before = *(after - 1);
+  const FurniturePose& before = *(after - 1);
   const double part = (time - before.time) / (after->time - before.time);
   return {time, before.position + part * (after->position - before.position),
           before.yaw + part * (after->yaw - before.yaw)};
 }
 
 std::vector<BodyPart> furnitureParts(const MovableFurniture& furniture, double time) {
-  const FurniturePosition stands = furniture.at(time);
+  const FurniturePose stands = furniture.at(time);
   const Eigen::Matrix3f worldFromOwn =
       Eigen::AngleAxisf(static_cast<float>(stands.yaw), Vector3f::UnitZ()).toRotationMatrix();
   const Vector3f foot{static_cast<float>(stands.position.x()),

@@ -11,7 +11,7 @@ namespace dewpoint::simulation {
 
 /// Position of a piece of furniture at a time (seconds): world x and y (meters) and angle about the
 /// vertical (radians).
-struct FurniturePosition {
+struct FurniturePose {
   double time = 0.0;
   Eigen::Vector2d position = Eigen::Vector2d::Zero();
   double yaw = 0.0;
@@ -24,11 +24,11 @@ struct MovableFurniture {
   std::vector<BodyPart> parts;
   /// Positions in order of time, at least one. The furniture moves smoothly between them. Before
   /// the first time it stays at the first position, and after the last time at the last position.
-  std::vector<FurniturePosition> way;
+  std::vector<FurniturePose> way;
   double reach = 0.3; ///< radius of a circle on the floor that encloses it, meters
 
   /// Returns the position at a time in seconds.
-  FurniturePosition at(double time) const;
+  FurniturePose at(double time) const;
 };
 
 /// Returns the parts of a piece of furniture at a time (seconds), in the world frame. The parts are

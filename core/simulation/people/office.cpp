@@ -35,7 +35,7 @@ OfficeRenderer::OfficeRenderer(OfficeScene scene,
                                std::vector<std::shared_ptr<const simulation::RoomView>> views)
     : scene_(std::move(scene)), views_(std::move(views)) {}
 
-cv::Mat OfficeRenderer::painted(std::size_t camera, std::int64_t frame, cv::Mat* who) const {
+cv::Mat OfficeRenderer::renderLight(std::size_t camera, std::int64_t frame, cv::Mat* who) const {
   const auto& view = *views_.at(camera);
   std::vector<std::vector<simulation::BodyPart>> people;
   people.reserve(scene_.people.size() + scene_.furniture.size());
@@ -53,15 +53,15 @@ cv::Mat OfficeRenderer::painted(std::size_t camera, std::int64_t frame, cv::Mat*
 }
 
 cv::Mat OfficeRenderer::render(std::size_t camera, std::int64_t frame, cv::Mat* who) const {
-  const cv::Mat image = painted(camera, frame, who);
+  const cv::Mat image = renderLight(camera, frame, who);
   const RandomStream noise(scene_.seed, static_cast<std::uint32_t>(frame),
                            static_cast<std::uint32_t>(camera), RandomPurpose::Simulation);
-  return simulation::develop(image, scene_.noiseSigma, noise);
+  return simulation::digitize(image, scene_.noiseSigma, noise);
 }
 
-cv::Mat OfficeRenderer::visible(std::size_t camera, std::int64_t frame) const {
+cv::Mat OfficeRenderer::visiblePeople(std::size_t camera, std::int64_t frame) const {
   cv::Mat who;
-  painted(camera, frame, &who);
+  renderLight(camera, frame, &who);
   return who;
 }
 
@@ -91,13 +91,13 @@ cv::Mat OfficeRenderer::backgroundImage(std::size_t camera) const {
   return image;
 }
 
-bool OfficeRenderer::inside(std::size_t person, double time) const {
+bool OfficeRenderer::isInsideOffice(std::size_t person, double time) const {
   const auto& walker = scene_.people.at(person);
   return walker.presentAt(time) &&
-         walker.position(time).cwiseAbs().maxCoeff() < double{kOfficeHalf};
+         walker.position(time).cwiseAbs().maxCoeff() < double{kOfficeHalfSize};
 }
 
-Eigen::Vector3d OfficeRenderer::middle(std::size_t person, double time) const {
+Eigen::Vector3d OfficeRenderer::bodyCenter(std::size_t person, double time) const {
   const auto& walker = scene_.people.at(person);
   const Eigen::Vector2d position = walker.position(time);
   return {position.x(), position.y(), 0.5 * walker.top(time)};

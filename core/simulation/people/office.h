@@ -27,8 +27,8 @@ struct OfficeScene {
   std::vector<MovableFurniture> furniture; ///< in addition to the fixed furniture
   double framesPerSecond = 15.0;
   std::int64_t frameCount = 150;
-  std::uint64_t seed = 1;               ///< seed of the sensor noise
-  double noiseSigma = kUsualNoiseSigma; ///< gray levels
+  std::uint64_t seed = 1;                 ///< seed of the sensor noise
+  double noiseSigma = kDefaultNoiseSigma; ///< gray levels
 
   double timeOf(std::int64_t frame) const { return static_cast<double>(frame) / framesPerSecond; }
 };
@@ -47,7 +47,7 @@ public:
   cv::Mat render(std::size_t camera, std::int64_t frame, cv::Mat* who = nullptr) const;
   /// Returns which person is visible at each pixel, like `who` of paintPeople(), without rendering
   /// the image.
-  cv::Mat visible(std::size_t camera, std::int64_t frame) const;
+  cv::Mat visiblePeople(std::size_t camera, std::int64_t frame) const;
   /// Returns the complete silhouette of a person, even if something hides it: CV_8UC1, 255 on the
   /// body, without a load. It is all 0 while the person is absent. For the visible part, see `who`
   /// of render().
@@ -55,14 +55,14 @@ public:
   /// Returns the image of the office at time 0 without people and without noise (CV_8UC3).
   cv::Mat backgroundImage(std::size_t camera) const;
   /// Returns whether the person is present and inside the office walls.
-  bool inside(std::size_t person, double time) const;
+  bool isInsideOffice(std::size_t person, double time) const;
   /// Returns the center of the body (world, meters): above the floor position, at half the height
   /// of the top of the head.
-  Eigen::Vector3d middle(std::size_t person, double time) const;
+  Eigen::Vector3d bodyCenter(std::size_t person, double time) const;
 
 private:
   /// Returns the light at the sensor (CV_32FC3).
-  cv::Mat painted(std::size_t camera, std::int64_t frame, cv::Mat* who) const;
+  cv::Mat renderLight(std::size_t camera, std::int64_t frame, cv::Mat* who) const;
 
   OfficeScene scene_;
   std::vector<std::shared_ptr<const simulation::RoomView>> views_;

@@ -22,7 +22,7 @@ Walker walker(const char* name, double height, const simulation::Vector3f& shirt
 
 } // namespace
 
-OfficeScene officeDay() {
+OfficeScene builtInOfficeScene() {
   OfficeScene scene;
   scene.frameCount = 450;
   // Doors: (-3.5, 1.3), (3.5, -1.3), (0.05, 3.5), (0.6, -3.5); people begin and end outside.

@@ -6,11 +6,11 @@
 namespace dewpoint::simulation {
 
 /// Name of the built-in scene with people. A project can use it like the scenes with balls.
-inline constexpr const char* kOfficeScene = "office";
+inline constexpr const char* kOfficeSceneName = "office";
 
 /// Returns a scene of half a minute in the simulated office. Three people in different clothes
 /// enter through doors, two of them meet and talk, and all of them cross the room and leave. There
 /// are no people for the first 1.5 s.
-OfficeScene officeDay();
+OfficeScene builtInOfficeScene();
 
 } // namespace dewpoint::simulation

@@ -39,8 +39,8 @@ std::vector<ExposureStep> exposureSteps(const Shutter& shutter, int rows) {
   return steps;
 }
 
-void exposePeople(const RoomView& view, const PeopleAt& people, const PeopleLight& light,
-                  const Shutter& shutter, cv::Mat& image) {
+void paintPeopleThroughShutter(const RoomView& view, const PeopleAt& people,
+                               const PeopleLight& light, const Shutter& shutter, cv::Mat& image) {
   cv::Mat sum = cv::Mat::zeros(image.size(), CV_32FC3);
   for (const ExposureStep& step : exposureSteps(shutter, image.rows)) {
     cv::Mat now = image.clone();

@@ -28,7 +28,7 @@ std::vector<ExposureStep> exposureSteps(const Shutter& shutter, int rows);
 /// `light.field.time`. Each row collects light during its own exposure, so moving people appear
 /// blurred, and also slanted with a rolling shutter. `image` (CV_32FC3) shows the room at that
 /// time.
-void exposePeople(const RoomView& view, const PeopleAt& people, const PeopleLight& light,
-                  const Shutter& shutter, cv::Mat& image);
+void paintPeopleThroughShutter(const RoomView& view, const PeopleAt& people,
+                               const PeopleLight& light, const Shutter& shutter, cv::Mat& image);
 
 } // namespace dewpoint::simulation

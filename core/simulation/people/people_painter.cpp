@@ -119,7 +119,7 @@ public:
       const Vector3f color = lit(point, ray.normal(distance, direction), colorAt(part, point));
       image_.at<cv::Vec3f>(row, column) = {color.x(), color.y(), color.z()};
       if (who_ != nullptr) {
-        who_->at<std::uint8_t>(row, column) = part.ofBody ? person : 0;
+        who_->at<std::uint8_t>(row, column) = part.belongsToBody ? person : 0;
       }
     });
   }
@@ -188,7 +188,7 @@ void paintAll(const std::vector<std::vector<BodyPart>>& people, Canvas& canvas, 
 cv::Mat wholeSilhouette(const RoomView& view, const std::vector<BodyPart>& parts) {
   cv::Mat mask = cv::Mat::zeros(view.height, view.width, CV_8UC1);
   for (const BodyPart& part : parts) {
-    if (part.ofBody) {
+    if (part.belongsToBody) {
       forEachPixelOf(view, part, PartRay(part, view.center),
                      [&](int row, int column, std::size_t /*pixel*/, float /*distance*/) {
                        mask.at<std::uint8_t>(row, column) = 255;

@@ -17,7 +17,7 @@ float mixed(float from, float to, float share) {
 
 } // namespace
 
-JointAngles anglesOf(Posture posture) {
+JointAngles jointAnglesOf(Posture posture) {
   switch (posture) {
   case Posture::Sitting:
     return kSitting;
@@ -29,7 +29,7 @@ JointAngles anglesOf(Posture posture) {
   return {};
 }
 
-JointAngles anglesAt(const std::vector<PostureChange>& changes, double time) {
+JointAngles jointAnglesAt(const std::vector<PostureChange>& changes, double time) {
   JointAngles now;
   for (const PostureChange& change : changes) {
     if (time <= change.time) {
@@ -37,7 +37,7 @@ JointAngles anglesAt(const std::vector<PostureChange>& changes, double time) {
     }
     const auto part = static_cast<float>(std::min(1.0, (time - change.time) / kPostureSeconds));
     const float share = part * part * (3.0F - 2.0F * part);
-    const JointAngles next = anglesOf(change.posture);
+    const JointAngles next = jointAnglesOf(change.posture);
     now = {mixed(now.lean, next.lean, share), mixed(now.thigh, next.thigh, share),
            mixed(now.shin, next.shin, share), mixed(now.arm, next.arm, share),
            mixed(now.forearm, next.forearm, share)};

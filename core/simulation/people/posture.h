@@ -27,15 +27,15 @@ struct JointAngles {
   float arm = 0.0F;     ///< angle of both upper arms, from hanging
   float forearm = 0.0F; ///< angle of both forearms, relative to the upper arms
 
-  bool upright() const { return lean == 0.0F && thigh == 0.0F && shin == 0.0F; }
+  bool isUpright() const { return lean == 0.0F && thigh == 0.0F && shin == 0.0F; }
 };
 
 /// Returns the angles of a posture.
-JointAngles anglesOf(Posture posture);
+JointAngles jointAnglesOf(Posture posture);
 
 /// Returns the joint angles of a person at `time` (seconds). The person stands before the first of
 /// `changes`, which must be in order of time. The angles vary smoothly during a change and equal
 /// those of the new posture after it.
-JointAngles anglesAt(const std::vector<PostureChange>& changes, double time);
+JointAngles jointAnglesAt(const std::vector<PostureChange>& changes, double time);
 
 } // namespace dewpoint::simulation

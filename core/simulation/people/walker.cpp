@@ -27,7 +27,7 @@ constexpr float kShinLength = 0.44F;
 /// Height of a fitting seat: the lower side of the thighs of somebody of 1.75 m who sits.
 constexpr double kReferenceSeat = 0.41;
 
-/// See headShare(): of a height of kSmallHeight and less, a child of two or three.
+/// See headHeightFraction(): of a height of kSmallHeight and less, a child of two or three.
 constexpr double kChildHeadShare = 0.19;
 constexpr double kSmallHeight = 0.9; ///< meters
 
@@ -68,7 +68,7 @@ struct Stance {
 
 /// How much larger the head is than an adult's would be on a body of `height` meters.
 float headGrowth(double height) {
-  return static_cast<float>(headShare(height) / kAdultHeadShare);
+  return static_cast<float>(headHeightFraction(height) / kAdultHeadHeightFraction);
 }
 
 /// How much shorter everything below a head is that is `head` times as large.
@@ -93,7 +93,7 @@ struct Figure {
   }
   /// A point that moves with the trunk: of the body that stands, `up` meters above its feet.
   Vector3f onTrunk(float forward, float left, float up) const {
-    if (angles.upright()) {
+    if (angles.isUpright()) {
       return stance.at(forward, left, up);
     }
     const float c = std::cos(angles.lean);
@@ -102,7 +102,7 @@ struct Figure {
     return stance.at(c * forward + s * above, left, hips() + c * above - s * forward);
   }
   Eigen::Matrix3f trunkAxes() const {
-    if (angles.upright()) {
+    if (angles.isUpright()) {
       return stance.axes;
     }
     const float c = std::cos(angles.lean);
@@ -160,7 +160,7 @@ void addLimbs(const Figure& figure, const Walker& walker, float swing,
   const Stance& stance = figure.stance;
   const JointAngles& angles = figure.angles;
   const Clothes& wears = walker.clothes;
-  const bool holdsBox = walker.load && walker.load->kind == Load::Kind::Box;
+  const bool holdsBox = walker.load && walker.load->kind == CarriedObject::Kind::Box;
   for (const float side : {-1.0F, 1.0F}) {
     const float leg = side * swing;
     const Vector3f knee =
@@ -181,12 +181,12 @@ void addLimbs(const Figure& figure, const Walker& walker, float swing,
   }
 }
 
-void addLoad(const Figure& figure, const Load& load, std::vector<BodyPart>& parts) {
+void addLoad(const Figure& figure, const CarriedObject& load, std::vector<BodyPart>& parts) {
   constexpr float kGap = 0.01F; // meters between the box and the chest
   const Vector3f forward = figure.stance.axes.row(0);
   const Vector3f up = figure.stance.axes.row(2);
   BodyPart part;
-  if (load.kind == Load::Kind::Box) {
+  if (load.kind == CarriedObject::Kind::Box) {
     const float reach = figure.stance.scale * 0.125F + kGap + load.halfSize.x();
     part.center = figure.onTrunk(0.0F, 0.0F, 1.10F * figure.below) + reach * forward;
   } else {
@@ -196,7 +196,7 @@ void addLoad(const Figure& figure, const Load& load, std::vector<BodyPart>& part
   part.axes = figure.stance.axes;
   part.color = load.color;
   part.shape = PartShape::Box;
-  part.ofBody = false;
+  part.belongsToBody = false;
   parts.push_back(part);
 }
 
@@ -207,11 +207,11 @@ float topOf(const BodyPart& part) {
 
 } // namespace
 
-double headShare(double height) {
+double headHeightFraction(double height) {
   const double grown =
       std::clamp((height - kSmallHeight) / (kAdultHeight - kSmallHeight), 0.0, 1.0);
-  return grown >= 1.0 ? kAdultHeadShare
-                      : kChildHeadShare + grown * (kAdultHeadShare - kChildHeadShare);
+  return grown >= 1.0 ? kAdultHeadHeightFraction
+                      : kChildHeadShare + grown * (kAdultHeadHeightFraction - kChildHeadShare);
 }
 
 double seatHeight(double height) {
@@ -229,12 +229,12 @@ Eigen::Vector2d Walker::position(double time) const {
 }
 
 double Walker::top(double time) const {
-  if (anglesAt(postures, time).upright()) {
+  if (jointAnglesAt(postures, time).isUpright()) {
     return height;
   }
   float highest = 0.0F;
   for (const BodyPart& part : bodyParts(*this, time)) {
-    highest = part.ofBody ? std::max(highest, topOf(part)) : highest;
+    highest = part.belongsToBody ? std::max(highest, topOf(part)) : highest;
   }
   return static_cast<double>(highest) * kReferenceHeight / static_cast<double>(kHairTop);
 }
@@ -259,7 +259,7 @@ std::vector<BodyPart> bodyParts(const Walker& walker, double time) {
   const double phase = 2.0 * std::numbers::pi * gone(walker.way, time) / kStrideLength;
   const auto swing = static_cast<float>(0.5 * std::min(1.0, speed / kUsualSpeed) * std::sin(phase));
 
-  const Figure figure(stance, anglesAt(walker.postures, time), walker.height);
+  const Figure figure(stance, jointAnglesAt(walker.postures, time), walker.height);
   std::vector<BodyPart> parts;
   addHeadAndTrunk(figure, walker.clothes, parts);
   addLimbs(figure, walker, swing, parts);

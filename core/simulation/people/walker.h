@@ -30,7 +30,7 @@ struct Clothes {
 };
 
 /// Object carried by a walker.
-struct Load {
+struct CarriedObject {
   enum class Kind {
     Box, ///< held in front of the chest with both arms
     Bag, ///< hangs from the right hand
@@ -51,7 +51,7 @@ struct Walker {
   Clothes clothes;
   std::vector<Waypoint> way;
   std::vector<PostureChange> postures; ///< in order of time; empty: always standing
-  std::optional<Load> load;
+  std::optional<CarriedObject> load;
   double from = -std::numeric_limits<double>::infinity(); ///< present from this time on, seconds
   double until = std::numeric_limits<double>::infinity(); ///< present before this time, seconds
 
@@ -66,7 +66,7 @@ struct Walker {
 
 /// Height of an adult's head relative to the body height: 0.25 m of 1.75 m. Drawing manuals specify
 /// a seventh to an eighth.
-inline constexpr double kAdultHeadShare = 1.0 / 7.0;
+inline constexpr double kAdultHeadHeightFraction = 1.0 / 7.0;
 /// Body height in meters up to which a body has the proportions of a child. Chosen to be about the
 /// height of a 13-year-old.
 inline constexpr double kAdultHeight = 1.6;
@@ -74,7 +74,7 @@ inline constexpr double kAdultHeight = 1.6;
 /// Returns the height of the head relative to the body height. From kAdultHeight on, it is that of
 /// an adult. Below, it increases linearly to 0.19 at 0.9 m and less. This is close to the drawing
 /// rule that the head of a small child is about a fifth of its height.
-double headShare(double height);
+double headHeightFraction(double height);
 
 /// Returns the height of a seat that fits a person of `height`, in meters.
 double seatHeight(double height);
@@ -91,7 +91,7 @@ struct BodyPart {
   PartShape shape = PartShape::Ellipsoid;
   /// True for a part of a body. False for a load or furniture, which hides bodies but is not part
   /// of a silhouette.
-  bool ofBody = true;
+  bool belongsToBody = true;
   Cloth cloth = {};
 };
 

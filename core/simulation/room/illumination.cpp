@@ -11,7 +11,7 @@ namespace {
 Vector3f lightOfLamps(const Illumination& illumination, const Vector3f& point,
                       const Vector3f& normal) {
   Vector3f light = Vector3f::Zero();
-  for (const FurtherLamp& lamp : illumination.further) {
+  for (const AdditionalLamp& lamp : illumination.further) {
     const Vector3f way = lamp.position - point;
     const float lambert = std::max(0.0F, normal.dot(way.normalized()));
     light += lambert * lamp.falloff(way.norm()) * lamp.color;
@@ -40,7 +40,7 @@ int likerNeighbor(const RoomView& view, int column, int row, bool across) {
 
 } // namespace
 
-float FurtherLamp::falloff(float distance) const {
+float AdditionalLamp::falloff(float distance) const {
   if (distance <= reach) {
     return 1.0F;
   }
@@ -79,7 +79,7 @@ Vector3f surfaceNormal(const RoomView& view, int column, int row) {
   return normal.dot(direction) > 0.0F ? Vector3f(-normal.normalized()) : normal.normalized();
 }
 
-RelitBackground relit(const RoomView& view, const Illumination& illumination) {
+RelitBackground relightBackground(const RoomView& view, const Illumination& illumination) {
   RelitBackground result{cv::Mat::zeros(view.height, view.width, CV_32FC3),
                          cv::Mat::zeros(view.height, view.width, CV_32FC3)};
   for (int row = 0; row < view.height; ++row) {

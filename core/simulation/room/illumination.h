@@ -14,7 +14,7 @@
 namespace dewpoint::simulation {
 
 /// Lamp in addition to the room lamp. It casts no shadows.
-struct FurtherLamp {
+struct AdditionalLamp {
   Vector3f position{0.0F, 0.0F, 1.0F}; ///< world frame, meters
   /// Color, BGR. 1 is full light on a surface perpendicular to the rays.
   Vector3f color{0.0F, 0.0F, 0.0F};
@@ -48,11 +48,11 @@ float shadowAt(const MovingShadow& shadow, const Vector3f& point, double time);
 struct Illumination {
   Vector3f lamp = kLampPosition; ///< position of the room lamp, world frame, meters
   float roomGain = 1.0F;         ///< factor on the room's original light, ambient and lamp
-  std::vector<FurtherLamp> further;
+  std::vector<AdditionalLamp> further;
   std::optional<MovingShadow> shadow;
 
   /// Returns whether the only light is the room lamp at its default position.
-  bool plain() const {
+  bool isDefault() const {
     return lamp == kLampPosition && roomGain == 1.0F && further.empty() && !shadow;
   }
 };
@@ -77,7 +77,7 @@ struct RelitBackground {
 Vector3f surfaceNormal(const RoomView& view, int column, int row);
 
 /// Computes the image of a room at rest under an illumination.
-RelitBackground relit(const RoomView& view, const Illumination& illumination);
+RelitBackground relightBackground(const RoomView& view, const Illumination& illumination);
 
 /// Returns the image of the room at rest (CV_32FC3) at a time in seconds.
 cv::Mat backgroundAt(const RoomView& view, const RelitBackground& background,

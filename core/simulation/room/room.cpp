@@ -16,11 +16,12 @@ namespace {
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 /// Meters: nearer hits are the surface itself; far above what rounding makes of 3 m.
 constexpr float kNearestHit = 1e-4F;
-/// Share of full light that comes from everywhere; chosen, see kLampShare.
+/// Share of full light that comes from everywhere; chosen, see kLampFraction.
 constexpr float kAmbient = 0.30F;
 
 /// Slab test; the entry, or the exit when the origin is inside (`inside`: the room's own walls).
-void castBox(const Vector3f& o, const Vector3f& d, const Vector3f& half, bool inside, Hit& hit) {
+void castBox(const Vector3f& o, const Vector3f& d, const Vector3f& half, bool inside,
+             RoomHit& hit) {
   float enter = -kInfinity;
   float leave = kInfinity;
   int enterAxis = 0;
@@ -48,7 +49,7 @@ void castBox(const Vector3f& o, const Vector3f& d, const Vector3f& half, bool in
   }
 }
 
-void castEllipsoid(const Vector3f& o, const Vector3f& d, const Vector3f& half, Hit& hit) {
+void castEllipsoid(const Vector3f& o, const Vector3f& d, const Vector3f& half, RoomHit& hit) {
   const Vector3f p = o.cwiseQuotient(half);
   const Vector3f q = d.cwiseQuotient(half);
   const float a = q.squaredNorm();
@@ -64,7 +65,7 @@ void castEllipsoid(const Vector3f& o, const Vector3f& d, const Vector3f& half, H
   }
 }
 
-void castCylinder(const Vector3f& o, const Vector3f& d, const Vector3f& half, Hit& hit) {
+void castCylinder(const Vector3f& o, const Vector3f& d, const Vector3f& half, RoomHit& hit) {
   const float radius = half.x();
   const float a = d.head<2>().squaredNorm();
   const float b = o.head<2>().dot(d.head<2>());
@@ -85,7 +86,8 @@ void castCylinder(const Vector3f& o, const Vector3f& d, const Vector3f& half, Hi
   }
 }
 
-void castSolid(const Solid& solid, const Vector3f& origin, const Vector3f& direction, Hit& hit) {
+void castSolid(const Solid& solid, const Vector3f& origin, const Vector3f& direction,
+               RoomHit& hit) {
   const Vector3f relative = origin - solid.center;
   const float along = relative.dot(direction);
   if (relative.squaredNorm() - along * along > solid.bound * solid.bound) {
@@ -115,8 +117,8 @@ void castSolid(const Solid& solid, const Vector3f& origin, const Vector3f& direc
 
 float shade(const Vector3f& point, const Vector3f& normal, float lit, const Vector3f& lamp) {
   const float lambert = std::max(0.0F, normal.dot((lamp - point).normalized()));
-  return kAmbient + (1.0F - kAmbient - kLampShare) * (1.0F + normal.z()) * 0.5F +
-         kLampShare * lambert * lit;
+  return kAmbient + (1.0F - kAmbient - kLampFraction) * (1.0F + normal.z()) * 0.5F +
+         kLampFraction * lambert * lit;
 }
 
 Room::Room(Furnishing furnishing, const RoomDesign& design) {
@@ -124,19 +126,20 @@ Room::Room(Furnishing furnishing, const RoomDesign& design) {
   Furniture furniture;
   switch (furnishing) {
   case Furnishing::Hall:
-    walls_ = solidOf(Shape::Box, {0.0F, 0.0F, 1.25F}, {kHallHalf, kHallHalf, 1.25F}, plaster, 0.0F);
+    walls_ = makeSolid(Shape::Box, {0.0F, 0.0F, 1.25F}, {kHallHalfSize, kHallHalfSize, 1.25F},
+                       plaster, 0.0F);
     furnishHall(furniture);
     break;
   case Furnishing::Office:
-    walls_ =
-        solidOf(Shape::Box, {0.0F, 0.0F, 1.35F}, {kOfficeHalf, kOfficeHalf, 1.35F}, plaster, 0.0F);
+    walls_ = makeSolid(Shape::Box, {0.0F, 0.0F, 1.35F}, {kOfficeHalfSize, kOfficeHalfSize, 1.35F},
+                       plaster, 0.0F);
     lamp_ = kOfficeLampPosition;
     furnishOffice(furniture);
     break;
   case Furnishing::Desk:
   case Furnishing::ClutteredDesk:
-    walls_ = solidOf(Shape::Box, {kDeskRoomMiddle, kDeskRoomMiddle, 1.4F - kDeskHeight},
-                     {kDeskRoomHalf, kDeskRoomHalf, 1.4F}, plaster, 0.0F);
+    walls_ = makeSolid(Shape::Box, {kDeskRoomCenter, kDeskRoomCenter, 1.4F - kDeskHeight},
+                       {kDeskRoomHalfSize, kDeskRoomHalfSize, 1.4F}, plaster, 0.0F);
     furnishDesk(furniture);
     if (furnishing == Furnishing::ClutteredDesk) {
       clutterDesk(furniture);
@@ -148,8 +151,8 @@ Room::Room(Furnishing furnishing, const RoomDesign& design) {
   lamp_ = design.lamp.value_or(lamp_);
 }
 
-Hit Room::cast(const Vector3f& origin, const Vector3f& direction) const {
-  Hit hit;
+RoomHit Room::cast(const Vector3f& origin, const Vector3f& direction) const {
+  RoomHit hit;
   castBox(origin - walls_.center, direction, walls_.halfSize, true, hit);
   hit.solid = &walls_;
   for (const Solid& solid : solids_) {
@@ -158,10 +161,10 @@ Hit Room::cast(const Vector3f& origin, const Vector3f& direction) const {
   return hit;
 }
 
-bool Room::shadowed(const Vector3f& point, const Vector3f& towards) const {
+bool Room::isShadowed(const Vector3f& point, const Vector3f& towards) const {
   const Vector3f way = towards - point;
   const float distance = way.norm();
-  Hit hit;
+  RoomHit hit;
   hit.distance = distance;
   for (const Solid& solid : solids_) {
     castSolid(solid, point, way / distance, hit);
@@ -172,8 +175,8 @@ bool Room::shadowed(const Vector3f& point, const Vector3f& towards) const {
   return false;
 }
 
-Sight Room::sightOf(const Vector3f& origin, const Vector3f& direction, const Hit& hit,
-                    std::uint32_t jitter) const {
+ShadedColor Room::shadedColorOf(const Vector3f& origin, const Vector3f& direction,
+                                const RoomHit& hit, std::uint32_t jitter) const {
   if (!(hit.distance < kInfinity)) {
     return {};
   }
@@ -185,7 +188,7 @@ Sight Room::sightOf(const Vector3f& origin, const Vector3f& direction, const Hit
     const std::uint32_t word = hashed(jitter * kRays + ray, 17, 0);
     const Vector3f offset{static_cast<float>(word & 0x3FFU) / 511.5F - 1.0F,
                           static_cast<float>((word >> 10U) & 0x3FFU) / 511.5F - 1.0F, 0.0F};
-    lit += shadowed(start, lamp_ + kLampRadius * offset) ? 0.0F : 1.0F / kRays;
+    lit += isShadowed(start, lamp_ + kLampRadius * offset) ? 0.0F : 1.0F / kRays;
   }
   const bool isWall = hit.solid == &walls_;
   const Pattern pattern =

@@ -14,12 +14,12 @@ namespace dewpoint::simulation {
 // Room sizes in meters, chosen by judgment.
 
 /// Half the side length of the living room, which is centered on the origin.
-inline constexpr float kHallHalf = 2.25F;
+inline constexpr float kHallHalfSize = 2.25F;
 /// Half the side length of the office, which is centered on the origin.
-inline constexpr float kOfficeHalf = 3.5F;
+inline constexpr float kOfficeHalfSize = 3.5F;
 /// Half the side length of the room with the desk, and world x and y of its center.
-inline constexpr float kDeskRoomHalf = 1.9F;
-inline constexpr float kDeskRoomMiddle = 0.4F;
+inline constexpr float kDeskRoomHalfSize = 1.9F;
+inline constexpr float kDeskRoomCenter = 0.4F;
 /// Height of the desk top (world z = 0) above the floor, within the usual 0.72 to 0.76 m.
 inline constexpr float kDeskHeight = 0.75F;
 
@@ -32,7 +32,7 @@ inline const Vector3f kLampPosition{0.15F, -0.25F, 1.7F};
 inline const Vector3f kOfficeLampPosition{0.2F, -0.3F, 2.6F};
 /// Radius of the lamp in meters: about the size of a table lamp's shade.
 inline constexpr float kLampRadius = 0.12F;
-inline constexpr float kLampShare = 0.62F; ///< fraction of full light; the rest is ambient
+inline constexpr float kLampFraction = 0.62F; ///< fraction of full light; the rest is ambient
 
 /// Returns the light on a matte surface with unit normal `normal`: ambient light that is brighter
 /// from above, plus the Lambertian light of the lamp times `lit` (from 0 in shadow to 1).
@@ -41,14 +41,14 @@ float shade(const Vector3f& point, const Vector3f& normal, float lit,
 
 /// First intersection of a ray with the room. `distance` is along the unit direction, meters. It is
 /// infinite if there is no intersection.
-struct Hit {
+struct RoomHit {
   float distance = std::numeric_limits<float>::infinity();
   Vector3f normal{0.0F, 0.0F, 1.0F};
   const Solid* solid = nullptr; ///< the walls if the ray hits nothing else
 };
 
 /// Color of the room as a camera sees it at one point of its image.
-struct Sight {
+struct ShadedColor {
   Vector3f color{0.0F, 0.0F, 0.0F}; ///< BGR, [0, 255]
   float lit = 0.0F;                 ///< fraction of the color that comes directly from the lamp
 };
@@ -75,16 +75,16 @@ public:
   explicit Room(Furnishing furnishing, const RoomDesign& design = {});
 
   /// Returns the first intersection of a ray with the room; `direction` is a unit vector.
-  Hit cast(const Vector3f& origin, const Vector3f& direction) const;
+  RoomHit cast(const Vector3f& origin, const Vector3f& direction) const;
   /// Returns the color of a hit. `jitter` varies the point on the lamp that is used for shadows.
-  Sight sightOf(const Vector3f& origin, const Vector3f& direction, const Hit& hit,
-                std::uint32_t jitter) const;
+  ShadedColor shadedColorOf(const Vector3f& origin, const Vector3f& direction, const RoomHit& hit,
+                            std::uint32_t jitter) const;
   /// Returns the lamp position (world frame, meters): kLampPosition, or higher in a room for
   /// people.
   const Vector3f& lamp() const { return lamp_; }
 
 private:
-  bool shadowed(const Vector3f& point, const Vector3f& towards) const;
+  bool isShadowed(const Vector3f& point, const Vector3f& towards) const;
 
   std::vector<Solid> solids_;
   Solid walls_;

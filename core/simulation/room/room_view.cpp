@@ -52,7 +52,7 @@ RoomView::RoomView(const Camera& camera, const Room& room)
     : projector(camera), width(camera.intrinsics.width), height(camera.intrinsics.height),
       center(camera.center().cast<float>()) {
   castRays(camera);
-  seeRoom(room);
+  renderRoom(room);
 }
 
 void RoomView::castRays(const Camera& camera) {
@@ -85,7 +85,7 @@ Vector3f RoomView::direction(int column, int row, float right, float down) const
   return there.normalized();
 }
 
-void RoomView::seeRoom(const Room& room) {
+void RoomView::renderRoom(const Room& room) {
   constexpr int kSide = 2; // 2x2 samples per pixel; chosen: what is at rest is rendered once
   distances.assign(directions.size(), std::numeric_limits<float>::infinity());
   lit.assign(directions.size(), 0.0F);
@@ -103,7 +103,7 @@ void RoomView::seeRoom(const Room& room) {
         const Vector3f ray = direction(column, row, right, down);
         const auto jitter =
             static_cast<std::uint32_t>(pixel) * 4U + static_cast<std::uint32_t>(sample);
-        const Sight sight = room.sightOf(center, ray, room.cast(center, ray), jitter);
+        const ShadedColor sight = room.shadedColorOf(center, ray, room.cast(center, ray), jitter);
         color += sight.color / (kSide * kSide);
         lit[pixel] += sight.lit / (kSide * kSide);
       }

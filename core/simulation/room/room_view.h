@@ -44,7 +44,7 @@ struct RoomView {
 
 private:
   void castRays(const Camera& camera);
-  void seeRoom(const Room& room);
+  void renderRoom(const Room& room);
 };
 
 } // namespace dewpoint::simulation

@@ -18,8 +18,8 @@ struct ShadowCaster {
   float radius = 0.0F;
   Eigen::Vector3f lamp; ///< center of the lamp
   float lampRadius = 0.0F;
-  float leastBlur = 0.0F; ///< smallest half width of the edge, even for a ball close to the floor
-  float highest = 0.0F;   ///< points above this height do not count as floor
+  float minBlur = 0.0F; ///< smallest half width of the edge, even for a ball close to the floor
+  float highest = 0.0F; ///< points above this height do not count as floor
 };
 
 /// Calls `shade(row, column, pixel, covered, blur)` for the pixels of `area` that show the floor
@@ -43,7 +43,7 @@ void forEachShadedPixel(const RoomView& view, const cv::Rect& area, const Shadow
         continue;
       }
       const float aside = ((caster.center - point) - along / length * way).norm();
-      const float blur = std::max(caster.leastBlur, caster.lampRadius * along / length);
+      const float blur = std::max(caster.minBlur, caster.lampRadius * along / length);
       const float t = std::clamp((aside - caster.radius + blur) / (2.0F * blur), 0.0F, 1.0F);
       shade(row, column, pixel, 1.0F - t * t * (3.0F - 2.0F * t), blur);
     }

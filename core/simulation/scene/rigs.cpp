@@ -35,11 +35,11 @@ Camera cameraAt(std::size_t index, const Picture& picture, const Eigen::Vector3d
 
 CameraRig threeCameraDeskRig() {
   CameraRig rig = demoRig();
-  rig.push_back(cameraAt(rig.size(), {}, {0.95, 0.05, 0.5}, kDeskMiddle));
+  rig.push_back(cameraAt(rig.size(), {}, {0.95, 0.05, 0.5}, kDeskCenter));
   return rig;
 }
 
-CameraRig deskRing(int count) {
+CameraRig deskRingRig(int count) {
   // Eighths of a turn; two cameras see the volume at right angles, four from all sides.
   static constexpr std::array<int, 8> kSlots{0, 2, 4, 6, 1, 3, 5, 7};
   constexpr double kDistance = 1.1; // meters from the middle; chosen: inside the room's walls
@@ -50,7 +50,7 @@ CameraRig deskRing(int count) {
     const double height = slot % 2 == 0 ? 0.45 : 0.6; // above the middle, meters
     const double reach = std::sqrt(kDistance * kDistance - height * height);
     const Eigen::Vector3d offset{reach * std::cos(angle), reach * std::sin(angle), height};
-    rig.push_back(cameraAt(i, {}, kDeskMiddle + offset, kDeskMiddle));
+    rig.push_back(cameraAt(i, {}, kDeskCenter + offset, kDeskCenter));
   }
   return rig;
 }

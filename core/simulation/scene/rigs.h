@@ -12,7 +12,7 @@ CameraRig threeCameraDeskRig();
 /// Returns the first `count` (2 to 8) of eight 320x240 cameras around the desk, 1.1 m from the
 /// center of the volume (0.5, 0.5, 0.15). They are ordered so that consecutive cameras are far
 /// apart.
-CameraRig deskRing(int count);
+CameraRig deskRingRig(int count);
 
 /// Returns the first `count` (2 to 4) of four 640x480 cameras in the corners of the hall, 1.9 m
 /// high, looking at its center, with focal lengths of 400 px.

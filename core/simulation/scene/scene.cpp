@@ -41,7 +41,7 @@ Camera camera(const char* name, int width, int height, const Eigen::Vector3d& po
   result.name = name;
   result.intrinsics = {
       width, height, kDeskFocal, kDeskFocal, (width - 1) / 2.0, (height - 1) / 2.0};
-  result.cameraFromWorld = lookAt(position, kDeskMiddle);
+  result.cameraFromWorld = lookAt(position, kDeskCenter);
   return result;
 }
 
@@ -86,7 +86,7 @@ Eigen::Vector3d distractorPosition(const Scene& scene, int index) {
   static constexpr std::array<std::array<double, 2>, kMaxDistractors> kPositions{
       {{0.66, 0.62}, {0.36, 0.70}, {0.80, 0.42}, {0.58, 0.78}}};
   const auto& xy = kPositions.at(static_cast<std::size_t>(index));
-  return {xy[0], xy[1], scene.balls.empty() ? kUsualBallRadius : scene.balls.front().radius};
+  return {xy[0], xy[1], scene.balls.empty() ? kDefaultBallRadius : scene.balls.front().radius};
 }
 
 Eigen::Vector3d occluderPosition(const Scene& scene, double time) {

@@ -24,7 +24,7 @@ enum class Motion {
 
 /// Center of the volume at the desk, at which all desk cameras look. World frame, meters. Chosen to
 /// be half a meter in front of both cameras of demoRig().
-inline const Eigen::Vector3d kDeskMiddle{0.5, 0.5, 0.15};
+inline const Eigen::Vector3d kDeskCenter{0.5, 0.5, 0.15};
 
 /// Focal length of the cameras at the desk, pixels. It gives a field of view of 49 degrees across
 /// 320 pixels. Chosen by judgment.
@@ -33,11 +33,11 @@ inline constexpr double kDeskFocal = 350.0;
 /// Ball with a known true position at every instant.
 struct SceneBall {
   std::string name = "pink ball";
-  double radius = kUsualBallRadius;        ///< meters
-  Eigen::Vector3d color = kUsualBallColor; ///< BGR in full light, [0, 255]
+  double radius = kDefaultBallRadius;        ///< meters
+  Eigen::Vector3d color = kDefaultBallColor; ///< BGR in full light, [0, 255]
   Motion motion = Motion::Smooth;
   /// Initial position and center of its path; world frame, meters.
-  Eigen::Vector3d position = kDeskMiddle;
+  Eigen::Vector3d position = kDeskCenter;
   Eigen::Vector3d extent{0.12, 0.08, 0.05}; ///< half size of the path along X, Y, Z, meters
   double period =
       6.0; ///< duration of one round of a smooth path, or time between two jumps, seconds
@@ -69,7 +69,7 @@ inline constexpr int kMaxDistractors = 4;
 struct Scene {
   std::string name = "demo";
   CameraRig cameras;
-  double framesPerSecond = kUsualFrameRate;
+  double framesPerSecond = kDefaultFrameRate;
   std::int64_t frameCount = 300;
   std::uint64_t seed = 1;
   std::vector<SceneBall> balls;
@@ -78,9 +78,10 @@ struct Scene {
   int distractors = 0;
   bool occluder = false; ///< add a box that passes between the first ball and the first camera
   bool clutter = true;   ///< add books, boxes, and wood- and skin-colored objects on the desk
-  std::vector<SceneLight> lights;          ///< in order of time; empty: full light of 5500 K
-  double noiseSigma = kUsualNoiseSigma;    ///< standard deviation of the sensor noise, gray levels
-  double exposureSeconds = kUsualExposure; ///< exposure time, which determines the motion blur
+  std::vector<SceneLight> lights;         ///< in order of time; empty: full light of 5500 K
+  double noiseSigma = kDefaultNoiseSigma; ///< standard deviation of the sensor noise, gray levels
+  double exposureSeconds =
+      kDefaultExposureSeconds; ///< exposure time, which determines the motion blur
 };
 
 /// Returns the setup of Barrera, Cañas and Matellán (2005): two cameras at the paper's positions,

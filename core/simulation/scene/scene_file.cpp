@@ -187,11 +187,11 @@ Status checkPixels(const CameraRig& cameras, const std::string& file) {
   for (const Camera& camera : cameras) {
     pixels += std::int64_t{camera.intrinsics.width} * camera.intrinsics.height;
   }
-  return pixels <= limits::kMostImagePixels
+  return pixels <= limits::kMaxImagePixels
              ? Status()
              : failure(ErrorCode::BadValue, file, "camera",
                        fmt::format("{} pixels in all images together; at most {} are possible",
-                                   pixels, limits::kMostImagePixels));
+                                   pixels, limits::kMaxImagePixels));
 }
 
 Result<Scene> readScene(const toml::table& table, const std::string& file) {
@@ -207,9 +207,9 @@ Result<Scene> readScene(const toml::table& table, const std::string& file) {
   reader.boolean("clutter", scene.clutter);
   reader.number("noise_sigma", scene.noiseSigma, 0.0, 100.0);
   reader.number("exposure_seconds", scene.exposureSeconds, 0.0, 10.0);
-  const auto balls = reader.tables("ball", limits::kMostTargets);
-  const auto cameras = reader.tables("camera", limits::kMostCameras);
-  const auto lights = reader.tables("light", limits::kMostTargets);
+  const auto balls = reader.tables("ball", limits::kMaxTargets);
+  const auto cameras = reader.tables("camera", limits::kMaxCameras);
+  const auto lights = reader.tables("light", limits::kMaxTargets);
   if (auto error = reader.finish()) {
     return tl::make_unexpected(std::move(*error));
   }

@@ -39,7 +39,7 @@ SceneRenderer::Parts::Parts(Scene theScene) : scene(std::move(theScene)) {
                                             : simulation::Furnishing::Desk);
   const auto count = static_cast<std::int64_t>(scene.cameras.size());
   std::vector<std::optional<RoomView>> built(scene.cameras.size());
-  ThreadTeam team(threadsForTasks(scene.cameras.size()));
+  ThreadTeam team(threadCountForTasks(scene.cameras.size()));
   team.forEachRange(count, [&](std::int64_t begin, std::int64_t end) {
     for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
       built[i].emplace(scene.cameras[i], room);
@@ -95,7 +95,7 @@ cv::Mat SceneRenderer::render(int camera, std::int64_t frame) const {
   }
   const RandomStream stream(scene().seed, static_cast<std::uint32_t>(frame),
                             static_cast<std::uint32_t>(camera), RandomPurpose::Simulation);
-  return simulation::develop(image, scene().noiseSigma, stream);
+  return simulation::digitize(image, scene().noiseSigma, stream);
 }
 
 const Scene& SceneRenderer::scene() const {

@@ -32,7 +32,7 @@ std::vector<Body> bodiesAt(const Stage& stage, double time, const Eigen::Vector3
     const Eigen::Vector3d center = body.path(time);
     bodies.push_back({body.box,
                       (rotated ? rotatedAbout(eye, rotation, center) : center).cast<float>(),
-                      static_cast<float>(body.bound()), body.color.cast<float>(),
+                      static_cast<float>(body.boundingRadius()), body.color.cast<float>(),
                       body.halfSize.cast<float>(), body.axes.cast<float>(), body.presentAt(time)});
     bodies.back().light = light;
     addParts(body, time, bodies.back());
@@ -83,7 +83,7 @@ cv::Mat roomAt(const Stage& stage, const RoomView& view, double time,
                                    : view.background.clone();
   if (stage.peopleExposed && other != nullptr) {
     const PeopleLight light{{&stage.illumination, time}, &other->background};
-    exposePeople(
+    paintPeopleThroughShutter(
         view, [&](double instant) { return peopleAt(stage, instant); }, light, shutter, image);
   } else {
     paintPeople(view, peopleAt(stage, time), stage.illumination.lamp, image);
@@ -102,7 +102,7 @@ cv::Mat exposed(const Stage& stage, std::size_t camera, double time, const Senso
   const Eigen::Matrix3d rotation = rotationAt(sensor.drift, time);
   cv::Mat image = roomAt(stage, view, time, rotation, sensor.shutter);
   const LightField field{&stage.illumination, time};
-  const LightField* own = stage.illumination.plain() ? nullptr : &field;
+  const LightField* own = stage.illumination.isDefault() ? nullptr : &field;
   const Eigen::Vector3d eye = view.center.cast<double>();
   const auto bodies = [&](double instant) { return bodiesAt(stage, instant, eye, rotation, own); };
   for (const RowBand& band : rowBands(sensor.shutter, view.height)) {
@@ -134,11 +134,11 @@ Eigen::Vector3d meanGain(const RoomView& view, const RelitBackground& background
 
 void prepareLight(Stage& stage) {
   stage.relit.clear();
-  if (stage.illumination.plain()) {
+  if (stage.illumination.isDefault()) {
     return;
   }
   const auto add = [&](const std::shared_ptr<const RoomView>& view) {
-    RelitBackground background = relit(*view, stage.illumination);
+    RelitBackground background = relightBackground(*view, stage.illumination);
     const Eigen::Vector3d gain = meanGain(*view, background);
     stage.relit.push_back({view, std::move(background), gain});
   };
@@ -148,7 +148,7 @@ void prepareLight(Stage& stage) {
 
 Eigen::Vector3d meteredStops(const Stage& stage, std::size_t camera, double time) {
   /// Stops of linear light per stop of gray level: the inverse of the tone curve's power.
-  constexpr double kStopsPerLevelStop = 1.0 / kToneCurvePower;
+  constexpr double kStopsPerLevelStop = 1.0 / kToneCurveExponent;
   const Light light = stage.light ? stage.light(camera, time) : Light{};
   if (light.dark) {
     return Eigen::Vector3d::Constant(kDarkStops);

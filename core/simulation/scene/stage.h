@@ -36,11 +36,11 @@ struct StageBody {
   std::string name;
   bool box = false;
   /// Radius of the ball, or of the ball in a body of parts, meters.
-  double radius = kUsualBallRadius;
+  double radius = kDefaultBallRadius;
   Eigen::Vector3d halfSize =
       Eigen::Vector3d::Zero(); ///< half size of the box along its own axes, meters
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity(); ///< axes of the box in the world, as rows
-  Eigen::Vector3d color = kUsualBallColor;            ///< BGR in full light, [0, 255]
+  Eigen::Vector3d color = kDefaultBallColor;          ///< BGR in full light, [0, 255]
   Path path;
   std::function<bool(double)>
       present; ///< returns whether the object is present at a time (seconds); empty: always present
@@ -49,11 +49,11 @@ struct StageBody {
   /// as for a ball.
   PartsPath parts{};
   /// Value of `radius` for which the parts are made. They are scaled for other values.
-  double partsRadius = kUsualBallRadius;
+  double partsRadius = kDefaultBallRadius;
 
   /// Returns the radius (meters) of a sphere around the object. For a body made of parts, it is the
   /// sphere around its ball.
-  double bound() const { return box ? halfSize.norm() : radius; }
+  double boundingRadius() const { return box ? halfSize.norm() : radius; }
   bool presentAt(double time) const { return !present || present(time); }
   /// Returns the scaled parts at a time (seconds), relative to the path. Empty if the object has no
   /// parts.
@@ -89,9 +89,9 @@ struct Stage {
   std::vector<MovedCamera> moves;
   std::function<Light(std::size_t camera, double time)> light; ///< empty: full light
   std::vector<cv::Mat> unevenness; ///< CV_32FC3 gain per pixel, one per camera; empty: even light
-  double noiseSigma = kUsualNoiseSigma; ///< standard deviation of the sensor noise, gray levels
+  double noiseSigma = kDefaultNoiseSigma; ///< standard deviation of the sensor noise, gray levels
   double exposureSeconds =
-      kUsualExposure;               ///< exposure time of cameras without a sensor model, seconds
+      kDefaultExposureSeconds;      ///< exposure time of cameras without a sensor model, seconds
   int jpegQuality = 0;              ///< 1 to 100: images are compressed as JPEG; 0: no compression
   std::vector<SensorModel> sensors; ///< one per camera; empty: ideal sensors
   Illumination illumination; ///< light in addition to the lamp with which `views` were rendered
@@ -101,10 +101,11 @@ struct Stage {
   std::vector<MovableFurniture> furniture; ///< furniture that people move
   /// True if people are the subject of the recording. The whole illumination then lights them, and
   /// the shutter and exposure of cameras with a sensor model blur them. Requires an illumination
-  /// that is not plain.
+  /// that is not the default.
   bool peopleExposed = false;
-  float floorHeight = 0.0F;     ///< world z of the floor on which people walk, meters
-  std::vector<RelitView> relit; ///< relit images for all views, if the illumination is not plain
+  float floorHeight = 0.0F; ///< world z of the floor on which people walk, meters
+  std::vector<RelitView>
+      relit; ///< relit images for all views, if the illumination is not the default
 };
 
 /// Computes the data derived from the stage's illumination. Call this function after setting the

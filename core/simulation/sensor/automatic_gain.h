@@ -35,7 +35,7 @@ struct CameraGain {
 
 /// Gains over a run. The gains of the last frame also apply after it.
 struct GainCurve {
-  double framesPerSecond = kUsualFrameRate;
+  double framesPerSecond = kDefaultFrameRate;
   std::vector<CameraGain> frames; ///< empty: all gains are 1
   /// Returns the gains at a time in seconds.
   CameraGain at(double time) const;

@@ -15,7 +15,8 @@ Eigen::Matrix3d rotationAt(const CameraDrift& drift, double time) {
   if (angle == 0.0 || time <= 0.0) {
     return Eigen::Matrix3d::Identity();
   }
-  // Not rotationOfVector() of a part of the vector: the axis is the same at every time, to the bit.
+  // Not rotationFromVector() of a part of the vector: the axis is the same at every time, to the
+  // bit.
   const double reached = -std::expm1(-time / drift.settleSeconds);
   return Eigen::AngleAxisd(reached * angle, drift.rotation / angle).toRotationMatrix();
 }

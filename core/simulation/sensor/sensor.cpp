@@ -12,7 +12,7 @@
 #include <vector>
 
 namespace dewpoint::simulation {
-cv::Mat develop(const cv::Mat& image, double noiseSigma, const RandomStream& stream) {
+cv::Mat digitize(const cv::Mat& image, double noiseSigma, const RandomStream& stream) {
   cv::Mat result(image.size(), CV_8UC3);
   const std::vector<float>& normals = normalTable();
   const auto sigma = static_cast<float>(noiseSigma);
@@ -36,7 +36,7 @@ cv::Mat develop(const cv::Mat& image, double noiseSigma, const RandomStream& str
   return result;
 }
 
-cv::Mat throughJpeg(const cv::Mat& image, int quality) {
+cv::Mat jpegCompressed(const cv::Mat& image, int quality) {
   std::vector<std::uint8_t> bytes;
   cv::imencode(".jpg", image, bytes, {cv::IMWRITE_JPEG_QUALITY, quality});
   return cv::imdecode(bytes, cv::IMREAD_COLOR);

@@ -9,7 +9,7 @@ namespace dewpoint::simulation {
 
 /// Converts light (CV_32FC3, BGR, [0, 255]) to a sensor image (CV_8UC3). Adds normal noise with a
 /// standard deviation of `noiseSigma` gray levels, drawn from `stream`.
-cv::Mat develop(const cv::Mat& image, double noiseSigma, const RandomStream& stream);
+cv::Mat digitize(const cv::Mat& image, double noiseSigma, const RandomStream& stream);
 
 /// Unsharp masking as in a webcam's processor: adds to the image `amount` times the detail that a
 /// Gaussian blur of `sigmaPx` pixels removes. It creates halos at edges.
@@ -22,7 +22,7 @@ cv::Mat sharpened(const cv::Mat& image, const Sharpening& sharpening);
 
 /// Returns the image (CV_8UC3) after JPEG compression with `quality` from 1 to 100. Colors have
 /// half the resolution (4:2:0), like the encoder's default and nearly every webcam.
-cv::Mat throughJpeg(const cv::Mat& image, int quality);
+cv::Mat jpegCompressed(const cv::Mat& image, int quality);
 
 /// Returns the gain of each pixel (CV_32FC3) for uneven light. The light decreases toward the
 /// corners by the fraction `vignette`, and changes linearly from the center to the right and lower

@@ -31,23 +31,23 @@ cv::Mat processed(const cv::Mat& light, const SensorModel& model, double time,
     addPixelNoise(raw, model.noise, gain.exposure, stream);
     linear = demosaiced(raw);
   }
-  return tonedImage(linear, gain.whiteBalance, model.contrast);
+  return applyToneCurve(linear, gain.whiteBalance, model.contrast);
 }
 
 } // namespace
 
-bool SensorModel::worksOnLight() const {
+bool SensorModel::changesLight() const {
   return psfSigmaPx > 0.0 || noise.fullWell > 0.0 || flicker.depth > 0.0 || contrast != 1.0 ||
          !gains.frames.empty();
 }
 
 cv::Mat sensorImage(const cv::Mat& light, const SensorModel& model, double time, double noiseSigma,
                     const RandomStream& stream) {
-  const cv::Mat levels = model.worksOnLight() ? processed(light, model, time, stream) : light;
+  const cv::Mat levels = model.changesLight() ? processed(light, model, time, stream) : light;
   const bool noisy = model.noise.fullWell > 0.0;
   const cv::Mat image =
-      sharpened(develop(levels, noisy ? 0.0 : noiseSigma, stream), model.sharpening);
-  return model.jpegQuality > 0 ? throughJpeg(image, model.jpegQuality) : image;
+      sharpened(digitize(levels, noisy ? 0.0 : noiseSigma, stream), model.sharpening);
+  return model.jpegQuality > 0 ? jpegCompressed(image, model.jpegQuality) : image;
 }
 
 } // namespace dewpoint::simulation

@@ -27,7 +27,7 @@ struct SensorModel {
   int jpegQuality = 0; ///< 1 to 100; 0: not compressed
 
   /// Returns whether the model changes the light before it is converted to gray levels.
-  bool worksOnLight() const;
+  bool changesLight() const;
 };
 
 /// Returns the image (CV_8UC3) that a camera sends for `light`. `light` is the image on an ideal

@@ -10,7 +10,8 @@ namespace dewpoint::simulation {
 /// Times at which the rows of an image collect light. The time of a frame is the time of its
 /// central row.
 struct Shutter {
-  double exposureSeconds = kUsualExposure; ///< exposure of each row, centered on the row's time
+  double exposureSeconds =
+      kDefaultExposureSeconds; ///< exposure of each row, centered on the row's time
   double readoutSeconds = 0.0; ///< from the first row's time to the last row's; 0: global shutter
 };
 

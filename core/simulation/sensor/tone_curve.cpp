@@ -13,7 +13,7 @@ namespace {
 // ITU-R BT.709-6, item 1.2, with the constants of BT.2020 that make the two pieces meet.
 constexpr double kSlope = 4.5;              ///< of the straight piece near black
 constexpr double kKnee = 0.018053968510807; ///< linear light where it ends
-constexpr double kPower = kToneCurvePower;
+constexpr double kPower = kToneCurveExponent;
 constexpr double kScale = 1.09929682680944;
 
 /// Entries of a table per gray level: between two the curve is straight to 0.01 levels.
@@ -39,7 +39,7 @@ private:
 
 const Table& linearTable() {
   static const Table table = [] {
-    const auto count = static_cast<std::size_t>(kPerLevel * kBrightestLevel) + 1;
+    const auto count = static_cast<std::size_t>(kPerLevel * kMaxLevel) + 1;
     std::vector<float> values(count);
     for (std::size_t i = 0; i < count; ++i) {
       const double level = static_cast<double>(i) / static_cast<double>(kPerLevel);
@@ -84,7 +84,8 @@ cv::Mat linearImage(const cv::Mat& image) {
   return result;
 }
 
-cv::Mat tonedImage(const cv::Mat& linear, const Eigen::Vector3d& whiteBalance, double contrast) {
+cv::Mat applyToneCurve(const cv::Mat& linear, const Eigen::Vector3d& whiteBalance,
+                       double contrast) {
   CV_Assert(linear.type() == CV_32FC3);
   static const Table plain = toneTable(1.0);
   const Table bent = contrast == 1.0 ? plain : toneTable(contrast);

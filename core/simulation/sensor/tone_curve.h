@@ -13,7 +13,7 @@ namespace dewpoint::simulation {
 // 255.
 
 /// Exponent of the tone curve above its linear segment near black.
-inline constexpr double kToneCurvePower = 0.45;
+inline constexpr double kToneCurveExponent = 0.45;
 
 /// Returns the level of `linear` light, where 1 stands for 255. The light must be at least 0. The
 /// level is not clipped above 1.
@@ -22,15 +22,15 @@ double encodedLevel(double linear);
 double linearLevel(double encoded);
 
 /// Returns the linear light (CV_32FC3) of an image (CV_32FC3, BGR). Levels are normally 0 to 255,
-/// and at most kBrightestLevel.
+/// and at most kMaxLevel.
 cv::Mat linearImage(const cv::Mat& image);
 /// Largest level. Higher levels are limited to it. Chosen as four times full scale, which is 19
 /// times the light.
-inline constexpr float kBrightestLevel = 1020.0F;
+inline constexpr float kMaxLevel = 1020.0F;
 
 /// Performs the last steps of a camera: multiplies linear light (CV_32FC3) by the white balance
 /// gains (BGR), limits it to 1, and applies the tone curve and then the exponent `contrast` (1:
 /// only the tone curve). Returns CV_32FC3, 0 to 255.
-cv::Mat tonedImage(const cv::Mat& linear, const Eigen::Vector3d& whiteBalance, double contrast);
+cv::Mat applyToneCurve(const cv::Mat& linear, const Eigen::Vector3d& whiteBalance, double contrast);
 
 } // namespace dewpoint::simulation

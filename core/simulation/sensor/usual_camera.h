@@ -9,12 +9,12 @@ namespace dewpoint::simulation {
 // with them.
 
 /// Frames per second, supported by nearly all webcams.
-inline constexpr double kUsualFrameRate = 30.0;
+inline constexpr double kDefaultFrameRate = 30.0;
 /// Exposure in seconds, typical of a webcam in a well-lit room. A ball at 1 m/s, half a meter away,
 /// is blurred over 7 pixels at a focal length of 350 pixels.
-inline constexpr double kUsualExposure = 0.01;
+inline constexpr double kDefaultExposureSeconds = 0.01;
 /// Standard deviation of the sensor noise, gray levels. Real values range from about 1 in sunlight
 /// to 8 in darkness.
-inline constexpr double kUsualNoiseSigma = 3.0;
+inline constexpr double kDefaultNoiseSigma = 3.0;
 
 } // namespace dewpoint::simulation

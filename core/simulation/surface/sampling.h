@@ -10,7 +10,7 @@ namespace dewpoint::simulation {
 inline constexpr int kEdgeSamples = 4;
 /// Maximum number of instants in one exposure. Blur of more than 24 pixels is sampled more
 /// coarsely.
-inline constexpr int kMostInstants = 16;
+inline constexpr int kMaxInstants = 16;
 /// Distance in pixels that a body moves between two instants. Chosen to be less than the blur of a
 /// lens.
 inline constexpr double kPixelsPerInstant = 1.5;

@@ -5,8 +5,8 @@
 
 namespace dewpoint::simulation {
 
-Solid solidOf(Shape shape, const Vector3f& center, const Vector3f& halfSize,
-              const Material& material, float yaw) {
+Solid makeSolid(Shape shape, const Vector3f& center, const Vector3f& halfSize,
+                const Material& material, float yaw) {
   return {shape, center, halfSize, yaw, material, std::cos(yaw), std::sin(yaw), halfSize.norm()};
 }
 

@@ -39,8 +39,8 @@ struct Solid {
 };
 
 /// Creates a solid, including everything derived from its size and rotation.
-Solid solidOf(Shape shape, const Vector3f& center, const Vector3f& halfSize,
-              const Material& material, float yaw);
+Solid makeSolid(Shape shape, const Vector3f& center, const Vector3f& halfSize,
+                const Material& material, float yaw);
 
 /// Converts a vector from the world frame to the solid's own axes.
 inline Vector3f toSolid(const Solid& solid, const Vector3f& v) {

@@ -22,15 +22,15 @@ void BarreraTracker::setTarget(const Target& target) {
 void BarreraTracker::setCameras(const CameraRig& rig) {
   projectors_ = std::vector<Projector>(rig.begin(), rig.end());
   observation_ = ColorWindow(rig, classifier_);
-  showImages();
+  passImages();
 }
 
 void BarreraTracker::beginFrame(FrameSetPtr frames) {
   RandomWalkTracker::beginFrame(std::move(frames));
-  showImages();
+  passImages();
 }
 
-void BarreraTracker::showImages() {
+void BarreraTracker::passImages() {
   for (std::size_t camera = 0; camera < observation_.cameraCount(); ++camera) {
     observation_.setImage(camera, imageOf(camera));
   }
@@ -42,7 +42,7 @@ SphereEstimate BarreraTracker::iterate(ThreadTeam& team) {
   SphereEstimate result = step(observation_, team);
   addEvidence(result);
   const int needed = std::clamp(static_cast<int>(observation_.cameraCount()), 1, 2);
-  result.valid = result.camerasSeeing >= needed && isOfInterest(result.mean);
+  result.valid = result.camerasSeeing >= needed && isInVolumeOfInterest(result.mean);
   result.existenceProbability =
       result.valid ? 1.0 : 0.0; // the paper's filter has no existence probability
   estimate_ = result;
@@ -69,7 +69,8 @@ std::vector<CameraEvidence> BarreraTracker::evidence(const Eigen::Vector3d& poin
       cameras[k].inView = true;
       cameras[k].visible = static_cast<double>(*count) / WindowCounts::kPixels;
       cameras[k].logLikelihood = std::log(static_cast<double>(counted) / WindowCounts::kPixels);
-      cameras[k].existenceProbability = probabilityFrom(std::log(static_cast<double>(counted)));
+      cameras[k].existenceProbability =
+          probabilityFromLogOdds(std::log(static_cast<double>(counted)));
     }
   }
   return cameras;
@@ -84,7 +85,7 @@ std::size_t BarreraTracker::memoryBytes() const {
   return bytes;
 }
 
-std::vector<CameraReport> BarreraTracker::explain() const {
+std::vector<CameraReport> BarreraTracker::cameraReports() const {
   std::vector<CameraReport> reports;
   for (std::size_t camera = 0; camera < observation_.cameraCount(); ++camera) {
     reports.push_back(

@@ -29,12 +29,12 @@ public:
   /// Returns the approximate size of a copy in bytes.
   std::size_t memoryBytes() const;
   /// Returns for each camera whether it confirms the target, and the reason if it does not.
-  std::vector<CameraReport> explain() const;
+  std::vector<CameraReport> cameraReports() const;
   /// Returns one map per camera around the estimate, up to `reach` pixels in each direction.
   std::vector<LikelihoodMap> likelihoodMaps(int reach) const;
 
 private:
-  void showImages();
+  void passImages();
   /// Returns the evidence of the window at a point (meters, world frame) in each camera. The odds
   /// compare its likelihood with that of a window without matching pixels, 1/25.
   std::vector<CameraEvidence> evidence(const Eigen::Vector3d& point) const;

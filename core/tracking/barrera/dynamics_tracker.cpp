@@ -40,14 +40,14 @@ void DynamicsTracker::beginFrame(std::int64_t frame,
 void DynamicsTracker::measure() {
   std::vector<Ray> rays;
   for (std::size_t camera = 0; camera < unprojectors_.size(); ++camera) {
-    const auto center = massCenter(imageOf(camera), classifier_);
+    const auto center = centerOfMass(imageOf(camera), classifier_);
     seen_[camera] = center.has_value();
     if (const auto ray = center ? unprojectors_[camera].ray(*center) : std::nullopt) {
       rays.push_back(*ray);
     }
   }
   measured_ = nearestPoint(rays);
-  if (measured_ && !isOfInterest(*measured_)) {
+  if (measured_ && !isInVolumeOfInterest(*measured_)) {
     measured_.reset();
   }
 }
@@ -62,7 +62,7 @@ SphereEstimate DynamicsTracker::iterate(ThreadTeam& team) {
     result.cameras[camera].existenceProbability = result.cameras[camera].visible;
   }
   result.camerasSeeing = static_cast<int>(std::ranges::count(seen_, true));
-  result.valid = measured_.has_value() && isOfInterest(result.mean);
+  result.valid = measured_.has_value() && isInVolumeOfInterest(result.mean);
   result.existenceProbability = result.valid ? 1.0 : 0.0; // the filter has no opinion of its own
   if (measured_) {
     result.measurement = Gaussian3{*measured_, sigma * sigma * Eigen::Matrix3d::Identity()};
@@ -71,7 +71,7 @@ SphereEstimate DynamicsTracker::iterate(ThreadTeam& team) {
   return result;
 }
 
-std::vector<CameraReport> DynamicsTracker::explain() const {
+std::vector<CameraReport> DynamicsTracker::cameraReports() const {
   std::vector<CameraReport> reports(unprojectors_.size());
   for (std::size_t camera = 0; camera < reports.size(); ++camera) {
     const cv::Mat image = imageOf(camera);

@@ -29,7 +29,7 @@ public:
   void beginFrame(std::int64_t frame, const std::optional<Eigen::Vector3d>& measured);
   SphereEstimate iterate(ThreadTeam& team);
   /// Returns for each camera whether it confirms the target, and the reason if it does not.
-  std::vector<CameraReport> explain() const;
+  std::vector<CameraReport> cameraReports() const;
 
   /// Returns the measured position of this frame (world frame, meters); nothing if there is none.
   const std::optional<Eigen::Vector3d>& measured() const { return measured_; }

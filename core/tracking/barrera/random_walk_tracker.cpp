@@ -11,20 +11,20 @@
 namespace dewpoint::tracking {
 
 RandomWalkTracker::RandomWalkTracker(const ParameterValues& parameters) : parameters_(parameters) {
-  filter_.start(drawStart());
+  filter_.start(drawStartParticles());
 }
 
 void RandomWalkTracker::configure(const ParameterValues& parameters) {
   parameters_ = parameters;
   if (!started_) {
-    filter_.start(drawStart());
+    filter_.start(drawStartParticles());
   }
 }
 
 void RandomWalkTracker::setVolumeOfInterest(const std::optional<WorldBox>& volume) {
   volume_ = volume;
-  if (!started_ || !isOfInterest(estimate_.mean)) {
-    filter_.start(drawStart());
+  if (!started_ || !isInVolumeOfInterest(estimate_.mean)) {
+    filter_.start(drawStartParticles());
   }
 }
 
@@ -33,7 +33,7 @@ void RandomWalkTracker::restart(std::uint64_t seed) {
   key_.iteration = 0;
   started_ = false;
   estimate_ = {};
-  filter_.start(drawStart());
+  filter_.start(drawStartParticles());
 }
 
 int RandomWalkTracker::iterationsPerFrame() const {
@@ -78,7 +78,7 @@ std::size_t RandomWalkTracker::memoryBytes() const {
   return static_cast<std::size_t>(filter_.states().size()) * 3 * sizeof(double);
 }
 
-Eigen::ArrayXXd RandomWalkTracker::drawStart() const {
+Eigen::ArrayXXd RandomWalkTracker::drawStartParticles() const {
   const StartVolume start = startVolume(parameters_);
   return drawUniformly(volume_ ? within(start, *volume_) : start,
                        static_cast<Eigen::Index>(parameters_.at("particles")),

@@ -49,7 +49,7 @@ protected:
   template <ObservationModel O> SphereEstimate step(const O& observation, ThreadTeam& team);
   /// Returns whether a position (world frame, meters) lies in the volume of interest, if there is
   /// one.
-  bool isOfInterest(const Eigen::Vector3d& position) const {
+  bool isInVolumeOfInterest(const Eigen::Vector3d& position) const {
     return !volume_ || volume_->contains(position);
   }
   /// Returns the image of a camera; empty if there is none.
@@ -60,7 +60,7 @@ protected:
   SphereEstimate estimate_;
 
 private:
-  Eigen::ArrayXXd drawStart() const;
+  Eigen::ArrayXXd drawStartParticles() const;
 
   std::optional<WorldBox> volume_; ///< volume of interest
   ParticleFilter filter_;

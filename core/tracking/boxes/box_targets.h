@@ -23,11 +23,11 @@ namespace dewpoint::tracking {
 template <BoxFilter F>
 class BoxTargets final : public Tracker,
                          public Configurable,
-                         public TargetFollowing,
-                         public BoxFollowing,
+                         public TargetTracking,
+                         public BoxTracking,
                          public ReferenceColors,
-                         public CameraExplaining,
-                         public Copying {
+                         public CameraReporting,
+                         public Copyable {
 public:
   /// Creates a tracker. `parameters` must be those of the filter (asserted).
   BoxTargets(const ParameterValues& parameters, const std::vector<Target>& targets)
@@ -39,7 +39,7 @@ public:
   /// Sets the targets; their number may change. Targets with a known name continue. A target with a
   /// changed box discards its former track.
   void setTargets(const std::vector<Target>& targets) override;
-  bool takesAnyNumber() const override { return true; }
+  bool canChangeTargetCount() const override { return true; }
   void restart(std::uint64_t seed) override;
   int iterationsPerFrame() const override { return 1; }
   /// Begins a frame. A target whose box belongs to this frame is present immediately, before any
@@ -54,13 +54,13 @@ public:
   std::vector<double> referenceHistogram(std::size_t target) const override {
     return followed_.at(target).reference;
   }
-  std::vector<CameraReport> explain(std::size_t track) const override;
+  std::vector<CameraReport> cameraReports(std::size_t track) const override;
   bool canBeCopied() const override { return true; }
   std::unique_ptr<Tracker> clone() const override { return std::make_unique<BoxTargets>(*this); }
   std::size_t memoryBytes() const override;
 
 private:
-  struct Followed {
+  struct TrackedBox {
     std::string name;
     std::optional<TargetBox> box;
     std::optional<F> filter; ///< empty before the frame of the box
@@ -73,17 +73,17 @@ private:
   const cv::Mat* imageOf(const TargetBox& box) const;
   /// Starts tracking a target whose box belongs to the run's present frame.
   void start(std::size_t target);
-  void step(Followed& one, ThreadTeam& team) const;
+  void step(TrackedBox& one, ThreadTeam& team) const;
 
   ParameterValues parameters_;
   std::uint64_t seed_ = 0;
-  std::vector<Followed> followed_;
+  std::vector<TrackedBox> followed_;
   FrameSetPtr frames_;
 };
 
 template <BoxFilter F> void BoxTargets<F>::configure(const ParameterValues& parameters) {
   parameters_ = parameters;
-  for (Followed& one : followed_) {
+  for (TrackedBox& one : followed_) {
     if (one.filter) {
       one.filter->configure(parameters_);
     }
@@ -91,11 +91,11 @@ template <BoxFilter F> void BoxTargets<F>::configure(const ParameterValues& para
 }
 
 template <BoxFilter F> void BoxTargets<F>::setTargets(const std::vector<Target>& targets) {
-  std::vector<Followed> before = std::exchange(followed_, {});
+  std::vector<TrackedBox> before = std::exchange(followed_, {});
   const bool sameNumber = before.size() == targets.size(); // then a target may have been renamed
   for (std::size_t k = 0; k < targets.size(); ++k) {
     const auto old = sameNumber ? before.begin() + static_cast<std::ptrdiff_t>(k)
-                                : std::ranges::find(before, targets[k].name, &Followed::name);
+                                : std::ranges::find(before, targets[k].name, &TrackedBox::name);
     if (old != before.end() && old->box == targets[k].box) {
       followed_.push_back(std::move(*old));
       followed_.back().name = targets[k].name;
@@ -118,7 +118,7 @@ template <BoxFilter F> void BoxTargets<F>::beginFrame(FrameSetPtr frames) {
 template <BoxFilter F> void BoxTargets<F>::restart(std::uint64_t seed) {
   seed_ = seed;
   frames_ = nullptr;
-  for (Followed& one : followed_) {
+  for (TrackedBox& one : followed_) {
     one.filter.reset();
     one.startedAt = -1;
     one.estimate = {};
@@ -134,7 +134,7 @@ template <BoxFilter F> const cv::Mat* BoxTargets<F>::imageOf(const TargetBox& bo
 }
 
 template <BoxFilter F> void BoxTargets<F>::start(std::size_t target) {
-  const Followed& one = followed_[target];
+  const TrackedBox& one = followed_[target];
   if (!frames_ || !one.box || one.box->frame != frames_->index || one.startedAt == frames_->index) {
     return;
   }
@@ -147,7 +147,7 @@ template <BoxFilter F> void BoxTargets<F>::start(std::size_t target) {
 template <BoxFilter F>
 Status BoxTargets<F>::follow(std::size_t target, const cv::Mat& bgr, const TargetBox& box,
                              std::uint64_t seed) {
-  Followed& one = followed_.at(target);
+  TrackedBox& one = followed_.at(target);
   F filter(parameters_);
   if (const Status started = filter.start(bgr, box.box, seed); !started) {
     return started;
@@ -165,7 +165,7 @@ Status BoxTargets<F>::follow(std::size_t target, const cv::Mat& bgr, const Targe
   return {};
 }
 
-template <BoxFilter F> void BoxTargets<F>::step(Followed& one, ThreadTeam& team) const {
+template <BoxFilter F> void BoxTargets<F>::step(TrackedBox& one, ThreadTeam& team) const {
   if (!one.filter || one.startedAt == frames_->index) {
     return; // in its own image, the target is at the box as defined
   }
@@ -184,13 +184,13 @@ template <BoxFilter F> void BoxTargets<F>::iterate(ThreadTeam& team) {
 }
 
 template <BoxFilter F> TrackEstimate BoxTargets<F>::estimate(std::size_t track) const {
-  const Followed& one = followed_.at(track);
+  const TrackedBox& one = followed_.at(track);
   return one.filter ? TrackEstimate(one.estimate) : TrackEstimate(AbsentEstimate{});
 }
 
 template <BoxFilter F>
 BoxParticles BoxTargets<F>::boxParticles(std::size_t target, int limit) const {
-  const Followed& one = followed_.at(target);
+  const TrackedBox& one = followed_.at(target);
   if (!one.filter) {
     return {};
   }
@@ -200,8 +200,9 @@ BoxParticles BoxTargets<F>::boxParticles(std::size_t target, int limit) const {
   return {centers.cast<float>(), weights.cast<float>()};
 }
 
-template <BoxFilter F> std::vector<CameraReport> BoxTargets<F>::explain(std::size_t track) const {
-  const Followed& one = followed_.at(track);
+template <BoxFilter F>
+std::vector<CameraReport> BoxTargets<F>::cameraReports(std::size_t track) const {
+  const TrackedBox& one = followed_.at(track);
   std::vector<CameraReport> reports;
   if (one.filter && frames_) {
     reports.resize(frames_->frames.size()); // the other cameras do not search for the target
@@ -216,8 +217,8 @@ template <BoxFilter F> std::vector<CameraReport> BoxTargets<F>::explain(std::siz
 
 template <BoxFilter F> std::size_t BoxTargets<F>::memoryBytes() const {
   std::size_t bytes = sizeof(BoxTargets);
-  for (const Followed& one : followed_) {
-    bytes += sizeof(Followed) + sizeof(double) * one.reference.capacity() +
+  for (const TrackedBox& one : followed_) {
+    bytes += sizeof(TrackedBox) + sizeof(double) * one.reference.capacity() +
              (one.filter ? one.filter->memoryBytes() : 0);
   }
   return bytes;

@@ -95,7 +95,7 @@ Status HistogramTracker::start(const cv::Mat& bgr, const ImageBox& box, std::uin
   colors_.learn(image, box_);
   map_.build(image, {{0, 0}, image.size()}, colors_);
   fitSizeExponents();
-  firstLikeness_ = std::max(colors_.likeness(image, box_), 1e-6);
+  firstLikeness_ = std::max(colors_.similarityOf(image, box_), 1e-6);
   states_ = Eigen::ArrayXXd::Zero(particleCount_, kColumns);
   states_.col(kX) = box_.center().x();
   states_.col(kY) = box_.center().y();
@@ -134,7 +134,7 @@ double HistogramTracker::score(const ImageBox& box) const {
 }
 
 /// What was drawn lies about the figure as in the first image; in the whole image.
-ImageBox HistogramTracker::drawnAround(const ImageBox& figure) const {
+ImageBox HistogramTracker::drawnBoxAround(const ImageBox& figure) const {
   const double across = figure.width / first_.width / shrink_;
   const double down = figure.height / first_.height / shrink_;
   return {figure.x / shrink_ + across * (drawn_.x - first_.x),
@@ -185,7 +185,7 @@ void HistogramTracker::jump(Eigen::Index row, const std::vector<Eigen::Vector2d>
 }
 
 /// Nearly constant velocity.
-void HistogramTracker::goOn(Eigen::Index row, const Moved& draws) {
+void HistogramTracker::continueMotion(Eigen::Index row, const Moved& draws) {
   const double sigma = positionSigma_ * size();
   for (Eigen::Index axis = 0; axis < 2; ++axis) {
     const double noise = sigma * draws.normal[static_cast<std::size_t>(axis)];
@@ -209,7 +209,7 @@ void HistogramTracker::move(const std::vector<Eigen::Vector2d>& peaks, Eigen::Ar
       if (!peaks.empty() && draws.uniform[0] < share) {
         jump(i, peaks, draws, logWeight);
       } else {
-        goOn(i, draws);
+        continueMotion(i, draws);
       }
       states_(i, kScale) = std::clamp(states_(i, kScale) + scaleSigma_ * draws.normal[2],
                                       -kLargestScale, kLargestScale);
@@ -237,7 +237,7 @@ BoxEstimate HistogramTracker::estimateMode(const cv::Mat& bgr) {
   BoxEstimate result;
   result.box = boxOf(state.mean.transpose().array(), 0);
   const double share = score(result.box) / usualScore_;
-  result.similarity = std::clamp(colors_.likeness(bgr, result.box) / firstLikeness_, 0.0, 1.0);
+  result.similarity = std::clamp(colors_.similarityOf(bgr, result.box) / firstLikeness_, 0.0, 1.0);
   result.spread =
       std::sqrt(std::max(0.0, state.covariance(kX, kX) + state.covariance(kY, kY))) / shrink_;
   result.effectiveSampleSize = 1.0 / weights_.square().sum();
@@ -283,7 +283,7 @@ BoxEstimate HistogramTracker::step(const cv::Mat& bgr, ThreadTeam& team) {
     ++hiddenFrames_;
     result.box = box_;
   }
-  result.box = drawnAround(result.box);
+  result.box = drawnBoxAround(result.box);
   resample();
   return result;
 }

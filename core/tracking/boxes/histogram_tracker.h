@@ -33,7 +33,7 @@ private:
 
   cv::Mat shrunk(const cv::Mat& bgr) const;
   void fitSizeExponents();
-  ImageBox drawnAround(const ImageBox& figure) const;
+  ImageBox drawnBoxAround(const ImageBox& figure) const;
   double size() const;
   double reach() const;
   cv::Rect searchRegion() const;
@@ -42,7 +42,7 @@ private:
   double score(const ImageBox& box) const;
   void jump(Eigen::Index row, const std::vector<Eigen::Vector2d>& peaks, const Moved& draws,
             double& logWeight);
-  void goOn(Eigen::Index row, const Moved& draws);
+  void continueMotion(Eigen::Index row, const Moved& draws);
   void move(const std::vector<Eigen::Vector2d>& peaks, Eigen::ArrayXd& logWeights,
             ThreadTeam& team);
   BoxEstimate estimateMode(const cv::Mat& bgr);
@@ -70,7 +70,7 @@ private:
   double widthExponent_ = 0.0; ///< see fitSizeExponents()
   double heightExponent_ = 0.0;
   double usualScore_ = 1.0;
-  double firstLikeness_ = 1.0; ///< value for the first image, see TargetColors::likeness()
+  double firstLikeness_ = 1.0; ///< value for the first image, see TargetColors::similarityOf()
   TargetColors colors_;
   TargetMap map_;
   Eigen::ArrayXXd states_;   ///< rows of x, y, vx, vy, s, a

@@ -122,7 +122,7 @@ BoxEstimate SugandiTracker::step(const cv::Mat& bgr, ThreadTeam& team) {
   assert(similarity_ && bgr.type() == CV_8UC3);
   ++frame_;
   propagate(team);
-  similarity_->showColors(bgr, regionOfParticles(bgr.size()));
+  similarity_->loadColors(bgr, regionOfParticles(bgr.size()));
   weigh(team);
   const BoxEstimate result = estimateBox();
   resample();

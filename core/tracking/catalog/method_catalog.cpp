@@ -57,12 +57,14 @@ std::int64_t firstBox(const std::vector<Target>& targets, std::int64_t frame) {
 }
 
 constexpr MethodFamily kSpheres{
-    .heading = "Colored objects in 3D", .describe = colorText, .lack = lackOfTargets};
+    .heading = "Colored objects in 3D", .describe = colorText, .noTargetsText = lackOfTargets};
 /// Positions where the rays of several cameras meet.
-constexpr MethodFamily kTriangulated{
-    .heading = kSpheres.heading, .fewestCameras = 2, .describe = colorText, .lack = lackOfTargets};
+constexpr MethodFamily kTriangulated{.heading = kSpheres.heading,
+                                     .fewestCameras = 2,
+                                     .describe = colorText,
+                                     .noTargetsText = lackOfTargets};
 constexpr MethodFamily kBoxes{
-    .targets = TargetsFrom::Box,
+    .targets = TargetSource::Box,
     .heading = "A box in one video",
     .needsCalibration = false,
     .tables = RunTables::Boxes,
@@ -70,10 +72,10 @@ constexpr MethodFamily kBoxes{
     .tracksAgainOnEdit = true,
     .describe = boxText,
     .isDefined = [](const Target& target) { return target.box.has_value(); },
-    .lack = lackOfBoxes,
-    .beginFor = firstBox};
+    .noTargetsText = lackOfBoxes,
+    .firstFrameFor = firstBox};
 constexpr MethodFamily kPeople{
-    .targets = TargetsFrom::Images,
+    .targets = TargetSource::Images,
     .heading = "People in a room",
     .fewestCameras = 2,
     .tables = RunTables::People,
@@ -81,7 +83,7 @@ constexpr MethodFamily kPeople{
     .masksMotion = true,
     .describe = colorText,
     // The background is learned at the beginning.
-    .beginFor = [](const std::vector<Target>&, std::int64_t) { return std::int64_t{0}; }};
+    .firstFrameFor = [](const std::vector<Target>&, std::int64_t) { return std::int64_t{0}; }};
 
 using Made = std::unique_ptr<Tracker>;
 using Targets = std::vector<Target>;
@@ -127,14 +129,14 @@ constexpr Method kMethods[] = {
      {"A simple particle filter with color", "For teaching: shows how a particle filter works.",
       "method-dynamics.md", "Barrera et al. 2005"},
      barreraParameters,
-     makeIndependent<BarreraTracker>},
+     makeIndependentTrackers<BarreraTracker>},
     {"dynamics",
      kTriangulated,
      {"A particle filter with position measurements",
       "For teaching: shows how particles follow measurements.", "method-dynamics.md",
       "Barrera et al. 2005, III-C"},
      dynamicsParameters,
-     makeIndependent<DynamicsTracker>},
+     makeIndependentTrackers<DynamicsTracker>},
     {"histogram",
      kBoxes,
      {"Anything you draw a box around",
@@ -215,7 +217,7 @@ std::vector<std::string> methodNames() {
   return namesWhere([](const MethodFamily&) { return true; });
 }
 
-std::vector<std::string> methodNames(TargetsFrom targets) {
+std::vector<std::string> methodNames(TargetSource targets) {
   return namesWhere([targets](const MethodFamily& family) { return family.targets == targets; });
 }
 
@@ -233,7 +235,7 @@ MethodText methodText(std::string_view method) {
   return row != nullptr ? row->text : MethodText();
 }
 
-std::string_view methodSentence(std::string_view method) {
+std::string_view methodSummary(std::string_view method) {
   return methodText(method).sentence;
 }
 
@@ -257,7 +259,7 @@ std::span<const ParameterDeclaration> methodParameters(std::string_view method) 
   return row != nullptr ? row->parameters() : std::span<const ParameterDeclaration>();
 }
 
-ParameterValues carriedOver(const ParameterValues& previous, std::string_view method) {
+ParameterValues carryOverParameters(const ParameterValues& previous, std::string_view method) {
   ParameterValues values(methodParameters(method));
   for (const auto& declaration : previous.declarations()) {
     if (!previous.isGiven(declaration.key)) {
@@ -267,7 +269,7 @@ ParameterValues carriedOver(const ParameterValues& previous, std::string_view me
     if (value != declaration.defaultValue) {
       (void)values.set(declaration.key, value); // or its own default stays
     } else {
-      values.give(declaration.key);
+      values.markGiven(declaration.key);
     }
   }
   return values;

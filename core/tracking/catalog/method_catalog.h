@@ -18,7 +18,7 @@ namespace dewpoint::tracking {
 class Tracker;
 
 /// How a project defines its targets.
-enum class TargetsFrom {
+enum class TargetSource {
   Color, ///< each target has a color and a size
   Box,   ///< each target has a box in one frame of one camera
   Images ///< the project defines no targets: the method finds them automatically
@@ -36,7 +36,7 @@ enum class RunTables {
 /// reads a property need not know the family. Read properties instead of comparing families:
 /// tests/architecture counts where a family is named.
 struct MethodFamily {
-  TargetsFrom targets = TargetsFrom::Color;
+  TargetSource targets = TargetSource::Color;
   /// Purpose of these methods, used as the heading of their group in a list.
   std::string_view heading;
   /// True if the method estimates positions in the room with calibrated cameras; otherwise it works
@@ -57,17 +57,17 @@ struct MethodFamily {
   /// Returns whether a target of the project has everything required for tracking.
   bool (*isDefined)(const Target& target) = [](const Target&) { return true; };
   /// Returns a text that explains why nothing can be tracked while lacksTargets() is true.
-  std::string (*lack)(std::string_view method) = nullptr;
+  std::string (*noTargetsText)(std::string_view method) = nullptr;
   /// Returns the frame, at most `frame`, at which a run must begin so that its result at `frame` is
   /// correct.
-  std::int64_t (*beginFor)(const std::vector<Target>& targets, std::int64_t frame) =
+  std::int64_t (*firstFrameFor)(const std::vector<Target>& targets, std::int64_t frame) =
       [](const std::vector<Target>&, std::int64_t frame) { return frame; };
 
   /// Returns whether the method finds its targets automatically: the project defines none, and
   /// ground truth does not use their names.
-  bool findsTargets() const { return targets == TargetsFrom::Images; }
+  bool findsTargets() const { return targets == TargetSource::Images; }
   /// Returns whether masks show the pixels that have the color of a target.
-  bool masksColors() const { return targets == TargetsFrom::Color; }
+  bool masksColors() const { return targets == TargetSource::Color; }
   /// Returns whether there is nothing to track with these targets of a project.
   bool lacksTargets(const std::vector<Target>& projectTargets) const;
   /// Returns whether other methods track the same targets, so that one of them can continue a run
@@ -102,7 +102,7 @@ struct Method {
   bool writesMeasurements = false;
   /// Trajectories have a column that marks frames in which another object is about as likely to be
   /// the target.
-  bool statesAmbiguity = false;
+  bool writesAmbiguity = false;
   /// Trajectories have columns for the extent of targets that are not balls.
   bool learnsShapes = false;
 };
@@ -125,7 +125,7 @@ std::string_view headingOf(const Method& method);
 /// Returns the names of methods(), in the same order.
 std::vector<std::string> methodNames();
 /// Returns the names of the methods whose targets are defined in this way.
-std::vector<std::string> methodNames(TargetsFrom targets);
+std::vector<std::string> methodNames(TargetSource targets);
 /// Returns the names of the methods that write these tables.
 std::vector<std::string> methodNames(RunTables tables);
 /// Returns the family of a method; for an unknown method, that of the default method.
@@ -133,7 +133,7 @@ MethodFamily methodFamily(std::string_view method);
 /// Returns the description of a method; empty strings for an unknown method.
 MethodText methodText(std::string_view method);
 /// Returns MethodText::sentence of a method; empty for an unknown method.
-std::string_view methodSentence(std::string_view method);
+std::string_view methodSummary(std::string_view method);
 /// Returns the manual page about a method; for an unknown method, that of the default method.
 std::string_view methodPage(std::string_view method);
 /// Returns these pages without duplicates, in the order of methods().
@@ -144,7 +144,7 @@ std::span<const ParameterDeclaration> methodParameters(std::string_view method);
 /// in `previous`: these values are kept if they are in their allowed ranges. A default that was
 /// given explicitly in `previous` becomes the given default of this method, so it is not derived
 /// from the cameras.
-ParameterValues carriedOver(const ParameterValues& previous, std::string_view method);
+ParameterValues carryOverParameters(const ParameterValues& previous, std::string_view method);
 /// Returns MissingKey if the method has a parameter that `parameters` do not declare.
 Status checkParameters(std::string_view method, const ParameterValues& parameters);
 

@@ -17,9 +17,9 @@ constexpr double kSurelyThere = 0.95;
 
 } // namespace
 
-std::vector<BackgroundModel::Hidden> hiddenByObjects(const TrackedObjects& objects,
-                                                     std::size_t camera) {
-  std::vector<BackgroundModel::Hidden> hidden;
+std::vector<BackgroundModel::ExcludedCircle> excludedCircles(const TrackedObjects& objects,
+                                                             std::size_t camera) {
+  std::vector<BackgroundModel::ExcludedCircle> hidden;
   for (const TrackedObject& object : objects) {
     const TrackHypothesis* best = object.track.best();
     if (best == nullptr || (object.isBall() && !best->hasRim())) {
@@ -40,7 +40,7 @@ bool noTargetIsElsewhere(const TrackedObjects& objects, std::size_t cameraCount,
                          const std::vector<SphereEstimate>& estimates) {
   const int fewest = std::min<int>(2, static_cast<int>(cameraCount));
   for (std::size_t k = 0; k < objects.targetCount(); ++k) {
-    const TrackHypothesis* const best = objects[k].track.confident();
+    const TrackHypothesis* const best = objects[k].track.confidentHypothesis();
     const SphereEstimate& estimate = estimates[k];
     if (best == nullptr || !best->hasRim() || !best->outlineFound || !objects[k].isBall() ||
         best->logLikelihoodRatio <
@@ -69,12 +69,12 @@ void forgetFamiliarPixelsAt(const TrackedObject& object, const Eigen::Vector3d& 
   }
 }
 
-void forgetFamiliarPixelsOfLost(TrackedObjects& objects, FrameImages& images, double interval,
-                                double patience) {
+void forgetFamiliarPixelsOfLostTargets(TrackedObjects& objects, FrameImages& images,
+                                       double interval, double patience) {
   for (std::size_t k = 0; k < objects.targetCount(); ++k) {
     TrackedObject& object = objects[k];
     const double before = object.unseenSeconds;
-    object.unseenSeconds = object.track.confident() != nullptr ? 0.0 : before + interval;
+    object.unseenSeconds = object.track.confidentHypothesis() != nullptr ? 0.0 : before + interval;
     if (before < patience && object.unseenSeconds >= patience) {
       images.forgetFamiliarPixels();
     }

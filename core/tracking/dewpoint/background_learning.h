@@ -18,8 +18,8 @@ namespace dewpoint::tracking {
 
 /// Returns the areas of a camera's image in which nothing is learned: targets and distractors, with
 /// their shadows and reflections.
-std::vector<BackgroundModel::Hidden> hiddenByObjects(const TrackedObjects& objects,
-                                                     std::size_t camera);
+std::vector<BackgroundModel::ExcludedCircle> excludedCircles(const TrackedObjects& objects,
+                                                             std::size_t camera);
 
 /// Returns whether the positions of all targets are so certain that anything else of their color is
 /// not a target.
@@ -34,7 +34,7 @@ void forgetFamiliarPixelsAt(const TrackedObject& object, const Eigen::Vector3d& 
 /// Measures how long each target has not been found, `interval` seconds after the last frame. If a
 /// target has not been found for `patience` seconds, discards the familiar pixels, since the target
 /// may have been anywhere during that time.
-void forgetFamiliarPixelsOfLost(TrackedObjects& objects, FrameImages& images, double interval,
-                                double patience);
+void forgetFamiliarPixelsOfLostTargets(TrackedObjects& objects, FrameImages& images,
+                                       double interval, double patience);
 
 } // namespace dewpoint::tracking

@@ -41,7 +41,7 @@ std::vector<SphereImage> outlinesOfOthers(const TrackedObjects& objects, std::si
   const TrackedObject& own = objects[target];
   std::vector<SphereImage> outlines;
   for (std::size_t k = 0; k < objects.size(); ++k) {
-    const TrackHypothesis* other = k != target ? objects[k].track.confident() : nullptr;
+    const TrackHypothesis* other = k != target ? objects[k].track.confidentHypothesis() : nullptr;
     if (other == nullptr || (sameColor && !haveSameColor(objects[k], own))) {
       continue;
     }
@@ -82,8 +82,8 @@ void adaptColor(TrackedObjects& objects, const FrameImages& images, const Sphere
     const Eigen::Vector3d position = estimate.mean + images.timeOffset(camera) * velocity;
     const auto outline = own.observation.projector(camera).project(position, estimate.radius);
     if (outline && showsWhole(objects, images, estimate, target, camera, *outline)) {
-      own.color.follow(camera, frame->image, *outline,
-                       outlinesOfOthers(objects, target, camera, true), share);
+      own.color.adapt(camera, frame->image, *outline,
+                      outlinesOfOthers(objects, target, camera, true), share);
     }
   }
 }

@@ -28,7 +28,7 @@ constexpr double kBesidePx = 12.0;
 double unknownShare(const LabelImage& labels, const SphereImage& outline) {
   int unknown = 0;
   int all = 0;
-  const cv::Rect area = areaOf(outline, 1.0, 0.0) & labels.covered();
+  const cv::Rect area = areaOf(outline, 1.0, 0.0) & labels.labeledArea();
   for (int row = area.y; row < area.y + area.height; ++row) {
     for (int column = area.x; column < area.x + area.width; ++column) {
       if ((Eigen::Vector2d(column, row) - outline.center).norm() <= outline.radius) {
@@ -67,7 +67,7 @@ std::optional<double> gapToDistractor(const TrackedObjects& objects, const Spher
     }
   };
   for (std::size_t k = 0; k < objects.size(); ++k) {
-    const TrackHypothesis* other = k != target ? objects[k].track.confident() : nullptr;
+    const TrackHypothesis* other = k != target ? objects[k].track.confidentHypothesis() : nullptr;
     if (other != nullptr && haveSameColor(objects[k], own)) {
       consider(*other, std::max(kBesidePx, outline.radius));
     }
@@ -121,7 +121,7 @@ CameraReport explainCamera(const TrackedObjects& objects, const FrameImages& ima
     return {CameraStatus::Hidden, 0.0};
   }
   // An image of which only a part has labels was not searched: the target was expected there.
-  if (labels.covered().size() != labels.size()) {
+  if (labels.labeledArea().size() != labels.size()) {
     return {CameraStatus::Hidden, 0.0};
   }
   const Eigen::Vector2d center = outline ? outline->center : Eigen::Vector2d(0.0, 0.0);
@@ -157,7 +157,7 @@ std::vector<CandidatePosition> candidatePositions(const TrackedObjects& objects,
                                                : CandidatePosition::Kind::New);
   }
   for (std::size_t k = 0; k < objects.size(); ++k) {
-    const TrackHypothesis* other = k != target ? objects[k].track.confident() : nullptr;
+    const TrackHypothesis* other = k != target ? objects[k].track.confidentHypothesis() : nullptr;
     if (other != nullptr && haveSameColor(objects[k], objects[target])) {
       add(*other, CandidatePosition::Kind::Distractor);
     }
@@ -175,7 +175,7 @@ std::vector<LikelihoodMap> likelihoodMapsOf(const TrackedObjects& objects,
   const double radius = estimate.radius > 0.0 ? estimate.radius : own.track.target().radius;
   // Labels of its own: making more of them must not change what the tracker does next.
   SphereObservation observation = objects.makeObservation();
-  images.showTo(observation, own.color);
+  images.passTo(observation, own.color);
   objects.explainOthers(observation, own);
   for (std::size_t camera = 0; camera < cameraCount; ++camera) {
     LabelImage& labels = observation.labels(camera);
@@ -191,11 +191,11 @@ std::vector<LikelihoodMap> likelihoodMapsOf(const TrackedObjects& objects,
                         static_cast<int>(std::lround(outline->center.y())) - reach, 2 * reach + 1,
                         2 * reach + 1) &
                whole;
-    map.most = SphereEvidence::best();
+    map.most = SphereEvidence::maxLogLikelihoodRatio();
     map.least = -map.most;
     map.logLikelihood.create(map.area.size(), CV_32F);
     SphereImage moved = *outline;
-    labels.require(areaOf(moved, SphereEvidence::kReach, reach + 2.0));
+    labels.ensureLabels(areaOf(moved, SphereEvidence::kReach, reach + 2.0));
     for (int row = 0; row < map.area.height; ++row) {
       for (int column = 0; column < map.area.width; ++column) {
         moved.center = Eigen::Vector2d(map.area.x + column, map.area.y + row);

@@ -15,12 +15,12 @@
 namespace dewpoint::tracking {
 
 /// Returns for each camera whether it confirms a target, and the reason if it does not; see
-/// CameraExplaining::explain().
+/// CameraReporting::cameraReports().
 std::vector<CameraReport> explainCameras(const TrackedObjects& objects, const FrameImages& images,
                                          const SphereEstimate& estimate, std::size_t target);
 
 /// Returns the hypotheses of a target, and the positions of other objects of its color; see
-/// PositionProposing::proposals().
+/// CandidateReporting::positionCandidates().
 std::vector<CandidatePosition> candidatePositions(const TrackedObjects& objects,
                                                   std::size_t target);
 

@@ -35,7 +35,7 @@ DewpointTracker::DewpointTracker(const ParameterValues& parameters, const Camera
 BernoulliTrackSettings DewpointTracker::trackSettings() const {
   BernoulliTrackSettings settings;
   settings.maxParticles = static_cast<Eigen::Index>(parameters_.at("particles"));
-  if (const auto affordable = budget_.particles()) {
+  if (const auto affordable = budget_.affordableParticles()) {
     settings.maxParticles = std::min(static_cast<Eigen::Index>(*affordable), settings.maxParticles);
   }
   settings.minParticles = std::min(static_cast<Eigen::Index>(parameters_.at("fewest_particles")),
@@ -54,7 +54,7 @@ void DewpointTracker::configure(const ParameterValues& parameters) {
   for (TrackedObject& object : objects_) {
     object.track.configure(trackSettings());
     if (parameters_.at("color_adaptation") <= 0.0) {
-      object.color.undoFollowing();
+      object.color.undoAdaptation();
     }
   }
   if (!lastTime_) {
@@ -88,7 +88,7 @@ void DewpointTracker::setCameras(const CameraRig& rig) {
   // along with those of the targets.
   objects_.setCameras(rig);
   for (TrackedObject& object : objects_) {
-    images_.showTo(object.observation, object.color);
+    images_.passTo(object.observation, object.color);
   }
 }
 
@@ -109,11 +109,11 @@ void DewpointTracker::correctPosition(std::size_t target, const Gaussian3& posit
   object.search.reset();
   forgetFamiliarPixelsAt(object, position.mean, images_);
   // Without what other objects explain: what the user points at is the target.
-  images_.showTo(object.observation, object.color);
+  images_.passTo(object.observation, object.color);
   if (object.isBall()) {
     object.track.correct(position, object.observation, object.keyIn(key_), team);
   } else {
-    images_.showTo(object.shape->observation(), object.color);
+    images_.passTo(object.shape->observation(), object.color);
     object.shape->correct(position, object.track.target().radius, object.keyIn(key_), team);
     object.track.setOnlyHypothesis(object.shape->track().hypothesis());
   }
@@ -121,7 +121,7 @@ void DewpointTracker::correctPosition(std::size_t target, const Gaussian3& posit
   if (!estimates_[target].measurement) {
     estimates_[target].measurement = position; // what the user measured in this frame
   }
-  for (const std::size_t other : objects_.makeRoomFor(target)) {
+  for (const std::size_t other : objects_.removeOthersAt(target)) {
     updateEstimate(other);
   }
 }
@@ -139,7 +139,7 @@ void DewpointTracker::restart(std::uint64_t seed) {
   distractors_.restart(objects_.targetCount());
   for (TrackedObject& object : objects_) {
     object.search.reset();
-    object.color.forget();
+    object.color.restoreLearned();
     object.unseenFrames = 0;
     object.unseenSeconds = 0.0;
     object.track.configure(trackSettings());
@@ -180,11 +180,11 @@ void DewpointTracker::iterate(ThreadTeam& team) {
   }
   if (isFirst) {
     predictTracks();
-    images_.followLight();
-    reachColors();
+    images_.adaptToLight();
+    extendColorsToLight();
   }
   updateTracks(team);
-  budget_.endOfUpdates(parameters_.at("particles"));
+  budget_.adaptParticleCount(parameters_.at("particles"));
   if (isFirst) {
     searchDistractors(team);
   }
@@ -208,17 +208,17 @@ void DewpointTracker::predictTracks() {
   }
 }
 
-void DewpointTracker::reachColors() {
+void DewpointTracker::extendColorsToLight() {
   for (std::size_t k = 0; k < objects_.targetCount(); ++k) {
     TrackedObject& object = objects_[k];
-    if (object.track.confident() != nullptr) {
+    if (object.track.confidentHypothesis() != nullptr) {
       object.unseenFrames = 0;
       continue;
     }
     if (object.unseenFrames < kReachFrames || object.unseenFrames % kReachPeriod == 0) {
       for (std::size_t camera = 0; camera < images_.cameraCount(); ++camera) {
         if (const FramePtr frame = images_.frame(camera)) {
-          object.color.reach(camera, frame->image);
+          object.color.extendToLight(camera, frame->image);
         }
       }
     }
@@ -228,9 +228,9 @@ void DewpointTracker::reachColors() {
 
 void DewpointTracker::updateTracks(ThreadTeam& team) {
   for (std::size_t k = objects_.targetCount(); k < objects_.size(); ++k) {
-    objects_.suppressAtTargets(k);
+    objects_.suppressIfAtTarget(k);
   }
-  for (const std::size_t k : objects_.byProbability()) {
+  for (const std::size_t k : objects_.indicesByProbability()) {
     updateTrack(k, team);
   }
   for (std::size_t k = 0; k < objects_.targetCount(); ++k) {
@@ -254,14 +254,14 @@ void DewpointTracker::updateShape(std::size_t target, ThreadTeam& team) {
   TrackedObject& object = objects_[target];
   ShapeTracking& shape = *object.shape;
   const bool wasBall = object.isBall();
-  const TrackHypothesis* const ball = wasBall ? object.track.confident() : nullptr;
-  if (wasBall && !shape.wantsImages(ball != nullptr)) {
+  const TrackHypothesis* const ball = wasBall ? object.track.confidentHypothesis() : nullptr;
+  if (wasBall && !shape.needsImages(ball != nullptr)) {
     return;
   }
   if (!wasBall) { // what was shown there is older
-    images_.showTo(object.observation, object.color);
+    images_.passTo(object.observation, object.color);
   }
-  images_.showTo(shape.observation(), object.color);
+  images_.passTo(shape.observation(), object.color);
   objects_.explainOtherTargets(target);
   if (ball != nullptr) {
     shape.measureBall(*ball, object.keyIn(key_), team);
@@ -280,7 +280,7 @@ void DewpointTracker::updateShape(std::size_t target, ThreadTeam& team) {
 
 void DewpointTracker::updateAsBall(std::size_t index, ThreadTeam& team) {
   TrackedObject& object = objects_[index];
-  images_.showTo(object.observation, object.color);
+  images_.passTo(object.observation, object.color);
   objects_.explainOthers(object.observation, object);
   const auto findNow = [&](SphereObservation& observation, bool radiusKnown, std::size_t limit) {
     return search_.find(observation, radiusKnown, limit, object.track.bounds());
@@ -294,14 +294,14 @@ void DewpointTracker::updateAsBall(std::size_t index, ThreadTeam& team) {
     return advanceSearch(object.search, search_, budget_, limit, true);
   };
   const CandidateSource search =
-      budget_.limited() ? CandidateSource(findInSlices) : CandidateSource(findNow);
+      budget_.isLimited() ? CandidateSource(findInSlices) : CandidateSource(findNow);
   object.track.update(object.observation, search, objects_.occupiedByOthers(index),
                       object.keyIn(key_), team);
   if (!searched) {
     object.search.reset(); // candidates in old images are of no use later
   }
   if (index >= objects_.targetCount()) {
-    objects_.suppressAtTargets(index);
+    objects_.suppressIfAtTarget(index);
   }
 }
 
@@ -334,13 +334,13 @@ void DewpointTracker::adaptTargetColors() {
 }
 
 void DewpointTracker::learnBackgrounds() {
-  forgetFamiliarPixelsOfLost(objects_, images_, secondsSinceLastFrame(),
-                             parameters_.at("survival_time"));
+  forgetFamiliarPixelsOfLostTargets(objects_, images_, secondsSinceLastFrame(),
+                                    parameters_.at("survival_time"));
   const bool noTargetElsewhere = noTargetIsElsewhere(objects_, images_.cameraCount(), estimates_);
   for (std::size_t camera = 0; camera < images_.cameraCount(); ++camera) {
     if (images_.frame(camera)) {
-      budget_.spend(TimeBudget::Part::Learning, [&] {
-        images_.learnBackground(camera, hiddenByObjects(objects_, camera), noTargetElsewhere);
+      budget_.runIfAffordable(TimeBudget::Part::Learning, [&] {
+        images_.learnBackground(camera, excludedCircles(objects_, camera), noTargetElsewhere);
       });
     }
   }
@@ -364,11 +364,11 @@ std::size_t DewpointTracker::memoryBytes() const {
   return bytes;
 }
 
-std::vector<CameraReport> DewpointTracker::explain(std::size_t target) const {
+std::vector<CameraReport> DewpointTracker::cameraReports(std::size_t target) const {
   return explainCameras(objects_, images_, estimates_.at(target), target);
 }
 
-std::vector<CandidatePosition> DewpointTracker::proposals(std::size_t target) const {
+std::vector<CandidatePosition> DewpointTracker::positionCandidates(std::size_t target) const {
   return candidatePositions(objects_, target);
 }
 

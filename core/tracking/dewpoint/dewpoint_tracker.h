@@ -19,16 +19,16 @@ namespace dewpoint::tracking {
 /// distinguished by their former positions, and no two targets can be at one position.
 class DewpointTracker final : public Tracker,
                               public Configurable,
-                              public TargetFollowing,
+                              public TargetTracking,
                               public CameraCalibrated,
                               public VolumeBounded,
                               public PositionCorrecting,
                               public BackgroundImageUsing,
                               public ParticleCloud,
-                              public CameraExplaining,
-                              public PositionProposing,
+                              public CameraReporting,
+                              public CandidateReporting,
                               public LikelihoodMapping,
-                              public Copying {
+                              public Copyable {
 public:
   /// Creates a tracker. `parameters` must be declared by dewpointParameters().
   DewpointTracker(const ParameterValues& parameters, const CameraRig& rig,
@@ -40,7 +40,7 @@ public:
   /// next iteration.
   void configure(const ParameterValues& parameters) override;
   void setTargets(const std::vector<Target>& targets) override;
-  bool takesAnyNumber() const override { return false; }
+  bool canChangeTargetCount() const override { return false; }
   void setCameras(const CameraRig& rig) override;
   /// Limits the positions of targets. Distractors are tracked everywhere, so that pixels they
   /// explain are not counted as evidence inside the volume.
@@ -58,8 +58,8 @@ public:
   bool canBeCopied() const override { return true; }
   std::unique_ptr<Tracker> clone() const override;
   std::size_t memoryBytes() const override;
-  std::vector<CameraReport> explain(std::size_t target) const override;
-  std::vector<CandidatePosition> proposals(std::size_t target) const override;
+  std::vector<CameraReport> cameraReports(std::size_t target) const override;
+  std::vector<CandidatePosition> positionCandidates(std::size_t target) const override;
   std::vector<LikelihoodMap> likelihoodMaps(std::size_t target, int reach) const override;
 
 private:
@@ -69,7 +69,7 @@ private:
   double secondsSinceLastFrame() const;
   void predictTracks();
   /// Adapts the colors of targets that are not tracked to the present light.
-  void reachColors();
+  void extendColorsToLight();
   /// Runs the measurement updates of all tracks, starting with the most probable objects.
   void updateTracks(ThreadTeam& team);
   void updateTrack(std::size_t index, ThreadTeam& team);

@@ -46,7 +46,7 @@ void DistractorSearch::restart(std::size_t targetCount) {
 
 void DistractorSearch::removeLost(TrackedObjects& objects) {
   for (std::size_t k = objects.size(); k-- > objects.targetCount();) {
-    const TrackHypothesis* own = objects[k].track.confident();
+    const TrackHypothesis* own = objects[k].track.confidentHypothesis();
     const bool faint = own != nullptr && own->updateCount > kGraceUpdates &&
                        own->logLikelihoodRatio < TrackHypothesis::kPartlyVisibleShare *
                                                      own->fullyVisibleLogLikelihoodRatio;
@@ -59,7 +59,7 @@ void DistractorSearch::removeLost(TrackedObjects& objects) {
 void DistractorSearch::search(const Context& context, ThreadTeam& team) {
   const std::int64_t frame = frameCount_++;
   const TrackedObjects& objects = context.objects;
-  if (context.budget.limited()) {
+  if (context.budget.isLimited()) {
     searchInSlices(context, team);
     return;
   }
@@ -81,7 +81,7 @@ void DistractorSearch::searchFor(std::size_t target, const Context& context, Thr
   }
   const double radius = objects[target].track.target().radius;
   TrackedObject probe = objects.makeDistractorProbe(target, context.settings);
-  context.images.showTo(probe.observation, probe.color);
+  context.images.passTo(probe.observation, probe.color);
   // Otherwise the wrongly crossed rays of two known objects would make a third.
   objects.explainOthers(probe.observation, probe);
   probe.observation.setRadius(radius);
@@ -125,7 +125,7 @@ void DistractorSearch::searchInSlices(const Context& context, ThreadTeam& team) 
   }
   // The candidates are some frames old: finds where they are now.
   TrackedObject probe = objects.makeDistractorProbe(slicedTarget_, context.settings);
-  context.images.showTo(probe.observation, probe.color);
+  context.images.passTo(probe.observation, probe.color);
   objects.explainOthers(probe.observation, probe);
   for (Candidate candidate : candidates) {
     OutlinePrior prior;
@@ -149,7 +149,7 @@ void DistractorSearch::add(TrackedObject distractor, const Candidate& candidate,
   distractor.stream = nextStream_++;
   TrackedObject& added = context.objects.addDistractor(std::move(distractor));
   // Shown again, without what the search had explained by others.
-  context.images.showTo(added.observation, added.color);
+  context.images.passTo(added.observation, added.color);
   added.track.initializeAt(candidate.center, candidate.radius, added.observation,
                            added.keyIn(context.key), team);
 }

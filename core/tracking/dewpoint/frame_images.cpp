@@ -19,7 +19,7 @@ double FrameImages::timeOffset(std::size_t camera) const {
   return image ? seconds(image->captureTime - frames_->time) : 0.0;
 }
 
-void FrameImages::showTo(SphereObservation& observation, const AdaptiveColor& color) const {
+void FrameImages::passTo(SphereObservation& observation, const AdaptiveColor& color) const {
   for (std::size_t camera = 0; camera < backgrounds_.size(); ++camera) {
     const FramePtr image = frame(camera);
     observation.setImage(camera, image ? image->image : cv::Mat(), timeOffset(camera),
@@ -27,7 +27,7 @@ void FrameImages::showTo(SphereObservation& observation, const AdaptiveColor& co
   }
 }
 
-void FrameImages::showTo(RegionObservation& observation, const AdaptiveColor& color) const {
+void FrameImages::passTo(RegionObservation& observation, const AdaptiveColor& color) const {
   for (std::size_t camera = 0; camera < backgrounds_.size(); ++camera) {
     const FramePtr image = frame(camera);
     observation.setImage(camera, image ? image->image : cv::Mat(), timeOffset(camera),
@@ -53,16 +53,16 @@ void FrameImages::resetReferenceLight() {
   }
 }
 
-void FrameImages::followLight() {
+void FrameImages::adaptToLight() {
   for (std::size_t camera = 0; camera < backgrounds_.size(); ++camera) {
     if (const FramePtr image = frame(camera)) {
-      backgrounds_[camera].followLight(image->image);
+      backgrounds_[camera].adaptToLight(image->image);
     }
   }
 }
 
 void FrameImages::learnBackground(std::size_t camera,
-                                  const std::vector<BackgroundModel::Hidden>& hidden,
+                                  const std::vector<BackgroundModel::ExcludedCircle>& hidden,
                                   bool noTargetElsewhere) {
   backgrounds_[camera].learn(frame(camera)->image, hidden, noTargetElsewhere);
 }
@@ -73,7 +73,8 @@ void FrameImages::forgetFamiliarPixels() {
   }
 }
 
-void FrameImages::forgetFamiliarPixels(std::size_t camera, const BackgroundModel::Hidden& circle) {
+void FrameImages::forgetFamiliarPixels(std::size_t camera,
+                                       const BackgroundModel::ExcludedCircle& circle) {
   backgrounds_[camera].forgetFamiliarPixels(circle);
 }
 

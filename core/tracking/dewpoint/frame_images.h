@@ -29,9 +29,9 @@ public:
   double timeOffset(std::size_t camera) const;
   /// Passes the images to an observation. The images, the backgrounds and the color must remain
   /// valid while the observation is used.
-  void showTo(SphereObservation& observation, const AdaptiveColor& color) const;
+  void passTo(SphereObservation& observation, const AdaptiveColor& color) const;
 
-  void showTo(RegionObservation& observation, const AdaptiveColor& color) const;
+  void passTo(RegionObservation& observation, const AdaptiveColor& color) const;
 
   /// Sets images without targets, one per camera; an image that is not known is empty. They are
   /// used from the next resetBackgrounds() on.
@@ -41,15 +41,16 @@ public:
   void resetReferenceLight();
   /// Adapts the backgrounds to the light of the frame. Call it before the images are passed to an
   /// observation.
-  void followLight();
+  void adaptToLight();
   /// Learns a camera's background from the frame, except inside `hidden`, as
   /// BackgroundModel::learn(). The camera must have an image.
-  void learnBackground(std::size_t camera, const std::vector<BackgroundModel::Hidden>& hidden,
+  void learnBackground(std::size_t camera,
+                       const std::vector<BackgroundModel::ExcludedCircle>& hidden,
                        bool noTargetElsewhere);
   /// Calls BackgroundModel::forgetFamiliarPixels() for the whole images of all cameras.
   void forgetFamiliarPixels();
   /// Does the same inside a circle in the image of one camera.
-  void forgetFamiliarPixels(std::size_t camera, const BackgroundModel::Hidden& circle);
+  void forgetFamiliarPixels(std::size_t camera, const BackgroundModel::ExcludedCircle& circle);
   const BackgroundModel& background(std::size_t camera) const { return backgrounds_[camera]; }
   /// Returns the size of the backgrounds in bytes.
   std::size_t memoryBytes() const;

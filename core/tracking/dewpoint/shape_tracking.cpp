@@ -37,7 +37,7 @@ void ShapeTracking::setTarget(const Target& target) {
   belief_.setTarget(target);
   track_.setTarget(target);
   if (belief_.isBall() && !wasBall) {
-    track_.forget();
+    track_.discardHypothesis();
   }
 }
 
@@ -54,9 +54,9 @@ void ShapeTracking::predict(double interval, const RandomKey& key) {
   track_.predict(interval, key);
 }
 
-bool ShapeTracking::wantsImages(bool ballFound) const {
+bool ShapeTracking::needsImages(bool ballFound) const {
   const bool isNew = belief_.isUnclear() && frames_ <= kFirstFrames;
-  return belief_.isOpen() && (!ballFound || isNew || frames_ % kMeasurementPeriod == 0);
+  return belief_.isDecidedByImages() && (!ballFound || isNew || frames_ % kMeasurementPeriod == 0);
 }
 
 void ShapeTracking::learn(const std::vector<RegionMeasurement>& views,
@@ -67,7 +67,7 @@ void ShapeTracking::learn(const std::vector<RegionMeasurement>& views,
 
 void ShapeTracking::measureBall(const TrackHypothesis& ball, const RandomKey& key,
                                 ThreadTeam& team) {
-  track_.forget();
+  track_.discardHypothesis();
   std::vector<RegionMeasurement> views(observation_.cameraCount());
   for (std::size_t k = 0; k < views.size(); ++k) {
     auto& view = observation_.views()[k];

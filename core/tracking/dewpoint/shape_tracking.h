@@ -35,7 +35,7 @@ public:
 
   /// Returns whether the images of this frame are needed while the target is assumed to be a ball;
   /// `ballFound` is true if the ball was found.
-  bool wantsImages(bool ballFound) const;
+  bool needsImages(bool ballFound) const;
   /// Learns about the shape from the object at the position where a ball was found. If the object
   /// turns out not to be a ball, the track begins there.
   void measureBall(const TrackHypothesis& ball, const RandomKey& key, ThreadTeam& team);

@@ -91,7 +91,7 @@ void TrackedObjects::removeDistractorsOf(std::size_t target) {
   }
 }
 
-std::vector<std::size_t> TrackedObjects::byProbability() const {
+std::vector<std::size_t> TrackedObjects::indicesByProbability() const {
   std::vector<std::size_t> order(objects_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto probability = [&](std::size_t k) {
@@ -106,7 +106,7 @@ std::vector<std::size_t> TrackedObjects::byProbability() const {
 std::vector<OccupiedSphere> TrackedObjects::occupiedByOthers(std::size_t index) const {
   std::vector<OccupiedSphere> occupied;
   for (std::size_t k = 0; k < objects_.size(); ++k) {
-    const TrackHypothesis* other = k != index ? objects_[k].track.confident() : nullptr;
+    const TrackHypothesis* other = k != index ? objects_[k].track.confidentHypothesis() : nullptr;
     if (other != nullptr) {
       occupied.push_back({other->position(), other->radius});
     }
@@ -117,7 +117,7 @@ std::vector<OccupiedSphere> TrackedObjects::occupiedByOthers(std::size_t index) 
 std::vector<OccupiedSphere> TrackedObjects::occupiedByOtherTargets(std::size_t index) const {
   std::vector<OccupiedSphere> occupied;
   for (std::size_t k = 0; k < targetCount_; ++k) {
-    const TrackHypothesis* other = k != index ? objects_[k].track.confident() : nullptr;
+    const TrackHypothesis* other = k != index ? objects_[k].track.confidentHypothesis() : nullptr;
     if (other != nullptr) {
       occupied.push_back({other->position(), other->radius});
     }
@@ -159,9 +159,9 @@ bool TrackedObjects::allTargetsVisible() const {
 }
 
 void TrackedObjects::explainOthers(SphereObservation& observation, const TrackedObject& own) const {
-  const TrackHypothesis* mine = own.track.confident();
+  const TrackHypothesis* mine = own.track.confidentHypothesis();
   for (const TrackedObject& object : objects_) {
-    const TrackHypothesis* other = &object != &own ? object.track.confident() : nullptr;
+    const TrackHypothesis* other = &object != &own ? object.track.confidentHypothesis() : nullptr;
     // Only an object that is mostly visible itself explains anything.
     const bool explains = other != nullptr && other->outlineFound && isMostlyVisible(*other) &&
                           haveSameColor(object, own);
@@ -179,7 +179,7 @@ void TrackedObjects::explainOthers(SphereObservation& observation, const Tracked
       if (ownOutline && projector.depth(mine->position()) < projector.depth(other->position())) {
         kept = {ownOutline->center, SphereEvidence::kOutlineMargin * ownOutline->radius};
       }
-      labels.explain(
+      labels.markExplained(
           {outline->center, SphereEvidence::kOutlineMargin * outline->radius + kOutlineMarginPx},
           kept);
     }
@@ -189,7 +189,7 @@ void TrackedObjects::explainOthers(SphereObservation& observation, const Tracked
 void TrackedObjects::explainOtherTargets(std::size_t target) {
   const TrackedObject& own = objects_[target];
   for (std::size_t k = 0; k < targetCount_; ++k) {
-    const TrackHypothesis* other = k != target ? objects_[k].track.confident() : nullptr;
+    const TrackHypothesis* other = k != target ? objects_[k].track.confidentHypothesis() : nullptr;
     if (other == nullptr || !other->outlineFound || !isMostlyVisible(*other) ||
         !haveSameColor(objects_[k], own)) {
       continue;
@@ -199,7 +199,7 @@ void TrackedObjects::explainOtherTargets(std::size_t target) {
       const auto outline =
           own.observation.projector(camera).project(other->position(), other->radius);
       if (!labels.empty() && outline) {
-        labels.explain(
+        labels.markExplained(
             {outline->center, SphereEvidence::kOutlineMargin * outline->radius + kOutlineMarginPx},
             {});
       }
@@ -211,16 +211,16 @@ std::unique_ptr<SlicedSearch> TrackedObjects::startSearch(const TrackedObject& o
                                                           const FrameImages& images) const {
   auto search = std::make_unique<SlicedSearch>(rig_, own.color, own.track.target().radius,
                                                images.frames(), own.track.bounds());
-  images.showTo(search->observation(), search->color());
+  images.passTo(search->observation(), search->color());
   explainOthers(search->observation(), own);
   return search;
 }
 
-void TrackedObjects::suppressAtTargets(std::size_t distractor) {
+void TrackedObjects::suppressIfAtTarget(std::size_t distractor) {
   BernoulliTrack& track = objects_[distractor].track;
-  const TrackHypothesis* own = track.confident();
+  const TrackHypothesis* own = track.confidentHypothesis();
   for (std::size_t k = 0; k < targetCount_ && own != nullptr; ++k) {
-    const TrackHypothesis* target = objects_[k].track.confident();
+    const TrackHypothesis* target = objects_[k].track.confidentHypothesis();
     // A target that was clearly visible a frame ago is still there. (The estimate of a hidden one
     // may be wrong.)
     if (target != nullptr && target->isSaturated() && overlap(*own, *target)) {
@@ -230,11 +230,11 @@ void TrackedObjects::suppressAtTargets(std::size_t distractor) {
   }
 }
 
-std::vector<std::size_t> TrackedObjects::makeRoomFor(std::size_t target) {
+std::vector<std::size_t> TrackedObjects::removeOthersAt(std::size_t target) {
   const TrackHypothesis* const own = objects_[target].track.best();
   std::vector<std::size_t> changed;
   for (std::size_t k = objects_.size(); own->outlineFound && k-- > 0;) {
-    const TrackHypothesis* const other = objects_[k].track.confident();
+    const TrackHypothesis* const other = objects_[k].track.confidentHypothesis();
     if (k == target || other == nullptr || !overlap(*own, *other)) {
       continue;
     }
@@ -252,8 +252,8 @@ std::vector<std::size_t> TrackedObjects::makeRoomFor(std::size_t target) {
 void TrackedObjects::resolveConflicts() {
   for (std::size_t a = 0; a < objects_.size(); ++a) {
     for (std::size_t b = a + 1; b < objects_.size(); ++b) {
-      const TrackHypothesis* first = objects_[a].track.confident();
-      const TrackHypothesis* second = objects_[b].track.confident();
+      const TrackHypothesis* first = objects_[a].track.confidentHypothesis();
+      const TrackHypothesis* second = objects_[b].track.confidentHypothesis();
       if (first == nullptr || second == nullptr || !overlap(*first, *second)) {
         continue;
       }

@@ -48,7 +48,7 @@ public:
   void removeDistractorsOf(std::size_t target);
 
   /// Returns the indices of all objects, the most probable first.
-  std::vector<std::size_t> byProbability() const;
+  std::vector<std::size_t> indicesByProbability() const;
   /// Returns the spheres occupied by confident tracks of objects other than `index`. An index that
   /// is not below size() stands for an object that is not tracked yet.
   std::vector<OccupiedSphere> occupiedByOthers(std::size_t index) const;
@@ -75,10 +75,10 @@ public:
                                             const FrameImages& images) const;
   /// Suppresses a distractor's position if it has moved onto a target that was clearly visible in
   /// the last update: it was the target itself.
-  void suppressAtTargets(std::size_t distractor);
+  void suppressIfAtTarget(std::size_t distractor);
   /// Removes distractors, and hypotheses of other targets, at the position of a target whose
   /// outline was found where the user has placed it. Returns the indices of these targets.
-  std::vector<std::size_t> makeRoomFor(std::size_t target);
+  std::vector<std::size_t> removeOthersAt(std::size_t target);
   /// If two objects are at one position, suppresses the one with the smaller log likelihood ratio.
   void resolveConflicts();
   /// Removes the hypotheses of targets at occupied positions, and selects between those that images

@@ -29,10 +29,10 @@ private:
 
   void createBelief(const PersonEstimate& person, const RandomKey& key) override;
   void removeBelief(std::size_t index) override;
-  void forgetAll() override { beliefs_.clear(); }
+  void removeAllBeliefs() override { beliefs_.clear(); }
   std::size_t beliefBytes() const override;
   void update(ThreadTeam& team) override;
-  bool sharesMasks() const override { return false; }
+  bool ignoresCoveredForeground() const override { return false; }
   MotionSmoothing motionSmoothing() const override {
     return {parameters_.at("mask_sigma"), parameters_.at("motion_floor")};
   }

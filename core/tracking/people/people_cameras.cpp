@@ -95,8 +95,8 @@ ForegroundSettings PeopleCameras::foregroundSettings() const {
   return settings;
 }
 
-void PeopleCameras::begin(const FrameSet& frames, const std::vector<cv::Mat>& keep,
-                          ThreadTeam& team) {
+void PeopleCameras::computeMasks(const FrameSet& frames, const std::vector<cv::Mat>& keep,
+                                 ThreadTeam& team) {
   const double gap = seconds(frames.time - time_);
   interval_ = frame_ < 0 || gap <= 0.0 ? kDefaultGap : std::min(gap, kLongestGap);
   sinceStart_ += frame_ < 0 ? 0.0 : interval_;

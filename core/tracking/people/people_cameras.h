@@ -35,7 +35,7 @@ public:
   void restart();
   /// Computes the masks of a frame. `keep` has one image per camera, of the mask's size or empty,
   /// that marks where nothing is learned.
-  void begin(const FrameSet& frames, const std::vector<cv::Mat>& keep, ThreadTeam& team);
+  void computeMasks(const FrameSet& frames, const std::vector<cv::Mat>& keep, ThreadTeam& team);
 
   std::size_t count() const { return views_.size(); }
   const Projector& projector(std::size_t camera) const { return views_[camera].projector; }

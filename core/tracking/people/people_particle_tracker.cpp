@@ -28,7 +28,7 @@ constexpr double kBodyWider = 1.2;     ///< points are drawn a little beyond the
 /// How well standing bodies fit: states x y vx vy height.
 class StandingObservation {
 public:
-  StandingObservation(std::vector<const SilhouetteMaker*> makers, std::vector<ScoreSums> scores,
+  StandingObservation(std::vector<const SilhouetteProjector*> makers, std::vector<ScoreSums> scores,
                       double floor, double evidence, double usualHeight)
       : makers_(std::move(makers)), scores_(std::move(scores)), floor_(floor), evidence_(evidence),
         usualHeight_(usualHeight) {}
@@ -44,7 +44,7 @@ public:
       double sum = 0.0;
       for (std::size_t k = 0; k < scores_.size(); ++k) {
         if (!scores_[k].sums.empty()) {
-          sum += bodyScore(scores_[k], makers_[k]->of(place, floor_, rows(i, 4)), kPieceFloor);
+          sum += bodyScore(scores_[k], makers_[k]->project(place, floor_, rows(i, 4)), kPieceFloor);
         }
       }
       // Pixels speak, not shares of a body: a mean alone would be best for one too small, which
@@ -64,7 +64,7 @@ private:
     return sum;
   }
 
-  std::vector<const SilhouetteMaker*> makers_;
+  std::vector<const SilhouetteProjector*> makers_;
   std::vector<ScoreSums> scores_;
   std::vector<Eigen::Vector2d> others_;
   double floor_;
@@ -119,7 +119,7 @@ void PeopleParticleTracker::removeBelief(std::size_t index) {
   beliefs_.erase(beliefs_.begin() + static_cast<std::ptrdiff_t>(index));
 }
 
-void PeopleParticleTracker::forgetAll() {
+void PeopleParticleTracker::removeAllBeliefs() {
   beliefs_.clear();
   meetings_.clear();
 }
@@ -133,7 +133,7 @@ std::size_t PeopleParticleTracker::beliefBytes() const {
          std::size_t{3} * 5 * sizeof(double) * std::size_t(parameters_.at("particles"));
 }
 
-bool PeopleParticleTracker::near(std::size_t one, std::size_t other) const {
+bool PeopleParticleTracker::areNear(std::size_t one, std::size_t other) const {
   return (floorPosition(people_[one]) - floorPosition(people_[other])).norm() < kColorReach;
 }
 
@@ -159,10 +159,10 @@ std::vector<ScoreSums> PeopleParticleTracker::scoresFor(std::size_t person) cons
     cv::Mat scores = maskScores(cameras().mask(k), coveredByOthers(person, k));
     const BodySilhouette own = silhouette(people_[person], k);
     for (std::size_t other = 0; other < people_.size() && own.visible; ++other) {
-      if (other != person && near(person, other)) {
+      if (other != person && areNear(person, other)) {
         addColorScores(cameras().image(k), cameras().mask(k), boundsOf(own),
                        own.pieces[kBodyPieces / 2].br().y,
-                       beliefs_[person].clothes.against(beliefs_[other].clothes),
+                       beliefs_[person].clothes.logRatioAgainst(beliefs_[other].clothes),
                        parameters_.at("color_weight"), scores);
       }
     }
@@ -172,9 +172,9 @@ std::vector<ScoreSums> PeopleParticleTracker::scoresFor(std::size_t person) cons
 }
 
 void PeopleParticleTracker::weigh(std::size_t person, ThreadTeam& team) {
-  std::vector<const SilhouetteMaker*> makers;
+  std::vector<const SilhouetteProjector*> makers;
   for (std::size_t k = 0; k < cameras().count(); ++k) {
-    makers.push_back(&maker(k));
+    makers.push_back(&silhouetteProjector(k));
   }
   StandingObservation observation(std::move(makers), scoresFor(person), settings().area.floor,
                                   parameters_.at("evidence"), parameters_.at("usual_height"));
@@ -221,7 +221,7 @@ void PeopleParticleTracker::learnClothes() {
   for (std::size_t person = 0; person < people_.size(); ++person) {
     bool alone = true;
     for (std::size_t other = 0; other < people_.size(); ++other) {
-      alone = alone && (other == person || !near(person, other));
+      alone = alone && (other == person || !areNear(person, other));
     }
     if (!alone) {
       continue;
@@ -239,7 +239,7 @@ void PeopleParticleTracker::learnClothes() {
 double PeopleParticleTracker::clothesEvidence(std::size_t one, std::size_t other) const {
   double sum = 0.0;
   for (const auto& [own, foreign] : {std::pair(one, other), std::pair(other, one)}) {
-    const ClothesRatio ratio = beliefs_[own].clothes.against(beliefs_[foreign].clothes);
+    const ClothesRatio ratio = beliefs_[own].clothes.logRatioAgainst(beliefs_[foreign].clothes);
     for (std::size_t k = 0; k < cameras().count(); ++k) {
       if (cameras().usable(k)) {
         sum += ClothesModel::meanRatio(ratio, cameras().image(k), cameras().mask(k),
@@ -250,7 +250,7 @@ double PeopleParticleTracker::clothesEvidence(std::size_t one, std::size_t other
   return sum;
 }
 
-void PeopleParticleTracker::exchange(std::size_t one, std::size_t other) {
+void PeopleParticleTracker::swapIdentities(std::size_t one, std::size_t other) {
   // Who is who changes; where they are does not.
   std::swap(beliefs_[one].filter, beliefs_[other].filter);
   std::swap(people_[one], people_[other]);
@@ -267,7 +267,7 @@ void PeopleParticleTracker::updateMeetings() {
   for (std::size_t one = 0; one < people_.size(); ++one) {
     for (std::size_t other = one + 1; other < people_.size(); ++other) {
       const std::pair key(people_[one].identity, people_[other].identity);
-      if (near(one, other)) {
+      if (areNear(one, other)) {
         meetings_[key].sinceNear = 0.0;
       }
       const auto found = meetings_.find(key);
@@ -278,7 +278,7 @@ void PeopleParticleTracker::updateMeetings() {
       meeting.sinceNear += cameras().interval();
       meeting.evidence = kEvidenceLoss * meeting.evidence + clothesEvidence(one, other);
       if (meeting.evidence < kMistaken) {
-        exchange(one, other);
+        swapIdentities(one, other);
         meeting.evidence = 0.0;
       }
       if (meeting.sinceNear > kMeetingMemory) {

@@ -38,10 +38,10 @@ private:
 
   void createBelief(const PersonEstimate& person, const RandomKey& key) override;
   void removeBelief(std::size_t index) override;
-  void forgetAll() override;
+  void removeAllBeliefs() override;
   std::size_t beliefBytes() const override;
   void update(ThreadTeam& team) override;
-  bool sharesMasks() const override { return true; }
+  bool ignoresCoveredForeground() const override { return true; }
   MotionSmoothing motionSmoothing() const override;
 
   std::vector<ScoreSums> scoresFor(std::size_t person) const;
@@ -50,8 +50,8 @@ private:
   void learnClothes();
   void updateMeetings();
   double clothesEvidence(std::size_t one, std::size_t other) const;
-  void exchange(std::size_t one, std::size_t other);
-  bool near(std::size_t one, std::size_t other) const;
+  void swapIdentities(std::size_t one, std::size_t other);
+  bool areNear(std::size_t one, std::size_t other) const;
 
   ParameterValues parameters_;
   std::vector<Belief> beliefs_; ///< in the order of `people_`

@@ -53,7 +53,7 @@ void PeopleTrackInitiation::setCameras(const PeopleCameras& cameras, const Peopl
   const double step = std::max(kStep, std::sqrt(wanted));
   const int columns = static_cast<int>(std::floor(area.half.x() / step));
   const int rows = static_cast<int>(std::floor(area.half.y() / step));
-  std::vector<SilhouetteMaker> makers;
+  std::vector<SilhouetteProjector> makers;
   for (std::size_t k = 0; k < cameras.count(); ++k) {
     makers.emplace_back(cameras.camera(k));
   }
@@ -62,7 +62,7 @@ void PeopleTrackInitiation::setCameras(const PeopleCameras& cameras, const Peopl
       Cell cell{area.center + step * Eigen::Vector2d(i, j), {}};
       int useful = 0;
       for (std::size_t k = 0; k < cameras.count(); ++k) {
-        auto silhouette = makers[k].of(cell.position, area.floor, height);
+        auto silhouette = makers[k].project(cell.position, area.floor, height);
         silhouette.visible = shareInImage(silhouette, cameras.camera(k).intrinsics) >= kInImage;
         useful += silhouette.visible ? 1 : 0;
         cell.silhouettes.push_back(silhouette);
@@ -102,7 +102,7 @@ double PeopleTrackInitiation::scoreOf(const Cell& cell, const PeopleCameras& cam
   return seeing >= 2 ? sum : 0.0;
 }
 
-void PeopleTrackInitiation::follow(const std::vector<Candidate>& peaks, double interval) {
+void PeopleTrackInitiation::updateCandidates(const std::vector<Candidate>& peaks, double interval) {
   for (Candidate& candidate : candidates_) {
     candidate.seen = false;
   }
@@ -157,7 +157,7 @@ PeopleTrackInitiation::update(const PeopleCameras& cameras, const std::vector<cv
       peaks.push_back(one);
     }
   }
-  follow(peaks, cameras.interval());
+  updateCandidates(peaks, cameras.interval());
   const auto ready = std::ranges::find_if(
       candidates_, [&](const Candidate& one) { return one.seen && one.since >= birthTime - 1e-9; });
   if (ready == candidates_.end()) {

@@ -51,7 +51,7 @@ private:
 
   double scoreOf(const Cell& cell, const PeopleCameras& cameras,
                  const std::vector<ScoreSums>& scores) const;
-  void follow(const std::vector<Candidate>& peaks, double interval);
+  void updateCandidates(const std::vector<Candidate>& peaks, double interval);
 
   std::vector<Cell> cells_;
   std::vector<Candidate> candidates_;

@@ -67,12 +67,12 @@ void PeopleTrackLifecycle::setBackgroundImages(const std::vector<cv::Mat>& image
 void PeopleTrackLifecycle::restart(std::uint64_t seed) {
   seed_ = seed;
   nextIdentity_ = 1;
-  forgetAll();
+  removeAllBeliefs();
   people_.clear();
   unseen_.clear();
   cameras_.restart();
   initiation_.restart();
-  everybody_.clear();
+  allPeople_.clear();
   bodies_.clear();
   frames_ = nullptr;
   stepped_ = false;
@@ -87,16 +87,16 @@ void PeopleTrackLifecycle::beginFrame(FrameSetPtr frames) {
 void PeopleTrackLifecycle::iterate(ThreadTeam& team) {
   if (frames_ && !std::exchange(stepped_, true)) {
     step(*frames_, team);
-    nameEverybody();
+    assignTracks();
   }
 }
 
-void PeopleTrackLifecycle::nameEverybody() {
+void PeopleTrackLifecycle::assignTracks() {
   bodies_.clear();
   for (const PersonEstimate& person : people_) {
-    while (static_cast<int>(everybody_.size()) < person.identity) {
-      Target& target = everybody_.emplace_back();
-      target.name = personName(static_cast<int>(everybody_.size()));
+    while (static_cast<int>(allPeople_.size()) < person.identity) {
+      Target& target = allPeople_.emplace_back();
+      target.name = personName(static_cast<int>(allPeople_.size()));
     }
   }
 }
@@ -123,7 +123,7 @@ void PeopleTrackLifecycle::particles(std::size_t track, int limit, Eigen::ArrayX
 
 std::size_t PeopleTrackLifecycle::memoryBytes() const {
   return cameras_.memoryBytes() + initiation_.memoryBytes() + people_.size() * beliefBytes() +
-         everybody_.capacity() * (sizeof(Target) + sizeof(TrackEstimate));
+         allPeople_.capacity() * (sizeof(Target) + sizeof(TrackEstimate));
 }
 
 RandomKey PeopleTrackLifecycle::keyOf(int identity) const {
@@ -132,17 +132,17 @@ RandomKey PeopleTrackLifecycle::keyOf(int identity) const {
 }
 
 int PeopleTrackLifecycle::addPerson(const Eigen::Vector3d& center) {
-  const int identity = enter(center);
-  nameEverybody();
+  const int identity = createTrack(center);
+  assignTracks();
   return identity;
 }
 
 void PeopleTrackLifecycle::removePerson(int identity) {
-  leave(identity);
-  nameEverybody();
+  removeTrack(identity);
+  assignTracks();
 }
 
-int PeopleTrackLifecycle::enter(const Eigen::Vector3d& center) {
+int PeopleTrackLifecycle::createTrack(const Eigen::Vector3d& center) {
   PersonEstimate& person = people_.emplace_back();
   person.identity = nextIdentity_++;
   person.position = center;
@@ -157,7 +157,7 @@ std::size_t PeopleTrackLifecycle::indexOf(int identity) const {
                                   people_.begin());
 }
 
-void PeopleTrackLifecycle::leave(int identity) {
+void PeopleTrackLifecycle::removeTrack(int identity) {
   const std::size_t index = indexOf(identity);
   if (index < people_.size()) {
     removeBelief(index);
@@ -168,7 +168,7 @@ void PeopleTrackLifecycle::leave(int identity) {
 
 BodySilhouette PeopleTrackLifecycle::silhouette(const PersonEstimate& person,
                                                 std::size_t camera) const {
-  return makers_[camera].of(floorPosition(person), settings_.area.floor, heightOf(person));
+  return makers_[camera].project(floorPosition(person), settings_.area.floor, heightOf(person));
 }
 
 std::vector<cv::Mat> PeopleTrackLifecycle::silhouettesOfAll(double wider) const {
@@ -193,9 +193,9 @@ std::vector<cv::Mat> PeopleTrackLifecycle::silhouettesOfAll(double wider) const 
   return masks;
 }
 
-PeopleTrackLifecycle::Sight PeopleTrackLifecycle::sightOf(std::size_t person,
-                                                          std::size_t camera) const {
-  Sight sight;
+PeopleTrackLifecycle::Visibility PeopleTrackLifecycle::visibilityOf(std::size_t person,
+                                                                    std::size_t camera) const {
+  Visibility sight;
   if (!cameras_.usable(camera)) {
     return sight;
   }
@@ -205,7 +205,7 @@ PeopleTrackLifecycle::Sight PeopleTrackLifecycle::sightOf(std::size_t person,
   double free = 0.0;
   double moving = 0.0;
   std::vector<cv::Rect> others;
-  for (std::size_t k = 0; k < people_.size() && sharesMasks(); ++k) {
+  for (std::size_t k = 0; k < people_.size() && ignoresCoveredForeground(); ++k) {
     if (k != person) {
       const BodySilhouette other = silhouette(people_[k], camera);
       if (other.visible) {
@@ -242,7 +242,7 @@ void PeopleTrackLifecycle::updateVisibility() {
     int seeing = 0;
     int unable = 0;
     for (std::size_t k = 0; k < cameras_.count(); ++k) {
-      const Sight sight = sightOf(person, k);
+      const Visibility sight = visibilityOf(person, k);
       if (sight.inView && sight.free < kFreeShare) {
         ++unable;
       } else if (sight.inView && sight.score >= kSeenScore) {
@@ -288,7 +288,7 @@ void PeopleTrackLifecycle::terminateTracks() {
   for (std::size_t k = people_.size(); k-- > 0;) {
     if (!settings_.area.contains(floorPosition(people_[k])) ||
         people_[k].existenceProbability <= 0.0) {
-      leave(people_[k].identity);
+      removeTrack(people_[k].identity);
     }
   }
 }
@@ -303,13 +303,13 @@ void PeopleTrackLifecycle::initiateTracks() {
   inside.half.array() -= kBirthMargin;
   for (const auto& position : initiation_.update(cameras_, explained, taken, settings_.birthTime)) {
     if (inside.contains(position)) {
-      enter({position.x(), position.y(), settings_.area.floor + 0.5 * usualHeight_});
+      createTrack({position.x(), position.y(), settings_.area.floor + 0.5 * usualHeight_});
     }
   }
 }
 
 void PeopleTrackLifecycle::step(const FrameSet& frames, ThreadTeam& team) {
-  cameras_.begin(frames, silhouettesOfAll(kExplainedWider), team);
+  cameras_.computeMasks(frames, silhouettesOfAll(kExplainedWider), team);
   const bool anyUsable = std::ranges::any_of(cameras_.states(), &PeopleCameraState::usable);
   if (!anyUsable) {
     return; // learning, or no images: what is believed stays as it is

@@ -24,7 +24,7 @@ class PeopleTrackLifecycle : public Tracker,
                              public PeopleFinding,
                              public MotionMapping,
                              public PersonPlacing,
-                             public Copying {
+                             public Copyable {
 public:
   PeopleTrackLifecycle(const ParameterValues& parameters, const CameraRig& rig);
 
@@ -35,11 +35,11 @@ public:
   int iterationsPerFrame() const override { return 1; }
   void beginFrame(FrameSetPtr frames) override;
   void iterate(ThreadTeam& team) final;
-  std::size_t trackCount() const override { return everybody_.size(); }
+  std::size_t trackCount() const override { return allPeople_.size(); }
   TrackEstimate estimate(std::size_t track) const override;
   void particles(std::size_t track, int limit, Eigen::ArrayXXd& positions,
                  Eigen::ArrayXd& weights) const override;
-  const std::vector<Target>& everybody() const override { return everybody_; }
+  const std::vector<Target>& allPeople() const override { return allPeople_; }
   const std::vector<PersonEstimate>& people() const override { return people_; }
   const std::vector<PeopleCameraState>& cameraStates() const override { return cameras_.states(); }
   cv::Mat foreground(std::size_t camera) const override { return cameras_.mask(camera); }
@@ -59,7 +59,7 @@ protected:
     double floor = 0.2;
   };
   /// Visibility of a person in a camera.
-  struct Sight {
+  struct Visibility {
     bool inView = false;
     double score = 0.0; ///< 1: all of the person's visible part is foreground
     double free = 0.0;  ///< fraction of the silhouette that no other person covers
@@ -69,7 +69,7 @@ protected:
   virtual void createBelief(const PersonEstimate& person, const RandomKey& key) = 0;
   /// Removes the belief about people_[index], which is about to be removed.
   virtual void removeBelief(std::size_t index) = 0;
-  virtual void forgetAll() = 0;
+  virtual void removeAllBeliefs() = 0;
   /// Returns the approximate size of a copy of a belief in bytes.
   virtual std::size_t beliefBytes() const = 0;
   /// Processes new images: moves and weights all particles, and fills in `people_`.
@@ -77,7 +77,7 @@ protected:
   virtual MotionSmoothing motionSmoothing() const { return {}; }
   /// Returns whether foreground covered by other people is ignored when deciding whether a person
   /// is visible.
-  virtual bool sharesMasks() const = 0;
+  virtual bool ignoresCoveredForeground() const = 0;
 
   RandomKey keyOf(int identity) const;
   Eigen::Vector2d floorPosition(const PersonEstimate& person) const {
@@ -89,19 +89,21 @@ protected:
   BodySilhouette silhouette(const PersonEstimate& person, std::size_t camera) const;
   const PeopleSettings& settings() const { return settings_; }
   const PeopleCameras& cameras() const { return cameras_; }
-  const SilhouetteMaker& maker(std::size_t camera) const { return makers_[camera]; }
+  const SilhouetteProjector& silhouetteProjector(std::size_t camera) const {
+    return makers_[camera];
+  }
 
   std::vector<PersonEstimate> people_;
 
 private:
   void apply(const ParameterValues& parameters);
   void step(const FrameSet& frames, ThreadTeam& team);
-  int enter(const Eigen::Vector3d& center);
-  void leave(int identity);
+  int createTrack(const Eigen::Vector3d& center);
+  void removeTrack(int identity);
   /// Assigns tracks to all present people.
-  void nameEverybody();
+  void assignTracks();
   void prepare();
-  Sight sightOf(std::size_t person, std::size_t camera) const;
+  Visibility visibilityOf(std::size_t person, std::size_t camera) const;
   void updateVisibility();
   void terminateTracks();
   void initiateTracks();
@@ -112,14 +114,14 @@ private:
   CameraRig rig_;
   PeopleCameras cameras_;
   PeopleTrackInitiation initiation_;
-  std::vector<SilhouetteMaker> makers_;
+  std::vector<SilhouetteProjector> makers_;
   std::vector<double> unseen_; ///< seconds, one per person
   double usualHeight_ = 1.72;
   std::uint64_t seed_ = 0;
   int nextIdentity_ = 1;
   FrameSetPtr frames_;
   bool stepped_ = false; ///< the frame was processed
-  std::vector<Target> everybody_;
+  std::vector<Target> allPeople_;
   mutable std::map<int, BodyCloud> bodies_; ///< bodies in this frame; only those requested
 };
 

@@ -15,7 +15,7 @@ namespace dewpoint::tracking {
 namespace {
 
 /// Adds what the kernel on one point contributes at all points.
-struct KernelKernel {
+struct GaussianSumKernel {
   DEWPOINT_KERNEL void run(std::int64_t count, const double* __restrict x,
                            const double* __restrict y, const double* __restrict z,
                            std::int64_t center, double scale, double weight,
@@ -40,10 +40,10 @@ Eigen::ArrayXd densityAtPoints(const BodyCloud& body, double sigma) {
   const double peak = std::pow(2.0 * std::numbers::pi * sigma * sigma, -1.5);
   Eigen::ArrayXd density = Eigen::ArrayXd::Zero(count);
   for (Eigen::Index center = 0; center < count; ++center) {
-    runKernel<KernelKernel>(std::int64_t{count}, body.points.col(0).data(),
-                            body.points.col(1).data(), body.points.col(2).data(),
-                            std::int64_t{center}, scale, peak * body.weights[center],
-                            density.data());
+    runKernel<GaussianSumKernel>(std::int64_t{count}, body.points.col(0).data(),
+                                 body.points.col(1).data(), body.points.col(2).data(),
+                                 std::int64_t{center}, scale, peak * body.weights[center],
+                                 density.data());
   }
   return density;
 }

@@ -29,13 +29,13 @@ double heightIn(const ParameterValues& parameters) {
 
 /// A camera and its mask, to be scored in the size of the mask.
 struct View {
-  SilhouetteMaker maker;
+  SilhouetteProjector maker;
   double scale = 1.0; ///< pixels of the image per pixel of the mask
   ScoreSums scores;   ///< empty without a mask
 };
 
 View viewOf(const PeopleFinding& people, const Camera& camera, std::size_t index) {
-  View view{SilhouetteMaker(camera), 1.0, {}};
+  View view{SilhouetteProjector(camera), 1.0, {}};
   const cv::Mat mask = people.foreground(index);
   if (!mask.empty()) {
     view.scale = static_cast<double>(camera.intrinsics.width) / mask.cols;
@@ -71,7 +71,7 @@ double scoreOf(const std::vector<View>& views, const Eigen::Vector2d& position, 
   double sum = 0.0;
   for (const View& view : views) {
     if (!view.scores.sums.empty()) {
-      sum += bodyScore(view.scores, shrunk(view.maker.of(position, floor, height), view.scale),
+      sum += bodyScore(view.scores, shrunk(view.maker.project(position, floor, height), view.scale),
                        kPieceFloor);
     }
   }
@@ -104,7 +104,7 @@ std::optional<Eigen::Vector3d> personAtPixel(const PeopleFinding& people, const 
     for (double y = -area.half.y(); y <= area.half.y(); y += step) {
       const Eigen::Vector2d position = area.center + Eigen::Vector2d(x, y);
       const auto beside =
-          besideMiddle(views[clicked].maker.of(position, area.floor, height), pixel);
+          besideMiddle(views[clicked].maker.project(position, area.floor, height), pixel);
       if (!beside) {
         continue;
       }

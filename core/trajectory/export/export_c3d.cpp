@@ -186,7 +186,7 @@ float fourthWord(const ExportCell& cell, double scale) {
 
 } // namespace
 
-Files c3d(const ExportTable& table, const std::string& /*name*/) {
+EncodedFiles encodeC3d(const ExportTable& table, const std::string& /*name*/) {
   if (table.targets.size() > kMostInByte) {
     return failure(
         ErrorCode::BadValue, "", "targets",

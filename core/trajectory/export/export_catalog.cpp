@@ -11,39 +11,39 @@
 namespace dewpoint::trajectory {
 namespace {
 
-constexpr TableRequest kAsRecorded{};
-constexpr TableRequest kBiomechanics{WorldAxes::YUp, LengthUnit::Meter, true};
-constexpr TableRequest kMotionCapture{WorldAxes::ZUp, LengthUnit::Millimeter, true};
+constexpr TableDefaults kAsRecorded{};
+constexpr TableDefaults kBiomechanics{WorldAxes::YUp, LengthUnit::Meter, true};
+constexpr TableDefaults kMotionCapture{WorldAxes::ZUp, LengthUnit::Millimeter, true};
 
 constexpr std::array kFormats{
     ExportFormat{"csv", "CSV, one row per target and time", ".csv",
                  "time, frame, target, position, standard deviations, covariance, cameras, ESS, "
                  "valid, filled",
-                 kAsRecorded, true, false, encoders::tidyCsv},
+                 kAsRecorded, true, false, encoders::encodeTidyCsv},
     ExportFormat{"csv-wide", "CSV, one row per time (spreadsheets)", ".csv",
                  "time, frame, then three columns per target; an empty cell is a gap", kAsRecorded,
-                 false, false, encoders::wideCsv},
+                 false, false, encoders::encodeWideCsv},
     ExportFormat{"tum", "TUM (evo)", ".tum",
                  "timestamp, position, no rotation; one file per target; gaps are left out",
-                 kAsRecorded, false, false, encoders::tum},
+                 kAsRecorded, false, false, encoders::encodeTum},
     ExportFormat{"trc", "TRC (OpenSim)", ".trc",
                  "frame, time, three columns per marker; an empty cell is a gap", kBiomechanics,
-                 false, false, encoders::trc},
+                 false, false, encoders::encodeTrc},
     ExportFormat{"c3d", "C3D (motion capture)", ".c3d",
                  "points as floating-point numbers; the residual is the standard deviation",
-                 kMotionCapture, false, true, encoders::c3d},
+                 kMotionCapture, false, true, encoders::encodeC3d},
     ExportFormat{"npz", "NPZ (NumPy)", ".npz",
                  "arrays t, frame, xyz, cov, filled, cameras, ess, names; NaN is a gap",
-                 kAsRecorded, true, true, encoders::npz},
+                 kAsRecorded, true, true, encoders::encodeNpz},
     ExportFormat{"vtp", "VTP (ParaView, paths)", ".vtp",
                  "a line per path with time, speed, covariance at its points", kAsRecorded, true,
-                 false, encoders::vtp},
+                 false, encoders::encodeVtp},
     ExportFormat{"pvd", "PVD (ParaView, over time)", ".pvd",
                  "a collection of one VTP file per time, with a point per target", kAsRecorded,
-                 true, false, encoders::pvd},
+                 true, false, encoders::encodePvd},
     ExportFormat{"jsonl", "JSON lines", ".jsonl",
                  "one object per time: t, frame, targets with id, xyz, cov, cams", kAsRecorded,
-                 true, false, encoders::jsonLines},
+                 true, false, encoders::encodeJsonLines},
 };
 
 } // namespace

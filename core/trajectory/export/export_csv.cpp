@@ -56,7 +56,7 @@ std::string tidyRow(const ExportCell& cell, const ExportTable& table) {
 
 } // namespace
 
-Files tidyCsv(const ExportTable& table, const std::string& /*name*/) {
+EncodedFiles encodeTidyCsv(const ExportTable& table, const std::string& /*name*/) {
   std::string text = commentHeader(table);
   text += fmt::format("time_s,frame,target,x_{0},y_{0},z_{0},sx_{0},sy_{0},sz_{0},cov_xx_{0}2,"
                       "cov_xy_{0}2,cov_xz_{0}2,cov_yy_{0}2,cov_yz_{0}2,cov_zz_{0}2,cameras,ess,"
@@ -80,7 +80,7 @@ Files tidyCsv(const ExportTable& table, const std::string& /*name*/) {
   return std::vector{ExportFile{"", std::move(text)}};
 }
 
-Files wideCsv(const ExportTable& table, const std::string& /*name*/) {
+EncodedFiles encodeWideCsv(const ExportTable& table, const std::string& /*name*/) {
   std::string text = commentHeader(table) + "time_s,frame";
   for (const std::string& target : table.targets) {
     for (const char* axis : {"x", "y", "z"}) {

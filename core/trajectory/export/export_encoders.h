@@ -7,29 +7,29 @@
 
 namespace dewpoint::trajectory::encoders {
 
-using Files = Result<std::vector<ExportFile>>;
+using EncodedFiles = Result<std::vector<ExportFile>>;
 
 /// Encodes one row per target and frame, comma-separated.
-Files tidyCsv(const ExportTable& table, const std::string& name);
+EncodedFiles encodeTidyCsv(const ExportTable& table, const std::string& name);
 /// Encodes one row per frame with columns for all targets, comma-separated.
-Files wideCsv(const ExportTable& table, const std::string& name);
+EncodedFiles encodeWideCsv(const ExportTable& table, const std::string& name);
 /// Encodes one file per target with lines `timestamp tx ty tz qx qy qz qw`, without rotation and
 /// only for known positions (https://cvg.cit.tum.de/data/datasets/rgbd-dataset/file_formats).
-Files tum(const ExportTable& table, const std::string& name);
+EncodedFiles encodeTum(const ExportTable& table, const std::string& name);
 /// Encodes TRC (track row column) of Motion Analysis, as read by OpenSim.
-Files trc(const ExportTable& table, const std::string& name);
+EncodedFiles encodeTrc(const ExportTable& table, const std::string& name);
 /// Encodes C3D with points only, floating-point, little-endian (C3D file format user guide, Motion
 /// Lab Systems).
-Files c3d(const ExportTable& table, const std::string& name);
+EncodedFiles encodeC3d(const ExportTable& table, const std::string& name);
 /// Encodes NumPy arrays in a ZIP file without compression (NEP 1; APPNOTE 6.3 of PKWARE).
-Files npz(const ExportTable& table, const std::string& name);
+EncodedFiles encodeNpz(const ExportTable& table, const std::string& name);
 /// Encodes VTK XML PolyData in ASCII: one polyline per stretch without gaps, with values at its
 /// points.
-Files vtp(const ExportTable& table, const std::string& name);
+EncodedFiles encodeVtp(const ExportTable& table, const std::string& name);
 /// Encodes a ParaView collection with one PolyData file per row, which ParaView can play over time.
-Files pvd(const ExportTable& table, const std::string& name);
+EncodedFiles encodePvd(const ExportTable& table, const std::string& name);
 /// Encodes one JSON object per row.
-Files jsonLines(const ExportTable& table, const std::string& name);
+EncodedFiles encodeJsonLines(const ExportTable& table, const std::string& name);
 
 /// Returns the header as `# ` lines: description of the file, units and axes, and the entries of
 /// the table.

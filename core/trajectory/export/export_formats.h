@@ -13,7 +13,8 @@ namespace dewpoint::trajectory {
 /// One file of an export. The main file has the name that the user chose; the names of the others
 /// are derived from it.
 struct ExportFile {
-  std::string nameEnd; ///< appended to the chosen name without its suffix; empty for the main file
+  std::string
+      nameSuffix; ///< appended to the chosen name without its suffix; empty for the main file
   std::string bytes;
 };
 
@@ -23,7 +24,7 @@ struct ExportFormat {
   std::string_view title;  ///< name shown to the user
   std::string_view suffix; ///< file name suffix, including the dot
   std::string_view fields; ///< contents of the file in one sentence
-  TableRequest table;      ///< default axes, unit and rows
+  TableDefaults table;     ///< default axes, unit and rows
   bool covariance = false; ///< true if the file holds the full covariance
   bool binary = false;     ///< the file is not text; the preview describes it
   /// Encodes the table as one or more files. `name` is the name of the chosen file without suffix,

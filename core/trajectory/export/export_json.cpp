@@ -54,7 +54,7 @@ std::string targetText(const std::string& name, const ExportCell& cell) {
 
 } // namespace
 
-Files jsonLines(const ExportTable& table, const std::string& /*name*/) {
+EncodedFiles encodeJsonLines(const ExportTable& table, const std::string& /*name*/) {
   std::string text = table.header ? headerLine(table) : std::string();
   for (std::size_t row = 0; row < table.rowCount(); ++row) {
     text += fmt::format("{{\"t\":{},\"frame\":{},\"targets\":[", timeText(table.times[row]),

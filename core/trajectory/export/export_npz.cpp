@@ -131,7 +131,7 @@ template <class T> std::string rowArray(const char* type, const std::vector<T>& 
 
 } // namespace
 
-Files npz(const ExportTable& table, const std::string& /*name*/) {
+EncodedFiles encodeNpz(const ExportTable& table, const std::string& /*name*/) {
   using Flag = std::array<std::uint8_t, 1>;
   std::vector<ZipEntry> entries{
       {"t.npy", rowArray("<f8", table.times)},

@@ -12,8 +12,8 @@ namespace dewpoint::trajectory {
 
 /// Treatment of frames in which the position of a target is unknown.
 enum class GapRule {
-  Leave, ///< left empty
-  Fill   ///< interpolated between neighbors, or smoothed, and marked as filled
+  LeaveEmpty, ///< left empty
+  Fill        ///< interpolated between neighbors, or smoothed, and marked as filled
 };
 
 /// Upward axis of the file. Both choices are right-handed.
@@ -26,7 +26,7 @@ enum class WorldAxes {
 enum class LengthUnit { Meter, Millimeter };
 
 /// First or last row of an export, included: a time in seconds, or a frame number.
-struct SpanEnd {
+struct RangeBound {
   double value = 0.0;
   bool isFrame = false;
 };
@@ -35,17 +35,17 @@ struct SpanEnd {
 struct ExportOptions {
   std::string format = "csv";       ///< an id of exportFormats()
   std::vector<std::string> targets; ///< empty: all targets
-  std::optional<SpanEnd> from;      ///< not set: from the beginning
-  std::optional<SpanEnd> to;        ///< not set: to the end
+  std::optional<RangeBound> from;   ///< not set: from the beginning
+  std::optional<RangeBound> to;     ///< not set: to the end
   std::optional<double> rate;       ///< rows per second; not set: as recorded
-  GapRule gaps = GapRule::Leave;
+  GapRule gaps = GapRule::LeaveEmpty;
   std::optional<WorldAxes> axes;
   std::optional<LengthUnit> unit;
   bool header = true;      ///< true to write metadata even if the format does not require it
   bool smooth = false;     ///< smoothed estimates after the run instead of the live estimates
   double longestGap = 1.0; ///< longest gap that is filled, in seconds
   std::string date;        ///< date of the export for the header; empty: none
-  bool replaces = true;    ///< false: existing files are not overwritten
+  bool overwrite = true;   ///< false: existing files are not overwritten
 };
 
 } // namespace dewpoint::trajectory

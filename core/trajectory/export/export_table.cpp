@@ -55,7 +55,7 @@ Result<std::vector<std::string>> chosenTargets(const Trajectory& trajectory,
 }
 
 bool isWithin(const TrajectorySample& sample, const ExportOptions& options) {
-  const auto sampleAt = [&](const SpanEnd& end) {
+  const auto sampleAt = [&](const RangeBound& end) {
     return end.isFrame ? static_cast<double>(sample.frame) : sample.time;
   };
   return !(options.from && sampleAt(*options.from) < options.from->value) &&
@@ -142,7 +142,7 @@ Result<ExportTable> recordedTable(const Trajectory& live, const Trajectory& afte
     ExportCell& cell = table.cells[column->second][row];
     cell = cellOf(sample);
     cell.filled = cell.present && !live.samples[k].valid;
-    if (cell.filled && options.gaps == GapRule::Leave) {
+    if (cell.filled && options.gaps == GapRule::LeaveEmpty) {
       cell = ExportCell();
     }
   }
@@ -284,7 +284,7 @@ Result<ExportTable> resampled(const ExportTable& table, double rate, const Expor
   return result;
 }
 
-void turnAndScale(ExportTable& table) {
+void rotateAndScale(ExportTable& table) {
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
   if (table.axes == WorldAxes::YUp) {
     turn << 0, 1, 0, 0, 0, 1, 1, 0, 0;
@@ -339,7 +339,7 @@ std::size_t ExportTable::gapCount() const {
 }
 
 Result<ExportTable> makeExportTable(const Trajectory& trajectory, const ExportOptions& options,
-                                    const TableRequest& usual,
+                                    const TableDefaults& defaults,
                                     const std::function<bool(double)>& progress) {
   const Trajectory after = options.smooth
                                ? smoothed(trajectory, SmootherOptions{options.longestGap, progress})
@@ -352,7 +352,8 @@ Result<ExportTable> makeExportTable(const Trajectory& trajectory, const ExportOp
   table->recordedRate = table->rate;
   const double span = table->times.back() - table->times.front();
   table->recordedRows = 1 + static_cast<std::size_t>(std::lround(span * table->rate));
-  const bool mustBeEven = usual.evenRows && table->rate > 0.0 && !isEven(table->times, table->rate);
+  const bool mustBeEven =
+      defaults.evenRows && table->rate > 0.0 && !isEven(table->times, table->rate);
   if (options.rate || mustBeEven) {
     table = resampled(*table, options.rate.value_or(table->rate), options);
   } else if (options.gaps == GapRule::Fill) {
@@ -364,10 +365,10 @@ Result<ExportTable> makeExportTable(const Trajectory& trajectory, const ExportOp
   if (table->gapCount() == table->targets.size() * table->rowCount()) {
     return unusable("span", "the chosen targets are nowhere known in the chosen span");
   }
-  table->axes = options.axes.value_or(usual.axes);
-  table->unit = options.unit.value_or(usual.unit);
+  table->axes = options.axes.value_or(defaults.axes);
+  table->unit = options.unit.value_or(defaults.unit);
   table->header = options.header;
-  turnAndScale(*table);
+  rotateAndScale(*table);
   describe(*table, trajectory, options);
   return table;
 }

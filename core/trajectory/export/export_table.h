@@ -58,7 +58,7 @@ struct ExportTable {
 };
 
 /// Default values of a format for options that the user has not set.
-struct TableRequest {
+struct TableDefaults {
   WorldAxes axes = WorldAxes::ZUp;
   LengthUnit unit = LengthUnit::Meter;
   bool evenRows = false; ///< rows at equal intervals of time
@@ -70,7 +70,7 @@ struct TableRequest {
 /// NotFound names an unknown target; BadValue names an empty or invalid number. If `progress`
 /// (called with 0 to 1) has returned false, the result is not usable.
 Result<ExportTable> makeExportTable(const Trajectory& trajectory, const ExportOptions& options,
-                                    const TableRequest& usual,
+                                    const TableDefaults& defaults,
                                     const std::function<bool(double)>& progress = {});
 
 } // namespace dewpoint::trajectory

@@ -6,7 +6,7 @@
 
 namespace dewpoint::trajectory::encoders {
 
-Files trc(const ExportTable& table, const std::string& name) {
+EncodedFiles encodeTrc(const ExportTable& table, const std::string& name) {
   const std::size_t rows = table.rowCount();
   const double rate = table.rate;
   std::string text =

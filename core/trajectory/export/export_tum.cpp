@@ -22,7 +22,7 @@ std::string namePart(std::string text) {
   return text;
 }
 
-std::string nameEnd(const ExportTable& table, std::size_t target) {
+std::string nameSuffix(const ExportTable& table, std::size_t target) {
   if (table.targets.size() == 1) {
     return {};
   }
@@ -36,10 +36,11 @@ std::string nameEnd(const ExportTable& table, std::size_t target) {
 
 } // namespace
 
-Files tum(const ExportTable& table, const std::string& /*name*/) {
+EncodedFiles encodeTum(const ExportTable& table, const std::string& /*name*/) {
   std::vector<ExportFile> files;
   for (std::size_t target = 0; target < table.targets.size(); ++target) {
-    ExportFile& file = files.emplace_back(ExportFile{nameEnd(table, target), commentHeader(table)});
+    ExportFile& file =
+        files.emplace_back(ExportFile{nameSuffix(table, target), commentHeader(table)});
     if (table.header) {
       file.bytes += fmt::format("# target: {}\n# timestamp tx ty tz qx qy qz qw\n",
                                 oneLine(table.targets[target]));

@@ -29,7 +29,7 @@ struct Drawing {
 std::string escapedXml(std::string text) {
   std::ranges::replace_if(
       text, [](unsigned char c) { return c < 0x20; }, ' ');
-  return escaped(text);
+  return htmlEscaped(text);
 }
 
 template <class Value>
@@ -204,7 +204,7 @@ void addPath(const ExportTable& table, std::size_t target, Drawing& drawing) {
 
 } // namespace
 
-Files vtp(const ExportTable& table, const std::string& /*name*/) {
+EncodedFiles encodeVtp(const ExportTable& table, const std::string& /*name*/) {
   Drawing drawing;
   for (std::size_t target = 0; target < table.targets.size(); ++target) {
     addPath(table, target, drawing);
@@ -212,7 +212,7 @@ Files vtp(const ExportTable& table, const std::string& /*name*/) {
   return std::vector{ExportFile{"", polyData(table, drawing, true)}};
 }
 
-Files pvd(const ExportTable& table, const std::string& name) {
+EncodedFiles encodePvd(const ExportTable& table, const std::string& name) {
   constexpr std::size_t kMostFiles = 100000;
   if (table.rowCount() > kMostFiles) {
     return failure(ErrorCode::BadValue, "", "span",

@@ -28,7 +28,7 @@ std::string plainName(const std::filesystem::path& file) {
 }
 
 std::filesystem::path pathOf(const std::filesystem::path& file, const ExportFile& part) {
-  return part.nameEnd.empty() ? file : file.parent_path() / (plainName(file) + part.nameEnd);
+  return part.nameSuffix.empty() ? file : file.parent_path() / (plainName(file) + part.nameSuffix);
 }
 
 /// Some formats make a folder for their many files.
@@ -76,7 +76,7 @@ public:
     // Of thousands of parts none is waited for until it is on the disk: without the file that
     // names them they are nothing.
     auto written =
-        part.nameEnd.empty() ? writeFlushed(beside, part.bytes) : writePart(beside, part.bytes);
+        part.nameSuffix.empty() ? writeAndFlush(beside, part.bytes) : writePart(beside, part.bytes);
     if (!written) {
       written.error().file = path.string();
       return tl::make_unexpected(written.error());
@@ -185,7 +185,7 @@ std::string described(const ExportFormat& format, const ExportTable& table, std:
   std::string text = fmt::format("{}, {} bytes: {}\n", format.title, bytes, format.fields);
   ExportTable plain = table;
   plain.header = false;
-  const auto rows = encoders::wideCsv(plain, "");
+  const auto rows = encoders::encodeWideCsv(plain, "");
   return text + firstLines(rows->front().bytes, lineCount > 1 ? lineCount - 1 : 1);
 }
 
@@ -198,15 +198,15 @@ Result<ExportSummary> exportTrajectory(const Trajectory& trajectory, const Expor
   if (!format) {
     return tl::make_unexpected(format.error());
   }
-  const auto goesOn = [&](double done) { return !progress || progress(done); };
+  const auto shouldContinue = [&](double done) { return !progress || progress(done); };
   ExportSummary summary;
-  summary.canceled = !goesOn(0.0);
+  summary.canceled = !shouldContinue(0.0);
   if (summary.canceled) {
     return summary;
   }
   auto table = makeExportTable(trajectory, options, (*format)->table,
-                               [&](double done) { return goesOn(kShareOfTable * done); });
-  summary.canceled = !goesOn(kShareOfTable);
+                               [&](double done) { return shouldContinue(kShareOfTable * done); });
+  summary.canceled = !shouldContinue(kShareOfTable);
   if (summary.canceled) {
     return summary;
   }
@@ -220,15 +220,15 @@ Result<ExportSummary> exportTrajectory(const Trajectory& trajectory, const Expor
   if (!parts) {
     return tl::make_unexpected(parts.error());
   }
-  summary.occupied = options.replaces ? std::filesystem::path() : occupiedOf(file, *parts);
-  if (!summary.occupied.empty()) {
+  summary.existingFile = options.overwrite ? std::filesystem::path() : occupiedOf(file, *parts);
+  if (!summary.existingFile.empty()) {
     return summary;
   }
   const double begin = kShareOfTable + kShareOfEncoding;
   ExportWriter writer(file);
   for (std::size_t k = 0; k < parts->size(); ++k) {
     const double share = static_cast<double>(k) / static_cast<double>(parts->size());
-    summary.canceled = !goesOn(begin + (1.0 - begin) * share);
+    summary.canceled = !shouldContinue(begin + (1.0 - begin) * share);
     if (summary.canceled) {
       summary.files.clear();
       return summary;

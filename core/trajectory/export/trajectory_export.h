@@ -24,7 +24,7 @@ struct ExportSummary {
   std::size_t gaps = 0; ///< target and row pairs left empty
   bool canceled = false;
   /// Existing file that may not be replaced, so nothing was written; otherwise empty.
-  std::filesystem::path occupied;
+  std::filesystem::path existingFile;
 };
 
 /// Preview of an export.

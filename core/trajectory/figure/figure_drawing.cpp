@@ -138,7 +138,7 @@ std::string labelText(const FigureDrawing::Label& label) {
                        : label.align == Align::Right ? "end"
                                                      : "middle";
   return fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" text-anchor=\"{}\">{}</text>\n", x, y, anchor,
-                     escaped(label.text));
+                     htmlEscaped(label.text));
 }
 
 /// An SVG of its own clips what lies outside of it.
@@ -205,7 +205,7 @@ std::string figureSvg(const FigureDrawing& drawing, const std::string& title) {
       "viewBox=\"0 0 {0} {1}\" font-family=\"sans-serif\" font-size=\"{2}\" "
       "fill=\"#282828\">\n<title>{3}</title>\n"
       "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
-      FigureDrawing::kWidth, FigureDrawing::kHeight, FigureDrawing::kFontSize, escaped(title));
+      FigureDrawing::kWidth, FigureDrawing::kHeight, FigureDrawing::kFontSize, htmlEscaped(title));
   for (const FigureDrawing::Item& item : drawing.items) {
     text += std::visit(
         Overloaded{[](const FigureDrawing::GridLine& line) {

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kOfTrajectory = "trajectory_sha256";
+constexpr const char* kTrajectoryChecksumKey = "trajectory_sha256";
 
 Evaluation evaluationOf(const nlohmann::json& json) {
   Evaluation one;
@@ -55,9 +55,9 @@ Result<std::vector<Evaluation>> evaluationsIn(const fs::path& folder, const JobR
   }
   try {
     const auto json = nlohmann::json::parse(*text);
-    const std::string of = json.at(kOfTrajectory);
+    const std::string of = json.at(kTrajectoryChecksumKey);
     if (std::ranges::none_of(record.files, [&](const auto& one) { return one.sha256 == of; })) {
-      return failure(ErrorCode::Mismatch, file.string(), kOfTrajectory,
+      return failure(ErrorCode::Mismatch, file.string(), kTrajectoryChecksumKey,
                      "it is of another trajectory than the one in this folder: evaluate it again");
     }
     std::vector<Evaluation> evaluations;
@@ -71,7 +71,7 @@ Result<std::vector<Evaluation>> evaluationsIn(const fs::path& folder, const JobR
 }
 
 /// Whether all files of a finished job are there with their sizes.
-bool isWhole(const fs::path& folder, const JobRecord& record) {
+bool areFilesComplete(const fs::path& folder, const JobRecord& record) {
   return std::ranges::all_of(record.files, [&](const JobFile& file) {
     std::error_code problem;
     return fs::file_size(folder / file.name, problem) == file.bytes && !problem;
@@ -89,7 +89,7 @@ Result<std::optional<GatheredJob>> jobIn(const std::string& name) {
   if (!record) {
     return tl::make_unexpected(record.error());
   }
-  if (!isWhole(folder, *record)) {
+  if (!areFilesComplete(folder, *record)) {
     return std::nullopt;
   }
   return evaluationsIn(folder, *record).map([&](std::vector<Evaluation> evaluations) {
@@ -162,7 +162,7 @@ Result<GatheredJobs> gatherJobs(const std::vector<std::string>& folders) {
 std::string evaluationFileText(const std::vector<Evaluation>& evaluations,
                                const std::string& trajectorySha256) {
   nlohmann::json json = evaluationJson(evaluations);
-  json[kOfTrajectory] = trajectorySha256;
+  json[kTrajectoryChecksumKey] = trajectorySha256;
   return json.dump(2) + "\n";
 }
 

@@ -90,7 +90,7 @@ TEST(BoardGuidance, FollowingTheAdviceEndsByItself) {
     // A person's board never stands twice in the very same place.
     middle.x() += state.captured ? 0.01 * (frames % 7 - 3) : 0.0;
     state = showing.show(boardAt(showing.board, middle, tiltX, tiltY));
-    if (state.captured && showing.guidance.wantsCalibration()) {
+    if (state.captured && showing.guidance.isCalibrationDue()) {
       IntrinsicsRequest request{showing.board, showing.guidance.views(), 640, 480};
       const auto result = calibrateIntrinsics(request);
       ASSERT_TRUE(result);
@@ -123,13 +123,13 @@ TEST(RigGuidance, NamesThePairThatIsMissingAndEnds) {
       state = guidance.step(seconds += kFrame, {last ? none : view, view, last ? view : none});
     }
     if (place == 2) {
-      EXPECT_EQ(state.showTo, 0);
-      EXPECT_EQ(state.andTo, 2);
+      EXPECT_EQ(state.firstCamera, 0);
+      EXPECT_EQ(state.secondCamera, 2);
     }
   }
   EXPECT_TRUE(state.finished);
-  EXPECT_GE(guidance.together(1, 2), 2);
-  EXPECT_EQ(guidance.together(0, 2), 0);
+  EXPECT_GE(guidance.sharedInstants(1, 2), 2);
+  EXPECT_EQ(guidance.sharedInstants(0, 2), 0);
 }
 
 } // namespace

@@ -43,7 +43,7 @@ TEST(IntrinsicsFromBoard, TruthLiesWithinTheStatedDeviations) {
     EXPECT_LT(std::abs(parameter.value - trueValues[k]), 3.5 * parameter.sigma) << parameter.name;
   }
   EXPECT_LT(result->worstProjectionPx, 5.0); // in the corners, where hardly a view reached
-  EXPECT_GT(result->coverage.imagePart(), 0.7);
+  EXPECT_GT(result->coverage.coveredFraction(), 0.7);
 }
 
 TEST(IntrinsicsFromBoard, PixelsThatAreNotSquareAreNoticed) {

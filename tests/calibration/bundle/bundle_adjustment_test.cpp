@@ -37,7 +37,7 @@ std::vector<BundleCamera> nudged(const CameraRig& rig) {
     BundleCamera camera;
     camera.camera = rig[c];
     camera.camera.cameraFromWorld.linear() =
-        turnRotation(0.0175 * way) * rig[c].cameraFromWorld.linear();
+        rotationFromTurn(0.0175 * way) * rig[c].cameraFromWorld.linear();
     camera.camera.cameraFromWorld.translation() += 0.04 * way.reverse();
     cameras.push_back(camera);
   }
@@ -226,7 +226,7 @@ TEST(BundleAdjustment, ABoardOnTheFloorIsTheWorld) {
     BundleState state;
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
     if (f > 0) {
-      pose.linear() = turnRotation({0.2 * f, -0.1 * f, 0.3});
+      pose.linear() = rotationFromTurn({0.2 * f, -0.1 * f, 0.3});
       pose.translation() << 0.05 * f, -0.1, 0.2 + 0.05 * f;
     }
     state.known = true;

@@ -15,7 +15,7 @@ using abreast::ballSeenAt;
 using abreast::kSix;
 
 BundleStart startOf(const BundleProblem& problem) {
-  auto start = startBundle(problem);
+  auto start = initializeBundle(problem);
   EXPECT_TRUE(start) << sentence(start.error());
   return std::move(*start);
 }
@@ -82,7 +82,7 @@ TEST(BundleModel, WhatIsBehindACameraIsNotUsed) {
   EXPECT_FALSE(model.start.observationUsed[7]);
   EXPECT_EQ(model.costs[6], nullptr);
   EXPECT_NE(model.costs[5], nullptr);
-  EXPECT_FALSE(model.takesPart(model.states[3].values.data()));
+  EXPECT_FALSE(model.isInProblem(model.states[3].values.data()));
 }
 
 TEST(BundleModel, OnlyWhatIsFreeVaries) {
@@ -93,14 +93,14 @@ TEST(BundleModel, OnlyWhatIsFreeVaries) {
   problem.states[5].fixed = true;
   problem.states[5].ends[0] = ballAt(0.5);
   BundleModel model(problem, startOf(problem));
-  EXPECT_FALSE(model.varies(model.cameras[0].pose.data()));
-  EXPECT_TRUE(model.varies(model.cameras[1].pose.data()));
-  EXPECT_FALSE(model.varies(model.cameras[0].lens.data()));
-  EXPECT_TRUE(model.varies(model.cameras[1].lens.data()));
-  EXPECT_FALSE(model.varies(&model.cameras[0].offset));
-  EXPECT_TRUE(model.varies(&model.cameras[1].offset));
-  EXPECT_TRUE(model.varies(model.states[0].values.data()));
-  EXPECT_FALSE(model.varies(model.states[5].values.data()));
+  EXPECT_FALSE(model.isVariable(model.cameras[0].pose.data()));
+  EXPECT_TRUE(model.isVariable(model.cameras[1].pose.data()));
+  EXPECT_FALSE(model.isVariable(model.cameras[0].lens.data()));
+  EXPECT_TRUE(model.isVariable(model.cameras[1].lens.data()));
+  EXPECT_FALSE(model.isVariable(&model.cameras[0].offset));
+  EXPECT_TRUE(model.isVariable(&model.cameras[1].offset));
+  EXPECT_TRUE(model.isVariable(model.states[0].values.data()));
+  EXPECT_FALSE(model.isVariable(model.states[5].values.data()));
   // Of the lens one number of twelve: the focal length.
   EXPECT_EQ(model.solver.ParameterBlockTangentSize(model.cameras[1].lens.data()), 1);
   EXPECT_EQ(model.solver.ParameterBlockSize(model.cameras[1].lens.data()), kLensSize);
@@ -110,15 +110,15 @@ TEST(BundleModel, EntriesOfALensAreHeldOneByOne) {
   BundleCamera camera = abreast::cameraAt(0.0);
   std::vector<int> all(kLensSize);
   std::iota(all.begin(), all.end(), 0);
-  EXPECT_EQ(BundleModel::heldLensEntries(camera), all);
+  EXPECT_EQ(BundleModel::fixedLensEntries(camera), all);
   camera.focalFree = true;         // entry 0
   camera.centerFree = true;        // 2 and 3
   camera.distortionFree[0] = true; // 4
   camera.distortionFree[7] = true; // 11
-  EXPECT_EQ(BundleModel::heldLensEntries(camera), (std::vector<int>{1, 5, 6, 7, 8, 9, 10}));
+  EXPECT_EQ(BundleModel::fixedLensEntries(camera), (std::vector<int>{1, 5, 6, 7, 8, 9, 10}));
   camera.aspectFree = true;
   camera.distortionFree.fill(true);
-  EXPECT_TRUE(BundleModel::heldLensEntries(camera).empty());
+  EXPECT_TRUE(BundleModel::fixedLensEntries(camera).empty());
 }
 
 // A stick that is 1 cm longer than it is known to be to 5 mm: two sigmas, half of 4.

@@ -37,7 +37,7 @@ TEST(BundleStart, FreePointsAreTriangulated) {
   const BundleProblem problem = ballSeenAt(kSix);
   EXPECT_EQ(problem.observations[0].pixel, Eigen::Vector2d(345.0, 252.5));
   EXPECT_EQ(problem.observations[1].pixel, Eigen::Vector2d(220.0, 252.5));
-  const auto start = startBundle(problem);
+  const auto start = initializeBundle(problem);
   ASSERT_TRUE(start) << sentence(start.error());
   for (std::size_t k = 0; k < kSix.size(); ++k) {
     EXPECT_TRUE(start->stateUsed[k]);
@@ -51,7 +51,7 @@ TEST(BundleStart, AStartThatIsKnownIsKept) {
   BundleProblem problem = ballSeenAt(kSix);
   problem.states[2].known = true;
   problem.states[2].ends[0] = {9.0, 9.0, 9.0};
-  const auto start = startBundle(problem);
+  const auto start = initializeBundle(problem);
   ASSERT_TRUE(start);
   EXPECT_EQ(start->states[2].ends[0], Eigen::Vector3d(9.0, 9.0, 9.0));
 }
@@ -59,14 +59,14 @@ TEST(BundleStart, AStartThatIsKnownIsKept) {
 TEST(BundleStart, WhatOneCameraSeesSaysNothing) {
   BundleProblem problem = ballSeenAt({0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6});
   hide(problem, 3, 1);
-  const auto start = startBundle(problem);
+  const auto start = initializeBundle(problem);
   ASSERT_TRUE(start) << sentence(start.error());
   EXPECT_FALSE(start->stateUsed[3]);
   EXPECT_FALSE(start->observationUsed[indexOf(problem, 3, 0)]);
   EXPECT_EQ(std::ranges::count(start->stateUsed, true), 6);
   // Unless the world is defined by it.
   problem.states[3].fixed = true;
-  const auto fixed = startBundle(problem);
+  const auto fixed = initializeBundle(problem);
   ASSERT_TRUE(fixed);
   EXPECT_TRUE(fixed->stateUsed[3]);
 }
@@ -83,11 +83,11 @@ TEST(BundleStart, BothEndsOfAStickMustBeSeenByTwoCameras) {
       problem.observations.push_back(seen);
     }
   }
-  const auto start = startBundle(problem);
+  const auto start = initializeBundle(problem);
   ASSERT_TRUE(start) << sentence(start.error());
   EXPECT_LT((start->states[1].ends[1] - ballAt(0.1) - Eigen::Vector3d(0.5, 0.0, 0.0)).norm(), 1e-9);
   problem.observations.pop_back(); // of the last state's other end
-  const auto fewer = startBundle(problem);
+  const auto fewer = initializeBundle(problem);
   ASSERT_TRUE(fewer) << sentence(fewer.error());
   EXPECT_FALSE(fewer->stateUsed[5]);
   EXPECT_TRUE(fewer->stateUsed[4]);
@@ -112,29 +112,29 @@ TEST(BundleStart, ABoardNeedsFourPoints) {
       problem.observations.push_back(seen);
     }
   }
-  const auto start = startBundle(problem);
+  const auto start = initializeBundle(problem);
   ASSERT_TRUE(start) << sentence(start.error());
   EXPECT_TRUE(start->stateUsed[0]); // one camera is enough for a board
   EXPECT_FALSE(start->stateUsed[1]);
   problem.states[0].known = false;
-  const auto nowhere = startBundle(problem);
+  const auto nowhere = initializeBundle(problem);
   ASSERT_FALSE(nowhere);
   EXPECT_EQ(nowhere.error().field, "board");
 }
 
 TEST(BundleStart, ACameraThatIsNotKnownNeedsSixObservations) {
   BundleProblem problem = ballSeenAt({0.0, 0.1, 0.2, 0.3, 0.4});
-  const auto few = startBundle(problem);
+  const auto few = initializeBundle(problem);
   ASSERT_FALSE(few);
   EXPECT_EQ(few.error().code, ErrorCode::Undetermined);
   EXPECT_EQ(few.error().field, "camera 1");
   EXPECT_NE(few.error().detail.find("5 usable observations, at least 6"), std::string::npos);
   problem.cameras[0].poseFixed = true;
-  EXPECT_EQ(startBundle(problem).error().field, "camera 2");
+  EXPECT_EQ(initializeBundle(problem).error().field, "camera 2");
   problem.cameras[1].posePrior = PosePrior{};
-  EXPECT_TRUE(startBundle(problem));
+  EXPECT_TRUE(initializeBundle(problem));
   problem.observations.clear(); // known, but nothing is seen
-  const auto nothing = startBundle(problem);
+  const auto nothing = initializeBundle(problem);
   ASSERT_FALSE(nothing);
   EXPECT_EQ(nothing.error().code, ErrorCode::Undetermined);
   EXPECT_EQ(nothing.error().field, "observations");
@@ -145,7 +145,7 @@ std::vector<StateIndices> knotsOf(const std::vector<double>& times) {
   BundleProblem problem = ballSeenAt(times);
   problem.cameras[1].offsetFree = true;
   problem.cameras[0].poseFixed = problem.cameras[1].poseFixed = true;
-  const auto start = startBundle(problem);
+  const auto start = initializeBundle(problem);
   EXPECT_TRUE(start);
   std::vector<StateIndices> knots;
   for (std::size_t k = 0; start && k < times.size(); ++k) {
@@ -185,7 +185,7 @@ TEST(BundleStart, APathIsNotFollowedThroughALongGap) {
 TEST(BundleStart, WhatLosesItsSupportIsDroppedRoundAfterRound) {
   BundleProblem problem = ballSeenAt({0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 1.0, 1.1});
   problem.cameras[1].offsetFree = true;
-  const auto start = startBundle(problem);
+  const auto start = initializeBundle(problem);
   ASSERT_TRUE(start) << sentence(start.error());
   for (const std::size_t state : {6U, 7U}) {
     EXPECT_FALSE(start->stateUsed[state]);
@@ -200,7 +200,7 @@ TEST(BundleStart, SenselessNumbersAreRefused) {
   const auto fieldOf = [](const auto& change) {
     BundleProblem problem = ballSeenAt(kSix);
     change(problem);
-    const auto start = startBundle(problem);
+    const auto start = initializeBundle(problem);
     EXPECT_FALSE(start);
     EXPECT_EQ(start.error().code, ErrorCode::BadValue);
     return start.error().field;

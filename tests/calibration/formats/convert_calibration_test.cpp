@@ -34,8 +34,8 @@ CameraRig plainRig() {
           cameraWithLens("right", {1.9, 1.7, 1.2}, {0.1, -0.22, 0.0004, -0.0026})};
 }
 
-CalibrationTarget target(const CalibrationFormat& format) {
-  CalibrationTarget result;
+CalibrationOutput target(const CalibrationFormat& format) {
+  CalibrationOutput result;
   result.format = format.name;
   result.path = ownFolder() / format.name;
   if (format.layout != FileLayout::FilePerCamera) {
@@ -72,7 +72,7 @@ TEST(ConvertCalibration, GoesThereAndBackThroughEveryFormat) {
     ASSERT_TRUE(writeCalibration(rig, there)) << format.name;
     CalibrationHints hints;
     if (!format.unit) {
-      hints.unit = format.usualUnit;
+      hints.unit = format.defaultUnit;
     }
     const auto back = readCalibration(there.path, hints);
     ASSERT_TRUE(back) << format.name << ": " << sentence(back.error());

@@ -81,7 +81,7 @@ std::vector<ExpectedPixel> expectedPixels() {
 }
 
 TEST(FormatGolden, EveryFilePutsItsPointsWhereItsToolDoes) {
-  std::map<std::string, ReadCalibration> read;
+  std::map<std::string, ParsedCalibration> read;
   for (const auto& [file, golden] : kFiles) {
     auto calibration = readCalibration(kGolden / file, golden.hints);
     ASSERT_TRUE(calibration) << sentence(calibration.error());

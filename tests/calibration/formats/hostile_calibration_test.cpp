@@ -46,8 +46,8 @@ protected:
   static std::string textOf(const Sample& sample) {
     return corpusText(std::string(sample.format) + "/" + sample.file);
   }
-  Result<ReadCalibration> read(const std::string& name, const std::string& text,
-                               const std::string& format = "") {
+  Result<ParsedCalibration> read(const std::string& name, const std::string& text,
+                                 const std::string& format = "") {
     const fs::path file = folder_ / name;
     writeBytes(file, text);
     CalibrationHints hints;

@@ -69,7 +69,7 @@ TEST(ClickAids, TheMagnifierShowsThePixelInTheMiddle) {
 }
 
 TEST(ClickAids, EdgesAreBrightAndPlanesDark) {
-  const cv::Mat edges = edgePicture(corner(30, 25));
+  const cv::Mat edges = edgeStrengthImage(corner(30, 25));
   ASSERT_EQ(edges.type(), CV_8UC1);
   EXPECT_GT(edges.at<uchar>(35, 30), 100);
   EXPECT_EQ(edges.at<uchar>(35, 40), 0);
@@ -78,13 +78,13 @@ TEST(ClickAids, EdgesAreBrightAndPlanesDark) {
 
 TEST(ClickAids, EdgesAreFoundInTheSizeThatIsShown) {
   const cv::Mat image = corner(30, 25);
-  const cv::Mat same = edgePicture(image, image.size());
-  EXPECT_EQ(cv::norm(same, edgePicture(image), cv::NORM_INF), 0.0);
-  const cv::Mat half = edgePicture(image, {image.cols / 2, image.rows / 2});
+  const cv::Mat same = edgeStrengthImage(image, image.size());
+  EXPECT_EQ(cv::norm(same, edgeStrengthImage(image), cv::NORM_INF), 0.0);
+  const cv::Mat half = edgeStrengthImage(image, {image.cols / 2, image.rows / 2});
   ASSERT_EQ(half.size(), cv::Size(image.cols / 2, image.rows / 2));
   EXPECT_GT(half.at<uchar>(17, 15), 100);
   EXPECT_EQ(half.at<uchar>(17, 20), 0);
-  EXPECT_EQ(cv::countNonZero(edgePicture(cv::Mat(), {4, 3})), 0); // no image, no edges
+  EXPECT_EQ(cv::countNonZero(edgeStrengthImage(cv::Mat(), {4, 3})), 0); // no image, no edges
 }
 
 } // namespace

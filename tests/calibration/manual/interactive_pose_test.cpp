@@ -263,7 +263,7 @@ TEST(Conversions, AGridSuitsItsRig) {
 TEST(Conversions, TargetsAndFocalLengths) {
   Draw draw(4);
   const Camera camera = someCamera(draw, false);
-  const Eigen::Vector3d target = lookedAt(camera, 0.0);
+  const Eigen::Vector3d target = aimPoint(camera, 0.0);
   EXPECT_NEAR(target.z(), 0.0, 1e-12);
   EXPECT_LT(poseDifference(lookingAt(camera, target), camera), 1e-12);
   const Camera other = lookingAt(camera, {0.5, 0.5, 0.5});

@@ -72,7 +72,7 @@ TEST(MeasuredPoints, ExactPointsGiveTheCamerasBack) {
       EXPECT_FALSE(solution.cameras[c].proposal) << count;
     }
     EXPECT_LT(solution.rmsPx, 1e-5);
-    EXPECT_FALSE(solution.worstExplains);
+    EXPECT_FALSE(solution.isWorstWrong);
     EXPECT_EQ(solution.residuals.size(), 2 * count);
   }
 }
@@ -81,7 +81,7 @@ TEST(MeasuredPoints, TheFocalLengthComesBackToo) {
   const CameraRig rig{measuringCamera({-2.0, -3.0, 1.8}, "left")};
   CameraRig wrong{zoomed(rig[0], 0.85)};
   PointSettings settings;
-  settings.alsoFocal = true;
+  settings.estimateFocal = true;
   const PointSolution solution = solveFromPoints(wrong, pointsSeenBy(rig, 8), settings);
   EXPECT_NEAR(solution.rig[0].intrinsics.focalX, 520.0, 1e-3);
   EXPECT_LT(apart(solution.rig[0], rig[0]), 1e-4);
@@ -108,7 +108,7 @@ TEST(MeasuredPoints, TheMistypedPointIsNamed) {
   const PointSolution solution = solveFromPoints(displaced(rig), points);
   ASSERT_TRUE(solution.worst);
   EXPECT_EQ(*solution.worst, 5);
-  EXPECT_TRUE(solution.worstExplains);
+  EXPECT_TRUE(solution.isWorstWrong);
   points.erase(points.begin() + 5);
   EXPECT_LT(apart(solveFromPoints(displaced(rig), points).rig[0], rig[0]), 1e-6);
 }
@@ -124,7 +124,7 @@ TEST(MeasuredPoints, TapeErrorsDoNotShakeTheCameras) {
   // 3 mm on 8 points around the middle: some millimeters at the cameras, 3.5 m away.
   EXPECT_LT(apart(solution.rig[0], rig[0]), 0.03);
   EXPECT_LT(solution.rmsPx, 2.0);
-  EXPECT_FALSE(solution.worstExplains);
+  EXPECT_FALSE(solution.isWorstWrong);
 }
 
 TEST(MeasuredPoints, WhatIsNotEnoughIsNamed) {

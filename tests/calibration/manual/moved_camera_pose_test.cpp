@@ -41,7 +41,7 @@ std::vector<PointSighting> sightings(const Camera& seenBy, int count, double noi
 }
 
 double angleBetween(const Camera& a, const Camera& b) {
-  return vectorOfRotation(a.cameraFromWorld.linear() * b.cameraFromWorld.linear().transpose())
+  return vectorFromRotation(a.cameraFromWorld.linear() * b.cameraFromWorld.linear().transpose())
       .norm();
 }
 

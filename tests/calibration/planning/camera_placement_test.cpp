@@ -52,7 +52,7 @@ std::optional<Eigen::Matrix3d> informationOf(const Camera& camera, const Eigen::
 
 /// Share of the cells of the room whose center at least two cameras show to 5 mm in the worst
 /// direction; without anything of the product's maps.
-double shareWithin(const CameraRig& rig) {
+double fractionWithin(const CameraRig& rig) {
   const VolumeGrid grid = gridOver(kRoom, 900);
   int good = 0;
   for (std::size_t cell = 0; cell < grid.cellCount(); ++cell) {
@@ -98,9 +98,9 @@ TEST(CameraPlacement, ASecondCameraLooksAcrossTheFirst) {
   EXPECT_TRUE(onWallOrCeiling(found->camera.center())) << found->camera.center().transpose();
   const double cosine = found->camera.opticalAxis().dot(rig[0].opticalAxis());
   EXPECT_LT(std::abs(cosine), std::cos(std::numbers::pi / 4.0));
-  EXPECT_EQ(found->withinBefore, 0.0); // one camera triangulates nothing
+  EXPECT_EQ(found->fractionBefore, 0.0); // one camera triangulates nothing
   const CameraRig across{rig[0], at({0, -2, 1.5})};
-  EXPECT_GE(found->withinAfter, shareWithin(across) - kTwoCells);
+  EXPECT_GE(found->fractionAfter, fractionWithin(across) - kTwoCells);
 }
 
 TEST(CameraPlacement, IsNoWorseThanPlacesByHand) {
@@ -110,14 +110,14 @@ TEST(CameraPlacement, IsNoWorseThanPlacesByHand) {
   const auto share = [&](const Camera& added) {
     CameraRig with = rig;
     with.push_back(added);
-    return shareWithin(with);
+    return fractionWithin(with);
   };
-  EXPECT_NEAR(share(found->camera), found->withinAfter, kTwoCells);
-  EXPECT_NEAR(shareWithin(rig), found->withinBefore, kTwoCells);
+  EXPECT_NEAR(share(found->camera), found->fractionAfter, kTwoCells);
+  EXPECT_NEAR(fractionWithin(rig), found->fractionBefore, kTwoCells);
   for (const Eigen::Vector3d& place :
        {Eigen::Vector3d(0, 2, 2), Eigen::Vector3d(2, 2, 2), Eigen::Vector3d(-2, 2, 2),
         Eigen::Vector3d(0, 0, 2), Eigen::Vector3d(0, -2, 1.5)}) {
-    EXPECT_GE(found->withinAfter, share(at(place)) - 0.02) << place.transpose();
+    EXPECT_GE(found->fractionAfter, share(at(place)) - 0.02) << place.transpose();
   }
 }
 
@@ -212,26 +212,26 @@ TEST(RigMap, TheRoomIsWhatTheGridCovers) {
   grid.origin = {-2, -2, 0};
   grid.size = {4, 3, 2};
   const CameraRig rig{at({-3, 0, 1.7}), at({0, -4, 2.5})};
-  EXPECT_TRUE(roomOf(rig, grid).max().isApprox(Eigen::Vector3d(2, 1, 2.5))); // highest camera
-  EXPECT_TRUE(roomOf({}, grid).max().isApprox(Eigen::Vector3d(2, 1, 1)));    // a quarter of 4 m
+  EXPECT_TRUE(roomVolume(rig, grid).max().isApprox(Eigen::Vector3d(2, 1, 2.5))); // highest camera
+  EXPECT_TRUE(roomVolume({}, grid).max().isApprox(Eigen::Vector3d(2, 1, 1)));    // a quarter of 4 m
   grid.kind = GridKind::Box;
-  EXPECT_TRUE(roomOf(rig, grid).max().isApprox(Eigen::Vector3d(2, 1, 2)));
+  EXPECT_TRUE(roomVolume(rig, grid).max().isApprox(Eigen::Vector3d(2, 1, 2)));
   grid.kind = GridKind::Wall; // in the plane of x and z; both cameras are on one side or in it
   grid.origin = {-2, 1, 0};
-  EXPECT_TRUE(roomOf(rig, grid).min().isApprox(Eigen::Vector3d(-2, -3, 0)));
-  EXPECT_TRUE(roomOf(rig, grid).max().isApprox(Eigen::Vector3d(2, 1, 2)));
+  EXPECT_TRUE(roomVolume(rig, grid).min().isApprox(Eigen::Vector3d(-2, -3, 0)));
+  EXPECT_TRUE(roomVolume(rig, grid).max().isApprox(Eigen::Vector3d(2, 1, 2)));
 }
 
 TEST(CameraPlacement, AFirstPlannedCameraHangsInTheFarthestUpperCorner) {
   // Beside the camera at (-2, -2, 2) the corner across is farthest.
-  const Camera planned = inFarthestCorner(lens(), {at({-2, -2, 2})}, kRoom);
+  const Camera planned = placedInFarthestCorner(lens(), {at({-2, -2, 2})}, kRoom);
   EXPECT_TRUE(planned.center().isApprox(Eigen::Vector3d(2, 2, 2)));
   const Eigen::Vector3d towards = (kRoom.center() - planned.center()).normalized();
   EXPECT_NEAR(planned.opticalAxis().dot(towards), 1.0, 1e-12);
   // With two in opposite corners the others are left, 4 m from both.
-  const Camera third = inFarthestCorner(lens(), {at({-2, -2, 2}), at({2, 2, 2})}, kRoom);
+  const Camera third = placedInFarthestCorner(lens(), {at({-2, -2, 2}), at({2, 2, 2})}, kRoom);
   EXPECT_NEAR(third.center().x() * third.center().y(), -4.0, 1e-9);
-  EXPECT_NEAR(inFarthestCorner(lens(), {}, kRoom).center().z(), 2.0, 1e-12);
+  EXPECT_NEAR(placedInFarthestCorner(lens(), {}, kRoom).center().z(), 2.0, 1e-12);
 }
 
 TEST(CameraPlacement, FiguresAreThoseOfTheMapThatIsShown) {
@@ -248,8 +248,8 @@ TEST(CameraPlacement, FiguresAreThoseOfTheMapThatIsShown) {
     const RigMap map = RigMapper().map(gridOver(kRoom, 2000), onMap.pixelSigma, cameras);
     return summaryOf(map, onMap.goodSigma).within;
   };
-  EXPECT_EQ(found->withinBefore, shared(rig));
-  EXPECT_EQ(found->withinAfter, shared(with));
+  EXPECT_EQ(found->fractionBefore, shared(rig));
+  EXPECT_EQ(found->fractionAfter, shared(with));
 }
 
 } // namespace

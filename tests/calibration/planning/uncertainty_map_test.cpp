@@ -58,7 +58,7 @@ TEST(UncertaintyMap, UnseenCellsHaveNoValue) {
   UncertaintyMap behind(kOneCell, 1.0);
   behind.setRig({cameraToward({-3, 0, 1}, {-9, 0, 1}), cameraToward({3, 0, 1}, {0, 0, 1})});
   EXPECT_EQ(behind.cameraCounts()[0], 1);
-  EXPECT_EQ(behind.shareWithin(1.0), 0.0);
+  EXPECT_EQ(behind.fractionWithin(1.0), 0.0);
 }
 
 TEST(UncertaintyMap, AMovedCameraGivesWhatTheWholeRigGives) {

@@ -30,14 +30,14 @@ WandProblem clean(std::uint32_t seed, int cameras = 4) {
 FaultReport find(const WandProblem& problem) {
   const auto bundle = wandBundle(problem);
   EXPECT_TRUE(bundle) << sentence(bundle.error());
-  FaultQuestion question;
+  FaultSearchInput question;
   question.problem = *bundle;
   return findFaults(question);
 }
 
 std::string told(const FaultReport& report) {
   std::string text;
-  for (const NamedFault& fault : report.faults) {
+  for (const DetectedFault& fault : report.faults) {
     text += std::string(faultName(fault.fault)) + " gain " + std::to_string(fault.gain) + ": " +
             fault.sentence + "\n";
   }
@@ -93,7 +93,7 @@ TEST(FaultFinder, ALateCameraIsNamed) {
     WandProblem problem = wave(truth, seed, noiseOf(seed), kFrames, {0.0, 0.0, late / kRate, 0.0});
     problem.initialRig = moved(truth, 0.1, 0.05, seed);
     const auto report = find(problem);
-    expectOnly(report, CalibrationFault::CameraLate, {2});
+    expectOnly(report, CalibrationFault::CameraDelayed, {2});
     if (!report.faults.empty()) {
       EXPECT_EQ(report.faults[0].value, late);
     }
@@ -163,7 +163,7 @@ TEST(FaultFinder, LensDataOfAnotherResolutionAreNamed) {
     }
     expectOnly(find(problem), CalibrationFault::WrongResolution, {2});
   }
-  FaultQuestion question;
+  FaultSearchInput question;
   question.problem = *wandBundle(clean(1));
   question.imageSizes = {{640, 480}, {1280, 960}, {640, 480}, {640, 480}};
   expectOnly(findFaults(question), CalibrationFault::WrongResolution, {1});
@@ -189,21 +189,21 @@ TEST(FaultFinder, MixedUnitsAreNamed) {
     SCOPED_TRACE(seed);
     WandProblem problem = clean(seed);
     problem.stickLength = 1000.0 * kStick;
-    expectOnly(find(problem), CalibrationFault::MillimetersMixed, {});
+    expectOnly(find(problem), CalibrationFault::WrongUnitMillimeters, {});
     problem.stickLength = kStick / 0.0254;
-    expectOnly(find(problem), CalibrationFault::InchesMixed, {});
+    expectOnly(find(problem), CalibrationFault::WrongUnitInches, {});
     problem.stickLength = kStick;
     for (Camera& camera : problem.initialRig) {
       camera.cameraFromWorld.translation() *= 1000.0;
     }
-    expectOnly(find(problem), CalibrationFault::MillimetersMixed, {});
+    expectOnly(find(problem), CalibrationFault::WrongUnitMillimeters, {});
   }
 }
 
 /// A chessboard of 9 x 6 corners shown in many places, and once on the floor.
-FaultQuestion shown(std::uint32_t seed, bool floor, double noise = 0.1) {
+FaultSearchInput shown(std::uint32_t seed, bool floor, double noise = 0.1) {
   const CameraRig truth = rig(seed);
-  FaultQuestion question;
+  FaultSearchInput question;
   question.board = BoardDescription{};
   question.board->squareSize = floor ? 0.15 : 0.06;
   BundleBody body{"board", BundleBody::Kind::Board};
@@ -260,7 +260,7 @@ TEST(FaultFinder, MirroredBoardsAndFloorsAreNamed) {
   for (const auto seed : kSeeds) {
     for (const bool floor : {false, true}) {
       SCOPED_TRACE(seed);
-      FaultQuestion question = shown(seed, floor);
+      FaultSearchInput question = shown(seed, floor);
       for (Eigen::Vector3d& point : question.problem.bodies[0].points) {
         (seed % 2 == 0 ? point.x() : point.y()) *= -1.0;
       }
@@ -272,13 +272,13 @@ TEST(FaultFinder, MirroredBoardsAndFloorsAreNamed) {
 TEST(FaultFinder, WrongSquaresAreNamed) {
   for (const auto seed : kSeeds) {
     SCOPED_TRACE(seed);
-    FaultQuestion larger = shown(seed, false);
+    FaultSearchInput larger = shown(seed, false);
     for (Eigen::Vector3d& point : larger.problem.bodies[0].points) {
       point *= 1.25;
     }
     expectOnly(findFaults(larger), CalibrationFault::WrongSquareSize, {});
 
-    FaultQuestion fewer = shown(seed, false); // 54 corners, taken for rows of 8
+    FaultSearchInput fewer = shown(seed, false); // 54 corners, taken for rows of 8
     fewer.board->columns = seed % 2 == 0 ? 8 : 10;
     for (std::size_t id = 0; id < 54; ++id) {
       fewer.problem.bodies[0].points[id] = fewer.board->corner(int(id));

@@ -39,7 +39,7 @@ TEST(WandReport, ShowsEveryCameraAndTheTarget) {
   auto result = calibrateFromWand(problem);
   ASSERT_TRUE(result) << sentence(result.error());
   // Copied: moving it is a false alarm of g++ 12 about the short text.
-  const NamedFault late{CalibrationFault::CameraLate, {1}, 12.0, 99.0, "camera 2 is late"};
+  const DetectedFault late{CalibrationFault::CameraDelayed, {1}, 12.0, 99.0, "camera 2 is late"};
   result->faults.push_back(late);
   WandReport report;
   report.before = problem.initialRig;

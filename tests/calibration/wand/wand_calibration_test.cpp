@@ -99,7 +99,7 @@ TEST(WandCalibration, HalfAPixelOfNoiseIsMillimeters) {
   WandProblem problem = waveWand(rig, 2, 0.3);
   problem.initialRig = movedCameras(rig, 0.3, 10.0 / 180.0 * std::numbers::pi, 0);
   problem.initialPositionError = 0.3;
-  problem.initialTurnError = 0.17;
+  problem.initialRotationError = 0.17;
   const auto result = calibrateFromWand(problem);
   ASSERT_TRUE(result) << sentence(result.error());
   EXPECT_LT(misplacement(result->cameras, rig), 2e-3);
@@ -247,15 +247,15 @@ TEST(WandCalibration, FloorAndFallSayWhereUpIs) {
   problem.scale = WandScale::Distance;
   problem.distance = {1.0, 3.0, std::sqrt(0.75)}; // of two corners of the triangle
   problem.floorTimes = {1.0, 3.0, 5.0};
-  problem.drop = std::array<double, 2>{18.01, 18.5};
+  problem.fallSpan = std::array<double, 2>{18.01, 18.5};
   const auto result = calibrateFromWand(problem);
   ASSERT_TRUE(result) << sentence(result.error());
   EXPECT_TRUE(result->floorFound);
   for (std::size_t c = 0; c < rig.size(); ++c) {
     EXPECT_NEAR(result->cameras[c].center().z(), rig[c].center().z(), 5e-3);
   }
-  ASSERT_TRUE(result->drop);
-  EXPECT_NEAR(result->drop->gravity, 9.81, 0.15);
+  ASSERT_TRUE(result->freeFall);
+  EXPECT_NEAR(result->freeFall->gravity, 9.81, 0.15);
 
   problem.floorTimes.clear();
   const auto fallen = calibrateFromWand(problem);

@@ -38,7 +38,7 @@ CameraRig moved(const Similarity& change, CameraRig rig) {
 
 /// A world that stands askew.
 Similarity askew() {
-  return {1.0, geometry::rotationOfVector({2.0, -0.7, 0.4}), {0.3, 0.2, -1.1}};
+  return {1.0, geometry::rotationFromVector({2.0, -0.7, 0.4}), {0.3, 0.2, -1.1}};
 }
 
 TEST(WorldFrame, ThreePointsOfTheFloorSetOriginAxesAndUp) {
@@ -82,7 +82,7 @@ TEST(WorldFrame, ALevelLineTakesOutTheTiltAlongIt) {
   EXPECT_LT((*level * from - from).norm(), 1e-12);
   EXPECT_NEAR((*level * to).z(), 0.5, 1e-12);
   EXPECT_NEAR((*level * to).y(), 2.0, 1e-12);
-  EXPECT_NEAR(geometry::vectorOfRotation(level->rotation).norm(), std::atan(0.1), 1e-12);
+  EXPECT_NEAR(geometry::vectorFromRotation(level->rotation).norm(), std::atan(0.1), 1e-12);
   EXPECT_FALSE(calibration::levelAlong(from, from));
   EXPECT_FALSE(calibration::levelAlong(from, {1.1, 2.0, 2.0}));
 }

@@ -16,7 +16,7 @@ double meanOf(const ColorDensity& density) {
   return sum / static_cast<double>(kColorCellCount);
 }
 
-const BgrColors kManyReds{{40.0, 40.0, 200.0}, 1.0};
+const WeightedBgrColor kManyReds{{40.0, 40.0, 200.0}, 1.0};
 
 TEST(ColorCells, EightLevelsOfEachChannelAreOne) {
   EXPECT_EQ(colorCell(0, 0, 0), 0);
@@ -29,7 +29,7 @@ TEST(ColorCells, EightLevelsOfEachChannelAreOne) {
 
 // Nothing is lost at the ends of the channels, be it by noise or where a sensor cuts off.
 TEST(ColorDensity, TheMeanIsOne) {
-  const std::vector<BgrColors> colors{
+  const std::vector<WeightedBgrColor> colors{
       kManyReds, {{0.0, 0.0, 0.0}, 3.0}, {{255.0, 255.0, 255.0}, 2.0}, {{10.0, 240.0, 255.0}, 0.5}};
   for (const double otherLight : {0.0, 0.05, 0.5, 1.0}) {
     EXPECT_NEAR(meanOf(ColorDensity(colors, otherLight)), 1.0, 1e-9) << otherLight;
@@ -58,7 +58,7 @@ TEST(ColorDensity, NoiseSpreadsToAllSidesAlike) {
 }
 
 TEST(ColorDensity, WeightsAreShares) {
-  const BgrColors blue{{200.0, 60.0, 40.0}, 3.0};
+  const WeightedBgrColor blue{{200.0, 60.0, 40.0}, 3.0};
   const ColorDensity both({kManyReds, blue}, 0.5);
   const ColorDensity red({kManyReds}, 0.5);
   const ColorDensity otherRed({{kManyReds.bgr, 100.0}}, 0.5);

@@ -23,7 +23,7 @@ cv::Mat everywhere(const cv::Mat& image) {
 TEST(OtherCameraLikelihood, AllowsForWhiteBalanceAndExposure) {
   const cv::Mat image = wallWithSquare({10, 10, 4, 4}, {40, 40, 200});
   const color::ColorLikelihood table =
-      color::OtherCameraLikelihood({kRed}).inImage(image, everywhere(image));
+      color::OtherCameraLikelihood({kRed}).likelihoodForImage(image, everywhere(image));
   EXPECT_GT(nats(table, kRed), 1.0);
   EXPECT_GT(nats(table, {26, 30, 174}), 1.0);
   EXPECT_LT(nats(table, {120, 120, 120}), -1.0);
@@ -38,7 +38,7 @@ TEST(OtherCameraLikelihood, LeavesARegionOutOfItsOwnRest) {
   cv::Mat region = cv::Mat::zeros(image.size(), CV_8UC1);
   region(square).setTo(255);
   const color::OtherCameraLikelihood likelihood({kRed});
-  EXPECT_LT(nats(likelihood.inImage(image, everywhere(image)), kRed), 0.0);
+  EXPECT_LT(nats(likelihood.likelihoodForImage(image, everywhere(image)), kRed), 0.0);
   EXPECT_GT(likelihood.meanLogRatio(image, everywhere(image), region), 2.0);
   EXPECT_EQ(
       likelihood.meanLogRatio(image, everywhere(image), cv::Mat::zeros(image.size(), CV_8UC1)),
@@ -52,8 +52,8 @@ TEST(OtherCameraLikelihood, CountsLittleWhatCannotBeTheTarget) {
   cv::Mat near = everywhere(image);
   near(square).setTo(0);
   const color::OtherCameraLikelihood likelihood({kRed});
-  EXPECT_GT(nats(likelihood.inImage(image, near), kRed),
-            nats(likelihood.inImage(image, everywhere(image)), kRed) + 1.0);
+  EXPECT_GT(nats(likelihood.likelihoodForImage(image, near), kRed),
+            nats(likelihood.likelihoodForImage(image, everywhere(image)), kRed) + 1.0);
 }
 
 } // namespace

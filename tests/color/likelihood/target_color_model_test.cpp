@@ -20,16 +20,17 @@ const BgrColor kLeafGreen{60, 160, 40};
 const ColorRange kEveryColor{0.0, 360.0};
 const ColorRange kNarrowRedRange{350.0, 10.0, 0.2, 1.0, 0.1, 0.9};
 
-HsiColors pixelsOf(const BgrColor& color, double count) {
+WeightedHsiColor pixelsOf(const BgrColor& color, double count) {
   return {hsiFromBgr(color[0], color[1], color[2]), count};
 }
 
 /// The table of the reference camera.
-ColorLikelihood tableOf(const std::vector<HsiColors>& target, const std::vector<HsiColors>& rest,
+ColorLikelihood tableOf(const std::vector<WeightedHsiColor>& target,
+                        const std::vector<WeightedHsiColor>& rest,
                         const ColorRange& range = kEveryColor, double restPerTarget = 1.0) {
   TargetColorModel model(range);
   model.add(target);
-  return model.inCamera({}, rest, restPerTarget);
+  return model.likelihoodForCamera({}, rest, restPerTarget);
 }
 
 int at(const ColorLikelihood& table, const BgrColor& color) {
@@ -125,8 +126,8 @@ TEST(TargetColorModel, AColorOfBothSaysNothing) {
 // of other light. But where there are a hundred pixels of the rest for each of the target, one is
 // as likely as the other.
 TEST(TargetColorModel, PixelsCanBeWeighedInsteadOfLikelihoods) {
-  const std::vector<HsiColors> target{pixelsOf(kRed, 600.0)};
-  const std::vector<HsiColors> rest{pixelsOf(kGray, 59400.0), pixelsOf(kRed, 600.0)};
+  const std::vector<WeightedHsiColor> target{pixelsOf(kRed, 600.0)};
+  const std::vector<WeightedHsiColor> rest{pixelsOf(kGray, 59400.0), pixelsOf(kRed, 600.0)};
   EXPECT_NEAR(nats(tableOf(target, rest), kRed), std::log(100.0), 0.8);
   EXPECT_NEAR(nats(tableOf(target, rest, kEveryColor, 100.0), kRed), 0.0, 0.8);
 }
@@ -146,7 +147,7 @@ TEST(TargetColorModel, OtherLightIsTheTargetToo) {
 }
 
 TEST(TargetColorModel, NothingBeyondTheLimitsIsTheTarget) {
-  std::vector<HsiColors> target;
+  std::vector<WeightedHsiColor> target;
   for (const BgrColor& color : {kRed, kBlue, kGray, kLeafGreen}) {
     target.push_back(pixelsOf(color, 1e4));
   }
@@ -173,7 +174,7 @@ TEST(TargetColorModel, NothingBeyondTheLimitsIsTheTarget) {
 TEST(TargetColorModel, LimitsCanBeOpened) {
   TargetColorModel model(kNarrowRedRange, kEveryColor);
   model.add({pixelsOf(kRed, 500.0), pixelsOf(kBlue, 500.0)});
-  const ColorLikelihood table = model.inCamera({}, {});
+  const ColorLikelihood table = model.likelihoodForCamera({}, {});
   EXPECT_GT(nats(table, kBlue), 4.0);
   EXPECT_EQ(at(table, kLeafGreen), -16); // not the lowest, but the prior
 }
@@ -197,14 +198,14 @@ TEST(TargetColorModel, ACameraSeesThroughItsGain) {
   const ColorGain gain{1.5, 1.0, 0.8};
   TargetColorModel model(kNarrowRedRange);
   model.add({pixelsOf(kRed, 500.0)});
-  const int reference = at(model.inCamera({}, {}), kRed);
+  const int reference = at(model.likelihoodForCamera({}, {}), kRed);
   EXPECT_EQ(reference, 70); // (20 * 1 + 500 * 4.5) / 520 nats, 69.8 steps
-  EXPECT_EQ(at(model.inCamera(gain, {}), {60, 40, 160}), reference);
+  EXPECT_EQ(at(model.likelihoodForCamera(gain, {}), {60, 40, 160}), reference);
 
   TargetColorModel seenThere(kNarrowRedRange);
   seenThere.add({pixelsOf({60, 40, 160}, 500.0)}, gain);
-  const ColorLikelihood learnedThere = seenThere.inCamera({}, {});
-  const ColorLikelihood learnedHere = model.inCamera({}, {});
+  const ColorLikelihood learnedThere = seenThere.likelihoodForCamera({}, {});
+  const ColorLikelihood learnedHere = model.likelihoodForCamera({}, {});
   for (int b = 4; b < 256; b += 8) {
     for (int g = 4; g < 256; g += 8) {
       for (int r = 4; r < 256; r += 8) {
@@ -221,16 +222,16 @@ TEST(TargetColorModel, ACameraSeesThroughItsGain) {
 // red; in a camera that shows blue and green half as bright it is (200, 200, 100) there, cyan.
 TEST(TargetColorModel, TheRangeIsMeantInTheReferenceCamera) {
   const TargetColorModel model(kNarrowRedRange);
-  EXPECT_EQ(at(model.inCamera({}, {}), {100, 100, 100}), -72);
-  EXPECT_EQ(at(model.inCamera({1.0, 1.0, 0.5}, {}), {100, 100, 100}), 16);
-  EXPECT_EQ(at(model.inCamera({0.5, 0.5, 1.0}, {}), {100, 100, 100}), -72);
+  EXPECT_EQ(at(model.likelihoodForCamera({}, {}), {100, 100, 100}), -72);
+  EXPECT_EQ(at(model.likelihoodForCamera({1.0, 1.0, 0.5}, {}), {100, 100, 100}), 16);
+  EXPECT_EQ(at(model.likelihoodForCamera({0.5, 0.5, 1.0}, {}), {100, 100, 100}), -72);
 }
 
 // A channel that a gain would lift above 255 is cut off.
 TEST(TargetColorModel, ABrightCameraCutsColorsOff) {
   TargetColorModel model(kEveryColor);
   model.add({pixelsOf(kRed, 500.0)});
-  EXPECT_GT(nats(model.inCamera({2.0, 2.0, 2.0}, {}), {80, 80, 255}), 4.0);
+  EXPECT_GT(nats(model.likelihoodForCamera({2.0, 2.0, 2.0}, {}), {80, 80, 255}), 4.0);
 }
 
 TEST(TargetColorModel, LearnsFromTheEvidenceOfSamples) {

@@ -8,11 +8,11 @@ namespace {
 
 const Eigen::Matrix3d kSmall = 1e-6 * Eigen::Matrix3d::Identity(); // 1 mm
 
-TEST(KalmanPoint, FirstUpdateByHand) {
+TEST(PositionKalmanFilter, FirstUpdateByHand) {
   // Start at 0 with variance 1, speed variance 1, no acceleration. After 1 s: variance 2,
   // covariance with the speed 1. A measurement 3 of variance 1: gain 2/3 and 1/3, so position 2,
   // speed 1, variance (1 - 2/3) * 2 = 2/3.
-  KalmanPoint point({0.0, 1.0, 16.266, 3, 10.0});
+  PositionKalmanFilter point({0.0, 1.0, 16.266, 3, 10.0});
   point.update(Eigen::Vector3d::Zero(), Eigen::Matrix3d::Identity());
   point.predict(1.0);
   point.update({3, 0, 0}, Eigen::Matrix3d::Identity());
@@ -21,8 +21,8 @@ TEST(KalmanPoint, FirstUpdateByHand) {
   EXPECT_LT((point.covariance() - 2.0 / 3.0 * Eigen::Matrix3d::Identity()).norm(), 1e-12);
 }
 
-TEST(KalmanPoint, PredictsThroughGapsAndThenForgets) {
-  KalmanPoint point;
+TEST(PositionKalmanFilter, PredictsThroughGapsAndThenForgets) {
+  PositionKalmanFilter point;
   EXPECT_FALSE(point.started());
   for (int k = 0; k < 30; ++k) { // 1 m/s along x, at 30 frames/s
     point.predict(1.0 / 30.0);
@@ -37,8 +37,8 @@ TEST(KalmanPoint, PredictsThroughGapsAndThenForgets) {
   EXPECT_FALSE(point.started());
 }
 
-TEST(KalmanPoint, RefusesOutliersButBelievesTheThird) {
-  KalmanPoint point;
+TEST(PositionKalmanFilter, RefusesOutliersButBelievesTheThird) {
+  PositionKalmanFilter point;
   for (int k = 0; k < 30; ++k) {
     point.predict(1.0 / 30.0);
     point.update(Eigen::Vector3d::Zero(), kSmall);

@@ -178,7 +178,7 @@ TEST(Baselines, StartAtTheBallInTheStartVolumeAndStayWithIt) {
   const auto meant = [](int k) { return Eigen::Vector3d(0.1 - 0.002 * k, 0.05, 0.02); };
   const Eigen::Vector3d other(-0.1, -0.05, 0.0);
   run.startCenter = meant(0) + Eigen::Vector3d(0.02, -0.02, 0.02);
-  run.startHalf = Eigen::Vector3d::Constant(0.1);
+  run.startHalfSize = Eigen::Vector3d::Constant(0.1);
   const auto tracker = make("triangulation", run);
   for (int k = 0; k < 20; ++k) {
     const auto estimate = step(*tracker, picture(run.rig, k, {other, meant(k)})).front();

@@ -21,12 +21,12 @@ CameraRig crossedCameras() {
 
 TEST(CommonView, IsWhatAllCamerasSee) {
   CameraRig rig = crossedCameras();
-  const auto both = commonView(rig);
+  const auto both = commonViewVolume(rig);
   ASSERT_TRUE(both.has_value());
   EXPECT_NEAR(both->center.x() + both->half.x(), 0.6, 0.06);
   // The third stands half a meter above the origin, and sees nothing above itself.
   rig.push_back(cameraAt({0, 0, 0.5}, {0, 1e-9, 0}));
-  const auto all = commonView(rig);
+  const auto all = commonViewVolume(rig);
   ASSERT_TRUE(all.has_value());
   EXPECT_NEAR(both->center.z() + both->half.z(), 0.656, 0.06);
   EXPECT_LT(all->center.z() + all->half.z(), 0.5);
@@ -35,16 +35,16 @@ TEST(CommonView, IsWhatAllCamerasSee) {
 TEST(CommonView, IsThatOfTwoWhereAThirdLooksAway) {
   CameraRig rig = crossedCameras();
   rig.push_back(cameraAt({0, 0, 5}, {5, 0, 5}));
-  const auto view = commonView(rig);
+  const auto view = commonViewVolume(rig);
   ASSERT_TRUE(view.has_value());
   EXPECT_NEAR(view->center.x() + view->half.x(), 0.6, 0.06) << "as without the third";
 }
 
 TEST(CommonView, NeedsTwoCamerasThatSeeSomethingTogether) {
-  EXPECT_FALSE(commonView({}).has_value());
-  EXPECT_FALSE(commonView({cameraAt({1, 0, 0}, {0, 0, 0})}).has_value());
-  EXPECT_FALSE(
-      commonView({cameraAt({1, 0, 0}, {2, 0, 0}), cameraAt({-1, 0, 0}, {-2, 0, 0})}).has_value())
+  EXPECT_FALSE(commonViewVolume({}).has_value());
+  EXPECT_FALSE(commonViewVolume({cameraAt({1, 0, 0}, {0, 0, 0})}).has_value());
+  EXPECT_FALSE(commonViewVolume({cameraAt({1, 0, 0}, {2, 0, 0}), cameraAt({-1, 0, 0}, {-2, 0, 0})})
+                   .has_value())
       << "back to back";
 }
 
@@ -52,8 +52,8 @@ TEST(StartFromRig, IsThePartOfTheRunsVolumeThatTheCamerasSee) {
   ScenarioRun run;
   run.rig = crossedCameras();
   run.startCenter = {0.5, 0.0, 0.0};
-  run.startHalf = {0.5, 0.1, 5.0};
-  const StartVolume start = startFromRig(run);
+  run.startHalfSize = {0.5, 0.1, 5.0};
+  const StartVolume start = startVolumeFromRig(run);
   EXPECT_NEAR(start.center.x() - start.half.x(), 0.0, 1e-12) << "the run's";
   EXPECT_NEAR(start.center.x() + start.half.x(), 0.6, 0.06) << "the cameras'";
   EXPECT_NEAR(start.center.y(), 0.0, 1e-12);
@@ -65,8 +65,8 @@ TEST(StartFromRig, IsAllThatTheCamerasSeeForAPoint) {
   ScenarioRun run;
   run.rig = crossedCameras();
   run.startCenter = {0.5, 0.0, 0.0};
-  const StartVolume start = startFromRig(run);
-  const auto view = commonView(run.rig);
+  const StartVolume start = startVolumeFromRig(run);
+  const auto view = commonViewVolume(run.rig);
   ASSERT_TRUE(view.has_value());
   EXPECT_EQ(start.center, view->center);
   EXPECT_EQ(start.half, view->half);
@@ -76,11 +76,11 @@ TEST(StartFromRig, IsTheRunsOwnWhereNothingIsSeen) {
   ScenarioRun run;
   run.rig = crossedCameras();
   run.startCenter = {8.0, 0.0, 0.0};
-  run.startHalf = {1.0, 1.0, 1.0};
-  EXPECT_EQ(startFromRig(run).center, run.startCenter);
-  EXPECT_EQ(startFromRig(run).half, run.startHalf);
+  run.startHalfSize = {1.0, 1.0, 1.0};
+  EXPECT_EQ(startVolumeFromRig(run).center, run.startCenter);
+  EXPECT_EQ(startVolumeFromRig(run).half, run.startHalfSize);
   run.rig.pop_back();
-  EXPECT_EQ(startFromRig(run).center, run.startCenter) << "one camera";
+  EXPECT_EQ(startVolumeFromRig(run).center, run.startCenter) << "one camera";
 }
 
 } // namespace

@@ -62,14 +62,14 @@ TEST(BoxFollower, OursStateHowSureTheyAreAndOpenCvsDoNot) {
   auto ours = makeBoxFollower("histogram", 100, 3);
   ASSERT_TRUE(ours);
   worstErrorOf(**ours);
-  ASSERT_TRUE((*ours)->claim());
-  EXPECT_GT((*ours)->claim()->similarity, 0.5);
-  EXPECT_TRUE((*ours)->claim()->visible);
+  ASSERT_TRUE((*ours)->confidence());
+  EXPECT_GT((*ours)->confidence()->similarity, 0.5);
+  EXPECT_TRUE((*ours)->confidence()->visible);
   for (const std::string& name : openCvFollowers()) {
     const auto peer = makeOpenCvFollower(name);
     ASSERT_NE(peer, nullptr) << name;
     worstErrorOf(*peer);
-    EXPECT_FALSE(peer->claim()) << name;
+    EXPECT_FALSE(peer->confidence()) << name;
   }
 }
 

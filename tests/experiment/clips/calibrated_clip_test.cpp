@@ -58,8 +58,8 @@ TEST(CalibratedClip, StartsAroundTheFirstPositionAsTheSeedDraws) {
   EXPECT_EQ(one->startCenter, again->startCenter);
   EXPECT_NE(one->startCenter, other->startCenter);
   const Eigen::Vector3d first = test::smallClipPosition(2);
-  EXPECT_LE((one->startCenter - first).cwiseAbs().maxCoeff(), 0.5 * kClipStartHalf);
-  EXPECT_TRUE(one->startHalf.isApprox(Eigen::Vector3d::Constant(kClipStartHalf)));
+  EXPECT_LE((one->startCenter - first).cwiseAbs().maxCoeff(), 0.5 * kClipStartHalfSize);
+  EXPECT_TRUE(one->startHalfSize.isApprox(Eigen::Vector3d::Constant(kClipStartHalfSize)));
 }
 
 TEST(CalibratedClip, RefusesFilesThatDoNotFit) {
@@ -68,7 +68,7 @@ TEST(CalibratedClip, RefusesFilesThatDoNotFit) {
   clip.rig[1].intrinsics.width = 320;
   EXPECT_EQ(clipRun(clip, 1).error().code, ErrorCode::Mismatch);
   clip = test::makeSmallClip(folder);
-  clip.instants = evenInstants(0, test::kSmallClipFrames + 1, 2, 30.0);
+  clip.instants = simultaneousInstants(0, test::kSmallClipFrames + 1, 2, 30.0);
   EXPECT_EQ(clipRun(clip, 1).error().code, ErrorCode::EndedEarly);
   clip.cameras[0] = folder / "none.mp4";
   EXPECT_EQ(clipRun(clip, 1).error().code, ErrorCode::FileMissing);

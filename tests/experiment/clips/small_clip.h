@@ -51,7 +51,7 @@ inline CalibratedClip makeSmallClip(const TemporaryFolder& folder) {
     }
     clip.cameras.push_back(images);
   }
-  clip.instants = evenInstants(2, kSmallClipFrames, 2, 30.0);
+  clip.instants = simultaneousInstants(2, kSmallClipFrames, 2, 30.0);
   ColorSample click; // in the first instant, frame 2: x = -0.03 m, 14 px right of the center
   click.x = 94.0;
   click.y = 64.0;

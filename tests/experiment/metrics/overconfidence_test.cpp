@@ -14,8 +14,8 @@ constexpr double kConfidenceGate = 0.03;
 
 /// A belief in a target at the origin that is `error` meters off along x; standard deviations of 1,
 /// 2 and 2 mm state a radius of sqrt(1 + 4 + 4) = 3 mm, and three of them are 9 mm.
-StatedBelief beliefOff(double error, double probability = 1.0) {
-  StatedBelief belief;
+ReportedBelief beliefOff(double error, double probability = 1.0) {
+  ReportedBelief belief;
   belief.probability = probability;
   belief.declared = probability > 0.5;
   belief.position = {error, 0.0, 0.0};
@@ -25,56 +25,57 @@ StatedBelief beliefOff(double error, double probability = 1.0) {
 }
 
 TEST(Overconfidence, RadiusIsTheStatedRootMeanSquareError) {
-  EXPECT_NEAR(statedRadius(beliefOff(0.0).covariance), 0.003, 1e-15);
-  EXPECT_EQ(statedRadius(Eigen::Matrix3d::Zero()), 0.0);
+  EXPECT_NEAR(reportedRadius(beliefOff(0.0).covariance), 0.003, 1e-15);
+  EXPECT_EQ(reportedRadius(Eigen::Matrix3d::Zero()), 0.0);
 }
 
 TEST(Overconfidence, SureAndWrongBeyondThreeStatedRadii) {
-  EXPECT_FALSE(isSureAndWrong(beliefOff(0.0089)));
-  EXPECT_TRUE(isSureAndWrong(beliefOff(0.0091)));
-  EXPECT_FALSE(isSureAndWrong(beliefOff(0.0091, 0.95))) << "not above 0.95";
-  EXPECT_TRUE(isSureAndWrong(beliefOff(0.0091, 0.951)));
-  StatedBelief vague = beliefOff(0.5);
+  EXPECT_FALSE(isConfidentlyWrong(beliefOff(0.0089)));
+  EXPECT_TRUE(isConfidentlyWrong(beliefOff(0.0091)));
+  EXPECT_FALSE(isConfidentlyWrong(beliefOff(0.0091, 0.95))) << "not above 0.95";
+  EXPECT_TRUE(isConfidentlyWrong(beliefOff(0.0091, 0.951)));
+  ReportedBelief vague = beliefOff(0.5);
   vague.covariance = 0.04 * Eigen::Matrix3d::Identity(); // radius 0.35 m
-  EXPECT_FALSE(isSureAndWrong(vague)) << "half a meter off, and says so";
+  EXPECT_FALSE(isConfidentlyWrong(vague)) << "half a meter off, and says so";
 }
 
 TEST(Overconfidence, AnAbsentTargetIsNoExcuse) {
-  StatedBelief belief = beliefOff(0.0);
+  ReportedBelief belief = beliefOff(0.0);
   belief.truth.reset();
-  EXPECT_TRUE(isSureAndWrong(belief));
+  EXPECT_TRUE(isConfidentlyWrong(belief));
   EXPECT_TRUE(isWrong(belief, kConfidenceGate));
   belief.probability = 0.6;
-  EXPECT_FALSE(isSureAndWrong(belief));
+  EXPECT_FALSE(isConfidentlyWrong(belief));
   EXPECT_TRUE(isWrong(belief, kConfidenceGate)) << "declared, though not sure";
   belief.declared = false;
   EXPECT_FALSE(isWrong(belief, kConfidenceGate));
 }
 
 TEST(Overconfidence, NothingUsableIsNoExcuseEither) {
-  StatedBelief belief = beliefOff(0.001);
+  ReportedBelief belief = beliefOff(0.001);
   belief.covariance.setZero();
-  EXPECT_TRUE(isSureAndWrong(belief)) << "off, and states no error at all";
+  EXPECT_TRUE(isConfidentlyWrong(belief)) << "off, and states no error at all";
   belief.covariance = -Eigen::Matrix3d::Identity();
-  EXPECT_TRUE(isSureAndWrong(belief));
+  EXPECT_TRUE(isConfidentlyWrong(belief));
   belief = beliefOff(std::numeric_limits<double>::quiet_NaN());
-  EXPECT_TRUE(isSureAndWrong(belief));
+  EXPECT_TRUE(isConfidentlyWrong(belief));
   EXPECT_TRUE(isWrong(belief, kConfidenceGate));
   belief = beliefOff(0.0);
   belief.covariance.setZero();
-  EXPECT_FALSE(isSureAndWrong(belief)) << "exactly right";
+  EXPECT_FALSE(isConfidentlyWrong(belief)) << "exactly right";
 }
 
 TEST(Overconfidence, SharesAreOfAllBeliefs) {
   // Of five: right; 20 mm off (beyond 9 mm, within the gate); 40 mm off and sure; 40 mm off and
   // not sure; nothing stated, 40 mm off.
-  const std::vector<StatedBelief> beliefs{beliefOff(0.001), beliefOff(0.020), beliefOff(0.040),
-                                          beliefOff(0.040, 0.8), beliefOff(0.040, 0.2)};
+  const std::vector<ReportedBelief> beliefs{beliefOff(0.001), beliefOff(0.020), beliefOff(0.040),
+                                            beliefOff(0.040, 0.8), beliefOff(0.040, 0.2)};
   const Overconfidence result = overconfidence(beliefs, kConfidenceGate);
   EXPECT_EQ(result.wrong.count, 2);
-  EXPECT_EQ(result.wrongWhenSure.count, 1);
-  EXPECT_EQ(result.sureAndWrong.count, 2);
-  for (const Proportion& share : {result.wrong, result.wrongWhenSure, result.sureAndWrong}) {
+  EXPECT_EQ(result.wrongWhenConfident.count, 1);
+  EXPECT_EQ(result.confidentlyWrong.count, 2);
+  for (const Proportion& share :
+       {result.wrong, result.wrongWhenConfident, result.confidentlyWrong}) {
     EXPECT_EQ(share.total, 5);
   }
   EXPECT_TRUE(std::isnan(overconfidence({}, kConfidenceGate).wrong.value()));

@@ -25,7 +25,7 @@ TEST(Reliability, HandWorked) {
   EXPECT_DOUBLE_EQ(result.bins[1].meanProbability, 0.8);
   EXPECT_DOUBLE_EQ(result.bins[1].frequency, 1.0);
   EXPECT_NEAR(result.expectedError, 0.24, 1e-15);
-  EXPECT_NEAR(result.greatestError, 0.3, 1e-15);
+  EXPECT_NEAR(result.maxError, 0.3, 1e-15);
   EXPECT_NEAR(result.brier, 0.152, 1e-15);
 }
 

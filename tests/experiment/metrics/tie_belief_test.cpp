@@ -9,8 +9,8 @@
 namespace dewpoint::tests {
 namespace {
 
-StatedBelief beliefOf(double probability, bool declared = true) {
-  StatedBelief belief;
+ReportedBelief beliefOf(double probability, bool declared = true) {
+  ReportedBelief belief;
   belief.probability = probability;
   belief.declared = declared;
   belief.truth = Eigen::Vector3d::Zero(); // it is right, by luck
@@ -18,29 +18,29 @@ StatedBelief beliefOf(double probability, bool declared = true) {
 }
 
 TEST(TieBelief, IsSureAboveOneOverTheCandidatesPlusTheSlack) {
-  EXPECT_FALSE(isSureOfTie(beliefOf(0.5), 2));
-  EXPECT_FALSE(isSureOfTie(beliefOf(0.5 + kTieSlack - 1e-6), 2));
-  EXPECT_TRUE(isSureOfTie(beliefOf(0.5 + kTieSlack + 1e-6), 2));
-  EXPECT_TRUE(isSureOfTie(beliefOf(0.5), 3)) << "one third is all that can be known";
-  EXPECT_FALSE(isSureOfTie(beliefOf(0.25), 4));
-  EXPECT_TRUE(isSureOfTie(beliefOf(1.0), 2)) << "to be right is no excuse";
+  EXPECT_FALSE(isConfidentInTie(beliefOf(0.5), 2));
+  EXPECT_FALSE(isConfidentInTie(beliefOf(0.5 + kTieMargin - 1e-6), 2));
+  EXPECT_TRUE(isConfidentInTie(beliefOf(0.5 + kTieMargin + 1e-6), 2));
+  EXPECT_TRUE(isConfidentInTie(beliefOf(0.5), 3)) << "one third is all that can be known";
+  EXPECT_FALSE(isConfidentInTie(beliefOf(0.25), 4));
+  EXPECT_TRUE(isConfidentInTie(beliefOf(1.0), 2)) << "to be right is no excuse";
 }
 
 TEST(TieBelief, WhatIsNotDeclaredClaimsNothing) {
-  EXPECT_FALSE(isSureOfTie(beliefOf(0.9, false), 2));
+  EXPECT_FALSE(isConfidentInTie(beliefOf(0.9, false), 2));
 }
 
 TEST(TieBelief, WithoutEqualCandidatesNobodyIsTooSure) {
-  EXPECT_FALSE(isSureOfTie(beliefOf(1.0), 1));
+  EXPECT_FALSE(isConfidentInTie(beliefOf(1.0), 1));
 }
 
 TEST(TieBelief, SharesAreOfAllBeliefs) {
-  const std::vector<StatedBelief> beliefs{beliefOf(0.5), beliefOf(0.7), beliefOf(0.99),
-                                          beliefOf(0.0, false), beliefOf(0.52)};
-  const Proportion share = sureOfTie(beliefs, 2);
+  const std::vector<ReportedBelief> beliefs{beliefOf(0.5), beliefOf(0.7), beliefOf(0.99),
+                                            beliefOf(0.0, false), beliefOf(0.52)};
+  const Proportion share = confidentInTie(beliefs, 2);
   EXPECT_EQ(share.count, 2);
   EXPECT_EQ(share.total, 5);
-  EXPECT_TRUE(std::isnan(sureOfTie({}, 2).value()));
+  EXPECT_TRUE(std::isnan(confidentInTie({}, 2).value()));
 }
 
 } // namespace

@@ -22,24 +22,25 @@ TEST(SeedBlocks, EachSeedIsInOneBlock) {
 // What people, boxes and the suite were changed on or after.
 TEST(SeedBlocks, SeedsThatWereLookedAtAreNotReported) {
   for (const std::uint64_t seed : {1U, 30U, 5001U, 5020U}) {
-    EXPECT_EQ(seedBlockOf(seed).use, SeedUse::Tuning) << seed;
+    EXPECT_EQ(seedBlockOf(seed).use, SeedPurpose::Tuning) << seed;
   }
   for (const std::uint64_t seed :
        {1000001U, 1002456U, 1003152U, 1004001U, 1004500U, 1005001U, 1005020U}) {
-    EXPECT_EQ(seedBlockOf(seed).use, SeedUse::Validation) << seed;
+    EXPECT_EQ(seedBlockOf(seed).use, SeedPurpose::Validation) << seed;
   }
-  EXPECT_EQ(seedBlockOf(ExperimentOptions().firstSeed).use, SeedUse::Reporting);
-  EXPECT_EQ(seedBlockOf(kFirstTuningSeed).use, SeedUse::Tuning);
+  EXPECT_EQ(seedBlockOf(ExperimentOptions().firstSeed).use, SeedPurpose::Reporting);
+  EXPECT_EQ(seedBlockOf(kFirstTuningSeed).use, SeedPurpose::Tuning);
 }
 
 TEST(SeedBlocks, ASentenceNamesTheBlockAndWarns) {
-  EXPECT_EQ(seedSentence({}), "none");
-  EXPECT_EQ(seedSentence(kFirstReportingSeed, 20),
+  EXPECT_EQ(describeSeeds({}), "none");
+  EXPECT_EQ(describeSeeds(kFirstReportingSeed, 20),
             "1006001 to 1006020, 20 in all: reporting seeds, on which no method was tuned");
-  EXPECT_NE(seedSentence(1, 3).find("1 to 3, 3 in all: TUNING"), std::string::npos);
-  EXPECT_NE(seedSentence(1004001, 1).find("VALIDATION"), std::string::npos);
-  EXPECT_NE(seedSentence(7700001, 1).find("RESERVE"), std::string::npos);
-  EXPECT_NE(seedSentence({7, 1006001}).find("tuning and reporting seeds mixed"), std::string::npos);
+  EXPECT_NE(describeSeeds(1, 3).find("1 to 3, 3 in all: TUNING"), std::string::npos);
+  EXPECT_NE(describeSeeds(1004001, 1).find("VALIDATION"), std::string::npos);
+  EXPECT_NE(describeSeeds(7700001, 1).find("RESERVE"), std::string::npos);
+  EXPECT_NE(describeSeeds({7, 1006001}).find("tuning and reporting seeds mixed"),
+            std::string::npos);
 }
 
 TEST(SeedBlocks, OnlyTheReportingBlockIsQuoted) {

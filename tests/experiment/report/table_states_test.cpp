@@ -65,7 +65,7 @@ TEST(TableStates, TablesAreOfTodaysMethods) {
   const std::vector<std::pair<std::vector<std::string>, Compute>> kinds{
       {suiteMethods(), suiteFingerprints},
       {boxFollowerNames(), boxFingerprints},
-      {methodNames(TargetsFrom::Images), peopleFingerprints}};
+      {methodNames(TargetSource::Images), peopleFingerprints}};
   for (const auto& [known, compute] : kinds) {
     const auto methods = documentedMethods(known);
     if (methods.empty()) {

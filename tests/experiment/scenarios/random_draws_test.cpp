@@ -11,11 +11,11 @@
 namespace dewpoint::tests {
 namespace {
 
-TEST(Draws, TheSameSeedAndNameGiveTheSameNumbers) {
-  Draws one(11, "S4");
-  Draws same(11, "S4");
-  Draws otherSeed(12, "S4");
-  Draws otherName(11, "S5");
+TEST(RandomDraws, TheSameSeedAndNameGiveTheSameNumbers) {
+  RandomDraws one(11, "S4");
+  RandomDraws same(11, "S4");
+  RandomDraws otherSeed(12, "S4");
+  RandomDraws otherName(11, "S5");
   const double first = one.uniform(0.0, 1.0);
   EXPECT_EQ(same.uniform(0.0, 1.0), first);
   EXPECT_NE(otherSeed.uniform(0.0, 1.0), first);
@@ -25,9 +25,9 @@ TEST(Draws, TheSameSeedAndNameGiveTheSameNumbers) {
 
 // 4000 draws: the mean of a uniform number is off by 0.0046 (one standard error), the standard
 // deviation of a normal one by 1.1 %, a share of one third by 0.0075. Four of each are allowed.
-TEST(Draws, NumbersAreDistributedAsTheyAreCalled) {
+TEST(RandomDraws, NumbersAreDistributedAsTheyAreCalled) {
   constexpr int kDraws = 4000;
-  Draws draws(3, "distribution");
+  RandomDraws draws(3, "distribution");
   double sum = 0.0;
   double squares = 0.0;
   int lowest = 0;
@@ -39,15 +39,15 @@ TEST(Draws, NumbersAreDistributedAsTheyAreCalled) {
     EXPECT_LE(number, 3.0);
     sum += number;
     squares += std::pow(draws.normal(0.5), 2);
-    const int whole = draws.whole(4, 6);
+    const int whole = draws.integer(4, 6);
     EXPECT_GE(whole, 4);
     EXPECT_LE(whole, 6);
     lowest += whole == 4 ? 1 : 0;
-    heads += draws.coin() ? 1 : 0;
+    heads += draws.coinFlip() ? 1 : 0;
     const Eigen::Vector3d direction = draws.direction();
     EXPECT_NEAR(direction.norm(), 1.0, 1e-12);
     directions += direction;
-    const Eigen::Vector3d inside = draws.inBox({0.0, -1.0, 2.0}, {1.0, 0.0, 2.0});
+    const Eigen::Vector3d inside = draws.pointInBox({0.0, -1.0, 2.0}, {1.0, 0.0, 2.0});
     EXPECT_TRUE(inside.y() >= -1.0 && inside.y() <= 0.0 && inside.z() == 2.0);
   }
   EXPECT_NEAR(sum / kDraws, 2.5, 0.0184);
@@ -57,7 +57,7 @@ TEST(Draws, NumbersAreDistributedAsTheyAreCalled) {
   EXPECT_LT((directions / kDraws).norm(), 0.04) << "no direction is preferred";
 }
 
-TEST(Draws, TheHashOfATextIsTheSameEverywhere) {
+TEST(RandomDraws, TheHashOfATextIsTheSameEverywhere) {
   // FNV-1a with 32 bits: reference values of its authors.
   EXPECT_EQ(hashOf(""), 0x811c9dc5U);
   EXPECT_EQ(hashOf("a"), 0xe40c292cU);

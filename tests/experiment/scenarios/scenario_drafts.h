@@ -30,7 +30,7 @@ inline ScenarioDraft draftOf(const std::vector<ScenarioRecipe>& recipes, const s
   if (recipe == recipes.end()) {
     throw std::invalid_argument("no scenario " + name);
   }
-  ScenarioDraft draft{name, Grade::Ideal, seed, Draws(seed, name), recipe->rig};
+  ScenarioDraft draft{name, Grade::Ideal, seed, RandomDraws(seed, name), recipe->rig};
   draft.room = std::make_shared<const simulation::Room>(recipe->furnishing);
   for (const Camera& camera : draft.rig) {
     draft.stage.views.push_back(views.view(camera, recipe->furnishing));
@@ -52,7 +52,7 @@ inline SensingFaults faultsOf(const ScenarioDraft& draft) {
 
 /// The draft with that done to it. `believed`, if given, gets the cameras as methods get them.
 inline ScenarioDraft withFaults(ScenarioDraft draft, CameraRig* believed = nullptr) {
-  Draws errors(draft.seed, draft.name + " calibration");
+  RandomDraws errors(draft.seed, draft.name + " calibration");
   CameraRig rig = applyFaults(faultsOf(draft), draft, errors);
   if (believed != nullptr) {
     *believed = std::move(rig);

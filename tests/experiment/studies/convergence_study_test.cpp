@@ -16,13 +16,13 @@ constexpr double kSigma = 0.03; ///< meters; the bound is sqrt(3) times that: 52
 TEST(ConvergedFrom, IsTheFirstIterationOfTheLastNarrowClouds) {
   // Narrow at iteration 1, as every cloud that starts at a point, wide on the way.
   const std::vector<double> spreads{0.050, 0.120, 0.040, 0.060, 0.051, 0.030, 0.035};
-  EXPECT_EQ(convergedFrom(spreads, kSigma), 5);
-  EXPECT_EQ(convergedFrom(std::vector<double>{0.03, 0.02}, kSigma), 1);
+  EXPECT_EQ(convergenceIteration(spreads, kSigma), 5);
+  EXPECT_EQ(convergenceIteration(std::vector<double>{0.03, 0.02}, kSigma), 1);
 }
 
 TEST(ConvergedFrom, IsNothingWhereTheLastCloudIsWide) {
-  EXPECT_FALSE(convergedFrom(std::vector<double>{0.03, 0.03, 0.053}, kSigma));
-  EXPECT_FALSE(convergedFrom({}, kSigma));
+  EXPECT_FALSE(convergenceIteration(std::vector<double>{0.03, 0.03, 0.053}, kSigma));
+  EXPECT_FALSE(convergenceIteration({}, kSigma));
 }
 
 TEST(ConvergedFrom, KnowsNothingOfTheTruth) {

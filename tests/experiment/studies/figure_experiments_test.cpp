@@ -98,9 +98,10 @@ std::string pageOf(Status (*run)(const ExperimentOptions&), const char* name) {
 }
 
 TEST(BarreraStarts, TheVerdictFollowsFromAllStarts) {
-  EXPECT_EQ(claimOfNone({1.0, 0.58, 0.07}), ClaimOutcome::InPart); // as measured with 100 runs
-  EXPECT_EQ(claimOfNone({0.0, 0.09}), ClaimOutcome::Reproduced);
-  EXPECT_EQ(claimOfNone({1.0, 0.1}), ClaimOutcome::NotReproduced);
+  EXPECT_EQ(noConvergenceOutcome({1.0, 0.58, 0.07}),
+            ClaimOutcome::InPart); // as measured with 100 runs
+  EXPECT_EQ(noConvergenceOutcome({0.0, 0.09}), ClaimOutcome::Reproduced);
+  EXPECT_EQ(noConvergenceOutcome({1.0, 0.1}), ClaimOutcome::NotReproduced);
 }
 
 TEST(BarreraFigure3, PrintsWhatWasRun) {
@@ -114,12 +115,12 @@ TEST(BarreraFigure3, PrintsWhatWasRun) {
 TEST(BarreraFigure5, ALongerConeHasMoreRoom) {
   // On the axis, at the apex: the distance after a sideways step of sigma is Rayleigh distributed,
   // P(r < R) = 1 - exp(-R² / (2 sigma²)); with slope 1, R is the step along the axis.
-  const std::vector<double> shares = shareThatStaysInCone(1.0, 0.0, 0.03, {-0.01, 0.03, 0.06});
+  const std::vector<double> shares = fractionStayingInCone(1.0, 0.0, 0.03, {-0.01, 0.03, 0.06});
   EXPECT_EQ(shares[0], 0.0);                           // behind the camera
   EXPECT_NEAR(shares[1], 1.0 - std::exp(-0.5), 0.015); // four standard errors
   EXPECT_NEAR(shares[2], 1.0 - std::exp(-2.0), 0.015);
   // The paper's argument: of two equal steps, the one away from the camera keeps more in the cone.
-  const std::vector<double> steps = shareThatStaysInCone(0.08, 0.5, 0.03, {-0.03, 0.03});
+  const std::vector<double> steps = fractionStayingInCone(0.08, 0.5, 0.03, {-0.03, 0.03});
   EXPECT_GT(steps[1], steps[0]);
 }
 
@@ -167,8 +168,8 @@ TEST(FigureParts, EveryPointIsWithinTheAxes) {
   Eigen::ArrayXXd places(3, 2);
   places << 0.2, -0.7, 3.0, 0.1, 1.0, 1.4; // one below zero, as beside camera 1
   Plot plot;
-  plot.series.push_back(pointsOf("m0", places, 0, 1));
-  showAll({&plot});
+  plot.series.push_back(pointSeries("m0", places, 0, 1));
+  setCommonAxes({&plot});
   EXPECT_LT(plot.x.low, 0.2);
   EXPECT_GT(plot.x.high, 3.0);
   EXPECT_LT(plot.y.low, -0.7);

@@ -11,7 +11,7 @@ namespace {
 
 TEST(PeopleScenario, IsDrawnFromItsSeedAlone) {
   for (const std::string& name : peopleScenarioNames()) {
-    EXPECT_FALSE(peopleScenarioSentence(name).empty());
+    EXPECT_FALSE(peopleScenarioDescription(name).empty());
     const auto one = makePeopleScenario(name, PeopleClothes::Different, 5);
     const auto again = makePeopleScenario(name, PeopleClothes::Different, 5);
     ASSERT_TRUE(one) << name;
@@ -284,7 +284,7 @@ TEST(PeopleReport, EverydayScenesHaveBarsToo) {
 TEST(PeoplePictures, ShowTheMeetingAndBothSidesOfIt) {
   const auto crossing = makePeopleScenario("crossing", PeopleClothes::Different, 1);
   ASSERT_TRUE(crossing);
-  const auto moments = tellingInstants(*crossing);
+  const auto moments = instantsToShow(*crossing);
   ASSERT_EQ(moments.size(), 3U);
   EXPECT_LT(moments[0].frame, moments[1].frame);
   EXPECT_LT(moments[1].frame, moments[2].frame);
@@ -294,7 +294,7 @@ TEST(PeoplePictures, ShowTheMeetingAndBothSidesOfIt) {
             0.7); // 0.45 to 0.6 m is aimed at
   const auto visit = makePeopleScenario("enter-leave", PeopleClothes::Different, 1);
   ASSERT_TRUE(visit);
-  EXPECT_EQ(tellingInstants(*visit).size(), 1U);
+  EXPECT_EQ(instantsToShow(*visit).size(), 1U);
 }
 
 TEST(PeopleStudy, AParameterThatNoMethodHasIsSaid) {

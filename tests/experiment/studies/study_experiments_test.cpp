@@ -67,14 +67,14 @@ TEST(ListedExperiments, HaveEverySceneOfPeopleUnderItsHeading) {
 TEST(StudyManyPeople, TellsHowFarItIsAndIsWritten) {
   PeopleStudySetup setup;
   setup.scenario = "apart";
-  setup.methods = {methodNames(TargetsFrom::Images).front()};
+  setup.methods = {methodNames(TargetSource::Images).front()};
   std::vector<std::int64_t> seen;
-  const auto trials = studyManyPeople(setup, {PeopleClothes::Different}, 1,
-                                      [&](std::int64_t done, std::int64_t all) {
-                                        EXPECT_EQ(all, 1);
-                                        seen.push_back(done);
-                                        return true;
-                                      });
+  const auto trials = studyPeopleSeries(setup, {PeopleClothes::Different}, 1,
+                                        [&](std::int64_t done, std::int64_t all) {
+                                          EXPECT_EQ(all, 1);
+                                          seen.push_back(done);
+                                          return true;
+                                        });
   ASSERT_TRUE(trials);
   EXPECT_EQ(trials->size(), 1U);
   EXPECT_EQ(seen, (std::vector<std::int64_t>{0, 1}));

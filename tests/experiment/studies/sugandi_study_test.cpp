@@ -66,7 +66,7 @@ TEST(BoxClips, ReadsABenchmarkFolder) {
 TEST(SugandiStudy, ReportsEveryMethodAndBar) {
   BoxClip clip = simulatedBoxClip(7);
   clip.truth.resize(6);
-  const auto study = studyBoxes({clip}, 1, [](const BoxRow&) { return true; });
+  const auto study = studyBoxes({clip}, 1, [](const BoxStudyRow&) { return true; });
   ASSERT_TRUE(study);
   EXPECT_EQ(study->rows.size(), 7U); // sugandi twice, histogram, four of OpenCV
   ASSERT_EQ(study->bars.size(), 1U); // the paper's trend
@@ -78,7 +78,7 @@ TEST(SugandiStudy, ReportsEveryMethodAndBar) {
 TEST(SugandiStudy, DrawsTracksAndFrames) {
   BoxClip clip = simulatedBoxClip(7);
   clip.truth.resize(6);
-  const auto study = studyBoxes({clip}, 2, [](const BoxRow&) { return true; });
+  const auto study = studyBoxes({clip}, 2, [](const BoxStudyRow&) { return true; });
   ASSERT_TRUE(study);
   ASSERT_EQ(study->figures.size(), 1U);
   EXPECT_EQ(study->figures[0].frames.cols, 5 * 240); // five frames, 240 pixels wide each
@@ -144,7 +144,7 @@ TEST(BoxPerturbationStudy, PerturbationsAreSharesOfTheBox) {
   const std::vector<BoxPerturbation> perturbations = boxPerturbations();
   EXPECT_EQ(perturbations.size(), 20U); // four sizes, five places
   const BoxPerturbation perturbation{1.2, -0.15, 0.1};
-  const ImageBox drawn = perturbation.of({100.0, 50.0, 20.0, 40.0}); // center 110, 70
+  const ImageBox drawn = perturbation.appliedTo({100.0, 50.0, 20.0, 40.0}); // center 110, 70
   EXPECT_NEAR(drawn.center().x(), 107.0, 1e-12);
   EXPECT_NEAR(drawn.center().y(), 74.0, 1e-12);
   EXPECT_NEAR(drawn.width, 24.0, 1e-12);
@@ -162,8 +162,8 @@ TEST(BoxPerturbationStudy, ReportsASizePerRow) {
   ASSERT_EQ(study.perturbed.size(), 8U); // two methods, four sizes
   EXPECT_EQ(study.perturbed.front().runs, 10);
   EXPECT_EQ(study.perturbed.back().runs, 5); // CamShift has no seeds
-  EXPECT_TRUE(study.perturbed.front().claims);
-  EXPECT_FALSE(study.perturbed.back().claims);
+  EXPECT_TRUE(study.perturbed.front().reportsConfidence);
+  EXPECT_FALSE(study.perturbed.back().reportsConfidence);
   EXPECT_EQ(std::ranges::count(perturbedBoxesCsv(study.perturbed), '\n'), 9);
   EXPECT_NE(boxStudyText(study).find("Sloppy first boxes"), std::string::npos);
   EXPECT_NE(boxStudyHtml(study).find("Sloppy first boxes"), std::string::npos);
@@ -196,9 +196,10 @@ TEST(SugandiStudy, HistogramStaysOnTheJuggledBalls) {
   ASSERT_TRUE(clips);
   std::erase_if(*clips, [](const BoxClip& clip) { return !clip.name.starts_with("juggle1"); });
   ASSERT_EQ(clips->size(), 3U);
-  const auto study = studyBoxes(*clips, 1, [](const BoxRow&) { return true; });
+  const auto study = studyBoxes(*clips, 1, [](const BoxStudyRow&) { return true; });
   ASSERT_TRUE(study);
-  for (const BoxBar& bar : study->bars) { // within a ball's radius on at least 85 % of the frames
+  for (const BoxRequirement& bar :
+       study->bars) { // within a ball's radius on at least 85 % of the frames
     EXPECT_TRUE(bar.reached) << bar.sentence;
   }
 }

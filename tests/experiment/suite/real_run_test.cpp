@@ -255,7 +255,7 @@ TEST(SuiteReport, ShowsClipsInPixelsAndNamesThoseThatAreMissing) {
   SuiteRequest request;
   request.scenarios = *selectScenarios(catalog, {});
   request.grades = {Grade::Real};
-  request.methods = *selectMethods({"histogram"}, imageMethods());
+  request.methods = *selectMethods({"histogram"}, imageClipMethods());
   request.seeds = 1;
   SuiteResults results;
   const auto sink = [&](const SuiteResult& result) -> Status {
@@ -273,7 +273,7 @@ TEST(SuiteReport, ShowsClipsInPixelsAndNamesThoseThatAreMissing) {
   EXPECT_TRUE(has("R1-hand is skipped: for a test."));
   EXPECT_TRUE(has("Real clips of one camera"));
   EXPECT_TRUE(has("Tuned on: no."));
-  const std::string inPixels = figureText(*results.begin()->second.row.rmsePx) + " px</td>";
+  const std::string inPixels = formatValue(*results.begin()->second.row.rmsePx) + " px</td>";
   EXPECT_TRUE(has(inPixels.c_str())) << "the overview is in pixels where there are no lengths";
   EXPECT_TRUE(has("success<br>of boxes"));
   EXPECT_FALSE(has("Error over time: median")) << "no plot of millimeters";

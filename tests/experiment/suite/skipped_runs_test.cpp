@@ -121,7 +121,7 @@ TEST(SkippedRuns, DoNotStopTheOthers) {
   EXPECT_TRUE(planSuite(request, store->results(), store->skipped()).empty()) << "all is done";
   EXPECT_EQ(planSuite(request, store->results()).size(), 4U);
 
-  const auto nothing = withoutAnyRun(store->skipped(), keysOf(store->results()));
+  const auto nothing = scenariosWithoutRuns(store->skipped(), keysOf(store->results()));
   ASSERT_EQ(nothing.size(), 1U);
   EXPECT_EQ(nothing[0].scenario, "S1-none");
   EXPECT_EQ(nothing[0].grade, Grade::Wild);
@@ -132,7 +132,7 @@ TEST(SkippedRuns, DoNotStopTheOthers) {
   EXPECT_EQ(again->skipped(), expected);
   auto merged = SuiteStore::open(folder / "merged");
   ASSERT_TRUE(merged.has_value());
-  merged->take(*SuiteStore::readSkipped(folder / "out"));
+  merged->merge(*SuiteStore::readSkipped(folder / "out"));
   ASSERT_TRUE(merged->rewrite({}).has_value());
   EXPECT_EQ(*SuiteStore::readSkipped(folder / "merged"), expected);
   EXPECT_TRUE(SuiteStore::readSkipped(folder / "nowhere")->empty());
@@ -167,7 +167,8 @@ TEST(SkippedRuns, AreNotWhatOtherErrorsAndRecordingsGive) {
 TEST(SkippedRuns, AreWhatAScenarioSaysThatFindsNoPosition) {
   scenarios::ScenarioRecipe recipe{"S0-never", "Nothing fits.", {}};
   recipe.complete = [](scenarios::ScenarioDraft&) { return false; };
-  const auto declaration = scenarios::declared(recipe, std::make_shared<simulation::ViewCache>());
+  const auto declaration =
+      scenarios::declareScenario(recipe, std::make_shared<simulation::ViewCache>());
   const auto run = declaration.make(7, Grade::Ideal);
   ASSERT_FALSE(run.has_value());
   EXPECT_EQ(run.error().code, ErrorCode::Undetermined);

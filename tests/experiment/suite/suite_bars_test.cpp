@@ -12,13 +12,13 @@ namespace dewpoint::tests {
 namespace {
 
 /// The one of this grade whose sentence begins so; none fails the test.
-BarResult barOf(const std::vector<BarResult>& results, const std::string& grade,
-                const std::string& beginning) {
-  const auto found = std::ranges::find_if(results, [&](const BarResult& result) {
+RequirementResult barOf(const std::vector<RequirementResult>& results, const std::string& grade,
+                        const std::string& beginning) {
+  const auto found = std::ranges::find_if(results, [&](const RequirementResult& result) {
     return result.bar->grade == grade && result.bar->sentence.starts_with(beginning);
   });
   EXPECT_NE(found, results.end()) << grade << ": " << beginning;
-  return found == results.end() ? BarResult{&suiteBars().front()} : *found;
+  return found == results.end() ? RequirementResult{&suiteRequirements().front()} : *found;
 }
 
 TEST(SuiteBars, OfThisVersionAreForIdealImagesAndAsStrictAsEver) {
@@ -26,7 +26,7 @@ TEST(SuiteBars, OfThisVersionAreForIdealImagesAndAsStrictAsEver) {
   const std::vector<double> expected{100, 100, 1.1, 1.2, 1.9, 1.05, 1.05, 1,    0,    4,  10, 3, 14,
                                      40,  2,   0,   2,   0,   5,    3,    1e-3, 0.05, 98, 2,  1};
   std::vector<double> present;
-  for (const SuiteBar& bar : suiteBars()) {
+  for (const SuiteRequirement& bar : suiteRequirements()) {
     if (!bar.isAim) {
       present.push_back(bar.high);
       EXPECT_EQ(bar.grade, "ideal") << bar.sentence;
@@ -39,9 +39,9 @@ TEST(SuiteBars, AskOfAllThreeFiguresOfConsistencyTheSame) {
   // 90 % inside the 95 % ellipsoid means errors too large by 7.815 / 6.251 = 1.25 (chi-square with
   // three degrees of freedom, 95 and 90 %): a NEES of 3.75, and 40.5 % inside the 50 % one. The
   // other ends likewise: 98 % (9.837), 85 % (5.317), 99 % (11.345).
-  const auto results = measureBars({});
+  const auto results = measureRequirements({});
   const auto limits = [&](const std::string& grade, const std::string& beginning) {
-    const BarResult result = barOf(results, grade, beginning);
+    const RequirementResult result = barOf(results, grade, beginning);
     return std::pair(result.bar->low, result.bar->high);
   };
   const std::string covered95 = "Truth inside the stated 95 % ellipsoid, median";
@@ -59,7 +59,7 @@ TEST(SuiteBars, AskOfAllThreeFiguresOfConsistencyTheSame) {
 }
 
 TEST(SuiteBars, JudgeEveryFigureOfBeliefByMedianAndWorstInEveryGrade) {
-  const auto results = measureBars({});
+  const auto results = measureRequirements({});
   for (const std::string grade : {"ideal", "room", "wild", "real"}) {
     for (const std::string figure :
          {"Truth inside the stated 95 % ellipsoid", "Truth inside the stated 50 % ellipsoid",
@@ -89,15 +89,15 @@ TEST(SuiteBars, OfAllRunsOfIdealAreOfTheFirstFamiliesAlone) {
   add("S10-still-3", 94.0);
   add("S11-held", 20.0);
   add("S20-flicker", 50.0);
-  const auto results = measureBars(made.cells());
-  const BarResult covered =
+  const auto results = measureRequirements(made.cells());
+  const RequirementResult covered =
       barOf(results, "ideal", "Truth inside the stated 95 % ellipsoid, mean of all runs of S0 to");
   EXPECT_EQ(covered.value, 95.0);
   EXPECT_EQ(covered.runs, 2U);
   EXPECT_NEAR(barOf(results, "ideal", "False alarms per frame").value, 0.05, 1e-12);
   EXPECT_EQ(barOf(results, "ideal", "Expected calibration error of P(exists), all runs").runs, 2U);
   // All of them are judged by the figures of belief.
-  const BarResult worst =
+  const RequirementResult worst =
       barOf(results, "ideal", "Truth inside the stated 95 % ellipsoid, worst scenario");
   EXPECT_EQ(worst.scenario, "S11-held");
   EXPECT_EQ(worst.value, 20.0);
@@ -107,52 +107,52 @@ TEST(SuiteBars, OfAllRunsOfIdealAreOfTheFirstFamiliesAlone) {
 TEST(SuiteBars, NobodyMayBeSureOfATie) {
   MadeResults made;
   SuiteResult even = resultOf("S19-even-start", Grade::Room, "dewpoint");
-  even.row.sureOfTiePercent = 40.0;
+  even.row.confidentInTiePercent = 40.0;
   made.add(even);
   made.add(resultOf("S19-crowd-5", Grade::Room, "dewpoint"));
-  const auto results = measureBars(made.cells());
-  const BarResult sure = barOf(results, "room", "Sure of a tie");
+  const auto results = measureRequirements(made.cells());
+  const RequirementResult sure = barOf(results, "room", "Sure of a tie");
   EXPECT_EQ(sure.value, 40.0);
   EXPECT_EQ(sure.scenario, "S19-even-start");
   EXPECT_EQ(sure.bar->high, 0.5);
-  EXPECT_FALSE(sure.reached());
+  EXPECT_FALSE(sure.isMet());
   EXPECT_EQ(barOf(results, "wild", "Sure of a tie").bar->high, 2.0);
-  EXPECT_FALSE(barOf(results, "ideal", "Sure of a tie").measured());
+  EXPECT_FALSE(barOf(results, "ideal", "Sure of a tie").isMeasured());
 }
 
 TEST(SuiteBars, BeliefIsJudgedByMedianAndWorstScenarioOfItsGrade) {
   MadeResults made;
-  const auto add = [&](const std::string& scenario, double covered, double sureAndWrong) {
+  const auto add = [&](const std::string& scenario, double covered, double confidentlyWrong) {
     SuiteResult result = resultOf(scenario, Grade::Room, "dewpoint");
     result.row.coverage95Percent = covered;
-    result.row.sureAndWrongPercent = sureAndWrong;
+    result.row.confidentlyWrongPercent = confidentlyWrong;
     made.add(result);
   };
   add("S0-slow", 95.0, 0.1);
   add("S4-desk-cloud", 46.0, 0.7);
   add("S9-bump", 94.0, 0.0);
-  const auto results = measureBars(made.cells());
-  const BarResult middle =
+  const auto results = measureRequirements(made.cells());
+  const RequirementResult middle =
       barOf(results, "room", "Truth inside the stated 95 % ellipsoid, median of the scenarios");
   EXPECT_EQ(middle.value, 94.0);
-  EXPECT_TRUE(middle.reached());
+  EXPECT_TRUE(middle.isMet());
   EXPECT_TRUE(middle.bar->isAim);
-  const BarResult worst =
+  const RequirementResult worst =
       barOf(results, "room", "Truth inside the stated 95 % ellipsoid, worst scenario");
   EXPECT_EQ(worst.value, 46.0);
   EXPECT_EQ(worst.scenario, "S4-desk-cloud");
-  EXPECT_FALSE(worst.reached());
+  EXPECT_FALSE(worst.isMet());
   EXPECT_NEAR(worst.shortfall(), 34.0, 1e-12);
   EXPECT_EQ(worst.runs, 3U);
-  const BarResult sure =
+  const RequirementResult sure =
       barOf(results, "room",
             "Sure and wrong: frames with P(exists) above 0.95 and farther off than three stated "
             "radii, worst scenario");
   EXPECT_EQ(sure.value, 0.7);
   EXPECT_NEAR(sure.shortfall(), 0.2, 1e-12);
-  EXPECT_FALSE(barOf(results, "ideal", "Sure and wrong").measured());
-  EXPECT_FALSE(barOf(results, "wild", "Sure and wrong").measured());
-  EXPECT_FALSE(barOf(results, "ideal", "False alarms").measured()) << "runs of room do not count";
+  EXPECT_FALSE(barOf(results, "ideal", "Sure and wrong").isMeasured());
+  EXPECT_FALSE(barOf(results, "wild", "Sure and wrong").isMeasured());
+  EXPECT_FALSE(barOf(results, "ideal", "False alarms").isMeasured()) << "runs of room do not count";
 }
 
 TEST(SuiteBars, CompareWithTriangulationWhereBothDeclareTheTarget) {
@@ -163,13 +163,13 @@ TEST(SuiteBars, CompareWithTriangulationWhereBothDeclareTheTarget) {
   made.add(resultOf("S0-slow", Grade::Room, "dewpoint", 1, {3.0, 4.0, 20.0, kNone}));
   made.add(resultOf("S0-slow", Grade::Room, "triangulation", 1, {6.0, 8.0, kNone, 1.0}));
   const std::string sentence = "RMSE relative to paired triangulation, frames in which both";
-  const BarResult better = barOf(measureBars(made.cells()), "room", sentence);
+  const RequirementResult better = barOf(measureRequirements(made.cells()), "room", sentence);
   EXPECT_NEAR(better.value, 0.5, 1e-12);
-  EXPECT_TRUE(better.reached());
+  EXPECT_TRUE(better.isMet());
   made.add(resultOf("S8-ramp", Grade::Room, "dewpoint", 1, {6.0}));
   made.add(resultOf("S8-ramp", Grade::Room, "triangulation", 1, {4.0}));
   made.add(resultOf("S8-ramp", Grade::Room, "triangulation", 2, {1.0}));
-  const BarResult worse = barOf(measureBars(made.cells()), "room", sentence);
+  const RequirementResult worse = barOf(measureRequirements(made.cells()), "room", sentence);
   EXPECT_NEAR(worse.value, 1.5, 1e-12) << "other seeds are other frames";
   EXPECT_EQ(worse.scenario, "S8-ramp");
   EXPECT_NEAR(worse.shortfall(), 0.5, 1e-12);
@@ -188,7 +188,8 @@ TEST(SuiteBars, LostFramesAreThoseBeyondTriangulation) {
   add("S9-bump", "dewpoint", 4.0);
   add("S9-bump", "dewpoint", 100.0, 2); // a seed that nobody else has run
   add("S9-bump", "triangulation", 3.0);
-  const BarResult result = barOf(measureBars(made.cells()), "room", "Frames lost minus");
+  const RequirementResult result =
+      barOf(measureRequirements(made.cells()), "room", "Frames lost minus");
   EXPECT_EQ(result.value, 1.0);
   EXPECT_EQ(result.scenario, "S9-bump");
 }
@@ -200,7 +201,8 @@ TEST(SuiteBars, OneClickCountsRunsThatFindTheTarget) {
     result.row.framesToConverge = seed == 3 ? std::numeric_limits<double>::infinity() : 12.0;
     made.add(result);
   }
-  const BarResult result = barOf(measureBars(made.cells()), "room", "Learned by one click");
+  const RequirementResult result =
+      barOf(measureRequirements(made.cells()), "room", "Learned by one click");
   EXPECT_EQ(result.value, 90.0);
   EXPECT_NEAR(result.shortfall(), 5.0, 1e-12);
 }

@@ -13,28 +13,28 @@ namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
-TEST(OverScenarios, GivesMedianAndWorstByName) {
+TEST(ScenarioSummary, GivesMedianAndWorstByName) {
   const std::vector<ScenarioValue> values{{"a", 97.0}, {"b", 46.0}, {"c", kNothing}, {"d", 90.0}};
-  const OverScenarios covered = overScenarios(values, false);
+  const ScenarioSummary covered = summarizeScenarios(values, false);
   EXPECT_EQ(covered.median, 90.0);
   EXPECT_EQ(covered.worst, 46.0);
   EXPECT_EQ(covered.worstScenario, "b");
-  const OverScenarios wrong = overScenarios(values, true);
+  const ScenarioSummary wrong = summarizeScenarios(values, true);
   EXPECT_EQ(wrong.worst, 97.0);
   EXPECT_EQ(wrong.worstScenario, "a");
 }
 
-TEST(OverScenarios, TakesTheMiddleOfTwoAndTheFirstOfEquals) {
+TEST(ScenarioSummary, TakesTheMiddleOfTwoAndTheFirstOfEquals) {
   const std::vector<ScenarioValue> values{{"a", 1.0}, {"b", 4.0}, {"c", 2.0}, {"d", 4.0}};
-  EXPECT_EQ(overScenarios(values, true).median, 3.0);
-  EXPECT_EQ(overScenarios(values, true).worstScenario, "b");
+  EXPECT_EQ(summarizeScenarios(values, true).median, 3.0);
+  EXPECT_EQ(summarizeScenarios(values, true).worstScenario, "b");
 }
 
-TEST(OverScenarios, OfNothingIsNothing) {
+TEST(ScenarioSummary, OfNothingIsNothing) {
   const std::vector<ScenarioValue> values{{"a", kNothing}};
-  EXPECT_TRUE(std::isnan(overScenarios(values, true).median));
-  EXPECT_TRUE(std::isnan(overScenarios({}, true).worst));
-  EXPECT_TRUE(overScenarios(values, false).worstScenario.empty());
+  EXPECT_TRUE(std::isnan(summarizeScenarios(values, true).median));
+  EXPECT_TRUE(std::isnan(summarizeScenarios({}, true).worst));
+  EXPECT_TRUE(summarizeScenarios(values, false).worstScenario.empty());
 }
 
 TEST(BeliefMetrics, AreMeansOverRunsButForNeesAndCalibration) {
@@ -45,7 +45,7 @@ TEST(BeliefMetrics, AreMeansOverRunsButForNeesAndCalibration) {
     SuiteResult result = resultOf("S0-slow", Grade::Room, "dewpoint", seed);
     result.row.coverage95Percent = coverages[seed];
     result.row.nees = nees[seed];
-    result.row.sureAndWrongPercent = static_cast<double>(seed); // mean 1
+    result.row.confidentlyWrongPercent = static_cast<double>(seed); // mean 1
     // All runs together: 30 forecasts of 0.9 of which 27, 24 and 21 of 30 came true: 0.8.
     result.trace.reliability[9] = {30, 27.0, static_cast<std::int64_t>(27 - 3 * seed)};
     made.add(result);
@@ -64,7 +64,7 @@ TEST(BeliefMetrics, OfTiesAreOfTheScenariosThatHaveThem) {
   MadeResults made;
   made.add(resultOf("S0-slow", Grade::Room, "dewpoint"));
   SuiteResult even = resultOf("S19-even-start", Grade::Room, "dewpoint");
-  even.row.sureOfTiePercent = 12.0;
+  even.row.confidentInTiePercent = 12.0;
   made.add(even);
   const auto cells = made.cells();
   const auto summaries = summarizeBelief(cells);
@@ -74,7 +74,7 @@ TEST(BeliefMetrics, OfTiesAreOfTheScenariosThatHaveThem) {
     return std::string(metric.name) == "sure_of_tie_percent";
   });
   ASSERT_NE(tie, figures.end());
-  const OverScenarios& found =
+  const ScenarioSummary& found =
       summaries[0].figures[static_cast<std::size_t>(tie - figures.begin())];
   EXPECT_EQ(found.median, 12.0) << "the other scenario has no tie";
   EXPECT_EQ(found.worstScenario, "S19-even-start");

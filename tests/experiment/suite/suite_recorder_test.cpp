@@ -61,9 +61,9 @@ TEST(SuiteRecorder, SplitsAConstantError) {
   EXPECT_NEAR(*row.nees, 25.0 / 9.0, 1e-9);
   EXPECT_EQ(*row.coverage95Percent, 100.0);
   EXPECT_EQ(*row.coverage50Percent, 0.0);
-  EXPECT_EQ(*row.sureAndWrongPercent, 0.0);
+  EXPECT_EQ(*row.confidentlyWrongPercent, 0.0);
   EXPECT_EQ(*row.wrongPercent, 0.0);
-  EXPECT_EQ(*row.wrongWhenSurePercent, 0.0);
+  EXPECT_EQ(*row.wrongWhenConfidentPercent, 0.0);
   EXPECT_EQ(*row.framesToConverge, 0.0);
   EXPECT_EQ(*row.lostPercent, 0.0);
   EXPECT_EQ(*row.falseAlarmPercent, 0.0);
@@ -91,7 +91,7 @@ TEST(SuiteRecorder, CountsFromConvergenceOn) {
   EXPECT_NEAR(*result.row.rmseMm, 2.0, 1e-9);
   EXPECT_NEAR(*result.row.lostPercent, 100.0 * 5.0 / 16.0, 1e-9);
   EXPECT_NEAR(*result.row.falseAlarmPercent, 100.0 * 4.0 / 20.0, 1e-9);
-  EXPECT_NEAR(*result.row.sureAndWrongPercent, 20.0, 1e-9) << "belief counts from the start";
+  EXPECT_NEAR(*result.row.confidentlyWrongPercent, 20.0, 1e-9) << "belief counts from the start";
   EXPECT_NEAR(*result.row.wrongPercent, 20.0, 1e-9);
   ASSERT_EQ(result.trace.errorsMm.size(), 1U);
   EXPECT_NEAR(result.trace.errorsMm[0][0], 500.0, 1e-9);
@@ -108,7 +108,7 @@ TEST(SuiteRecorder, NeverConvergedIsInfinite) {
   EXPECT_TRUE(std::isinf(*row.framesToConverge));
   EXPECT_EQ(*row.lostPercent, 100.0);
   EXPECT_FALSE(row.rmseMm.has_value());
-  EXPECT_EQ(*row.sureAndWrongPercent, 0.0) << "it states nothing";
+  EXPECT_EQ(*row.confidentlyWrongPercent, 0.0) << "it states nothing";
 }
 
 TEST(SuiteRecorder, TellsSureFromWrong) {
@@ -123,8 +123,8 @@ TEST(SuiteRecorder, TellsSureFromWrong) {
   }
   const SuiteRow row = recorder.result(0.0).row;
   EXPECT_NEAR(*row.wrongPercent, 35.0, 1e-9);
-  EXPECT_NEAR(*row.wrongWhenSurePercent, 20.0, 1e-9);
-  EXPECT_NEAR(*row.sureAndWrongPercent, 45.0, 1e-9);
+  EXPECT_NEAR(*row.wrongWhenConfidentPercent, 20.0, 1e-9);
+  EXPECT_NEAR(*row.confidentlyWrongPercent, 45.0, 1e-9);
 }
 
 TEST(SuiteRecorder, JitterIsTheNoiseOfSuccessiveFrames) {
@@ -197,9 +197,9 @@ TEST(SuiteRecorder, NobodyMayBeSureOfATie) {
     }
     return recorder.result(0.0).row;
   };
-  EXPECT_FALSE(rowOf(1).sureOfTiePercent.has_value()) << "nothing is tied";
-  EXPECT_NEAR(*rowOf(2).sureOfTiePercent, 25.0, 1e-9);
-  EXPECT_NEAR(*rowOf(3).sureOfTiePercent, 85.0, 1e-9);
+  EXPECT_FALSE(rowOf(1).confidentInTiePercent.has_value()) << "nothing is tied";
+  EXPECT_NEAR(*rowOf(2).confidentInTiePercent, 25.0, 1e-9);
+  EXPECT_NEAR(*rowOf(3).confidentInTiePercent, 85.0, 1e-9);
   EXPECT_NEAR(*rowOf(2).wrongPercent, 0.0, 1e-9);
 }
 
@@ -258,7 +258,7 @@ TEST(SuiteRecorder, LossHasToBeDeclared) {
   EXPECT_NEAR(*row.falseAlarmPercent, 10.0, 1e-9);
   // 12 forecasts of 1 of which 10 came true, 8 of 0: ECE is 2 / 20.
   EXPECT_NEAR(*row.existenceEce, 0.1, 1e-9);
-  EXPECT_NEAR(*row.sureAndWrongPercent, 10.0, 1e-9) << "two frames of 20 without the target";
+  EXPECT_NEAR(*row.confidentlyWrongPercent, 10.0, 1e-9) << "two frames of 20 without the target";
   EXPECT_NEAR(*row.wrongPercent, 10.0, 1e-9);
 }
 
@@ -276,7 +276,7 @@ TEST(SuiteRecorder, NamesOfIdenticalTargetsAreTheMethods) {
   EXPECT_EQ(*row.identitySwitches, 2.0);
   EXPECT_NEAR(*row.lostPercent, 20.0, 1e-9);
   EXPECT_NEAR(*row.medianMm, 1.0, 1e-9);
-  EXPECT_NEAR(*row.sureAndWrongPercent, 20.0, 1e-9) << "each target counts in each frame";
+  EXPECT_NEAR(*row.confidentlyWrongPercent, 20.0, 1e-9) << "each target counts in each frame";
 }
 
 } // namespace

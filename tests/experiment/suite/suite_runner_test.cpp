@@ -40,7 +40,7 @@ Result<ScenarioRun> makeRun(const std::string& name, std::uint64_t seed, Grade g
                   ColorRange{ball.hueMin, ball.hueMax, ball.saturationMin, ball.saturationMax,
                              ball.intensityMin, ball.intensityMax}}};
   run.startCenter = ball.position;
-  run.startHalf = {0.05, 0.05, 0.05};
+  run.startHalfSize = {0.05, 0.05, 0.05};
   run.framesPerSecond = scene.framesPerSecond;
   run.frameCount = scene.frameCount;
   for (std::int64_t frame = 0; frame < scene.frameCount; ++frame) {
@@ -205,7 +205,7 @@ TEST(SuiteStore, TakesTheResultsOfOtherFolders) {
     const auto results = SuiteStore::read(folder / name);
     ASSERT_TRUE(results.has_value());
     EXPECT_EQ(results->size(), 6U) << "three scenarios, two methods";
-    merged->take(*results);
+    merged->merge(*results);
   }
   ASSERT_TRUE(merged->rewrite(reportOrder(merged->results(), catalog)));
   EXPECT_EQ(SuiteStore::read(folder / "merged")->size(), 12U);

@@ -22,7 +22,7 @@ cv::Mat plain(int blue, int green, int red) {
 }
 
 void learn(BackgroundModel& model, const cv::Mat& image, int frames = kMany,
-           const std::vector<BackgroundModel::Hidden>& hidden = {}) {
+           const std::vector<BackgroundModel::ExcludedCircle>& hidden = {}) {
   for (int frame = 0; frame < frames; ++frame) {
     model.learn(image, hidden);
   }
@@ -121,7 +121,7 @@ TEST(BackgroundModel, WhatStaysReplacesTheOldAndWhatPassesDoesNot) {
 }
 
 /// Distance of the pixel from the rim of the nearest circle, negative inside of one.
-double outsideOf(const std::vector<BackgroundModel::Hidden>& circles, int column, int row) {
+double outsideOf(const std::vector<BackgroundModel::ExcludedCircle>& circles, int column, int row) {
   double nearest = 1e9;
   for (const auto& circle : circles) {
     nearest =
@@ -132,7 +132,7 @@ double outsideOf(const std::vector<BackgroundModel::Hidden>& circles, int column
 
 // Circles inside, overlapping, one within another, across every border and wholly outside.
 TEST(BackgroundModel, HiddenCirclesAreNotLearned) {
-  const std::vector<std::vector<BackgroundModel::Hidden>> cases{
+  const std::vector<std::vector<BackgroundModel::ExcludedCircle>> cases{
       {{{40.3, 30.7}, 9.0}},
       {{{30.0, 30.0}, 12.0}, {{45.0, 32.0}, 12.0}, {{45.0, 32.0}, 4.0}},
       {{{-2.0, 20.0}, 8.0}, {{79.5, 50.0}, 6.5}, {{20.0, -3.0}, 9.0}, {{60.0, 62.0}, 10.0}},
@@ -170,7 +170,7 @@ cv::Mat labelsOfTargetColor(const BackgroundModel& model, const cv::Mat& image) 
 
 /// Frames in which all targets are inside the circles.
 void learnElsewhere(BackgroundModel& model, const cv::Mat& image, int frames,
-                    const std::vector<BackgroundModel::Hidden>& hidden = {}) {
+                    const std::vector<BackgroundModel::ExcludedCircle>& hidden = {}) {
   for (int frame = 0; frame < frames; ++frame) {
     model.learn(image, hidden, true);
   }
@@ -289,7 +289,7 @@ TEST(BackgroundModel, FollowsLightThatFades) {
   for (int frame = 0; frame < 60; ++frame) {
     gain *= 0.98; // 0.98^60 = 0.30
     const cv::Mat now = lit(checkered(), cv::Scalar::all(gain));
-    model.followLight(now);
+    model.adaptToLight(now);
     EXPECT_EQ(count(labelsOf(model, now), PixelLabel::Background), kAll) << frame;
     model.learn(now, {});
   }
@@ -302,7 +302,7 @@ TEST(BackgroundModel, FollowsALampAndATint) {
   learn(model, checkered());
   const cv::Mat now = lit(checkered(), cv::Scalar(0.5, 0.6, 0.8)); // blue, green, red
   EXPECT_LT(count(labelsOf(model, now), PixelLabel::Background), kAll / 2);
-  model.followLight(now);
+  model.adaptToLight(now);
   EXPECT_EQ(count(labelsOf(model, now), PixelLabel::Background), kAll);
   EXPECT_NEAR(model.light()[0], 0.5, 0.02);
   EXPECT_NEAR(model.light()[1], 0.6, 0.02);
@@ -330,7 +330,7 @@ TEST(BackgroundModel, TheBackgroundImageIsKnownFromTheFirstFrame) {
   EXPECT_EQ(count(labelsOf(model, checkered()), PixelLabel::Unlearned), kAll) << "not yet";
   model.reset();
   const cv::Mat darker = lit(checkered(), cv::Scalar::all(0.7)); // the day it is used on
-  model.followLight(darker);
+  model.adaptToLight(darker);
   EXPECT_EQ(count(labelsOf(model, darker), PixelLabel::Background), kAll);
   EXPECT_EQ(model.light().maxCoeff(), 1.0) << "the light of the run is the usual one";
   EXPECT_EQ(count(labelsOf(model, plain(0, 0, 255)), PixelLabel::Unknown), kAll);
@@ -369,7 +369,7 @@ TEST(BackgroundModel, IsNotMisledByWhatIsNoLight) {
   moved = lit(moved, cv::Scalar(1.3, 0.8, 0.6));
   for (const cv::Mat& now : {plain(0, 0, 0), plain(3, 2, 4), plain(255, 255, 255), hand, moved,
                              cv::Mat(), cv::Mat(10, 12, CV_8UC3, cv::Scalar(1, 2, 3))}) {
-    model.followLight(now);
+    model.adaptToLight(now);
     EXPECT_EQ(model.light().maxCoeff(), 1.0);
     EXPECT_EQ(model.light().minCoeff(), 1.0);
     EXPECT_EQ(count(labelsOf(model, checkered()), PixelLabel::Background), kAll);
@@ -381,7 +381,7 @@ TEST(BackgroundModel, LightFadesToBlackAndReturns) {
   learn(model, checkered());
   for (int frame = 0; frame < 100; ++frame) {
     const cv::Mat now = lit(checkered(), cv::Scalar::all(std::pow(0.93, frame)));
-    model.followLight(now);
+    model.adaptToLight(now);
     model.learn(now, {});
   }
   EXPECT_GE(model.light().minCoeff(), 1.0 / 8.0); // what is darker says nothing any more

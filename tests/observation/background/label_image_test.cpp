@@ -41,7 +41,7 @@ protected:
 };
 
 TEST_F(LabelImageTest, LabelsAsDocumented) {
-  labels_.requireAll();
+  labels_.ensureAllLabels();
   for (int row = 0; row < kLabelHeight; ++row) {
     for (int column = 0; column < kLabelWidth; ++column) {
       const cv::Point at(column, row);
@@ -58,7 +58,7 @@ TEST_F(LabelImageTest, LabelsAsDocumented) {
 TEST_F(LabelImageTest, WithoutABackgroundWhatDoesNotMatchIsUnlearned) {
   const BackgroundModel nothing;
   labels_.begin(image_, nothing, classifier_);
-  labels_.requireAll();
+  labels_.ensureAllLabels();
   EXPECT_EQ(labels_.at(12, 10), PixelLabel::Target);
   EXPECT_EQ(labels_.at(45, 25), PixelLabel::Unlearned);
   EXPECT_EQ(labels_.at(0, 0), PixelLabel::Unlearned);
@@ -66,9 +66,9 @@ TEST_F(LabelImageTest, WithoutABackgroundWhatDoesNotMatchIsUnlearned) {
 
 TEST_F(LabelImageTest, OutsideWhatIsCoveredNothingIsEvidence) {
   EXPECT_EQ(labels_.at(12, 10), PixelLabel::Explained);
-  labels_.require({10, 8, 4, 4});
+  labels_.ensureLabels({10, 8, 4, 4});
   EXPECT_EQ(labels_.at(12, 10), PixelLabel::Target);
-  labels_.requireAll();
+  labels_.ensureAllLabels();
   for (const cv::Point& at : {cv::Point(-1, 10), cv::Point(10, -1), cv::Point(kLabelWidth, 10),
                               cv::Point(10, kLabelHeight), cv::Point(-1000000, 1000000)}) {
     EXPECT_EQ(labels_.at(at.x, at.y), PixelLabel::Explained);
@@ -76,16 +76,16 @@ TEST_F(LabelImageTest, OutsideWhatIsCoveredNothingIsEvidence) {
 }
 
 TEST_F(LabelImageTest, CoversWhatIsRequiredCutToTheImage) {
-  EXPECT_TRUE(labels_.covered().empty());
-  labels_.require({-50, -50, 10, 10}); // beside the image
-  EXPECT_TRUE(labels_.covered().empty());
-  labels_.require({-5, 40, 20, 100});
-  EXPECT_EQ(labels_.covered() & cv::Rect(0, 40, 15, 8), cv::Rect(0, 40, 15, 8));
-  labels_.require({30, 10, 5, 5});
-  EXPECT_EQ(labels_.covered() & cv::Rect(0, 40, 15, 8), cv::Rect(0, 40, 15, 8));
-  EXPECT_EQ(labels_.covered() & cv::Rect(30, 10, 5, 5), cv::Rect(30, 10, 5, 5));
-  labels_.requireAll();
-  EXPECT_EQ(labels_.covered(), cv::Rect(0, 0, kLabelWidth, kLabelHeight));
+  EXPECT_TRUE(labels_.labeledArea().empty());
+  labels_.ensureLabels({-50, -50, 10, 10}); // beside the image
+  EXPECT_TRUE(labels_.labeledArea().empty());
+  labels_.ensureLabels({-5, 40, 20, 100});
+  EXPECT_EQ(labels_.labeledArea() & cv::Rect(0, 40, 15, 8), cv::Rect(0, 40, 15, 8));
+  labels_.ensureLabels({30, 10, 5, 5});
+  EXPECT_EQ(labels_.labeledArea() & cv::Rect(0, 40, 15, 8), cv::Rect(0, 40, 15, 8));
+  EXPECT_EQ(labels_.labeledArea() & cv::Rect(30, 10, 5, 5), cv::Rect(30, 10, 5, 5));
+  labels_.ensureAllLabels();
+  EXPECT_EQ(labels_.labeledArea(), cv::Rect(0, 0, kLabelWidth, kLabelHeight));
 }
 
 TEST_F(LabelImageTest, PartsMadeLazilyEqualTheWhole) {
@@ -93,19 +93,19 @@ TEST_F(LabelImageTest, PartsMadeLazilyEqualTheWhole) {
   const LabelImage::Circle except{{20.1, 14.0}, 3.0};
   LabelImage whole;
   whole.begin(image_, background_, classifier_);
-  whole.requireAll();
-  whole.explain(other, except);
+  whole.ensureAllLabels();
+  whole.markExplained(other, except);
   // The explanation comes between the parts; it holds for labels made later as well.
   const std::vector<cv::Rect> parts{{12, 9, 5, 5}, {14, 4, 9, 7}, {0, 0, 3, 48}, {40, 22, 30, 30}};
   for (std::size_t k = 0; k < parts.size(); ++k) {
     if (k == 1) {
-      labels_.explain(other, except);
+      labels_.markExplained(other, except);
     }
-    labels_.require(parts[k]);
+    labels_.ensureLabels(parts[k]);
     if (k < 1) {
       continue;
     }
-    const cv::Rect covered = labels_.covered();
+    const cv::Rect covered = labels_.labeledArea();
     EXPECT_EQ((covered & parts[k]), (cv::Rect(0, 0, kLabelWidth, kLabelHeight) & parts[k]));
     for (int row = covered.y; row < covered.y + covered.height; ++row) {
       for (int column = covered.x; column < covered.x + covered.width; ++column) {
@@ -116,10 +116,10 @@ TEST_F(LabelImageTest, PartsMadeLazilyEqualTheWhole) {
 }
 
 TEST_F(LabelImageTest, ExplainsMatchingPixelsOfACircleButForTheException) {
-  labels_.requireAll();
+  labels_.ensureAllLabels();
   const LabelImage::Circle other{{28.0, 16.0}, 7.0};
   const LabelImage::Circle except{{24.0, 16.0}, 3.5};
-  labels_.explain(other, except);
+  labels_.markExplained(other, except);
   int explained = 0;
   int kept = 0;
   for (int row = 0; row < kLabelHeight; ++row) {
@@ -145,8 +145,8 @@ TEST_F(LabelImageTest, ExplainsMatchingPixelsOfACircleButForTheException) {
 }
 
 TEST_F(LabelImageTest, WithoutAnExceptionTheWholeCircleIsExplained) {
-  labels_.requireAll();
-  labels_.explain({{20.0, 16.0}, 100.0}, {});
+  labels_.ensureAllLabels();
+  labels_.markExplained({{20.0, 16.0}, 100.0}, {});
   for (int row = 0; row < kLabelHeight; ++row) {
     for (int column = 0; column < kLabelWidth; ++column) {
       EXPECT_NE(labels_.at(column, row), PixelLabel::Target);
@@ -156,12 +156,12 @@ TEST_F(LabelImageTest, WithoutAnExceptionTheWholeCircleIsExplained) {
 }
 
 TEST_F(LabelImageTest, ANewImageForgetsExplanationsAndLabels) {
-  labels_.explain({{20.0, 16.0}, 100.0}, {});
-  labels_.requireAll();
+  labels_.markExplained({{20.0, 16.0}, 100.0}, {});
+  labels_.ensureAllLabels();
   EXPECT_EQ(labels_.at(12, 10), PixelLabel::Explained);
   labels_.begin(image_, background_, classifier_);
-  EXPECT_TRUE(labels_.covered().empty());
-  labels_.requireAll();
+  EXPECT_TRUE(labels_.labeledArea().empty());
+  labels_.ensureAllLabels();
   EXPECT_EQ(labels_.at(12, 10), PixelLabel::Target);
 }
 
@@ -173,16 +173,16 @@ TEST_F(LabelImageTest, KnowsTheColorInOtherLight) {
   cv::Mat wall;
   cv::multiply(grayImage(), cv::Scalar::all(0.2), wall);
   labels_.begin(dark, background_, classifier_);
-  labels_.requireAll();
+  labels_.ensureAllLabels();
   EXPECT_EQ(labels_.at(12, 10), PixelLabel::Unknown);
   // Not at once: what is darker than a quarter could be a covered lens.
   for (const double gain : {0.45, 0.2}) {
     cv::Mat now;
     cv::multiply(image_, cv::Scalar::all(gain), now);
-    background_.followLight(now);
+    background_.adaptToLight(now);
   }
   labels_.begin(dark, background_, classifier_);
-  labels_.requireAll();
+  labels_.ensureAllLabels();
   for (int row = 0; row < kLabelHeight; ++row) {
     for (int column = 0; column < kLabelWidth; ++column) {
       const cv::Point at(column, row);
@@ -197,19 +197,19 @@ TEST_F(LabelImageTest, KnowsTheColorInOtherLight) {
 TEST_F(LabelImageTest, ClearLeavesNoImage) {
   EXPECT_FALSE(labels_.empty());
   EXPECT_EQ(labels_.size(), cv::Size(kLabelWidth, kLabelHeight));
-  labels_.requireAll();
+  labels_.ensureAllLabels();
   labels_.clear();
   EXPECT_TRUE(labels_.empty());
-  labels_.requireAll();
-  labels_.require({0, 0, 10, 10});
-  labels_.explain({{5.0, 5.0}, 10.0}, {});
+  labels_.ensureAllLabels();
+  labels_.ensureLabels({0, 0, 10, 10});
+  labels_.markExplained({{5.0, 5.0}, 10.0}, {});
   EXPECT_EQ(labels_.at(12, 10), PixelLabel::Explained);
 }
 
 TEST(LabelImage, HasNoImageAtFirst) {
   LabelImage labels;
   EXPECT_TRUE(labels.empty());
-  labels.requireAll();
+  labels.ensureAllLabels();
   EXPECT_EQ(labels.at(0, 0), PixelLabel::Explained);
 }
 

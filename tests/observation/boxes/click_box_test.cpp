@@ -57,8 +57,9 @@ TEST_P(ClickBoxTest, FindsABallWhereverItIsClicked) {
           kBoxCenter + r * radius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
       const auto box = clickBox(image, click);
       ASSERT_TRUE(box);
-      EXPECT_GE(overlap(*box, truth), 0.5) << click.transpose() << ": " << box->x << ' ' << box->y
-                                           << ' ' << box->width << ' ' << box->height;
+      EXPECT_GE(intersectionOverUnion(*box, truth), 0.5)
+          << click.transpose() << ": " << box->x << ' ' << box->y << ' ' << box->width << ' '
+          << box->height;
     }
   }
 }
@@ -68,7 +69,8 @@ INSTANTIATE_TEST_SUITE_P(Radii, ClickBoxTest, ::testing::Values(6.0, 14.0, 30.0,
 TEST(ClickBox, OfSomethingLongIsLong) {
   cv::Mat image(240, 320, CV_8UC3, cv::Scalar(150, 150, 150));
   cv::rectangle(image, {150, 90, 20, 60}, kPinkPaint, cv::FILLED);
-  EXPECT_GT(overlap(*clickBox(image, {158.0, 112.0}), {150.0, 90.0, 20.0, 60.0}), 0.8);
+  EXPECT_GT(intersectionOverUnion(*clickBox(image, {158.0, 112.0}), {150.0, 90.0, 20.0, 60.0}),
+            0.8);
 }
 
 /// A lit ball of radius 14 in a hand, whose color is between the ball's and the wall's.
@@ -91,7 +93,7 @@ TEST(ClickBox, OfABallInAHandIsNotTheHand) {
        {std::pair(160.0, 113.0), {153.0, 117.0}, {166.0, 120.0}, {160.0, 120.0}, {156.0, 122.0}}) {
     const auto box = clickBox(image, {x, y});
     ASSERT_TRUE(box);
-    EXPECT_GT(overlap(*box, {146.0, 106.0, 28.0, 20.0}), 0.5)
+    EXPECT_GT(intersectionOverUnion(*box, {146.0, 106.0, 28.0, 20.0}), 0.5)
         << x << ", " << y << ": " << box->x << ' ' << box->y << ' ' << box->width << ' '
         << box->height;
   }
@@ -102,8 +104,9 @@ TEST(ClickBox, LiesInTheImage) {
   cv::circle(image, {316, 4}, 14, kPinkPaint, cv::FILLED);
   const auto box = clickBox(image, {315.0, 5.0});
   ASSERT_TRUE(box);
-  EXPECT_EQ(commonArea(*box, {0.0, 0.0, 320.0, 240.0}), box->area());
-  EXPECT_GT(overlap(*box, {302.0, 0.0, 18.0, 19.0}), 0.5); // what of the disc is in the image
+  EXPECT_EQ(intersectionArea(*box, {0.0, 0.0, 320.0, 240.0}), box->area());
+  EXPECT_GT(intersectionOverUnion(*box, {302.0, 0.0, 18.0, 19.0}),
+            0.5); // what of the disc is in the image
 }
 
 TEST(ClickBox, IsNoneWhereNothingStandsOut) {
@@ -134,7 +137,7 @@ TEST(ColorPalette, TellsColorsApartAndMindsLittleShading) {
   EXPECT_NE(label(5), label(30));
   ColorPalette::Shares pink{};
   pink[label(5)] = 1.0;
-  const ColorPalette::Shares soft = palette.softened(pink);
+  const ColorPalette::Shares soft = palette.spreadOverSimilarColors(pink);
   EXPECT_NEAR(soft[label(5)], 1.0, 1e-9);
   EXPECT_GT(soft[label(15)], 0.3); // a fifth darker: about 10 units of L*a*b*
   EXPECT_LT(soft[label(30)], 0.01);

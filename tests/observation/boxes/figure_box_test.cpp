@@ -19,9 +19,9 @@ TEST(FigureBox, LeavesOutTheMarginOfADrawnBox) {
                            scale * scene.side, scale * scene.side);
       const ImageBox figure = figureBox(image, drawn);
       // What of the patch is in the drawn box, to a pixel or two at each side.
-      EXPECT_GT(commonArea(figure, truth), 0.85 * commonArea(drawn, truth))
+      EXPECT_GT(intersectionArea(figure, truth), 0.85 * intersectionArea(drawn, truth))
           << scale << ' ' << shift;
-      EXPECT_GT(commonArea(figure, truth), 0.85 * figure.area()) << scale << ' ' << shift;
+      EXPECT_GT(intersectionArea(figure, truth), 0.85 * figure.area()) << scale << ' ' << shift;
     }
   }
 }
@@ -38,7 +38,7 @@ TEST(FigureBox, KeepsHalfOfEachSide) {
   const ImageBox figure = figureBox(image, {60.0, 40.0, 40.0, 40.0});
   EXPECT_EQ(figure.width, 20.0); // half of 40, though only 8 are red
   EXPECT_EQ(figure.height, 20.0);
-  EXPECT_EQ(commonArea(figure, {76.0, 56.0, 8.0, 8.0}), 64.0);
+  EXPECT_EQ(intersectionArea(figure, {76.0, 56.0, 8.0, 8.0}), 64.0);
 }
 
 TEST(FigureBox, MayReachOutOfTheImage) {
@@ -53,9 +53,9 @@ TEST(TargetColors, DoNotLearnTheGroundInTheBox) {
   cv::rectangle(image, {60, 40, 40, 40}, cv::Scalar(0, 0, 255), cv::FILLED);
   TargetColors colors;
   colors.learn(image, box);
-  EXPECT_NEAR(colors.likeness(image, box), 1.0, 1e-2); // red is in the box alone
+  EXPECT_NEAR(colors.similarityOf(image, box), 1.0, 1e-2); // red is in the box alone
   const cv::Mat empty(120, 160, CV_8UC3, cv::Scalar(90, 90, 90));
-  EXPECT_EQ(colors.likeness(empty, box), 0.0);
+  EXPECT_EQ(colors.similarityOf(empty, box), 0.0);
   for (int i = 0; i < 50; ++i) {
     colors.adaptTarget(empty, box, 0.2);
   }

@@ -87,7 +87,7 @@ TEST(HistogramSimilarity, IsOneWhereTheReferenceIs) {
   const cv::Mat image = blotches(160, 120, 1);
   const BoxKernel kernel(31, 24);
   HistogramSimilarity similarity(referenceOf(image, kernel, 60.5, 50.0), kernel);
-  similarity.showColors(image, {{0, 0}, image.size()});
+  similarity.loadColors(image, {{0, 0}, image.size()});
   EXPECT_NEAR(similarity.at(60.5, 50.0), 1.0, 1e-9); // equation 10 of equal histograms
 }
 
@@ -97,7 +97,7 @@ TEST(HistogramSimilarity, IsZeroWithoutACommonColorAndOutside) {
   reference[rgbBin(255, 255, 255)] = 1.0; // blotches() reaches 248: bin 7 of every channel is rare
   cv::Mat dark = image / 2;
   HistogramSimilarity similarity(reference, BoxKernel(30, 30));
-  similarity.showColors(dark, {{0, 0}, dark.size()});
+  similarity.loadColors(dark, {{0, 0}, dark.size()});
   EXPECT_EQ(similarity.at(80.0, 60.0), 0.0);
   EXPECT_EQ(similarity.at(-15.0, 60.0), 0.0);
   EXPECT_EQ(similarity.at(1e300, 60.0), 0.0);
@@ -118,9 +118,9 @@ TEST_P(HistogramSimilaritySizes, EqualsTheEquationsWithin1e5) {
   findRgbBins(image, {{0, 0}, image.size()}, bins);
   for (const bool fromColors : {true, false}) {
     if (fromColors) {
-      similarity.showColors(image, {{0, 0}, image.size()});
+      similarity.loadColors(image, {{0, 0}, image.size()});
     } else {
-      similarity.show(bins, {{0, 0}, image.size()});
+      similarity.loadBins(bins, {{0, 0}, image.size()});
     }
     for (int top = -size.height + 1; top < image.rows; top += 13) { // over every border too
       for (int left = -size.width + 1; left < image.cols; left += 11) {

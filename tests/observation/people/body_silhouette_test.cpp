@@ -17,8 +17,8 @@ Camera levelCamera() {
 }
 
 TEST(BodySilhouette, StandsWhereItIsSeen) {
-  const SilhouetteMaker maker(levelCamera());
-  const BodySilhouette body = maker.of({4.0, 0.0}, 0.0, 2.0);
+  const SilhouetteProjector maker(levelCamera());
+  const BodySilhouette body = maker.project({4.0, 0.0}, 0.0, 2.0);
   ASSERT_TRUE(body.visible);
   // The feet 1 m below the axis at 4 m: 25 px; the head as far above. Edges of pixels lie at
   // halves.
@@ -29,7 +29,7 @@ TEST(BodySilhouette, StandsWhereItIsSeen) {
     EXPECT_NEAR(piece.width, 2.0 * 25.0 * bodyHalfWidth(k, 2.0), 1.0);
     EXPECT_NEAR(piece.x + 0.5 * piece.width, 100.5, 0.6);
   }
-  EXPECT_FALSE(maker.of({-4.0, 0.0}, 0.0, 2.0).visible); // behind
+  EXPECT_FALSE(maker.project({-4.0, 0.0}, 0.0, 2.0).visible); // behind
 }
 
 TEST(ScoreSums, AreMeansOverRectangles) {
@@ -95,7 +95,7 @@ TEST(ClothesModel, TellsColorsApart) {
     other.finishFrame();
   }
   ASSERT_TRUE(one.known());
-  const ClothesRatio ratio = one.against(other);
+  const ClothesRatio ratio = one.logRatioAgainst(other);
   // log(1.01 / 0.01) is cut at 1.
   EXPECT_NEAR(ClothesModel::meanRatio(ratio, blue, mask, silhouette, cv::Mat()), 1.0, 1e-6);
   EXPECT_NEAR(ClothesModel::meanRatio(ratio, red, mask, silhouette, cv::Mat()), -1.0, 1e-6);

@@ -30,7 +30,7 @@ TEST(ColorRegion, HasTheMomentsOfARectangle) {
   EXPECT_NEAR(region.covariance(0, 1), 0.0, 1e-9);
   EXPECT_EQ(region.box, cv::Rect(100, 50, 40, 20));
   EXPECT_EQ(region.rim, 2 * 40 + 2 * 18);
-  EXPECT_EQ(region.openShare(), 0.0);
+  EXPECT_EQ(region.cutOffShare(), 0.0);
 }
 
 TEST(ColorRegion, JoinsPiecesThatAreNearAndLeavesNoiseOut) {
@@ -72,7 +72,7 @@ TEST(ColorRegion, KnowsWhereItsRimIsNotItsOwn) {
   EXPECT_EQ(regions[0].hiddenRim, 0);
   EXPECT_EQ(regions[1].cutRim, 0);
   EXPECT_EQ(regions[1].hiddenRim, 20);
-  EXPECT_NEAR(regions[1].openShare(), 20.0 / (4 * 19), 1e-9);
+  EXPECT_NEAR(regions[1].cutOffShare(), 20.0 / (4 * 19), 1e-9);
 }
 
 } // namespace

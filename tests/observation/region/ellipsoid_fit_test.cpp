@@ -57,7 +57,7 @@ TEST(EllipsoidFit, FindsTheCenterFromTwoCameras) {
         fitEllipsoid(scene.observation(), ellipsoidStart(truth, 0.03 * drawn::directionOf(k)));
     ASSERT_TRUE(fit.found) << k;
     EXPECT_LT((fit.ellipsoid.center - truth.center).norm(), 0.012) << k;
-    EXPECT_EQ(fit.freedoms, 1);
+    EXPECT_EQ(fit.degreesOfFreedom, 1);
     EXPECT_LT(fit.disagreement, 0.1) << k; // an ellipsoid has one centroid in all views
   }
 }
@@ -92,7 +92,7 @@ TEST(EllipsoidFit, OneCameraSaysNothingAboutDepth) {
   const EllipsoidFit fit =
       fitEllipsoid(scene.observation(), ellipsoidStart(truth, {0.0, 0.0, 0.0}));
   ASSERT_TRUE(fit.found);
-  EXPECT_EQ(fit.freedoms, 0);
+  EXPECT_EQ(fit.degreesOfFreedom, 0);
   const Eigen::Vector3d along = drawn::rigAround(1, kVga)[0].opticalAxis();
   EXPECT_GT(std::sqrt(along.dot(fit.covariance * along)), 0.09); // the prior's 0.1
 }

@@ -34,7 +34,7 @@ cv::Scalar gray(double gain) {
 AdaptiveColor begun() {
   AdaptiveColor color(kGreen, 2);
   for (int k = 0; k < AdaptiveColor::kReferenceUpdates; ++k) {
-    EXPECT_FALSE(color.follow(0, scene(gray(1.0), std::uint32_t(k)), kBallOutline, {}, kShare));
+    EXPECT_FALSE(color.adapt(0, scene(gray(1.0), std::uint32_t(k)), kBallOutline, {}, kShare));
   }
   EXPECT_TRUE(color.rangesInUse().empty());
   return color;
@@ -75,14 +75,14 @@ TEST(AdaptiveColor, FollowsEachOfSeveralColors) {
   const ColorRange blue{200.0, 240.0, 0.3, 0.9, 0.2, 0.7};
   AdaptiveColor color(ColorRanges(kGreen, {blue}), 1);
   for (std::uint32_t k = 0; k < 10; ++k) {
-    EXPECT_FALSE(color.follow(0, twoColored(1.0, k), kBallOutline, {}, kShare));
+    EXPECT_FALSE(color.adapt(0, twoColored(1.0, k), kBallOutline, {}, kShare));
   }
   EXPECT_TRUE(color.rangesInUse().empty());
   EXPECT_GT(takenInUse(color, twoColored(1.0, 11)), 0.97);
   double light = 1.0;
   for (std::uint32_t k = 0; k < 200; ++k) {
     light = 1.0 - 0.55 * k / 200.0;
-    color.follow(0, twoColored(light, k), kBallOutline, {}, kShare);
+    color.adapt(0, twoColored(light, k), kBallOutline, {}, kShare);
   }
   const ColorRanges ranges = color.rangesInUse(0);
   ASSERT_EQ(ranges.size(), 2U);
@@ -95,7 +95,7 @@ TEST(AdaptiveColor, AColorThatIsNotSeenStaysWhereItWas) {
   const ColorRange blue{200.0, 240.0, 0.3, 0.9, 0.2, 0.7};
   AdaptiveColor color(ColorRanges(kGreen, {blue}), 1);
   for (std::uint32_t k = 0; k < 200; ++k) {
-    color.follow(0, scene(gray(1.0 - 0.5 * k / 200.0), k), kBallOutline, {}, kShare);
+    color.adapt(0, scene(gray(1.0 - 0.5 * k / 200.0), k), kBallOutline, {}, kShare);
   }
   EXPECT_LT(color.rangesInUse(0)[0].intensityMin, 0.7 * kGreen.intensityMin);
   EXPECT_EQ(color.rangesInUse(0)[1], blue);
@@ -104,7 +104,7 @@ TEST(AdaptiveColor, AColorThatIsNotSeenStaysWhereItWas) {
 TEST(AdaptiveColor, StaysAsLearnedInSteadyLight) {
   AdaptiveColor color = begun();
   for (std::uint32_t k = 0; k < 300; ++k) {
-    color.follow(0, scene(gray(1.0), k), kBallOutline, {}, kShare);
+    color.adapt(0, scene(gray(1.0), k), kBallOutline, {}, kShare);
   }
   // The quantiles of 400 noisy pixels are off by less than a gray level.
   const ColorRange range = color.rangesInUse(0)[0];
@@ -120,7 +120,7 @@ TEST(AdaptiveColor, FollowsLightThatFadesByTheSameFactor) {
   double gain = 1.0;
   for (std::uint32_t k = 0; k < 400; ++k) {
     gain = std::pow(0.25, (k + 1) / 400.0);
-    color.follow(0, scene(gray(gain), k), kBallOutline, {}, kShare);
+    color.adapt(0, scene(gray(gain), k), kBallOutline, {}, kShare);
   }
   const cv::Mat dark = scene(gray(gain), 1000);
   const ColorRange range = color.rangesInUse(0)[0];
@@ -139,7 +139,7 @@ TEST(AdaptiveColor, FollowsATintInItsHue) {
   for (std::uint32_t k = 0; k < 400; ++k) {
     const double way = (k + 1) / 400.0;
     gain = {1.0 - 0.3 * way, 1.0, 1.0 + 0.6 * way, 0.0};
-    color.follow(0, scene(gain, k), kBallOutline, {}, kShare);
+    color.adapt(0, scene(gain, k), kBallOutline, {}, kShare);
   }
   const Hsi before = hsiFromBgr(60, 180, 40);
   const Hsi after = hsiFromBgr(42, 180, 64);
@@ -152,8 +152,8 @@ TEST(AdaptiveColor, IsNotTakenAlongByWhatHidesTheTarget) {
   AdaptiveColor color = begun();
   const cv::Scalar skin(90.0, 120.0, 190.0);
   for (std::uint32_t k = 0; k < 200; ++k) {
-    color.follow(0, scene(gray(1.0), k, {90, 90, 90}, skin), kBallOutline, {}, kShare);
-    color.follow(1, cv::Mat(), kBallOutline, {}, kShare);
+    color.adapt(0, scene(gray(1.0), k, {90, 90, 90}, skin), kBallOutline, {}, kShare);
+    color.adapt(1, cv::Mat(), kBallOutline, {}, kShare);
   }
   EXPECT_TRUE(color.rangesInUse().empty());
 }
@@ -165,7 +165,7 @@ TEST(AdaptiveColor, TakesNoStepOntoTheBackground) {
   for (std::uint32_t k = 0; k < 500; ++k) {
     const double gain = k < 20 ? 1.0 : std::max(0.4, 1.0 - 0.002 * (k - 20));
     cv::Mat image = scene(gray(1.0), k, wall, kGreenBall.mul(gray(gain)));
-    color.follow(0, image, kBallOutline, {}, kShare);
+    color.adapt(0, image, kBallOutline, {}, kShare);
     const double matched = cv::countNonZero(matchImage(image, color.inUse(0)));
     const double disc = M_PI * 15.0 * 15.0;
     ASSERT_LT(matched, disc + 0.01 * double(image.total())) << k;
@@ -178,12 +178,12 @@ TEST(AdaptiveColor, ForgetsAndCopies) {
   AdaptiveColor color = begun();
   AdaptiveColor copy = color;
   for (std::uint32_t k = 0; k < 50; ++k) {
-    EXPECT_TRUE(color.follow(0, scene(gray(0.8), k), kBallOutline, {}, kShare));
-    copy.follow(0, scene(gray(0.8), k), kBallOutline, {}, kShare);
+    EXPECT_TRUE(color.adapt(0, scene(gray(0.8), k), kBallOutline, {}, kShare));
+    copy.adapt(0, scene(gray(0.8), k), kBallOutline, {}, kShare);
   }
   EXPECT_EQ(copy.rangesInUse(0)[0], color.rangesInUse(0)[0]);
   EXPECT_FALSE(color.rangesInUse(0)[0] == kGreen);
-  color.forget();
+  color.restoreLearned();
   EXPECT_TRUE(color.rangesInUse().empty());
   EXPECT_FALSE(copy.rangesInUse().empty());
 }

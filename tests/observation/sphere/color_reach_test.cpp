@@ -47,11 +47,11 @@ double takenBy(const ColorRange& range, const cv::Mat& image) {
 TEST(ColorReach, TakesInTheShadedSide) {
   const cv::Mat image = sideLit(0.2);
   EXPECT_LT(takenBy(kPinkRange, image), 0.65);
-  EXPECT_GT(takenBy(reachInLight(kPinkRange, image), image), 0.95);
+  EXPECT_GT(takenBy(extendRangeToLight(kPinkRange, image), image), 0.95);
 }
 
 TEST(ColorReach, StaysWhereTheRangeFitsAlready) {
-  EXPECT_EQ(reachInLight(kPinkRange, sideLit(0.8)), kPinkRange);
+  EXPECT_EQ(extendRangeToLight(kPinkRange, sideLit(0.8)), kPinkRange);
 }
 
 TEST(ColorReach, FollowsAShiftedHue) {
@@ -59,13 +59,13 @@ TEST(ColorReach, FollowsAShiftedHue) {
   const cv::Scalar redder(95.0, 60.0, 220.0);
   const cv::Mat image = sideLit(0.25, redder);
   EXPECT_LT(takenBy(kPinkRange, image), 0.9);
-  EXPECT_GT(takenBy(reachInLight(kPinkRange, image), image), 0.95);
+  EXPECT_GT(takenBy(extendRangeToLight(kPinkRange, image), image), 0.95);
 }
 
 TEST(ColorReach, NeverNarrowsTheRange) {
   ColorRange pale = kPinkRange;
   pale.saturationMin = 0.0;
-  const ColorRange reached = reachInLight(pale, sideLit(0.2));
+  const ColorRange reached = extendRangeToLight(pale, sideLit(0.2));
   EXPECT_EQ(reached.saturationMin, 0.0);
   EXPECT_LT(reached.intensityMin, pale.intensityMin);
 }
@@ -81,16 +81,16 @@ TEST(ColorReach, DoesNotTakeInAWallOfTheColor) {
       }
     }
   }
-  const cv::Mat match = matchImage(image, ColorClassifier(reachInLight(kPinkRange, image)));
+  const cv::Mat match = matchImage(image, ColorClassifier(extendRangeToLight(kPinkRange, image)));
   EXPECT_LT(cv::countNonZero(match), static_cast<int>(3.2 * kDiscRadius * kDiscRadius));
 }
 
 TEST(ColorReach, KeepsARangeThatMatchesNothingAndOneOfEveryHue) {
   const cv::Mat empty(160, 240, CV_8UC3, cv::Scalar(150, 150, 150));
-  EXPECT_EQ(reachInLight(kPinkRange, empty), kPinkRange);
+  EXPECT_EQ(extendRangeToLight(kPinkRange, empty), kPinkRange);
   const ColorRange gray{0.0, 360.0, 0.0, 0.2, 0.3, 0.8};
-  EXPECT_EQ(reachInLight(gray, sideLit(0.2)), gray);
-  EXPECT_EQ(reachInLight(kPinkRange, cv::Mat()), kPinkRange);
+  EXPECT_EQ(extendRangeToLight(gray, sideLit(0.2)), gray);
+  EXPECT_EQ(extendRangeToLight(kPinkRange, cv::Mat()), kPinkRange);
 }
 
 } // namespace

@@ -288,20 +288,21 @@ TEST(OutlineFit, TellsHowMuchTheCamerasDisagree) {
     const Eigen::Vector3d truth = drawn::placeNear(k, 0.1);
     scene.show({Ball{truth, kRadius}}, 3.0, k);
     const OutlineFit fit = fitOutline(scene.views(), outlineStart(truth, k, 0.1));
-    ASSERT_EQ(fit.freedoms, 3); // two coordinates in each of three images, against three in space
-    agreeing += fit.disagreement / fit.freedoms / kPlaces;
+    ASSERT_EQ(fit.degreesOfFreedom,
+              3); // two coordinates in each of three images, against three in space
+    agreeing += fit.disagreement / fit.degreesOfFreedom / kPlaces;
     const cv::Mat before = scene.image(2).clone();
     before(cv::Rect(6, 0, before.cols - 6, before.rows))
         .copyTo(scene.image(2)(cv::Rect(0, 0, before.cols - 6, before.rows)));
     const OutlineFit turned = fitOutline(scene.views(), outlineStart(truth, k, 0.1));
-    EXPECT_GT(turned.disagreement / turned.freedoms, 20.0) << k;
+    EXPECT_GT(turned.disagreement / turned.degreesOfFreedom, 20.0) << k;
   }
   EXPECT_LT(agreeing, 1.5);
   EXPECT_GT(agreeing, 0.05);
   FitScene alone(drawn::rigAround(1, kVga));
   alone.show({Ball{drawn::kMiddle, kRadius}});
   const OutlineFit fit = fitOutline(alone.views(), outlineStart(drawn::kMiddle, 0, 0.1));
-  EXPECT_EQ(fit.freedoms, 0);
+  EXPECT_EQ(fit.degreesOfFreedom, 0);
   EXPECT_EQ(fit.disagreement, 0.0);
 }
 

@@ -36,7 +36,7 @@ protected:
   }
   const LabelImage& labelsOf(const cv::Mat& image, bool wallIsKnown = true) {
     labels_.begin(image, wallIsKnown ? wall_ : nothing_, classifier_);
-    labels_.requireAll();
+    labels_.ensureAllLabels();
     return labels_;
   }
   double logLikelihoodRatio(const cv::Mat& image, const SphereImage& outline = kEvidenceOutline) {
@@ -72,21 +72,22 @@ TEST_F(SphereEvidenceTest, WhatHidesTheRimDoesNotCount) {
 }
 
 TEST_F(SphereEvidenceTest, AFullDiscIsTheBest) {
-  EXPECT_GT(SphereEvidence::best(), 0.0);
+  EXPECT_GT(SphereEvidence::maxLogLikelihoodRatio(), 0.0);
   for (const double radius : {8.0, 20.0, 40.0}) {
     const SphereImage outline{{80.3, 59.6}, radius};
-    EXPECT_NEAR(logLikelihoodRatio(discImage(outline), outline), SphereEvidence::best(), 1e-9)
+    EXPECT_NEAR(logLikelihoodRatio(discImage(outline), outline),
+                SphereEvidence::maxLogLikelihoodRatio(), 1e-9)
         << radius;
     EXPECT_EQ(SphereEvidence::matchShare(labels_, outline), 1.0) << radius;
   }
 }
 
 TEST_F(SphereEvidenceTest, NothingThereSpeaksAgainst) {
-  EXPECT_LT(logLikelihoodRatio(evidenceImage()), -0.5 * SphereEvidence::best());
+  EXPECT_LT(logLikelihoodRatio(evidenceImage()), -0.5 * SphereEvidence::maxLogLikelihoodRatio());
   EXPECT_EQ(SphereEvidence::matchShare(labels_, kEvidenceOutline), 0.0);
   // A wall that is not known yet is no place to hide either.
   EXPECT_LT(SphereEvidence::logLikelihoodRatio(labelsOf(evidenceImage(), false), kEvidenceOutline),
-            -0.5 * SphereEvidence::best());
+            -0.5 * SphereEvidence::maxLogLikelihoodRatio());
 }
 
 // "A smaller or larger thing of the same color is told apart": next to nothing speaks for it.
@@ -98,14 +99,14 @@ TEST_F(SphereEvidenceTest, TooSmallSpeaksAgainst) {
         << share;
   }
   EXPECT_LT(logLikelihoodRatio(discImage({kEvidenceOutline.center, 0.6 * kEvidenceOutline.radius})),
-            0.1 * SphereEvidence::best());
+            0.1 * SphereEvidence::maxLogLikelihoodRatio());
 }
 
 TEST_F(SphereEvidenceTest, TooLargeHasNextToNoEvidence) {
   for (const double share : {1.5, 2.0, 5.0}) {
     EXPECT_LT(
         logLikelihoodRatio(discImage({kEvidenceOutline.center, share * kEvidenceOutline.radius})),
-        0.1 * SphereEvidence::best())
+        0.1 * SphereEvidence::maxLogLikelihoodRatio())
         << share;
   }
 }
@@ -138,14 +139,15 @@ TEST_F(SphereEvidenceTest, AHiddenHalfIsNotEvidenceAgainst) {
   hidden(left) = cv::Scalar(230, 30, 30);
   missing(left) = cv::Scalar(80, 80, 80);
   const double half = logLikelihoodRatio(hidden);
-  EXPECT_NEAR(half, 0.5 * SphereEvidence::best(), 0.1 * SphereEvidence::best());
+  EXPECT_NEAR(half, 0.5 * SphereEvidence::maxLogLikelihoodRatio(),
+              0.1 * SphereEvidence::maxLogLikelihoodRatio());
   EXPECT_NEAR(SphereEvidence::matchShare(labels_, kEvidenceOutline), 0.5, 0.1);
   EXPECT_LT(logLikelihoodRatio(missing), 0.5 * half);
 }
 
 TEST_F(SphereEvidenceTest, WhatBelongsToAnotherTargetCarriesNone) {
   labelsOf(discImage(kEvidenceOutline));
-  labels_.explain({kEvidenceOutline.center, 1.1 * kEvidenceOutline.radius}, {});
+  labels_.markExplained({kEvidenceOutline.center, 1.1 * kEvidenceOutline.radius}, {});
   EXPECT_EQ(SphereEvidence::logLikelihoodRatio(labels_, kEvidenceOutline), 0.0);
   EXPECT_EQ(SphereEvidence::matchShare(labels_, kEvidenceOutline), 0.0);
 }
@@ -156,10 +158,10 @@ TEST_F(SphereEvidenceTest, AnExplainedTwinBesideDoesNotCountAsTooLarge) {
   const SphereImage twin{kEvidenceOutline.center + Eigen::Vector2d(41.0, 0.0), 20.0};
   cv::circle(image, {121, 60}, 20, cv::Scalar(0, 0, 230), cv::FILLED);
   labelsOf(image);
-  labels_.explain({twin.center, 1.05 * twin.radius},
-                  {kEvidenceOutline.center, 1.05 * kEvidenceOutline.radius});
+  labels_.markExplained({twin.center, 1.05 * twin.radius},
+                        {kEvidenceOutline.center, 1.05 * kEvidenceOutline.radius});
   EXPECT_GT(SphereEvidence::logLikelihoodRatio(labels_, kEvidenceOutline),
-            0.8 * SphereEvidence::best());
+            0.8 * SphereEvidence::maxLogLikelihoodRatio());
 }
 
 // The same twin, not marked: what it takes away in the ring is given back, to within what a clean
@@ -173,7 +175,7 @@ TEST_F(SphereEvidenceTest, TheRingOfATwinBesideIsGivenBack) {
   const double samples = ring / (0.12 * 9.0);
   EXPECT_GE(samples, 1.0);
   EXPECT_NEAR(samples, std::round(samples), 1e-9);
-  EXPECT_NEAR(alone + ring, SphereEvidence::best() - 0.12 * 1.2 * samples, 1e-9);
+  EXPECT_NEAR(alone + ring, SphereEvidence::maxLogLikelihoodRatio() - 0.12 * 1.2 * samples, 1e-9);
 }
 
 TEST_F(SphereEvidenceTest, OnlyMatchingSamplesUnderOthersAreGivenBack) {
@@ -201,8 +203,8 @@ TEST_F(SphereEvidenceTest, OutsideTheImageNone) {
 TEST_F(SphereEvidenceTest, AcrossTheBorderTheSeenPartCounts) {
   const SphereImage across{{0.0, 60.0}, 20.0};
   const double seen = logLikelihoodRatio(discImage(across), across);
-  EXPECT_GT(seen, 0.4 * SphereEvidence::best());
-  EXPECT_LT(seen, 0.7 * SphereEvidence::best());
+  EXPECT_GT(seen, 0.4 * SphereEvidence::maxLogLikelihoodRatio());
+  EXPECT_LT(seen, 0.7 * SphereEvidence::maxLogLikelihoodRatio());
   EXPECT_LT(logLikelihoodRatio(evidenceImage(), across), 0.0);
 }
 
@@ -223,7 +225,7 @@ TEST_F(SphereEvidenceTest, AreaHoldsAllThatIsRead) {
   LabelImage part;
   const cv::Mat image = discImage(kEvidenceOutline);
   part.begin(image, wall_, classifier_);
-  part.require(area);
+  part.ensureLabels(area);
   EXPECT_EQ(SphereEvidence::logLikelihoodRatio(part, kEvidenceOutline), logLikelihoodRatio(image));
   // By hand: from 80 - 1.3 * 20 - 2 = 52 to 108, both included.
   EXPECT_EQ(area.x, 52);

@@ -46,15 +46,16 @@ protected:
 
 TEST_F(SphereObservationTest, SumsOverTheCameras) {
   EXPECT_EQ(observation_.cameraCount(), 3U);
-  EXPECT_NEAR(observation_.logLikelihoodRatio(ball_.center, kStill), 3.0 * SphereEvidence::best(),
-              1e-9);
+  EXPECT_NEAR(observation_.logLikelihoodRatio(ball_.center, kStill),
+              3.0 * SphereEvidence::maxLogLikelihoodRatio(), 1e-9);
   EXPECT_NEAR(observation_.fullyVisibleLogLikelihoodRatio(ball_.center, kStill),
-              3.0 * SphereEvidence::best(), 1e-9);
+              3.0 * SphereEvidence::maxLogLikelihoodRatio(), 1e-9);
   EXPECT_EQ(observation_.camerasSeeing(ball_.center, kStill), 3);
   show(1, {});
-  EXPECT_LT(observation_.logLikelihoodRatio(ball_.center, kStill), 2.0 * SphereEvidence::best());
+  EXPECT_LT(observation_.logLikelihoodRatio(ball_.center, kStill),
+            2.0 * SphereEvidence::maxLogLikelihoodRatio());
   EXPECT_NEAR(observation_.fullyVisibleLogLikelihoodRatio(ball_.center, kStill),
-              3.0 * SphereEvidence::best(), 1e-9);
+              3.0 * SphereEvidence::maxLogLikelihoodRatio(), 1e-9);
   EXPECT_EQ(observation_.camerasSeeing(ball_.center, kStill), 2);
 }
 
@@ -64,7 +65,8 @@ TEST_F(SphereObservationTest, TheSameThingSeenCrosswiseExplainsNothing) {
   for (std::size_t k = 0; k < 3; ++k) {
     show(k, {Ball{ball_.center, 1.5 * ball_.radius}});
   }
-  EXPECT_LT(observation_.logLikelihoodRatio(ball_.center, kStill), SphereEvidence::best());
+  EXPECT_LT(observation_.logLikelihoodRatio(ball_.center, kStill),
+            SphereEvidence::maxLogLikelihoodRatio());
   EXPECT_EQ(observation_.explainedRingGain(ball_.center, {}), 0.0);
   const Eigen::Vector3d inside = ball_.center + Eigen::Vector3d(0.5 * ball_.radius, 0.0, 0.0);
   EXPECT_EQ(observation_.explainedRingGain(ball_.center, {{inside, 1.5 * ball_.radius}}), 0.0);
@@ -74,14 +76,15 @@ TEST_F(SphereObservationTest, TheSameThingSeenCrosswiseExplainsNothing) {
 
 TEST_F(SphereObservationTest, ACameraWithoutAUsableImageIsLeftOut) {
   remove(0);
-  EXPECT_NEAR(observation_.logLikelihoodRatio(ball_.center, kStill), 2.0 * SphereEvidence::best(),
-              1e-9);
+  EXPECT_NEAR(observation_.logLikelihoodRatio(ball_.center, kStill),
+              2.0 * SphereEvidence::maxLogLikelihoodRatio(), 1e-9);
   EXPECT_NEAR(observation_.fullyVisibleLogLikelihoodRatio(ball_.center, kStill),
-              2.0 * SphereEvidence::best(), 1e-9);
+              2.0 * SphereEvidence::maxLogLikelihoodRatio(), 1e-9);
   EXPECT_EQ(observation_.camerasSeeing(ball_.center, kStill), 2);
   const cv::Mat gray(240, 320, CV_8UC1, cv::Scalar(80));
   observation_.setImage(1, gray, 0.0, backgrounds_[1], classifier_);
-  EXPECT_NEAR(observation_.logLikelihoodRatio(ball_.center, kStill), SphereEvidence::best(), 1e-9);
+  EXPECT_NEAR(observation_.logLikelihoodRatio(ball_.center, kStill),
+              SphereEvidence::maxLogLikelihoodRatio(), 1e-9);
   remove(2);
   remove(1);
   EXPECT_EQ(observation_.logLikelihoodRatio(ball_.center, kStill), 0.0);
@@ -110,7 +113,7 @@ TEST_F(SphereObservationTest, ParticlesGetTheRatioOfTheirPlaces) {
   }
   states.row(39) << 0.5, 0.5, 30.0, 0.0, 0.0, 0.0; // seen by none
   Eigen::ArrayXd logs = Eigen::ArrayXd::Constant(40, 2.5);
-  observation_.cover(states);
+  observation_.ensureLabelsFor(states);
   observation_.addLogLikelihood(states, logs);
   Eigen::ArrayXd placesOnly = Eigen::ArrayXd::Constant(40, 2.5);
   observation_.addLogLikelihood(states.leftCols(3), placesOnly);
@@ -126,14 +129,14 @@ TEST_F(SphereObservationTest, ParticlesGetTheRatioOfTheirPlaces) {
 TEST_F(SphereObservationTest, VelocityMovesAPlaceToWhenTheCameraLooked) {
   const Eigen::Vector3d velocity(2.0, -1.0, 0.5);
   show(1, {Ball{ball_.center + 0.02 * velocity, ball_.radius}}, 0.02);
-  const double best = 3.0 * SphereEvidence::best();
+  const double best = 3.0 * SphereEvidence::maxLogLikelihoodRatio();
   EXPECT_NEAR(observation_.logLikelihoodRatio(ball_.center, velocity), best, 0.05 * best);
   EXPECT_LT(observation_.logLikelihoodRatio(ball_.center, kStill), 0.8 * best);
   EXPECT_EQ(observation_.camerasSeeing(ball_.center, velocity), 3);
   Eigen::ArrayXXd states(1, 6);
   states << ball_.center.x(), ball_.center.y(), ball_.center.z(), 2.0, -1.0, 0.5;
   Eigen::ArrayXd logs = Eigen::ArrayXd::Zero(1);
-  observation_.cover(states);
+  observation_.ensureLabelsFor(states);
   observation_.addLogLikelihood(states, logs);
   EXPECT_NEAR(logs[0], observation_.logLikelihoodRatio(ball_.center, velocity), 1e-12);
 

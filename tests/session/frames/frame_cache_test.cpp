@@ -69,7 +69,7 @@ TEST_P(CompressedVideo, AnyOrderGivesThePicturesOfReadingInARow) {
     ASSERT_NE(all.back(), nullptr);
   }
   const auto source = open(path);
-  const auto library = recordedFrames(*source, 20 * kFrameBytes);
+  const auto library = makeRecordedFrameCache(*source, 20 * kFrameBytes);
   EXPECT_EQ(library->newest(), 199);
   for (int step = 0; step < 300; ++step) {
     // Back by one, ahead by one, and jumps: 7919 is a prime.
@@ -131,7 +131,7 @@ FrameSetPtr liveFrame(std::int64_t index) {
 
 TEST(LiveFrames, KeepTheNewestAsTheyCameAndOlderOnesPacked) {
   constexpr std::size_t kMost = 100 * kFrameBytes;
-  const auto library = liveFrames(kMost);
+  const auto library = makeLiveFrameCache(kMost);
   EXPECT_EQ(library->newest(), -1);
   EXPECT_EQ(library->at(0).value(), nullptr);
   for (int index = 0; index < 600; ++index) {

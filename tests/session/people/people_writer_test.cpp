@@ -25,7 +25,7 @@ public:
     people_[1].color = Eigen::Vector2d(0.25, 0.5);
   }
   const std::vector<PersonEstimate>& people() const override { return people_; }
-  const std::vector<Target>& everybody() const override { return everybody_; }
+  const std::vector<Target>& allPeople() const override { return allPeople_; }
   BodyCloud body(int identity) const override {
     BodyCloud cloud{Eigen::ArrayXXd(8, 3), Eigen::ArrayXd::Constant(8, 0.125)};
     for (int i = 0; i < 8; ++i) {
@@ -39,7 +39,7 @@ public:
 
 private:
   std::vector<PersonEstimate> people_;
-  std::vector<Target> everybody_;
+  std::vector<Target> allPeople_;
   std::vector<PeopleCameraState> states_;
 };
 

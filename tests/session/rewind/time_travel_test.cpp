@@ -97,15 +97,16 @@ TEST_P(TimeTravelTest, ShowsEveryMomentAsItWas) {
     EXPECT_EQ(now->targets[0].tail.back().allFinite(),
               std::get<SphereEstimate>(now->targets[0].estimate).valid);
     EXPECT_EQ(now->targets[0].status, then->targets[0].status);
-    EXPECT_EQ(now->targets[0].proposals.size(), then->targets[0].proposals.size());
+    EXPECT_EQ(now->targets[0].positionCandidates.size(),
+              then->targets[0].positionCandidates.size());
     const auto particles = now->targets[0].particles.rows();
     EXPECT_TRUE(particles == 0 || particles == then->targets[0].particles.rows());
     if (particles > 0) { // kept as floats: 24 bits of about a meter
       EXPECT_LT((now->targets[0].particles - then->targets[0].particles).abs().maxCoeff(), 1e-6);
     }
-    EXPECT_LE(now->history.bytes, now->history.mostBytes + (std::size_t{1} << 20));
+    EXPECT_LE(now->history.bytes, now->history.maxBytes + (std::size_t{1} << 20));
   }
-  session.backToHead();
+  session.returnToHead();
   ASSERT_TRUE(shows(session, kTravelFrames - 1));
   EXPECT_FALSE(session.newest()->past);
   EXPECT_EQ(session.trajectory().samples.size(),
@@ -178,7 +179,7 @@ TEST(TimeTravelOfColors, RangesThatFollowTheLightAreHeldByTheCopies) {
     return result;
   };
   Session session(inputs());
-  session.setMasksWanted(true);
+  session.setMasksShown(true);
   const Trajectory first = playedToTheEnd(session);
   session.showFrame(80);
   ASSERT_TRUE(shows(session, 80));
@@ -223,7 +224,7 @@ TEST(TimeTravel, APreviewStandsInWhileImagesAreDecoded) {
     ASSERT_TRUE(shows(session, frame));
     EXPECT_TRUE(samePixels(*session.newest()->frames, *DrawnRecording::frame(frame)));
   }
-  EXPECT_LE(session.newest()->history.bytes, session.newest()->history.mostBytes + (1U << 20));
+  EXPECT_LE(session.newest()->history.bytes, session.newest()->history.maxBytes + (1U << 20));
 }
 
 TEST(TimeTravel, AnUntrackedPartIsShownAndTrackedFrom) {
@@ -249,7 +250,7 @@ TEST(TimeTravel, AnotherMethodBeginsAtTheFrame) {
     const auto snapshot = session.newest();
     return snapshot->state == PlayState::Ended && !snapshot->rerun &&
            snapshot->targets.size() == 1 &&
-           snapshot->targets[0].proposals.empty(); // barrera makes none
+           snapshot->targets[0].positionCandidates.empty(); // barrera makes none
   }));
   const Trajectory again = session.trajectory();
   EXPECT_EQ(again.samples.size(), first.samples.size());
@@ -270,7 +271,7 @@ TEST_P(TimeTravelTwiceTest, AfterARerunDuringARerunTheRunStandsWhereItStood) {
   const Trajectory first = session.trajectory();
   session.rerunFrom(GetParam().first);
   session.rerunFrom(GetParam().second);
-  session.setMasksWanted(true); // in their order: both have begun when there are masks
+  session.setMasksShown(true); // in their order: both have begun when there are masks
   ASSERT_TRUE(eventually([&] {
     const auto snapshot = session.newest();
     return !snapshot->masks.empty() && !snapshot->rerun && snapshot->history.head >= kStood;
@@ -287,8 +288,8 @@ INSTANTIATE_TEST_SUITE_P(Orders, TimeTravelTwiceTest,
 TEST(TimeTravel, MasksAndLikelihoodMapsOfAPastMoment) {
   Session session(drawnInputs("dewpoint", kTravelFrames));
   playedToTheEnd(session);
-  session.setMasksWanted(true);
-  session.setLikelihoodMapsWanted(true);
+  session.setMasksShown(true);
+  session.setLikelihoodMapsShown(true);
   session.showFrame(44);
   ASSERT_TRUE(eventually([&] {
     const auto snapshot = session.newest();
@@ -339,7 +340,7 @@ TEST(TimeTravel, ALiveRunKeepsWithinItsMemory) {
   ASSERT_TRUE(eventually([&] { return session.newest()->history.head == 399; }));
   const HistoryState state = session.newest()->history;
   EXPECT_GT(state.first, 0); // 400 x 2 x 230 KB = 184 MB would not fit
-  EXPECT_LE(state.bytes, state.mostBytes + (std::size_t{1} << 20));
+  EXPECT_LE(state.bytes, state.maxBytes + (std::size_t{1} << 20));
   session.showFrame(0); // gone: the oldest there is
   ASSERT_TRUE(shows(session, state.first));
   const auto picture = session.newest()->frames->frames[0];

@@ -41,7 +41,7 @@ TEST(ResultSettings, WhatDecidesResults) {
   EXPECT_TRUE(isSame([](RunDefinition& other) { other.targets[0].samples.resize(1); }));
   EXPECT_TRUE(isSame([](RunDefinition& other) { other.corrections.resize(1); }));
   EXPECT_TRUE(isSame([](RunDefinition& other) { other.people.resize(1); }));
-  EXPECT_TRUE(isSame([](RunDefinition& other) { other.parameters.giveAll(); }));
+  EXPECT_TRUE(isSame([](RunDefinition& other) { other.parameters.markAllGiven(); }));
   EXPECT_FALSE(isSame([](RunDefinition& other) { other.targets[0].radius = 0.04; }));
   EXPECT_FALSE(isSame([](RunDefinition& other) { other.targets.clear(); }));
   EXPECT_FALSE(isSame([](RunDefinition& other) { other.seed = 7; }));

@@ -125,7 +125,7 @@ TEST(RunDefinition, TakesFromTheCamerasWhatNobodyGave) {
   EXPECT_EQ(RunDefinition::of(project).parameters, project.parameters); // its start was given
   project.parameters = ParameterValues(methodParameters("barrera"));
   RunDefinition run = RunDefinition::of(project);
-  EXPECT_EQ(run.parameters, parametersInUse(project));
+  EXPECT_EQ(run.parameters, effectiveParameters(project));
   const StartVolume start = startVolume(run.parameters);
   EXPECT_TRUE(
       (WorldBox{start.center - start.half, start.center + start.half}.contains(drawn::kMiddle)));

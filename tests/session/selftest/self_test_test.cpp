@@ -8,8 +8,8 @@
 namespace dewpoint::tests {
 namespace {
 
-SelfTestParts partsWithoutAScene() {
-  SelfTestParts parts;
+SelfTestInputs partsWithoutAScene() {
+  SelfTestInputs parts;
   parts.scratch = std::filesystem::path(testing::TempDir()) / "self-test-scratch";
   return parts;
 }
@@ -21,7 +21,7 @@ SelfTestLine lineOf(const std::vector<SelfTestLine>& lines, const std::string& s
 }
 
 TEST(SelfTest, NamesVersionsAndLeavesNothingBehind) {
-  const SelfTestParts parts = partsWithoutAScene();
+  const SelfTestInputs parts = partsWithoutAScene();
   const auto lines = runSelfTest(parts);
   EXPECT_NE(lineOf(lines, "versions").text.find(DEWPOINT_VERSION), std::string::npos);
   EXPECT_EQ(lineOf(lines, "codec FFV1").level, FindingLevel::Ok);
@@ -30,7 +30,7 @@ TEST(SelfTest, NamesVersionsAndLeavesNothingBehind) {
 }
 
 TEST(SelfTest, ADiskThatCannotBeWrittenToIsAProblem) {
-  SelfTestParts parts = partsWithoutAScene();
+  SelfTestInputs parts = partsWithoutAScene();
   parts.scratch = "/proc/nowhere";
   const auto lines = runSelfTest(parts);
   EXPECT_EQ(lineOf(lines, "disk").level, FindingLevel::Problem);
@@ -38,14 +38,14 @@ TEST(SelfTest, ADiskThatCannotBeWrittenToIsAProblem) {
 }
 
 TEST(SelfTest, ACameraThatMayNotBeOpenedIsAProblem) {
-  SelfTestParts parts = partsWithoutAScene();
+  SelfTestInputs parts = partsWithoutAScene();
   parts.cameras = {"/dev/video-that-is-not-there"};
   EXPECT_EQ(lineOf(runSelfTest(parts), "camera /dev/video-that-is-not-there").level,
             FindingLevel::Problem);
 }
 
 TEST(SelfTest, ASceneThatDoesNotOpenIsAProblem) {
-  SelfTestParts parts = partsWithoutAScene();
+  SelfTestInputs parts = partsWithoutAScene();
   parts.openScene = []() -> Result<SessionInputs> {
     return failure(ErrorCode::NotFound, "demo", "", "");
   };
@@ -53,8 +53,8 @@ TEST(SelfTest, ASceneThatDoesNotOpenIsAProblem) {
 }
 
 TEST(SelfTest, EndsWhenItIsNotWantedAnyMore) {
-  SelfTestParts parts = partsWithoutAScene();
-  parts.goOn = [] { return false; };
+  SelfTestInputs parts = partsWithoutAScene();
+  parts.shouldContinue = [] { return false; };
   EXPECT_TRUE(runSelfTest(parts).empty());
 }
 

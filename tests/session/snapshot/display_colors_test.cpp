@@ -11,8 +11,8 @@ namespace {
 const std::vector<DisplayColor> kPalette{{0.84, 0.37, 0.0}, {0.0, 0.45, 0.70}, {0.0, 0.62, 0.45}};
 
 ColorRange rangeAbout(double hue, double saturation = 0.5, double intensity = 0.5) {
-  return {hueOf(hue - 12.0), hueOf(hue + 12.0), saturation - 0.1,
-          saturation + 0.1,  intensity - 0.1,   intensity + 0.1};
+  return {normalizedHue(hue - 12.0), normalizedHue(hue + 12.0), saturation - 0.1,
+          saturation + 0.1,          intensity - 0.1,           intensity + 0.1};
 }
 
 /// Relative luminance, of linear light; 0 to 1.
@@ -30,11 +30,11 @@ TEST(DisplayColors, APinkBallIsPink) {
   ASSERT_EQ(colors.size(), 1U);
   EXPECT_GT(colors[0][0], colors[0][2] + 0.1); // red above blue above green
   EXPECT_GT(colors[0][2], colors[0][1] + 0.1);
-  EXPECT_FALSE(areAlike(colors[0], kPalette[0]));
+  EXPECT_FALSE(areSimilar(colors[0], kPalette[0]));
 }
 
 TEST(DisplayColors, TheMiddleOfTheHuesMayLieAcrossZero) {
-  const auto red = middleColor(rangeAbout(2.0));
+  const auto red = centralColor(rangeAbout(2.0));
   ASSERT_TRUE(red.has_value());
   EXPECT_GT(red->x(), 0.8);
   EXPECT_LT(red->y(), 0.4);
@@ -42,9 +42,9 @@ TEST(DisplayColors, TheMiddleOfTheHuesMayLieAcrossZero) {
 }
 
 TEST(DisplayColors, GrayAndManyHuesAreNoColor) {
-  EXPECT_FALSE(middleColor(ColorRange{}).has_value());
-  EXPECT_FALSE(middleColor({0.0, 360.0, 0.2, 1.0, 0.0, 1.0}).has_value());
-  EXPECT_FALSE(middleColor({100.0, 120.0, 0.0, 0.6, 0.2, 0.8}).has_value());
+  EXPECT_FALSE(centralColor(ColorRange{}).has_value());
+  EXPECT_FALSE(centralColor({0.0, 360.0, 0.2, 1.0, 0.0, 1.0}).has_value());
+  EXPECT_FALSE(centralColor({100.0, 120.0, 0.0, 0.6, 0.2, 0.8}).has_value());
   const auto colors = displayColors({{}, {.learned = ColorRange{}}}, kPalette, true);
   EXPECT_EQ(colors[0], kPalette[0]);
   EXPECT_EQ(colors[1], kPalette[1]);
@@ -53,7 +53,7 @@ TEST(DisplayColors, GrayAndManyHuesAreNoColor) {
 TEST(DisplayColors, EachReadsOnItsGround) {
   for (double hue = 0.0; hue < 360.0; hue += 20.0) {
     for (const double intensity : {0.12, 0.5, 0.88}) {
-      const auto middle = middleColor(rangeAbout(hue, 0.5, intensity));
+      const auto middle = centralColor(rangeAbout(hue, 0.5, intensity));
       ASSERT_TRUE(middle.has_value()) << hue;
       const DisplayColor onLight = legibleOn(*middle, false);
       const DisplayColor onDark = legibleOn(*middle, true);
@@ -76,8 +76,8 @@ TEST(DisplayColors, TargetsThatLookAlikeHaveColorsOfThePalette) {
                                     kPalette, false);
   EXPECT_EQ(colors[0], kPalette[0]);
   EXPECT_GT(colors[1][1], colors[1][0]); // stays green
-  EXPECT_FALSE(areAlike(colors[0], colors[2]));
-  EXPECT_FALSE(areAlike(colors[1], colors[2])); // not the green of the palette
+  EXPECT_FALSE(areSimilar(colors[0], colors[2]));
+  EXPECT_FALSE(areSimilar(colors[1], colors[2])); // not the green of the palette
 }
 
 TEST(DisplayColors, PeopleKeepTheirs) {

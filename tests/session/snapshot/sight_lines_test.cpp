@@ -89,12 +89,12 @@ TEST(SightLines, NoRayInTheImageOfTheClickOrWithoutACamera) {
   EXPECT_TRUE(clickedRay(heldBall(), kCenterOfLeft, 2).empty());
   EXPECT_TRUE(clickedRay(heldBall(), {2, {79.5, 59.5}}, 1).empty());
   EXPECT_TRUE(clickedRay({}, kCenterOfLeft, 1).empty());
-  EXPECT_TRUE(clickedSight(heldBall(), {-1, {79.5, 59.5}}, test::kBall).empty());
+  EXPECT_TRUE(clickedRayEnds(heldBall(), {-1, {79.5, 59.5}}, test::kBall).empty());
 }
 
 TEST(SightLines, TheRayOfAClickEndsAQuarterBeyondThePosition) {
   const TrackSnapshot snapshot = heldBall();
-  const auto line = clickedSight(snapshot, kCenterOfLeft, test::kBall);
+  const auto line = clickedRayEnds(snapshot, kCenterOfLeft, test::kBall);
   ASSERT_EQ(line.size(), 2U);
   EXPECT_EQ(line[0], (*snapshot.rig)[0].center());
   // 0.6 m away along y: it goes on for 0.15 m.

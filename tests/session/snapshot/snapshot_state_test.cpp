@@ -62,10 +62,10 @@ TEST(SnapshotState, TheWorstTargetSpeaksForAll) {
 
 TEST(SnapshotState, ABoxIsHiddenOrMissingAndOfOneCamera) {
   TrackSnapshot snapshot = snapshotOf({TargetStatus::Held, TargetStatus::Searching});
-  snapshot.family.targets = TargetsFrom::Box;
+  snapshot.family.targets = TargetSource::Box;
   for (TargetSnapshot& target : snapshot.targets) {
     target.estimate = AbsentEstimate{};
-    target.absence = HoldState::NoBox;
+    target.stateWhileAbsent = HoldState::NoBox;
   }
   EXPECT_EQ(holdState(snapshot.targets[0]), HoldState::NoBox);
   EXPECT_EQ(holdState(snapshot), HoldState::NoBox);
@@ -83,7 +83,7 @@ TEST(SnapshotState, ABoxIsHiddenOrMissingAndOfOneCamera) {
 
 TEST(SnapshotState, PeopleAreLearnedFirst) {
   TrackSnapshot snapshot = snapshotOf({});
-  snapshot.family.targets = TargetsFrom::Images;
+  snapshot.family.targets = TargetSource::Images;
   snapshot.peopleCameras.resize(2);
   snapshot.peopleCameras[0].learned = 1.0;
   snapshot.peopleCameras[1].learned = 0.5;
@@ -128,7 +128,7 @@ TEST(SnapshotState, OnlyAHeldTargetWithinTheImageIsInView) {
 
 TEST(SnapshotState, AClickMeetsTheNearestPersonWhoseHullIsThere) {
   TrackSnapshot snapshot = snapshotOf({});
-  snapshot.family.targets = TargetsFrom::Images;
+  snapshot.family.targets = TargetSource::Images;
   addPerson(snapshot, test::kBall + Eigen::Vector3d(0.0, 0.3, 0.0)); // behind, for the left camera
   addPerson(snapshot, test::kBall);
   const Eigen::Vector2d center(79.5, 59.5); // where both cameras look
@@ -173,12 +173,12 @@ TEST(SnapshotState, APressIsAboutTheTargetNearestToIt) {
 
 TEST(SnapshotState, NothingIsBelievedBeforeTheFirstParticles) {
   TrackSnapshot snapshot = twoBelieved();
-  ASSERT_TRUE(beliefOf(snapshot, 1));
-  EXPECT_EQ(beliefOf(snapshot, 0)->mean, test::kBall);
-  EXPECT_FALSE(beliefOf(snapshot, 2));
-  EXPECT_FALSE(beliefOf(snapshot, -1));
+  ASSERT_TRUE(positionEstimate(snapshot, 1));
+  EXPECT_EQ(positionEstimate(snapshot, 0)->mean, test::kBall);
+  EXPECT_FALSE(positionEstimate(snapshot, 2));
+  EXPECT_FALSE(positionEstimate(snapshot, -1));
   std::get<SphereEstimate>(snapshot.targets[0].estimate).particleCount = 0;
-  EXPECT_FALSE(beliefOf(snapshot, 0));
+  EXPECT_FALSE(positionEstimate(snapshot, 0));
   EXPECT_EQ(targetNear(snapshot, 2, 0, {79.5, 59.5}, 10.0), -1);
 }
 

@@ -187,9 +187,9 @@ TEST(CameraMotionWatch, ABoardWavedBeforeTheCamerasIsNoBumpWhileItRests) {
   EXPECT_FALSE(awake.reports().empty()) << "if images alone tell, nothing needs to rest";
 
   CameraMotionWatch watch(rig);
-  watch.setResting(true);
+  watch.setPaused(true);
   show(watch, rig, 0.0, 6.0, boardBefore);
-  watch.setResting(false);
+  watch.setPaused(false);
   show(watch, rig, 6.0, 8.0, boardBefore); // it is still in the hand
   show(watch, rig, 8.0, 12.0, picture);
   EXPECT_TRUE(watch.reports().empty());
@@ -208,9 +208,9 @@ TEST(CameraMotionWatch, WhatWasReportedBeforeStaysWhileItRests) {
   bumped[1] = rotatedCamera(rig[1], Eigen::Vector3d(0.2, -0.3, 0.1) * kDegree);
   show(watch, bumped, 3.0, 9.0, picture);
   ASSERT_EQ(watch.reports().size(), 1U);
-  watch.setResting(true);
+  watch.setPaused(true);
   show(watch, bumped, 9.0, 12.0, boardBefore);
-  watch.setResting(false);
+  watch.setPaused(false);
   show(watch, bumped, 12.0, 15.0, picture);
   ASSERT_EQ(watch.reports().size(), 1U);
   EXPECT_FALSE(watch.reports()[0].back);

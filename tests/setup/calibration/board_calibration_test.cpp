@@ -139,12 +139,12 @@ TEST(BoardCalibration, FramesBetweenThoseLookedAtArePassedOver) {
 /// A third camera that looks the other way, and where the others saw the board.
 struct BlindCamera {
   Recorded recorded;
-  SeenBoards seen;
+  BoardDetections seen;
 
   BlindCamera() {
     const auto source = recorded.open();
     seen = findBoards(recorded.project, *source, recorded.wish()).value();
-    SeenBoards::PerCamera blind = seen.cameras[0];
+    BoardDetections::PerCamera blind = seen.cameras[0];
     blind.name = "door";
     blind.views.clear();
     seen.cameras.insert(seen.cameras.begin(), blind);
@@ -211,11 +211,11 @@ TEST(BoardCalibration, SaysAVerdictAndNoFault) {
   wish.worldFrame = 0;
   const auto source = recorded.open();
   const auto outcome =
-      findBoards(recorded.project, *source, wish).and_then([&](const SeenBoards& seen) {
+      findBoards(recorded.project, *source, wish).and_then([&](const BoardDetections& seen) {
         return calibrateFromBoards(recorded.project, seen, wish, {false, true});
       });
   ASSERT_TRUE(outcome) << sentence(outcome.error());
-  ASSERT_TRUE(outcome->accuracy) << outcome->accuracySentence;
+  ASSERT_TRUE(outcome->accuracy) << outcome->accuracySummary;
   EXPECT_TRUE(outcome->extrinsics->faults.empty()) << outcome->extrinsics->faults[0].sentence;
   // 0.2 mm over 7 squares of 30 mm are 0.1 % (one sigma), at least.
   EXPECT_NEAR(outcome->accuracy->scale95.value(), 1.96 * 0.2 / 210.0, 0.0005);
@@ -239,7 +239,7 @@ TEST(BoardCalibration, AWrongSquareSizeIsNamed) {
   const auto outcome = calibrateFromBoards(recorded.project, *seen, wish, {false, true});
   ASSERT_TRUE(outcome) << sentence(outcome.error());
   ASSERT_EQ(outcome->extrinsics->faults.size(), 1U);
-  EXPECT_EQ(outcome->extrinsics->faults[0].fault, CalibrationFault::MillimetersMixed);
+  EXPECT_EQ(outcome->extrinsics->faults[0].fault, CalibrationFault::WrongUnitMillimeters);
 }
 
 } // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A person who does as told, before rendered cameras.
 #include "core/calibration/board/board_picture.h"
-#include "core/setup/calibration/board_watch.h"
+#include "core/setup/calibration/board_guide_thread.h"
 #include "tests/calibration/board_views.h"
 
 #include <opencv2/imgproc.hpp>
@@ -111,7 +111,7 @@ TEST(BoardGuide, WhoDoesAsToldGetsALens) {
 }
 
 TEST(BoardGuide, TheSameFramesGiveTheSameViews) {
-  std::vector<SeenBoards> runs;
+  std::vector<BoardDetections> runs;
   for (int run = 0; run < 2; ++run) {
     Room room;
     BoardGuide guide(room.project, room.wish, 1 + run);
@@ -148,14 +148,14 @@ TEST(BoardGuide, PlacesFromABoardThatBothSee) {
           *room.frames(room.shown((place * 5) % 24, static_cast<BoardTilt>(place % 5), 0.5)));
     }
     if (place == 0) {
-      EXPECT_EQ(state.rig.showTo, 0);
-      EXPECT_EQ(state.rig.andTo, 1);
+      EXPECT_EQ(state.rig.firstCamera, 0);
+      EXPECT_EQ(state.rig.secondCamera, 1);
     }
   }
   EXPECT_EQ(state.phase, Phase::Finished);
   EXPECT_GE(state.rig.instants, 5);
   ASSERT_TRUE(state.cameras[1].positionSigma);
-  EXPECT_LE(*state.cameras[1].positionSigma, room.wish.requestedPosition);
+  EXPECT_LE(*state.cameras[1].positionSigma, room.wish.requiredPositionSigma);
   const auto outcome =
       calibrateFromBoards(room.project, *state.seen, room.wish.board, room.wish.goal);
   ASSERT_TRUE(outcome) << sentence(outcome.error());
@@ -172,7 +172,7 @@ TEST(BoardGuide, TakesWhatAPersonAsksForAndGoesOn) {
   const auto state = guide.captureNow();
   EXPECT_EQ(state.cameras[0].lens.views, 1);
   EXPECT_EQ(state.seen->cameras[0].views.size(), 1U);
-  EXPECT_EQ(guide.goOn().phase, Phase::Poses);
+  EXPECT_EQ(guide.skipToPoses().phase, Phase::Poses);
   guide.step(*room.frames(room.shown(16, BoardTilt::Flat, 0.5)));
   EXPECT_EQ(guide.captureNow().rig.instants, 1);
   EXPECT_EQ(guide.state().cameras[1].pairViews, 1);
@@ -184,17 +184,17 @@ TEST(BoardGuide, TakesWhatAPersonAsksForAndGoesOn) {
 TEST(BoardGuide, AllThatWasTakenIsCalibratedFrom) {
   BoardGuideRequest wish;
   wish.board.views = 30;
-  wish.lenses.mostViews = 60;
+  wish.lenses.maxViews = 60;
   wish.board.instants = 17;
   wish.board.worldFrame = 3; // of a recording: live, the floor is what was shown
   BoardGuideState state;
-  const BoardCalibrationRequest without = requestForTaken(wish, state);
+  const BoardCalibrationRequest without = requestForCaptured(wish, state);
   EXPECT_EQ(without.views, 60); // as many as the guidance takes of a lens, not 30 of them
   EXPECT_FALSE(without.worldFrame);
   EXPECT_EQ(without.instants, 17);
   state.floorFrame = 42;
   wish.board.views = 80;
-  const BoardCalibrationRequest onFloor = requestForTaken(wish, state);
+  const BoardCalibrationRequest onFloor = requestForCaptured(wish, state);
   EXPECT_EQ(onFloor.views, 80); // more are never too many
   EXPECT_EQ(onFloor.worldFrame, 42);
 }
@@ -212,10 +212,10 @@ TEST(BoardGuide, ACameraWithoutImagesHoldsNobodyUp) {
   EXPECT_EQ(state.cameras[1].width, 0);
 }
 
-TEST(BoardWatch, LooksAtTheNewestImagesInItsOwnThread) {
+TEST(BoardGuideThread, LooksAtTheNewestImagesInItsOwnThread) {
   Room room;
   std::atomic<int> woken = 0;
-  BoardWatch watch([&] { ++woken; });
+  BoardGuideThread watch([&] { ++woken; });
   EXPECT_TRUE(watch.newest()->cameras.empty());
   watch.begin(room.project, room.wish);
   const auto pose = room.shown(9, BoardTilt::Flat);

@@ -36,7 +36,7 @@ TEST(BoardOutcome, OnlyAFaultMakesItDoubtful) {
   EXPECT_FALSE(isDoubtful(outcome));
   outcome.extrinsics.emplace().notices = {"'door' never saw the board: it keeps its pose"};
   EXPECT_FALSE(isDoubtful(outcome)); // a notice is no fault
-  outcome.extrinsics->faults = {{.fault = CalibrationFault::MillimetersMixed}};
+  outcome.extrinsics->faults = {{.fault = CalibrationFault::WrongUnitMillimeters}};
   EXPECT_TRUE(isDoubtful(outcome));
 }
 

@@ -136,7 +136,7 @@ Result<IntrinsicsResult> lensFrom(const std::vector<fs::path>& files,
   BoardCalibrationRequest wish;
   wish.board = board;
   return findBoards(files, board, DetectionEffort::Exact)
-      .and_then([&](const SeenBoards& seen) { return intrinsicsFromBoards(seen, wish); })
+      .and_then([&](const BoardDetections& seen) { return intrinsicsFromBoards(seen, wish); })
       .map([](const LensesFromBoards& lenses) { return lenses.cameras.front().value(); });
 }
 
@@ -205,7 +205,7 @@ TEST(BoardRecordings, Charuco4) {
   EXPECT_NEAR(spacing, 0.054, 0.0005);
   const auto accuracy = assessBoard(*result, wish.board, {});
   ASSERT_TRUE(accuracy) << sentence(accuracy.error());
-  std::printf("charuco4: %s\n", accuracySentence(*accuracy).c_str());
+  std::printf("charuco4: %s\n", accuracySummary(*accuracy).c_str());
   EXPECT_TRUE(result->faults.empty()) << result->faults.front().sentence;
 }
 

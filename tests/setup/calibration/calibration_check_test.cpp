@@ -66,7 +66,7 @@ TEST_F(CalibrationCheckTest, AFileThatLeavesSomethingOpenIsRecognizedAllTheSame)
                             "[metadata]\nadjusted = true\nerror = 0.4\n"));
   EXPECT_FALSE(checked.formatTitle.empty());
   ASSERT_TRUE(checked.problem);
-  EXPECT_TRUE(checked.asks);
+  EXPECT_TRUE(checked.needsInput);
 }
 
 TEST(MatchCameras, IsByNameElseByOrderElseNotAtAll) {

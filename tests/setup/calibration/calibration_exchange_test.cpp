@@ -33,7 +33,7 @@ TEST_F(CalibrationExchange, WhatIsExportedIsImportedAgain) {
       continue;
     }
     SCOPED_TRACE(format.name);
-    CalibrationTarget target;
+    CalibrationOutput target;
     target.format = format.name;
     target.path = folder_ / (std::string("out-") + format.name +
                              (format.layout == FileLayout::OneFile ? format.extension : ""));
@@ -55,7 +55,7 @@ TEST_F(CalibrationExchange, ImportMatchesByNameAndSaysWhatChanges) {
   rig[1].cameraFromWorld.translation() -=
       rig[1].cameraFromWorld.linear() * Eigen::Vector3d(0, 0, .25);
   std::swap(rig[0], rig[1]);
-  CalibrationTarget target;
+  CalibrationOutput target;
   target.format = "anipose";
   target.path = folder_ / "calibration.toml";
   ASSERT_TRUE(writeCalibration(rig, target));

@@ -13,7 +13,7 @@ namespace {
 
 /// A quarter turn about the vertical, a shift, and half the size.
 Similarity change() {
-  return {0.5, geometry::rotationOfVector({0.0, 0.0, std::numbers::pi / 2.0}), {1.0, 0.0, 0.25}};
+  return {0.5, geometry::rotationFromVector({0.0, 0.0, std::numbers::pi / 2.0}), {1.0, 0.0, 0.25}};
 }
 
 TEST(MovedWorld, TheImagesShowTheSamePoints) {

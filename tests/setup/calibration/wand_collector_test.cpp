@@ -41,7 +41,7 @@ TEST(WandCollector, SeesWhatLookingThroughTheRecordingSees) {
   // The disc is in the middle of the image, whose regions are 6 x 4: region (3, 2), or the one
   // beside it; all twelve in the same.
   EXPECT_EQ(*std::ranges::max_element(state.cameras[0].coverage.corners), 12);
-  EXPECT_FALSE(sawEnough(state.cameras[0]));
+  EXPECT_FALSE(hasEnoughDetections(state.cameras[0]));
 }
 
 TEST(WandCollector, DropsAndCountsWhatItCannotHold) {
@@ -50,13 +50,13 @@ TEST(WandCollector, DropsAndCountsWhatItCannotHold) {
   const cv::Mat large(3000, 4000, CV_8UC3, cv::Scalar(60, 60, 60));
   set->frames = {std::make_shared<const Frame>(Frame{0, timeStamp(0.0), large}), nullptr};
   WandCollector collector(2, pink());
-  for (std::size_t k = 0; k < 3 * WandCollector::kWaiting; ++k) {
+  for (std::size_t k = 0; k < 3 * WandCollector::kMaxWaiting; ++k) {
     collector.offer(set);
   }
   const auto state = collector.state();
   EXPECT_GT(state.dropped, 0);
   EXPECT_LE(state.waiting,
-            static_cast<std::int64_t>(WandCollector::kWaiting) + 1); // and the one looked at
+            static_cast<std::int64_t>(WandCollector::kMaxWaiting) + 1); // and the one looked at
 }
 
 TEST(FrameTap, IsGivenEveryFrameTakenOnce) {
@@ -71,7 +71,7 @@ TEST(FrameTap, IsGivenEveryFrameTakenOnce) {
   session.play();
   ASSERT_TRUE(test::reaches(session, PlayState::Ended));
   session.rerunFrom(4); // tracked again, but not given again
-  session.setMasksWanted(true);
+  session.setMasksShown(true);
   ASSERT_TRUE(eventually([&] { return !session.newest()->masks.empty(); }));
   session.setFrameTap({});
   const std::lock_guard lock(mutex);

@@ -15,15 +15,15 @@ WandRefinement refinedTo(double cameras95) {
 }
 
 TEST(WandRefinement, LessAccurateThanBeforeSaysTooLittle) {
-  EXPECT_FALSE(saysTooLittle(refinedTo(0.003)));
-  EXPECT_FALSE(saysTooLittle(refinedTo(0.12))); // as well known as before
-  EXPECT_TRUE(saysTooLittle(refinedTo(0.13)));
+  EXPECT_FALSE(isInaccurate(refinedTo(0.003)));
+  EXPECT_FALSE(isInaccurate(refinedTo(0.12))); // as well known as before
+  EXPECT_TRUE(isInaccurate(refinedTo(0.13)));
 }
 
 TEST(WandRefinement, WithoutAnAssessmentNothingIsSaidAgainstIt) {
   WandRefinement refinement = refinedTo(0.13);
   refinement.accuracy = failure(ErrorCode::Undetermined, "", "accuracy", "");
-  EXPECT_FALSE(saysTooLittle(refinement));
+  EXPECT_FALSE(isInaccurate(refinement));
   EXPECT_FALSE(isDoubtful(refinement));
 }
 
@@ -32,7 +32,7 @@ TEST(WandRefinement, AFaultOrTooLittleMakesItDoubtful) {
   EXPECT_TRUE(isDoubtful(refinedTo(0.13)));
   WandRefinement faulty = refinedTo(0.003);
   faulty.result.faults = {{.fault = CalibrationFault::CamerasSwapped, .cameras = {0, 1}}};
-  EXPECT_FALSE(saysTooLittle(faulty));
+  EXPECT_FALSE(isInaccurate(faulty));
   EXPECT_TRUE(isDoubtful(faulty));
 }
 

@@ -18,7 +18,7 @@ Project withBalls(int count) {
   return project;
 }
 
-TouchedInstant at(double seconds, TouchRole role) {
+MarkedInstant at(double seconds, WandEvent role) {
   return {static_cast<std::int64_t>(30.0 * seconds), seconds, role};
 }
 
@@ -53,14 +53,14 @@ TEST(WandSettings, TheFirstObstacleIsNamed) {
 
 TEST(WandSettings, ADistanceAndAFallNeedBothMoments) {
   WandSettings wish;
-  wish.size = WandSize::Distance;
-  std::vector<TouchedInstant> instants{at(1.0, TouchRole::DistanceFrom)};
-  EXPECT_EQ(obstacleOf(wish, instants, withBalls(1)), WandObstacle::DistanceNotTaken);
-  instants.push_back(at(2.0, TouchRole::DistanceTo));
+  wish.size = WandScaleSource::Distance;
+  std::vector<MarkedInstant> instants{at(1.0, WandEvent::DistanceFrom)};
+  EXPECT_EQ(obstacleOf(wish, instants, withBalls(1)), WandObstacle::IncompleteDistance);
+  instants.push_back(at(2.0, WandEvent::DistanceTo));
   EXPECT_EQ(obstacleOf(wish, instants, withBalls(1)), WandObstacle::None);
-  instants.push_back(at(3.0, TouchRole::FallEnds));
-  EXPECT_EQ(obstacleOf(wish, instants, withBalls(1)), WandObstacle::HalfAFall);
-  instants.push_back(at(2.5, TouchRole::FallBegins));
+  instants.push_back(at(3.0, WandEvent::FallEnds));
+  EXPECT_EQ(obstacleOf(wish, instants, withBalls(1)), WandObstacle::IncompleteFall);
+  instants.push_back(at(2.5, WandEvent::FallBegins));
   EXPECT_EQ(obstacleOf(wish, instants, withBalls(1)), WandObstacle::None);
   wish.stick = true; // whose length is the size: no distance is asked for
   EXPECT_EQ(obstacleOf(wish, {}, withBalls(2)), WandObstacle::None);
@@ -68,21 +68,21 @@ TEST(WandSettings, ADistanceAndAFallNeedBothMoments) {
 
 TEST(WandSettings, OptionsSayWhatWasDecided) {
   WandSettings wish;
-  wish.size = WandSize::Distance;
+  wish.size = WandScaleSource::Distance;
   wish.distance = 1.5;
   wish.findOffsets = true;
   wish.initialPositionError = 0.3;
-  wish.onlySpan = true;
-  const std::vector<TouchedInstant> instants{
-      at(1.0, TouchRole::Floor), at(2.0, TouchRole::DistanceFrom), at(3.0, TouchRole::DistanceTo),
-      at(4.0, TouchRole::Floor), at(5.0, TouchRole::FallBegins),   at(5.5, TouchRole::FallEnds)};
-  const WandOptions options = toOptions(wish, instants, withBalls(1), FrameStretch{10, 99});
+  wish.onlySelectedFrames = true;
+  const std::vector<MarkedInstant> instants{
+      at(1.0, WandEvent::Floor), at(2.0, WandEvent::DistanceFrom), at(3.0, WandEvent::DistanceTo),
+      at(4.0, WandEvent::Floor), at(5.0, WandEvent::FallBegins),   at(5.5, WandEvent::FallEnds)};
+  const WandOptions options = toOptions(wish, instants, withBalls(1), FrameSpan{10, 99});
   EXPECT_EQ(options.targets, std::vector<std::string>{"a"});
   ASSERT_TRUE(options.distance);
   EXPECT_EQ(options.distance->meters, 1.5);
   EXPECT_EQ(options.floorTimes, (std::vector<double>{1.0, 4.0}));
-  ASSERT_TRUE(options.drop);
-  EXPECT_EQ((*options.drop)[1], 5.5);
+  ASSERT_TRUE(options.fallSpan);
+  EXPECT_EQ((*options.fallSpan)[1], 5.5);
   EXPECT_TRUE(options.findOffsets);
   EXPECT_FALSE(options.findFocal);
   EXPECT_EQ(options.initialPositionError, 0.3);
@@ -94,25 +94,25 @@ TEST(WandSettings, AStickLeavesOutWhatIsOfOneBall) {
   WandSettings wish;
   wish.stick = true;
   wish.length = 0.7;
-  wish.size = WandSize::Diameter;
+  wish.size = WandScaleSource::Diameter;
   EXPECT_EQ(toOptions(wish, {}, withBalls(2)).stickLength, 0.7);
   EXPECT_FALSE(toOptions(wish, {}, withBalls(2)).fromDiameter);
   wish.stick = false;
   EXPECT_EQ(toOptions(wish, {}, withBalls(2)).stickLength, 0.0);
   EXPECT_TRUE(toOptions(wish, {}, withBalls(2)).fromDiameter);
-  EXPECT_FALSE(toOptions(wish, {}, withBalls(2), FrameStretch{3, 4}).endFrame); // not asked for
+  EXPECT_FALSE(toOptions(wish, {}, withBalls(2), FrameSpan{3, 4}).endFrame); // not asked for
 }
 
 TEST(WandSettings, OnlyTheFloorIsTouchedOften) {
-  std::vector<TouchedInstant> instants;
-  addInstant(instants, at(5.0, TouchRole::Floor));
-  addInstant(instants, at(2.0, TouchRole::Floor));
-  addInstant(instants, at(2.0, TouchRole::Floor)); // the same again
-  addInstant(instants, at(3.0, TouchRole::FallBegins));
-  addInstant(instants, at(4.0, TouchRole::FallBegins)); // in place of the one before
+  std::vector<MarkedInstant> instants;
+  addInstant(instants, at(5.0, WandEvent::Floor));
+  addInstant(instants, at(2.0, WandEvent::Floor));
+  addInstant(instants, at(2.0, WandEvent::Floor)); // the same again
+  addInstant(instants, at(3.0, WandEvent::FallBegins));
+  addInstant(instants, at(4.0, WandEvent::FallBegins)); // in place of the one before
   ASSERT_EQ(instants.size(), 3U);
   EXPECT_EQ(instants[0].seconds, 2.0);
-  EXPECT_EQ(instants[1], at(4.0, TouchRole::FallBegins));
+  EXPECT_EQ(instants[1], at(4.0, WandEvent::FallBegins));
   EXPECT_EQ(instants[2].seconds, 5.0);
 }
 

@@ -27,7 +27,7 @@ MeasuredPoint clicked(const Project& project, const std::string& name,
 
 TEST(WorldStep, ClickedPointsOfTheFloorGiveTheFloor) {
   const Project right = test::twoCameraProject();
-  const Similarity askew{1.0, geometry::rotationOfVector({0.4, 0.2, -0.9}), {0.1, 0.2, 0.3}};
+  const Similarity askew{1.0, geometry::rotationFromVector({0.4, 0.2, -0.9}), {0.1, 0.2, 0.3}};
   const Project project = withMovedWorld(right, askew);
   std::vector<MeasuredPoint> points;
   for (const Eigen::Vector3d& at :

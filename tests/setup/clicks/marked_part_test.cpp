@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/setup/clicks/click_lesson.h"
+#include "core/setup/clicks/click_learning.h"
 #include "core/setup/clicks/counterpart_search.h"
 #include "core/setup/clicks/marked_part.h"
 #include "tests/setup/clicks/painted_rig.h"
@@ -115,7 +115,7 @@ TEST(MarkedPart, BecomesTheTarget) {
   const auto lesson = setup::learnFromClicks(project, 0, {scene.images, {}, 0}, boxes);
   ASSERT_TRUE(lesson && lesson->part);
   EXPECT_EQ(lesson->radius, lesson->part->radius);
-  setup::applyLesson(*lesson, 0, project);
+  setup::applyLearningResult(*lesson, 0, project);
   EXPECT_NEAR(project.targets[0].radius, kHandRadius, 0.01);
   ASSERT_EQ(project.corrections.size(), 1U);
   EXPECT_LT((project.corrections[0].position - kHand).norm(), 0.02);
@@ -124,7 +124,7 @@ TEST(MarkedPart, BecomesTheTarget) {
   const auto both = setup::learnFromClicks(project, 0, {scene.images, {}, 0}, boxes);
   ASSERT_TRUE(both && both->part);
   project.targets[0].radius = 0.08; // given by hand: it stays
-  setup::applyLesson(*both, 0, project);
+  setup::applyLearningResult(*both, 0, project);
   EXPECT_EQ(project.targets[0].radius, 0.08);
   ASSERT_EQ(project.corrections.size(), 1U);
   EXPECT_EQ(project.corrections[0].clicks.size(), 2U);

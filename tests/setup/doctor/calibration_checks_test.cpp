@@ -31,7 +31,7 @@ TEST_F(CalibrationChecks, AMatrixOfAnotherResolution) {
 
 TEST_F(CalibrationChecks, ACameraUnderTheFloor) {
   project_.cameras[1].camera.cameraFromWorld = lookAt({1.0, 0.5, -0.4}, {0.0, 0.0, 0.1});
-  const Finding finding = found(FindingKind::UnderFloor);
+  const Finding finding = found(FindingKind::BelowFloor);
   EXPECT_EQ(finding.values, (std::vector<std::string>{"'camera 2'", "0.40"}));
   EXPECT_EQ(finding.level(), FindingLevel::Note);
 }
@@ -39,7 +39,7 @@ TEST_F(CalibrationChecks, ACameraUnderTheFloor) {
 TEST_F(CalibrationChecks, ACameraThatLooksAway) {
   const Eigen::Vector3d at = project_.cameras[1].camera.center();
   project_.cameras[1].camera.cameraFromWorld = lookAt(at, at + Eigen::Vector3d(0.05, 0.1, 1.0));
-  found(FindingKind::LooksAway);
+  found(FindingKind::FacesAway);
 }
 
 TEST_F(CalibrationChecks, AGuessIsNoCalibration) {
@@ -47,7 +47,7 @@ TEST_F(CalibrationChecks, AGuessIsNoCalibration) {
   for (const ProjectCamera& camera : project_.cameras) {
     wanted.cameras.push_back({"", SourceKind::Images, camera.location});
   }
-  Project guessed = makeProject(wanted)->project;
+  Project guessed = createNewProject(wanted)->project;
   guessed.file = project_.file;
   guessed.targets = project_.targets;
   project_ = guessed;

@@ -87,7 +87,7 @@ protected:
     const auto all = findings();
     const auto one = std::ranges::find(all, kind, &Finding::kind);
     if (one == all.end()) {
-      ADD_FAILURE() << wordsOf(kind).name << " is not among:\n" << linesOf(all);
+      ADD_FAILURE() << textsOf(kind).name << " is not among:\n" << linesOf(all);
       return {};
     }
     return *one;

@@ -11,7 +11,7 @@ namespace {
 TEST(Finding, EachKindHasItsWordsAndAnAdviceWhereSomethingIsWrong) {
   std::set<std::string_view> names;
   int number = 0;
-  for (const FindingWords& words : findingWords()) {
+  for (const FindingTexts& words : findingTexts()) {
     EXPECT_EQ(static_cast<int>(words.kind), number++)
         << words.name << ": in the order of the kinds";
     EXPECT_TRUE(names.insert(words.name).second) << words.name;
@@ -19,7 +19,7 @@ TEST(Finding, EachKindHasItsWordsAndAnAdviceWhereSomethingIsWrong) {
     const bool isFine = words.level == FindingLevel::Ok;
     const bool saysWhatToDo = !words.advice.empty() || words.kind == FindingKind::CamerasDisagree;
     EXPECT_EQ(saysWhatToDo, !isFine) << words.name;
-    EXPECT_EQ(&wordsOf(words.kind), &words);
+    EXPECT_EQ(&textsOf(words.kind), &words);
   }
   EXPECT_EQ(number, static_cast<int>(FindingKind::FolderUnwritable) + 1);
 }
@@ -37,8 +37,8 @@ TEST(Finding, IsOneLineWithLevelPlaceAndAdvice) {
 }
 
 TEST(Finding, PlacesAreFilledOnceAndSentencesBeginWithACapital) {
-  EXPECT_EQ(filledIn("%1 has %2.", {"camera 1", "%1"}), "Camera 1 has %1.");
-  EXPECT_EQ(filledIn("100 % of %1, %3", {"a"}), "100 % of a, %3");
+  EXPECT_EQ(fillPlaceholders("%1 has %2.", {"camera 1", "%1"}), "Camera 1 has %1.");
+  EXPECT_EQ(fillPlaceholders("100 % of %1, %3", {"a"}), "100 % of a, %3");
 }
 
 TEST(Finding, TheWorstDecides) {

@@ -12,7 +12,7 @@ TEST_F(RecordingChecks, NothingIsWrongWithASoundProject) {
   EXPECT_EQ(worstOf(all), FindingLevel::Ok) << linesOf(all);
   const Finding fine = found(FindingKind::RecordingFine);
   EXPECT_EQ(fine.field, "camera 1.images");
-  EXPECT_EQ(filledIn(wordsOf(fine.kind).what, fine.values),
+  EXPECT_EQ(fillPlaceholders(textsOf(fine.kind).what, fine.values),
             "'camera 1' has 12 frames of 320 x 240 pixels, no rate stated.");
 }
 
@@ -82,7 +82,7 @@ TEST_F(RecordingChecks, LiveCamerasAreLookedForAndStreamsAreNotTried) {
   project_.cameras[1].source = SourceKind::Stream;
   project_.cameras[1].location = "rtsp://camera.example/1";
   EXPECT_EQ(found(FindingKind::DeviceMissing).field, "camera 1.device");
-  EXPECT_EQ(found(FindingKind::StreamNotTried).field, "camera 2.stream");
+  EXPECT_EQ(found(FindingKind::StreamNotTested).field, "camera 2.stream");
 }
 
 TEST_F(RecordingChecks, LiveCamerasAndRecordingsDoNotMix) {
@@ -100,7 +100,7 @@ TEST_F(RecordingChecks, ABackgroundImageOfAnotherSize) {
 TEST_F(RecordingChecks, TheExaminationCanBeEnded) {
   options_.everyFrame = true;
   int calls = 0;
-  options_.goOn = [&](double) { return ++calls < 2; };
+  options_.shouldContinue = [&](double) { return ++calls < 2; };
   findings();
   EXPECT_LT(calls, 2 * kFrames);
 }

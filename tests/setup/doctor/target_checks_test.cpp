@@ -12,7 +12,7 @@ TEST_F(TargetChecks, AColorThatIsThereIsFine) {
 
 TEST_F(TargetChecks, NothingToTrack) {
   project_.targets.clear();
-  found(FindingKind::TargetsLacking);
+  found(FindingKind::TargetsMissing);
 }
 
 TEST_F(TargetChecks, AColorThatWasNeverLearned) {
@@ -51,7 +51,7 @@ TEST_F(TargetChecks, ARadiusInMillimeters) {
 TEST_F(TargetChecks, BoxesThatAreMissingOrBeyondTheEnd) {
   project_.method = "histogram";
   found(FindingKind::BoxMissing);
-  found(FindingKind::TargetsLacking);
+  found(FindingKind::TargetsMissing);
   TargetBox box;
   box.box = {100.0, 100.0, 20.0, 20.0};
   box.frame = kFrames;

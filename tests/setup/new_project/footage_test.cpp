@@ -30,20 +30,20 @@ protected:
 TEST(Footage, NumbersAreSortedByTheirValue) {
   const std::vector<std::string> sorted{"/z/cam 1.mkv", "/y/cam 2.mkv", "/x/cam 10.mkv"};
   EXPECT_EQ(inNaturalOrder({sorted[2], sorted[1], sorted[0]}), sorted); // folders do not count
-  EXPECT_TRUE(comesBefore("a9b10", "a10b9"));
-  EXPECT_TRUE(comesBefore("cam 007", "cam 8"));
-  EXPECT_TRUE(comesBefore("12345678901234567890", "12345678901234567891")); // beyond 64 bits
-  EXPECT_FALSE(comesBefore("cam 2", "cam 2"));
+  EXPECT_TRUE(displayOrderLess("a9b10", "a10b9"));
+  EXPECT_TRUE(displayOrderLess("cam 007", "cam 8"));
+  EXPECT_TRUE(displayOrderLess("12345678901234567890", "12345678901234567891")); // beyond 64 bits
+  EXPECT_FALSE(displayOrderLess("cam 2", "cam 2"));
 }
 
 TEST(Footage, LettersAreSortedAsPeopleDo) {
-  EXPECT_TRUE(comesBefore("ball", "Camera"));
-  EXPECT_TRUE(comesBefore("Camera", "door"));
-  EXPECT_TRUE(comesBefore("Ärmel", "Bild")); // as an A
-  EXPECT_TRUE(comesBefore("cam", "cam 1"));
-  EXPECT_TRUE(comesBefore("cam_1", "cam1")); // signs, digits, letters
-  EXPECT_TRUE(comesBefore("cam1", "cama"));
-  EXPECT_NE(comesBefore("a1", "A1"), comesBefore("A1", "a1")); // an order even so
+  EXPECT_TRUE(displayOrderLess("ball", "Camera"));
+  EXPECT_TRUE(displayOrderLess("Camera", "door"));
+  EXPECT_TRUE(displayOrderLess("Ärmel", "Bild")); // as an A
+  EXPECT_TRUE(displayOrderLess("cam", "cam 1"));
+  EXPECT_TRUE(displayOrderLess("cam_1", "cam1")); // signs, digits, letters
+  EXPECT_TRUE(displayOrderLess("cam1", "cama"));
+  EXPECT_NE(displayOrderLess("a1", "A1"), displayOrderLess("A1", "a1")); // an order even so
 }
 
 TEST_F(FootageTest, AnEndingTellsFootage) {
@@ -66,10 +66,11 @@ TEST_F(FootageTest, WithoutAKnownEndingTheBeginningTells) {
 TEST_F(FootageTest, AFolderNeedsAnImage) {
   write("images/0.jpg");
   write("tables/0.csv");
-  EXPECT_TRUE(showsImages((folder_ / "images").string()));
-  EXPECT_FALSE(showsImages((folder_ / "tables").string()));
-  EXPECT_TRUE(showsImages("rtsp://camera.example/1")); // what is missing is said when it is opened
-  EXPECT_TRUE(showsImages("/dev/null"));
+  EXPECT_TRUE(canBeImageSource((folder_ / "images").string()));
+  EXPECT_FALSE(canBeImageSource((folder_ / "tables").string()));
+  EXPECT_TRUE(
+      canBeImageSource("rtsp://camera.example/1")); // what is missing is said when it is opened
+  EXPECT_TRUE(canBeImageSource("/dev/null"));
 }
 
 TEST_F(FootageTest, AFolderOfRecordingsIsTakenInNaturalOrder) {

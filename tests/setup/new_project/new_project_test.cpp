@@ -50,7 +50,7 @@ protected:
 };
 
 TEST_F(NewProjectTest, CamerasAreCalledAsTheirFiles) {
-  const auto made = makeProject(two());
+  const auto made = createNewProject(two());
   ASSERT_TRUE(made) << sentence(made.error());
   const Project& project = made->project;
   EXPECT_EQ(project.name, folder_.filename());
@@ -62,7 +62,7 @@ TEST_F(NewProjectTest, CamerasAreCalledAsTheirFiles) {
 }
 
 TEST_F(NewProjectTest, WithoutACalibrationSizesAreReadAndPosesDiffer) {
-  const auto made = makeProject(two());
+  const auto made = createNewProject(two());
   ASSERT_TRUE(made);
   EXPECT_TRUE(made->lacksCalibration);
   const auto& cameras = made->project.cameras;
@@ -73,37 +73,37 @@ TEST_F(NewProjectTest, WithoutACalibrationSizesAreReadAndPosesDiffer) {
 
 // A project of one camera in a file: no more than the size of its images is needed.
 TEST_F(NewProjectTest, MissingCalibrationsAreGuessedFromTheImages) {
-  auto made = makeProject(two());
+  auto made = createNewProject(two());
   ASSERT_TRUE(made);
   Project project = made->project;
-  EXPECT_TRUE(isGuessed(project));
+  EXPECT_TRUE(hasGuessedPose(project));
   const Camera whole = project.cameras[1].camera;
   project.cameras[1].camera.intrinsics = {};
   project.cameras[1].camera.cameraFromWorld = Eigen::Isometry3d::Identity();
-  ASSERT_TRUE(guessMissing(project));
+  ASSERT_TRUE(guessMissingCameras(project));
   EXPECT_EQ(project.cameras[1].camera, whole);
   for (ProjectCamera& camera : project.cameras) {
     camera.camera.cameraFromWorld.translation().z() += 0.5;
   }
-  EXPECT_FALSE(isGuessed(project));
+  EXPECT_FALSE(hasGuessedPose(project));
 }
 
 TEST_F(NewProjectTest, OneCameraWithoutACalibrationFollowsBoxes) {
   NewProject one = two();
   one.cameras.resize(1);
-  const auto made = makeProject(one);
+  const auto made = createNewProject(one);
   ASSERT_TRUE(made);
-  EXPECT_EQ(methodFamily(made->project.method).targets, TargetsFrom::Box);
+  EXPECT_EQ(methodFamily(made->project.method).targets, TargetSource::Box);
   EXPECT_FALSE(made->lacksCalibration);
   EXPECT_EQ(made->project.name, "left"); // one recording says nothing of its folder
   EXPECT_TRUE(checkParameters(made->project.method, made->project.parameters));
-  EXPECT_EQ(makeProject(two())->project.method, "dewpoint");
+  EXPECT_EQ(createNewProject(two())->project.method, "dewpoint");
 }
 
 TEST_F(NewProjectTest, CalibrationsGoByName) {
   auto wanted = two();
   wanted.calibration = calibration({"right", "other", "left"});
-  const auto made = makeProject(wanted);
+  const auto made = createNewProject(wanted);
   ASSERT_TRUE(made) << sentence(made.error());
   EXPECT_FALSE(made->lacksCalibration);
   EXPECT_FALSE(made->matchedByOrder);
@@ -114,7 +114,7 @@ TEST_F(NewProjectTest, CalibrationsGoByName) {
 TEST_F(NewProjectTest, OrElseByOrderWhichIsSaid) {
   auto wanted = two();
   wanted.calibration = calibration({"cam_0", "cam_1"});
-  const auto made = makeProject(wanted);
+  const auto made = createNewProject(wanted);
   ASSERT_TRUE(made);
   EXPECT_TRUE(made->matchedByOrder);
   EXPECT_EQ(made->project.cameras[1].camera.intrinsics.focalX, 101.0);
@@ -124,7 +124,7 @@ TEST_F(NewProjectTest, OrElseByOrderWhichIsSaid) {
 TEST_F(NewProjectTest, ACalibrationThatFitsNeitherWayIsRefused) {
   auto wanted = two();
   wanted.calibration = calibration({"left", "other"});
-  const auto made = makeProject(wanted);
+  const auto made = createNewProject(wanted);
   ASSERT_FALSE(made);
   EXPECT_EQ(made.error().code, ErrorCode::Mismatch);
 }
@@ -132,7 +132,7 @@ TEST_F(NewProjectTest, ACalibrationThatFitsNeitherWayIsRefused) {
 TEST_F(NewProjectTest, TheSameNameTwiceIsMadeDifferent) {
   auto wanted = two();
   wanted.cameras[1].name = "left";
-  const auto made = makeProject(wanted);
+  const auto made = createNewProject(wanted);
   ASSERT_TRUE(made);
   EXPECT_EQ(made->project.cameras[1].camera.name, "left 2");
 }
@@ -141,33 +141,33 @@ TEST_F(NewProjectTest, BadInputNamesTheCamera) {
   auto wanted = two();
   wanted.cameras[1].location = (folder_ / "nowhere.mp4").string();
   wanted.cameras[1].source = SourceKind::Video;
-  const auto missing = makeProject(wanted);
+  const auto missing = createNewProject(wanted);
   ASSERT_FALSE(missing);
   EXPECT_EQ(missing.error().code, ErrorCode::FileMissing);
   EXPECT_EQ(missing.error().field, "nowhere");
-  EXPECT_FALSE(makeProject({}));
+  EXPECT_FALSE(createNewProject({}));
 }
 
 TEST_F(NewProjectTest, ItIsProposedToBeSavedBesideItsFirstRecording) {
-  auto made = makeProject(two());
+  auto made = createNewProject(two());
   ASSERT_TRUE(made);
-  EXPECT_EQ(proposedFile(made->project), folder_ / (made->project.name + ".toml"));
+  EXPECT_EQ(proposedProjectFile(made->project), folder_ / (made->project.name + ".toml"));
   made->project.name = "a/b";
-  EXPECT_EQ(proposedFile(made->project), folder_ / "a_b.toml");
+  EXPECT_EQ(proposedProjectFile(made->project), folder_ / "a_b.toml");
   for (ProjectCamera& camera : made->project.cameras) {
     camera.source = SourceKind::Device;
   }
-  EXPECT_EQ(proposedFile(made->project), "a_b.toml");
-  EXPECT_EQ(proposedFile({}), "project.toml");
+  EXPECT_EQ(proposedProjectFile(made->project), "a_b.toml");
+  EXPECT_EQ(proposedProjectFile({}), "project.toml");
 }
 
 TEST(GuessedSource, GoesByWhatTheTextLooksLike) {
-  EXPECT_EQ(guessedSource("0"), SourceKind::Device);
-  EXPECT_EQ(guessedSource("/dev/video2"), SourceKind::Device);
-  EXPECT_EQ(guessedSource("http://camera.local/video"), SourceKind::Stream);
-  EXPECT_EQ(guessedSource("gst:videotestsrc ! appsink"), SourceKind::Stream);
-  EXPECT_EQ(guessedSource("left.mp4"), SourceKind::Video);
-  EXPECT_EQ(guessedSource(testing::TempDir()), SourceKind::Images);
+  EXPECT_EQ(guessSourceKind("0"), SourceKind::Device);
+  EXPECT_EQ(guessSourceKind("/dev/video2"), SourceKind::Device);
+  EXPECT_EQ(guessSourceKind("http://camera.local/video"), SourceKind::Stream);
+  EXPECT_EQ(guessSourceKind("gst:videotestsrc ! appsink"), SourceKind::Stream);
+  EXPECT_EQ(guessSourceKind("left.mp4"), SourceKind::Video);
+  EXPECT_EQ(guessSourceKind(testing::TempDir()), SourceKind::Images);
 }
 
 } // namespace

@@ -31,7 +31,7 @@ MovingPart partOf(MovingShape shape, const Vector3f& size) {
 
 PartHit cast(const MovingPart& part, const Vector3f& origin, const Vector3f& direction) {
   PartHit hit;
-  castPart(part, origin, direction.normalized(), hit);
+  intersectPart(part, origin, direction.normalized(), hit);
   return hit;
 }
 
@@ -96,8 +96,8 @@ TEST(MovingPart, TheNearerOfTwoPartsIsSeen) {
   MovingPart near = far;
   near.center.x() = 0.3F;
   PartHit hit;
-  castPart(near, {1.0F, 0.0F, 0.0F}, {-1.0F, 0.0F, 0.0F}, hit);
-  castPart(far, {1.0F, 0.0F, 0.0F}, {-1.0F, 0.0F, 0.0F}, hit);
+  intersectPart(near, {1.0F, 0.0F, 0.0F}, {-1.0F, 0.0F, 0.0F}, hit);
+  intersectPart(far, {1.0F, 0.0F, 0.0F}, {-1.0F, 0.0F, 0.0F}, hit);
   EXPECT_EQ(hit.part, &near);
   EXPECT_NEAR(hit.distance, 0.6F, kClose);
 }

@@ -31,8 +31,8 @@ TEST(ShapedObjects, WhatHasTheColorIsTheTarget) {
 }
 
 TEST(ShapedObjects, AFistIsShorterThanAnOpenHand) {
-  const auto open = simulation::openingHand(0.0, kPinkBody);
-  const auto closed = simulation::openingHand(1.0, kPinkBody);
+  const auto open = simulation::partlyClosedHand(0.0, kPinkBody);
+  const auto closed = simulation::partlyClosedHand(1.0, kPinkBody);
   ASSERT_EQ(open.size(), closed.size());
   const auto reach = [](const std::vector<MovingPart>& parts) {
     float most = 0.0F;

@@ -20,7 +20,7 @@ TEST(Office, ShowsAPersonWhereThePersonIs) {
   simulation::ViewCache views;
   const OfficeRenderer renderer(oneWalker(), views);
   const std::int64_t frame = 15; // 1 s: in the middle of the way
-  EXPECT_LT((renderer.middle(0, 1.0) - Eigen::Vector3d(0.0, 0.2, 0.9)).norm(), 1e-9);
+  EXPECT_LT((renderer.bodyCenter(0, 1.0) - Eigen::Vector3d(0.0, 0.2, 0.9)).norm(), 1e-9);
   for (std::size_t k = 0; k < 4; ++k) {
     cv::Mat who;
     const cv::Mat image = renderer.render(k, frame, &who);
@@ -46,9 +46,9 @@ TEST(Office, NobodyIsThereBeforeTheBeginningOrBehindTheWalls) {
   OfficeScene scene = oneWalker();
   scene.people[0].way = {{0.0, {-4.2, 0.5}}, {2.0, {-2.0, 0.5}}};
   const OfficeRenderer renderer(scene, views);
-  EXPECT_FALSE(renderer.inside(0, 0.2));  // not there yet
-  EXPECT_FALSE(renderer.inside(0, 0.55)); // behind the wall
-  EXPECT_TRUE(renderer.inside(0, 1.5));
+  EXPECT_FALSE(renderer.isInsideOffice(0, 0.2));  // not there yet
+  EXPECT_FALSE(renderer.isInsideOffice(0, 0.55)); // behind the wall
+  EXPECT_TRUE(renderer.isInsideOffice(0, 1.5));
   cv::Mat who;
   (void)renderer.render(0, 8, &who); // 0.53 s
   EXPECT_EQ(cv::countNonZero(who), 0);

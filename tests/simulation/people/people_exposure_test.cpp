@@ -45,15 +45,15 @@ Illumination withLampFromTheLeft() {
 
 /// The image of people under a light that a shutter sees at time 0.
 cv::Mat exposedImage(const PeopleAt& people, const Illumination& light, const Shutter& shutter) {
-  const RelitBackground background = relit(exposureView(), light);
+  const RelitBackground background = relightBackground(exposureView(), light);
   cv::Mat image = backgroundAt(exposureView(), background, light, 0.0);
-  exposePeople(exposureView(), people, {{&light, 0.0}, &background}, shutter, image);
+  paintPeopleThroughShutter(exposureView(), people, {{&light, 0.0}, &background}, shutter, image);
   return image;
 }
 
 /// The same without a shutter.
 cv::Mat momentaryImage(const PeopleAt& people, const Illumination& light) {
-  const RelitBackground background = relit(exposureView(), light);
+  const RelitBackground background = relightBackground(exposureView(), light);
   cv::Mat image = backgroundAt(exposureView(), background, light, 0.0);
   paintPeople(exposureView(), people(0.0), {{&light, 0.0}, &background}, image);
   return image;
@@ -105,7 +105,7 @@ TEST(PeopleExposure, WhoWalksIs) {
 TEST(PeopleLight, IsTheLampAloneWhereThereIsNoOther) {
   Illumination light;
   light.lamp = kOfficeLampPosition;
-  const RelitBackground background = relit(exposureView(), light);
+  const RelitBackground background = relightBackground(exposureView(), light);
   cv::Mat room = backgroundAt(exposureView(), background, light, 0.0);
   cv::Mat same = room.clone();
   const auto people = passingAt(0.0)(0.0);

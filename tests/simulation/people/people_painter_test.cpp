@@ -75,7 +75,7 @@ TEST(PeoplePainter, ShowsWhoSitsLower) {
   EXPECT_NEAR(rowsOf(walker, 0), rowsFor(1.755), 2.0);
   EXPECT_NEAR(rowsOf(walker, 60), rowsFor(1.346), 2.0); // 4 s
   const OfficeRenderer renderer(sceneOf({walker}), views());
-  EXPECT_NEAR(renderer.middle(0, 4.0).z(), 0.671, 0.001); // half of 1.342 m
+  EXPECT_NEAR(renderer.bodyCenter(0, 4.0).z(), 0.671, 0.001); // half of 1.342 m
 }
 
 // The first stands a meter behind the second and 0.15 m, 8 px, aside. Their trunks are 13 and 17 px
@@ -101,7 +101,7 @@ TEST(PeoplePainter, ALoadHidesABodyAndIsNone) {
   Walker walker = standing(1.75, 0.0, 1.0);
   walker.way = {{0.0, {0.0, 1.0}},
                 {1000.0, {0.0, 0.9}}}; // stands, as good as, and faces the camera
-  walker.load = simulation::Load();
+  walker.load = simulation::CarriedObject();
   const OfficeRenderer renderer(sceneOf({walker}), views());
   const cv::Mat who = whoIn(renderer);
   const cv::Mat whole = renderer.silhouette(0, 0, 0);

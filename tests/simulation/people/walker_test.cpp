@@ -43,16 +43,16 @@ TEST(Walker, AnAdultWhoStandsIsAsEver) {
   EXPECT_NEAR(parts[4].center.z(), 0.68F, 1e-6F);
   EXPECT_NEAR(parts[6].center.z(), 1.28F, 1e-6F);
   for (const BodyPart& part : parts) {
-    EXPECT_TRUE(part.ofBody);
+    EXPECT_TRUE(part.belongsToBody);
   }
 }
 
 TEST(Walker, HasAChildsHeadBelowAnAdultsHeight) {
-  EXPECT_EQ(simulation::headShare(1.62), simulation::kAdultHeadShare);
-  EXPECT_EQ(simulation::headShare(1.6), simulation::kAdultHeadShare);
-  EXPECT_NEAR(simulation::headShare(0.9), 0.19, 1e-12);
+  EXPECT_EQ(simulation::headHeightFraction(1.62), simulation::kAdultHeadHeightFraction);
+  EXPECT_EQ(simulation::headHeightFraction(1.6), simulation::kAdultHeadHeightFraction);
+  EXPECT_NEAR(simulation::headHeightFraction(0.9), 0.19, 1e-12);
   // Halfway between 0.9 and 1.6 m: the mean of 0.19 and 1/7.
-  EXPECT_NEAR(simulation::headShare(1.25), 0.5 * (0.19 + 1.0 / 7.0), 1e-12);
+  EXPECT_NEAR(simulation::headHeightFraction(1.25), 0.5 * (0.19 + 1.0 / 7.0), 1e-12);
   // Of 0.9 m, the head is 0.171 m high and the top of the hair where it is in an adult: 1.755
   // / 1.75 of the height.
   const auto parts = bodyParts(standingAtOrigin(0.9), 0.0);
@@ -92,27 +92,27 @@ TEST(Walker, CrouchesLowerStillAndRises) {
   EXPECT_LT(walker.top(2.0), 1.1);
   walker.postures.push_back({5.0, Posture::Standing});
   EXPECT_EQ(walker.top(6.0), 1.75);
-  const auto angles = anglesAt(walker.postures, 6.0);
-  EXPECT_TRUE(angles.upright());
+  const auto angles = jointAnglesAt(walker.postures, 6.0);
+  EXPECT_TRUE(angles.isUpright());
 }
 
 // Halfway through a smooth change the share is 3/4 - 2/8 = 1/2.
 TEST(Posture, ChangesSmoothly) {
   const std::vector<simulation::PostureChange> changes{{2.0, Posture::Sitting}};
-  const auto sitting = anglesOf(Posture::Sitting);
-  EXPECT_EQ(anglesAt(changes, 2.0).thigh, 0.0F);
-  EXPECT_NEAR(anglesAt(changes, 2.5).thigh, 0.5F * sitting.thigh, 1e-6F);
-  EXPECT_EQ(anglesAt(changes, 3.0).thigh, sitting.thigh);
-  EXPECT_EQ(anglesAt(changes, 9.0).lean, sitting.lean);
+  const auto sitting = jointAnglesOf(Posture::Sitting);
+  EXPECT_EQ(jointAnglesAt(changes, 2.0).thigh, 0.0F);
+  EXPECT_NEAR(jointAnglesAt(changes, 2.5).thigh, 0.5F * sitting.thigh, 1e-6F);
+  EXPECT_EQ(jointAnglesAt(changes, 3.0).thigh, sitting.thigh);
+  EXPECT_EQ(jointAnglesAt(changes, 9.0).lean, sitting.lean);
 }
 
 TEST(Walker, HoldsABoxBeforeTheChest) {
   Walker walker = standingAtOrigin(1.75);
-  walker.load = simulation::Load();
+  walker.load = simulation::CarriedObject();
   const auto parts = bodyParts(walker, 0.0);
   ASSERT_EQ(parts.size(), 13U);
   const BodyPart& box = parts.back();
-  EXPECT_FALSE(box.ofBody);
+  EXPECT_FALSE(box.belongsToBody);
   EXPECT_EQ(box.shape, simulation::PartShape::Box);
   // Half the trunk's depth, a gap of 0.01 m and half the box: 0.125 + 0.01 + 0.15 m ahead.
   EXPECT_NEAR(box.center.x(), 0.285F, 1e-5F);
@@ -122,8 +122,8 @@ TEST(Walker, HoldsABoxBeforeTheChest) {
 
 TEST(Walker, CarriesABagBesideTheRightLeg) {
   Walker walker = standingAtOrigin(1.75);
-  walker.load = simulation::Load();
-  walker.load->kind = simulation::Load::Kind::Bag;
+  walker.load = simulation::CarriedObject();
+  walker.load->kind = simulation::CarriedObject::Kind::Bag;
   const BodyPart bag = bodyParts(walker, 0.0).back();
   EXPECT_LT(bag.center.y(), -0.2F); // the walker faces x, so y is to the left
   EXPECT_LT(bag.center.z(), 0.9F);

@@ -20,12 +20,12 @@ Camera cameraAtDesk() {
 }
 
 TEST(Room, ADeskIsAtHeightZeroAndAHallHasWalls) {
-  const Hit desk = Room(Furnishing::Desk).cast({0.5F, 0.5F, 0.4F}, {0.0F, 0.0F, -1.0F});
+  const RoomHit desk = Room(Furnishing::Desk).cast({0.5F, 0.5F, 0.4F}, {0.0F, 0.0F, -1.0F});
   EXPECT_NEAR(desk.distance, 0.4F, 1e-5F);
   EXPECT_LT((desk.normal - Vector3f::UnitZ()).norm(), 1e-5F);
   const Room hall(Furnishing::Hall);
-  const Hit wall = hall.cast({0.0F, 0.0F, 2.2F}, {1.0F, 0.0F, 0.0F});
-  EXPECT_NEAR(wall.distance, kHallHalf, 1e-4F);
+  const RoomHit wall = hall.cast({0.0F, 0.0F, 2.2F}, {1.0F, 0.0F, 0.0F});
+  EXPECT_NEAR(wall.distance, kHallHalfSize, 1e-4F);
   EXPECT_LT((wall.normal + Vector3f::UnitX()).norm(), 1e-5F) << "walls face inward";
 }
 

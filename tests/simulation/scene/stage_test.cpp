@@ -132,11 +132,11 @@ TEST(Illumination, GainAndLampsAddUp) {
   const RoomView& view = *stageView();
   Illumination light;
   light.roomGain = 0.5F;
-  const RelitBackground half = relit(view, light);
+  const RelitBackground half = relightBackground(view, light);
   EXPECT_LT(cv::norm(half.ambient + half.direct, 0.5 * view.background, cv::NORM_INF), 0.01);
   light.roomGain = 1.0F;
   light.further.push_back({{0.5F, 0.5F, 2.0F}, {0.0F, 0.0F, 0.4F}}); // red, from above
-  const RelitBackground red = relit(view, light);
+  const RelitBackground red = relightBackground(view, light);
   const cv::Vec3f before = view.background.at<cv::Vec3f>(110, 80);
   const cv::Vec3f after = cv::Mat(red.ambient + red.direct).at<cv::Vec3f>(110, 80);
   EXPECT_NEAR(after[0], before[0], 0.01);
@@ -151,7 +151,7 @@ TEST(Illumination, GainAndLampsAddUp) {
 }
 
 TEST(Illumination, LampsFallOffBeyondTheirReach) {
-  FurtherLamp lamp{{0.0F, 0.0F, 1.0F}, Vector3f::Constant(0.5F)};
+  AdditionalLamp lamp{{0.0F, 0.0F, 1.0F}, Vector3f::Constant(0.5F)};
   EXPECT_EQ(lamp.falloff(50.0F), 1.0F) << "everywhere the same unless set otherwise";
   lamp.reach = 1.5F;
   EXPECT_EQ(lamp.falloff(0.2F), 1.0F);
@@ -175,7 +175,7 @@ TEST(Illumination, AShadowTakesTheLampAndMoves) {
   EXPECT_FLOAT_EQ(shadowAt(shadow, {0.5F, 0.0F, 0.0F}, 4.0), 0.0F);
   Illumination light;
   light.shadow = MovingShadow{Vector3f::UnitX(), 0.0, 0.0, 100.0F, 0.02F, 1.0F};
-  const RelitBackground background = relit(*stageView(), light);
+  const RelitBackground background = relightBackground(*stageView(), light);
   const cv::Mat dark = backgroundAt(*stageView(), background, light, 0.0);
   EXPECT_LT(cv::norm(dark, background.ambient, cv::NORM_INF), 1e-3) << "everything in it";
   EXPECT_GT(cv::mean(background.direct)[1], 10.0) << "there was something to take";

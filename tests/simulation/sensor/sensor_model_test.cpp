@@ -52,17 +52,17 @@ TEST(ToneCurve, GoesThereAndBack) {
     levels.at<cv::Vec3f>(0, level) = {value, value, value};
     EXPECT_NEAR(encodedLevel(linearLevel(level / 255.0)), level / 255.0, 1e-9);
   }
-  const cv::Mat again = tonedImage(linearImage(levels), Eigen::Vector3d::Ones(), 1.0);
+  const cv::Mat again = applyToneCurve(linearImage(levels), Eigen::Vector3d::Ones(), 1.0);
   EXPECT_LT(cv::norm(again, levels, cv::NORM_INF), 0.02);
 }
 
 TEST(ToneCurve, WhiteBalanceComesBeforeTheCurve) {
   const cv::Mat gray(2, 2, CV_32FC3, cv::Scalar(0.2, 0.2, 0.2));
-  const cv::Vec3f pixel = tonedImage(gray, {2.0, 1.0, 8.0}, 1.0).at<cv::Vec3f>(1, 1);
+  const cv::Vec3f pixel = applyToneCurve(gray, {2.0, 1.0, 8.0}, 1.0).at<cv::Vec3f>(1, 1);
   EXPECT_NEAR(pixel[0], 255.0 * encodedLevel(0.4), 0.02) << "not twice the level";
   EXPECT_NEAR(pixel[1], 255.0 * encodedLevel(0.2), 0.02);
   EXPECT_NEAR(pixel[2], 255.0, 1e-3) << "cut at full scale";
-  const cv::Vec3f harder = tonedImage(gray, Eigen::Vector3d::Ones(), 2.0).at<cv::Vec3f>(0, 0);
+  const cv::Vec3f harder = applyToneCurve(gray, Eigen::Vector3d::Ones(), 2.0).at<cv::Vec3f>(0, 0);
   EXPECT_NEAR(harder[1], 255.0 * encodedLevel(0.2) * encodedLevel(0.2), 0.02);
 }
 
@@ -104,7 +104,7 @@ TEST(Jpeg, HalvesTheResolutionOfColors) {
     stripes.col(column).setTo(column % 2 == 0 ? cv::Scalar(60, 120, 200)
                                               : cv::Scalar(200, 120, 147));
   }
-  const cv::Mat image = throughJpeg(stripes, 95);
+  const cv::Mat image = jpegCompressed(stripes, 95);
   const int left = image.at<cv::Vec3b>(16, 14)[0];
   const int right = image.at<cv::Vec3b>(16, 15)[0];
   EXPECT_LT(std::abs(left - right), 25) << "4:4:4 would keep the difference of 140";
@@ -112,7 +112,7 @@ TEST(Jpeg, HalvesTheResolutionOfColors) {
 
 TEST(SensorModel, TheIdealOneOnlyAddsNoise) {
   const cv::Mat light(30, 40, CV_32FC3, cv::Scalar(60.25, 120.0, 180.0));
-  EXPECT_EQ(cv::norm(sensorImage(light, {}, 0.0, 3.0, kStream), develop(light, 3.0, kStream),
+  EXPECT_EQ(cv::norm(sensorImage(light, {}, 0.0, 3.0, kStream), digitize(light, 3.0, kStream),
                      cv::NORM_INF),
             0.0);
 }

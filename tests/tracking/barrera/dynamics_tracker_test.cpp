@@ -29,7 +29,7 @@ TEST(DynamicsTracker, MeasuresWhereTheColorsMassIs) {
   const SphereEstimate estimate = tracker.iterate(team);
   EXPECT_TRUE(estimate.valid);
   EXPECT_EQ(estimate.camerasSeeing, 3);
-  EXPECT_EQ(tracker.explain().front().status, CameraStatus::None);
+  EXPECT_EQ(tracker.cameraReports().front().status, CameraStatus::None);
 }
 
 TEST(DynamicsTracker, WhatIsOutsideTheVolumeOfInterestIsNoMeasurement) {
@@ -56,7 +56,7 @@ TEST(DynamicsTracker, OneCameraAloneMeasuresNothing) {
   ThreadTeam team(1);
   EXPECT_FALSE(tracker.iterate(team).valid);
   tracker.beginFrame(drawn::framesOf(rig, {}, 1));
-  EXPECT_EQ(tracker.explain().front().status, CameraStatus::NoColor);
+  EXPECT_EQ(tracker.cameraReports().front().status, CameraStatus::NoColor);
 }
 
 TEST(DynamicsTracker, FollowsGivenPositionsAndSpreadsWithout) {

@@ -98,7 +98,7 @@ TEST_P(BoxTargetsTest, EachTargetIsFollowedFromTheFrameOfItsBoxOn) {
   EXPECT_EQ(belief->camera, 1);
   EXPECT_EQ(belief->box, expected.box);
   EXPECT_EQ(belief->similarity, expected.similarity);
-  EXPECT_EQ(capability<BoxFollowing>(*tracker)->boxParticles(1, 50).centers.rows(), 50);
+  EXPECT_EQ(capability<BoxTracking>(*tracker)->boxParticles(1, 50).centers.rows(), 50);
   EXPECT_EQ(isHeldBy(*tracker, 1), expected.visible);
 }
 
@@ -127,9 +127,9 @@ TEST_P(BoxTargetsTest, NothingIsKnownInSpace) {
 TEST_P(BoxTargetsTest, ACopyGoesOnWithTheSameBits) {
   auto tracker = startedTracker(GetParam(), {boxed("one", 0)});
   go(*tracker, 0, 4);
-  auto copy = capability<Copying>(*tracker)->clone();
+  auto copy = capability<Copyable>(*tracker)->clone();
   copy->beginFrame(nullptr);
-  EXPECT_GT(capability<Copying>(*copy)->memoryBytes(),
+  EXPECT_GT(capability<Copyable>(*copy)->memoryBytes(),
             300U * 8U); // 300 particles have one number at least
   go(*tracker, 5, 9);
   go(*copy, 5, 9);
@@ -140,17 +140,17 @@ TEST_P(BoxTargetsTest, ABoxOfTheFrameShownStartsAtOnceAndOthersGoOn) {
   auto tracker = startedTracker(GetParam(), {boxed("one", 0)});
   auto undisturbed = startedTracker(GetParam(), {boxed("one", 0)});
   go(*tracker, 0, 5);
-  capability<TargetFollowing>(*tracker)->setTargets({boxed("zero", 5), boxed("one", 0)});
-  ASSERT_TRUE(capability<TargetFollowing>(*tracker)->takesAnyNumber());
+  capability<TargetTracking>(*tracker)->setTargets({boxed("zero", 5), boxed("one", 0)});
+  ASSERT_TRUE(capability<TargetTracking>(*tracker)->canChangeTargetCount());
   ASSERT_TRUE(boxOf(*tracker, 0));
   EXPECT_EQ(boxOf(*tracker, 0)->box, MovingPatch{}.box(5));
   go(*tracker, 6, 8);
   go(*undisturbed, 0, 8);
   EXPECT_EQ(boxOf(*tracker, 1)->box, boxOf(*undisturbed, 0)->box);
-  capability<TargetFollowing>(*tracker)->setTargets(
+  capability<TargetTracking>(*tracker)->setTargets(
       {boxed("renamed", 5), boxed("one", 0)}); // by its place
   EXPECT_TRUE(boxOf(*tracker, 0));
-  capability<TargetFollowing>(*tracker)->setTargets({boxed("renamed", 5), Target{}});
+  capability<TargetTracking>(*tracker)->setTargets({boxed("renamed", 5), Target{}});
   EXPECT_FALSE(boxOf(*tracker, 1));
 }
 
@@ -173,10 +173,12 @@ TEST_P(BoxTargetsTest, ACameraThatDeliversNothingHidesTheTarget) {
   tracker->iterate(team);
   EXPECT_FALSE(isHeldBy(*tracker, 0));
   ASSERT_TRUE(boxOf(*tracker, 0));
-  EXPECT_EQ(capability<CameraExplaining>(*tracker)->explain(0).at(1).status, CameraStatus::NoImage);
+  EXPECT_EQ(capability<CameraReporting>(*tracker)->cameraReports(0).at(1).status,
+            CameraStatus::NoImage);
   go(*tracker, 5, 5);
   EXPECT_TRUE(isHeldBy(*tracker, 0));
-  EXPECT_EQ(capability<CameraExplaining>(*tracker)->explain(0).at(1).status, CameraStatus::None);
+  EXPECT_EQ(capability<CameraReporting>(*tracker)->cameraReports(0).at(1).status,
+            CameraStatus::None);
 }
 
 TEST_P(BoxTargetsTest, ABoxBesideTheImageIsNotFollowed) {

@@ -19,7 +19,7 @@ std::unique_ptr<HistogramTracker> histogram() {
 }
 
 TEST(HistogramTracker, IsTheDefault) {
-  EXPECT_EQ(methodNames(TargetsFrom::Box).front(), "histogram");
+  EXPECT_EQ(methodNames(TargetSource::Box).front(), "histogram");
 }
 
 TEST(HistogramTracker, FollowsAPatch) {
@@ -31,7 +31,7 @@ TEST(HistogramTracker, FollowsAPatch) {
   for (int frame = 1; frame <= 60; ++frame) {
     const BoxEstimate estimate = tracker->step(scene.image(frame), team);
     EXPECT_TRUE(estimate.visible) << frame;
-    least = std::min(least, overlap(estimate.box, scene.box(frame)));
+    least = std::min(least, intersectionOverUnion(estimate.box, scene.box(frame)));
   }
   EXPECT_GT(least, 0.7); // a patch of clear colors: 2 px off in both directions are 0.77
 }
@@ -111,7 +111,7 @@ TEST(HistogramTracker, HoldsAHiddenTargetAndFindsItAgain) {
     found = tracker->step(scene.image(frame), team);
   }
   EXPECT_TRUE(found.visible);
-  EXPECT_GT(overlap(found.box, scene.box(50)), 0.7);
+  EXPECT_GT(intersectionOverUnion(found.box, scene.box(50)), 0.7);
 }
 
 TEST(HistogramTracker, FollowsTheScale) {
@@ -138,7 +138,7 @@ TEST(HistogramTracker, LooksAtLargeTargetsInASmallerImage) {
   for (int frame = 1; frame <= 20; ++frame) {
     estimate = tracker->step(scene.image(frame), team);
   }
-  EXPECT_GT(overlap(estimate.box, scene.box(20)), 0.7);
+  EXPECT_GT(intersectionOverUnion(estimate.box, scene.box(20)), 0.7);
 }
 
 TEST(HistogramTracker, SameSeedSameBitsForAnyNumberOfThreadsAndForACopy) {

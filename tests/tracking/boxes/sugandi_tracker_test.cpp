@@ -148,9 +148,9 @@ TEST(BoxFilter, NamesWhatIsWrong) {
 }
 
 TEST(BoxFilter, EveryMethodDeclaresItsParameters) {
-  for (const std::string& method : methodNames(TargetsFrom::Box)) {
+  for (const std::string& method : methodNames(TargetSource::Box)) {
     EXPECT_FALSE(methodParameters(method).empty()) << method;
-    EXPECT_FALSE(methodSentence(method).empty()) << method;
+    EXPECT_FALSE(methodSummary(method).empty()) << method;
     for (const ParameterDeclaration& declaration : methodParameters(method)) {
       EXPECT_GE(declaration.defaultValue, declaration.minimum) << declaration.key;
       EXPECT_LE(declaration.defaultValue, declaration.maximum) << declaration.key;
@@ -165,7 +165,8 @@ TEST(BoxFilter, GrowsABoxFromAClick) {
   cv::rectangle(image, {100, 60, 40, 25}, cv::Scalar(30, 30, 220), cv::FILLED);
   const auto box = boxFromClick(image, 120.0, 70.0);
   ASSERT_TRUE(box);
-  EXPECT_GT(overlap(*box, {100, 60, 40, 25}), 0.85); // the outline to a pixel on each side
+  EXPECT_GT(intersectionOverUnion(*box, {100, 60, 40, 25}),
+            0.85); // the outline to a pixel on each side
   EXPECT_EQ(boxFromClick(image, 320.0, 70.0).error().field, "pixel");
 }
 

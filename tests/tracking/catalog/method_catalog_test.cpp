@@ -19,7 +19,7 @@ TEST(MethodCatalog, EachMethodIsFoundByItsOwnName) {
     EXPECT_TRUE(names.insert(method.name).second) << method.name << " twice";
     EXPECT_EQ(findMethod(method.name), &method);
     EXPECT_FALSE(method.text.title.empty() || method.text.sentence.empty()) << method.name;
-    EXPECT_EQ(methodSentence(method.name), method.text.sentence);
+    EXPECT_EQ(methodSummary(method.name), method.text.sentence);
     EXPECT_EQ(methodPage(method.name), method.text.page);
     EXPECT_TRUE(std::filesystem::exists(pages / method.text.page)) << method.name;
     EXPECT_FALSE(headingOf(method).empty()) << method.name;
@@ -30,7 +30,7 @@ TEST(MethodCatalog, EachMethodIsFoundByItsOwnName) {
   EXPECT_EQ(methodNames().size(), methods().size());
   EXPECT_EQ(findMethod("condensation"), nullptr);
   EXPECT_TRUE(methodParameters("condensation").empty());
-  EXPECT_TRUE(methodSentence("condensation").empty());
+  EXPECT_TRUE(methodSummary("condensation").empty());
 }
 
 // Project files without a method, and unknown ones, get the first.
@@ -70,7 +70,7 @@ TEST(MethodCatalog, MethodsByUseStandUnderOneHeadingEach) {
 
 TEST(MethodCatalog, NamesByFamilyAreAllNamesOnce) {
   std::vector<std::string> all;
-  for (const TargetsFrom from : {TargetsFrom::Color, TargetsFrom::Box, TargetsFrom::Images}) {
+  for (const TargetSource from : {TargetSource::Color, TargetSource::Box, TargetSource::Images}) {
     const auto names = methodNames(from);
     EXPECT_FALSE(names.empty());
     all.insert(all.end(), names.begin(), names.end());
@@ -97,7 +97,7 @@ TEST(MethodCatalog, ATrackerIsMadeOfTheMethodsOwnParametersAlone) {
 
 TEST(MethodCatalog, MethodsThatFollowBoxesNeedNoCalibration) {
   for (const Method& method : methods()) {
-    EXPECT_EQ(method.family.needsCalibration, method.family.targets != TargetsFrom::Box)
+    EXPECT_EQ(method.family.needsCalibration, method.family.targets != TargetSource::Box)
         << method.name;
   }
 }

@@ -109,7 +109,7 @@ TEST(ColorAdaptation, CopiesAndThreadsGiveTheSameBits) {
   ThreadTeam three(3);
   for (int frame = 0; frame < 160; ++frame) {
     if (frame % 20 == 7) {
-      copied = capability<Copying>(*copied)->clone();
+      copied = capability<Copyable>(*copied)->clone();
     }
     straight->beginFrame(framesAt(rig, frame));
     copied->beginFrame(framesAt(rig, frame));

@@ -54,9 +54,9 @@ inline FrameSetPtr draw(const CameraRig& rig, std::int64_t frame,
   FrameSet set{frame, timeStamp(static_cast<double>(frame) / kRate), {}};
   for (const Camera& camera : rig) {
     cv::Mat image = backgroundImage();
-    const SilhouetteMaker maker(camera);
+    const SilhouetteProjector maker(camera);
     for (const Eigen::Vector2d& place : people) {
-      for (const cv::Rect& piece : maker.of(place, 0.0, kHeight).pieces) {
+      for (const cv::Rect& piece : maker.project(place, 0.0, kHeight).pieces) {
         image(piece & cv::Rect(0, 0, image.cols, image.rows)).setTo(cv::Scalar(190, 70, 40));
       }
     }

@@ -38,7 +38,7 @@ protected:
     for (const std::size_t camera : blind) {
       frames.frames[camera] = nullptr;
     }
-    cameras_.begin(frames, {}, team_);
+    cameras_.computeMasks(frames, {}, team_);
     return births_.update(cameras_, explained_, taken, kBirthTime);
   }
   /// After how many frames with these people, the next one is 1, the first is born.

@@ -33,13 +33,13 @@ protected:
     bornOnes.push_back(person.identity);
   }
   void removeBelief(std::size_t index) override { goneOnes.push_back(index); }
-  void forgetAll() override {
+  void removeAllBeliefs() override {
     bornOnes.clear();
     goneOnes.clear();
   }
   std::size_t beliefBytes() const override { return 0; }
   void update(ThreadTeam&) override { move(people_); }
-  bool sharesMasks() const override { return masksAreShared; }
+  bool ignoresCoveredForeground() const override { return masksAreShared; }
 };
 
 ParameterValues lifecycleValues(bool births) {

@@ -31,9 +31,9 @@ FrameSetPtr drawPeople(const CameraRig& rig, std::int64_t frame,
   FrameSet set{frame, timeStamp(static_cast<double>(frame) / kRate), {}};
   for (const Camera& camera : rig) {
     cv::Mat image = bodies::backgroundImage();
-    const SilhouetteMaker maker(camera);
+    const SilhouetteProjector maker(camera);
     for (const Person& person : people) {
-      for (const cv::Rect& piece : maker.of(person.place, 0.0, bodies::kHeight).pieces) {
+      for (const cv::Rect& piece : maker.project(person.place, 0.0, bodies::kHeight).pieces) {
         const cv::Rect body(piece.x + piece.width / 6, piece.y, piece.width - piece.width / 3,
                             piece.height);
         image(body & cv::Rect(0, 0, 320, 240)).setTo(person.color);
@@ -201,7 +201,7 @@ TEST_P(PeopleMethods, LiveWithoutSomeCamera) {
   EXPECT_TRUE(tracker->found().foreground(1).empty());
 }
 
-INSTANTIATE_TEST_SUITE_P(All, PeopleMethods, testing::ValuesIn(methodNames(TargetsFrom::Images)),
+INSTANTIATE_TEST_SUITE_P(All, PeopleMethods, testing::ValuesIn(methodNames(TargetSource::Images)),
                          [](const auto& method) {
                            std::string name = method.param;
                            std::erase(name, '-');
@@ -247,8 +247,8 @@ TEST(PeopleMethod, KeepsTwoInTheSameClothesApart) {
 }
 
 TEST(PeopleMethodNames, HaveParametersAndSentences) {
-  for (const std::string& method : methodNames(TargetsFrom::Images)) {
-    EXPECT_FALSE(methodSentence(method).empty());
+  for (const std::string& method : methodNames(TargetSource::Images)) {
+    EXPECT_FALSE(methodSummary(method).empty());
     for (const ParameterDeclaration& one : methodParameters(method)) {
       EXPECT_LE(one.minimum, one.defaultValue) << one.key;
       EXPECT_GE(one.maximum, one.defaultValue) << one.key;

@@ -18,8 +18,8 @@ Result<ExportTable> tableOf(const ExportOptions& options,
 TEST(ExportOptions, ChooseTargetsAndSpan) {
   ExportOptions options;
   options.targets = {"cap, red"};
-  options.from = SpanEnd{0.1, false};
-  options.to = SpanEnd{2.0, true};
+  options.from = RangeBound{0.1, false};
+  options.to = RangeBound{2.0, true};
   const auto table = tableOf(options);
   ASSERT_TRUE(table) << sentence(table.error());
   EXPECT_EQ(table->targets, std::vector<std::string>{"cap, red"});
@@ -127,7 +127,7 @@ TEST(ExportRefuses, WhatCannotBeWritten) {
   options.targets = {"dog"};
   EXPECT_NE(sentence(wrong(options)).find("ball, cap, red"), std::string::npos);
   options = {};
-  options.from = SpanEnd{99.0, false};
+  options.from = RangeBound{99.0, false};
   EXPECT_EQ(wrong(options).field, "span");
   options = {};
   options.rate = 1e12;
@@ -181,16 +181,16 @@ TEST(ExportReplaces, OnlyWhatItMay) {
   std::filesystem::create_directory(folder / "a-frames");
   std::ofstream(folder / "a-frames/00001.vtp") << "old";
   ExportOptions options = exportAs("pvd");
-  options.replaces = false;
+  options.overwrite = false;
   const auto asked = exportTrajectory(exportExample(), options, folder / "a.pvd");
   ASSERT_TRUE(asked);
-  EXPECT_EQ(asked->occupied, folder / "a-frames/00001.vtp");
+  EXPECT_EQ(asked->existingFile, folder / "a-frames/00001.vtp");
   EXPECT_EQ(bytesOf(folder / "a-frames/00001.vtp"), "old");
   EXPECT_FALSE(std::filesystem::exists(folder / "a-frames/00000.vtp"));
-  options.replaces = true;
+  options.overwrite = true;
   const auto done = exportTrajectory(exportExample(), options, folder / "a.pvd");
   ASSERT_TRUE(done);
-  EXPECT_TRUE(done->occupied.empty());
+  EXPECT_TRUE(done->existingFile.empty());
   EXPECT_NE(bytesOf(folder / "a-frames/00001.vtp"), "old");
 }
 

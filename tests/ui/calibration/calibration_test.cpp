@@ -208,12 +208,12 @@ void CalibrationTest::theBirdsEyeViewMovesCameras() {
   auto* view = find<BirdsEyeView>("birdsEyeView");
   view->lookFromAbove();
   QVERIFY(waitFor([view] { return view->isDrawn(); }));
-  if (!view->hasPicture()) {
+  if (!view->hasImage()) {
     QSKIP("no OpenGL");
   }
   const Camera before = camera(0);
   const auto placeIn = [&](const Eigen::Vector3d& point) {
-    const Eigen::Vector2d at = view->scene().placeInPicture(point) / view->devicePixelRatioF();
+    const Eigen::Vector2d at = view->scene().projectToImage(point) / view->devicePixelRatioF();
     return QPoint(int(std::lround(view->width() / 2.0 + at.x())),
                   int(std::lround(view->height() / 2.0 - at.y())));
   };

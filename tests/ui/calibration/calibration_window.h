@@ -25,7 +25,7 @@ protected:
   GridLayer* layer(int k) { return find<GridLayer>(QStringLiteral("gridLayer%1").arg(k)); }
   /// Where a camera's pixel is in its layer.
   QPointF placed(int k, const Eigen::Vector2d& pixel) {
-    return placeOf(pixel, static_cast<CameraView*>(layer(k)->parentWidget())->placement());
+    return widgetPosition(pixel, static_cast<CameraView*>(layer(k)->parentWidget())->placement());
   }
 
   void openCalibration();

@@ -156,7 +156,7 @@ TEST_F(ShownCameraView, TheLikelihoodOfMotionIsDrawnOverTheWholeImage) {
   view_.setSnapshot(mapped);
   ASSERT_TRUE(isDrawn(view_));
   EXPECT_EQ(middleOf(view_), QColor(200, 200, 200));
-  view_.setEvidenceShown(true);
+  view_.setLikelihoodShown(true);
   ASSERT_TRUE(isDrawn(view_));
   const QColor likely = middleOf(view_); // light yellow over the gray
   EXPECT_GT(likely.red(), likely.blue() + 20);

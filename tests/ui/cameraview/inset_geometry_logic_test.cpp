@@ -34,14 +34,14 @@ TEST(InsetGeometry, TheCloudFillsAFifthToThreeFifths) {
 TEST(InsetGeometry, ItLiesInTheFirstCornerWithRoomToTheTarget) {
   const QRectF lowerLeft(8.0, 196.0, 96.0, 96.0);
   const QRectF lowerRight(296.0, 196.0, 96.0, 96.0);
-  EXPECT_EQ(insetPlace(kView, 96.0, {50.0, 60.0}, {}), lowerLeft);
-  EXPECT_EQ(insetPlace(kView, 96.0, {350.0, 250.0}, {}), lowerLeft);
-  EXPECT_EQ(insetPlace(kView, 96.0, {120.0, 200.0}, {}), lowerRight);
+  EXPECT_EQ(insetRect(kView, 96.0, {50.0, 60.0}, {}), lowerLeft);
+  EXPECT_EQ(insetRect(kView, 96.0, {350.0, 250.0}, {}), lowerLeft);
+  EXPECT_EQ(insetRect(kView, 96.0, {120.0, 200.0}, {}), lowerRight);
   // What is there already keeps its corner.
-  EXPECT_EQ(insetPlace(kView, 96.0, {50.0, 60.0}, {{10.0, 270.0, 40.0, 20.0}}), lowerRight);
+  EXPECT_EQ(insetRect(kView, 96.0, {50.0, 60.0}, {{10.0, 270.0, 40.0, 20.0}}), lowerRight);
   // In a small view there is no such room anywhere.
   const QRectF small(0.0, 0.0, 210.0, 200.0);
-  EXPECT_EQ(insetPlace(small, 68.0, {90.0, 90.0}, {}), QRectF(134.0, 124.0, 68.0, 68.0));
+  EXPECT_EQ(insetRect(small, 68.0, {90.0, 90.0}, {}), QRectF(134.0, 124.0, 68.0, 68.0));
 }
 
 TEST(InsetGeometry, TheScaleBarHasARoundLength) {
@@ -55,14 +55,14 @@ TEST(Loupe, IsNeverUnderThePointerNorCut) {
   for (const QSizeF room : {QSizeF(400.0, 300.0), QSizeF(180.0, 90.0), QSizeF(130.0, 400.0)}) {
     for (double x = 0.0; x <= room.width(); x += 7.0) {
       for (double y = 0.0; y <= room.height(); y += 7.0) {
-        const QRectF place = loupePlace({x, y}, room);
+        const QRectF place = loupeRect({x, y}, room);
         ASSERT_FALSE(place.isEmpty());
         EXPECT_TRUE(QRectF(QPointF(), room).contains(place)) << x << " " << y;
         EXPECT_FALSE(place.adjusted(-8.0, -8.0, 8.0, 8.0).contains(x, y)) << x << " " << y;
       }
     }
   }
-  EXPECT_TRUE(loupePlace({10.0, 10.0}, {100.0, 100.0}).isEmpty());
+  EXPECT_TRUE(loupeRect({10.0, 10.0}, {100.0, 100.0}).isEmpty());
 }
 
 double luminance(const QColor& color) {

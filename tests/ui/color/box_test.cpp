@@ -75,7 +75,7 @@ void BoxTest::aDraggedBoxIsAStepThatCanBeUndone() {
   QVERIFY(waitFor([this] { return !window_->document().project().targets.empty(); }));
   const auto taken = window_->document().project().targets.front().box;
   QVERIFY(taken);
-  QVERIFY(overlap(taken->box, box) > 0.8); // a widget pixel is not one of the image
+  QVERIFY(intersectionOverUnion(taken->box, box) > 0.8); // a widget pixel is not one of the image
   QCOMPARE(taken->frame, std::int64_t{0});
   QVERIFY(isTrackedTo(kFrames - 1));
   action("actionUndo")->trigger();
@@ -167,10 +167,10 @@ void BoxTest::theMethodIsChosenInTheParameters() {
   QCOMPARE(window_->document().project().method, std::string("histogram"));
   QCOMPARE(messageText(),
            QStringLiteral("Click the object or drag a box around it in any camera view."));
-  QVERIFY(waitFor([this] { return window_->shown()->family.targets == TargetsFrom::Box; }));
+  QVERIFY(waitFor([this] { return window_->shown()->family.targets == TargetSource::Box; }));
   QVERIFY(find<QDockWidget>("birdsEyeDock")->isHidden());
   action("actionUndo")->trigger();
-  QVERIFY(waitFor([this] { return window_->shown()->family.targets != TargetsFrom::Box; }));
+  QVERIFY(waitFor([this] { return window_->shown()->family.targets != TargetSource::Box; }));
   QVERIFY(!find<QDockWidget>("birdsEyeDock")->isHidden());
 }
 

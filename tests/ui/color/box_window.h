@@ -33,7 +33,7 @@ protected:
   void openVideo() {
     NewProject wanted;
     wanted.cameras = {{"", SourceKind::Video, video_.string()}};
-    const auto made = makeProject(wanted);
+    const auto made = createNewProject(wanted);
     QVERIFY(made);
     QVERIFY(saveProject(made->project, path("one.toml")));
     window_->openProject(path("one.toml"));

@@ -14,7 +14,7 @@ namespace {
 
 ColorAssessment threeAlike() {
   ColorAssessment assessment;
-  assessment.alike = 3;
+  assessment.similarObjectCount = 3;
   assessment.suggestion = Suggestion::FollowAll;
   return assessment;
 }

@@ -286,7 +286,7 @@ void CorrectionTest::itIsMarkedRemovedAndUndone() {
   QVERIFY(stateIs("corrected"));
   // From the row of the table.
   auto* panel = window_->findChild<TrajectoryPanel*>();
-  Q_EMIT panel->correctionRemovalWanted(kCorrectedFrame, 0);
+  Q_EMIT panel->correctionRemovalRequested(kCorrectedFrame, 0);
   QVERIFY(areCorrected({}));
 }
 

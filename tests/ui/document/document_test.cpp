@@ -210,7 +210,7 @@ int editForever(const std::string& folder) {
     std::printf("%llu\n", static_cast<unsigned long long>(next));
     std::fflush(stdout);
   });
-  QObject::connect(&recovery, &Recovery::kept, [&folder] {
+  QObject::connect(&recovery, &Recovery::backedUp, [&folder] {
     std::printf("kept %llu\n", static_cast<unsigned long long>(seedKept(folder)));
     std::fflush(stdout);
   });
@@ -283,7 +283,7 @@ void DocumentTest::whatIsSavedOrGivenUpLeavesNothingBehind() {
   QVERIFY(edit("a"));
   QVERIFY(waitFor([&] { return copies() == 1; }));
   std::optional<std::size_t> left;
-  recovery.look([&](const std::vector<RecoverableWork>& found) { left = found.size(); });
+  recovery.findBackups([&](const std::vector<RecoverableWork>& found) { left = found.size(); });
   QVERIFY(waitFor([&] { return left.has_value(); }));
   QCOMPARE(*left, std::size_t{0}); // its own work is not left behind
   ProjectSaver saver(document);

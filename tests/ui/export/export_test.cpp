@@ -365,10 +365,10 @@ void ExportTest::takesPicturesOfEveryView() {
     if (!dock->isVisible() || dock->visibleRegion().isEmpty()) {
       continue;
     }
-    const QImage picture = pictureOf(dock->widget());
+    const QImage picture = grabView(dock->widget());
     QVERIFY(picture.width() > 50 && picture.height() > 30);
     const QString file = folder_.filePath(dock->objectName() + QStringLiteral(".png"));
-    QVERIFY(writePicture(picture, file.toStdString()));
+    QVERIFY(writePng(picture, file.toStdString()));
     QCOMPARE(QImage(file).size(), picture.size());
     ++taken;
   }

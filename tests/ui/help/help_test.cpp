@@ -103,7 +103,7 @@ void HelpTest::linksAndPicturesOfThePagesWork() {
   QVERIFY(picture().width() > 300 && picture().width() < text->width());
   // Room for it is there at once, and the picture soon.
   QVERIFY(waitFor([&] { return picture().pixelColor(picture().rect().center()).alpha() == 255; }));
-  QVERIFY(waitFor([&] { return text->hasPictures(); }));
+  QVERIFY(waitFor([&] { return text->hasLoadedImages(); }));
   // From page to page, to a heading in it, and back.
   text->setSource(
       text->source().resolved(QUrl(QStringLiteral("method-dewpoint.md#12-targets-of-any-shape"))));

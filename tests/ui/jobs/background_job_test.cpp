@@ -166,7 +166,7 @@ void BackgroundJobTest::abandonedItMakesRoom() {
 
 void BackgroundJobTest::ofThoseThatWaitOnlyTheNewestIsBegun() {
   const auto gate = std::make_shared<Gate>();
-  LatestJob job(LatestJob::Overtaken::Kept);
+  LatestJob job(LatestJob::Superseded::Kept);
   QSignalSpy idle(&job, &LatestJob::idle);
   std::vector<int> done;
   for (const int number : {1, 2, 3}) {
@@ -184,7 +184,7 @@ void BackgroundJobTest::ofThoseThatWaitOnlyTheNewestIsBegun() {
 
 void BackgroundJobTest::whatIsOvertakenIsDroppedOrKept() {
   const auto gate = std::make_shared<Gate>();
-  LatestJob job(LatestJob::Overtaken::Dropped);
+  LatestJob job(LatestJob::Superseded::Dropped);
   QSignalSpy idle(&job, &LatestJob::idle);
   std::vector<int> done;
   const auto order = [&](int number) {
@@ -206,7 +206,7 @@ void BackgroundJobTest::whatIsOvertakenIsDroppedOrKept() {
 
 void BackgroundJobTest::whatDoesNotNoticeIsLeftBehind() {
   const auto gate = std::make_shared<Gate>(); // stays closed
-  LatestJob job(LatestJob::Overtaken::Dropped);
+  LatestJob job(LatestJob::Superseded::Dropped);
   bool done = false;
   job.start([gate](const BackgroundJob::Progress&) -> std::function<void()> {
     gate->pass();

@@ -59,7 +59,7 @@ TEST_F(CameraAgreementAlertsTest, TheReasonIsShownWithWhatMendsIt) {
   ASSERT_EQ(answers().size(), 1U);
   EXPECT_EQ(answers()[0]->text(), QStringLiteral("Swap left and camera 2"));
   int mended = 0;
-  QObject::connect(&alerts_, &CameraAgreementAlerts::mendingWanted, &bar_,
+  QObject::connect(&alerts_, &CameraAgreementAlerts::rigCorrectionRequested, &bar_,
                    [&](const CameraDisagreement& found, std::size_t choice) {
                      EXPECT_TRUE(found.isSameAs(swapped()));
                      EXPECT_EQ(choice, 0U);
@@ -82,7 +82,7 @@ TEST_F(CameraAgreementAlertsTest, OfTwoCamerasEitherCanBeRotated) {
 
 TEST_F(CameraAgreementAlertsTest, WhatOnlyACalibrationMendsOffersThat) {
   alerts_.setSnapshot(with({samePose()}));
-  QSignalSpy calibrate(&alerts_, &CameraAgreementAlerts::calibrateWanted);
+  QSignalSpy calibrate(&alerts_, &CameraAgreementAlerts::calibrationRequested);
   ASSERT_EQ(answers().size(), 2U);
   answers()[1]->click();
   ASSERT_EQ(calibrate.size(), 1);
@@ -113,10 +113,10 @@ TEST_F(CameraAgreementAlertsTest, WhoClosesTheBarIsLeftAlone) {
 }
 
 TEST_F(CameraAgreementAlertsTest, WhoCalibratesIsLeftAlone) {
-  alerts_.setResting(true);
+  alerts_.setSuppressed(true);
   alerts_.setSnapshot(with({swapped()}));
   EXPECT_FALSE(isShown());
-  alerts_.setResting(false);
+  alerts_.setSuppressed(false);
   alerts_.setSnapshot(with({swapped()}));
   EXPECT_TRUE(isShown());
 }
@@ -126,7 +126,7 @@ TEST_F(CameraAgreementAlertsTest, ADelayIsSaidInSeconds) {
   CameraDisagreement late{.fault = CameraFault::Late, .cameras = {1}, .delay = 0.198};
   EXPECT_EQ(disagreementText(late, names),
             QStringLiteral("The images of right are about 0.20 s late."));
-  EXPECT_EQ(mendingText(late, 0, names), QStringLiteral("Set the delay of right"));
+  EXPECT_EQ(rigCorrectionText(late, 0, names), QStringLiteral("Set the delay of right"));
   late.delay = -0.1;
   EXPECT_EQ(disagreementText(late, names),
             QStringLiteral("The images of right are about 0.10 s early."));

@@ -52,7 +52,7 @@ TEST_F(CameraMotionAlertsTest, APoseThatIsKnownIsOneClickAway) {
   EXPECT_TRUE(bar_.text().contains(QStringLiteral("camera 2")));
   EXPECT_TRUE(bar_.text().contains(QStringLiteral("being computed")));
   messages_.setSnapshot(at(11.0, true));
-  QSignalSpy newPose(&messages_, &CameraMotionAlerts::newPoseWanted);
+  QSignalSpy newPose(&messages_, &CameraMotionAlerts::newPoseRequested);
   ASSERT_NE(answer(), nullptr);
   answer()->click();
   ASSERT_EQ(newPose.size(), 1);
@@ -61,7 +61,7 @@ TEST_F(CameraMotionAlertsTest, APoseThatIsKnownIsOneClickAway) {
 
 TEST_F(CameraMotionAlertsTest, WithoutAPoseCalibrationIsOffered) {
   messages_.setSnapshot(at(13.5));
-  QSignalSpy calibrate(&messages_, &CameraMotionAlerts::calibrateWanted);
+  QSignalSpy calibrate(&messages_, &CameraMotionAlerts::calibrationRequested);
   ASSERT_NE(answer(), nullptr);
   answer()->click();
   ASSERT_EQ(calibrate.size(), 1);

@@ -218,9 +218,9 @@ void DesktopHabitsTest::theFilterUsesAsManyThreadsAsChosen() {
   };
   window_->show();
   const int most = QThread::idealThreadCount();
-  QCOMPARE(Preferences().filterThreads(), 0); // nobody has chosen
+  QCOMPARE(Preferences().filterThreadCount(), 0); // nobody has chosen
   choose(most);
-  QCOMPARE(Preferences().filterThreads(), most);
+  QCOMPARE(Preferences().filterThreadCount(), most);
   openDemo();
   QCOMPARE(threadsOfRun(), most);
   choose(1); // while it runs

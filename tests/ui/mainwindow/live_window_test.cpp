@@ -93,7 +93,7 @@ void LiveWindowTest::imagesOfAnySizeAreSeenAtOnce() {
   NewProject wanted;
   wanted.cameras = {{"left", SourceKind::Stream, left.address()},
                     {"right", SourceKind::Stream, right.address()}};
-  const auto made = makeProject(wanted);
+  const auto made = createNewProject(wanted);
   QVERIFY(made);
   const std::filesystem::path file = folder_.filePath("sizes.toml").toStdString();
   QVERIFY(saveProject(made->project, file));

@@ -195,7 +195,7 @@ QImage ManualPicturesTest::imageOf(int camera, const QSize& size) {
 }
 
 QImage ManualPicturesTest::fromAbove(const QSize& size) {
-  const QImage whole = pictureOf(find<QDockWidget>("birdsEyeDock")->widget());
+  const QImage whole = grabView(find<QDockWidget>("birdsEyeDock")->widget());
   const QSize part = size.scaled(whole.size(), Qt::KeepAspectRatio) * 0.9;
   return whole.copy((whole.width() - part.width()) / 2, 0, part.width(), part.height())
       .scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);

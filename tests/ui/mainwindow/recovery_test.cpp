@@ -96,7 +96,7 @@ void RecoveryTest::leaveBehind(const char* id, const std::filesystem::path& proj
 
 void RecoveryTest::comesBackWithItsLayout() {
   const auto file = demoFile("half done");
-  window_->useRecovery(place("living"));
+  window_->enableRecovery(place("living"));
   window_->openProject(file);
   QVERIFY(isOpen("half done"));
   find<QDockWidget>("birdsEyeDock")->setFloating(true);
@@ -111,7 +111,7 @@ void RecoveryTest::comesBackWithItsLayout() {
                         QString::fromStdString((place("left") / name.toStdString()).string())));
   }
   makeAnotherWindow({.play = false});
-  window_->useRecovery(place("left"));
+  window_->enableRecovery(place("left"));
   QVERIFY(waitFor([this] { return messageText().contains(QStringLiteral("half done")); }));
   answer("messageAnswer0");
   QVERIFY(isOpen("half done"));
@@ -142,7 +142,7 @@ void RecoveryTest::behindAPageTheLayoutIsThatOfTheViews() {
 
 void RecoveryTest::theQuestionComesBackAfterOtherMessages() {
   leaveBehind("0123", demoFile("half done"));
-  window_->useRecovery(place("left"));
+  window_->enableRecovery(place("left"));
   QVERIFY(waitFor([this] { return messageText().contains(QStringLiteral("half done")); }));
   window_->openProject(demoFile("other"));
   QVERIFY(isOpen("other"));
@@ -161,9 +161,9 @@ void RecoveryTest::aWindowThatTakesLongToDieIsNotForgotten() {
   leaveBehind("0123", demoFile("half done"));
   QLockFile living(QString::fromStdString((place("left") / "0123.lock").string()));
   QVERIFY(living.tryLock(0));
-  window_->useRecovery(place("left"));
+  window_->enableRecovery(place("left"));
   RecoveryOffer& offer = lookOften();
-  QSignalSpy looks(&offer, &RecoveryOffer::looked);
+  QSignalSpy looks(&offer, &RecoveryOffer::searched);
   QVERIFY(waitFor([&] { return looks.count() >= 2; }));
   QVERIFY(messageText().isEmpty());
   living.unlock();
@@ -174,7 +174,7 @@ void RecoveryTest::theLateQuestionTakesNoOtherWorkAway() {
   leaveBehind("0123", demoFile("half done"));
   QLockFile living(QString::fromStdString((place("left") / "0123.lock").string()));
   QVERIFY(living.tryLock(0));
-  window_->useRecovery(place("left"));
+  window_->enableRecovery(place("left"));
   lookOften();
   QVERIFY(messageText().isEmpty());
   window_->openProject(demoFile("other"));
@@ -200,7 +200,7 @@ void RecoveryTest::theLateQuestionTakesNoOtherWorkAway() {
 void RecoveryTest::thrownAwayItIsGoneButForASlip() {
   leaveBehind("0123", demoFile("one"));
   leaveBehind("4567", demoFile("two"));
-  window_->useRecovery(place("left"));
+  window_->enableRecovery(place("left"));
   const auto isAsked = [this] {
     return messageText().contains(QStringLiteral("closed unexpectedly"));
   };
@@ -229,7 +229,7 @@ void RecoveryTest::whatCannotBeOpenedStays() {
                                 "matrix = [[500, 0, 319.5], [0, 500, 239.5], [0, 0, 1]]\n"
                                 "rotation = [0, 0, 0]\ntranslation = [0, 0, 0]\n"));
   leaveBehind("0123", broken);
-  window_->useRecovery(place("left"));
+  window_->enableRecovery(place("left"));
   QVERIFY(
       waitFor([this] { return messageText().contains(QStringLiteral("closed unexpectedly")); }));
   answer("messageAnswer0");
@@ -264,7 +264,7 @@ void RecoveryTest::locksOfTheDeadGo() {
   old.close();
   leaveBehind("89ab", demoFile("half done"));
   QVERIFY(writeTextFile(left / "89ab.lock", lock));
-  window_->useRecovery(left);
+  window_->enableRecovery(left);
   QVERIFY(waitFor([this] { return messageText().contains(QStringLiteral("half done")); }));
   const QStringList all = QDir(QString::fromStdString(left.string())).entryList(QDir::Files);
   QVERIFY(all.contains(QStringLiteral("89ab.toml")));

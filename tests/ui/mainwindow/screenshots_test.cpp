@@ -236,7 +236,7 @@ void ScreenshotsTest::everyView() {
     dock->raise();
     QVERIFY(settles(*dock));
     if (dock->isVisible() && dock->width() > 50 && dock->height() > 30) {
-      keep(pictureOf(dock->widget()), dock->objectName());
+      keep(grabView(dock->widget()), dock->objectName());
     }
   }
   action("actionResetLayout")->trigger();

@@ -166,7 +166,7 @@ double SlowWorldTest::particlesIn(const std::filesystem::path& file) const {
 
 void SlowWorldTest::opensEditsAndClosesAllTheSame() {
   const auto one = demoFile("one");
-  window_->useRecovery(path("recovery"), [disk = disk_](const auto& file, const auto& text) {
+  window_->enableRecovery(path("recovery"), [disk = disk_](const auto& file, const auto& text) {
     disk->pass();
     return writeTextFile(file, text);
   });
@@ -373,9 +373,9 @@ void SlowWorldTest::anEmptyRoomIsUsedOnceItIsWritten() {
   auto* take = find<QPushButton>("cameraEmptyRoomTake");
   auto* field = find<QLineEdit>("cameraEmptyRoom");
   QVERIFY(waitFor([&] { return take->isEnabled(); }));
-  window_->findChild<BackgroundImageTaker*>()->setKeeper([disk = disk_](const auto&... order) {
+  window_->findChild<BackgroundImageTaker*>()->setWriter([disk = disk_](const auto&... order) {
     disk->pass();
-    return keepBackgroundImage(order...);
+    return saveBackgroundImage(order...);
   });
   take->click();
   QVERIFY(waitFor([this] { return disk_->waiting() == 1; }));

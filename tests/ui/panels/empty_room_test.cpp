@@ -65,9 +65,9 @@ void EmptyRoomTest::cleanup() {
 }
 
 void EmptyRoomTest::takeAtTheGate() {
-  panel()->taker().setKeeper([gate = gate_](const auto&... order) {
+  panel()->taker().setWriter([gate = gate_](const auto&... order) {
     gate->pass();
-    return keepBackgroundImage(order...);
+    return saveBackgroundImage(order...);
   });
   take()->click();
   QVERIFY(waitFor([this] { return gate_->waiting() == 1; }));
@@ -107,7 +107,7 @@ void EmptyRoomTest::theEmptyRoomIsAStepThatCanBeUndone() {
 }
 
 void EmptyRoomTest::aPictureThatCannotBeWrittenIsSaid() {
-  panel()->taker().setKeeper([](const auto&...) -> Result<std::filesystem::path> {
+  panel()->taker().setWriter([](const auto&...) -> Result<std::filesystem::path> {
     return failure(ErrorCode::FileUnwritable, "desk-empty-right.png", "", "the disk is full");
   });
   take()->click();

@@ -30,7 +30,7 @@ bool canBeChosen(const MethodChoice& choice, const char* method) {
 }
 
 QString sentenceOf(const MethodChoice& choice, const char* method) {
-  return choice.itemData(choice.findData(QLatin1String(method)), MethodChoice::SentenceRole)
+  return choice.itemData(choice.findData(QLatin1String(method)), MethodChoice::DescriptionRole)
       .toString();
 }
 
@@ -48,7 +48,7 @@ TEST(MethodChoice, ListsAllMethodsUnderHeadings) {
     if (!isHeading) {
       names.insert(choice.itemData(row).toString());
       EXPECT_NE(choice.itemText(row), choice.itemData(row).toString()); // by its use
-      EXPECT_FALSE(choice.itemData(row, MethodChoice::SentenceRole).toString().isEmpty());
+      EXPECT_FALSE(choice.itemData(row, MethodChoice::DescriptionRole).toString().isEmpty());
     }
   }
   EXPECT_EQ(names.size(), methods().size());

@@ -144,10 +144,10 @@ void VolumeTest::viewsShowIt() {
     QCOMPARE(view->grab().toImage(), with);
   }
   auto* birdsEye = find<BirdsEyeView>("birdsEyeView");
-  if (birdsEye->hasPicture()) {
-    const QImage with = birdsEye->currentPicture();
+  if (birdsEye->hasImage()) {
+    const QImage with = birdsEye->currentImage();
     layer->setChecked(false);
-    QVERIFY(birdsEye->currentPicture() != with);
+    QVERIFY(birdsEye->currentImage() != with);
   }
 }
 

@@ -127,10 +127,10 @@ void PeopleTest::theMethodIsChosenAndUndone() {
   };
   choose("mohedano-ms");
   QCOMPARE(window_->document().project().method, std::string("mohedano-ms"));
-  QVERIFY(waitFor([&] { return window_->shown()->family.targets == TargetsFrom::Images; }));
+  QVERIFY(waitFor([&] { return window_->shown()->family.targets == TargetSource::Images; }));
   QApplication::processEvents();
   choose("dewpoint");
-  QVERIFY(waitFor([&] { return window_->shown()->family.targets != TargetsFrom::Images; }));
+  QVERIFY(waitFor([&] { return window_->shown()->family.targets != TargetSource::Images; }));
   QVERIFY(find<QDockWidget>("targetDock")->isVisibleTo(window_.get()));
   QVERIFY(!find<QDockWidget>("peopleDock")->isVisibleTo(window_.get()));
   QVERIFY(!action("actionPlacePerson")->isEnabled());
@@ -138,7 +138,7 @@ void PeopleTest::theMethodIsChosenAndUndone() {
   QCOMPARE(window_->document().project().method, std::string("mohedano-ms"));
   action("actionUndo")->trigger();
   QCOMPARE(window_->document().project().method, std::string("people"));
-  QVERIFY(waitFor([&] { return window_->shown()->family.targets == TargetsFrom::Images; }));
+  QVERIFY(waitFor([&] { return window_->shown()->family.targets == TargetSource::Images; }));
   QVERIFY(find<QDockWidget>("peopleDock")->isVisibleTo(window_.get()));
   QVERIFY(action("actionPlacePerson")->isEnabled());
 }
@@ -174,8 +174,8 @@ void PeopleTest::peopleAreSeenInAllViews() {
   QVERIFY(pixelsLike(view->grab().toImage(), colorOf(1)) > 50); // the outline is 2 pixels wide
   QVERIFY(pixelsLike(view->grab().toImage(), colorOf(2)) > 50);
   auto* birdsEye = find<BirdsEyeView>("birdsEyeView");
-  if (birdsEye->hasPicture()) {
-    QVERIFY(pixelsLike(birdsEye->currentPicture(), colorOf(1)) > 50); // badge and level curves
+  if (birdsEye->hasImage()) {
+    QVERIFY(pixelsLike(birdsEye->currentImage(), colorOf(1)) > 50); // badge and level curves
   }
 
   table->setCurrentCell(1, 0);

@@ -37,7 +37,7 @@ TEST(PlotTickers, LowPlotsHaveTwoNumbersAtLeastAndAtMost) {
 
 TEST(PlotTickers, HighPlotsHaveMore) {
   ValueTicker ticker;
-  ticker.setMost(6);
+  ticker.setMaxTicks(6);
   EXPECT_EQ(ticksOf(ticker, -0.05, 1.05).size(), 6U); // 0, 0.2 … 1
 }
 
@@ -45,7 +45,7 @@ TEST(PlotTickers, DecadesAreTheLowestAndTheHighest) {
   DecadeTicker ticker;
   EXPECT_EQ(ticksOf(ticker, 0.6, 15.0), (std::vector{1.0, 10.0}));
   EXPECT_EQ(ticksOf(ticker, 0.06, 1500.0).size(), 2U);
-  ticker.setMost(5);
+  ticker.setMaxTicks(5);
   EXPECT_EQ(ticksOf(ticker, 0.06, 1500.0).size(), 5U); // 0.1 to 1000
 }
 

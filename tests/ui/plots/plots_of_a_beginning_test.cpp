@@ -57,8 +57,8 @@ void PlotsOfABeginningTest::init() {
 }
 
 void PlotsOfABeginningTest::whatMattersIsInSight() {
-  QVERIFY(waitFor([this] { return plots().plotsInSight().size() >= 3; }));
-  QCOMPARE(plots().plotsInSight().first(3), (QStringList{"position", "spread", "sampleSize"}));
+  QVERIFY(waitFor([this] { return plots().fullyVisiblePlots().size() >= 3; }));
+  QCOMPARE(plots().fullyVisiblePlots().first(3), (QStringList{"position", "spread", "sampleSize"}));
   QCOMPARE(find<QLabel>("plotTarget")->text(), QStringLiteral("pink ball"));
 }
 
@@ -104,10 +104,10 @@ void PlotsOfABeginningTest::restartShowsTheWholeRun() {
   QVERIFY(runsTo(70));
   window_->findChild<QDockWidget*>(QStringLiteral("trajectoryDock"))->raise();
   auto& motion = window_->findChild<TrajectoryPanel*>()->plots();
-  QVERIFY(waitFor([&] { return (motion.showPart(0.5, 1.0), !motion.showsAll()); }));
+  QVERIFY(waitFor([&] { return (motion.showRange(0.5, 1.0), !motion.showsAll()); }));
   window_->findChild<QDockWidget*>(QStringLiteral("plotDock"))->raise();
   QVERIFY(waitFor([this] { return plots().isVisible(); }));
-  plots().showPart(1.0, 20.0);
+  plots().showRange(1.0, 20.0);
   QVERIFY(!plots().showsAll());
   action("actionRestart")->trigger();
   QVERIFY(waitFor([this] { return shown().iterations == 0; }));

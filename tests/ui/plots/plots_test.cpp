@@ -244,8 +244,8 @@ void PlotsTest::rangeOfThePlotsIsSelectedInTheTable() {
 void PlotsTest::rowsOfTheTableAreARangeInThePlotsAndTheRoom() {
   openTrajectory();
   QVERIFY(
-      waitFor([this] { return !window_->findChild<BirdsEyeView*>()->currentPicture().isNull(); }));
-  const QImage before = window_->findChild<BirdsEyeView*>()->currentPicture();
+      waitFor([this] { return !window_->findChild<BirdsEyeView*>()->currentImage().isNull(); }));
+  const QImage before = window_->findChild<BirdsEyeView*>()->currentImage();
   table().setFocus();
   table().selectRow(64);
   QTest::keyClick(&table(), Qt::Key_Down, Qt::ShiftModifier);
@@ -255,18 +255,18 @@ void PlotsTest::rowsOfTheTableAreARangeInThePlotsAndTheRoom() {
   QVERIFY(plots().selectedRange());
   QCOMPARE(*plots().selectedRange(), (SelectedRange{64, 85})); // rows from 64 on, 21 steps down
   QCOMPARE(trajectory().plots().selectedRange(), plots().selectedRange());
-  QVERIFY(window_->findChild<BirdsEyeView*>()->currentPicture() != before);
+  QVERIFY(window_->findChild<BirdsEyeView*>()->currentImage() != before);
   window_->findChild<QDockWidget*>(QStringLiteral("plotDock"))->raise();
 }
 
 void PlotsTest::positionOfTheTailIsAFrame() {
   openTrajectory();
   auto* view = window_->findChild<BirdsEyeView*>();
-  QVERIFY(waitFor([&] { return !view->currentPicture().isNull(); }));
+  QVERIFY(waitFor([&] { return !view->currentImage().isNull(); }));
   const auto& tail = window_->shown()->targets.front().tail;
   QCOMPARE(tail.size(), static_cast<std::size_t>(kDemoFrames));
   const auto pixel = [&](std::size_t frame) {
-    const Eigen::Vector2d place = view->scene().placeInPicture(tail[frame]);
+    const Eigen::Vector2d place = view->scene().projectToImage(tail[frame]);
     const QPointF offset(place.x(), -place.y());
     return (QPointF(view->width(), view->height()) / 2.0 + offset / view->devicePixelRatioF());
   };

@@ -29,7 +29,7 @@ void PreferencesTest::atFirstThereIsNone() {
   QVERIFY(preferences.windowGeometry().isEmpty());
   QVERIFY(preferences.recentProjects().isEmpty());
   QVERIFY(preferences.lastFolder().isEmpty());
-  QCOMPARE(preferences.filterThreads(), 0);
+  QCOMPARE(preferences.filterThreadCount(), 0);
   QVERIFY(!preferences.shortcut(QStringLiteral("actionPlay")));
   QVERIFY(!preferences.shownPlots());
   QVERIFY(!preferences.plotsOverTime());
@@ -38,9 +38,9 @@ void PreferencesTest::atFirstThereIsNone() {
   QCOMPARE(board.board, otherwise.board);
   QCOMPARE(board.lensModel, 1);
   QVERIFY(!board.lenses);
-  QVERIFY(board.places);
+  QVERIFY(board.positions);
   QCOMPARE(board.lensAccuracy, 0.25);
-  QCOMPARE(board.placeAccuracy, 0.5);
+  QCOMPARE(board.positionAccuracy, 0.5);
 }
 
 /// The keys and forms of the versions before there was this class.
@@ -75,9 +75,9 @@ void PreferencesTest::whatEarlierVersionsWroteIsRead() {
   QCOMPARE(board.board, QStringLiteral("chessboard 9 6 0.03"));
   QCOMPARE(board.lensModel, 2);
   QVERIFY(!board.lenses);
-  QVERIFY(board.places);
+  QVERIFY(board.positions);
   QCOMPARE(board.lensAccuracy, 0.3);
-  QCOMPARE(board.placeAccuracy, 0.001);
+  QCOMPARE(board.positionAccuracy, 0.001);
 }
 
 void PreferencesTest::whatIsSetIsThereAtTheNextStart() {
@@ -98,7 +98,7 @@ void PreferencesTest::whatIsSetIsThereAtTheNextStart() {
   QCOMPARE(after.theme(), Theme::Light);
   QCOMPARE(after.language(), QStringLiteral("ja"));
   QCOMPARE(after.windowGeometry(), QByteArray("geometry"));
-  QCOMPARE(after.filterThreads(), 3);
+  QCOMPARE(after.filterThreadCount(), 3);
   QCOMPARE(after.shortcut(QStringLiteral("actionPlay")), std::optional(QKeySequence(Qt::Key_X)));
   QVERIFY(!after.shortcut(QStringLiteral("actionRestart")));
   QCOMPARE(after.shownPlots(), std::optional(QStringList())); // none is a choice, too

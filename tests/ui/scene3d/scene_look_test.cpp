@@ -72,37 +72,37 @@ private Q_SLOTS:
 
   void opensInPerspective() {
     view_->setSnapshot(ballSnapshot());
-    view_->currentPicture();
+    view_->currentImage();
     QCOMPARE(view_->currentView(), Scene3d::View::Free);
     QVERIFY(view_->findChild<QToolButton*>(QStringLiteral("lookFreeButton"))->isChecked());
     // From obliquely above: z is up in the picture, and so is what is farther away.
     const Scene3d& scene = view_->scene();
-    QVERIFY(scene.placeInPicture({0, 0, 1}).y() > scene.placeInPicture({0, 0, 0}).y() + 20.0);
-    QVERIFY(scene.placeInPicture({0, 1, 0}).y() > scene.placeInPicture({0, 0, 0}).y() + 10.0);
+    QVERIFY(scene.projectToImage({0, 0, 1}).y() > scene.projectToImage({0, 0, 0}).y() + 20.0);
+    QVERIFY(scene.projectToImage({0, 1, 0}).y() > scene.projectToImage({0, 0, 0}).y() + 10.0);
     // All of the rig is in it.
     for (const Camera& camera : *ballSnapshot()->rig) {
       const Eigen::Vector2d place =
-          scene.placeInPicture(camera.center()) / view_->devicePixelRatioF();
+          scene.projectToImage(camera.center()) / view_->devicePixelRatioF();
       QVERIFY(std::abs(place.x()) < 320.0 && std::abs(place.y()) < 240.0);
     }
   }
 
   void fitFramesEverything() {
     view_->setSnapshot(ballSnapshot());
-    const QImage before = view_->currentPicture();
+    const QImage before = view_->currentImage();
     QTest::keyClick(view_.get(), Qt::Key_Plus);
     QTest::keyClick(view_.get(), Qt::Key_Plus);
-    QVERIFY(view_->currentPicture() != before);
+    QVERIFY(view_->currentImage() != before);
     QTest::mouseClick(view_->findChild<QToolButton*>(QStringLiteral("fitSceneButton")),
                       Qt::LeftButton);
-    QCOMPARE(view_->currentPicture(), before);
+    QCOMPARE(view_->currentImage(), before);
   }
 
   void aTargetHasTheColorThatWasLearned() {
     const auto snapshot = ballSnapshot();
     snapshot->targets[0].target.color = {200.0, 224.0, 0.4, 0.8, 0.3, 0.7}; // blue
     view_->setSnapshot(snapshot);
-    const QImage picture = view_->currentPicture();
+    const QImage picture = view_->currentImage();
     const auto isBlue = [&](int x, int y) {
       const QRgb pixel = picture.pixel(x, y);
       return qBlue(pixel) > qRed(pixel) + 60 && qBlue(pixel) > 100;
@@ -121,9 +121,9 @@ private Q_SLOTS:
     without->targets[0].particles.resize(0, 3);
     without->targets[0].weights.resize(0);
     view_->setSnapshot(with);
-    const QImage seen = view_->currentPicture();
+    const QImage seen = view_->currentImage();
     view_->setSnapshot(without);
-    const QImage bare = view_->currentPicture();
+    const QImage bare = view_->currentImage();
     const double ratio = view_->devicePixelRatioF();
     const auto stands = [&](int x, int y) {
       return std::abs(qGray(seen.pixel(x, y)) - qGray(bare.pixel(x, y))) > 25;
@@ -138,30 +138,30 @@ private Q_SLOTS:
     const auto snapshot = ballSnapshot();
     scatter(snapshot->targets[0], 0.0004);
     view_->setSnapshot(snapshot);
-    const QImage with = view_->currentPicture();
+    const QImage with = view_->currentImage();
     QCOMPARE(view_->cloudInset().target(*view_, -1), 0);
     QCOMPARE(view_->cloudInset().target(*view_, 0), 0);
     const double ratio = view_->devicePixelRatioF();
-    const QPointF middle = SceneInset::place(*view_).center() * ratio;
+    const QPointF middle = SceneInset::area(*view_).center() * ratio;
     // Particles of the target's color about the middle of the inset.
     QVERIFY(blob(with, middle, 45.0 * ratio).count > 100);
     // Nearer, it is seen in the picture itself.
     scatter(snapshot->targets[0], 0.08);
     const auto large = std::make_shared<TrackSnapshot>(*snapshot);
     view_->setSnapshot(large);
-    view_->currentPicture();
+    view_->currentImage();
     QCOMPARE(view_->cloudInset().target(*view_, -1), -1);
     view_->setSnapshot(TrackSnapshotPtr{});
-    view_->currentPicture();
+    view_->currentImage();
     QCOMPARE(view_->cloudInset().target(*view_, -1), -1);
   }
 
   void linesOfSightEndWhereACameraDoesNotSee() {
     const auto snapshot = ballSnapshot();
     view_->setSnapshot(snapshot);
-    const QImage seen = view_->currentPicture();
+    const QImage seen = view_->currentImage();
     view_->setRaysShown(false);
-    const QImage none = view_->currentPicture();
+    const QImage none = view_->currentImage();
     const auto onRay = [&](const QImage& one, const QImage& other) {
       int different = 0;
       const Eigen::Vector3d camera = snapshot->rig->at(1).center();
@@ -179,11 +179,11 @@ private Q_SLOTS:
     hidden->targets[0].reasons.resize(3);
     hidden->targets[0].reasons[1].status = CameraStatus::Hidden;
     view_->setSnapshot(hidden);
-    const int broken = onRay(view_->currentPicture(), none);
+    const int broken = onRay(view_->currentImage(), none);
     QVERIFY(broken > 40 && broken < whole - 40);
     hidden->targets[0].reasons[1].status = CameraStatus::OutOfView;
     view_->setSnapshot(std::make_shared<TrackSnapshot>(*hidden));
-    QVERIFY(onRay(view_->currentPicture(), none) < 20);
+    QVERIFY(onRay(view_->currentImage(), none) < 20);
   }
 
   void imagesLieOnThePyramidsWhenWanted() {
@@ -205,11 +205,11 @@ private Q_SLOTS:
                            return qGreen(pixel) > qRed(pixel) + 60;
                          });
     };
-    const int ofTheAxes = green(view_->currentPicture());
+    const int ofTheAxes = green(view_->currentImage());
     view_->setImagesShown(true);
-    QVERIFY(green(view_->currentPicture()) > ofTheAxes + 200);
+    QVERIFY(green(view_->currentImage()) > ofTheAxes + 200);
     view_->setImagesShown(false);
-    QCOMPARE(green(view_->currentPicture()), ofTheAxes);
+    QCOMPARE(green(view_->currentImage()), ofTheAxes);
   }
 
   void ofVeryManyTargetsTheRestArePoints() {
@@ -222,21 +222,21 @@ private Q_SLOTS:
       snapshot->targets.push_back(more);
     }
     view_->setSnapshot(snapshot);
-    const QImage all = view_->currentPicture();
+    const QImage all = view_->currentImage();
     // What was framed stays framed: only the points are missing now.
     const auto fewer = std::make_shared<TrackSnapshot>(*snapshot);
     fewer->targets.resize(100); // so many are drawn in full
     view_->setSnapshot(fewer);
-    QVERIFY(view_->currentPicture() != all);
+    QVERIFY(view_->currentImage() != all);
     view_->setSnapshot(snapshot);
-    QCOMPARE(view_->currentPicture(), all);
+    QCOMPARE(view_->currentImage(), all);
   }
 
   void namesStandBesideTheCameras() {
     view_->setSnapshot(ballSnapshot());
     for (const auto look : {Scene3d::View::Free, Scene3d::View::Above, Scene3d::View::Front}) {
       view_->look(look);
-      view_->currentPicture();
+      view_->currentImage();
       const auto labels = view_->cameraLabels().labels(*view_);
       QCOMPARE(labels.size(), std::size_t{3});
       const ViewProjection projection(*view_, view_->scene());
@@ -244,15 +244,15 @@ private Q_SLOTS:
         for (const Eigen::Vector3d& corner : glyph.corners) {
           for (double share = 0.0; share <= 1.0; share += 0.05) {
             const Eigen::Vector3d point = glyph.center + share * (corner - glyph.center);
-            const QPointF edge = projection.inWidget(point);
+            const QPointF edge = projection.toWidget(point);
             for (const auto& label : labels) {
-              QVERIFY2(!label.place.contains(edge), qPrintable(label.text));
+              QVERIFY2(!label.area.contains(edge), qPrintable(label.text));
             }
           }
         }
       }
       for (const auto& label : labels) {
-        QVERIFY(QRectF(view_->rect()).contains(label.place));
+        QVERIFY(QRectF(view_->rect()).contains(label.area));
       }
     }
   }
@@ -261,38 +261,38 @@ private Q_SLOTS:
     const auto large = ballSnapshot();
     const auto small = quartered(*large);
     view_->setSnapshot(small);
-    view_->currentPicture();
+    view_->currentImage();
     const double fresh = view_->scene().metersPerPixel();
     view_->setSnapshot(large);
-    view_->currentPicture();
+    view_->currentImage();
     QTest::keyClick(view_.get(), Qt::Key_Plus);
     view_->setSnapshot(small);
-    view_->currentPicture();
+    view_->currentImage();
     QCOMPARE(view_->scene().metersPerPixel(), fresh);
   }
 
   void theSameRigKeepsTheView() {
     view_->setSnapshot(ballSnapshot());
-    view_->currentPicture();
+    view_->currentImage();
     QTest::keyClick(view_.get(), Qt::Key_Plus);
-    view_->currentPicture();
+    view_->currentImage();
     const double zoomed = view_->scene().metersPerPixel();
     view_->setSnapshot(ballSnapshot({-0.2, 0.1, 0.8})); // the same rig, in another object
-    view_->currentPicture();
+    view_->currentImage();
     QCOMPARE(view_->scene().metersPerPixel(), zoomed);
     view_->setSnapshot(TrackSnapshotPtr{}); // the run begins again
-    view_->currentPicture();
+    view_->currentImage();
     view_->setSnapshot(ballSnapshot());
-    view_->currentPicture();
+    view_->currentImage();
     QCOMPARE(view_->scene().metersPerPixel(), zoomed);
   }
 
   void aRefinedCalibrationKeepsTheView() {
     const auto snapshot = ballSnapshot();
     view_->setSnapshot(snapshot);
-    view_->currentPicture();
+    view_->currentImage();
     QTest::keyClick(view_.get(), Qt::Key_Plus);
-    view_->currentPicture();
+    view_->currentImage();
     const double zoomed = view_->scene().metersPerPixel();
     const auto refined = std::make_shared<TrackSnapshot>(*snapshot);
     CameraRig rig = *snapshot->rig;
@@ -301,18 +301,18 @@ private Q_SLOTS:
     }
     refined->rig = std::make_shared<CameraRig>(rig);
     view_->setSnapshot(refined);
-    view_->currentPicture();
+    view_->currentImage();
     QCOMPARE(view_->scene().metersPerPixel(), zoomed);
   }
 
   void anotherProjectIsSeenAfresh() {
     view_->setSnapshot(ballSnapshot());
-    view_->currentPicture();
+    view_->currentImage();
     const double fresh = view_->scene().metersPerPixel();
     view_->lookFromFront();
     QTest::keyClick(view_.get(), Qt::Key_Plus);
-    view_->startAnew();
-    view_->currentPicture();
+    view_->resetForNewProject();
+    view_->currentImage();
     QCOMPARE(view_->currentView(), Scene3d::View::Free);
     QCOMPARE(view_->scene().metersPerPixel(), fresh);
   }
@@ -328,7 +328,7 @@ private Q_SLOTS:
       path.add(snapshot);
       path.add(snapshot); // shown once more, of the same iteration
     }
-    QCOMPARE(path.of(0).size(), MeanPath::kLongest);
+    QCOMPARE(path.of(0).size(), MeanPath::kMaxPositions);
     QCOMPARE(path.of(0).back().x(), 0.70);
     snapshot.iterations = 1; // restarted
     path.add(snapshot);
@@ -349,10 +349,10 @@ private Q_SLOTS:
     std::get<SphereEstimate>(first->targets[0].estimate).mean.x() -= 1.0;
     second->iterations = 2;
     view_->setSnapshot(second);
-    const QImage without = view_->currentPicture();
+    const QImage without = view_->currentImage();
     view_->setSnapshot(first); // begins the path again
     view_->setSnapshot(second);
-    const QImage with = view_->currentPicture();
+    const QImage with = view_->currentImage();
     const QPointF middle = at(with, kBall - Eigen::Vector3d(0.5, 0.0, 0.0));
     QVERIFY(countPixels(with, middle, 6.0 * view_->devicePixelRatioF(),
                         [&](int x, int y) { return with.pixel(x, y) != without.pixel(x, y); }) > 5);
@@ -361,7 +361,7 @@ private Q_SLOTS:
 private:
   /// Device pixels from the upper left corner.
   QPointF at(const QImage& picture, const Eigen::Vector3d& point) const {
-    const Eigen::Vector2d place = view_->scene().placeInPicture(point);
+    const Eigen::Vector2d place = view_->scene().projectToImage(point);
     return {picture.width() / 2.0 + place.x(), picture.height() / 2.0 - place.y()};
   }
 

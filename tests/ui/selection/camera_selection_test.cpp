@@ -57,7 +57,7 @@ void CameraSelectionTest::chooseInSpace(int k) {
   view->lookFromAbove();
   QVERIFY(waitFor([view] { return view->isDrawn(); }));
   const Eigen::Vector2d at =
-      view->scene().placeInPicture(camera(k).center()) / view->devicePixelRatioF();
+      view->scene().projectToImage(camera(k).center()) / view->devicePixelRatioF();
   QTest::mouseClick(view, Qt::LeftButton, {},
                     QPointF(view->width() / 2.0 + at.x(), view->height() / 2.0 - at.y()).toPoint());
 }
@@ -87,7 +87,7 @@ void CameraSelectionTest::aCameraChosenAnywhereIsChosenEverywhere() {
       {"image", [this](int k) { chooseInImage(k); }},
       {"bird's-eye view", [this](int k) { chooseInSpace(k); }}};
   for (const auto& [place, choose] : places) {
-    if (!find<BirdsEyeView>("birdsEyeView")->hasPicture() && place == places.back().first) {
+    if (!find<BirdsEyeView>("birdsEyeView")->hasImage() && place == places.back().first) {
       QSKIP("no OpenGL");
     }
     for (const int k : {1, 0}) {

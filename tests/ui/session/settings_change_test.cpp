@@ -7,7 +7,7 @@
 #include "tests/ui/window_test.h"
 #include "ui/document/document.h"
 #include "ui/selection/selection.h"
-#include "ui/session/result_keeper.h"
+#include "ui/session/result_refresher.h"
 #include "ui/session/session_controller.h"
 #include "ui/timeline/timeline.h"
 #include "ui/workbench/workbench.h"
@@ -45,7 +45,7 @@ private Q_SLOTS:
 private:
   /// Tracks the first frames, and pauses.
   void trackSome(Again again = Again::Quick);
-  ResultKeeper& results() { return window_->workbench().session.results(); }
+  ResultRefresher& results() { return window_->workbench().session.results(); }
   bool areOld(const std::vector<ResultRange>& frames) {
     return waitFor([&] { return results().old().frames == frames; });
   }
@@ -57,7 +57,7 @@ private:
           std::ranges::find(header, std::string(key), &std::pair<std::string, std::string>::first);
       return entry != header.end() && std::stod(entry->second) == value &&
              results().old().frames.empty() && results().old().newest == kTrackedAtFirst - 1 &&
-             !results().isRenewing();
+             !results().isRefreshing();
     });
   }
   const Eigen::Vector3d& mean() const {
@@ -67,7 +67,7 @@ private:
 
 void SettingsChangeTest::trackSome(Again again) {
   makeWindow({.theme = Theme::Light, .play = false});
-  results().setQuick(again == Again::Quick ? std::numeric_limits<double>::infinity() : 0.0);
+  results().setQuickLimit(again == Again::Quick ? std::numeric_limits<double>::infinity() : 0.0);
   open();
   QVERIFY(waitFor([this] { return shown().history.head == 0; }));
   for (qint64 frame = 1; frame < kTrackedAtFirst; ++frame) {

@@ -68,7 +68,7 @@ QImage GalleryPicturesTest::pictureIn(const QString& dock, const QSize& size) {
   found->setFloating(true);
   found->resize(size);
   found->raise();
-  return settles(*found) ? pictureOf(found->widget()) : QImage();
+  return settles(*found) ? grabView(found->widget()) : QImage();
 }
 
 /// The image of a camera with all that is drawn over it, without what is beside it.

@@ -237,7 +237,7 @@ void StartAndActionsTest::workLeftBehindIsOffered() {
   auto project = *resolveProject("demo");
   project.name = "half done";
   QVERIFY(saveProject(project, recovery / "0123.toml"));
-  window_->useRecovery(recovery);
+  window_->enableRecovery(recovery);
   QVERIFY(waitFor([this] { return messageText().contains(QStringLiteral("half done")); }));
   QTest::mouseClick(find<QPushButton>("messageAnswer0"), Qt::LeftButton);
   QVERIFY(isOpen(2));

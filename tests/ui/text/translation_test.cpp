@@ -245,14 +245,14 @@ void TranslationTest::anAssessmentSaysWhatItsScoreIsMadeOf() {
   assessment.separability = 0.04;
   assessment.targetShare = 0.02;
   assessment.backgroundShare = 0.0;
-  assessment.backgroundShareOfWhole = 0.015;
+  assessment.backgroundShareOfFullRange = 0.015;
   const QString missed = colorAssessmentText(assessment, {});
   QVERIFY2(missed.contains(QStringLiteral(
                "Only 2 % of the target matches, and 0.00 % of the background matches too")) &&
                missed.contains(QStringLiteral("would match 1.50 % of the background")),
            qPrintable(missed));
   assessment.targetShare = 0.9;
-  assessment.backgroundShareOfWhole.reset();
+  assessment.backgroundShareOfFullRange.reset();
   const QString hit = colorAssessmentText(assessment, {});
   QVERIFY2(hit.contains(QStringLiteral("0.00 % of the background matches too")), qPrintable(hit));
 }
@@ -276,7 +276,7 @@ void TranslationTest::titlesOfTheGapsAreWhole() {
 void TranslationTest::anErrorIsTranslatedButNotItsFileAndField() {
   useLanguage(QStringLiteral("es"));
   // The Spanish catalog's phrase of UnknownKey.
-  QCOMPARE(errorSentence({ErrorCode::UnknownKey, "a.toml", "flavor", "line 3"}),
+  QCOMPARE(errorText({ErrorCode::UnknownKey, "a.toml", "flavor", "line 3"}),
            QStringLiteral("a.toml: flavor: clave desconocida (line 3)"));
 }
 

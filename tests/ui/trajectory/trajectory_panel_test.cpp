@@ -60,7 +60,7 @@ private Q_SLOTS:
 
 private:
   void follow(const std::vector<TrajectorySample>& samples);
-  bool isInSight(int row) {
+  bool isRowVisible(int row) {
     return table().viewport()->rect().contains(table().visualRect(table().model()->index(row, 0)));
   }
   std::pair<int, int> markedRows() {
@@ -95,8 +95,8 @@ void TrajectoryPanelTest::cleanup() {
 
 void TrajectoryPanelTest::follow(const std::vector<TrajectorySample>& samples) {
   samples_ = samples;
-  panel_->follow([this](auto&, auto& position) {
-    LogPiece<TrajectorySample> piece;
+  panel_->setSource([this](auto&, auto& position) {
+    LogUpdate<TrajectorySample> piece;
     piece.restarted = std::exchange(restarted_, false);
     piece.first = piece.restarted ? 0 : std::min(position, samples_.size());
     piece.records.assign(samples_.begin() + static_cast<std::ptrdiff_t>(piece.first),
@@ -167,12 +167,12 @@ void TrajectoryPanelTest::rowOfTheFrameShownIsMarkedAndInSight() {
   follow(circle(200));
   selection_.setCurrentFrame(199, 6.6, false);
   QCOMPARE(markedRows(), std::pair(199, 200));
-  QVERIFY(isInSight(199));
+  QVERIFY(isRowVisible(199));
   const QImage before = table().grab().toImage();
   for (const int frame : {100, 101, 20, 150}) {
     selection_.setCurrentFrame(frame, frame / 30.0, true);
     QCOMPARE(markedRows(), std::pair(frame, frame + 1));
-    QVERIFY(isInSight(frame));
+    QVERIFY(isRowVisible(frame));
   }
   // It is a color of its own.
   const QRect cell = table().visualRect(table().model()->index(150, 0));
@@ -182,12 +182,12 @@ void TrajectoryPanelTest::rowOfTheFrameShownIsMarkedAndInSight() {
   // A frame that the table does not have yet: the end is in sight, and nothing is marked.
   selection_.setCurrentFrame(204, 6.8, false);
   QCOMPARE(markedRows().second - markedRows().first, 0);
-  QVERIFY(isInSight(199));
+  QVERIFY(isRowVisible(199));
   samples_ = circle(210);
   panel_->refresh();
   QVERIFY(waitFor([&] { return table().model()->rowCount() == 210; }));
   QCOMPARE(markedRows(), std::pair(204, 205));
-  QVERIFY(isInSight(204));
+  QVERIFY(isRowVisible(204));
 }
 
 void TrajectoryPanelTest::whoScrollsOrSelectsIsLeftAlone() {
@@ -201,11 +201,11 @@ void TrajectoryPanelTest::whoScrollsOrSelectsIsLeftAlone() {
   QCOMPARE(markedRows(), std::pair(151, 152)); // marked all the same
   selection_.requestFrame(90);                 // who goes somewhere wants to see it
   selection_.setCurrentFrame(90, 3.0, true);
-  QVERIFY(isInSight(90));
+  QVERIFY(isRowVisible(90));
   bar->setValue(10);
   bar->setValue(88); // scrolled back to where it is
   selection_.setCurrentFrame(120, 4.0, true);
-  QVERIFY(isInSight(120));
+  QVERIFY(isRowVisible(120));
   selection_.selectRange(SelectedRange{40, 49});
   const int there = bar->value();
   selection_.setCurrentFrame(180, 6.0, true);
@@ -220,7 +220,7 @@ void TrajectoryPanelTest::longRunsAreBounded() {
     const auto value = static_cast<float>(i % 100);
     series.append({i, i, static_cast<double>(i) / 30.0}, std::span(&value, 1));
   }
-  QVERIFY(series.size() <= PlotSeries::kMostRows);
+  QVERIFY(series.size() <= PlotSeries::kMaxRows);
   QCOMPARE(series.row(0).iteration, 0);
   QCOMPARE(series.row(series.size() - 1).iteration, kIterations - 1);
   // The newest are there in full.

@@ -59,8 +59,8 @@ private Q_SLOTS:
   void cleanup() { view_.reset(); }
 
   void emptyRoomShowsTheGrid() {
-    const QImage picture = view_->currentPicture();
-    QVERIFY(view_->hasPicture());
+    const QImage picture = view_->currentImage();
+    QVERIFY(view_->hasImage());
     QCOMPARE(picture.size(), (QSizeF(view_->size()) * view_->devicePixelRatioF()).toSize());
     QCOMPARE(blob(picture, {320, 240}, 2000.0).count, 0);
     QVERIFY(picture.pixel(2, 2) !=
@@ -71,7 +71,7 @@ private Q_SLOTS:
   void fromAboveTheBallIsWhereXAndYSay() {
     view_->setRaysShown(false); // they are of its color
     view_->setSnapshot(ballSnapshot());
-    const QImage picture = view_->currentPicture();
+    const QImage picture = view_->currentImage();
     keep(picture, "above");
     const Scene3d& scene = view_->scene();
     const QPointF expected =
@@ -92,9 +92,9 @@ private Q_SLOTS:
   void fromTheFrontTheBallIsWhereXAndZSay() {
     const QSignalSpy changed(view_.get(), &BirdsEyeView::viewChanged);
     view_->setSnapshot(ballSnapshot());
-    const QImage above = view_->currentPicture();
+    const QImage above = view_->currentImage();
     view_->lookFromFront();
-    const QImage front = view_->currentPicture();
+    const QImage front = view_->currentImage();
     keep(front, "front");
     QCOMPARE(changed.count(), 1);
     QCOMPARE(view_->currentView(), Scene3d::View::Front);
@@ -111,35 +111,35 @@ private Q_SLOTS:
   void darkAndFreeDiffer() {
     view_->setSnapshot(ballSnapshot());
     view_->lookFree();
-    const QImage light = view_->currentPicture();
+    const QImage light = view_->currentImage();
     keep(light, "free");
     QPalette dark;
     dark.setColor(QPalette::Window, QColor(30, 32, 36));
     dark.setColor(QPalette::WindowText, Qt::white);
     dark.setColor(QPalette::ButtonText, Qt::white);
     view_->setPalette(dark);
-    const QImage picture = view_->currentPicture();
+    const QImage picture = view_->currentImage();
     keep(picture, "free_dark");
     QVERIFY(qGray(light.pixel(2, 2)) > 200);
     QVERIFY(qGray(picture.pixel(2, 2)) < 60);
     view_->lookFromAbove();
-    keep(view_->currentPicture(), "above_dark");
+    keep(view_->currentImage(), "above_dark");
     keep(view_->grab().toImage(), "widget_dark");
   }
 
   void newSnapshotsMoveTheBall() {
     view_->setSnapshot(ballSnapshot());
-    const QImage before = view_->currentPicture();
-    QCOMPARE(differentPixels(before, view_->currentPicture()), 0);
+    const QImage before = view_->currentImage();
+    QCOMPARE(differentPixels(before, view_->currentImage()), 0);
     auto next = ballSnapshot({-0.6, 0.5, 0.7});
     view_->setSnapshot(next);
-    const QImage picture = view_->currentPicture();
+    const QImage picture = view_->currentImage();
     const Scene3d& scene = view_->scene();
     const QPointF expected =
         flatProjection(scene, picture, -0.6, 0.5, scene.focus().x(), scene.focus().y());
     QVERIFY(blob(picture, expected, 0.03 / scene.metersPerPixel()).count > 20);
     view_->setSnapshot(TrackSnapshotPtr{});
-    QCOMPARE(blob(view_->currentPicture(), expected, 0.2 / scene.metersPerPixel()).count, 0);
+    QCOMPARE(blob(view_->currentImage(), expected, 0.2 / scene.metersPerPixel()).count, 0);
   }
 
   void aTailHasGapsWhereTheTargetWasNotHeld() {
@@ -151,17 +151,17 @@ private Q_SLOTS:
       torn->targets[0].tail[i].setConstant(kNaN);
     }
     view_->setSnapshot(whole);
-    const QImage before = view_->currentPicture();
+    const QImage before = view_->currentImage();
     const Scene3d& scene = view_->scene();
     const auto at = [&](std::size_t i) {
-      const Eigen::Vector2d place = scene.placeInPicture(whole->targets[0].tail[i]);
+      const Eigen::Vector2d place = scene.projectToImage(whole->targets[0].tail[i]);
       return QPointF(before.width() / 2.0 + place.x(), before.height() / 2.0 - place.y());
     };
     const QPointF inGap = at(27);
     const QPointF held = at(20);
     QVERIFY(blob(before, inGap, 4.0).count > 0 && blob(before, held, 4.0).count > 0);
     view_->setSnapshot(torn);
-    const QImage after = view_->currentPicture();
+    const QImage after = view_->currentImage();
     QCOMPARE(blob(after, inGap, 4.0).count, 0);
     QVERIFY(blob(after, held, 4.0).count > 0);
   }
@@ -171,20 +171,20 @@ private Q_SLOTS:
     std::get<SphereEstimate>(snapshot->targets[0].estimate).best =
         kBall + Eigen::Vector3d(0.3, 0.2, 0.0); // beside the cloud
     view_->setSnapshot(snapshot);
-    const QImage without = view_->currentPicture();
+    const QImage without = view_->currentImage();
     view_->setBestShown(true);
-    QVERIFY(differentPixels(without, view_->currentPicture()) > 10); // a triangle of 14 x 12 px
+    QVERIFY(differentPixels(without, view_->currentImage()) > 10); // a triangle of 14 x 12 px
     view_->setBestShown(false);
-    QCOMPARE(differentPixels(without, view_->currentPicture()), 0);
+    QCOMPARE(differentPixels(without, view_->currentImage()), 0);
   }
 
   void numbersAreWrittenAsTheLanguageDoes() {
     view_->setLocale(QLocale(QLocale::English));
-    const QImage english = view_->currentPicture();
+    const QImage english = view_->currentImage();
     view_->setLocale(QLocale(QLocale::German));
-    QVERIFY(view_->currentPicture() != english);
+    QVERIFY(view_->currentImage() != english);
     view_->setLocale(QLocale(QLocale::English));
-    QCOMPARE(view_->currentPicture(), english);
+    QCOMPARE(view_->currentImage(), english);
   }
 
   void numbersThatAreNotFiniteAreLeftOut() {
@@ -206,7 +206,7 @@ private Q_SLOTS:
     rig.push_back(broken);
     snapshot->rig = std::make_shared<CameraRig>(rig);
     view_->setSnapshot(snapshot);
-    const QImage picture = view_->currentPicture();
+    const QImage picture = view_->currentImage();
     const Scene3d& scene = view_->scene();
     QVERIFY(std::isfinite(scene.metersPerPixel()) && scene.focus().allFinite());
     const QPointF expected =
@@ -234,56 +234,56 @@ private Q_SLOTS:
     }
     small->rig = std::make_shared<CameraRig>(rig);
     view_->setSnapshot(small);
-    view_->currentPicture();
+    view_->currentImage();
     const double expected = view_->scene().metersPerPixel();
 
     init();
     view_->setSnapshot(guessed);
-    view_->currentPicture();
+    view_->currentImage();
     QVERIFY(view_->scene().metersPerPixel() > 5.0 * expected);
     view_->setSnapshot(small);
-    view_->currentPicture();
+    view_->currentImage();
     QCOMPARE(view_->scene().metersPerPixel(), expected);
   }
 
   void oneCameraThatIsMovedLeavesThePictureStill() {
     const auto snapshot = ballSnapshot();
     view_->setSnapshot(snapshot);
-    view_->currentPicture();
+    view_->currentImage();
     const double before = view_->scene().metersPerPixel();
     const auto moved = std::make_shared<TrackSnapshot>(*snapshot);
     CameraRig rig = *snapshot->rig;
     rig.front().cameraFromWorld.translation() *= 0.9; // nearer to the others
     moved->rig = std::make_shared<CameraRig>(rig);
     view_->setSnapshot(moved);
-    view_->currentPicture();
+    view_->currentImage();
     QCOMPARE(view_->scene().metersPerPixel(), before);
   }
 
   void draggingMovesAndDoubleClickRestores() {
     view_->setSnapshot(ballSnapshot());
-    const QImage before = view_->currentPicture();
+    const QImage before = view_->currentImage();
     const Eigen::Vector3d focus = view_->scene().focus();
     QTest::mousePress(view_.get(), Qt::LeftButton, {}, {300, 200});
     QTest::mouseMove(view_.get(), {360, 220});
     QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, {360, 220});
-    view_->currentPicture();
+    view_->currentImage();
     // 60 px to the right drag the room along: the focus goes left by as many meters.
     const double meters = view_->scene().metersPerPixel() * view_->devicePixelRatioF();
     QVERIFY(std::abs(view_->scene().focus().x() - (focus.x() - 60.0 * meters)) < 2.0 * meters);
     QVERIFY(std::abs(view_->scene().focus().y() - (focus.y() + 20.0 * meters)) < 2.0 * meters);
     QTest::mouseDClick(view_.get(), Qt::LeftButton, {}, {300, 200});
-    QCOMPARE(differentPixels(before, view_->currentPicture()), 0);
+    QCOMPARE(differentPixels(before, view_->currentImage()), 0);
   }
 
   void orbitingTurnsTheFreeView() {
     view_->setSnapshot(ballSnapshot());
     view_->lookFree();
-    const QImage before = view_->currentPicture();
+    const QImage before = view_->currentImage();
     QTest::mousePress(view_.get(), Qt::LeftButton, {}, {300, 200});
     QTest::mouseMove(view_.get(), {380, 230});
     QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, {380, 230});
-    const QImage after = view_->currentPicture();
+    const QImage after = view_->currentImage();
     keep(after, "orbited");
     QVERIFY(differentPixels(before, after) > before.width() * before.height() / 50);
   }
@@ -319,7 +319,7 @@ private Q_SLOTS:
     view_->setSnapshot(ballSnapshot());
     MapLook look;
     view_->showMap(map, look);
-    const QImage picture = view_->currentPicture();
+    const QImage picture = view_->currentImage();
     keep(picture, "map");
     const Scene3d& scene = view_->scene();
     const auto colorAt = [&](double x, double y) {
@@ -330,14 +330,14 @@ private Q_SLOTS:
     QVERIFY(qRed(colorAt(1.45, -1.45)) > qBlue(colorAt(1.45, -1.45)) + 40);
     const QRgb blank = colorAt(-1.45, 1.45);
     QVERIFY(std::abs(qBlue(blank) - qRed(blank)) < 30);
-    const auto west = scene.positionInLayer(scene.placeInPicture({-1.45, -1.45, 0.0}));
+    const auto west = scene.positionInLayer(scene.projectToImage({-1.45, -1.45, 0.0}));
     QVERIFY(west.has_value());
     QCOMPARE(cellAt(map->grid, *west), std::optional<std::size_t>(0));
     look.volume = true;
     view_->showMap(map, look);
-    QVERIFY(differentPixels(view_->currentPicture(), picture) > 1000);
+    QVERIFY(differentPixels(view_->currentImage(), picture) > 1000);
     view_->showMap(nullptr, look);
-    (void)view_->currentPicture();
+    (void)view_->currentImage();
     QVERIFY(!scene.positionInLayer({0.0, 0.0}));
   }
 
@@ -347,15 +347,15 @@ private Q_SLOTS:
     QTest::mouseClick(view_.get(), Qt::LeftButton, {}, {100, 100});
     QTest::keyClick(view_.get(), Qt::Key_Plus);
     const QImage shown = view_->grab().toImage();
-    QCOMPARE(view_->hasPicture(), !view_->currentPicture().isNull());
-    QCOMPARE(view_->hasPicture(), qEnvironmentVariableIsSet("DISPLAY"));
-    keep(shown, view_->hasPicture() ? "zoomed" : "no_3d");
+    QCOMPARE(view_->hasImage(), !view_->currentImage().isNull());
+    QCOMPARE(view_->hasImage(), qEnvironmentVariableIsSet("DISPLAY"));
+    keep(shown, view_->hasImage() ? "zoomed" : "no_3d");
     // Something is written or drawn either way.
     QVERIFY(differentPixels(shown, shown.mirrored()) > 50);
   }
 
   void noQt5InTheProcess() {
-    view_->currentPicture();
+    view_->currentImage();
     QFile maps(QStringLiteral("/proc/self/maps"));
     QVERIFY(maps.open(QIODevice::ReadOnly));
     const QByteArray mapped = maps.readAll();

@@ -25,12 +25,13 @@ TEST(ImageGrid, ImagesOfARowAreEquallyHighAndFillIt) {
   const std::array<double, 2> aspects{kWide, 1.0 / kWide};
   const ImageGrid grid = imageGridOf(aspects, {2000.0, 300.0 + kTitle}, kTitle, 2);
   EXPECT_NEAR(grid.columnShares[0] / grid.columnShares[1], kWide * kWide, 1e-12);
-  EXPECT_NEAR(grid.usefulWidth, 300.0 * (kWide + 1.0 / kWide), 1e-9);
+  EXPECT_NEAR(grid.maximumUsefulWidth, 300.0 * (kWide + 1.0 / kWide), 1e-9);
   EXPECT_NEAR(grid.area, 300.0 * 300.0 * (kWide + 1.0 / kWide), 1e-6);
   // Just as wide as is useful, nothing is left over, and half as wide, half as high.
-  const ImageGrid full = imageGridOf(aspects, {grid.usefulWidth, 300.0 + kTitle}, kTitle, 2);
+  const ImageGrid full = imageGridOf(aspects, {grid.maximumUsefulWidth, 300.0 + kTitle}, kTitle, 2);
   EXPECT_NEAR(full.area, grid.area, 1e-6);
-  const ImageGrid half = imageGridOf(aspects, {grid.usefulWidth / 2, 300.0 + kTitle}, kTitle, 2);
+  const ImageGrid half =
+      imageGridOf(aspects, {grid.maximumUsefulWidth / 2, 300.0 + kTitle}, kTitle, 2);
   EXPECT_NEAR(half.area, grid.area / 4.0, 1e-6);
 }
 

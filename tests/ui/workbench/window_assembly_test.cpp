@@ -173,17 +173,17 @@ void WindowAssemblyTest::anotherProjectIsSeenWhole() {
   }
   auto* plots = window_->findChild<PlotStack*>(QStringLiteral("plotStack"));
   // Long enough to be looked at in part.
-  QTRY_VERIFY_WITH_TIMEOUT((plots->showPart(1.0, 6.0), !plots->showsAll()), kTimeoutMs);
+  QTRY_VERIFY_WITH_TIMEOUT((plots->showRange(1.0, 6.0), !plots->showsAll()), kTimeoutMs);
   dock("trajectoryDock")->raise(); // the panel follows the run while it is seen
   auto* motion = window_->findChild<PlotStack*>(QStringLiteral("motionPlots"));
-  QTRY_VERIFY_WITH_TIMEOUT((motion->showPart(0.5, 1.0), !motion->showsAll()), kTimeoutMs);
+  QTRY_VERIFY_WITH_TIMEOUT((motion->showRange(0.5, 1.0), !motion->showsAll()), kTimeoutMs);
   openDemo();
   QCOMPARE(room->currentView(), Scene3d::View::Free);
-  if (room->hasPicture()) {
-    room->currentPicture();
+  if (room->hasImage()) {
+    room->currentImage();
     const double shown = room->scene().metersPerPixel();
     action("actionFitScene")->trigger();
-    room->currentPicture();
+    room->currentImage();
     // Twice as near before; what is tracked meanwhile changes little.
     QVERIFY(std::abs(shown / room->scene().metersPerPixel() - 1.0) < 0.1);
   }

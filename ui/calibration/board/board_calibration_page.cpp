@@ -30,11 +30,11 @@ constexpr int kSteps = 1000;
 BoardCalibrationPage::BoardCalibrationPage(BoardCalibrator& calibrator, QWidget* parent)
     : QWidget(parent), calibrator_(calibrator) {
   setObjectName(QStringLiteral("boardPage"));
-  build();
+  createWidgets();
   connect(calibrate_, &QPushButton::clicked, &calibrator_, &BoardCalibrator::calibrate);
   connect(cancel_, &QPushButton::clicked, &calibrator_, &BoardCalibrator::cancel);
   connect(apply_, &QPushButton::clicked, &calibrator_, &BoardCalibrator::apply);
-  connect(report_, &QPushButton::clicked, this, &BoardCalibrationPage::askReport);
+  connect(report_, &QPushButton::clicked, this, &BoardCalibrationPage::chooseReportFile);
   connect(&calibrator_, &BoardCalibrator::changed, this, &BoardCalibrationPage::refresh);
   connect(&calibrator_, &BoardCalibrator::requestChanged, this, &BoardCalibrationPage::refresh);
   connect(&calibrator_, &BoardCalibrator::calibrated, this, [this] {
@@ -45,7 +45,7 @@ BoardCalibrationPage::BoardCalibrationPage(BoardCalibrator& calibrator, QWidget*
   onRetranslate(this, [this] { retranslateUi(); });
 }
 
-void BoardCalibrationPage::build() {
+void BoardCalibrationPage::createWidgets() {
   guide_ = new QLabel(this);
   guide_->setWordWrap(true);
   boardTitle_ = makePageTitle(this);
@@ -142,14 +142,15 @@ void BoardCalibrationPage::refresh() {
   result_->setText(text);
   result_->setVisible(!text.isEmpty());
   if (computing) {
-    showProgress(calibrator_.isLooking() ? 0.0 : -1.0);
+    showProgress(calibrator_.isSearching() ? 0.0 : -1.0);
   }
 }
 
 void BoardCalibrationPage::showProgress(double part) {
   progress_->setRange(0, part < 0.0 ? 0 : kSteps);
   progress_->setValue(static_cast<int>(part * kSteps));
-  progress_->setFormat(calibrator_.isLooking() ? tr("Looking for the board: %p %") : tr("Solving"));
+  progress_->setFormat(calibrator_.isSearching() ? tr("Looking for the board: %p %")
+                                                 : tr("Solving"));
 }
 
 void BoardCalibrationPage::showResult() {
@@ -161,7 +162,7 @@ void BoardCalibrationPage::showResult() {
   }
 }
 
-void BoardCalibrationPage::askReport() {
+void BoardCalibrationPage::chooseReportFile() {
   const QString file = QFileDialog::getSaveFileName(
       this, tr("Save the report"), QStringLiteral("calibration.html"), tr("Page (*.html)"));
   if (!file.isEmpty()) {

@@ -25,12 +25,12 @@ public:
   void print();
 
 private:
-  void build();
+  void createWidgets();
   void retranslateUi();
   void refresh();
   void showProgress(double part);
   void showResult();
-  void askReport();
+  void chooseReportFile();
 
   BoardCalibrator& calibrator_;
   QLabel* guide_;

@@ -21,20 +21,20 @@ constexpr double kLookingShare = 0.85; ///< of the time that a recording takes
 
 BoardCalibrator::BoardCalibrator(Document& document, Opener open, QObject* parent)
     : QObject(parent), document_(document), open_(std::move(open)),
-      looking_(std::make_shared<std::atomic<bool>>(false)), job_(new BackgroundJob(this)),
-      writer_(new BackgroundJob(this)), watch_(new BoardWatch(wakeUp())) {
+      searching_(std::make_shared<std::atomic<bool>>(false)), job_(new BackgroundJob(this)),
+      writer_(new BackgroundJob(this)), watch_(new BoardGuideThread(wakeUp())) {
   request_.goal = {true, true};
-  recall();
+  loadPreferences();
   connect(job_, &BackgroundJob::progressChanged, this, &BoardCalibrator::progressChanged);
   connect(job_, &BackgroundJob::ended, this, [this](bool cancelled) {
-    if (cancelled && !std::exchange(forgotten_, false)) {
+    if (cancelled && !std::exchange(outdated_, false)) {
       failure_ = tr("Stopped. The previous calibration is kept.");
     }
     Q_EMIT changed();
     Q_EMIT calibrated();
   });
-  connect(&document_, &Document::replaced, this, &BoardCalibrator::forget);
-  connect(&document_, &Document::sourcesChanged, this, &BoardCalibrator::forget);
+  connect(&document_, &Document::replaced, this, &BoardCalibrator::discardResults);
+  connect(&document_, &Document::sourcesChanged, this, &BoardCalibrator::discardResults);
   connect(&document_, &Document::calibrationChanged, this, &BoardCalibrator::changed);
 }
 
@@ -64,30 +64,30 @@ BoardPreferences BoardCalibrator::preferences() const {
           request_.goal.lenses,
           request_.goal.poses,
           request_.lenses.requestedProjectionPx,
-          request_.requestedPosition};
+          request_.requiredPositionSigma};
 }
 
-void BoardCalibrator::recall() {
+void BoardCalibrator::loadPreferences() {
   BoardPreferences atFirst = preferences();
   atFirst.lenses = true;
-  atFirst.places = true;
+  atFirst.positions = true;
   const BoardPreferences kept = Preferences().board(atFirst);
   if (const auto board = parseBoard(kept.board.toStdString())) {
     request_.board.board = *board;
   }
   request_.board.model = static_cast<IntrinsicsModel>(std::clamp(kept.lensModel, 0, 2));
   request_.goal.lenses = kept.lenses;
-  request_.goal.poses = kept.places || !request_.goal.lenses;
+  request_.goal.poses = kept.positions || !request_.goal.lenses;
   request_.lenses.requestedProjectionPx = kept.lensAccuracy;
-  request_.requestedPosition = kept.placeAccuracy;
+  request_.requiredPositionSigma = kept.positionAccuracy;
 }
 
 void BoardCalibrator::setSnapshot(const TrackSnapshotPtr& snapshot) {
   const bool live = snapshot && snapshot->frames && !snapshot->frameCount;
   const bool first = shownFrame_ < 0;
   shownFrame_ = snapshot ? snapshot->frame : -1;
-  if (live && watching_ && !snapshot->past && snapshot->frames != shownToWatch_) {
-    shownToWatch_ = snapshot->frames;
+  if (live && watching_ && !snapshot->past && snapshot->frames != lastWatchedFrames_) {
+    lastWatchedFrames_ = snapshot->frames;
     watch_->show(snapshot->frames);
   }
   if (live != live_ || first != (shownFrame_ < 0)) {
@@ -103,7 +103,7 @@ bool BoardCalibrator::isComputing() const {
 void BoardCalibrator::compute(Computation computation, bool applyIt) {
   outcome_.reset();
   failure_.clear();
-  job_->start([this, computation = std::move(computation), looking = looking_,
+  job_->start([this, computation = std::move(computation), looking = searching_,
                applyIt](const BackgroundJob::Progress& progress) -> std::function<void()> {
     auto result = std::make_shared<Result<BoardOutcome>>(
         computation([&](CalibrationStage stage, double part) {
@@ -119,7 +119,7 @@ void BoardCalibrator::compute(Computation computation, bool applyIt) {
 void BoardCalibrator::applyResult(const std::shared_ptr<Result<BoardOutcome>>& result,
                                   bool applyIt) {
   if (!*result) {
-    failure_ = errorSentence(result->error());
+    failure_ = errorText(result->error());
     return;
   }
   outcome_ = std::make_shared<const BoardOutcome>(std::move(**result));
@@ -132,7 +132,7 @@ void BoardCalibrator::calibrate() {
   if (isComputing() || live_) {
     return;
   }
-  *looking_ = true;
+  *searching_ = true;
   compute(
       [open = open_, project = project(), request = request_](const CalibrationProgress& progress) {
         return open(project).and_then([&](const SessionInputs& inputs) {
@@ -150,10 +150,10 @@ void BoardCalibrator::cancel() {
 void BoardCalibrator::start() {
   outcome_.reset();
   failure_.clear();
-  shownToWatch_.reset();
+  lastWatchedFrames_.reset();
   setWatching(true);
   watch_->begin(project(), request_);
-  Q_EMIT playWanted();
+  Q_EMIT playRequested();
   Q_EMIT changed();
   Q_EMIT guideChanged();
 }
@@ -184,7 +184,7 @@ void BoardCalibrator::finish() {
   setWatching(false);
   const auto state = guide();
   compute(
-      [project = project(), seen = state->seen, request = requestForTaken(request_, *state),
+      [project = project(), seen = state->seen, request = requestForCaptured(request_, *state),
        goal = request_.goal](const CalibrationProgress& progress) {
         return calibrateFromBoards(project, *seen, request, goal, progress);
       },
@@ -227,14 +227,14 @@ void BoardCalibrator::apply() {
   const auto made = document_.edit(tr("Calibrate with a board"), [&](Project& project) {
     project = withOutcome(std::move(project), *outcome);
   });
-  failure_ = made ? QString() : errorSentence(made.error());
+  failure_ = made ? QString() : errorText(made.error());
   Q_EMIT changed();
 }
 
 void BoardCalibrator::write(const std::function<Status()>& task, const QString& file) {
   writer_->start([this, task, file](const BackgroundJob::Progress&) -> std::function<void()> {
     const Status done = task();
-    const QString sentence = done ? QString() : errorSentence(done.error());
+    const QString sentence = done ? QString() : errorText(done.error());
     return [this, sentence, file] {
       sentence.isEmpty() ? Q_EMIT saved(file) : Q_EMIT failed(sentence);
     };
@@ -259,8 +259,8 @@ void BoardCalibrator::printBoard(const QString& paper, const QString& file) {
       file);
 }
 
-void BoardCalibrator::forget() {
-  forgotten_ = isComputing();
+void BoardCalibrator::discardResults() {
+  outdated_ = isComputing();
   job_->cancel();
   setWatching(false);
   outcome_.reset();

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/session/session.h"
-#include "core/setup/calibration/board_watch.h"
+#include "core/setup/calibration/board_guide_thread.h"
 #include "ui/jobs/job_thread.h"
 
 #include <QObject>
@@ -48,7 +48,7 @@ public:
   bool isComputing() const;
   /// Returns whether the recording is still being searched for the board. Solving starts after the
   /// search.
-  bool isLooking() const { return *looking_; }
+  bool isSearching() const { return *searching_; }
 
   // Live cameras.
   void start(); ///< starts or restarts the guidance
@@ -56,7 +56,7 @@ public:
   bool isWatching() const { return watching_; }
   void captureNow() { watch_->captureNow(); }
   void captureFloor() { watch_->captureFloor(); }
-  void goOn() { watch_->goOn(); }
+  void skipToPoses() { watch_->skipToPoses(); }
   /// Calibrates from the views captured so far and ends the guidance.
   void finish();
   /// Returns the newest state of the guidance; never null.
@@ -83,7 +83,7 @@ Q_SIGNALS:
   void guideChanged();
   void progressChanged(double part); ///< 0 to 1; negative if unknown
   void calibrated();                 ///< the computation has ended, with or without a result
-  void playWanted();                 ///< live images are needed
+  void playRequested();              ///< live images are needed
   void boardShown(bool shown);       ///< whether the board is currently being shown to live cameras
   void saved(const QString& file);
   void failed(const QString& sentence);
@@ -94,10 +94,10 @@ private:
   void compute(Computation computation, bool applyIt);
   void applyResult(const std::shared_ptr<Result<BoardOutcome>>& result, bool applyIt);
   void write(const std::function<Status()>& task, const QString& file);
-  void forget();
+  void discardResults();
   std::function<void()> wakeUp();
   BoardPreferences preferences() const;
-  void recall();
+  void loadPreferences();
 
   Document& document_;
   Opener open_;
@@ -105,16 +105,16 @@ private:
   bool live_ = false;
   bool watching_ = false;
   qint64 shownFrame_ = -1;
-  FrameSetPtr shownToWatch_;
+  FrameSetPtr lastWatchedFrames_;
   std::shared_ptr<const BoardOutcome> outcome_;
   QString failure_;
-  bool forgotten_ = false; ///< the running computation belongs to a previous project
-  std::shared_ptr<std::atomic<bool>> looking_;
+  bool outdated_ = false; ///< the running computation belongs to a previous project
+  std::shared_ptr<std::atomic<bool>> searching_;
   BackgroundJob* job_; ///< child of the calibrator, which deletes it
   BackgroundJob* writer_;
   JobMailbox mailbox_; ///< results from the thread of `watch_`
   /// its thread may outlive the window
-  std::unique_ptr<BoardWatch, DetachedDelete> watch_;
+  std::unique_ptr<BoardGuideThread, DetachedDelete> watch_;
 };
 
 } // namespace dewpoint::ui

@@ -46,12 +46,12 @@ QSpinBox* makeCount(const char* name, QWidget* parent) {
 BoardForm::BoardForm(BoardCalibrator& calibrator, QWidget* parent)
     : QWidget(parent), calibrator_(calibrator) {
   setObjectName(QStringLiteral("boardFields"));
-  build();
+  createWidgets();
   connectFields();
   onRetranslate(this, [this] { retranslateUi(); });
 }
 
-void BoardForm::build() {
+void BoardForm::createWidgets() {
   const auto combo = [this](const char* name) {
     auto* box = new QComboBox(this);
     box->setObjectName(QLatin1String(name));

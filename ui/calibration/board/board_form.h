@@ -28,7 +28,7 @@ public:
   void print();
 
 private:
-  void build();
+  void createWidgets();
   void connectFields();
   void retranslateUi();
   void refresh();

@@ -29,12 +29,12 @@ constexpr std::array<BoardGoal, 3> kGoals{{{true, true}, {true, false}, {false, 
 BoardGoalForm::BoardGoalForm(BoardCalibrator& calibrator, QWidget* parent)
     : QWidget(parent), calibrator_(calibrator) {
   setObjectName(QStringLiteral("boardGoalFields"));
-  build();
+  createWidgets();
   connectFields();
   onRetranslate(this, [this] { retranslateUi(); });
 }
 
-void BoardGoalForm::build() {
+void BoardGoalForm::createWidgets() {
   const auto combo = [this](const char* name) {
     auto* box = new QComboBox(this);
     box->setObjectName(QLatin1String(name));
@@ -55,7 +55,7 @@ void BoardGoalForm::build() {
   floorHere_->setObjectName(QStringLiteral("boardFloorHere"));
   accuracyLabel_ = new QLabel(this);
   lensAccuracy_ = makeNumberField(QStringLiteral("boardLensAccuracy"), {0.05, 20.0, 0.05, 2}, this);
-  placeAccuracy_ =
+  positionAccuracy_ =
       makeNumberField(QStringLiteral("boardPlaceAccuracy"), {0.05, 100.0, 0.5, 2}, this);
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
@@ -72,7 +72,7 @@ void BoardGoalForm::build() {
   grid->addWidget(floorHere_, 3, 2);
   grid->addWidget(accuracyLabel_, 4, 0);
   grid->addWidget(lensAccuracy_, 4, 1);
-  grid->addWidget(placeAccuracy_, 4, 2);
+  grid->addWidget(positionAccuracy_, 4, 2);
   goalLabel_->setBuddy(goal_);
   modelLabel_->setBuddy(model_);
   accuracyLabel_->setBuddy(lensAccuracy_);
@@ -114,9 +114,9 @@ void BoardGoalForm::connectFields() {
   connect(lensAccuracy_, &QDoubleSpinBox::valueChanged, this, [this](double pixels) {
     edit([pixels](BoardGuideRequest& request) { request.lenses.requestedProjectionPx = pixels; });
   });
-  connect(placeAccuracy_, &QDoubleSpinBox::valueChanged, this, [this](double millimeters) {
+  connect(positionAccuracy_, &QDoubleSpinBox::valueChanged, this, [this](double millimeters) {
     edit([=](BoardGuideRequest& request) {
-      request.requestedPosition = fromMillimeters(millimeters);
+      request.requiredPositionSigma = fromMillimeters(millimeters);
     });
   });
 }
@@ -151,9 +151,9 @@ void BoardGoalForm::retranslateUi() {
   name(lensAccuracy_, tr("Desired accuracy of the intrinsics"),
        tr("Guidance ends when the intrinsics are this accurate all over the image"));
   lensAccuracy_->setSuffix(QStringLiteral(" px"));
-  name(placeAccuracy_, tr("Desired accuracy of the positions"),
+  name(positionAccuracy_, tr("Desired accuracy of the positions"),
        tr("Guidance ends when the position of each camera is this accurate"));
-  placeAccuracy_->setSuffix(QStringLiteral(" mm"));
+  positionAccuracy_->setSuffix(QStringLiteral(" mm"));
   refresh();
 }
 
@@ -180,9 +180,9 @@ void BoardGoalForm::refresh() {
   }
   accuracyLabel_->setVisible(live);
   lensAccuracy_->setVisible(live && request.goal.lenses);
-  placeAccuracy_->setVisible(live && request.goal.poses);
+  positionAccuracy_->setVisible(live && request.goal.poses);
   showValue(*lensAccuracy_, request.lenses.requestedProjectionPx);
-  showValue(*placeAccuracy_, inMillimeters(request.requestedPosition));
+  showValue(*positionAccuracy_, inMillimeters(request.requiredPositionSigma));
 }
 
 } // namespace dewpoint::ui

@@ -30,7 +30,7 @@ public:
   explicit BoardGoalForm(BoardCalibrator& calibrator, QWidget* parent = nullptr);
 
 private:
-  void build();
+  void createWidgets();
   void connectFields();
   void retranslateUi();
   void refresh();
@@ -46,7 +46,7 @@ private:
   QPushButton* floorHere_;
   QLabel* accuracyLabel_;
   QDoubleSpinBox* lensAccuracy_;
-  QDoubleSpinBox* placeAccuracy_;
+  QDoubleSpinBox* positionAccuracy_;
 };
 
 } // namespace dewpoint::ui

@@ -20,11 +20,11 @@ void installBoardCalibration(const Workbench& bench, CalibrationMode& mode,
   bench.onTriggered("actionCalibrateBoard", board,
                     [&mode] { mode.open(QStringLiteral("boardPage")); });
   bench.onTriggered("actionPrintBoard", page, [page] { page->print(); });
-  bench.needRun({"actionCalibrateBoard"});
+  bench.requireRun({"actionCalibrateBoard"});
   bench.connectView(board);
   QObject::connect(&cameras, &CameraDocks::viewMade, board,
                    [board](int camera, CameraView* view) { new BoardLayer(camera, view, *board); });
-  QObject::connect(board, &BoardCalibrator::playWanted, &bench.session, [run = &bench.session] {
+  QObject::connect(board, &BoardCalibrator::playRequested, &bench.session, [run = &bench.session] {
     if (run->shown() && !run->isPlaying()) {
       run->play();
     }

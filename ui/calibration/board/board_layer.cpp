@@ -26,9 +26,9 @@ BoardLayer::BoardLayer(int camera, CameraView* view, BoardCalibrator& calibrator
   setFocusPolicy(Qt::NoFocus);
   setGeometry(view->rect());
   view->installEventFilter(this);
-  connect(&calibrator_, &BoardCalibrator::guideChanged, this, &BoardLayer::follow);
-  connect(&calibrator_, &BoardCalibrator::changed, this, &BoardLayer::follow);
-  follow();
+  connect(&calibrator_, &BoardCalibrator::guideChanged, this, &BoardLayer::refresh);
+  connect(&calibrator_, &BoardCalibrator::changed, this, &BoardLayer::refresh);
+  refresh();
 }
 
 bool BoardLayer::eventFilter(QObject* watched, QEvent* event) {
@@ -38,7 +38,7 @@ bool BoardLayer::eventFilter(QObject* watched, QEvent* event) {
   return false;
 }
 
-void BoardLayer::follow() {
+void BoardLayer::refresh() {
   if (isHidden() == calibrator_.isWatching()) {
     setVisible(calibrator_.isWatching());
     raise();
@@ -47,9 +47,9 @@ void BoardLayer::follow() {
   const std::size_t taken =
       camera_ < state->cameras.size() ? state->cameras[camera_].taken.size() : 0;
   if (taken > taken_) {
-    lit_ = true;
+    highlighted_ = true;
     QTimer::singleShot(kLitMs, this, [this] {
-      lit_ = false;
+      highlighted_ = false;
       update();
     });
   }
@@ -72,8 +72,8 @@ void BoardLayer::paintEvent(QPaintEvent*) {
   painter.setPen(haloPen(3.0, kGridHalo));
   painter.drawPolygon(outline);
   painter.setPen(QPen(kSeen, 2.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  painter.setBrush(lit_ ? QBrush(QColor(kSeen.red(), kSeen.green(), kSeen.blue(), 110))
-                        : QBrush(Qt::NoBrush));
+  painter.setBrush(highlighted_ ? QBrush(QColor(kSeen.red(), kSeen.green(), kSeen.blue(), 110))
+                                : QBrush(Qt::NoBrush));
   painter.drawPolygon(outline);
 }
 

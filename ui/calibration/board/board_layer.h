@@ -22,13 +22,13 @@ protected:
   void paintEvent(QPaintEvent* event) override;
 
 private:
-  void follow();
+  void refresh();
 
   std::size_t camera_;
   CameraView* view_;
   BoardCalibrator& calibrator_;
   std::size_t taken_ = 0;
-  bool lit_ = false;
+  bool highlighted_ = false;
 };
 
 } // namespace dewpoint::ui

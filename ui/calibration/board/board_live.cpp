@@ -25,11 +25,11 @@ constexpr int kHeldSteps = 100;
 BoardLive::BoardLive(BoardCalibrator& calibrator, QWidget* parent)
     : QWidget(parent), calibrator_(calibrator) {
   setObjectName(QStringLiteral("boardLive"));
-  build();
+  createWidgets();
   connect(start_, &QPushButton::clicked, &calibrator_, &BoardCalibrator::start);
   connect(capture_, &QPushButton::clicked, &calibrator_, &BoardCalibrator::captureNow);
   connect(floor_, &QPushButton::clicked, &calibrator_, &BoardCalibrator::captureFloor);
-  connect(next_, &QPushButton::clicked, &calibrator_, &BoardCalibrator::goOn);
+  connect(next_, &QPushButton::clicked, &calibrator_, &BoardCalibrator::skipToPoses);
   connect(finish_, &QPushButton::clicked, &calibrator_, &BoardCalibrator::finish);
   connect(&calibrator_, &BoardCalibrator::changed, this, &BoardLive::refresh);
   connect(&calibrator_, &BoardCalibrator::requestChanged, this, &BoardLive::refresh);
@@ -37,7 +37,7 @@ BoardLive::BoardLive(BoardCalibrator& calibrator, QWidget* parent)
   onRetranslate(this, [this] { retranslateUi(); });
 }
 
-void BoardLive::build() {
+void BoardLive::createWidgets() {
   start_ = makeButton("boardStart", this);
   capture_ = makeButton("boardCapture", this);
   floor_ = makeButton("boardFloorNow", this);
@@ -117,7 +117,7 @@ void BoardLive::fillRow(const Row& row, const BoardGuideState& state, std::size_
   row.accuracy->setText(lens ? lensAccuracyText(of, calibrator_.request().lenses)
                              : positionAccuracyText(of));
   row.sharpness->setText(sharpnessText(of, calibrator_.request().lenses));
-  const double held = lens ? of.lens.held : of.seen ? state.rig.held : 0.0;
+  const double held = lens ? of.lens.holdProgress : of.seen ? state.rig.holdProgress : 0.0;
   row.held->setValue(static_cast<int>(kHeldSteps * held));
   row.held->setAccessibleName(
       tr("Time for which the board was held still in front of %1").arg(calibrator_.nameOf(camera)));

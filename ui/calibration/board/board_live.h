@@ -34,7 +34,7 @@ private:
     QLabel* sharpness;
     QProgressBar* held;
   };
-  void build();
+  void createWidgets();
   void retranslateUi();
   void refresh();
   void followGuide();

@@ -29,7 +29,7 @@ QString lensLine(const QString& name, const IntrinsicsResult& lens) {
     line += QStringLiteral("\n⚠ ") +
             BoardText::tr("The board's corners cover only %1 % of the image: show the board in "
                           "every part of the image, and tilt it too.")
-                .arg(percentText(lens.coverage.imagePart()));
+                .arg(percentText(lens.coverage.coveredFraction()));
   }
   return line;
 }
@@ -41,7 +41,8 @@ QString placeLine(const QString& name, const CameraFit& fit) {
   if (fit.centerSigma > 0.0) {
     return BoardText::tr("%1: RMS %2, position ±%3, direction ±%4")
         .arg(name, pixelText(fit.rmsPx, 3),
-             lengthText(fit.centerSigma, LengthScale::Millimeters, 2), angleText(fit.turnSigma, 3));
+             lengthText(fit.centerSigma, LengthScale::Millimeters, 2),
+             angleText(fit.rotationSigma, 3));
   }
   return BoardText::tr("%1: RMS %2").arg(name, pixelText(fit.rmsPx, 3));
 }
@@ -132,13 +133,13 @@ QString adviceText(const BoardGuideState::PerCamera& camera) {
 }
 
 QString pairText(const BoardCalibrator& calibrator, const RigGuidance::State& state) {
-  if (state.showTo < 0 || state.andTo < 0) {
+  if (state.firstCamera < 0 || state.secondCamera < 0) {
     return BoardText::tr("✓ The cameras have enough shared views");
   }
   return BoardText::tr(
              "Show the board to %1 and %2 at the same time, hold it still, then repeat elsewhere")
-      .arg(calibrator.nameOf(static_cast<std::size_t>(state.showTo)),
-           calibrator.nameOf(static_cast<std::size_t>(state.andTo)));
+      .arg(calibrator.nameOf(static_cast<std::size_t>(state.firstCamera)),
+           calibrator.nameOf(static_cast<std::size_t>(state.secondCamera)));
 }
 
 QString sharpnessText(const BoardGuideState::PerCamera& camera, const GuidanceSettings& settings) {
@@ -146,7 +147,7 @@ QString sharpnessText(const BoardGuideState::PerCamera& camera, const GuidanceSe
     return BoardText::tr("board not visible");
   }
   const QString edges = pixelText(camera.seen->edgeWidthPx);
-  return camera.seen->edgeWidthPx > settings.softEdgePart * camera.width
+  return camera.seen->edgeWidthPx > settings.softEdgeFraction * camera.width
              ? BoardText::tr("⚠ blurred, edge width %1").arg(edges)
              : BoardText::tr("sharp, edge width %1").arg(edges);
 }
@@ -155,7 +156,7 @@ QString lensAccuracyText(const BoardGuideState::PerCamera& camera,
                          const GuidanceSettings& settings) {
   if (!camera.lens.projectionPx) {
     return BoardText::tr("%1 of at least %2 views")
-        .arg(QString::number(camera.lens.views), QString::number(settings.leastViews));
+        .arg(QString::number(camera.lens.views), QString::number(settings.minViews));
   }
   return BoardText::tr("%1 views, accuracy %2 (goal: %3)")
       .arg(QString::number(camera.lens.views), pixelText(*camera.lens.projectionPx, 2),
@@ -183,7 +184,7 @@ QString outcomeText(const BoardCalibrator& calibrator, const BoardOutcome& outco
   }
   if (outcome.extrinsicsError) {
     lines << QStringLiteral("⚠ ") + BoardText::tr("The camera positions could not be computed: %1")
-                                        .arg(errorSentence(*outcome.extrinsicsError));
+                                        .arg(errorText(*outcome.extrinsicsError));
   }
   if (outcome.extrinsics) {
     addPlaces(calibrator, *outcome.extrinsics, lines);
@@ -194,7 +195,7 @@ QString outcomeText(const BoardCalibrator& calibrator, const BoardOutcome& outco
     for (std::size_t k = 0; k < outcome.extrinsics->cameras.size(); ++k) {
       names << calibrator.nameOf(k);
     }
-    for (const NamedFault& fault : outcome.extrinsics->faults) {
+    for (const DetectedFault& fault : outcome.extrinsics->faults) {
       lines << QStringLiteral("⚠ ") + faultText(fault, names);
     }
   }

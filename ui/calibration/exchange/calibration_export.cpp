@@ -99,11 +99,11 @@ void CalibrationExportDialog::retranslateFields() {
   }
 }
 
-CalibrationTarget CalibrationExportDialog::target() const {
-  CalibrationTarget target;
+CalibrationOutput CalibrationExportDialog::target() const {
+  CalibrationOutput target;
   target.path = file().toStdString();
   target.format = format().name;
-  target.unit = unit_->isEnabled() ? metersOfUnit(unit_->currentData().toString().toStdString())
+  target.unit = unit_->isEnabled() ? parseLengthUnit(unit_->currentData().toString().toStdString())
                                    : std::nullopt;
   target.replace = true;
   return target;
@@ -149,7 +149,7 @@ void CalibrationExportDialog::applyResult(const Result<CalibrationConversion>& o
   if (outcome) {
     showPreview(textOf(*outcome, replaced), true);
   } else {
-    const QString sentence = errorSentence(askedQuestion(outcome.error()).error);
+    const QString sentence = errorText(askedQuestion(outcome.error()).error);
     showPreview(QStringLiteral("⚠ ") + sentence, false);
     Q_EMIT failed(sentence);
   }
@@ -159,7 +159,7 @@ void CalibrationExportDialog::accepted() {
   if (!isReady()) {
     return;
   }
-  work([this, project = document_.project(), target = target()] {
+  runTask([this, project = document_.project(), target = target()] {
     const auto written =
         std::make_shared<Result<CalibrationConversion>>(exportCalibration(project, target));
     return [this, written] { finish(*written); };
@@ -168,7 +168,7 @@ void CalibrationExportDialog::accepted() {
 
 void CalibrationExportDialog::finish(const Result<CalibrationConversion>& written) {
   if (!written) {
-    Q_EMIT failed(errorSentence(askedQuestion(written.error()).error));
+    Q_EMIT failed(errorText(askedQuestion(written.error()).error));
     refresh();
     return;
   }

@@ -24,7 +24,7 @@ protected:
 
 private:
   const CalibrationFormat& format() const;
-  CalibrationTarget target() const;
+  CalibrationOutput target() const;
   bool isFolder() const;
   void formatChanged();
   /// Shows a conversion. `replaced` is the existing file that would be overwritten, or empty if

@@ -117,7 +117,7 @@ ImportRequest CalibrationImportDialog::request() const {
   request.hints.format = format_->currentData().toString().toStdString();
   const int listed = unit_->findText(unit_->currentText());
   const QString unit = listed >= 0 ? unit_->itemData(listed).toString() : unit_->currentText();
-  request.hints.unit = metersOfUnit(unit.trimmed().toStdString());
+  request.hints.unit = parseLengthUnit(unit.trimmed().toStdString());
   const QString lens = lens_->currentData().toString();
   if (!lens.isEmpty()) {
     request.hints.lens = lens == QLatin1String("fisheye") ? LensModel::Fisheye : LensModel::Pinhole;
@@ -138,7 +138,7 @@ ImportRequest CalibrationImportDialog::request() const {
 }
 
 ExchangeDialog::Preview CalibrationImportDialog::preview() {
-  made_.reset();
+  import_.reset();
   return [this, project = document_.project(), request = request()] {
     const auto made =
         std::make_shared<Result<CalibrationImport>>(importCalibration(project, request));
@@ -146,7 +146,7 @@ ExchangeDialog::Preview CalibrationImportDialog::preview() {
   };
 }
 
-void CalibrationImportDialog::mark(ImportQuestion question) {
+void CalibrationImportDialog::highlightQuestion(ImportQuestion question) {
   for (std::size_t k = 0; k < labels_.size(); ++k) {
     QFont font = labels_[k]->font();
     font.setBold(static_cast<int>(question) == static_cast<int>(k) + 1);
@@ -156,8 +156,8 @@ void CalibrationImportDialog::mark(ImportQuestion question) {
 
 void CalibrationImportDialog::applyError(const Error& error) {
   const AskedQuestion asked = askedQuestion(error);
-  const QString sentence = errorSentence(asked.error);
-  mark(asked.question);
+  const QString sentence = errorText(asked.error);
+  highlightQuestion(asked.question);
   QString text = QStringLiteral("⚠ ") + sentence;
   if (asked.question != ImportQuestion::None) {
     const QString label = labels_[static_cast<std::size_t>(asked.question) - 1]->text();
@@ -173,8 +173,8 @@ void CalibrationImportDialog::applyResult(const Result<CalibrationImport>& made)
     applyError(made.error());
     return;
   }
-  mark(ImportQuestion::None);
-  made_ = std::make_shared<const CalibrationImport>(*made);
+  highlightQuestion(ImportQuestion::None);
+  import_ = std::make_shared<const CalibrationImport>(*made);
   QStringList lines;
   for (const std::string& decision : made->decisions) {
     lines << QString::fromStdString(decision);
@@ -200,18 +200,18 @@ void CalibrationImportDialog::applyResult(const Result<CalibrationImport>& made)
 }
 
 void CalibrationImportDialog::accepted() {
-  if (!isReady() || !made_) {
+  if (!isReady() || !import_) {
     return;
   }
   const auto edited = document_.edit(tr("Import calibration"), [this](Project& project) {
-    for (std::size_t k = 0; k < std::min(project.cameras.size(), made_->project.cameras.size());
+    for (std::size_t k = 0; k < std::min(project.cameras.size(), import_->project.cameras.size());
          ++k) {
-      project.cameras[k].camera = made_->project.cameras[k].camera;
-      project.cameras[k].adjusted = made_->project.cameras[k].adjusted;
+      project.cameras[k].camera = import_->project.cameras[k].camera;
+      project.cameras[k].adjusted = import_->project.cameras[k].adjusted;
     }
   });
   if (!edited) {
-    Q_EMIT failed(errorSentence(edited.error()));
+    Q_EMIT failed(errorText(edited.error()));
     return;
   }
   Q_EMIT done(tr("The cameras now use the calibration from %1.").arg(file()));

@@ -32,7 +32,7 @@ private:
   ImportRequest request() const;
   void applyResult(const Result<CalibrationImport>& made);
   void applyError(const Error& error);
-  void mark(ImportQuestion question);
+  void highlightQuestion(ImportQuestion question);
   void fillCameras();
 
   Document& document_;
@@ -45,7 +45,7 @@ private:
   QComboBox* camera_;
   std::vector<QLabel*> labels_; ///< indexed by ImportQuestion, starting at Format
   QPushButton* folder_;
-  std::shared_ptr<const CalibrationImport> made_;
+  std::shared_ptr<const CalibrationImport> import_;
 };
 
 } // namespace dewpoint::ui

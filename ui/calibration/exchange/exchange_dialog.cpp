@@ -72,7 +72,7 @@ void ExchangeDialog::begin() {
   }
   connect(choose_, &QPushButton::clicked, this, [this] { chooseFile(); });
   connect(job_, &BackgroundJob::ended, this, [this] {
-    if (std::exchange(again_, false)) {
+    if (std::exchange(rerunPreview_, false)) {
       start();
     }
   });
@@ -131,7 +131,7 @@ void ExchangeDialog::refresh() {
   ready_ = false;
   accept_->setEnabled(false);
   if (job_->isRunning()) {
-    again_ = true;
+    rerunPreview_ = true;
   } else {
     start();
   }
@@ -142,17 +142,17 @@ void ExchangeDialog::start() {
     preview_->clear();
     return;
   }
-  work(preview());
+  runTask(preview());
 }
 
-void ExchangeDialog::work(const Preview& task) {
+void ExchangeDialog::runTask(const Preview& task) {
   ready_ = false;
   accept_->setEnabled(false);
   job_->start([task](const BackgroundJob::Progress&) { return task(); });
 }
 
 void ExchangeDialog::showPreview(const QString& text, bool ready) {
-  if (again_) {
+  if (rerunPreview_) {
     return; // of answers that have changed since
   }
   preview_->setPlainText(text);

@@ -50,7 +50,7 @@ protected:
   /// Recomputes the preview after an answer has changed.
   void refresh();
   /// Runs a long task in another thread. The dialog cannot be accepted until the task ends.
-  void work(const Preview& task);
+  void runTask(const Preview& task);
   void showPreview(const QString& text, bool ready);
   QComboBox* addChoice(const char* name);
   QLabel* addRow(QWidget* field);
@@ -71,7 +71,7 @@ private:
   QPushButton* close_;
   BackgroundJob* job_;
   bool ready_ = false;
-  bool again_ = false; ///< an answer changed while a preview was being computed
+  bool rerunPreview_ = false; ///< an answer changed while a preview was being computed
 };
 
 } // namespace dewpoint::ui

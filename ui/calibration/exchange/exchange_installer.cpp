@@ -32,7 +32,7 @@ void installCalibrationExchange(const Workbench& bench) {
   });
   bench.onTriggered("actionExportCalibration", &bench.window,
                     [bench] { open<CalibrationExportDialog>(bench, bench.document); });
-  bench.needRun({"actionImportCalibration", "actionExportCalibration"});
+  bench.requireRun({"actionImportCalibration", "actionExportCalibration"});
 }
 
 } // namespace dewpoint::ui

@@ -20,12 +20,12 @@ namespace dewpoint::ui {
 CameraForm::CameraForm(ManualCalibration& manual, QWidget* parent)
     : QWidget(parent), manual_(manual) {
   setObjectName(QStringLiteral("cameraFields"));
-  build();
+  createWidgets();
   connectFields();
   onRetranslate(this, [this] { retranslateUi(); });
 }
 
-void CameraForm::build() {
+void CameraForm::createWidgets() {
   cameraLabel_ = new QLabel(this);
   camera_ = makeChoice("handCamera", this);
   camera_->setModel(&manual_.cameras());
@@ -38,8 +38,8 @@ void CameraForm::build() {
   lens_ = makeNumberField(QStringLiteral("handLens"), {}, this);
   dragLabel_ = new QLabel(this);
   dragMode_ = makeChoice("handDragMode", this);
-  focalMay_ = new QCheckBox(this);
-  focalMay_->setObjectName(QStringLiteral("handFocalMay"));
+  fitFocal_ = new QCheckBox(this);
+  fitFocal_->setObjectName(QStringLiteral("handFocalMay"));
   keysLabel_ = new QLabel(this);
   keyMode_ = makeChoice("handKeyMode", this);
   keyFrame_ = makeChoice("handKeyFrame", this);
@@ -70,7 +70,7 @@ void CameraForm::build() {
   grid->addWidget(lens_, 6, 2);
   grid->addWidget(dragLabel_, 7, 0);
   grid->addWidget(dragMode_, 7, 1, 1, 2);
-  grid->addWidget(focalMay_, 8, 0, 1, 3);
+  grid->addWidget(fitFocal_, 8, 0, 1, 3);
   grid->addWidget(keysLabel_, 9, 0);
   grid->addWidget(keyMode_, 9, 1);
   grid->addWidget(keyFrame_, 9, 2);
@@ -106,10 +106,10 @@ void CameraForm::connectFields() {
   }
   const auto drag = [this] {
     manual_.setDragSettings({dragMode_->currentIndex() == 1 ? DragMode::Slide : DragMode::Turn,
-                             focalMay_->isChecked()});
+                             fitFocal_->isChecked()});
   };
   connect(dragMode_, &QComboBox::currentIndexChanged, this, drag);
-  connect(focalMay_, &QCheckBox::toggled, this, drag);
+  connect(fitFocal_, &QCheckBox::toggled, this, drag);
   connect(keyMode_, &QComboBox::currentIndexChanged, this,
           [this](int index) { manual_.setKeyMode(index == 1 ? KeyMode::Turn : KeyMode::Move); });
   connect(keyFrame_, &QComboBox::currentIndexChanged, this, [this](int index) {
@@ -143,8 +143,8 @@ void CameraForm::retranslateUi() {
   name(dragMode_, tr("Effect of dragging"),
        tr("What the camera does while you drag the grid and no point is held. Click points of the "
           "grid to hold up to three of them."));
-  focalMay_->setText(tr("Also fit the focal length when three points are held"));
-  focalMay_->setToolTip(tr("Three held points fix the pose. Dragging then changes the focal "
+  fitFocal_->setText(tr("Also fit the focal length when three points are held"));
+  fitFocal_->setToolTip(tr("Three held points fix the pose. Dragging then changes the focal "
                            "length, and the pose follows"));
   keysLabel_->setText(tr("Keys"));
   setChoices(*keyMode_, {tr("move"), tr("turn")});
@@ -213,7 +213,7 @@ void CameraForm::refresh() {
   }
   const Camera camera = manual_.cameraAt(manual_.camera());
   const Heading heading = headingOf(camera);
-  const Eigen::Vector3d target = lookedAt(camera, manual_.grid().origin.z());
+  const Eigen::Vector3d target = aimPoint(camera, manual_.grid().origin.z());
   const double angles[] = {inDegrees(heading.yaw), inDegrees(heading.pitch), 0.0};
   for (int k = 0; k < 3; ++k) {
     const auto index = static_cast<std::size_t>(k);
@@ -245,7 +245,7 @@ void CameraForm::editAim(int index, double value) {
   const auto* field = aim_[static_cast<std::size_t>(index)];
   const char* const keys[] = {"aim x", "aim y", "aim z", "roll"};
   if (index < 3 && looksAtPoint()) {
-    Eigen::Vector3d target = lookedAt(camera, manual_.grid().origin.z());
+    Eigen::Vector3d target = aimPoint(camera, manual_.grid().origin.z());
     target[index] = value * metersPerUnit();
     change(tr("looks at"), field->text(), lookingAt(camera, target), keys[index]);
     return;

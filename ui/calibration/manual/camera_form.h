@@ -25,7 +25,7 @@ public:
   explicit CameraForm(ManualCalibration& manual, QWidget* parent = nullptr);
 
 private:
-  void build();
+  void createWidgets();
   void connectFields();
   void retranslateUi();
   void refresh();
@@ -52,7 +52,7 @@ private:
   QDoubleSpinBox* lens_;
   QLabel* dragLabel_;
   QComboBox* dragMode_;
-  QCheckBox* focalMay_;
+  QCheckBox* fitFocal_;
   QLabel* keysLabel_;
   QComboBox* keyMode_;
   QComboBox* keyFrame_;

@@ -22,12 +22,12 @@ namespace {} // namespace
 
 GridForm::GridForm(ManualCalibration& manual, QWidget* parent) : QWidget(parent), manual_(manual) {
   setObjectName(QStringLiteral("gridFields"));
-  build();
+  createWidgets();
   connectFields();
   onRetranslate(this, [this] { retranslateUi(); });
 }
 
-void GridForm::build() {
+void GridForm::createWidgets() {
   kindLabel_ = new QLabel(this);
   kind_ = new QComboBox(this);
   kind_->setObjectName(QStringLiteral("gridKind"));
@@ -36,7 +36,7 @@ void GridForm::build() {
   originLabel_ = new QLabel(this);
   stepLabel_ = new QLabel(this);
   step_ = makeNumberField(QStringLiteral("gridStep"), {0.001, 100.0, 0.05, 3}, this);
-  turn_ = makeNumberField(QStringLiteral("gridTurn"), {-360.0, 360.0, 1.0, 2}, this);
+  rotation_ = makeNumberField(QStringLiteral("gridTurn"), {-360.0, 360.0, 1.0, 2}, this);
   opacityLabel_ = new QLabel(this);
   opacity_ = new QSlider(Qt::Horizontal, this);
   opacity_->setObjectName(QStringLiteral("gridOpacity"));
@@ -65,7 +65,7 @@ void GridForm::build() {
   }
   grid->addWidget(stepLabel_, 5, 0);
   grid->addWidget(step_, 5, 1);
-  grid->addWidget(turn_, 5, 2);
+  grid->addWidget(rotation_, 5, 2);
   grid->addWidget(opacityLabel_, 6, 0);
   grid->addWidget(opacity_, 6, 1, 1, 2);
   grid->addWidget(edges_, 7, 0, 1, 2);
@@ -98,7 +98,7 @@ void GridForm::connectFields() {
   connect(step_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
     edit([value](ReferenceGrid& grid) { grid.step = value; }, "grid step");
   });
-  connect(turn_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+  connect(rotation_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
     edit([value](ReferenceGrid& grid) { grid.turn = value * base::kDegree; }, "grid turn");
   });
   for (QDoubleSpinBox* field : findChildren<QDoubleSpinBox*>()) {
@@ -143,9 +143,9 @@ void GridForm::retranslateUi() {
   stepLabel_->setText(tr("Spacing, rotation"));
   name(step_, tr("Spacing of the grid"), tr("Distance between lines, in meters"));
   step_->setSuffix(QStringLiteral(" m"));
-  name(turn_, tr("Rotation of the grid"),
+  name(rotation_, tr("Rotation of the grid"),
        tr("Rotation about the vertical, counterclockwise as seen from above"));
-  turn_->setSuffix(QStringLiteral("°"));
+  rotation_->setSuffix(QStringLiteral("°"));
   opacityLabel_->setText(tr("Opacity"));
   name(opacity_, tr("Opacity of the grid"), tr("How strongly the grid is drawn over the images"));
   edges_->setText(tr("Show image edges"));
@@ -168,7 +168,7 @@ void GridForm::refresh() {
   size_[1]->setEnabled(grid.kind != GridKind::Wall);
   size_[2]->setEnabled(grid.kind != GridKind::Floor);
   showValue(*step_, grid.step);
-  showValue(*turn_, inDegrees(grid.turn));
+  showValue(*rotation_, inDegrees(grid.turn));
 }
 
 } // namespace dewpoint::ui

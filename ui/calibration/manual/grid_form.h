@@ -26,7 +26,7 @@ public:
   explicit GridForm(ManualCalibration& manual, QWidget* parent = nullptr);
 
 private:
-  void build();
+  void createWidgets();
   void connectFields();
   void retranslateUi();
   void refresh();
@@ -41,7 +41,7 @@ private:
   std::array<QDoubleSpinBox*, 3> origin_;
   QLabel* stepLabel_;
   QDoubleSpinBox* step_;
-  QDoubleSpinBox* turn_;
+  QDoubleSpinBox* rotation_;
   QLabel* opacityLabel_;
   QSlider* opacity_;
   QCheckBox* edges_;

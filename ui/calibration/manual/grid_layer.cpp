@@ -34,10 +34,10 @@ GridLayer::GridLayer(int camera, CameraView* view, ManualCalibration& manual,
   setMouseTracking(true);
   setGeometry(view->rect());
   view->installEventFilter(this);
-  connect(&manual_, &ManualCalibration::changed, this, &GridLayer::follow);
-  connect(&points_, &PointCalibrator::changed, this, &GridLayer::follow);
+  connect(&manual_, &ManualCalibration::changed, this, &GridLayer::refresh);
+  connect(&points_, &PointCalibrator::changed, this, &GridLayer::refresh);
   onRetranslate(this, [this] { retranslateUi(); });
-  follow();
+  refresh();
 }
 
 void GridLayer::retranslateUi() {
@@ -46,7 +46,7 @@ void GridLayer::retranslateUi() {
                               "keys, W A S D, Q and E move or rotate the camera"));
 }
 
-void GridLayer::follow() {
+void GridLayer::refresh() {
   if (isHidden() == manual_.isActive()) {
     setVisible(manual_.isActive());
     raise();
@@ -86,7 +86,7 @@ bool GridLayer::isInside(const Eigen::Vector2d& pixel) const {
          pixel.y() < size.height() - 0.5;
 }
 
-double GridLayer::inImage(double widgetPixels) const {
+double GridLayer::toImagePixels(double widgetPixels) const {
   return widgetPixels / view_->placement().scale;
 }
 
@@ -125,7 +125,7 @@ void GridLayer::mouseMoveEvent(QMouseEvent* event) {
   }
   const QPointF way = event->position() - *pressed_;
   if (!manual_.isDragging() && std::hypot(way.x(), way.y()) >= kDragPx) {
-    manual_.beginDrag(camera_, pixelAt(*pressed_), inImage(kReachPx));
+    manual_.beginDrag(camera_, pixelAt(*pressed_), toImagePixels(kReachPx));
   }
   if (manual_.isDragging()) {
     manual_.dragTo(pixelAt(event->position()));
@@ -140,7 +140,7 @@ void GridLayer::mouseReleaseEvent(QMouseEvent* event) {
   if (manual_.isDragging()) {
     manual_.endDrag();
   } else {
-    manual_.togglePin(camera_, pixelAt(from), inImage(kReachPx));
+    manual_.togglePin(camera_, pixelAt(from), toImagePixels(kReachPx));
   }
 }
 
@@ -154,8 +154,8 @@ void GridLayer::focusOutEvent(QFocusEvent* event) {
 void GridLayer::hideEvent(QHideEvent* event) {
   QWidget::hideEvent(event);
   edgeJob_.cancel(); // other images are shown when it comes back
-  edgesOrdered_ = {};
-  edgesOf_ = {};
+  requestedEdges_ = {};
+  edgesSource_ = {};
   edges_ = {};
 }
 
@@ -219,7 +219,7 @@ void GridLayer::keyReleaseEvent(QKeyEvent* event) {
 
 GridLayer::EdgeSource GridLayer::edgeSource() const {
   const FramePtr image = frame();
-  if (!manual_.edgesShown() || !image || image->image.empty()) {
+  if (!manual_.areEdgesShown() || !image || image->image.empty()) {
     return {};
   }
   const QSizeF area = QSizeF(view_->imageSize()) * view_->placement().scale;
@@ -228,25 +228,25 @@ GridLayer::EdgeSource GridLayer::edgeSource() const {
 }
 
 bool GridLayer::isDrawn() const {
-  return !isVisible() || edgesOf_ == edgeSource();
+  return !isVisible() || edgesSource_ == edgeSource();
 }
 
 void GridLayer::followEdges() {
   const EdgeSource wanted = edgeSource();
-  if (wanted == edgesOf_ || wanted == edgesOrdered_) {
+  if (wanted == edgesSource_ || wanted == requestedEdges_) {
     return;
   }
-  edgesOrdered_ = wanted;
+  requestedEdges_ = wanted;
   if (wanted.frame == nullptr || wanted.size.isEmpty()) {
     edgeJob_.cancel();
-    edgesOf_ = wanted;
+    edgesSource_ = wanted;
     edges_ = {};
     return;
   }
   edgeJob_.start([this, wanted](const BackgroundJob::Progress&) {
     const QImage found = edgeImage(wanted.frame->image, wanted.size);
     return [this, wanted, found] {
-      edgesOf_ = wanted;
+      edgesSource_ = wanted;
       edges_ = found;
       update();
     };
@@ -274,10 +274,10 @@ void GridLayer::drawPoints(QPainter& painter) {
     painted.chosen = static_cast<int>(k) == points_.chosen();
     painted.worst = points_.worst() == static_cast<int>(k);
     if (const PointClick* click = clickIn(all[k], camera_)) {
-      painted.click = placeOf(click->pixel, placement);
+      painted.click = widgetPosition(click->pixel, placement);
     }
     if (const auto seen = projector.project(all[k].world); seen && isInside(*seen)) {
-      painted.seen = placeOf(*seen, placement);
+      painted.seen = widgetPosition(*seen, placement);
     }
     paintPoint(painter, painted);
   }
@@ -291,7 +291,7 @@ void GridLayer::drawMagnifier(QPainter& painter) {
   const Eigen::Vector2d pixel = pixelAt(*pointer_);
   const Eigen::Vector2d meant =
       clicked(*pointer_, exact_ ? Qt::AltModifier : Qt::KeyboardModifiers());
-  const QRectF place = loupePlace(*pointer_, size());
+  const QRectF place = loupeRect(*pointer_, size());
   if (!place.isEmpty()) {
     painter.save();
     painter.setClipping(false);
@@ -325,12 +325,12 @@ void GridLayer::paintEvent(QPaintEvent*) {
   const Projector projector(camera);
   for (const Eigen::Vector3d& pin : manual_.pins(camera_)) {
     if (const auto at = projector.project(pin)) {
-      paintPin(painter, placeOf(*at, placement));
+      paintPin(painter, widgetPosition(*at, placement));
     }
   }
   if (const auto grip = manual_.draggedPoint(); grip && manual_.camera() == camera_) {
     if (const auto at = projector.project(*grip)) {
-      paintGrip(painter, placeOf(*at, placement));
+      paintGrip(painter, widgetPosition(*at, placement));
     }
   }
   drawPoints(painter);

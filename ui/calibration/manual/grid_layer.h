@@ -45,7 +45,7 @@ protected:
 
 private:
   void retranslateUi();
-  void follow();
+  void refresh();
   /// Input for the edge detection; empty while edges are hidden.
   struct EdgeSource {
     FramePtr frame;
@@ -62,7 +62,7 @@ private:
   Eigen::Vector2d pixelAt(QPointF position) const;
   bool isInside(const Eigen::Vector2d& pixel) const;
   /// Converts a length in widget pixels to image pixels.
-  double inImage(double widgetPixels) const;
+  double toImagePixels(double widgetPixels) const;
   /// Returns the image pixel that a click refers to. It snaps to a nearby corner unless Alt is held
   /// down.
   Eigen::Vector2d clicked(QPointF position, Qt::KeyboardModifiers modifiers) const;
@@ -76,10 +76,10 @@ private:
   std::optional<QPointF> pressed_; ///< widget coordinates; may still become a click or a drag
   std::optional<QPointF> pointer_; ///< widget coordinates
   bool exact_ = false;             ///< Alt is held down: no snapping
-  EdgeSource edgesOf_;             ///< input of `edges_`
-  EdgeSource edgesOrdered_;        ///< input that `edgeJob_` is processing or will process
+  EdgeSource edgesSource_;         ///< input of `edges_`
+  EdgeSource requestedEdges_;      ///< input that `edgeJob_` is processing or will process
   QImage edges_;
-  LatestJob edgeJob_{LatestJob::Overtaken::Kept};
+  LatestJob edgeJob_{LatestJob::Superseded::Kept};
 };
 
 } // namespace dewpoint::ui

@@ -67,7 +67,7 @@ void paintLabels(QPainter& painter, const ProjectedGrid& grid, const ImagePlacem
   std::vector<QRectF> taken;
   for (auto label = grid.labels.rbegin(); label != grid.labels.rend(); ++label) {
     const QString text = QString::fromStdString(label->text);
-    const QPointF place = placeOf(label->at, placement);
+    const QPointF place = widgetPosition(label->at, placement);
     const QRectF box = labelAt(painter, place, text);
     if (std::ranges::none_of(taken, [&](const QRectF& other) { return other.intersects(box); })) {
       paintText(painter, place, text, strokeOf(label->role).color);
@@ -78,7 +78,7 @@ void paintLabels(QPainter& painter, const ProjectedGrid& grid, const ImagePlacem
 
 } // namespace
 
-QPointF placeOf(const Eigen::Vector2d& pixel, const ImagePlacement& placement) {
+QPointF widgetPosition(const Eigen::Vector2d& pixel, const ImagePlacement& placement) {
   return placement.corner + QPointF(pixel.x() + 0.5, pixel.y() + 0.5) * placement.scale;
 }
 
@@ -91,7 +91,7 @@ void paintGrid(QPainter& painter, const ProjectedGrid& grid, const ImagePlacemen
   for (const GridStroke& stroke : grid.strokes) {
     QPolygonF line;
     for (const Eigen::Vector2d& point : stroke.points) {
-      line << placeOf(point, placement);
+      line << widgetPosition(point, placement);
     }
     lines.push_back(std::move(line));
   }
@@ -154,7 +154,7 @@ void paintPoint(QPainter& painter, const PaintedPoint& point) {
 }
 
 QImage edgeImage(const cv::Mat& image, const QSize& size) {
-  const cv::Mat edges = edgePicture(image, {size.width(), size.height()});
+  const cv::Mat edges = edgeStrengthImage(image, {size.width(), size.height()});
   QImage result(edges.cols, edges.rows, QImage::Format_ARGB32_Premultiplied);
   for (int y = 0; y < edges.rows; ++y) {
     const auto* from = edges.ptr<uchar>(y);

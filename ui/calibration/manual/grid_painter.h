@@ -16,7 +16,7 @@ class Mat;
 namespace dewpoint::ui {
 
 /// Returns the widget position of an image pixel. Pixel centers lie at integer coordinates.
-QPointF placeOf(const Eigen::Vector2d& pixel, const ImagePlacement& placement);
+QPointF widgetPosition(const Eigen::Vector2d& pixel, const ImagePlacement& placement);
 
 /// Draws the reference grid as thin bright lines with a dark halo. Each axis has its own color, a
 /// name and labels in meters.

@@ -23,13 +23,13 @@ namespace dewpoint::ui {
 
 PlannerForm::PlannerForm(RigPlanner& plan, QWidget* parent) : QWidget(parent), plan_(plan) {
   setObjectName(QStringLiteral("planFields"));
-  build();
+  createWidgets();
   connectFields();
   connectSearch();
   onRetranslate(this, [this] { retranslateUi(); });
 }
 
-void PlannerForm::build() {
+void PlannerForm::createWidgets() {
   const auto button = [this](const char* name) {
     auto* made = new QPushButton(this);
     made->setObjectName(QLatin1String(name));
@@ -44,7 +44,7 @@ void PlannerForm::build() {
   camera_ = new QComboBox(this);
   camera_->setObjectName(QStringLiteral("planCamera"));
   makeNarrow(*camera_);
-  placeLabel_ = new QLabel(this);
+  positionLabel_ = new QLabel(this);
   targetLabel_ = new QLabel(this);
   lensLabel_ = new QLabel(this);
   fieldOfView_ = field(QStringLiteral("planFieldOfView"), {1.0, 170.0, 1.0, 1});
@@ -59,10 +59,10 @@ void PlannerForm::build() {
   progress_->hide();
   cancel_ = button("planCancel");
   cancel_->hide();
-  said_ = new QLabel(this);
-  said_->setObjectName(QStringLiteral("planSaid"));
-  said_->setWordWrap(true);
-  said_->hide();
+  message_ = new QLabel(this);
+  message_->setObjectName(QStringLiteral("planSaid"));
+  message_->setWordWrap(true);
+  message_->hide();
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setSpacing(6);
@@ -73,13 +73,13 @@ void PlannerForm::build() {
   grid->addWidget(remove_, 0, 2);
   grid->addWidget(cameraLabel_, 1, 0);
   grid->addWidget(camera_, 1, 1, 1, 2);
-  grid->addWidget(placeLabel_, 2, 0, 1, 3);
+  grid->addWidget(positionLabel_, 2, 0, 1, 3);
   grid->addWidget(targetLabel_, 4, 0, 1, 3);
   for (std::size_t k = 0; k < 3; ++k) {
     const QString axis = QLatin1String(kAxes[k]);
-    place_[k] = field(QStringLiteral("planPlace") + axis, {-1e3, 1e3, 0.05, 3});
+    position_[k] = field(QStringLiteral("planPlace") + axis, {-1e3, 1e3, 0.05, 3});
     target_[k] = field(QStringLiteral("planTarget") + axis, {-1e3, 1e3, 0.05, 3});
-    grid->addWidget(place_[k], 3, static_cast<int>(k));
+    grid->addWidget(position_[k], 3, static_cast<int>(k));
     grid->addWidget(target_[k], 5, static_cast<int>(k));
   }
   grid->addWidget(lensLabel_, 6, 0, 1, 3);
@@ -91,9 +91,9 @@ void PlannerForm::build() {
   grid->addWidget(find_, 9, 0, 1, 3);
   grid->addWidget(progress_, 10, 0, 1, 2);
   grid->addWidget(cancel_, 10, 2);
-  grid->addWidget(said_, 11, 0, 1, 3);
+  grid->addWidget(message_, 11, 0, 1, 3);
   cameraLabel_->setBuddy(camera_);
-  placeLabel_->setBuddy(place_[0]);
+  positionLabel_->setBuddy(position_[0]);
   targetLabel_->setBuddy(target_[0]);
   lensLabel_->setBuddy(fieldOfView_);
   wallLabel_->setBuddy(wall_);
@@ -105,8 +105,8 @@ void PlannerForm::connectFields() {
   connect(remove_, &QPushButton::clicked, this, [this] { plan_.remove(plan_.chosen()); });
   connect(camera_, &QComboBox::activated, &plan_, &RigPlanner::choose);
   for (int k = 0; k < 3; ++k) {
-    connect(place_[std::size_t(k)], &QDoubleSpinBox::valueChanged, this,
-            [this, k](double value) { editPlace(k, value); });
+    connect(position_[std::size_t(k)], &QDoubleSpinBox::valueChanged, this,
+            [this, k](double value) { editPosition(k, value); });
     connect(target_[std::size_t(k)], &QDoubleSpinBox::valueChanged, this,
             [this, k](double value) { editTarget(k, value); });
   }
@@ -118,7 +118,7 @@ void PlannerForm::connectFields() {
 
 void PlannerForm::connectSearch() {
   BackgroundJob& search = plan_.search();
-  connect(find_, &QPushButton::clicked, &plan_, &RigPlanner::findPlace);
+  connect(find_, &QPushButton::clicked, &plan_, &RigPlanner::findPosition);
   connect(cancel_, &QPushButton::clicked, &search, &BackgroundJob::cancel);
   const auto show = [this](bool running) {
     progress_->setValue(0);
@@ -131,8 +131,8 @@ void PlannerForm::connectSearch() {
   connect(&search, &BackgroundJob::progressChanged, this,
           [this](double part) { progress_->setValue(static_cast<int>(100.0 * part)); });
   connect(&plan_, &RigPlanner::messageRequested, this, [this](const QString& sentence) {
-    said_->setText(sentence);
-    said_->setVisible(!sentence.isEmpty());
+    message_->setText(sentence);
+    message_->setVisible(!sentence.isEmpty());
   });
 }
 
@@ -150,15 +150,16 @@ void PlannerForm::retranslateUi() {
   name(remove_, tr("Remove the planned camera"), tr("Remove the selected planned camera"));
   cameraLabel_->setText(tr("Planned camera"));
   name(camera_, tr("Planned camera"), tr("The planned camera that the numbers below belong to"));
-  placeLabel_->setText(tr("Position x, y, z"));
+  positionLabel_->setText(tr("Position x, y, z"));
   targetLabel_->setText(tr("Looks at x, y, z"));
   lensLabel_->setText(tr("Field of view, image width and height"));
   for (std::size_t k = 0; k < 3; ++k) {
     const QString axis = QLatin1String(kAxes[k]);
-    name(place_[k], tr("Planned position %1").arg(axis), tr("Position of the camera, in meters"));
+    name(position_[k], tr("Planned position %1").arg(axis),
+         tr("Position of the camera, in meters"));
     name(target_[k], tr("Planned camera looks at %1").arg(axis),
          tr("A point on its line of sight, in meters"));
-    place_[k]->setSuffix(QStringLiteral(" m"));
+    position_[k]->setSuffix(QStringLiteral(" m"));
     target_[k]->setSuffix(QStringLiteral(" m"));
   }
   name(fieldOfView_, tr("Field of view"), tr("Horizontal field of view of the camera"));
@@ -193,12 +194,12 @@ void PlannerForm::refresh() {
   remove_->setEnabled(any);
   camera_->setEnabled(!plan_.planned().empty());
   const Camera camera = any ? plan_.planned()[std::size_t(plan_.chosen())] : Camera();
-  const Eigen::Vector3d target = lookedAt(camera, plan_.volume().min().z());
+  const Eigen::Vector3d target = aimPoint(camera, plan_.volume().min().z());
   for (int k = 0; k < 3; ++k) {
     const auto index = std::size_t(k);
-    place_[index]->setEnabled(any);
+    position_[index]->setEnabled(any);
     target_[index]->setEnabled(any);
-    showValue(*place_[index], any ? camera.center()[k] : 0.0);
+    showValue(*position_[index], any ? camera.center()[k] : 0.0);
     showValue(*target_[index], any ? target[k] : 0.0);
   }
   showValue(*fieldOfView_, inDegrees(any ? fieldOfView(camera) : plan_.lens().fieldOfView));
@@ -213,7 +214,7 @@ void PlannerForm::refresh() {
                         .arg(QStringLiteral("Shift+F")));
 }
 
-void PlannerForm::editPlace(int axis, double value) {
+void PlannerForm::editPosition(int axis, double value) {
   if (plan_.chosen() >= 0) {
     const Camera camera = plan_.planned()[std::size_t(plan_.chosen())];
     Eigen::Vector3d place = camera.center();
@@ -225,7 +226,7 @@ void PlannerForm::editPlace(int axis, double value) {
 void PlannerForm::editTarget(int axis, double value) {
   if (plan_.chosen() >= 0) {
     const Camera camera = plan_.planned()[std::size_t(plan_.chosen())];
-    Eigen::Vector3d target = lookedAt(camera, plan_.volume().min().z());
+    Eigen::Vector3d target = aimPoint(camera, plan_.volume().min().z());
     target[axis] = value;
     plan_.change(plan_.chosen(), lookingAt(camera, target));
   }

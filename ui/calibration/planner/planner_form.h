@@ -25,13 +25,13 @@ public:
   explicit PlannerForm(RigPlanner& plan, QWidget* parent = nullptr);
 
 private:
-  void build();
+  void createWidgets();
   void connectFields();
   void connectSearch();
   void retranslateUi();
   void refresh();
   void refreshNames();
-  void editPlace(int axis, double value);
+  void editPosition(int axis, double value);
   void editTarget(int axis, double value);
   void editLens();
 
@@ -40,8 +40,8 @@ private:
   QPushButton* remove_;
   QLabel* cameraLabel_;
   QComboBox* camera_;
-  QLabel* placeLabel_;
-  std::array<QDoubleSpinBox*, 3> place_;
+  QLabel* positionLabel_;
+  std::array<QDoubleSpinBox*, 3> position_;
   QLabel* targetLabel_;
   std::array<QDoubleSpinBox*, 3> target_;
   QLabel* lensLabel_;
@@ -53,7 +53,7 @@ private:
   QDoubleSpinBox* wall_;
   QProgressBar* progress_;
   QPushButton* cancel_;
-  QLabel* said_;
+  QLabel* message_;
 };
 
 } // namespace dewpoint::ui

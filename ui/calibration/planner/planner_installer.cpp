@@ -38,18 +38,18 @@ PlannerInstaller::PlannerInstaller(const Workbench& bench, CalibrationMode& mode
   connectActions();
 }
 
-int PlannerInstaller::planned(int handle) const {
+int PlannerInstaller::plannedIndex(int handle) const {
   return handle - manual_.cameraCount();
 }
 
 void PlannerInstaller::connectBirdsEye() {
   connect(&birdsEye_, &BirdsEyeView::cameraChosen, this, [this](int camera) {
-    plan_->choose(planned(camera));
+    plan_->choose(plannedIndex(camera));
     manual_.selectCamera(camera);
   });
   connect(&birdsEye_, &BirdsEyeView::cameraDragged, this,
           [this](int camera, const Eigen::Vector3d& center) {
-            if (const int k = planned(camera); k >= 0) {
+            if (const int k = plannedIndex(camera); k >= 0) {
               plan_->change(k, withPosition(plan_->planned()[std::size_t(k)], center));
             }
             manual_.change(camera, tr("Move %1 in the bird's-eye view").arg(manual_.nameOf(camera)),
@@ -57,7 +57,7 @@ void PlannerInstaller::connectBirdsEye() {
           });
   connect(&birdsEye_, &BirdsEyeView::cameraAimed, this,
           [this](int camera, const Eigen::Vector3d& target) {
-            if (const int k = planned(camera); k >= 0) {
+            if (const int k = plannedIndex(camera); k >= 0) {
               plan_->change(k, lookingAt(plan_->planned()[std::size_t(k)], target));
             }
             manual_.change(camera, tr("Turn %1 in the bird's-eye view").arg(manual_.nameOf(camera)),
@@ -80,9 +80,9 @@ void PlannerInstaller::connectActions() {
   });
   bench_.onTriggered("actionFindPlace", this, [this] {
     open();
-    plan_->findPlace();
+    plan_->findPosition();
   });
-  bench_.needRun({"actionPlanRig", "actionShowMap", "actionPlanCamera", "actionFindPlace"});
+  bench_.requireRun({"actionPlanRig", "actionShowMap", "actionPlanCamera", "actionFindPlace"});
 }
 
 void PlannerInstaller::showHandles() {

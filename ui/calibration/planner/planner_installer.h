@@ -24,7 +24,7 @@ private:
   void open();
   /// Returns the index of the planned camera for a handle, or a negative number if the camera
   /// belongs to the project.
-  int planned(int handle) const;
+  int plannedIndex(int handle) const;
 
   Workbench bench_;
   CalibrationMode& mode_;

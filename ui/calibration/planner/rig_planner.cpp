@@ -33,23 +33,23 @@ RigPlanner::RigPlanner(Document& document, ManualCalibration& manual, Selection&
     search_.cancel();
     planned_.clear();
     selection_.selectPlannedCamera(-1);
-    followsRoom_ = true;
-    takeRoom();
-    takeLens();
+    followsProjectVolume_ = true;
+    adoptProjectVolume();
+    adoptProjectLens();
     Q_EMIT changed();
   });
   connect(&document_, &Document::changed, this, [this](const ProjectChanges& changes) {
     // Not with every pose: a volume that grows with a camera in the hand is hard to read.
     if (changes.grid || changes.sources) {
-      takeRoom();
+      adoptProjectVolume();
     }
   });
   connect(&manual_, &ManualCalibration::activeChanged, this, [this] {
-    takeRoom();
+    adoptProjectVolume();
     Q_EMIT mapChanged();
     Q_EMIT changed();
   });
-  connect(&manual_, &ManualCalibration::changed, this, &RigPlanner::ask);
+  connect(&manual_, &ManualCalibration::changed, this, &RigPlanner::requestMap);
   connect(&selection_, &Selection::plannedCameraSelected, this, &RigPlanner::changed);
 }
 
@@ -61,15 +61,15 @@ CameraRig RigPlanner::rig() const {
   return rig;
 }
 
-void RigPlanner::ask() {
+void RigPlanner::requestMap() {
   if (!mapShown_ || !manual_.isActive()) {
     return;
   }
-  const MapOrder order{gridOver(volume_, kMapCells), pixelSigma_, rig()};
-  if (lastOrder_ == order) {
+  const MapRequest order{gridOver(volume_, kMapCells), pixelSigma_, rig()};
+  if (lastRequest_ == order) {
     return;
   }
-  lastOrder_ = order;
+  lastRequest_ = order;
   mapping_.start([this, order, mapper = mapper_](const BackgroundJob::Progress&) {
     auto map = std::make_shared<const RigMap>(mapper->map(order.grid, order.pixelSigma, order.rig));
     return [this, map] {
@@ -82,20 +82,20 @@ void RigPlanner::ask() {
 void RigPlanner::setMapShown(bool shown) {
   if (shown != mapShown_) {
     mapShown_ = shown;
-    ask();
+    requestMap();
     Q_EMIT mapChanged();
     Q_EMIT changed();
   }
 }
 
-void RigPlanner::keepHeight() {
+void RigPlanner::limitHeight() {
   look_.height = std::clamp(look_.height, volume_.min().z(), volume_.max().z());
 }
 
 void RigPlanner::setLook(const MapLook& look) {
   if (look != look_) {
     look_ = look;
-    keepHeight();
+    limitHeight();
     Q_EMIT mapChanged();
     Q_EMIT changed();
   }
@@ -103,36 +103,36 @@ void RigPlanner::setLook(const MapLook& look) {
 
 void RigPlanner::setPixelSigma(double pixels) {
   pixelSigma_ = pixels;
-  ask();
+  requestMap();
   Q_EMIT changed();
 }
 
 void RigPlanner::setVolume(const Eigen::AlignedBox3d& volume) {
   if (!volume.isEmpty() && volume.sizes().minCoeff() > 0.0) {
     volume_ = volume;
-    followsRoom_ = false;
-    keepHeight();
-    ask();
+    followsProjectVolume_ = false;
+    limitHeight();
+    requestMap();
   }
   Q_EMIT changed(); // also when it was refused
 }
 
-void RigPlanner::followRoom() {
-  followsRoom_ = true;
-  takeRoom();
+void RigPlanner::followProjectVolume() {
+  followsProjectVolume_ = true;
+  adoptProjectVolume();
   Q_EMIT changed();
 }
 
-void RigPlanner::takeRoom() {
-  const Eigen::AlignedBox3d room = roomOf(rigOf(document_.project()), manual_.grid());
-  if (followsRoom_ && !room.isEmpty() && room.sizes().minCoeff() > 0.0) {
+void RigPlanner::adoptProjectVolume() {
+  const Eigen::AlignedBox3d room = roomVolume(rigOf(document_.project()), manual_.grid());
+  if (followsProjectVolume_ && !room.isEmpty() && room.sizes().minCoeff() > 0.0) {
     volume_ = room;
-    keepHeight();
-    ask();
+    limitHeight();
+    requestMap();
   }
 }
 
-void RigPlanner::takeLens() {
+void RigPlanner::adoptProjectLens() {
   const auto& cameras = document_.project().cameras;
   if (!cameras.empty() && cameras.front().camera.intrinsics.width > 0) {
     const Camera& like = cameras.front().camera;
@@ -153,7 +153,7 @@ void RigPlanner::choose(int planned) {
 
 QString RigPlanner::nextName() const {
   return QString::fromStdString(
-      freeCameraName(rig(), document_.project().cameras.size(), [](std::size_t number) {
+      unusedCameraName(rig(), document_.project().cameras.size(), [](std::size_t number) {
         return cameraName(std::string(), number).toStdString();
       }));
 }
@@ -161,9 +161,9 @@ QString RigPlanner::nextName() const {
 void RigPlanner::add() {
   Camera camera = withLens({}, lens_);
   camera.name = nextName().toStdString();
-  planned_.push_back(inFarthestCorner(camera, rig(), volume_));
+  planned_.push_back(placedInFarthestCorner(camera, rig(), volume_));
   choose(int(planned_.size()) - 1);
-  ask();
+  requestMap();
   Q_EMIT messageRequested({});
   Q_EMIT changed();
 }
@@ -172,7 +172,7 @@ void RigPlanner::remove(int planned) {
   if (planned >= 0 && planned < int(planned_.size())) {
     planned_.erase(planned_.begin() + planned);
     choose(chosen());
-    ask();
+    requestMap();
     Q_EMIT messageRequested({});
     Q_EMIT changed();
   }
@@ -182,7 +182,7 @@ void RigPlanner::change(int planned, const Camera& camera) {
   if (planned >= 0 && planned < int(planned_.size())) {
     const bool moved = planned_[std::size_t(planned)] != camera;
     planned_[std::size_t(planned)] = camera;
-    ask();
+    requestMap();
     if (moved) {
       Q_EMIT messageRequested({}); // it was about another place
     }
@@ -204,7 +204,7 @@ void RigPlanner::setWallDistance(double meters) {
   Q_EMIT changed();
 }
 
-void RigPlanner::findPlace() {
+void RigPlanner::findPosition() {
   Camera lens = withLens({}, lens_);
   lens.name = nextName().toStdString();
   PlacementSettings settings;
@@ -216,19 +216,19 @@ void RigPlanner::findPlace() {
   search_.start([this, lens, settings, rig = rig()](const BackgroundJob::Progress& progress) {
     const auto found = placeCamera(rig, lens, settings,
                                    [&](CalibrationStage, double part) { return progress(part); });
-    return [this, found] { takePlacement(found); };
+    return [this, found] { applyPlacement(found); };
   });
   Q_EMIT messageRequested({});
 }
 
-void RigPlanner::takePlacement(const Result<Placement>& found) {
+void RigPlanner::applyPlacement(const Result<Placement>& found) {
   if (!found) {
-    Q_EMIT messageRequested(errorSentence(found.error()));
+    Q_EMIT messageRequested(errorText(found.error()));
     return;
   }
   planned_.push_back(found->camera);
   choose(int(planned_.size()) - 1);
-  ask();
+  requestMap();
   Q_EMIT changed();
   const Eigen::Vector3d place = found->camera.center();
   Q_EMIT messageRequested(
@@ -237,8 +237,8 @@ void RigPlanner::takePlacement(const Result<Placement>& found) {
           .arg(QString::fromStdString(found->camera.name),
                lengthNumber(place.x(), LengthScale::Meters, 2),
                lengthNumber(place.y(), LengthScale::Meters, 2),
-               lengthText(place.z(), LengthScale::Meters, 2), shareText(found->withinAfter),
-               lengthText(look_.goodSigma, LengthForm::Short), shareText(found->withinBefore)));
+               lengthText(place.z(), LengthScale::Meters, 2), shareText(found->fractionAfter),
+               lengthText(look_.goodSigma, LengthForm::Short), shareText(found->fractionBefore)));
 }
 
 } // namespace dewpoint::ui

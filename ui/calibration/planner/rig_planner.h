@@ -53,8 +53,8 @@ public:
   const Eigen::AlignedBox3d& volume() const { return volume_; }
   /// Sets the mapped volume. An empty or flat box is ignored.
   void setVolume(const Eigen::AlignedBox3d& volume);
-  bool followsRoom() const { return followsRoom_; }
-  void followRoom();
+  bool followsProjectVolume() const { return followsProjectVolume_; }
+  void followProjectVolume();
 
   // Planned cameras.
   const CameraRig& planned() const { return planned_; }
@@ -76,7 +76,7 @@ public:
   double wallDistance() const { return wallDistance_; }
   void setWallDistance(double meters);
   /// Searches for the best position of an additional camera and adds the camera there.
-  void findPlace();
+  void findPosition();
   BackgroundJob& search() { return search_; }
 
 Q_SIGNALS:
@@ -90,26 +90,26 @@ Q_SIGNALS:
 
 private:
   CameraRig rig() const;
-  void ask();
-  void takeRoom();
-  void takeLens();
-  void keepHeight();
-  void takePlacement(const Result<Placement>& found);
+  void requestMap();
+  void adoptProjectVolume();
+  void adoptProjectLens();
+  void limitHeight();
+  void applyPlacement(const Result<Placement>& found);
 
   Document& document_;
   ManualCalibration& manual_;
   Selection& selection_;
   /// Input for computing a map. A request identical to the previous one is skipped.
-  struct MapOrder {
+  struct MapRequest {
     VolumeGrid grid;
     double pixelSigma = 0.5;
     CameraRig rig;
 
-    bool operator==(const MapOrder&) const = default;
+    bool operator==(const MapRequest&) const = default;
   };
-  std::optional<MapOrder> lastOrder_;
+  std::optional<MapRequest> lastRequest_;
   std::shared_ptr<RigMapper> mapper_; ///< used by one job at a time
-  LatestJob mapping_{LatestJob::Overtaken::Kept};
+  LatestJob mapping_{LatestJob::Superseded::Kept};
   BackgroundJob search_;
   std::shared_ptr<const RigMap> map_;
   MapLook look_;
@@ -117,7 +117,7 @@ private:
   double pixelSigma_ = 0.5;
   double wallDistance_ = 0.0;
   Eigen::AlignedBox3d volume_{Eigen::Vector3d(-2, -2, 0), Eigen::Vector3d(2, 2, 2)};
-  bool followsRoom_ = true;
+  bool followsProjectVolume_ = true;
   CameraRig planned_;
   PlannedLens lens_;
 };

@@ -29,13 +29,13 @@ constexpr int kSliderSteps = 200;
 UncertaintyMapForm::UncertaintyMapForm(RigPlanner& plan, QWidget* parent)
     : QWidget(parent), plan_(plan) {
   setObjectName(QStringLiteral("mapFields"));
-  build();
+  createWidgets();
   connectFields();
   connectVolume();
   onRetranslate(this, [this] { retranslateUi(); });
 }
 
-void UncertaintyMapForm::build() {
+void UncertaintyMapForm::createWidgets() {
   const auto check = [this](const char* name) {
     auto* box = new QCheckBox(this);
     box->setObjectName(QLatin1String(name));
@@ -140,7 +140,7 @@ void UncertaintyMapForm::connectVolume() {
       plan_.setVolume(box);
     });
   }
-  connect(room_, &QPushButton::clicked, &plan_, &RigPlanner::followRoom);
+  connect(room_, &QPushButton::clicked, &plan_, &RigPlanner::followProjectVolume);
 }
 
 void UncertaintyMapForm::retranslateUi() {
@@ -216,7 +216,7 @@ void UncertaintyMapForm::refresh() {
     showValue(*low_[std::size_t(k)], box.min()[k]);
     showValue(*high_[std::size_t(k)], box.max()[k]);
   }
-  room_->setEnabled(!plan_.followsRoom());
+  room_->setEnabled(!plan_.followsProjectVolume());
   summarize();
 }
 

@@ -25,7 +25,7 @@ public:
   explicit UncertaintyMapForm(RigPlanner& plan, QWidget* parent = nullptr);
 
 private:
-  void build();
+  void createWidgets();
   void connectFields();
   void connectVolume();
   void retranslateUi();

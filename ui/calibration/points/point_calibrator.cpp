@@ -33,7 +33,7 @@ PointCalibrator::PointCalibrator(Document& document, ManualCalibration& manual, 
   connect(&document_, &Document::changed, this, [this](const ProjectChanges& changes) {
     if (changes.points || changes.calibration || changes.sources) {
       if (!applying_ && (changes.points || changes.sources)) {
-        forgetSolution();
+        discardSolution();
       }
       chosen_ = std::min(chosen_, static_cast<int>(points().size()) - 1);
       Q_EMIT this->changed();
@@ -41,7 +41,7 @@ PointCalibrator::PointCalibrator(Document& document, ManualCalibration& manual, 
   });
   connect(&document_, &Document::replaced, this, [this] {
     chosen_ = points().empty() ? -1 : 0;
-    forgetSolution();
+    discardSolution();
     setClicking(false);
     Q_EMIT changed();
   });
@@ -58,7 +58,7 @@ bool PointCalibrator::edit(const QString& step, const std::function<void(Project
   return document_.edit(step, change, mergeKey).has_value();
 }
 
-void PointCalibrator::forgetSolution() {
+void PointCalibrator::discardSolution() {
   resultText_.clear();
   worst_.reset();
   proposal_.reset();
@@ -145,9 +145,9 @@ std::vector<ClickResidual> PointCalibrator::residuals() const {
   return clickResiduals(rigOf(document_.project()), points());
 }
 
-void PointCalibrator::solve(bool alsoFocal) {
+void PointCalibrator::solve(bool estimateFocal) {
   PointSettings settings;
-  settings.alsoFocal = alsoFocal;
+  settings.estimateFocal = estimateFocal;
   const bool begun = job_.start([this, rig = rigOf(document_.project()), all = points(),
                                  settings](const BackgroundJob::Progress&) {
     auto solution = std::make_shared<const PointSolution>(solveFromPoints(rig, all, settings));
@@ -165,7 +165,7 @@ void PointCalibrator::solve(bool alsoFocal) {
 }
 
 void PointCalibrator::applyResult(const PointSolution& solution) {
-  forgetSolution();
+  discardSolution();
   applying_ = true;
   if (solution.anySolved()) {
     edit(tr("Compute cameras from measured points"),
@@ -174,7 +174,7 @@ void PointCalibrator::applyResult(const PointSolution& solution) {
   applying_ = false;
   QStringList lines;
   for (const CameraFromPoints& camera : solution.cameras) {
-    lines << cameraSentence(camera);
+    lines << cameraResultText(camera);
     if (camera.proposal && !proposal_) {
       proposal_ = Proposal{camera.camera, camera.proposal->symmetry};
     }
@@ -184,12 +184,12 @@ void PointCalibrator::applyResult(const PointSolution& solution) {
   }
   worst_ = solution.worst;
   if (worst_ && solution.anySolved()) {
-    lines << worstPointSentence(solution);
+    lines << worstPointText(solution);
   }
   resultText_ = lines.join(QLatin1Char('\n'));
 }
 
-QString PointCalibrator::cameraSentence(const CameraFromPoints& camera) const {
+QString PointCalibrator::cameraResultText(const CameraFromPoints& camera) const {
   const QString name = manual_.nameOf(camera.camera);
   QString line;
   switch (camera.status) {
@@ -222,7 +222,7 @@ QString PointCalibrator::cameraSentence(const CameraFromPoints& camera) const {
   return line;
 }
 
-QString PointCalibrator::worstPointSentence(const PointSolution& solution) const {
+QString PointCalibrator::worstPointText(const PointSolution& solution) const {
   const auto worst = static_cast<std::size_t>(*solution.worst);
   double pixels = 0.0;
   double meters = 0.0;
@@ -234,7 +234,7 @@ QString PointCalibrator::worstPointSentence(const PointSolution& solution) const
   }
   const QString name = QString::fromStdString(points()[worst].name);
   const QString distance = lengthText(meters, LengthScale::Millimeters, 1);
-  return solution.worstExplains
+  return solution.isWorstWrong
              ? tr("%1 does not fit the other points (%2, %3): measure or click it again")
                    .arg(name, pixelText(pixels), distance)
              : tr("Largest error: %1 (%2, %3)").arg(name, pixelText(pixels, 2), distance);

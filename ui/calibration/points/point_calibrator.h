@@ -52,7 +52,7 @@ public:
   std::vector<ClickResidual> residuals() const;
 
   bool isSolving() const { return job_.isRunning(); }
-  void solve(bool alsoFocal);
+  void solve(bool estimateFocal);
   /// Returns the report of the last solution, one sentence per line, or an empty string before the
   /// first solution.
   const QString& resultText() const { return resultText_; }
@@ -73,9 +73,9 @@ private:
   bool edit(const QString& step, const std::function<void(Project&)>& change,
             const std::string& mergeKey = {});
   void applyResult(const PointSolution& solution);
-  QString cameraSentence(const CameraFromPoints& camera) const;
-  QString worstPointSentence(const PointSolution& solution) const;
-  void forgetSolution();
+  QString cameraResultText(const CameraFromPoints& camera) const;
+  QString worstPointText(const PointSolution& solution) const;
+  void discardSolution();
 
   Document& document_;
   ManualCalibration& manual_;

@@ -24,7 +24,7 @@ namespace dewpoint::ui {
 PointsTable::PointsTable(PointCalibrator& points, ManualCalibration& manual, QWidget* parent)
     : QWidget(parent), points_(points), manual_(manual) {
   setObjectName(QStringLiteral("pointsTable"));
-  build();
+  createWidgets();
   connect(&points_, &PointCalibrator::changed, this, &PointsTable::refresh);
   connect(&manual_, &ManualCalibration::cameraSelected, this, &PointsTable::refresh);
   connect(table_, &QTableWidget::cellChanged, this, &PointsTable::edited);
@@ -42,7 +42,7 @@ PointsTable::PointsTable(PointCalibrator& points, ManualCalibration& manual, QWi
   onRetranslate(this, [this] { retranslateUi(); });
 }
 
-void PointsTable::build() {
+void PointsTable::createWidgets() {
   table_ = new QTableWidget(0, ColumnCount, this);
   table_->setObjectName(QStringLiteral("pointsList"));
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);

@@ -25,7 +25,7 @@ public:
 private:
   enum Column { Name, X, Y, Z, Clicks, Pixels, Millimeters, ColumnCount };
 
-  void build();
+  void createWidgets();
   void retranslateUi();
   void refresh();
   void fillRow(int row);

@@ -23,7 +23,7 @@ protected:
 
 private:
   CameraSightings seen_;
-  double shape_ = 4.0 / 3.0;
+  double aspectRatio_ = 4.0 / 3.0;
 };
 
 } // namespace dewpoint::ui

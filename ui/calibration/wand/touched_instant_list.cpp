@@ -33,7 +33,7 @@ TouchedInstantList::TouchedInstantList(WandCalibrator& calibrator, QWidget* pare
   grid->addWidget(list_, 2, 0, 1, 2);
   connect(&calibrator_, &WandCalibrator::changed, this, &TouchedInstantList::refresh);
   connect(take_, &QPushButton::clicked, this,
-          [this] { calibrator_.addTouchedInstant(static_cast<TouchRole>(role_->currentIndex())); });
+          [this] { calibrator_.addTouchedInstant(static_cast<WandEvent>(role_->currentIndex())); });
   connect(remove_, &QPushButton::clicked, this, [this] {
     calibrator_.removeTouchedInstant(static_cast<std::size_t>(list_->currentRow()));
   });
@@ -50,8 +50,8 @@ void TouchedInstantList::retranslateUi() {
     const QSignalBlocker quiet(role_);
     const int chosen = std::max(0, role_->currentIndex());
     role_->clear();
-    for (int role = 0; role < kTouchRoles; ++role) {
-      role_->addItem(tr("The ball %1").arg(touchText(static_cast<TouchRole>(role))));
+    for (int role = 0; role < kWandEventCount; ++role) {
+      role_->addItem(tr("The ball %1").arg(touchText(static_cast<WandEvent>(role))));
     }
     role_->setCurrentIndex(chosen);
   }
@@ -75,7 +75,7 @@ void TouchedInstantList::refresh() {
   {
     const QSignalBlocker quiet(list_);
     list_->clear();
-    for (const TouchedInstant& instant : calibrator_.touchedInstants()) {
+    for (const MarkedInstant& instant : calibrator_.touchedInstants()) {
       list_->addItem(tr("%1 – %2").arg(secondsText(instant.seconds, 3), touchText(instant.role)));
     }
     list_->setCurrentRow(std::min(chosen, list_->count() - 1));

@@ -18,12 +18,12 @@ constexpr int kTickMs = 200;
 constexpr double kLookingPart = 0.8; ///< of the time that a refinement takes, roughly
 
 /// How far the whole is.
-double partOf(const WandWork& work) {
+double partOf(const WandCalibrationProgress& work) {
   if (work.total <= 0) {
     return -1.0;
   }
   const double part = static_cast<double>(work.done) / static_cast<double>(work.total);
-  return work.looking ? kLookingPart * part : kLookingPart + (1.0 - kLookingPart) * part;
+  return work.isSearching ? kLookingPart * part : kLookingPart + (1.0 - kLookingPart) * part;
 }
 
 /// Everything that was collected, also what still waits to be looked at.
@@ -37,17 +37,17 @@ std::vector<std::vector<MarkerObservation>> allViews(const WandCollector& collec
 
 } // namespace
 
-WandCalibrator::WandCalibrator(Surroundings around, QObject* parent)
-    : QObject(parent), around_(std::move(around)), job_(new BackgroundJob(this)) {
+WandCalibrator::WandCalibrator(Dependencies around, QObject* parent)
+    : QObject(parent), dependencies_(std::move(around)), job_(new BackgroundJob(this)) {
   tick_.setInterval(kTickMs);
   connect(&tick_, &QTimer::timeout, this, &WandCalibrator::collectedChanged);
   connect(job_, &BackgroundJob::started, this, &WandCalibrator::changed);
   connect(job_, &BackgroundJob::progressChanged, this, &WandCalibrator::progressChanged);
   connect(job_, &BackgroundJob::ended, this, &WandCalibrator::changed);
-  connect(&around_.document, &Document::replaced, this, &WandCalibrator::forget);
-  connect(&around_.document, &Document::targetsChanged, this, &WandCalibrator::changed);
-  connect(&around_.selection, &Selection::rangeChanged, this, &WandCalibrator::changed);
-  connect(&around_.document, &Document::calibrationChanged, this, [this] {
+  connect(&dependencies_.document, &Document::replaced, this, &WandCalibrator::discardResults);
+  connect(&dependencies_.document, &Document::targetsChanged, this, &WandCalibrator::changed);
+  connect(&dependencies_.selection, &Selection::rangeChanged, this, &WandCalibrator::changed);
+  connect(&dependencies_.document, &Document::calibrationChanged, this, [this] {
     if (refinement_ && applied_) {
       Q_EMIT changed();
     }
@@ -65,7 +65,7 @@ bool WandCalibrator::isStale() const {
 }
 
 const Project& WandCalibrator::project() const {
-  return around_.document.project();
+  return dependencies_.document.project();
 }
 
 void WandCalibrator::setSettings(const WandSettings& settings) {
@@ -75,11 +75,11 @@ void WandCalibrator::setSettings(const WandSettings& settings) {
   }
 }
 
-void WandCalibrator::addTouchedInstant(TouchRole role) {
+void WandCalibrator::addTouchedInstant(WandEvent role) {
   if (!canAddTouchedInstant()) {
     return;
   }
-  const TouchedInstant taken{shownFrame_, shownSeconds_, role};
+  const MarkedInstant taken{shownFrame_, shownSeconds_, role};
   addInstant(touchedInstants_, taken);
   Q_EMIT changed();
 }
@@ -93,7 +93,7 @@ void WandCalibrator::removeTouchedInstant(std::size_t index) {
 
 void WandCalibrator::showTouchedInstant(std::size_t index) {
   if (index < touchedInstants_.size()) {
-    around_.selection.requestFrame(touchedInstants_[index].frame);
+    dependencies_.selection.requestFrame(touchedInstants_[index].frame);
   }
 }
 
@@ -101,7 +101,7 @@ void WandCalibrator::setSnapshot(const TrackSnapshotPtr& snapshot) {
   const bool shown = snapshot && snapshot->frames;
   const bool live = shown && !snapshot->frameCount;
   // Another session opens its cameras anew, and has no tap.
-  if (waving_ != nullptr && (around_.session() != waving_ || collector_.use_count() == 1)) {
+  if (waving_ != nullptr && (dependencies_.session() != waving_ || collector_.use_count() == 1)) {
     detachFromSession();
   }
   const bool news = live != live_ || shown != canAddTouchedInstant();
@@ -114,13 +114,13 @@ void WandCalibrator::setSnapshot(const TrackSnapshotPtr& snapshot) {
 }
 
 void WandCalibrator::startWaving() {
-  Session* session = around_.session();
+  Session* session = dependencies_.session();
   const auto colors = wandColors(project(), toOptions(settings_, touchedInstants_, project()));
   if (session == nullptr) {
     return;
   }
   if (!colors) {
-    Q_EMIT failed(errorSentence(colors.error()));
+    Q_EMIT failed(errorText(colors.error()));
     return;
   }
   stopWaving();
@@ -129,14 +129,14 @@ void WandCalibrator::startWaving() {
   waving_ = session;
   session->setFrameTap(
       [collector = collector_](const FrameSetPtr& frames) { collector->offer(frames); });
-  session->backToHead();
+  session->returnToHead();
   session->play();
   tick_.start();
   Q_EMIT changed();
 }
 
 void WandCalibrator::stopWaving() {
-  if (waving_ != nullptr && around_.session() == waving_) {
+  if (waving_ != nullptr && dependencies_.session() == waving_) {
     waving_->setFrameTap({});
   }
   detachFromSession();
@@ -155,7 +155,7 @@ std::optional<WandCollector::State> WandCalibrator::collected() const {
   return collector_ ? std::optional(collector_->state()) : std::nullopt;
 }
 
-QString WandCalibrator::missing() const {
+QString WandCalibrator::obstacleText() const {
   const QString missing = validationMessage(settings_, touchedInstants_, project());
   if (!missing.isEmpty()) {
     return missing;
@@ -172,22 +172,24 @@ bool WandCalibrator::isRefining() const {
 }
 
 void WandCalibrator::refine() {
-  if (isRefining() || !missing().isEmpty()) {
+  if (isRefining() || !obstacleText().isEmpty()) {
     return;
   }
   stopWaving();
   const auto collector = live_ ? collector_ : nullptr;
-  const auto selectedRange = live_ ? std::nullopt : around_.selection.selectedRange();
+  const auto selectedRange = live_ ? std::nullopt : dependencies_.selection.selectedRange();
   const auto selected = selectedRange
-                            ? std::optional(FrameStretch{selectedRange->first, selectedRange->last})
+                            ? std::optional(FrameSpan{selectedRange->first, selectedRange->last})
                             : std::nullopt;
   const WandOptions options = toOptions(settings_, touchedInstants_, project(), selected);
   refinement_.reset();
   failure_.clear();
   applied_ = false;
   job_->start([this, collector, options, wanted = project(),
-               open = around_.open](const BackgroundJob::Progress& progress) {
-    const auto callback = [&](const WandWork& work) { return progress(partOf(work)); };
+               open = dependencies_.open](const BackgroundJob::Progress& progress) {
+    const auto callback = [&](const WandCalibrationProgress& work) {
+      return progress(partOf(work));
+    };
     auto outcome = std::make_shared<Result<WandRefinement>>();
     if (collector) {
       *outcome = refineFromViews(wanted, allViews(*collector, progress), options, callback);
@@ -206,7 +208,7 @@ void WandCalibrator::cancel() {
 
 void WandCalibrator::applyResult(Result<WandRefinement> outcome) {
   if (!outcome) {
-    failure_ = errorSentence(outcome.error());
+    failure_ = errorText(outcome.error());
   } else {
     refinement_ = std::make_shared<const WandRefinement>(std::move(*outcome));
     if (!isDoubtful(*refinement_)) {
@@ -220,8 +222,8 @@ void WandCalibrator::apply() {
   if (!refinement_ || applied_ || refinement_->before.size() != project().cameras.size()) {
     return;
   }
-  around_.manual.takeAsBefore();
-  const auto edited = around_.document.edit(
+  dependencies_.manual.storeAsBefore();
+  const auto edited = dependencies_.document.edit(
       settings_.stick ? tr("Refine cameras with a wand") : tr("Refine cameras with a ball"),
       [this](Project& project) {
         const WandResult& found = refinement_->result;
@@ -231,12 +233,12 @@ void WandCalibrator::apply() {
         }
       });
   applied_ = edited.has_value();
-  failure_ = edited ? QString() : errorSentence(edited.error());
+  failure_ = edited ? QString() : errorText(edited.error());
   Q_EMIT changed();
 }
 
 void WandCalibrator::setFlipped(bool flipped) {
-  around_.manual.setFlipped(flipped);
+  dependencies_.manual.setFlipped(flipped);
 }
 
 void WandCalibrator::saveReport(const QString& file) {
@@ -246,12 +248,12 @@ void WandCalibrator::saveReport(const QString& file) {
   job_->start([this, file, refinement = refinement_](const BackgroundJob::Progress&) {
     const auto written = writeTextFile(file.toStdString(), htmlText(*refinement));
     return [this, file, written] {
-      written ? Q_EMIT saved(file) : Q_EMIT failed(errorSentence(written.error()));
+      written ? Q_EMIT saved(file) : Q_EMIT failed(errorText(written.error()));
     };
   });
 }
 
-void WandCalibrator::forget() {
+void WandCalibrator::discardResults() {
   job_->cancel();
   stopWaving();
   collector_.reset();

@@ -26,7 +26,7 @@ class WandCalibrator : public QObject {
   Q_OBJECT
 public:
   /// Objects that the calibrator uses.
-  struct Surroundings {
+  struct Dependencies {
     Document& document;
     ManualCalibration& manual;
     Selection& selection;
@@ -35,26 +35,26 @@ public:
         open;                          ///< called from another thread
     std::function<Session*()> session; ///< returns the running session, or null
   };
-  explicit WandCalibrator(Surroundings around, QObject* parent = nullptr);
+  explicit WandCalibrator(Dependencies around, QObject* parent = nullptr);
   ~WandCalibrator() override;
 
   const WandSettings& settings() const { return settings_; }
   void setSettings(const WandSettings& settings);
   const Project& project() const;
-  TargetListModel& targets() const { return around_.targets; }
+  TargetListModel& targets() const { return dependencies_.targets; }
 
   // Returns the frames in which the ball touched the floor, touched one end of a known distance, or
   // fell freely.
-  const std::vector<TouchedInstant>& touchedInstants() const { return touchedInstants_; }
+  const std::vector<MarkedInstant>& touchedInstants() const { return touchedInstants_; }
   /// Adds the frame shown. A new distance end or a new fall replaces the previous one.
-  void addTouchedInstant(TouchRole role);
+  void addTouchedInstant(WandEvent role);
   void removeTouchedInstant(std::size_t index);
   /// Shows the images of the touched instant with this index.
   void showTouchedInstant(std::size_t index);
   /// Returns whether a frame is shown that can be added.
   bool canAddTouchedInstant() const { return shownFrame_ >= 0; }
   /// Returns whether a range of frames is selected in the timeline.
-  bool hasSelectedRange() const { return around_.selection.selectedRange().has_value(); }
+  bool hasSelectedRange() const { return dependencies_.selection.selectedRange().has_value(); }
 
   // Live cameras.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
@@ -68,7 +68,7 @@ public:
 
   // Refinement.
   /// Returns why the refinement cannot start, or an empty string if it can.
-  QString missing() const;
+  QString obstacleText() const;
   void refine();
   void cancel();
   bool isRefining() const;
@@ -97,12 +97,12 @@ Q_SIGNALS:
 
 private:
   void applyResult(Result<WandRefinement> outcome);
-  void forget();
+  void discardResults();
   void detachFromSession();
 
-  Surroundings around_;
+  Dependencies dependencies_;
   WandSettings settings_;
-  std::vector<TouchedInstant> touchedInstants_;
+  std::vector<MarkedInstant> touchedInstants_;
   bool live_ = false;
   qint64 shownFrame_ = -1;
   double shownSeconds_ = 0.0; ///< time of the frame shown, seconds on the calibration clock

@@ -39,12 +39,12 @@ void showChoice(QComboBox& box, int index) {
 WandForm::WandForm(WandCalibrator& calibrator, QWidget* parent)
     : QWidget(parent), calibrator_(calibrator) {
   setObjectName(QStringLiteral("wandFields"));
-  build();
+  createWidgets();
   connectFields();
   onRetranslate(this, [this] { retranslateUi(); });
 }
 
-void WandForm::build() {
+void WandForm::createWidgets() {
   kindLabel_ = new QLabel(this);
   kind_ = makeChoice("wandKind", this);
   ballLabel_ = new QLabel(this);
@@ -62,7 +62,8 @@ void WandForm::build() {
   initialErrorLabel_ = new QLabel(this);
   initialPositionError_ =
       makeNumberField(QStringLiteral("wandRoughPlace"), {0.1, 1e4, 1.0, 1}, this);
-  initialTurnError_ = makeNumberField(QStringLiteral("wandRoughTurn"), {0.1, 90.0, 1.0, 1}, this);
+  initialRotationError_ =
+      makeNumberField(QStringLiteral("wandRoughTurn"), {0.1, 90.0, 1.0, 1}, this);
   offsets_ = makeCheck("wandOffsets", this);
   focal_ = makeCheck("wandFocal", this);
   distortion_ = makeCheck("wandDistortion", this);
@@ -86,7 +87,7 @@ void WandForm::build() {
   row(5, distanceLabel_, distance_);
   grid->addWidget(initialErrorLabel_, 6, 0);
   grid->addWidget(initialPositionError_, 6, 1);
-  grid->addWidget(initialTurnError_, 6, 2);
+  grid->addWidget(initialRotationError_, 6, 2);
   initialErrorLabel_->setBuddy(initialPositionError_);
   int at = 7; // one below the other: some languages need the width
   for (QWidget* check :
@@ -110,7 +111,7 @@ void WandForm::connectFields() {
     edit([=](WandSettings& settings) { settings.length = fromCentimeters(value); });
   });
   connect(size_, &QComboBox::activated, this, [this](int index) {
-    edit([=](WandSettings& settings) { settings.size = static_cast<WandSize>(index); });
+    edit([=](WandSettings& settings) { settings.size = static_cast<WandScaleSource>(index); });
   });
   connect(distance_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
     edit([=](WandSettings& settings) { settings.distance = fromCentimeters(value); });
@@ -118,8 +119,8 @@ void WandForm::connectFields() {
   connect(initialPositionError_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
     edit([=](WandSettings& settings) { settings.initialPositionError = fromCentimeters(value); });
   });
-  connect(initialTurnError_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-    edit([=](WandSettings& settings) { settings.initialTurnError = value * base::kDegree; });
+  connect(initialRotationError_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+    edit([=](WandSettings& settings) { settings.initialRotationError = value * base::kDegree; });
   });
   const auto check = [this](QCheckBox* box, bool WandSettings::*field) {
     connect(box, &QCheckBox::clicked, this, [this, field](bool checked) {
@@ -129,7 +130,7 @@ void WandForm::connectFields() {
   check(offsets_, &WandSettings::findOffsets);
   check(focal_, &WandSettings::findFocal);
   check(distortion_, &WandSettings::findDistortion);
-  check(onlyRange_, &WandSettings::onlySpan);
+  check(onlyRange_, &WandSettings::onlySelectedFrames);
 }
 
 void WandForm::edit(const std::function<void(WandSettings&)>& change) {
@@ -170,11 +171,11 @@ void WandForm::refresh() {
   showValue(*length_, inCentimeters(settings.length));
   showValue(*distance_, inCentimeters(settings.distance));
   showValue(*initialPositionError_, inCentimeters(settings.initialPositionError));
-  showValue(*initialTurnError_, inDegrees(settings.initialTurnError));
+  showValue(*initialRotationError_, inDegrees(settings.initialRotationError));
   offsets_->setChecked(settings.findOffsets);
   focal_->setChecked(settings.findFocal);
   distortion_->setChecked(settings.findDistortion);
-  onlyRange_->setChecked(settings.onlySpan && calibrator_.hasSelectedRange());
+  onlyRange_->setChecked(settings.onlySelectedFrames && calibrator_.hasSelectedRange());
   onlyRange_->setEnabled(calibrator_.hasSelectedRange());
   for (QWidget* field :
        std::initializer_list<QWidget*>{otherLabel_, other_, lengthLabel_, length_}) {
@@ -182,7 +183,7 @@ void WandForm::refresh() {
   }
   sizeLabel_->setVisible(!settings.stick);
   size_->setVisible(!settings.stick);
-  const bool distance = !settings.stick && settings.size == WandSize::Distance;
+  const bool distance = !settings.stick && settings.size == WandScaleSource::Distance;
   distanceLabel_->setVisible(distance);
   distance_->setVisible(distance);
   onlyRange_->setVisible(!calibrator_.isLive());
@@ -223,9 +224,9 @@ void WandForm::retranslateUi() {
   name(initialPositionError_, tr("Initial position error"),
        tr("Roughly how far each camera may be from its true position"));
   initialPositionError_->setSuffix(tr(" cm"));
-  name(initialTurnError_, tr("Initial rotation error"),
+  name(initialRotationError_, tr("Initial rotation error"),
        tr("Roughly how far each camera may be rotated from its true orientation"));
-  initialTurnError_->setSuffix(QStringLiteral("°"));
+  initialRotationError_->setSuffix(QStringLiteral("°"));
   check(offsets_, tr("Find time offsets"),
         tr("For cameras that do not take their images at the same instants"));
   check(focal_, tr("Find focal lengths"),

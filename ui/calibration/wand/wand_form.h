@@ -27,7 +27,7 @@ public:
   explicit WandForm(WandCalibrator& calibrator, QWidget* parent = nullptr);
 
 private:
-  void build();
+  void createWidgets();
   void connectFields();
   void retranslateUi();
   void refresh();
@@ -50,7 +50,7 @@ private:
   QDoubleSpinBox* distance_;
   QLabel* initialErrorLabel_;
   QDoubleSpinBox* initialPositionError_;
-  QDoubleSpinBox* initialTurnError_;
+  QDoubleSpinBox* initialRotationError_;
   QCheckBox* offsets_;
   QCheckBox* focal_;
   QCheckBox* distortion_;

@@ -18,7 +18,7 @@ void installWandCalibration(const Workbench& bench, CalibrationMode& mode) {
   mode.addPage(new WandCalibrationPage(*wand), [] { return WandCalibrationPage::tr("Wand"); });
   bench.onTriggered("actionCalibrateWand", wand,
                     [&mode] { mode.open(QStringLiteral("wandPage")); });
-  bench.needRun({"actionCalibrateWand"});
+  bench.requireRun({"actionCalibrateWand"});
   bench.connectView(wand);
   MessageBar* messages = &bench.messages;
   QObject::connect(wand, &WandCalibrator::failed, messages, &MessageBar::showError);

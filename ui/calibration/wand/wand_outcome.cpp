@@ -39,12 +39,12 @@ QLabel* makeText(const char* name, QWidget* parent) {
 WandOutcome::WandOutcome(WandCalibrator& calibrator, QWidget* parent)
     : QWidget(parent), calibrator_(calibrator) {
   setObjectName(QStringLiteral("wandOutcome"));
-  build();
+  createWidgets();
   connectParts();
   onRetranslate(this, [this] { retranslateUi(); });
 }
 
-void WandOutcome::build() {
+void WandOutcome::createWidgets() {
   missing_ = makeText("wandMissing", this);
   refine_ = makeButton("wandRefine", this);
   progress_ = new QProgressBar(this);
@@ -93,7 +93,7 @@ void WandOutcome::build() {
 void WandOutcome::connectParts() {
   connect(&calibrator_, &WandCalibrator::changed, this, &WandOutcome::refresh);
   connect(&calibrator_, &WandCalibrator::collectedChanged, this,
-          [this] { missing_->setText(calibrator_.missing()); });
+          [this] { missing_->setText(calibrator_.obstacleText()); });
   connect(&calibrator_, &WandCalibrator::progressChanged, this, &WandOutcome::showProgress);
   connect(refine_, &QPushButton::clicked, &calibrator_, &WandCalibrator::refine);
   connect(cancel_, &QPushButton::clicked, &calibrator_, &WandCalibrator::cancel);
@@ -141,7 +141,7 @@ void WandOutcome::showProgress(double part) {
 
 void WandOutcome::refresh() {
   const bool running = calibrator_.isRefining();
-  const QString missing = calibrator_.missing();
+  const QString missing = calibrator_.obstacleText();
   missing_->setText(missing);
   missing_->setVisible(!missing.isEmpty() && !running);
   refine_->setEnabled(!running && missing.isEmpty());
@@ -164,14 +164,14 @@ void WandOutcome::showOutcome() {
   }
   if (found) {
     accuracy = found->accuracy ? accuracyText(*found->accuracy)
-                               : QStringLiteral("⚠ ") + errorSentence(found->accuracy.error());
+                               : QStringLiteral("⚠ ") + errorText(found->accuracy.error());
     if (calibrator_.isStale()) {
       notes << tr("The cameras have changed since this refinement.");
     }
-    for (const NamedFault& fault : found->result.faults) {
+    for (const DetectedFault& fault : found->result.faults) {
       notes << QStringLiteral("⚠ ") + faultText(fault, cameraNames(found->before));
     }
-    if (saysTooLittle(*found)) {
+    if (isInaccurate(*found)) {
       notes << QStringLiteral("⚠ ") +
                    tr("The result is less accurate than the initial camera positions (error up to "
                       "%1): wave through more of the volume.")
@@ -186,9 +186,9 @@ void WandOutcome::showOutcome() {
                   "The stated accuracy includes this.")
                    .arg(numberText(found->accuracy->modelFactor, 1));
     }
-    if (found->result.drop) {
+    if (found->result.freeFall) {
       notes << tr("The fall gives a gravity of %1 m/s² (9.81 is expected).")
-                   .arg(numberText(found->result.drop->gravity, 2));
+                   .arg(numberText(found->result.freeFall->gravity, 2));
     }
     if (found->options.findOffsets && calibrator_.isApplied()) {
       notes << tr(

@@ -22,7 +22,7 @@ public:
   explicit WandOutcome(WandCalibrator& calibrator, QWidget* parent = nullptr);
 
 private:
-  void build();
+  void createWidgets();
   void connectParts();
   void retranslateUi();
   void refresh();

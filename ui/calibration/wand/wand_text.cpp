@@ -12,23 +12,23 @@ class WandText {
 
 } // namespace
 
-QString touchText(TouchRole role) {
+QString touchText(WandEvent role) {
   switch (role) {
-  case TouchRole::Floor:
+  case WandEvent::Floor:
     return WandText::tr("touches the floor");
-  case TouchRole::DistanceFrom:
+  case WandEvent::DistanceFrom:
     return WandText::tr("is at the first end of the distance");
-  case TouchRole::DistanceTo:
+  case WandEvent::DistanceTo:
     return WandText::tr("is at the second end of the distance");
-  case TouchRole::FallBegins:
+  case WandEvent::FallBegins:
     return WandText::tr("begins to fall");
-  case TouchRole::FallEnds:
+  case WandEvent::FallEnds:
     break;
   }
   return WandText::tr("is still falling");
 }
 
-QString validationMessage(const WandSettings& settings, const std::vector<TouchedInstant>& instants,
+QString validationMessage(const WandSettings& settings, const std::vector<MarkedInstant>& instants,
                           const Project& project) {
   switch (obstacleOf(settings, instants, project)) {
   case WandObstacle::None:
@@ -43,10 +43,10 @@ QString validationMessage(const WandSettings& settings, const std::vector<Touche
         "A wand has two balls of different colors: learn the second color (Shift+L).");
   case WandObstacle::SameBallTwice:
     return WandText::tr("Both ends of the wand are the same target: choose another target.");
-  case WandObstacle::DistanceNotTaken:
+  case WandObstacle::IncompleteDistance:
     return WandText::tr("The scale comes from a known distance: add the times at which the ball is "
                         "at each end of this distance.");
-  case WandObstacle::HalfAFall:
+  case WandObstacle::IncompleteFall:
     return WandText::tr("A fall needs two times: one at which the ball starts to fall, and one at "
                         "which it is still falling.");
   }

@@ -10,11 +10,11 @@
 namespace dewpoint::ui {
 
 /// Returns the role of a touched instant in words: "touches the floor".
-QString touchText(TouchRole role);
+QString touchText(WandEvent role);
 
 /// Returns a sentence that explains why a calibration with these settings cannot start
 /// (`obstacleOf()`), or an empty string if it can.
-QString validationMessage(const WandSettings& settings, const std::vector<TouchedInstant>& instants,
+QString validationMessage(const WandSettings& settings, const std::vector<MarkedInstant>& instants,
                           const Project& project);
 
 } // namespace dewpoint::ui

@@ -59,7 +59,7 @@ void WandWaving::refresh() {
   showCameras();
 }
 
-void WandWaving::makeCameras(std::size_t count) {
+void WandWaving::makeCameraRows(std::size_t count) {
   while (cameras_.size() > count) {
     delete cameras_.back().map;
     delete cameras_.back().text;
@@ -79,7 +79,7 @@ void WandWaving::makeCameras(std::size_t count) {
 
 void WandWaving::showCameras() {
   const auto collected = calibrator_.collected();
-  makeCameras(collected ? collected->cameras.size() : 0);
+  makeCameraRows(collected ? collected->cameras.size() : 0);
   if (!collected) {
     state_->setText(tr("Nothing collected yet."));
     return;
@@ -91,7 +91,7 @@ void WandWaving::showCameras() {
   bool enough = true;
   for (std::size_t k = 0; k < cameras_.size(); ++k) {
     const CameraSightings& seen = collected->cameras[k];
-    const bool good = sawEnough(seen);
+    const bool good = hasEnoughDetections(seen);
     enough = enough && good;
     const Intrinsics image = k < rig.size() ? rig[k].intrinsics : Intrinsics();
     cameras_[k].map->setCamera(cameraName(rig, k), seen,

@@ -27,7 +27,7 @@ private:
   void retranslateUi();
   void refresh();
   void showCameras();
-  void makeCameras(std::size_t count);
+  void makeCameraRows(std::size_t count);
 
   WandCalibrator& calibrator_;
   QPushButton* wave_;

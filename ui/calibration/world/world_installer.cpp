@@ -24,7 +24,7 @@ void installWorldPage(const Workbench& bench, CalibrationMode& mode, const Camer
   QObject::connect(&mode, &CalibrationMode::shown, marks,
                    [marks](const QString& page) { marks->setClicking(page == kPage); });
   bench.onTriggered("actionCalibrateWorld", marks, [&mode] { mode.open(kPage); });
-  bench.needRun({"actionCalibrateWorld"});
+  bench.requireRun({"actionCalibrateWorld"});
 }
 
 } // namespace dewpoint::ui

@@ -129,7 +129,7 @@ QString refusal(const Error& error) {
   if (error.field == "axis") {
     return WorldMarks::tr("A and B lie above each other.");
   }
-  return errorSentence(error);
+  return errorText(error);
 }
 
 } // namespace
@@ -157,7 +157,7 @@ void WorldMarks::replaceProject(const QString& step, const Project& project) {
   const auto edited = document_.edit(step, [&](Project& changed) { changed = project; });
   applying_ = false;
   if (!edited) {
-    resultText_ = errorSentence(edited.error());
+    resultText_ = errorText(edited.error());
   }
 }
 

@@ -26,8 +26,6 @@
 namespace dewpoint::ui {
 namespace {
 
-enum Column { Point, Seen, X, Y, Z, Accuracy, ColumnCount };
-
 constexpr NumberRange kLength{0.001, 1000.0, 0.01, 4};
 constexpr NumberRange kShift{-1000.0, 1000.0, 0.01, 3};
 constexpr NumberRange kTurn{-360.0, 360.0, 1.0, 2};

@@ -27,6 +27,8 @@ public:
   WorldPage(WorldMarks& marks, const CameraListModel& cameras, QWidget* parent = nullptr);
 
 private:
+  enum Column { Point, Seen, X, Y, Z, Accuracy, ColumnCount };
+
   void build();
   QWidget* makeMove();
   void connectFields();

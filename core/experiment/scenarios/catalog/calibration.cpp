@@ -18,7 +18,7 @@ constexpr Range kDrift{0.001, 0.003};
 constexpr Range kSettle{1.5, 4.0};
 
 bool withCalibration(ScenarioDraft& draft, bool error, bool drift) {
-  if (!addDeskBall(draft, kUsualFrames)) {
+  if (!addDeskBall(draft, kDefaultFrameCount)) {
     return false;
   }
   std::vector<simulation::CameraDrift> drifts;

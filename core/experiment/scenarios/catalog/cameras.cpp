@@ -34,13 +34,13 @@ bool withDropouts(ScenarioDraft& draft) {
   }
   std::vector<int> order;
   for (int camera = 0; camera < count; ++camera) {
-    const auto found = order.begin() + draft.draws.whole(0, camera);
+    const auto found = order.begin() + draft.draws.integer(0, camera);
     order.insert(found, camera);
   }
   std::vector<Dropout> dropouts;
   for (const int camera : order) {
     const std::int64_t begin = kFirst + kApart * static_cast<std::int64_t>(dropouts.size());
-    const std::int64_t end = begin + 30 + draft.draws.whole(-5, 5);
+    const std::int64_t end = begin + 30 + draft.draws.integer(-5, 5);
     dropouts.push_back({camera, begin, end});
     draft.events.push_back({ScenarioEvent::Kind::CameraLost, begin, camera});
     draft.events.push_back({ScenarioEvent::Kind::CameraBack, end, camera});
@@ -56,7 +56,7 @@ bool withDropouts(ScenarioDraft& draft) {
 
 /// The camera after it was moved: rotated about an axis in its image plane, so that the image
 /// shifts by as much everywhere, and moved anywhere.
-Camera moved(Camera camera, Draws& draws) {
+Camera moved(Camera camera, RandomDraws& draws) {
   // Chosen: a nudge with the elbow, 9 pixels at a focal length of 350 pixels.
   constexpr double kTurn = 1.5 * std::numbers::pi / 180.0; // radians
   constexpr double kShift = 0.01;                          // meters
@@ -73,7 +73,7 @@ bool staysVisibleSince(const ScenarioDraft& draft, std::int64_t frame,
                        const simulation::RoomView& view) {
   const simulation::StageBody& ball = draft.stage.bodies[draft.targets.front()];
   for (; frame < draft.frameCount; ++frame) {
-    if (!fullyVisible(view, ball.path(draft.timeOf(frame)), ball.radius)) {
+    if (!isFullyVisible(view, ball.path(draft.timeOf(frame)), ball.radius)) {
       return false;
     }
   }
@@ -82,11 +82,11 @@ bool staysVisibleSince(const ScenarioDraft& draft, std::int64_t frame,
 
 bool withMovedCamera(ScenarioDraft& draft) {
   constexpr int kMostPoses = 20; // that are tried; chosen, as each view is rendered
-  if (!addDeskBall(draft, kUsualFrames)) {
+  if (!addDeskBall(draft, kDefaultFrameCount)) {
     return false;
   }
-  const std::int64_t frame = 75 + draft.draws.whole(-15, 15);
-  const int which = draft.draws.whole(0, static_cast<int>(draft.rig.size()) - 1);
+  const std::int64_t frame = 75 + draft.draws.integer(-15, 15);
+  const int which = draft.draws.integer(0, static_cast<int>(draft.rig.size()) - 1);
   const auto camera = static_cast<std::size_t>(which);
   for (int i = 0; i < kMostPoses; ++i) {
     // Not from the cache: no other run has this view.
@@ -119,13 +119,13 @@ std::vector<ScenarioRecipe> cameraScenarios() {
   for (const int count : {2, 3, 4, 6, 8}) {
     ScenarioRecipe recipe{fmt::format("S6-{}", count),
                           fmt::format("The smooth path before {} cameras.", count),
-                          deskRing(count)};
-    recipe.complete = [](ScenarioDraft& draft) { return addDeskBall(draft, kUsualFrames); };
+                          deskRingRig(count)};
+    recipe.complete = [](ScenarioDraft& draft) { return addDeskBall(draft, kDefaultFrameCount); };
     recipes.push_back(std::move(recipe));
   }
   ScenarioRecipe dropouts{"S6-dropouts",
                           "One of four cameras after another drops out for about 1 s and returns.",
-                          deskRing(4)};
+                          deskRingRig(4)};
   dropouts.complete = withDropouts;
   recipes.push_back(std::move(dropouts));
   return recipes;

@@ -21,7 +21,7 @@ constexpr double kSmallest = 0.02;
 constexpr double kLargest = 0.045;
 
 bool cleanDesk(ScenarioDraft& draft, bool fast) {
-  return addDeskBall(draft, kUsualFrames, fast);
+  return addDeskBall(draft, kDefaultFrameCount, fast);
 }
 
 /// What hides the target is S2's matter: a twin before the target leaves its middle free.
@@ -29,12 +29,12 @@ bool leavesTargetVisible(const simulation::RoomView& view, const Eigen::Vector3d
                          const Eigen::Vector3d& distractor) {
   const Eigen::Vector3d eye = view.center.cast<double>();
   return (distractor - eye).norm() > (target - eye).norm() ||
-         apart(view, target, 0.0, distractor, kBallRadius);
+         areSeparated(view, target, 0.0, distractor, kBallRadius);
 }
 
 bool seenSomewhere(const simulation::Stage& stage, const Eigen::Vector3d& center) {
   for (const auto& view : stage.views) {
-    if (fullyVisible(*view, center, kBallRadius)) {
+    if (isFullyVisible(*view, center, kBallRadius)) {
       return true;
     }
   }
@@ -42,7 +42,7 @@ bool seenSomewhere(const simulation::Stage& stage, const Eigen::Vector3d& center
 }
 
 /// Never near any other ball, never in a camera, never hides the target.
-bool isPossible(const ScenarioDraft& draft, const RoundPath& distractor) {
+bool isPossible(const ScenarioDraft& draft, const LissajousPath& distractor) {
   for (std::int64_t frame = 0; frame < draft.frameCount; ++frame) {
     const double time = draft.timeOf(frame);
     const Eigen::Vector3d position = distractor(time);
@@ -53,7 +53,8 @@ bool isPossible(const ScenarioDraft& draft, const RoundPath& distractor) {
     }
     const Eigen::Vector3d target = draft.stage.bodies[draft.targets.front()].path(time);
     for (const auto& view : draft.stage.views) {
-      const bool begins = frame > 0 || apart(*view, target, kBallRadius, position, kBallRadius);
+      const bool begins =
+          frame > 0 || areSeparated(*view, target, kBallRadius, position, kBallRadius);
       if (!begins || !leavesTargetVisible(*view, target, position)) {
         return false;
       }
@@ -63,16 +64,18 @@ bool isPossible(const ScenarioDraft& draft, const RoundPath& distractor) {
 }
 
 bool addDistractor(ScenarioDraft& draft, bool moving) {
-  Draws& draws = draft.draws;
-  for (int i = 0; i < kMostDraws; ++i) {
-    RoundPath distractor;
-    distractor.center = draws.inBox({0.25, 0.3, moving ? 0.1 : kBallRadius}, {0.85, 0.85, 0.3});
-    if (!moving && draws.coin()) {
+  RandomDraws& draws = draft.draws;
+  for (int i = 0; i < kMaxDrawAttempts; ++i) {
+    LissajousPath distractor;
+    distractor.center =
+        draws.pointInBox({0.25, 0.3, moving ? 0.1 : kBallRadius}, {0.85, 0.85, 0.3});
+    if (!moving && draws.coinFlip()) {
       distractor.center.z() = kBallRadius; // on the desk
     }
     if (moving) {
       distractor.extent = draws.uniform(0.6, 1.1) * Eigen::Vector3d{0.09, 0.07, 0.05};
-      distractor.phase = draws.inBox(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(kFullTurn));
+      distractor.phase =
+          draws.pointInBox(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(kFullTurn));
       distractor.period = draws.uniform(4.0, 9.0);
     }
     if (isPossible(draft, distractor)) {
@@ -146,7 +149,7 @@ std::vector<ScenarioRecipe> distractorScenarios() {
   return recipes;
 }
 
-std::vector<ScenarioRecipe> unknownScenarios() {
+std::vector<ScenarioRecipe> unknownSizeScenarios() {
   ScenarioRecipe clean{"S10-clean", "The smooth path; how large the ball is must be found out.",
                        demoRig()};
   clean.complete = [](ScenarioDraft& draft) { return ofUnknownSize(draft, 0); };

@@ -5,7 +5,7 @@
 #include "core/experiment/scenarios/catalog/recipes.h"
 #include "core/experiment/scenarios/draft/scenario_paths.h"
 #include "core/experiment/scenarios/targets/patterned_ball.h"
-#include "core/setup/clicks/click_lesson.h"
+#include "core/setup/clicks/click_learning.h"
 #include "core/simulation/scene/scene.h"
 
 #include <Eigen/Geometry>
@@ -31,9 +31,9 @@ struct Click {
 };
 
 /// Anywhere on the disc but its rim.
-Click drawClick(Draws& draws, std::size_t cameras) {
+Click drawClick(RandomDraws& draws, std::size_t cameras) {
   Click click;
-  click.camera = static_cast<std::size_t>(draws.whole(0, static_cast<int>(cameras) - 1));
+  click.camera = static_cast<std::size_t>(draws.integer(0, static_cast<int>(cameras) - 1));
   const double radius = kClickedWithin * std::sqrt(draws.uniform(0.0, 1.0));
   const double angle = draws.uniform(0.0, kFullTurn);
   click.aside = radius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
@@ -68,8 +68,9 @@ std::vector<cv::Mat> imagesOf(const ScenarioRun& run, std::int64_t frame) {
 }
 
 /// What `dewpoint-cli learn-color` makes of clicks in one frame; nothing where it fails.
-std::optional<setup::ClickLesson> learnFrom(const ScenarioDraft& draft, const ScenarioRun& run,
-                                            std::int64_t frame, const std::vector<Click>& clicks) {
+std::optional<setup::ClickLearningResult> learnFrom(const ScenarioDraft& draft,
+                                                    const ScenarioRun& run, std::int64_t frame,
+                                                    const std::vector<Click>& clicks) {
   const std::vector<cv::Mat> images = imagesOf(run, frame);
   const simulation::StageBody& ball = draft.stage.bodies[draft.targets.front()];
   std::vector<ColorSample> samples;
@@ -96,7 +97,7 @@ std::optional<setup::ClickLesson> learnFrom(const ScenarioDraft& draft, const Sc
 
 /// Gives the first target what was learned; else it keeps the range of a new target, which next to
 /// nothing matches.
-void take(const std::optional<setup::ClickLesson>& lesson, ScenarioRun& run) {
+void take(const std::optional<setup::ClickLearningResult>& lesson, ScenarioRun& run) {
   Target& target = run.targets.front();
   target.color = ColorRange{};
   if (lesson) {
@@ -186,17 +187,17 @@ void teachBothColors(const ScenarioDraft& draft, ScenarioRun& run) {
 }
 
 bool bothColorsClicked(ScenarioDraft& draft) {
-  if (!addDeskBall(draft, kUsualFrames)) {
+  if (!addDeskBall(draft, kDefaultFrameCount)) {
     return false;
   }
-  const Spin spin = drawSpin(draft.draws, kSlowestSpin, kFastestSpin);
+  const Spin spin = randomSpin(draft.draws, kSlowestSpin, kFastestSpin);
   paintBall(draft.stage.bodies.back(), BallPattern::TwoColors, spin, draft.draws);
   draft.teach = teachBothColors;
   return true;
 }
 
 bool clicked(ScenarioDraft& draft, const Eigen::Vector3d& color) {
-  if (!addDeskBall(draft, kUsualFrames)) {
+  if (!addDeskBall(draft, kDefaultFrameCount)) {
     return false;
   }
   draft.stage.bodies.back().color = color;
@@ -222,10 +223,10 @@ std::vector<ScenarioRecipe> clickedScenarios() {
   ScenarioRecipe twoColors{
       "S22-two-colors", "A rotating ball of two colors, each of which is clicked once.", demoRig()};
   twoColors.complete = bothColorsClicked;
-  return {recipe("pink", simulation::kUsualBallColor), recipe("orange", {40.0, 140.0, 245.0}),
-          recipe("blue", {220.0, 90.0, 40.0}),         recipe("red", {40.0, 40.0, 215.0}),
-          recipe("yellow", {50.0, 215.0, 240.0}),      recipe("green", {70.0, 170.0, 50.0}),
-          recipe("gray", {150.0, 150.0, 150.0}),       twoColors};
+  return {recipe("pink", simulation::kDefaultBallColor), recipe("orange", {40.0, 140.0, 245.0}),
+          recipe("blue", {220.0, 90.0, 40.0}),           recipe("red", {40.0, 40.0, 215.0}),
+          recipe("yellow", {50.0, 215.0, 240.0}),        recipe("green", {70.0, 170.0, 50.0}),
+          recipe("gray", {150.0, 150.0, 150.0}),         twoColors};
 }
 
 } // namespace dewpoint::experiment::scenarios

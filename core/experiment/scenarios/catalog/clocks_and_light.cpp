@@ -14,16 +14,16 @@ namespace dewpoint::experiment::scenarios {
 namespace {
 
 /// Mixes what each camera has, so that no rate or offset goes with a place.
-void shuffle(std::vector<CameraClock>& clocks, Draws& draws) {
+void shuffle(std::vector<CameraClock>& clocks, RandomDraws& draws) {
   for (std::size_t i = clocks.size() - 1; i > 0; --i) {
-    std::swap(clocks[i], clocks[static_cast<std::size_t>(draws.whole(0, static_cast<int>(i)))]);
+    std::swap(clocks[i], clocks[static_cast<std::size_t>(draws.integer(0, static_cast<int>(i)))]);
   }
 }
 
 /// Every camera is early by its own part of a frame: one by none, one by half a frame.
 bool withOffsets(ScenarioDraft& draft) {
   constexpr double kMost = 0.5; // frames: cameras that free-run
-  if (!addDeskBall(draft, kUsualFrames)) {
+  if (!addDeskBall(draft, kDefaultFrameCount)) {
     return false;
   }
   const double rate = draft.framesPerSecond;
@@ -38,7 +38,7 @@ bool withOffsets(ScenarioDraft& draft) {
 /// The sets come at the fastest camera's rate; a slower one's frame is in the first set after it
 /// was taken.
 bool withRates(ScenarioDraft& draft) {
-  if (!addDeskBall(draft, kUsualFrames)) {
+  if (!addDeskBall(draft, kDefaultFrameCount)) {
     return false;
   }
   draft.clocks = {{30.0, 0.0}, {25.0, 0.0}, {15.0, 0.0}};
@@ -60,7 +60,7 @@ double rampGain(double time) {
 }
 
 bool withRamp(ScenarioDraft& draft) {
-  if (!addDeskBall(draft, kUsualFrames)) {
+  if (!addDeskBall(draft, kDefaultFrameCount)) {
     return false;
   }
   const double begin = draft.draws.uniform(0.7, 1.3);
@@ -75,7 +75,7 @@ bool withRamp(ScenarioDraft& draft) {
 bool withTemperature(ScenarioDraft& draft) {
   constexpr double kSwing = 1000.0;    // kelvin; chosen: morning to noon
   constexpr double kSwingPeriod = 6.0; // seconds: the whole run
-  if (!addDeskBall(draft, kUsualFrames)) {
+  if (!addDeskBall(draft, kDefaultFrameCount)) {
     return false;
   }
   const double turn = kFullTurn;

@@ -16,7 +16,7 @@ constexpr double kLeastDistance = 2.5 * kBallRadius;
 constexpr double kPeriod = 8.0;
 
 /// Far enough from all balls that are there, and beside them in every image of the first frame.
-bool keepsClear(const ScenarioDraft& draft, const RoundPath& path) {
+bool keepsClear(const ScenarioDraft& draft, const LissajousPath& path) {
   const auto clear = [&](const simulation::StageBody& body) {
     for (std::int64_t frame = 0; draft.timeOf(frame) < kPeriod; ++frame) {
       const double time = draft.timeOf(frame);
@@ -25,19 +25,19 @@ bool keepsClear(const ScenarioDraft& draft, const RoundPath& path) {
       }
     }
     return std::ranges::all_of(draft.stage.views, [&](const auto& view) {
-      return apart(*view, body.path(0.0), kBallRadius, path(0.0), kBallRadius);
+      return areSeparated(*view, body.path(0.0), kBallRadius, path(0.0), kBallRadius);
     });
   };
   return std::ranges::all_of(draft.stage.bodies, clear);
 }
 
 bool addBall(ScenarioDraft& draft) {
-  Draws& draws = draft.draws;
-  for (int i = 0; i < kMostDraws; ++i) {
-    RoundPath path;
-    path.center = draws.inBox({0.36, 0.36, 0.12}, {0.64, 0.64, 0.26});
-    path.extent = draws.inBox({0.08, 0.08, 0.02}, {0.2, 0.16, 0.08});
-    path.phase = draws.inBox(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(kFullTurn));
+  RandomDraws& draws = draft.draws;
+  for (int i = 0; i < kMaxDrawAttempts; ++i) {
+    LissajousPath path;
+    path.center = draws.pointInBox({0.36, 0.36, 0.12}, {0.64, 0.64, 0.26});
+    path.extent = draws.pointInBox({0.08, 0.08, 0.02}, {0.2, 0.16, 0.08});
+    path.phase = draws.pointInBox(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(kFullTurn));
     path.period = kPeriod;
     if (keepsClear(draft, path) && staysVisible(draft, path, kBallRadius)) {
       addTarget(draft, path, kBallRadius);
@@ -50,7 +50,7 @@ bool addBall(ScenarioDraft& draft) {
 bool crossing(ScenarioDraft& draft, std::size_t count, std::int64_t frames) {
   // Some first paths leave no room for so many more: begin again.
   draft.frameCount = frames;
-  for (int layout = 0; layout < kMostLayouts; ++layout) {
+  for (int layout = 0; layout < kMaxLayoutAttempts; ++layout) {
     draft.stage.bodies.clear();
     draft.targets.clear();
     while (draft.targets.size() < count && addBall(draft)) {
@@ -68,7 +68,7 @@ bool crossing(ScenarioDraft& draft, std::size_t count, std::int64_t frames) {
 std::vector<ScenarioRecipe> crossingScenarios() {
   const auto recipe = [](const char* name, const char* sentence, std::size_t count,
                          std::int64_t frames) {
-    ScenarioRecipe result{name, sentence, deskRing(4)};
+    ScenarioRecipe result{name, sentence, deskRingRig(4)};
     result.complete = [=](ScenarioDraft& draft) { return crossing(draft, count, frames); };
     return result;
   };

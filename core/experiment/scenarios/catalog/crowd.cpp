@@ -30,7 +30,7 @@ using Region = Eigen::AlignedBox3d;
 bool showsAll(const ScenarioDraft& draft, const Region& region) {
   for (int corner = 0; corner < 8; ++corner) {
     const Eigen::Vector3d position = region.corner(static_cast<Region::CornerType>(corner));
-    if (!fullyVisible(draft.stage, position, draft.ballRadius())) {
+    if (!isFullyVisible(draft.stage, position, draft.ballRadius())) {
       return false;
     }
   }
@@ -56,8 +56,8 @@ std::optional<Region> crowdRegion(const ScenarioDraft& draft) {
   return std::nullopt;
 }
 
-Eigen::Vector3d drawPosition(const Region& region, Draws& draws) {
-  return draws.inBox(region.min(), region.max());
+Eigen::Vector3d drawPosition(const Region& region, RandomDraws& draws) {
+  return draws.pointInBox(region.min(), region.max());
 }
 
 bool isApart(const ScenarioDraft& draft, const CrowdStart& crowd, const Eigen::Vector3d& position) {
@@ -66,7 +66,7 @@ bool isApart(const ScenarioDraft& draft, const CrowdStart& crowd, const Eigen::V
   });
 }
 
-void addFlyer(CrowdStart& crowd, const Eigen::Vector3d& position, Draws& draws) {
+void addFlyer(CrowdStart& crowd, const Eigen::Vector3d& position, RandomDraws& draws) {
   crowd.positions.push_back(position);
   const double speed = draws.uniform(kSlowestFlight, kFastestFlight);
   crowd.velocities.push_back(speed * draws.direction());
@@ -88,21 +88,21 @@ void addBodies(ScenarioDraft& draft, const CrowdStart& crowd, const Region& regi
 
 /// Only the target is in the box where the search starts, with all of its body.
 bool crowd(ScenarioDraft& draft, std::size_t distractors) {
-  draft.frameCount = kUsualFrames;
+  draft.frameCount = kDefaultFrameCount;
   const auto region = crowdRegion(draft);
   if (!region) {
     return false;
   }
-  Draws& draws = draft.draws;
+  RandomDraws& draws = draft.draws;
   CrowdStart balls;
   addFlyer(balls, drawPosition(*region, draws), draws);
   const Eigen::Vector3d off =
-      draws.inBox(Eigen::Vector3d::Constant(-kStartOff), Eigen::Vector3d::Constant(kStartOff));
+      draws.pointInBox(Eigen::Vector3d::Constant(-kStartOff), Eigen::Vector3d::Constant(kStartOff));
   draft.startCenter = balls.positions.front() + off;
-  draft.startHalf = Eigen::Vector3d::Constant(kStartHalf);
-  const Eigen::Vector3d around = draft.startHalf + Eigen::Vector3d::Constant(kBallRadius);
+  draft.startHalfSize = Eigen::Vector3d::Constant(kStartHalf);
+  const Eigen::Vector3d around = draft.startHalfSize + Eigen::Vector3d::Constant(kBallRadius);
   const Eigen::AlignedBox3d kept(draft.startCenter - around, draft.startCenter + around);
-  for (int i = 0; i < kMostDraws && balls.positions.size() <= distractors; ++i) {
+  for (int i = 0; i < kMaxDrawAttempts && balls.positions.size() <= distractors; ++i) {
     const Eigen::Vector3d position = drawPosition(*region, draws);
     if (isApart(draft, balls, position) && !kept.contains(position)) {
       addFlyer(balls, position, draws);
@@ -119,15 +119,15 @@ bool crowd(ScenarioDraft& draft, std::size_t distractors) {
 bool evenStart(ScenarioDraft& draft) {
   /// Around the two balls' centers, meters; as startAroundAll().
   constexpr double kAround = 0.05;
-  draft.frameCount = kUsualFrames;
+  draft.frameCount = kDefaultFrameCount;
   const auto region = crowdRegion(draft);
   if (!region) {
     return false;
   }
-  Draws& draws = draft.draws;
+  RandomDraws& draws = draft.draws;
   CrowdStart balls;
   addFlyer(balls, drawPosition(*region, draws), draws);
-  for (int i = 0; i < kMostDraws && balls.positions.size() < 2; ++i) {
+  for (int i = 0; i < kMaxDrawAttempts && balls.positions.size() < 2; ++i) {
     const Eigen::Vector3d position = drawPosition(*region, draws);
     if (isApart(draft, balls, position)) {
       addFlyer(balls, position, draws);
@@ -140,7 +140,7 @@ bool evenStart(ScenarioDraft& draft) {
   const Eigen::Vector3d& one = balls.positions[0];
   const Eigen::Vector3d& other = balls.positions[1];
   draft.startCenter = 0.5 * (one + other);
-  draft.startHalf = 0.5 * (one - other).cwiseAbs() + Eigen::Vector3d::Constant(kAround);
+  draft.startHalfSize = 0.5 * (one - other).cwiseAbs() + Eigen::Vector3d::Constant(kAround);
   draft.equalCandidates = 2;
   return true;
 }
@@ -154,14 +154,14 @@ std::vector<ScenarioRecipe> crowdScenarios() {
         fmt::format("{} identical balls fly freely with the target, touch and cover each other; {} "
                     "cameras.",
                     distractors, cameras),
-        deskRing(cameras)};
+        deskRingRig(cameras)};
     result.complete = [distractors](ScenarioDraft& draft) { return crowd(draft, distractors); };
     return result;
   };
   ScenarioRecipe even{"S19-even-start",
                       "Two identical balls; the search starts in the middle between them, so that "
                       "each is the target with a probability of one half.",
-                      deskRing(2)};
+                      deskRingRig(2)};
   even.complete = evenStart;
   return {recipe(5, 2), recipe(8, 2), recipe(12, 2), recipe(8, 4), even};
 }

@@ -51,7 +51,7 @@ struct Holding {
   }
 };
 
-simulation::Grip drawGrip(Draws& draws) {
+simulation::Grip drawGrip(RandomDraws& draws) {
   /// No hand comes from below: the desk is there. Vertical component of the palm's direction;
   /// chosen.
   constexpr double kLowest = -0.3;
@@ -88,7 +88,7 @@ double hiddenFrom(const ScenarioDraft& draft, std::size_t camera, const Eigen::V
 }
 
 /// In every camera: as much as wanted once the hand is there, and nothing before it sets out.
-bool hidesAsWanted(const ScenarioDraft& draft, const RoundPath& path, const Holding& holding,
+bool hidesAsWanted(const ScenarioDraft& draft, const LissajousPath& path, const Holding& holding,
                    bool later) {
   const auto isRight = [&](std::int64_t frame) {
     const double time = draft.timeOf(frame);
@@ -102,12 +102,12 @@ bool hidesAsWanted(const ScenarioDraft& draft, const RoundPath& path, const Hold
     return true;
   };
   const std::int64_t first = later ? kGraspFrame : 0;
-  for (std::int64_t frame = first; frame < draft.frameCount; frame += kShareEvery) {
+  for (std::int64_t frame = first; frame < draft.frameCount; frame += kFractionCheckInterval) {
     if (!isRight(frame)) {
       return false;
     }
   }
-  for (std::int64_t frame = 0; later && frame <= kReachFrame; frame += kShareEvery) {
+  for (std::int64_t frame = 0; later && frame <= kReachFrame; frame += kFractionCheckInterval) {
     if (!isRight(frame)) {
       return false;
     }
@@ -116,9 +116,9 @@ bool hidesAsWanted(const ScenarioDraft& draft, const RoundPath& path, const Hold
 }
 
 bool held(ScenarioDraft& draft, bool later) {
-  draft.frameCount = kUsualFrames;
-  for (int layout = 0; layout < kMostLayouts; ++layout) {
-    const auto path = drawDeskPath(draft, false);
+  draft.frameCount = kDefaultFrameCount;
+  for (int layout = 0; layout < kMaxLayoutAttempts; ++layout) {
+    const auto path = randomDeskPath(draft, false);
     if (!path) {
       return false;
     }
@@ -145,7 +145,7 @@ bool held(ScenarioDraft& draft, bool later) {
 
 } // namespace
 
-std::vector<ScenarioRecipe> heldScenarios() {
+std::vector<ScenarioRecipe> handHeldScenarios() {
   const auto recipe = [](const char* name, const char* sentence, bool later) {
     ScenarioRecipe result{name, sentence, demoRig()};
     result.complete = [later](ScenarioDraft& draft) { return held(draft, later); };

@@ -55,8 +55,8 @@ bool hidesNothingElse(const ScenarioDraft& draft, std::size_t camera, double fro
   for (std::int64_t frame = 0; frame < draft.frameCount; ++frame) {
     const double time = std::max(from, draft.timeOf(frame));
     for (std::size_t other = 0; other < draft.stage.views.size(); ++other) {
-      if (other != camera && !apart(*draft.stage.views[other], target.path(time), kBallRadius,
-                                    plate.path(time), plate.bound())) {
+      if (other != camera && !areSeparated(*draft.stage.views[other], target.path(time),
+                                           kBallRadius, plate.path(time), plate.boundingRadius())) {
         return false;
       }
     }
@@ -66,8 +66,8 @@ bool hidesNothingElse(const ScenarioDraft& draft, std::size_t camera, double fro
 
 /// The plate rests, and the ball moves in the plane of the eye and the plate's edge.
 bool besideStillPlate(ScenarioDraft& draft) {
-  const auto camera = static_cast<std::size_t>(draft.draws.whole(0, 1));
-  const Eigen::Vector3d center = draft.draws.inBox(kPathLow, kPathHigh);
+  const auto camera = static_cast<std::size_t>(draft.draws.integer(0, 1));
+  const Eigen::Vector3d center = draft.draws.pointInBox(kPathLow, kPathHigh);
   const Plate plate = drawPlate(draft, camera, center);
   const double period = draft.draws.uniform(4.0, 7.0);
   const double phase = draft.draws.uniform(0.0, kFullTurn);
@@ -90,8 +90,8 @@ bool withMovingPlate(ScenarioDraft& draft) {
   constexpr double kEnd = 1.3;
   constexpr double kFar = 0.15;    // meters that it comes from
   constexpr double kWander = 0.15; // of the radius, see above
-  const auto camera = static_cast<std::size_t>(draft.draws.whole(0, 1));
-  const auto path = drawDeskPath(draft, false);
+  const auto camera = static_cast<std::size_t>(draft.draws.integer(0, 1));
+  const auto path = randomDeskPath(draft, false);
   if (!path) {
     return false;
   }
@@ -108,8 +108,8 @@ bool withMovingPlate(ScenarioDraft& draft) {
 }
 
 bool halfHidden(ScenarioDraft& draft, bool (*arrange)(ScenarioDraft&)) {
-  draft.frameCount = kUsualFrames;
-  for (int i = 0; i < kMostDraws; ++i) {
+  draft.frameCount = kDefaultFrameCount;
+  for (int i = 0; i < kMaxDrawAttempts; ++i) {
     draft.stage.bodies.clear();
     draft.targets.clear();
     if (arrange(draft)) {
@@ -129,17 +129,17 @@ struct Blackout {
 
 bool withBlackouts(ScenarioDraft& draft, bool all) {
   constexpr std::int64_t kFrames = 15; // 0.5 s
-  draft.frameCount = kUsualFrames;
-  const auto path = drawDeskPath(draft, false);
+  draft.frameCount = kDefaultFrameCount;
+  const auto path = randomDeskPath(draft, false);
   if (!path) {
     return false;
   }
   addTarget(draft, *path);
   startNearTruth(draft);
   std::vector<Blackout> blackouts;
-  const int blind = draft.draws.whole(0, static_cast<int>(draft.rig.size()) - 1);
+  const int blind = draft.draws.integer(0, static_cast<int>(draft.rig.size()) - 1);
   for (const int about : {45, 110}) {
-    const std::int64_t begin = about + draft.draws.whole(-10, 10);
+    const std::int64_t begin = about + draft.draws.integer(-10, 10);
     blackouts.push_back({begin, begin + kFrames, all ? -1 : blind});
     using Kind = ScenarioEvent::Kind;
     draft.events.push_back({Kind::BlackoutBegin, begin, blackouts.back().camera});
@@ -160,14 +160,14 @@ bool withBlackouts(ScenarioDraft& draft, bool all) {
 
 /// The ball is taken away and comes back on another path.
 bool withAbsence(ScenarioDraft& draft) {
-  draft.frameCount = kUsualFrames;
-  const auto before = drawDeskPath(draft, false);
-  const auto after = drawDeskPath(draft, false);
+  draft.frameCount = kDefaultFrameCount;
+  const auto before = randomDeskPath(draft, false);
+  const auto after = randomDeskPath(draft, false);
   if (!before || !after) {
     return false;
   }
-  const std::int64_t gone = 60 + draft.draws.whole(-10, 10);
-  const std::int64_t back = gone + 45 + draft.draws.whole(-15, 15);
+  const std::int64_t gone = 60 + draft.draws.integer(-10, 10);
+  const std::int64_t back = gone + 45 + draft.draws.integer(-15, 15);
   // Half a frame early, so that no exposure holds both.
   const double goneTime = draft.timeOf(gone) - 0.5 / draft.framesPerSecond;
   const double backTime = draft.timeOf(back) - 0.5 / draft.framesPerSecond;

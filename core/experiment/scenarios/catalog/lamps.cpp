@@ -19,7 +19,8 @@ namespace {
 
 /// A lamp kLampDistance beside the first target's first position, `up` meters above it, that lights
 /// everything as much.
-simulation::FurtherLamp lampBeside(ScenarioDraft& draft, double up, const Eigen::Vector3d& color) {
+simulation::AdditionalLamp lampBeside(ScenarioDraft& draft, double up,
+                                      const Eigen::Vector3d& color) {
   const double angle = draft.draws.uniform(0.0, kFullTurn);
   const Eigen::Vector3d middle = draft.stage.bodies[draft.targets.front()].path(0.0);
   const Eigen::Vector3d position = middle + Eigen::Vector3d(kLampDistance * std::cos(angle),
@@ -30,7 +31,7 @@ simulation::FurtherLamp lampBeside(ScenarioDraft& draft, double up, const Eigen:
 /// The side towards a low lamp gets 3 to 4 times the light of the other and is cut at full scale.
 bool withSideLight(ScenarioDraft& draft) {
   constexpr float kRoomGain = 0.6F; // of the room's light; chosen: the lamp outshines it
-  if (!addDeskBall(draft, kUsualFrames)) {
+  if (!addDeskBall(draft, kDefaultFrameCount)) {
     return false;
   }
   const double strength = draft.draws.uniform(1.0, 1.2);
@@ -46,12 +47,12 @@ bool withSideLight(ScenarioDraft& draft) {
 /// A warm bulb or the blue sky of a window beside the lamp that the cameras are balanced for.
 bool withColoredLamp(ScenarioDraft& draft) {
   constexpr float kRoomGain = 0.8F; // of the room's light; chosen: with the lamp about as light
-  if (!addDeskBall(draft, kUsualFrames)) {
+  if (!addDeskBall(draft, kDefaultFrameCount)) {
     return false;
   }
   // Kelvin: bulbs of 2700 to 3500 K, blue sky of 8000 to 10000 K. Strengths of full light.
   const double kelvin =
-      draft.draws.coin() ? draft.draws.uniform(2700.0, 3500.0) : draft.draws.uniform(8e3, 10e3);
+      draft.draws.coinFlip() ? draft.draws.uniform(2700.0, 3500.0) : draft.draws.uniform(8e3, 10e3);
   const double strength = draft.draws.uniform(0.3, 0.5);
   const double up = draft.draws.uniform(0.3, 1.5);
   const auto lamp = lampBeside(draft, up, strength * simulation::temperatureGain(kelvin));
@@ -67,7 +68,7 @@ simulation::GainCurve drawSteps(ScenarioDraft& draft) {
   // Stops to both sides; chosen: about twice those of grade `room`, all at once.
   constexpr double kExposure = 0.7;
   constexpr double kWhiteBalance = 0.2;
-  Draws& draws = draft.draws;
+  RandomDraws& draws = draft.draws;
   simulation::GainCurve curve;
   curve.framesPerSecond = draft.framesPerSecond;
   while (static_cast<std::int64_t>(curve.frames.size()) < draft.frameCount) {
@@ -77,13 +78,13 @@ simulation::GainCurve drawSteps(ScenarioDraft& draft) {
       gain.whiteBalance[0] = std::exp2(draws.uniform(-kWhiteBalance, kWhiteBalance));
       gain.whiteBalance[2] = std::exp2(draws.uniform(-kWhiteBalance, kWhiteBalance));
     }
-    curve.frames.insert(curve.frames.end(), static_cast<std::size_t>(draws.whole(20, 40)), gain);
+    curve.frames.insert(curve.frames.end(), static_cast<std::size_t>(draws.integer(20, 40)), gain);
   }
   return curve;
 }
 
 bool withExposureSteps(ScenarioDraft& draft) {
-  if (!addDeskBall(draft, kUsualFrames)) {
+  if (!addDeskBall(draft, kDefaultFrameCount)) {
     return false;
   }
   std::vector<simulation::GainCurve> curves;
@@ -101,7 +102,7 @@ bool withExposureSteps(ScenarioDraft& draft) {
 /// Lamps on 50 Hz, short exposures, and the rolling shutters without which there are no bands.
 bool withFlicker(ScenarioDraft& draft) {
   constexpr double kExposureSeconds = 0.004; // chosen: well below the light's period of 10 ms
-  if (!addDeskBall(draft, kUsualFrames)) {
+  if (!addDeskBall(draft, kDefaultFrameCount)) {
     return false;
   }
   const Range& readout = gradeModel(Grade::Room).readoutSeconds;
@@ -123,10 +124,10 @@ bool withFlicker(ScenarioDraft& draft) {
 
 /// The shadow passes where the ball is at some time between seconds 1.5 and 4.5.
 bool withMovingShadow(ScenarioDraft& draft) {
-  if (!addDeskBall(draft, kUsualFrames)) {
+  if (!addDeskBall(draft, kDefaultFrameCount)) {
     return false;
   }
-  Draws& draws = draft.draws;
+  RandomDraws& draws = draft.draws;
   simulation::MovingShadow shadow;
   const double heading = draws.uniform(0.0, kFullTurn);
   const Eigen::Vector3d direction{std::cos(heading), std::sin(heading), 0.0};

@@ -33,12 +33,12 @@ bool isFree(const ScenarioDraft& draft, const Eigen::Vector3d& position) {
 }
 
 /// Whether the ball is aside, with nothing of the way there and back.
-bool isHeld(const Excursion& path, double time) {
+bool isHeld(const Detour& path, double time) {
   return time >= path.holdBegin() && time <= path.holdEnd();
 }
 
 /// Shown by no `leaving` camera while it is aside; whole in the others all the time.
-bool leaves(const ScenarioDraft& draft, const Excursion& path, const std::vector<bool>& leaving) {
+bool leaves(const ScenarioDraft& draft, const Detour& path, const std::vector<bool>& leaving) {
   const auto isRight = [&](std::int64_t frame) {
     const double time = draft.timeOf(frame);
     const Eigen::Vector3d ball = path(time);
@@ -46,9 +46,9 @@ bool leaves(const ScenarioDraft& draft, const Excursion& path, const std::vector
       return false;
     }
     for (std::size_t camera = 0; camera < leaving.size(); ++camera) {
-      const Showing showing = showingOf(*draft.stage.views[camera], ball, kBallRadius);
-      const bool right = leaving[camera] ? !isHeld(path, time) || showing == Showing::Nothing
-                                         : showing == Showing::Whole;
+      const Visibility showing = visibilityOf(*draft.stage.views[camera], ball, kBallRadius);
+      const bool right = leaving[camera] ? !isHeld(path, time) || showing == Visibility::Nothing
+                                         : showing == Visibility::Whole;
       if (!right) {
         return false;
       }
@@ -69,12 +69,12 @@ bool leaves(const ScenarioDraft& draft, const Excursion& path, const std::vector
   return true;
 }
 
-void addLeavingTarget(ScenarioDraft& draft, const Excursion& path) {
+void addLeavingTarget(ScenarioDraft& draft, const Detour& path) {
   addTarget(draft, path);
   startNearTruth(draft);
   addUnseenEvents(draft, [&](std::size_t camera, std::int64_t frame) {
-    return showingOf(*draft.stage.views[camera], path(draft.timeOf(frame)), draft.ballRadius()) !=
-           Showing::Nothing;
+    return visibilityOf(*draft.stage.views[camera], path(draft.timeOf(frame)),
+                        draft.ballRadius()) != Visibility::Nothing;
   });
 }
 
@@ -84,18 +84,18 @@ struct Leaving {
   bool elsewhere = false;
 };
 
-std::optional<Excursion> drawLeaving(ScenarioDraft& draft, const RoundPath& base,
-                                     const Leaving& leaving) {
+std::optional<Detour> drawLeaving(ScenarioDraft& draft, const LissajousPath& base,
+                                  const Leaving& leaving) {
   /// Directions of leaving and returning differ by this angle at least, radians; chosen.
   constexpr double kOtherSide = 40.0 * std::numbers::pi / 180.0;
-  Draws& draws = draft.draws;
+  RandomDraws& draws = draft.draws;
   const auto last = static_cast<int>(draft.rig.size()) - 1;
   std::vector<bool> left(draft.rig.size(), leaving.all);
   if (!leaving.all) {
-    left[static_cast<std::size_t>(draws.whole(0, last))] = true;
+    left[static_cast<std::size_t>(draws.integer(0, last))] = true;
   }
   for (int i = 0; i < kWaysPerPath; ++i) {
-    Excursion path{base};
+    Detour path{base};
     path.out = draws.uniform(0.2, 0.5) * draws.direction();
     path.back = path.out;
     if (leaving.elsewhere) {
@@ -112,9 +112,9 @@ std::optional<Excursion> drawLeaving(ScenarioDraft& draft, const RoundPath& base
 }
 
 bool leave(ScenarioDraft& draft, const Leaving& leaving) {
-  draft.frameCount = kUsualFrames;
-  for (int layout = 0; layout < kMostLayouts; ++layout) {
-    const auto base = drawDeskPath(draft, false);
+  draft.frameCount = kDefaultFrameCount;
+  for (int layout = 0; layout < kMaxLayoutAttempts; ++layout) {
+    const auto base = randomDeskPath(draft, false);
     if (!base) {
       return false;
     }
@@ -127,12 +127,12 @@ bool leave(ScenarioDraft& draft, const Leaving& leaving) {
 }
 
 /// A small round path in the middle of the desk.
-RoundPath drawSmallPath(Draws& draws, const Eigen::Vector3d& low, const Eigen::Vector3d& high,
-                        const Eigen::Vector3d& extent) {
-  RoundPath path;
-  path.center = draws.inBox(low, high);
+LissajousPath drawSmallPath(RandomDraws& draws, const Eigen::Vector3d& low,
+                            const Eigen::Vector3d& high, const Eigen::Vector3d& extent) {
+  LissajousPath path;
+  path.center = draws.pointInBox(low, high);
   path.extent = draws.uniform(0.7, 1.0) * extent;
-  path.phase = draws.inBox(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(kFullTurn));
+  path.phase = draws.pointInBox(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(kFullTurn));
   path.period = draws.uniform(4.0, 6.0);
   return path;
 }
@@ -163,19 +163,19 @@ std::optional<Eigen::Vector3d> wayToBorder(const simulation::RoomView& view,
 
 /// The ball goes to the border of one image and hovers there, partly outside, for three seconds.
 bool hoverOnBorder(ScenarioDraft& draft) {
-  draft.frameCount = kUsualFrames;
-  Draws& draws = draft.draws;
+  draft.frameCount = kDefaultFrameCount;
+  RandomDraws& draws = draft.draws;
   const double radius = draft.ballRadius();
   // Smaller than the ball, so that a part of it stays in the image.
   const Eigen::Vector3d extent = draft.radiusScale * Eigen::Vector3d{0.02, 0.02, 0.015};
-  for (int i = 0; i < kMostDraws; ++i) {
-    Excursion path{drawSmallPath(draws, kPathLow, kPathHigh, extent)};
+  for (int i = 0; i < kMaxDrawAttempts; ++i) {
+    Detour path{drawSmallPath(draws, kPathLow, kPathHigh, extent)};
     path.begin = 0.7;
     path.hold = 3.0;
     const auto camera =
-        static_cast<std::size_t>(draws.whole(0, static_cast<int>(draft.rig.size()) - 1));
-    const int axis = draws.whole(0, 1); // to the side, or up or down
-    const double side = draws.coin() ? 1.0 : -1.0;
+        static_cast<std::size_t>(draws.integer(0, static_cast<int>(draft.rig.size()) - 1));
+    const int axis = draws.integer(0, 1); // to the side, or up or down
+    const double side = draws.coinFlip() ? 1.0 : -1.0;
     const Eigen::Vector3d direction =
         side * draft.rig[camera].cameraFromWorld.linear().row(axis).transpose();
     const auto way = wayToBorder(*draft.stage.views[camera], path.base.center, direction);
@@ -190,10 +190,10 @@ bool hoverOnBorder(ScenarioDraft& draft) {
       const Eigen::Vector3d ball = path(time);
       right = isFree(draft, ball);
       for (std::size_t other = 0; right && other < draft.rig.size(); ++other) {
-        const Showing showing = showingOf(*draft.stage.views[other], ball, radius);
-        right = other == camera ? showing != Showing::Nothing &&
-                                      (time > path.begin || showing == Showing::Whole)
-                                : showing == Showing::Whole;
+        const Visibility showing = visibilityOf(*draft.stage.views[other], ball, radius);
+        right = other == camera ? showing != Visibility::Nothing &&
+                                      (time > path.begin || showing == Visibility::Whole)
+                                : showing == Visibility::Whole;
       }
     }
     if (right) {
@@ -205,7 +205,7 @@ bool hoverOnBorder(ScenarioDraft& draft) {
 }
 
 /// A box that stands on the desk before a point as a camera sees it.
-simulation::StageBody drawScreen(Draws& draws, const Eigen::Vector3d& eye,
+simulation::StageBody drawScreen(RandomDraws& draws, const Eigen::Vector3d& eye,
                                  const Eigen::Vector3d& point, std::size_t number) {
   constexpr double kAbove = 0.09; // of its top above the line of sight, meters: 2.5 radii
   const Eigen::Vector3d onSight = eye + draws.uniform(0.6, 0.72) * (point - eye);
@@ -241,7 +241,7 @@ std::optional<double> hiddenBy(const std::vector<simulation::StageBody>& boxes,
   for (const simulation::StageBody& box : boxes) {
     parts.push_back(boxPart(box));
     const double hidden = hiddenShare(eye, ball, kBallRadius, {parts.back()});
-    const double backed = backedShare(eye, ball, kBallRadius, {parts.back()});
+    const double backed = overlappedFraction(eye, ball, kBallRadius, {parts.back()});
     const bool nearer = (box.path(0.0) - eye).norm() < (ball - eye).norm();
     if (hidden != (nearer ? backed : 0.0)) {
       return std::nullopt;
@@ -252,12 +252,12 @@ std::optional<double> hiddenBy(const std::vector<simulation::StageBody>& boxes,
 
 /// Free of the boxes, whole in every image before and after, and hidden in every image while it is
 /// aside.
-bool goesBehind(const ScenarioDraft& draft, const Excursion& path,
+bool goesBehind(const ScenarioDraft& draft, const Detour& path,
                 const std::vector<simulation::StageBody>& boxes) {
   for (std::int64_t frame = 0; frame < draft.frameCount; ++frame) {
     const double time = draft.timeOf(frame);
     const Eigen::Vector3d ball = path(time);
-    if (!isFree(draft, ball) || !fullyVisible(draft.stage, ball, kBallRadius) ||
+    if (!isFree(draft, ball) || !isFullyVisible(draft.stage, ball, kBallRadius) ||
         !std::ranges::all_of(boxes, [&](const auto& box) { return isClear(box, ball); })) {
       return false;
     }
@@ -273,10 +273,10 @@ bool goesBehind(const ScenarioDraft& draft, const Excursion& path,
 }
 
 bool behindFurniture(ScenarioDraft& draft) {
-  draft.frameCount = kUsualFrames;
-  Draws& draws = draft.draws;
-  for (int i = 0; i < kMostDraws; ++i) {
-    Excursion path{drawSmallPath(draws, {0.4, 0.4, 0.1}, {0.6, 0.6, 0.16}, {0.03, 0.03, 0.02})};
+  draft.frameCount = kDefaultFrameCount;
+  RandomDraws& draws = draft.draws;
+  for (int i = 0; i < kMaxDrawAttempts; ++i) {
+    Detour path{drawSmallPath(draws, {0.4, 0.4, 0.1}, {0.6, 0.6, 0.16}, {0.03, 0.03, 0.02})};
     const double angle = draws.uniform(0.0, kFullTurn);
     path.out = draws.uniform(0.25, 0.4) * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0);
     path.back = path.out;
@@ -316,7 +316,7 @@ std::vector<ScenarioRecipe> outOfViewScenarios() {
   ScenarioRecipe furniture{"S17-furniture",
                            "The ball goes behind boxes on the desk, which hide it from all "
                            "cameras for 1.2 s.",
-                           deskRing(2)};
+                           deskRingRig(2)};
   furniture.complete = behindFurniture;
   return {
       recipe("S17-leaves-one", "The ball leaves one image for 1.2 s and comes back.", {}),

@@ -9,10 +9,10 @@ namespace dewpoint::experiment::scenarios {
 namespace {
 
 bool patterned(ScenarioDraft& draft, BallPattern pattern) {
-  if (!addDeskBall(draft, kUsualFrames)) {
+  if (!addDeskBall(draft, kDefaultFrameCount)) {
     return false;
   }
-  const Spin spin = drawSpin(draft.draws, kSlowestSpin, kFastestSpin);
+  const Spin spin = randomSpin(draft.draws, kSlowestSpin, kFastestSpin);
   paintBall(draft.stage.bodies.back(), pattern, spin, draft.draws);
   return true;
 }

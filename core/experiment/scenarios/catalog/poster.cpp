@@ -24,7 +24,7 @@ constexpr int kPostersPerPath = 400;
 /// and faces the camera, up to 20 degrees off.
 StageBody drawPoster(ScenarioDraft& draft, std::size_t camera, const Eigen::Vector3d& center) {
   constexpr double kTilt = 20.0 * std::numbers::pi / 180.0; // radians
-  Draws& draws = draft.draws;
+  RandomDraws& draws = draft.draws;
   const Eigen::Vector3d sight = (center - draft.rig[camera].center()).normalized();
   const Eigen::Vector3d right = sight.cross(Eigen::Vector3d::UnitZ()).normalized();
   const Eigen::Vector3d up = right.cross(sight);
@@ -45,9 +45,9 @@ StageBody drawPoster(ScenarioDraft& draft, std::size_t camera, const Eigen::Vect
 
 /// The poster hides the ball from no camera and does not touch it. Where it is behind the ball its
 /// center is farther too, as the painter's order is that of the centers.
-bool staysBehind(const ScenarioDraft& draft, const RoundPath& path, const StageBody& poster) {
+bool staysBehind(const ScenarioDraft& draft, const LissajousPath& path, const StageBody& poster) {
   const Eigen::Vector3d normal = poster.axes.row(2);
-  for (std::int64_t frame = 0; frame < draft.frameCount; frame += kShareEvery) {
+  for (std::int64_t frame = 0; frame < draft.frameCount; frame += kFractionCheckInterval) {
     const Eigen::Vector3d ball = path(draft.timeOf(frame));
     if ((poster.path(0.0) - ball).dot(normal) < 1.5 * kBallRadius) {
       return false;
@@ -55,7 +55,7 @@ bool staysBehind(const ScenarioDraft& draft, const RoundPath& path, const StageB
     for (const Camera& camera : draft.rig) {
       const Eigen::Vector3d eye = camera.center();
       const bool farther = (poster.path(0.0) - eye).norm() > (ball - eye).norm();
-      const bool beside = backedShare(eye, ball, kBallRadius, {boxPart(poster)}) == 0.0;
+      const bool beside = overlappedFraction(eye, ball, kBallRadius, {boxPart(poster)}) == 0.0;
       if (!(farther || beside) || hiddenShare(eye, ball, kBallRadius, {boxPart(poster)}) > 0.0) {
         return false;
       }
@@ -72,14 +72,15 @@ struct Backing {
   double most = 0.0; ///< the greatest share of the disc in any frame
 };
 
-Backing backingOf(const ScenarioDraft& draft, std::size_t camera, const RoundPath& path,
+Backing backingOf(const ScenarioDraft& draft, std::size_t camera, const LissajousPath& path,
                   const StageBody& poster) {
-  constexpr double kWhole = 0.99; // of the disc: but for one of its points, see kDiscPoints
+  constexpr double kWhole = 0.99; // of the disc: but for one of its points, see kDiskPoints
   Backing backing;
   int frames = 0;
-  for (std::int64_t frame = 0; frame < draft.frameCount; frame += kShareEvery, ++frames) {
-    const double share = backedShare(draft.rig[camera].center(), path(draft.timeOf(frame)),
-                                     kBallRadius, {boxPart(poster)});
+  for (std::int64_t frame = 0; frame < draft.frameCount;
+       frame += kFractionCheckInterval, ++frames) {
+    const double share = overlappedFraction(draft.rig[camera].center(), path(draft.timeOf(frame)),
+                                            kBallRadius, {boxPart(poster)});
     backing.whole += share > kWhole ? 1.0 : 0.0;
     backing.little += share < 0.5 ? 1.0 : 0.0;
     backing.most = std::max(backing.most, share);
@@ -95,7 +96,7 @@ bool isCrossed(const Backing& backing) {
   return backing.whole >= 1.0 / 3.0 && backing.little >= 0.1;
 }
 
-bool addPoster(ScenarioDraft& draft, std::size_t camera, const RoundPath& path, bool alone) {
+bool addPoster(ScenarioDraft& draft, std::size_t camera, const LissajousPath& path, bool alone) {
   for (int i = 0; i < kPostersPerPath; ++i) {
     StageBody poster = drawPoster(draft, camera, path.center);
     bool good =
@@ -113,17 +114,17 @@ bool addPoster(ScenarioDraft& draft, std::size_t camera, const RoundPath& path, 
 }
 
 bool beforePosters(ScenarioDraft& draft, bool everyCamera) {
-  for (int layout = 0; layout < kMostLayouts; ++layout) {
+  for (int layout = 0; layout < kMaxLayoutAttempts; ++layout) {
     draft.stage.bodies.clear();
     draft.targets.clear();
-    draft.frameCount = kUsualFrames;
-    const auto path = drawDeskPath(draft, false);
+    draft.frameCount = kDefaultFrameCount;
+    const auto path = randomDeskPath(draft, false);
     if (!path) {
       return false;
     }
     addTarget(draft, *path);
     const auto last = static_cast<int>(draft.rig.size()) - 1;
-    const auto chosen = static_cast<std::size_t>(draft.draws.whole(0, last));
+    const auto chosen = static_cast<std::size_t>(draft.draws.integer(0, last));
     bool placed = true;
     for (std::size_t camera = 0; camera < draft.rig.size(); ++camera) {
       const bool wanted = everyCamera || camera == chosen;

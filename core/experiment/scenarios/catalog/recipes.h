@@ -18,8 +18,8 @@ std::vector<ScenarioRecipe> cameraScenarios();      ///< S6
 std::vector<ScenarioRecipe> clockScenarios();       ///< S7
 std::vector<ScenarioRecipe> lightScenarios();       ///< S8
 std::vector<ScenarioRecipe> movedCameraScenarios(); ///< S9
-std::vector<ScenarioRecipe> unknownScenarios();     ///< S10
-std::vector<ScenarioRecipe> heldScenarios();        ///< S11
+std::vector<ScenarioRecipe> unknownSizeScenarios(); ///< S10
+std::vector<ScenarioRecipe> handHeldScenarios();    ///< S11
 std::vector<ScenarioRecipe> patternedScenarios();   ///< S12
 std::vector<ScenarioRecipe> posterScenarios();      ///< S13
 std::vector<ScenarioRecipe> sensorScenarios();      ///< S14

@@ -16,7 +16,7 @@ namespace {
 /// nominal one, shutter, time and calibration are ideal. A grade that has cameras of its own keeps
 /// those.
 bool withWebcams(ScenarioDraft& draft, bool fast) {
-  if (!addDeskBall(draft, kUsualFrames, fast)) {
+  if (!addDeskBall(draft, kDefaultFrameCount, fast)) {
     return false;
   }
   if (draft.grade != Grade::Ideal) {
@@ -24,7 +24,7 @@ bool withWebcams(ScenarioDraft& draft, bool fast) {
   }
   std::vector<simulation::SensorModel> webcams;
   for (std::size_t camera = 0; camera < draft.rig.size(); ++camera) {
-    webcams.push_back(drawSensor(gradeModel(Grade::Room), {}, draft.draws));
+    webcams.push_back(randomSensor(gradeModel(Grade::Room), {}, draft.draws));
   }
   draft.adjustFaults = [webcams](SensingFaults& faults) {
     for (std::size_t camera = 0; camera < webcams.size(); ++camera) {

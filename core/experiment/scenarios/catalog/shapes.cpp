@@ -20,7 +20,7 @@ using simulation::MovingPart;
 using simulation::Vector3f;
 
 /// Pink as all balls, BGR in full light.
-const Vector3f kPink = simulation::kUsualBallColor.cast<float>();
+const Vector3f kPink = simulation::kDefaultBallColor.cast<float>();
 
 /// What is checked around a mouse, meters: a ball as large as the mouse would go below the desk,
 /// which would then hide it. All of it, half its length, is checked against the images' borders.
@@ -49,11 +49,11 @@ std::vector<MovingPart> openingGlove(double time) {
   return simulation::glovedHand(0.5 - 0.5 * std::cos(kFullTurn * time / kGripPeriod), kPink);
 }
 
-RoundPath drawWay(Draws& draws, const Handling& handling) {
-  RoundPath path;
-  path.center = draws.inBox({0.42, 0.42, 0.22}, {0.58, 0.58, 0.32});
+LissajousPath drawWay(RandomDraws& draws, const Handling& handling) {
+  LissajousPath path;
+  path.center = draws.pointInBox({0.42, 0.42, 0.22}, {0.58, 0.58, 0.32});
   path.extent = draws.uniform(0.7, 1.0) * Eigen::Vector3d{0.12, 0.1, 0.05};
-  path.phase = draws.inBox(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(kFullTurn));
+  path.phase = draws.pointInBox(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(kFullTurn));
   path.period = 6.0;
   if (handling.onDesk) {
     path.center.z() = handling.halfHeight;
@@ -63,11 +63,11 @@ RoundPath drawWay(Draws& draws, const Handling& handling) {
 }
 
 /// Whether all images show all of it all the time.
-bool staysWhole(const ScenarioDraft& draft, const RoundPath& path, const Handling& handling) {
+bool staysWhole(const ScenarioDraft& draft, const LissajousPath& path, const Handling& handling) {
   for (std::int64_t frame = 0; frame < draft.frameCount; ++frame) {
     const Eigen::Vector3d middle = path(draft.timeOf(frame));
     for (const auto& view : draft.stage.views) {
-      if (!withinImage(*view, middle, handling.reach)) {
+      if (!isWithinImage(*view, middle, handling.reach)) {
         return false;
       }
     }
@@ -76,14 +76,14 @@ bool staysWhole(const ScenarioDraft& draft, const RoundPath& path, const Handlin
 }
 
 bool handled(ScenarioDraft& draft, const ObjectAt& object, const Handling& handling) {
-  draft.frameCount = kUsualFrames;
-  Draws& draws = draft.draws;
-  for (int i = 0; i < kMostDraws; ++i) {
-    const RoundPath path = drawWay(draws, handling);
+  draft.frameCount = kDefaultFrameCount;
+  RandomDraws& draws = draft.draws;
+  for (int i = 0; i < kMaxDrawAttempts; ++i) {
+    const LissajousPath path = drawWay(draws, handling);
     if (!staysWhole(draft, path, handling)) {
       continue;
     }
-    Spin spin = drawSpin(draws, 0.05, 0.25);
+    Spin spin = randomSpin(draws, 0.05, 0.25);
     Eigen::AngleAxisd begin(draws.uniform(0.0, kFullTurn), draws.direction());
     if (handling.upright) {
       spin.axis = Eigen::Vector3d::UnitZ();
@@ -110,16 +110,16 @@ bool handled(ScenarioDraft& draft, const ObjectAt& object, const Handling& handl
 bool walking(ScenarioDraft& draft) {
   constexpr double kChest = 1.2; // meters above the floor, of somebody of kReferenceHeight
   constexpr double kBound = 0.4; // radius of a ball around the shirt, meters
-  draft.frameCount = kUsualFrames;
-  Draws& draws = draft.draws;
+  draft.frameCount = kDefaultFrameCount;
+  RandomDraws& draws = draft.draws;
   simulation::Walker walker;
   walker.clothes.shirt = kPink;
   walker.height = draws.uniform(1.6, 1.9);
   const double chest = kChest * walker.height / simulation::kReferenceHeight;
-  for (int i = 0; i < kMostDraws; ++i) {
+  for (int i = 0; i < kMaxDrawAttempts; ++i) {
     walker.way.clear();
     for (const double time : {-1.0, 1.5, 4.0, 7.0}) {
-      const Eigen::Vector3d position = draws.inBox({-1.2, -1.0, 0.0}, {1.2, 1.4, 0.0});
+      const Eigen::Vector3d position = draws.pointInBox({-1.2, -1.0, 0.0}, {1.2, 1.4, 0.0});
       walker.way.push_back({time, position.head<2>()});
     }
     const simulation::Path path = [walker, chest](double time) -> Eigen::Vector3d {
@@ -149,7 +149,7 @@ bool walking(ScenarioDraft& draft) {
 std::vector<ScenarioRecipe> shapeScenarios() {
   const auto recipe = [](const char* name, const char* sentence, const ObjectAt& object,
                          const Handling& handling) {
-    ScenarioRecipe result{name, sentence, simulation::deskRing(2)};
+    ScenarioRecipe result{name, sentence, simulation::deskRingRig(2)};
     result.complete = [object, handling](ScenarioDraft& draft) {
       return handled(draft, object, handling);
     };

@@ -40,10 +40,10 @@ bool farFromCameras(const simulation::Stage& stage, const Volume& volume,
 /// A place in the volume that all cameras see.
 std::optional<Eigen::Vector3d> drawPosition(ScenarioDraft& draft, const Volume& volume) {
   const Eigen::Vector3d up = volume.radius * Eigen::Vector3d::UnitZ();
-  for (int i = 0; i < kMostDraws; ++i) {
-    const Eigen::Vector3d position = draft.draws.inBox(volume.low + up, volume.high);
+  for (int i = 0; i < kMaxDrawAttempts; ++i) {
+    const Eigen::Vector3d position = draft.draws.pointInBox(volume.low + up, volume.high);
     if (farFromCameras(draft.stage, volume, position) &&
-        fullyVisible(draft.stage, position, volume.radius)) {
+        isFullyVisible(draft.stage, position, volume.radius)) {
       return position;
     }
   }
@@ -52,7 +52,7 @@ std::optional<Eigen::Vector3d> drawPosition(ScenarioDraft& draft, const Volume& 
 
 /// A slow straight way that begins anywhere in the volume.
 std::optional<simulation::Path> drawWay(ScenarioDraft& draft, const Volume& volume) {
-  for (int i = 0; i < kMostDraws; ++i) {
+  for (int i = 0; i < kMaxDrawAttempts; ++i) {
     const auto position = drawPosition(draft, volume);
     if (!position) {
       return std::nullopt;
@@ -71,7 +71,7 @@ std::optional<simulation::Path> drawWay(ScenarioDraft& draft, const Volume& volu
 enum class Distractor { SmallBall, BigBall, SmallBox, BigBox, Patch };
 
 /// The target's color, but another physical size (0.5 to 0.7 or 1.6 to 2 times) or shape.
-simulation::StageBody drawDistractor(Draws& draws, Distractor kind, double radius) {
+simulation::StageBody drawDistractor(RandomDraws& draws, Distractor kind, double radius) {
   simulation::StageBody body;
   const double small = draws.uniform(0.5, 0.7) * radius;
   const double big = draws.uniform(1.6, 2.0) * radius;
@@ -96,7 +96,7 @@ simulation::StageBody drawDistractor(Draws& draws, Distractor kind, double radiu
   }
   body.box = true;
   body.axes = yaw.toRotationMatrix().transpose();
-  if (kind == Distractor::Patch && draws.coin()) {
+  if (kind == Distractor::Patch && draws.coinFlip()) {
     // Upright like a poster instead of flat like a sheet.
     body.axes = (yaw * Eigen::AngleAxisd(0.5 * std::numbers::pi, Eigen::Vector3d::UnitX()))
                     .toRotationMatrix()
@@ -115,12 +115,13 @@ bool isPossible(const ScenarioDraft& draft, const Volume& volume, const simulati
   int seen = 0;
   for (const auto& view : draft.stage.views) {
     for (const double time : {0.0, 0.5 * last, last}) {
-      if ((target(time) - position).norm() < 3.0 * volume.radius + body.bound() ||
-          !apart(*view, target(time), volume.radius, position, body.bound(), kGap)) {
+      if ((target(time) - position).norm() < 3.0 * volume.radius + body.boundingRadius() ||
+          !areSeparated(*view, target(time), volume.radius, position, body.boundingRadius(),
+                        kGap)) {
         return false;
       }
     }
-    seen += fullyVisible(*view, position, body.bound()) ? 1 : 0;
+    seen += isFullyVisible(*view, position, body.boundingRadius()) ? 1 : 0;
   }
   return seen >= cameras && farFromCameras(draft.stage, volume, position);
 }
@@ -130,14 +131,14 @@ bool addDistractors(ScenarioDraft& draft, const Volume& volume) {
                                   Distractor::BigBox, Distractor::Patch};
   for (int count = 0; count < 3; ++count) {
     const auto first = static_cast<std::size_t>(count);
-    std::swap(kinds[first], kinds[static_cast<std::size_t>(draft.draws.whole(count, 4))]);
+    std::swap(kinds[first], kinds[static_cast<std::size_t>(draft.draws.integer(count, 4))]);
     simulation::StageBody body = drawDistractor(draft.draws, kinds[first], volume.radius);
     body.name = fmt::format("look-alike {}", count + 1);
     const int cameras = count == 0 ? 2 : 1;
     bool placed = false;
-    for (int i = 0; i < kMostDraws / 10 && !placed; ++i) {
-      Eigen::Vector3d position = draft.draws.inBox(volume.low, volume.high);
-      if (draft.draws.coin()) {
+    for (int i = 0; i < kMaxDrawAttempts / 10 && !placed; ++i) {
+      Eigen::Vector3d position = draft.draws.pointInBox(volume.low, volume.high);
+      if (draft.draws.coinFlip()) {
         position.z() = 0.0; // on the ground: that high is half of what stands on it
       }
       position.z() = std::max(position.z(), body.box ? body.halfSize.z() : body.radius);
@@ -156,7 +157,7 @@ bool addDistractors(ScenarioDraft& draft, const Volume& volume) {
 
 bool startAnywhere(ScenarioDraft& draft, const Volume& volume, bool cloud) {
   draft.frameCount = 10;
-  for (int i = 0; i < kMostLayouts; ++i) {
+  for (int i = 0; i < kMaxLayoutAttempts; ++i) {
     draft.stage.bodies.clear();
     draft.targets.clear();
     const auto way = drawWay(draft, volume);
@@ -167,8 +168,8 @@ bool startAnywhere(ScenarioDraft& draft, const Volume& volume, bool cloud) {
     if (!addDistractors(draft, volume)) {
       continue;
     }
-    draft.startCenter = cloud ? volume.center() : draft.draws.inBox(volume.low, volume.high);
-    draft.startHalf = cloud ? volume.half() : Eigen::Vector3d::Zero();
+    draft.startCenter = cloud ? volume.center() : draft.draws.pointInBox(volume.low, volume.high);
+    draft.startHalfSize = cloud ? volume.half() : Eigen::Vector3d::Zero();
     return true;
   }
   return false;
@@ -177,7 +178,7 @@ bool startAnywhere(ScenarioDraft& draft, const Volume& volume, bool cloud) {
 bool jumpBy(ScenarioDraft& draft, const Volume& volume, double length) {
   constexpr std::int64_t kJumpFrame = 30; // chosen: a second, in which methods have found it
   draft.frameCount = 60;
-  for (int i = 0; i < kMostDraws; ++i) {
+  for (int i = 0; i < kMaxDrawAttempts; ++i) {
     const auto from = drawPosition(draft, volume);
     if (!from) {
       return false;
@@ -186,7 +187,7 @@ bool jumpBy(ScenarioDraft& draft, const Volume& volume, double length) {
     const bool inside = (to.array() >= volume.low.array()).all() &&
                         (to.array() <= volume.high.array()).all() && to.z() >= volume.radius;
     if (!inside || !farFromCameras(draft.stage, volume, to) ||
-        !fullyVisible(draft.stage, to, volume.radius)) {
+        !isFullyVisible(draft.stage, to, volume.radius)) {
       continue;
     }
     // Half a frame early, so that no exposure holds the ball at two places.

@@ -26,7 +26,7 @@ bool staysVisibleFrom(const ScenarioDraft& draft, const PiecewisePath& path, dou
     if (time > path.end()) {
       return true;
     }
-    if (!fullyVisible(draft.stage, path(time), draft.ballRadius())) {
+    if (!isFullyVisible(draft.stage, path(time), draft.ballRadius())) {
       return false;
     }
   }
@@ -36,11 +36,11 @@ bool staysVisibleFrom(const ScenarioDraft& draft, const PiecewisePath& path, dou
 /// Appends pieces until the run is full; each is drawn again until it can be seen.
 std::optional<PiecewisePath> drawPath(ScenarioDraft& draft, const Eigen::Vector3d& low,
                                       const Eigen::Vector3d& high, const Append& append) {
-  PiecewisePath path(draft.draws.inBox(low, high));
+  PiecewisePath path(draft.draws.pointInBox(low, high));
   path.rest(kFirstRest);
   int draws = 0;
   while (path.end() < draft.timeOf(draft.frameCount)) {
-    if (++draws > kMostDraws || !fullyVisible(draft.stage, path(0.0), draft.ballRadius())) {
+    if (++draws > kMaxDrawAttempts || !isFullyVisible(draft.stage, path(0.0), draft.ballRadius())) {
       return std::nullopt;
     }
     PiecewisePath longer = path;
@@ -57,7 +57,7 @@ std::optional<PiecewisePath> drawThrows(ScenarioDraft& draft) {
   const Eigen::Vector3d low{0.42, 0.42, 0.06};
   const Eigen::Vector3d high{0.6, 0.58, 0.1};
   return drawPath(draft, low, high, [&](PiecewisePath& path) {
-    addThrow(path, draft.draws.inBox(low, high), draft.draws.uniform(0.24, 0.32));
+    addThrow(path, draft.draws.pointInBox(low, high), draft.draws.uniform(0.24, 0.32));
     path.rest(draft.draws.uniform(0.15, 0.4));
   });
 }
@@ -66,7 +66,7 @@ std::optional<PiecewisePath> drawThrows(ScenarioDraft& draft) {
 std::optional<PiecewisePath> drawBounces(ScenarioDraft& draft) {
   constexpr double kLift = 0.6;  // seconds; chosen: a hand takes it up
   constexpr double kPush = 0.15; // m/s along the desk, at most; chosen: it stays in the images
-  Draws& draws = draft.draws;
+  RandomDraws& draws = draft.draws;
   // Restitution of rubber balls on wood: from a dull one to a lively one.
   const double radius = draft.ballRadius();
   const Bounce bounce{radius, draws.uniform(0.6, 0.85)};
@@ -78,7 +78,7 @@ std::optional<PiecewisePath> drawBounces(ScenarioDraft& draft) {
     path.setVelocity({speed * std::cos(angle), speed * std::sin(angle), 0.0});
     addBounces(path, bounce);
     path.rest(0.3);
-    addCarry(path, draws.inBox(low, high), kLift);
+    addCarry(path, draws.pointInBox(low, high), kLift);
     path.rest(0.2);
   });
 }
@@ -86,8 +86,8 @@ std::optional<PiecewisePath> drawBounces(ScenarioDraft& draft) {
 using DrawPath = std::optional<PiecewisePath> (*)(ScenarioDraft&);
 
 bool along(ScenarioDraft& draft, DrawPath drawPath) {
-  draft.frameCount = kUsualFrames;
-  for (int layout = 0; layout < kMostLayouts; ++layout) {
+  draft.frameCount = kDefaultFrameCount;
+  for (int layout = 0; layout < kMaxLayoutAttempts; ++layout) {
     if (const auto path = drawPath(draft)) {
       addTarget(draft, *path);
       startNearTruth(draft);
@@ -102,8 +102,8 @@ bool spinning(ScenarioDraft& draft) {
   if (!along(draft, drawThrows)) {
     return false;
   }
-  const Spin spin = drawSpin(draft.draws, 2.0, 5.0);
-  const BallPattern pattern = draft.draws.coin() ? BallPattern::TwoPatches : BallPattern::Seams;
+  const Spin spin = randomSpin(draft.draws, 2.0, 5.0);
+  const BallPattern pattern = draft.draws.coinFlip() ? BallPattern::TwoPatches : BallPattern::Seams;
   paintBall(draft.stage.bodies.back(), pattern, spin, draft.draws);
   return true;
 }

@@ -15,7 +15,7 @@ namespace {
 
 /// The readout of rolling shutters, seconds, and unknown delays, frames: those of grade `room`.
 bool withRollingShutters(ScenarioDraft& draft, bool fast) {
-  if (!addDeskBall(draft, kUsualFrames, fast)) {
+  if (!addDeskBall(draft, kDefaultFrameCount, fast)) {
     return false;
   }
   const Range& range = gradeModel(Grade::Room).readoutSeconds;
@@ -33,7 +33,7 @@ bool withRollingShutters(ScenarioDraft& draft, bool fast) {
 }
 
 bool withUnknownDelays(ScenarioDraft& draft, bool fast) {
-  if (!addDeskBall(draft, kUsualFrames, fast)) {
+  if (!addDeskBall(draft, kDefaultFrameCount, fast)) {
     return false;
   }
   const Range& range = gradeModel(Grade::Room).delayFrames;
@@ -53,7 +53,7 @@ bool withUnknownDelays(ScenarioDraft& draft, bool fast) {
 /// As over a busy USB bus or network; chosen: five times the most of grade `room`.
 bool withDroppedAndDoubled(ScenarioDraft& draft) {
   constexpr double kShare = 0.1; // of the frames, each
-  if (!addDeskBall(draft, kUsualFrames)) {
+  if (!addDeskBall(draft, kDefaultFrameCount)) {
     return false;
   }
   draft.exactWhenIdeal = false;
@@ -69,12 +69,12 @@ bool withDroppedAndDoubled(ScenarioDraft& draft) {
 /// One camera shows one image for a second, as a driver that hangs: its time stamps go on.
 bool withFrozenStream(ScenarioDraft& draft) {
   constexpr std::int64_t kFrozen = 30; // frames: a second
-  if (!addDeskBall(draft, kUsualFrames)) {
+  if (!addDeskBall(draft, kDefaultFrameCount)) {
     return false;
   }
-  const std::int64_t begin = 75 + draft.draws.whole(-15, 15);
+  const std::int64_t begin = 75 + draft.draws.integer(-15, 15);
   const auto frozen =
-      static_cast<std::size_t>(draft.draws.whole(0, static_cast<int>(draft.rig.size()) - 1));
+      static_cast<std::size_t>(draft.draws.integer(0, static_cast<int>(draft.rig.size()) - 1));
   draft.exactWhenIdeal = false;
   draft.adjustFaults = [=](SensingFaults& faults) {
     faults.cameras[frozen].timing.freezeBegin = begin;
@@ -87,7 +87,7 @@ bool withFrozenStream(ScenarioDraft& draft) {
 /// crystals that differ by 100 millionths in two minutes.
 bool withDriftingClocks(ScenarioDraft& draft) {
   constexpr double kDrift = 0.002;
-  if (!addDeskBall(draft, kUsualFrames)) {
+  if (!addDeskBall(draft, kDefaultFrameCount)) {
     return false;
   }
   std::vector<double> drifts;

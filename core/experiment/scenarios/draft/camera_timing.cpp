@@ -5,9 +5,9 @@
 
 namespace dewpoint::experiment::scenarios {
 
-std::optional<Delivery> delivered(const CameraTiming& timing, std::int64_t frame,
-                                  const RandomStream& chances) {
-  Delivery delivery{frame, timing.jitter * chances.normal4(2)[0]};
+std::optional<FrameDelivery> deliveryOf(const CameraTiming& timing, std::int64_t frame,
+                                        const RandomStream& chances) {
+  FrameDelivery delivery{frame, timing.jitter * chances.normal4(2)[0]};
   if (frame <= 0) {
     return delivery;
   }
@@ -22,7 +22,7 @@ std::optional<Delivery> delivered(const CameraTiming& timing, std::int64_t frame
   return delivery;
 }
 
-double exposureTime(const CameraTiming& timing, double stamp) {
+double midExposureTime(const CameraTiming& timing, double stamp) {
   return stamp - timing.delay - timing.clockDrift * stamp;
 }
 

@@ -22,7 +22,7 @@ struct CameraTiming {
 };
 
 /// Frame as it arrives: the image it shows and the error of its time stamp.
-struct Delivery {
+struct FrameDelivery {
   std::int64_t shown = 0;  ///< number of the frame whose image arrives
   double stampError = 0.0; ///< seconds
 };
@@ -30,10 +30,10 @@ struct Delivery {
 /// Returns the delivery of frame `frame` of a camera, or nothing if the frame is dropped. This is a
 /// pure function. `chances` is the camera's random stream for the frame. Frame 0 always arrives
 /// without faults.
-std::optional<Delivery> delivered(const CameraTiming& timing, std::int64_t frame,
-                                  const RandomStream& chances);
+std::optional<FrameDelivery> deliveryOf(const CameraTiming& timing, std::int64_t frame,
+                                        const RandomStream& chances);
 
 /// Returns the mid-exposure time (seconds) of a frame with the time stamp `stamp` (seconds).
-double exposureTime(const CameraTiming& timing, double stamp);
+double midExposureTime(const CameraTiming& timing, double stamp);
 
 } // namespace dewpoint::experiment::scenarios

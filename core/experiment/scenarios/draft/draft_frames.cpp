@@ -35,14 +35,14 @@ FramePtr frameOf(const ScenarioDraft& draft, std::size_t camera, std::int64_t fr
   const CameraTiming timing = draft.timings.empty() ? CameraTiming{} : draft.timings.at(camera);
   const RandomStream chances(draft.stage.seed, static_cast<std::uint32_t>(own),
                              static_cast<std::uint32_t>(camera), RandomPurpose::Start);
-  const auto delivery = delivered(timing, own, chances);
+  const auto delivery = deliveryOf(timing, own, chances);
   if (!delivery) {
     return nullptr;
   }
   const auto stampOf = [&](std::int64_t number) {
     return clock.offset + static_cast<double>(number) / clock.framesPerSecond;
   };
-  const double taken = exposureTime(timing, stampOf(delivery->shown));
+  const double taken = midExposureTime(timing, stampOf(delivery->shown));
   return std::make_shared<const Frame>(
       Frame{own, timeStamp(stampOf(own) + delivery->stampError),
             simulation::renderStage(draft.stage, camera, taken, delivery->shown)});

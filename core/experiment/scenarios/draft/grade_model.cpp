@@ -39,8 +39,8 @@ constexpr GradeModel kRoom{
     // ControlLoop.
     .loopSpeed = {0.05, 0.25},
     .loopLag = {1.0, 4.0},
-    // None to a lamp somewhat stronger at the ball than the room's (kLampShare). An exposure that
-    // is right for the walls then cuts the red of a ball that is lit from the camera's side.
+    // None to a lamp somewhat stronger at the ball than the room's (kLampFraction). An exposure
+    // that is right for the walls then cuts the red of a ball that is lit from the camera's side.
     .sideLamp = {0.0, 0.8},
     .coloredLamp = {0.0, 0.2},
     .coloredKelvin = {2700.0, 9000.0}, // a warm white bulb to the sky in a window
@@ -104,11 +104,11 @@ constexpr GradeModel kWild{
 constexpr std::array<std::array<double, 2>, 4> kLenses{
     {{0.0, 0.0}, {-0.08, 0.01}, {-0.15, 0.04}, {-0.25, 0.09}}};
 
-double draw(const Range& range, Draws& draws) {
+double draw(const Range& range, RandomDraws& draws) {
   return draws.uniform(range.low, range.high);
 }
 
-simulation::AutomaticGain drawAutomatic(const GradeModel& model, Draws& draws) {
+simulation::AutomaticGain drawAutomatic(const GradeModel& model, RandomDraws& draws) {
   simulation::AutomaticGain automatic;
   automatic.exposure.speed = draw(model.loopSpeed, draws);
   automatic.exposure.lagFrames = static_cast<int>(std::lround(draw(model.loopLag, draws)));
@@ -126,7 +126,7 @@ simulation::AutomaticGain drawAutomatic(const GradeModel& model, Draws& draws) {
   return automatic;
 }
 
-CameraTiming drawTiming(const GradeModel& model, const FaultContext& context, Draws& draws) {
+CameraTiming drawTiming(const GradeModel& model, const FaultContext& context, RandomDraws& draws) {
   CameraTiming timing;
   timing.delay = draw(model.delayFrames, draws) / context.framesPerSecond;
   timing.jitter = draw(model.jitterSeconds, draws);
@@ -136,7 +136,8 @@ CameraTiming drawTiming(const GradeModel& model, const FaultContext& context, Dr
 }
 
 /// A point beside the start of the target, `away` meters off horizontally and `up` above it.
-simulation::Vector3f beside(const FaultContext& context, double away, double up, Draws& draws) {
+simulation::Vector3f beside(const FaultContext& context, double away, double up,
+                            RandomDraws& draws) {
   const double angle = draws.uniform(0.0, kFullTurn);
   const Eigen::Vector3d offset{away * std::cos(angle), away * std::sin(angle), up};
   return (context.targetStart + offset).cast<float>();
@@ -148,7 +149,7 @@ float distanceTo(const FaultContext& context, const simulation::Vector3f& lamp) 
 }
 
 simulation::Illumination drawIllumination(const GradeModel& model, const FaultContext& context,
-                                          Draws& draws) {
+                                          RandomDraws& draws) {
   // Above the target's first position, meters: a table lamp or a low window, and a lamp on a wall.
   constexpr Range kSideHeight{0.1, 0.6};
   constexpr Range kWallHeight{0.8, 1.8};
@@ -193,8 +194,8 @@ const GradeModel& gradeModel(Grade grade) {
   return kIdeal;
 }
 
-simulation::SensorModel drawSensor(const GradeModel& model, const FaultContext& context,
-                                   Draws& draws) {
+simulation::SensorModel randomSensor(const GradeModel& model, const FaultContext& context,
+                                     RandomDraws& draws) {
   simulation::SensorModel sensor;
   sensor.psfSigmaPx = draw(model.psfSigmaPx, draws);
   sensor.noise = {draw(model.fullWell, draws), draw(model.readElectrons, draws)};
@@ -209,16 +210,17 @@ simulation::SensorModel drawSensor(const GradeModel& model, const FaultContext& 
   return sensor;
 }
 
-SensingFaults drawFaults(const GradeModel& model, const FaultContext& context, Draws& draws) {
+SensingFaults randomFaults(const GradeModel& model, const FaultContext& context,
+                           RandomDraws& draws) {
   SensingFaults faults;
   faults.illumination = drawIllumination(model, context, draws);
   simulation::Flicker flicker;
-  flicker.frequency = draws.coin() ? 100.0 : 120.0; // twice that of the mains
+  flicker.frequency = draws.coinFlip() ? 100.0 : 120.0; // twice that of the mains
   flicker.depth = draw(model.flickerDepth, draws);
   flicker.phase = draws.uniform(0.0, kFullTurn);
   for (std::size_t camera = 0; camera < context.cameras; ++camera) {
     CameraFaults& own = faults.cameras.emplace_back();
-    own.sensor = drawSensor(model, context, draws);
+    own.sensor = randomSensor(model, context, draws);
     own.sensor.flicker = flicker;
     own.automatic = drawAutomatic(model, draws);
     own.unevenLight.vignette = draw(model.vignette, draws);
@@ -230,13 +232,13 @@ SensingFaults drawFaults(const GradeModel& model, const FaultContext& context, D
   return faults;
 }
 
-void drawLenses(Grade grade, CameraRig& rig, Draws& draws) {
+void setRandomLenses(Grade grade, CameraRig& rig, RandomDraws& draws) {
   if (grade == Grade::Ideal) {
     return;
   }
   for (Camera& camera : rig) {
     const auto lens =
-        static_cast<std::size_t>(draws.whole(0, static_cast<int>(kLenses.size()) - 1));
+        static_cast<std::size_t>(draws.integer(0, static_cast<int>(kLenses.size()) - 1));
     camera.distortion[0] = kLenses.at(lens)[0];
     camera.distortion[1] = kLenses.at(lens)[1];
   }

@@ -65,8 +65,8 @@ struct GradeModel {
 };
 
 /// Horizontal distance of additional lamps from the target's initial position, meters. It is chosen
-/// so that the lamps are inside the walls of the room with the desk (kDeskRoomHalf) and behind the
-/// cameras.
+/// so that the lamps are inside the walls of the room with the desk (kDeskRoomHalfSize) and behind
+/// the cameras.
 inline constexpr double kLampDistance = 1.5;
 
 /// Returns the values of a grade. `Ideal` has no faults: all zeros.
@@ -76,8 +76,8 @@ const GradeModel& gradeModel(Grade grade);
 struct FaultContext {
   std::size_t cameras = 0;
   double seconds = 6.0; ///< duration of the run
-  double framesPerSecond = simulation::kUsualFrameRate;
-  double exposureSeconds = simulation::kUsualExposure; ///< shortest exposure, seconds
+  double framesPerSecond = simulation::kDefaultFrameRate;
+  double exposureSeconds = simulation::kDefaultExposureSeconds; ///< shortest exposure, seconds
   /// Initial position of the first target, world, meters.
   Eigen::Vector3d targetStart = Eigen::Vector3d::Zero();
   double lampDistance =
@@ -85,15 +85,16 @@ struct FaultContext {
 };
 
 /// Draws the faults of a run.
-SensingFaults drawFaults(const GradeModel& model, const FaultContext& context, Draws& draws);
+SensingFaults randomFaults(const GradeModel& model, const FaultContext& context,
+                           RandomDraws& draws);
 
 /// Draws the image pipeline of one camera, from lens to video stream, excluding flicker and
 /// automatic exposure.
-simulation::SensorModel drawSensor(const GradeModel& model, const FaultContext& context,
-                                   Draws& draws);
+simulation::SensorModel randomSensor(const GradeModel& model, const FaultContext& context,
+                                     RandomDraws& draws);
 
 /// Gives each camera a lens typical of consumer cameras. `Ideal` keeps pinholes. There are only a
 /// few lenses, so that runs can share backgrounds.
-void drawLenses(Grade grade, CameraRig& rig, Draws& draws);
+void setRandomLenses(Grade grade, CameraRig& rig, RandomDraws& draws);
 
 } // namespace dewpoint::experiment::scenarios

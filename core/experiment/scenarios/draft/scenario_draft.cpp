@@ -50,14 +50,14 @@ SensingFaults faultsOf(const ScenarioDraft& draft) {
   SensingFaults faults = noFaults(draft);
   if (draft.grade != Grade::Ideal) {
     const GradeModel& model = gradeModel(draft.grade);
-    Draws draws(draft.seed, draft.name + " " + model.name);
+    RandomDraws draws(draft.seed, draft.name + " " + model.name);
     FaultContext context;
     context.cameras = draft.rig.size();
     context.seconds = draft.timeOf(draft.frameCount);
     context.framesPerSecond = draft.framesPerSecond;
     context.exposureSeconds = draft.stage.exposureSeconds;
     context.targetStart = draft.stage.bodies[draft.targets.front()].path(0.0);
-    faults = drawFaults(model, context, draws);
+    faults = randomFaults(model, context, draws);
     faults.illumination.lamp = draft.stage.illumination.lamp;
   }
   if (draft.adjustFaults) {
@@ -75,7 +75,7 @@ ScenarioRun runOf(ScenarioDraft draft) {
   run.rig = draft.rig;
   // What is ideal stays as it was drawn, to the bit.
   if (draft.grade != Grade::Ideal || draft.adjustFaults) {
-    Draws errors(draft.seed, draft.name + " calibration");
+    RandomDraws errors(draft.seed, draft.name + " calibration");
     run.rig = applyFaults(faultsOf(draft), draft, errors);
   }
   for (const std::size_t target : draft.targets) {
@@ -83,7 +83,7 @@ ScenarioRun runOf(ScenarioDraft draft) {
     run.targets.push_back(pinkTarget(body.name, draft.radiusKnown ? body.radius : 0.0));
   }
   run.startCenter = draft.startCenter;
-  run.startHalf = draft.startHalf;
+  run.startHalfSize = draft.startHalfSize;
   run.framesPerSecond = draft.framesPerSecond;
   run.frameCount = draft.frameCount;
   run.truth = truthOf(draft, run.extents);
@@ -101,9 +101,9 @@ ScenarioRun runOf(ScenarioDraft draft) {
 /// A draft with its cameras and the room at rest, before the scenario's own part.
 ScenarioDraft usualDraft(const ScenarioRecipe& recipe, simulation::ViewCache& cache,
                          std::uint64_t seed, Grade grade) {
-  ScenarioDraft draft{recipe.name, grade, seed, Draws(seed, recipe.name), recipe.rig};
-  Draws lenses(seed, recipe.name + " lenses");
-  drawLenses(grade, draft.rig, lenses);
+  ScenarioDraft draft{recipe.name, grade, seed, RandomDraws(seed, recipe.name), recipe.rig};
+  RandomDraws lenses(seed, recipe.name + " lenses");
+  setRandomLenses(grade, draft.rig, lenses);
   draft.room = std::make_shared<const simulation::Room>(recipe.furnishing);
   for (const Camera& camera : draft.rig) {
     draft.stage.views.push_back(cache.view(camera, recipe.furnishing));
@@ -113,15 +113,15 @@ ScenarioDraft usualDraft(const ScenarioRecipe& recipe, simulation::ViewCache& ca
 
 /// The same with cameras, furniture and people of its own.
 ScenarioDraft wildDraft(const ScenarioRecipe& recipe, std::uint64_t seed, int attempt) {
-  ScenarioDraft draft{recipe.name, Grade::Wild, seed, Draws(seed, recipe.name), {}};
-  Draws draws(seed, fmt::format("{} wild {}", recipe.name, attempt));
-  const WildRig wild = drawRig(recipe.rig, recipe.furnishing, attempt, draws);
+  ScenarioDraft draft{recipe.name, Grade::Wild, seed, RandomDraws(seed, recipe.name), {}};
+  RandomDraws draws(seed, fmt::format("{} wild {}", recipe.name, attempt));
+  const WildRig wild = randomRig(recipe.rig, recipe.furnishing, attempt, draws);
   draft.rig = wild.rig;
   draft.pathScale = wild.pathScale;
   draft.radiusScale = wild.radiusScale;
-  drawLenses(Grade::Wild, draft.rig, draws);
+  setRandomLenses(Grade::Wild, draft.rig, draws);
   const simulation::RoomDesign design =
-      drawRoom(recipe.furnishing, draft.rig, draws, recipe.targetColor);
+      randomRoom(recipe.furnishing, draft.rig, draws, recipe.targetColor);
   const auto room = std::make_shared<const simulation::Room>(recipe.furnishing, design);
   // Not from the cache: no other run has these views.
   for (const Camera& camera : draft.rig) {
@@ -129,7 +129,7 @@ ScenarioDraft wildDraft(const ScenarioRecipe& recipe, std::uint64_t seed, int at
   }
   draft.room = room;
   draft.stage.illumination.lamp = room->lamp();
-  draft.stage.floorHeight = floorOf(recipe.furnishing);
+  draft.stage.floorHeight = floorHeightOf(recipe.furnishing);
   return draft;
 }
 
@@ -145,7 +145,7 @@ void shrinkBalls(ScenarioDraft& draft) {
 Result<ScenarioRun> runOf(const ScenarioRecipe& recipe, simulation::ViewCache& cache,
                           std::uint64_t seed, Grade grade) {
   const bool wild = grade == Grade::Wild;
-  for (int attempt = 0; attempt < (wild ? kMostRigs : 1); ++attempt) {
+  for (int attempt = 0; attempt < (wild ? kMaxRigAttempts : 1); ++attempt) {
     ScenarioDraft draft =
         wild ? wildDraft(recipe, seed, attempt) : usualDraft(recipe, cache, seed, grade);
     draft.stage.seed = derivedSeed(seed, hashOf(recipe.name) ^ kNoisePart);
@@ -154,9 +154,9 @@ Result<ScenarioRun> runOf(const ScenarioRecipe& recipe, simulation::ViewCache& c
     }
     if (wild) {
       shrinkBalls(draft);
-      Draws people(seed, recipe.name + " people");
+      RandomDraws people(seed, recipe.name + " people");
       const double seconds = draft.timeOf(draft.frameCount);
-      draft.stage.people = drawPeople(recipe.furnishing, seconds, people, recipe.targetColor);
+      draft.stage.people = randomPeople(recipe.furnishing, seconds, people, recipe.targetColor);
     }
     return runOf(std::move(draft));
   }
@@ -166,7 +166,8 @@ Result<ScenarioRun> runOf(const ScenarioRecipe& recipe, simulation::ViewCache& c
 
 } // namespace
 
-ScenarioDeclaration declared(ScenarioRecipe recipe, std::shared_ptr<simulation::ViewCache> cache) {
+ScenarioDeclaration declareScenario(ScenarioRecipe recipe,
+                                    std::shared_ptr<simulation::ViewCache> cache) {
   ScenarioDeclaration declaration;
   declaration.name = recipe.name;
   declaration.family = recipe.name.substr(0, recipe.name.find('-'));
@@ -190,9 +191,9 @@ void startNearTruth(ScenarioDraft& draft) {
   constexpr double kOff = 0.05; // meters; chosen: as well as somebody points at a ball
   constexpr double kHalf = 0.1; // meters; chosen: holds the ball wherever in it it is
   const Eigen::Vector3d off =
-      draft.draws.inBox(Eigen::Vector3d::Constant(-kOff), Eigen::Vector3d::Constant(kOff));
+      draft.draws.pointInBox(Eigen::Vector3d::Constant(-kOff), Eigen::Vector3d::Constant(kOff));
   draft.startCenter = targetTruth(draft.stage.bodies[draft.targets.front()], 0.0).position + off;
-  draft.startHalf = Eigen::Vector3d::Constant(kHalf);
+  draft.startHalfSize = Eigen::Vector3d::Constant(kHalf);
 }
 
 void startAroundAll(ScenarioDraft& draft) {
@@ -202,7 +203,7 @@ void startAroundAll(ScenarioDraft& draft) {
     box.extend(draft.stage.bodies[target].path(0.0));
   }
   draft.startCenter = box.center();
-  draft.startHalf = 0.5 * box.sizes() + Eigen::Vector3d::Constant(kAround);
+  draft.startHalfSize = 0.5 * box.sizes() + Eigen::Vector3d::Constant(kAround);
 }
 
 } // namespace dewpoint::experiment::scenarios

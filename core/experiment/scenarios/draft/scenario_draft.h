@@ -16,11 +16,11 @@
 namespace dewpoint::experiment::scenarios {
 
 /// Ball radius in most scenarios, meters.
-inline constexpr double kBallRadius = simulation::kUsualBallRadius;
+inline constexpr double kBallRadius = simulation::kDefaultBallRadius;
 
 /// Frame times of a camera. Frame j is taken at `offset` + j / `framesPerSecond` seconds.
 struct CameraClock {
-  double framesPerSecond = simulation::kUsualFrameRate;
+  double framesPerSecond = simulation::kDefaultFrameRate;
   double offset = 0.0;
 };
 
@@ -29,14 +29,14 @@ struct ScenarioDraft {
   std::string name;
   Grade grade = Grade::Ideal;
   std::uint64_t seed = 0;
-  Draws draws;
+  RandomDraws draws;
   CameraRig rig; ///< true cameras
   simulation::Stage stage = {};
   std::vector<std::size_t> targets = {}; ///< indices of the tracked bodies of the stage
   bool radiusKnown = true;               ///< whether methods know the size of the targets
   Eigen::Vector3d startCenter = Eigen::Vector3d::Zero();
-  Eigen::Vector3d startHalf = Eigen::Vector3d::Zero();
-  double framesPerSecond = simulation::kUsualFrameRate;
+  Eigen::Vector3d startHalfSize = Eigen::Vector3d::Zero();
+  double framesPerSecond = simulation::kDefaultFrameRate;
   std::int64_t frameCount = 0;
   /// Clocks, one per camera. If empty, all cameras take frame k at the time of set k.
   std::vector<CameraClock> clocks = {};
@@ -78,11 +78,12 @@ struct ScenarioRecipe {
   simulation::Furnishing furnishing = simulation::Furnishing::ClutteredDesk;
   std::function<bool(ScenarioDraft&)> complete = nullptr;
   /// Target color, BGR in full light. In grade `wild`, some of the clutter has the same color.
-  Eigen::Vector3d targetColor = simulation::kUsualBallColor;
+  Eigen::Vector3d targetColor = simulation::kDefaultBallColor;
 };
 
 /// Converts a recipe to a declaration. Runs share the cache's views of the room at rest.
-ScenarioDeclaration declared(ScenarioRecipe recipe, std::shared_ptr<simulation::ViewCache> cache);
+ScenarioDeclaration declareScenario(ScenarioRecipe recipe,
+                                    std::shared_ptr<simulation::ViewCache> cache);
 
 /// Adds a pink ball as a target ("ball 1", "ball 2", ...).
 void addTarget(ScenarioDraft& draft, simulation::Path path, double radius = kBallRadius);

@@ -5,7 +5,7 @@
 
 namespace dewpoint::experiment::scenarios {
 
-Eigen::Vector3d RoundPath::operator()(double time) const {
+Eigen::Vector3d LissajousPath::operator()(double time) const {
   const double angle = kFullTurn * time / period;
   return center + Eigen::Vector3d(extent.x() * std::sin(angle + phase.x()),
                                   extent.y() * std::sin(2.0 * angle + phase.y()),
@@ -49,20 +49,21 @@ bool isOutlineShown(const simulation::RoomView& view, const Eigen::Vector3d& cen
 
 } // namespace
 
-bool fullyVisible(const simulation::RoomView& view, const Eigen::Vector3d& center, double radius) {
+bool isFullyVisible(const simulation::RoomView& view, const Eigen::Vector3d& center,
+                    double radius) {
   return isOutlineShown(view, center, radius, [&](int column, int row, double distance) {
     // What lies beside a ball on the desk may be a little nearer than its middle.
     return view.distances[view.index(column, row)] >= distance - 0.5 * radius;
   });
 }
 
-bool withinImage(const simulation::RoomView& view, const Eigen::Vector3d& center, double radius) {
+bool isWithinImage(const simulation::RoomView& view, const Eigen::Vector3d& center, double radius) {
   return isOutlineShown(view, center, radius, [](int, int, double) { return true; });
 }
 
-bool fullyVisible(const simulation::Stage& stage, const Eigen::Vector3d& center, double radius) {
+bool isFullyVisible(const simulation::Stage& stage, const Eigen::Vector3d& center, double radius) {
   for (const auto& view : stage.views) {
-    if (!fullyVisible(*view, center, radius)) {
+    if (!isFullyVisible(*view, center, radius)) {
       return false;
     }
   }
@@ -71,15 +72,15 @@ bool fullyVisible(const simulation::Stage& stage, const Eigen::Vector3d& center,
 
 bool staysVisible(const ScenarioDraft& draft, const simulation::Path& path, double radius) {
   for (std::int64_t frame = 0; frame < draft.frameCount; ++frame) {
-    if (!fullyVisible(draft.stage, path(draft.timeOf(frame)), radius)) {
+    if (!isFullyVisible(draft.stage, path(draft.timeOf(frame)), radius)) {
       return false;
     }
   }
   return true;
 }
 
-bool apart(const simulation::RoomView& view, const Eigen::Vector3d& one, double oneRadius,
-           const Eigen::Vector3d& other, double otherRadius, double gap) {
+bool areSeparated(const simulation::RoomView& view, const Eigen::Vector3d& one, double oneRadius,
+                  const Eigen::Vector3d& other, double otherRadius, double gap) {
   const Eigen::Vector3d eye = view.center.cast<double>();
   const Eigen::Vector3d toOne = one - eye;
   const Eigen::Vector3d toOther = other - eye;
@@ -91,16 +92,16 @@ bool apart(const simulation::RoomView& view, const Eigen::Vector3d& one, double 
          std::asin(oneRadius / toOne.norm()) + std::asin(otherRadius / toOther.norm()) + gap;
 }
 
-std::optional<RoundPath> drawDeskPath(ScenarioDraft& draft, bool fast, double radius) {
+std::optional<LissajousPath> randomDeskPath(ScenarioDraft& draft, bool fast, double radius) {
   /// Half size of a path, meters: about what both cameras of the demo rig show.
   const Eigen::Vector3d kExtent{0.11, 0.08, 0.05};
-  Draws& draws = draft.draws;
-  for (int i = 0; i < kMostDraws; ++i) {
-    RoundPath path;
-    path.center = draws.inBox(kPathLow, kPathHigh);
+  RandomDraws& draws = draft.draws;
+  for (int i = 0; i < kMaxDrawAttempts; ++i) {
+    LissajousPath path;
+    path.center = draws.pointInBox(kPathLow, kPathHigh);
     path.extent = draft.pathScale * draws.uniform(0.8, 1.1) * kExtent;
-    path.phase = draws.inBox(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(kFullTurn));
-    path.period = fast ? kFastRound : kSlowRound;
+    path.phase = draws.pointInBox(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(kFullTurn));
+    path.period = fast ? kFastPathPeriod : kSlowPathPeriod;
     if (staysVisible(draft, path, radius)) {
       return path;
     }
@@ -110,7 +111,7 @@ std::optional<RoundPath> drawDeskPath(ScenarioDraft& draft, bool fast, double ra
 
 bool addDeskBall(ScenarioDraft& draft, std::int64_t frames, bool fast) {
   draft.frameCount = frames;
-  const auto path = drawDeskPath(draft, fast);
+  const auto path = randomDeskPath(draft, fast);
   if (!path) {
     return false;
   }

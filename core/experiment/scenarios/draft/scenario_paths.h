@@ -6,14 +6,14 @@
 namespace dewpoint::experiment::scenarios {
 
 /// Number of attempts to draw a position before a scenario gives up. Chosen to take about a second.
-inline constexpr int kMostDraws = 4000;
+inline constexpr int kMaxDrawAttempts = 4000;
 /// Number of attempts to draw a whole layout before a scenario gives up. It is small because each
 /// layout requires many positions.
-inline constexpr int kMostLayouts = 50;
+inline constexpr int kMaxLayoutAttempts = 50;
 
-/// Number of frames in a run: 6 s at simulation::kUsualFrameRate, which is one round of the smooth
-/// path.
-inline constexpr std::int64_t kUsualFrames = 180;
+/// Number of frames in a run: 6 s at simulation::kDefaultFrameRate, which is one round of the
+/// smooth path.
+inline constexpr std::int64_t kDefaultFrameCount = 180;
 
 /// Bounds for the center of a ball's path on the desk, world, meters. They are chosen so that both
 /// cameras of the demo rig see most paths completely.
@@ -22,38 +22,39 @@ inline const Eigen::Vector3d kPathHigh{0.56, 0.58, 0.18};
 
 /// Duration of one round of the smooth path (0.1 to 0.3 m/s) and of the fast path (five times as
 /// fast), seconds.
-inline constexpr double kSlowRound = 6.0;
-inline constexpr double kFastRound = 1.2;
+inline constexpr double kSlowPathPeriod = 6.0;
+inline constexpr double kFastPathPeriod = 1.2;
 
 /// Closed path: center + extent .* (sin a, sin 2a, sin 3a), with a separate phase per axis. One
 /// round takes `period` seconds.
-struct RoundPath {
+struct LissajousPath {
   Eigen::Vector3d center = Eigen::Vector3d::Zero(); ///< meters
   Eigen::Vector3d extent = Eigen::Vector3d::Zero(); ///< meters
   Eigen::Vector3d phase = Eigen::Vector3d::Zero();  ///< radians
-  double period = kSlowRound;                       ///< seconds
+  double period = kSlowPathPeriod;                  ///< seconds
   Eigen::Vector3d operator()(double time) const;
 };
 
 /// Returns whether the sphere's whole outline is inside the camera's image and no object at rest
 /// hides it. World frame, meters.
-bool fullyVisible(const simulation::RoomView& view, const Eigen::Vector3d& center, double radius);
+bool isFullyVisible(const simulation::RoomView& view, const Eigen::Vector3d& center, double radius);
 /// Returns whether the sphere's whole outline is inside the camera's image, even if the sphere is
 /// hidden.
-bool withinImage(const simulation::RoomView& view, const Eigen::Vector3d& center, double radius);
+bool isWithinImage(const simulation::RoomView& view, const Eigen::Vector3d& center, double radius);
 /// Returns whether the sphere is fully visible in every camera.
-bool fullyVisible(const simulation::Stage& stage, const Eigen::Vector3d& center, double radius);
+bool isFullyVisible(const simulation::Stage& stage, const Eigen::Vector3d& center, double radius);
 /// Returns whether the sphere is fully visible in every frame of the draft.
 bool staysVisible(const ScenarioDraft& draft, const simulation::Path& path, double radius);
 
 /// Returns whether the outlines of two spheres are separated in the camera's image by more than
 /// `gap` radians.
-bool apart(const simulation::RoomView& view, const Eigen::Vector3d& one, double oneRadius,
-           const Eigen::Vector3d& other, double otherRadius, double gap = 0.0);
+bool areSeparated(const simulation::RoomView& view, const Eigen::Vector3d& one, double oneRadius,
+                  const Eigen::Vector3d& other, double otherRadius, double gap = 0.0);
 
 /// Draws a path on the desk that stays inside all images. If `fast` is set, a round takes
-/// kFastRound.
-std::optional<RoundPath> drawDeskPath(ScenarioDraft& draft, bool fast, double radius = kBallRadius);
+/// kFastPathPeriod.
+std::optional<LissajousPath> randomDeskPath(ScenarioDraft& draft, bool fast,
+                                            double radius = kBallRadius);
 
 /// Adds one target ball on a desk path for `frames` frames, and starts the search near it. Returns
 /// false if no path was found.

@@ -44,7 +44,7 @@ void addUnevenLight(const SensingFaults& faults, simulation::Stage& stage) {
 
 } // namespace
 
-Camera miscalibrated(Camera camera, const CalibrationError& error, Draws& draws) {
+Camera miscalibrated(Camera camera, const CalibrationError& error, RandomDraws& draws) {
   if (error == CalibrationError{}) {
     return camera;
   }
@@ -73,7 +73,7 @@ SensingFaults noFaults(const ScenarioDraft& draft) {
   return faults;
 }
 
-CameraRig applyFaults(const SensingFaults& faults, ScenarioDraft& draft, Draws& draws) {
+CameraRig applyFaults(const SensingFaults& faults, ScenarioDraft& draft, RandomDraws& draws) {
   draft.stage.illumination = faults.illumination;
   simulation::prepareLight(draft.stage);
   addUnevenLight(faults, draft.stage);

@@ -23,7 +23,7 @@ struct CalibrationError {
 };
 
 /// Returns the camera calibration that methods receive: the true one with random errors.
-Camera miscalibrated(Camera camera, const CalibrationError& error, Draws& draws);
+Camera miscalibrated(Camera camera, const CalibrationError& error, RandomDraws& draws);
 
 /// Uneven light over an image, as fractions of the light in the center.
 struct UnevenLight {
@@ -55,6 +55,6 @@ SensingFaults noFaults(const ScenarioDraft& draft);
 
 /// Applies the faults to the draft's stage and time stamps. Returns the calibration that methods
 /// receive, with errors drawn from `draws`.
-CameraRig applyFaults(const SensingFaults& faults, ScenarioDraft& draft, Draws& draws);
+CameraRig applyFaults(const SensingFaults& faults, ScenarioDraft& draft, RandomDraws& draws);
 
 } // namespace dewpoint::experiment::scenarios

@@ -29,7 +29,7 @@ constexpr double kAside = 0.6;       ///< least distance of people who do not me
 constexpr double kBodyRadius = 0.25; ///< of the circle on the floor that somebody needs
 
 /// A point in the middle of the office.
-Vector2d drawPoint(Draws& draws) {
+Vector2d drawPoint(RandomDraws& draws) {
   const double x = draws.uniform(-1.5, 1.5);
   return {x, draws.uniform(-2.3, 2.3)};
 }
@@ -47,7 +47,7 @@ bool isWalkableLine(const Vector2d& from, const Vector2d& to) {
 constexpr int kTries = 50; ///< for a next point that can be reached in a straight line
 
 /// A point of drawPoint() that can be reached; any point when none is found.
-Vector2d drawReachable(const Vector2d& from, Draws& draws) {
+Vector2d drawReachable(const Vector2d& from, RandomDraws& draws) {
   Vector2d next = drawPoint(draws);
   for (int k = 0; k < kTries && !isWalkableLine(from, next); ++k) {
     next = drawPoint(draws);
@@ -56,7 +56,7 @@ Vector2d drawReachable(const Vector2d& from, Draws& draws) {
 }
 
 /// A point that can be reached, 1 to 1.5 m away in about the direction of `angle` (radians).
-Vector2d drawReachable(const Vector2d& from, double angle, Draws& draws) {
+Vector2d drawReachable(const Vector2d& from, double angle, RandomDraws& draws) {
   constexpr double kSpread = 1.2; // radians to either side
   Vector2d next = from;
   for (int k = 0; k <= kTries && (k == 0 || !isWalkableLine(from, next)); ++k) {
@@ -91,7 +91,7 @@ void stay(Walker& walker, double seconds) {
 /// Whether nobody comes nearer to somebody else than `least`.
 bool keepApart(const PeopleScenario& scenario, double least) {
   const auto& people = scenario.scene.people;
-  for (double time = kAppear; time < scenario.after; time += kCheckStep) {
+  for (double time = kAppearTime; time < scenario.after; time += kCheckStep) {
     for (std::size_t a = 0; a < people.size(); ++a) {
       for (std::size_t b = 0; b < a; ++b) {
         if ((people[a].position(time) - people[b].position(time)).norm() < least) {
@@ -105,7 +105,7 @@ bool keepApart(const PeopleScenario& scenario, double least) {
 
 /// Whether somebody keeps off a circle on the floor.
 bool keepsOff(const Walker& walker, const Vector2d& center, double radius, double until) {
-  for (double time = kAppear; time < until; time += kCheckStep) {
+  for (double time = kAppearTime; time < until; time += kCheckStep) {
     if ((walker.position(time) - center).norm() < radius) {
       return false;
     }
@@ -113,28 +113,28 @@ bool keepsOff(const Walker& walker, const Vector2d& center, double radius, doubl
   return true;
 }
 
-void addStrolls(PeopleScenario& scenario, int count, Draws& draws) {
+void addStrolls(PeopleScenario& scenario, int count, RandomDraws& draws) {
   constexpr int kLegs = 2; // straight ways of each
   for (int k = 0; k < count; ++k) {
     Walker walker = numberedWalker(k + 1);
     const double pace = draws.uniform(kLeastPace, kMostPace);
-    walker.way.push_back({kAppear, drawPoint(draws)});
+    walker.way.push_back({kAppearTime, drawPoint(draws)});
     for (int leg = 0; leg < kLegs; ++leg) {
       const Vector2d next = drawReachable(walker.way.back().position, draws);
       scenario.after = std::max(scenario.after, walkTo(walker, next, pace));
     }
     scenario.scene.people.push_back(std::move(walker));
   }
-  scenario.before = kAppear + 1.0;
+  scenario.before = kAppearTime + 1.0;
   scenario.after = std::max(scenario.after, scenario.before + 2.0);
 }
 
 /// Walks to a point, takes a posture there, rises and walks on.
-Walker pausing(int number, Posture posture, const Vector2d& at, double rest, Draws& draws) {
+Walker pausing(int number, Posture posture, const Vector2d& at, double rest, RandomDraws& draws) {
   Walker walker = numberedWalker(number);
   const double pace = draws.uniform(kLeastPace, kMostPace);
   const double angle = draws.uniform(0.0, kFullTurn); // that the person faces
-  walker.way.push_back({kAppear, drawReachable(at, angle + std::numbers::pi, draws)});
+  walker.way.push_back({kAppearTime, drawReachable(at, angle + std::numbers::pi, draws)});
   // A moment to stand still before and after: ways have rounded corners.
   constexpr double kStand = 0.3;
   const double down = walkTo(walker, at, pace) + kStand;
@@ -148,7 +148,8 @@ Walker pausing(int number, Posture posture, const Vector2d& at, double rest, Dra
 constexpr double kGlide = 1.0; ///< seconds in which furniture is moved
 
 /// A piece of furniture that glides from one drawn point to another, from `since` on.
-void addMoved(PeopleScenario& scenario, MovableFurniture furniture, double since, Draws& draws) {
+void addMoved(PeopleScenario& scenario, MovableFurniture furniture, double since,
+              RandomDraws& draws) {
   const Vector2d from = drawPoint(draws);
   const double yaw = draws.uniform(0.0, kFullTurn);
   const double distance = draws.uniform(0.8, 1.5);
@@ -159,15 +160,15 @@ void addMoved(PeopleScenario& scenario, MovableFurniture furniture, double since
 
 } // namespace
 
-void drawStrolls(PeopleScenario& scenario, Draws& draws) {
+void addStrollingPeople(PeopleScenario& scenario, RandomDraws& draws) {
   addStrolls(scenario, 3, draws);
 }
 
-bool strollsPossible(const PeopleScenario& scenario) {
+bool isStrollPossible(const PeopleScenario& scenario) {
   return std::ranges::all_of(scenario.scene.people, isWalkableWay) && keepApart(scenario, kAside);
 }
 
-void giveHeights(PeopleScenario& scenario, PeopleClothes /*clothes*/, Draws& draws) {
+void setVariedHeights(PeopleScenario& scenario, PeopleClothes /*clothes*/, RandomDraws& draws) {
   // Meters: a child of 2 to 8, a child of 8 to 13 or a small adult, a tall adult.
   static constexpr std::array<std::array<double, 2>, 3> kRanges{
       {{0.9, 1.3}, {1.3, 1.6}, {1.88, 2.0}}};
@@ -176,7 +177,7 @@ void giveHeights(PeopleScenario& scenario, PeopleClothes /*clothes*/, Draws& dra
   }
 }
 
-void drawSitting(PeopleScenario& scenario, Draws& draws) {
+void addSittingPeople(PeopleScenario& scenario, RandomDraws& draws) {
   constexpr double kLeastRest = 2.0; // of somebody who sits; half of it and more of who crouches
   constexpr double kMostRest = 3.5;
   auto& people = scenario.scene.people;
@@ -187,7 +188,7 @@ void drawSitting(PeopleScenario& scenario, Draws& draws) {
   people.push_back(
       pausing(2, Posture::Crouching, floor, draws.uniform(0.5 * kLeastRest, kLeastRest), draws));
   Walker passer = numberedWalker(3);
-  passer.way.push_back({kAppear, drawPoint(draws)});
+  passer.way.push_back({kAppearTime, drawPoint(draws)});
   const double pace = draws.uniform(kLeastPace, kMostPace);
   walkTo(passer, drawReachable(passer.way.back().position, draws), pace);
   walkTo(passer, drawReachable(passer.way.back().position, draws), pace);
@@ -195,10 +196,10 @@ void drawSitting(PeopleScenario& scenario, Draws& draws) {
   for (const Walker& walker : people) {
     scenario.after = std::max(scenario.after, walker.way.back().time);
   }
-  scenario.before = kAppear + 1.0; // all stand or walk until then
+  scenario.before = kAppearTime + 1.0; // all stand or walk until then
 }
 
-bool sittingPossible(const PeopleScenario& scenario) {
+bool isSittingPossible(const PeopleScenario& scenario) {
   constexpr double kLegroom = 0.8; // nobody walks over the feet of somebody who sits
   const auto& people = scenario.scene.people;
   const Vector2d stool = people.front().way.at(1).position;
@@ -207,24 +208,24 @@ bool sittingPossible(const PeopleScenario& scenario) {
          keepsOff(people.at(2), stool, kLegroom, scenario.after);
 }
 
-void giveStool(PeopleScenario& scenario, PeopleClothes /*clothes*/, Draws& /*draws*/) {
+void addStool(PeopleScenario& scenario, PeopleClothes /*clothes*/, RandomDraws& /*draws*/) {
   const Walker& sitter = scenario.scene.people.front();
   MovableFurniture stool = simulation::makeStool(simulation::seatHeight(sitter.height));
   stool.way = {{0.0, sitter.way.at(1).position, 0.0}};
   scenario.scene.furniture.push_back(std::move(stool));
 }
 
-void giveLoads(PeopleScenario& scenario, PeopleClothes /*clothes*/, Draws& draws) {
-  using simulation::Load;
-  Load box;
+void addCarriedObjects(PeopleScenario& scenario, PeopleClothes /*clothes*/, RandomDraws& draws) {
+  using simulation::CarriedObject;
+  CarriedObject box;
   const auto half = [&](double least, double most) {
     return static_cast<float>(0.5 * draws.uniform(least, most));
   };
   const float boxDepth = half(0.25, 0.4);
   const float boxWidth = half(0.3, 0.5);
   box.halfSize = {boxDepth, boxWidth, half(0.2, 0.4)};
-  Load bag;
-  bag.kind = Load::Kind::Bag;
+  CarriedObject bag;
+  bag.kind = CarriedObject::Kind::Bag;
   const float bagLength = half(0.3, 0.5);
   bag.halfSize = {bagLength, half(0.12, 0.2), half(0.25, 0.4)};
   bag.color = rgb(52, 50, 58);
@@ -232,26 +233,26 @@ void giveLoads(PeopleScenario& scenario, PeopleClothes /*clothes*/, Draws& draws
   scenario.scene.people.at(1).load = bag;
 }
 
-void drawCrowd(PeopleScenario& scenario, Draws& draws) {
+void addCrowd(PeopleScenario& scenario, RandomDraws& draws) {
   constexpr int kFewest = 5; // people; chosen: as many as find room to walk in the office
   constexpr int kMost = 8;
   constexpr double kMillSeconds = 12.0;
-  const int count = draws.whole(kFewest, kMost);
+  const int count = draws.integer(kFewest, kMost);
   for (int k = 0; k < count; ++k) {
     Walker walker = numberedWalker(k + 1);
     const double pace = draws.uniform(kLeastPace, kMostPace);
-    walker.way.push_back({kAppear, drawPoint(draws)});
-    while (walker.way.back().time < kAppear + kMillSeconds) {
+    walker.way.push_back({kAppearTime, drawPoint(draws)});
+    while (walker.way.back().time < kAppearTime + kMillSeconds) {
       walkTo(walker, drawReachable(walker.way.back().position, draws), pace);
       stay(walker, draws.uniform(0.2, 1.0));
     }
     scenario.scene.people.push_back(std::move(walker));
   }
-  scenario.before = kAppear + 1.0;
-  scenario.after = kAppear + kMillSeconds;
+  scenario.before = kAppearTime + 1.0;
+  scenario.after = kAppearTime + kMillSeconds;
 }
 
-bool crowdPossible(const PeopleScenario& scenario) {
+bool isCrowdPossible(const PeopleScenario& scenario) {
   const auto& people = scenario.scene.people;
   for (std::size_t a = 0; a < people.size(); ++a) {
     for (std::size_t b = 0; b < a; ++b) {
@@ -263,24 +264,24 @@ bool crowdPossible(const PeopleScenario& scenario) {
   return std::ranges::all_of(people, isWalkableWay);
 }
 
-void giveCrowdHeights(PeopleScenario& scenario, PeopleClothes /*clothes*/, Draws& draws) {
+void setCrowdHeights(PeopleScenario& scenario, PeopleClothes /*clothes*/, RandomDraws& draws) {
   for (Walker& person : scenario.scene.people) {
     person.height = draws.uniform(1.5, 2.0); // adults
   }
 }
 
-void takeCameras(PeopleScenario& scenario, PeopleClothes /*clothes*/, Draws& draws) {
+void keepTwoCameras(PeopleScenario& scenario, PeopleClothes /*clothes*/, RandomDraws& draws) {
   CameraRig& rig = scenario.scene.cameras;
   const auto last = static_cast<int>(rig.size()) - 1;
-  const int one = draws.whole(0, last);
-  const int other = (one + draws.whole(1, last)) % (last + 1);
+  const int one = draws.integer(0, last);
+  const int other = (one + draws.integer(1, last)) % (last + 1);
   rig = {rig[static_cast<std::size_t>(std::min(one, other))],
          rig[static_cast<std::size_t>(std::max(one, other))]};
 }
 
-void drawMovedFurniture(PeopleScenario& scenario, Draws& draws) {
+void addPeopleAndMovedFurniture(PeopleScenario& scenario, RandomDraws& draws) {
   addStrolls(scenario, 2, draws);
-  const double since = kAppear + draws.uniform(0.8, 1.8);
+  const double since = kAppearTime + draws.uniform(0.8, 1.8);
   addMoved(scenario, simulation::makeCabinet({0.25F, 0.2F, 0.45F}, rgb(120, 96, 78)), since, draws);
   addMoved(scenario, simulation::makeStool(simulation::seatHeight(simulation::kReferenceHeight)),
            since, draws);
@@ -288,10 +289,10 @@ void drawMovedFurniture(PeopleScenario& scenario, Draws& draws) {
   scenario.after = std::max(scenario.after, since + kGlide) + 1.0;
 }
 
-bool movedFurniturePossible(const PeopleScenario& scenario) {
+bool isMovedFurniturePossible(const PeopleScenario& scenario) {
   const MovableFurniture& first = scenario.scene.furniture.front();
   const MovableFurniture& second = scenario.scene.furniture.back();
-  for (double time = kAppear; time < scenario.after; time += kCheckStep) {
+  for (double time = kAppearTime; time < scenario.after; time += kCheckStep) {
     if ((first.at(time).position - second.at(time).position).norm() < first.reach + second.reach) {
       return false;
     }
@@ -312,7 +313,7 @@ bool movedFurniturePossible(const PeopleScenario& scenario) {
       }
     }
   }
-  return strollsPossible(scenario);
+  return isStrollPossible(scenario);
 }
 
 } // namespace dewpoint::experiment

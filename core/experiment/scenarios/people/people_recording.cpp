@@ -20,7 +20,7 @@ constexpr std::uint32_t kOfficeNoisePart = 0x0FF1CE;
 /// (1.1 m), for which GradeModel says how exact a calibration is: what is measured by hand there is
 /// as many times less exact.
 constexpr double kDesksAcross = 4.5;
-/// Of further lamps from the middle of the office, meters: before its walls (kOfficeHalf).
+/// Of further lamps from the middle of the office, meters: before its walls (kOfficeHalfSize).
 constexpr double kOfficeLampDistance = 3.2;
 /// Above the middle of the floor, meters: what the cameras look at, and what lamps are set against.
 const Eigen::Vector3d kOfficeMiddle{0.0, 0.0, 0.8};
@@ -39,14 +39,14 @@ FrameSetPtr idealFrames(const OfficeRenderer& renderer, std::int64_t frame) {
 scenarios::SensingFaults officeFaults(const ScenarioDraft& draft,
                                       const simulation::Vector3f& lamp) {
   const scenarios::GradeModel& model = scenarios::gradeModel(draft.grade);
-  Draws draws(draft.seed, draft.name + " " + model.name);
+  RandomDraws draws(draft.seed, draft.name + " " + model.name);
   scenarios::FaultContext context;
   context.cameras = draft.rig.size();
   context.seconds = draft.timeOf(draft.frameCount);
   context.framesPerSecond = draft.framesPerSecond;
   context.targetStart = kOfficeMiddle;
   context.lampDistance = kOfficeLampDistance;
-  scenarios::SensingFaults faults = scenarios::drawFaults(model, context, draws);
+  scenarios::SensingFaults faults = scenarios::randomFaults(model, context, draws);
   faults.illumination.lamp = lamp;
   for (scenarios::CameraFaults& camera : faults.cameras) {
     camera.calibration.position *= kDesksAcross;
@@ -59,9 +59,9 @@ simulation::Vector3f placeCameras(const std::string& name, PeopleRecording& reco
                                   simulation::ViewCache& views) {
   OfficeScene& scene = recording.scene;
   if (recording.grade == Grade::Wild) {
-    Draws draws(scene.seed, name + " office");
+    RandomDraws draws(scene.seed, name + " office");
     WildOffice office = wildOffice(scene, draws);
-    scenarios::drawLenses(recording.grade, office.rig, draws);
+    scenarios::setRandomLenses(recording.grade, office.rig, draws);
     scene.cameras = office.rig;
     const simulation::Room room(simulation::Furnishing::Office, office.design);
     for (const Camera& camera : scene.cameras) {
@@ -70,8 +70,8 @@ simulation::Vector3f placeCameras(const std::string& name, PeopleRecording& reco
     }
     return room.lamp();
   }
-  Draws lenses(scene.seed, name + " lenses");
-  scenarios::drawLenses(recording.grade, scene.cameras, lenses);
+  RandomDraws lenses(scene.seed, name + " lenses");
+  scenarios::setRandomLenses(recording.grade, scene.cameras, lenses);
   for (const Camera& camera : scene.cameras) {
     recording.views.push_back(views.view(camera, simulation::Furnishing::Office));
   }
@@ -80,7 +80,8 @@ simulation::Vector3f placeCameras(const std::string& name, PeopleRecording& reco
 
 ScenarioDraft draftOf(const std::string& name, const PeopleRecording& recording) {
   const OfficeScene& scene = recording.scene;
-  ScenarioDraft draft{name, recording.grade, scene.seed, Draws(scene.seed, name), scene.cameras};
+  ScenarioDraft draft{name, recording.grade, scene.seed, RandomDraws(scene.seed, name),
+                      scene.cameras};
   draft.framesPerSecond = scene.framesPerSecond;
   draft.frameCount = scene.frameCount;
   draft.stage.seed = derivedSeed(scene.seed, hashOf(name) ^ kOfficeNoisePart);
@@ -108,7 +109,7 @@ PeopleRecording recordPeople(const std::string& name, OfficeScene scene, Grade g
     return recording;
   }
   ScenarioDraft draft = draftOf(drawn, recording);
-  Draws errors(recording.scene.seed, drawn + " calibration");
+  RandomDraws errors(recording.scene.seed, drawn + " calibration");
   recording.rig = scenarios::applyFaults(officeFaults(draft, lamp), draft, errors);
   const auto shared = std::make_shared<const ScenarioDraft>(std::move(draft));
   recording.frames = [shared](std::int64_t frame) { return frameSetOf(*shared, frame); };

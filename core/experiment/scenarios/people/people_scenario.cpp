@@ -13,31 +13,31 @@ namespace dewpoint::experiment {
 namespace {
 
 /// Draws of ways before a scenario gives up; chosen.
-constexpr int kMostDraws = 2000;
+constexpr int kMaxDrawAttempts = 2000;
 
 // Distances between the middles of two people, meters; chosen, as the paper states none: an adult
 // here is 0.5 m wide and 0.25 m deep.
-constexpr Gap kCrossing{0.45, 0.6}; ///< shoulder by shoulder
-constexpr Gap kMeeting{0.5, 0.65};  ///< to talk
-constexpr Gap kCarrying{0.6, 0.75}; ///< with a box or a bag between them
-constexpr Gap kContact{0.15, 0.28}; ///< an embrace: the bodies touch
+constexpr DistanceRange kCrossing{0.45, 0.6}; ///< shoulder by shoulder
+constexpr DistanceRange kMeeting{0.5, 0.65};  ///< to talk
+constexpr DistanceRange kCarrying{0.6, 0.75}; ///< with a box or a bag between them
+constexpr DistanceRange kContact{0.15, 0.28}; ///< an embrace: the bodies touch
 
-void cross(PeopleScenario& scenario, Draws& draws) {
-  crossWays(scenario, kCrossing, draws);
+void cross(PeopleScenario& scenario, RandomDraws& draws) {
+  addCrossingPeople(scenario, kCrossing, draws);
 }
-void meet(PeopleScenario& scenario, Draws& draws) {
-  meetWays(scenario, kMeeting, draws);
+void meet(PeopleScenario& scenario, RandomDraws& draws) {
+  addMeetingPeople(scenario, kMeeting, draws);
 }
-void crossWithLoads(PeopleScenario& scenario, Draws& draws) {
-  crossWays(scenario, kCarrying, draws);
+void crossWithLoads(PeopleScenario& scenario, RandomDraws& draws) {
+  addCrossingPeople(scenario, kCarrying, draws);
 }
-void touch(PeopleScenario& scenario, Draws& draws) {
-  meetWays(scenario, kContact, draws);
+void touch(PeopleScenario& scenario, RandomDraws& draws) {
+  addMeetingPeople(scenario, kContact, draws);
 }
 
 bool waypointsWalkable(const PeopleScenario& scenario) {
   return std::ranges::all_of(scenario.scene.people,
-                             [](const simulation::Walker& walker) { return isWalkable(walker); });
+                             [](const simulation::Walker& walker) { return isPathFree(walker); });
 }
 
 /// Nobody comes nearer than people who walk past each other.
@@ -61,9 +61,9 @@ bool visitPossible(const PeopleScenario& scenario) {
 struct Recipe {
   std::string name;
   std::string sentence;
-  void (*draw)(PeopleScenario&, Draws&);
+  void (*draw)(PeopleScenario&, RandomDraws&);
   bool (*possible)(const PeopleScenario&) = waypointsWalkable;
-  void (*finish)(PeopleScenario&, PeopleClothes, Draws&) = nullptr;
+  void (*finish)(PeopleScenario&, PeopleClothes, RandomDraws&) = nullptr;
   bool ofPaper = false; ///< a scene of Mohedano et al. 2009
 };
 
@@ -74,24 +74,24 @@ const std::vector<Recipe>& recipes() {
       {"meet-and-turn", "Two people come within 0.5 to 0.65 m, stand, and go back.", meet,
        waypointsWalkable, nullptr, true},
       {"side-by-side", "Two people walk side by side, 0.5 to 0.62 m apart, and part.",
-       accompanyWays, waypointsWalkable, nullptr, true},
-      {"enter-leave", "Three people come through doors, pass, and leave by others.", visitWays,
+       addAccompanyingPeople, waypointsWalkable, nullptr, true},
+      {"enter-leave", "Three people come through doors, pass, and leave by others.", addVisitors,
        visitPossible, nullptr, true},
-      {"apart", "Two people who stay far from each other.", apartWays, waypointsWalkable, nullptr,
-       true},
+      {"apart", "Two people who stay far from each other.", addDistantPeople, waypointsWalkable,
+       nullptr, true},
       {"heights", "A child of 0.9 to 1.3 m, one person of 1.3 to 1.6 m and one of 1.88 to 2 m.",
-       drawStrolls, strollsPossible, giveHeights},
+       addStrollingPeople, isStrollPossible, setVariedHeights},
       {"sitting", "One person sits down on a stool and rises, one crouches, one walks by.",
-       drawSitting, sittingPossible, giveStool},
+       addSittingPeople, isSittingPossible, addStool},
       {"carrying", "Two people walk past each other, one with a box in front, one with a bag.",
-       crossWithLoads, waypointsWalkable, giveLoads},
-      {"crowd", "Five to eight people mill about; their ways may touch and cross.", drawCrowd,
-       crowdPossible, giveCrowdHeights},
+       crossWithLoads, waypointsWalkable, addCarriedObjects},
+      {"crowd", "Five to eight people mill about; their ways may touch and cross.", addCrowd,
+       isCrowdPossible, setCrowdHeights},
       {"two-cameras", "Two people walk past each other, seen by two of the cameras only.", cross,
-       waypointsWalkable, takeCameras},
+       waypointsWalkable, keepTwoCameras},
       {"contact", "Two people come within 0.15 to 0.28 m, stand, and go back.", touch},
       {"furniture-moved", "A cabinet and a stool are moved after the background was learned.",
-       drawMovedFurniture, movedFurniturePossible},
+       addPeopleAndMovedFurniture, isMovedFurniturePossible},
       {"room-clothes", "Two people in clothes of the colors of the room walk past each other.",
        cross, waypointsWalkable, dressLikeTheRoom},
       {"patterned-clothes",
@@ -119,7 +119,7 @@ const std::vector<std::string>& peopleScenarioNames() {
   return names;
 }
 
-std::string peopleScenarioSentence(const std::string& name) {
+std::string peopleScenarioDescription(const std::string& name) {
   const Recipe* recipe = recipeNamed(name);
   return recipe == nullptr ? std::string() : recipe->sentence;
 }
@@ -135,8 +135,8 @@ Result<PeopleScenario> makePeopleScenario(const std::string& name, PeopleClothes
   if (recipe == nullptr) {
     return failure(ErrorCode::NotFound, "", "scenario", name);
   }
-  Draws draws(RandomStream(seed, 0, 0, RandomPurpose::Simulation));
-  for (int k = 0; k < kMostDraws; ++k) {
+  RandomDraws draws(RandomStream(seed, 0, 0, RandomPurpose::Simulation));
+  for (int k = 0; k < kMaxDrawAttempts; ++k) {
     PeopleScenario scenario;
     recipe->draw(scenario, draws);
     if (recipe->possible(scenario)) {

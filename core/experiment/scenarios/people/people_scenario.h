@@ -27,7 +27,7 @@ struct PeopleScenario {
 /// "furniture-moved", "room-clothes" and "patterned-clothes".
 const std::vector<std::string>& peopleScenarioNames();
 /// Describes what happens in a scenario, in one sentence.
-std::string peopleScenarioSentence(const std::string& name);
+std::string peopleScenarioDescription(const std::string& name);
 /// Returns whether a scenario is from Mohedano et al. 2009.
 bool isPeopleScenarioOfPaper(const std::string& name);
 /// Creates a scenario. NotFound for an unknown name; Undetermined if the seed yields no possible

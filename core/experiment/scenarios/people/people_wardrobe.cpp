@@ -28,7 +28,7 @@ Vector3f colorOf(double hue, double saturation, double value) {
 }
 
 /// Trousers: dark, or of the color of the floor, so that legs fall apart in the masks.
-Vector3f drawTrousers(Draws& draws) {
+Vector3f drawTrousers(RandomDraws& draws) {
   static const std::array<Vector3f, 4> kUsual{rgb(58, 62, 84), rgb(70, 66, 62), rgb(104, 92, 74),
                                               rgb(132, 122, 106)};
   return kUsual.at(static_cast<std::size_t>(draws.uniform(0.0, 4.0)));
@@ -36,15 +36,15 @@ Vector3f drawTrousers(Draws& draws) {
 
 /// Colors of the office in full light: walls, white and gray furniture, oak, partition, sofa,
 /// floor.
-Vector3f drawRoomColor(Draws& draws) {
+Vector3f drawRoomColor(RandomDraws& draws) {
   static const std::array<Vector3f, 7> kRoom{
       rgb(226, 219, 203), rgb(214, 212, 206), rgb(148, 152, 158), rgb(186, 138, 88),
       rgb(112, 132, 150), rgb(74, 98, 128),   rgb(82, 73, 60)};
   const auto last = static_cast<int>(kRoom.size()) - 1;
-  return kRoom.at(static_cast<std::size_t>(draws.whole(0, last)));
+  return kRoom.at(static_cast<std::size_t>(draws.integer(0, last)));
 }
 
-Vector3f drawOtherRoomColor(const Vector3f& than, Draws& draws) {
+Vector3f drawOtherRoomColor(const Vector3f& than, RandomDraws& draws) {
   Vector3f color = drawRoomColor(draws);
   while (color == than) {
     color = drawRoomColor(draws);
@@ -54,7 +54,7 @@ Vector3f drawOtherRoomColor(const Vector3f& than, Draws& draws) {
 
 } // namespace
 
-void dress(std::vector<Walker>& people, PeopleClothes clothes, Draws& draws) {
+void dress(std::vector<Walker>& people, PeopleClothes clothes, RandomDraws& draws) {
   double hue = draws.uniform(0.0, 360.0);
   const double saturation = draws.uniform(0.5, 0.75);
   const double value = draws.uniform(0.5, 0.8);
@@ -73,7 +73,7 @@ void dress(std::vector<Walker>& people, PeopleClothes clothes, Draws& draws) {
   }
 }
 
-void dressLikeTheRoom(PeopleScenario& scenario, PeopleClothes clothes, Draws& draws) {
+void dressLikeTheRoom(PeopleScenario& scenario, PeopleClothes clothes, RandomDraws& draws) {
   Vector3f shirt = drawRoomColor(draws);
   Vector3f trousers = drawRoomColor(draws);
   for (Walker& person : scenario.scene.people) {
@@ -86,14 +86,14 @@ void dressLikeTheRoom(PeopleScenario& scenario, PeopleClothes clothes, Draws& dr
   }
 }
 
-void dressInPatterns(PeopleScenario& scenario, PeopleClothes clothes, Draws& draws) {
+void dressInPatterns(PeopleScenario& scenario, PeopleClothes clothes, RandomDraws& draws) {
   static constexpr std::array<ClothPattern, 3> kPatterns{
       ClothPattern::Stripes, ClothPattern::Checks, ClothPattern::Blotches};
   std::vector<Walker>& people = scenario.scene.people;
   simulation::Cloth cloth;
   for (std::size_t k = 0; k < people.size(); ++k) {
     if (k == 0 || clothes == PeopleClothes::Different) {
-      cloth.pattern = kPatterns.at(static_cast<std::size_t>(draws.whole(0, 2)));
+      cloth.pattern = kPatterns.at(static_cast<std::size_t>(draws.integer(0, 2)));
       const double hue = draws.uniform(0.0, 360.0);
       const double saturation = draws.uniform(0.0, 0.7);
       cloth.second = colorOf(hue, saturation, draws.uniform(0.15, 0.95));

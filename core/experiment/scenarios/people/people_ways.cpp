@@ -27,7 +27,7 @@ bool isWalkable(const Vector2d& position) {
   return std::abs(x) < 2.6 && std::abs(y) < 2.6 && !desks && !partition;
 }
 
-bool isWalkable(const Walker& walker) {
+bool isPathFree(const Walker& walker) {
   return std::ranges::all_of(walker.way,
                              [](const Waypoint& point) { return isWalkable(point.position); });
 }
@@ -35,14 +35,15 @@ bool isWalkable(const Walker& walker) {
 Walker numberedWalker(int number) {
   Walker walker;
   walker.name = fmt::format("person {}", number);
-  walker.from = kAppear;
+  walker.from = kAppearTime;
   return walker;
 }
 
-void crossWays(PeopleScenario& scenario, const Gap& gapRange, Draws& draws) {
+void addCrossingPeople(PeopleScenario& scenario, const DistanceRange& gapRange,
+                       RandomDraws& draws) {
   constexpr double kHalf =
       2.1; // seconds from the beginning to the nearest point; chosen: 2 m of way
-  const double nearest = kAppear + kHalf;
+  const double nearest = kAppearTime + kHalf;
   const Vector2d middle(draws.uniform(-0.4, 0.4), draws.uniform(-0.4, 0.4));
   const double angle = draws.uniform(0.0, kFullTurn);
   const double turn = draws.uniform(1.2, std::numbers::pi);
@@ -55,27 +56,28 @@ void crossWays(PeopleScenario& scenario, const Gap& gapRange, Draws& draws) {
     Walker walker = numberedWalker(k + 1);
     const Vector2d position = middle + (k == 0 ? -0.5 : 0.5) * gap;
     const Vector2d& pace = velocity.at(static_cast<std::size_t>(k));
-    walker.way = {{kAppear, position - kHalf * pace}, {nearest + kHalf, position + kHalf * pace}};
+    walker.way = {{kAppearTime, position - kHalf * pace},
+                  {nearest + kHalf, position + kHalf * pace}};
     scenario.scene.people.push_back(walker);
   }
   scenario.before = nearest - 0.9;
   scenario.after = nearest + kHalf;
 }
 
-void meetWays(PeopleScenario& scenario, const Gap& gapRange, Draws& draws) {
+void addMeetingPeople(PeopleScenario& scenario, const DistanceRange& gapRange, RandomDraws& draws) {
   const Vector2d middle(draws.uniform(-0.4, 0.4), draws.uniform(-0.4, 0.4));
   const Vector2d line = headingVector(draws.uniform(0.0, kFullTurn));
   const double gap = draws.uniform(gapRange.least, gapRange.most);
   const double stay = draws.uniform(1.0, 2.0);
   const double reach = draws.uniform(1.6, 1.9);
-  const double arrive = kAppear + reach / draws.uniform(0.9, 1.1);
+  const double arrive = kAppearTime + reach / draws.uniform(0.9, 1.1);
   for (int k = 0; k < 2; ++k) {
     Walker walker = numberedWalker(k + 1);
     const Vector2d way = (k == 0 ? -1.0 : 1.0) * line;
     // Not quite the way they came.
     const double aside = draws.uniform(-0.4, 0.4);
     const Vector2d back = reach * (way + aside * Vector2d(-way.y(), way.x()));
-    walker.way = {{kAppear, middle + reach * way},
+    walker.way = {{kAppearTime, middle + reach * way},
                   {arrive, middle + 0.5 * gap * way},
                   {arrive + stay, middle + 0.5 * gap * way},
                   {arrive + stay + reach, middle + back}};
@@ -85,21 +87,21 @@ void meetWays(PeopleScenario& scenario, const Gap& gapRange, Draws& draws) {
   scenario.after = arrive + stay + reach;
 }
 
-void accompanyWays(PeopleScenario& scenario, Draws& draws) {
+void addAccompanyingPeople(PeopleScenario& scenario, RandomDraws& draws) {
   const Vector2d middle(draws.uniform(-0.3, 0.3), draws.uniform(-0.3, 0.3));
   const Vector2d along = headingVector(draws.uniform(0.0, kFullTurn));
   const Vector2d aside(-along.y(), along.x());
   const double gap = draws.uniform(0.5, 0.62);
   const double pace = draws.uniform(0.75, 0.95);
   const double together = 1.3; // meters before and after the middle
-  const double join = kAppear + 1.2;
+  const double join = kAppearTime + 1.2;
   const double part = join + 2.0 * together / pace;
   for (int k = 0; k < 2; ++k) {
     Walker walker = numberedWalker(k + 1);
     const double side = k == 0 ? -1.0 : 1.0;
     const Vector2d near = 0.5 * side * gap * aside;
     const Vector2d far = draws.uniform(0.9, 1.2) * side * aside;
-    walker.way = {{kAppear, middle - (together + 0.5) * along + far},
+    walker.way = {{kAppearTime, middle - (together + 0.5) * along + far},
                   {join, middle - together * along + near},
                   {part, middle + together * along + near},
                   {part + 1.3, middle + (together + 0.5) * along + far}};
@@ -109,26 +111,26 @@ void accompanyWays(PeopleScenario& scenario, Draws& draws) {
   scenario.after = part + 1.3;
 }
 
-void apartWays(PeopleScenario& scenario, Draws& draws) {
+void addDistantPeople(PeopleScenario& scenario, RandomDraws& draws) {
   for (int k = 0; k < 2; ++k) {
     Walker walker = numberedWalker(k + 1);
     const double side = k == 0 ? -1.0 : 1.0;
-    walker.way = {{kAppear, {draws.uniform(-1.2, 1.2), side * draws.uniform(1.2, 1.6)}},
-                  {kAppear + 4.0, {draws.uniform(-1.2, 1.2), side * draws.uniform(1.2, 1.6)}}};
+    walker.way = {{kAppearTime, {draws.uniform(-1.2, 1.2), side * draws.uniform(1.2, 1.6)}},
+                  {kAppearTime + 4.0, {draws.uniform(-1.2, 1.2), side * draws.uniform(1.2, 1.6)}}};
     scenario.scene.people.push_back(walker);
   }
-  scenario.before = kAppear + 1.0;
-  scenario.after = kAppear + 4.0;
+  scenario.before = kAppearTime + 1.0;
+  scenario.after = kAppearTime + 4.0;
 }
 
-void visitWays(PeopleScenario& scenario, Draws& draws) {
+void addVisitors(PeopleScenario& scenario, RandomDraws& draws) {
   // Outside and inside of the four doors.
   static const std::array<std::array<Vector2d, 2>, 4> kDoors{
       {{Vector2d(-4.2, 1.3), Vector2d(-2.2, 0.8)},
        {Vector2d(4.2, -1.3), Vector2d(2.2, -0.8)},
        {Vector2d(0.05, 4.2), Vector2d(0.1, 2.2)},
        {Vector2d(0.6, -4.2), Vector2d(0.5, -2.2)}}};
-  double start = kAppear;
+  double start = kAppearTime;
   std::size_t door = static_cast<std::size_t>(draws.uniform(0.0, 4.0));
   for (int k = 0; k < 3; ++k) {
     Walker walker = numberedWalker(k + 1);

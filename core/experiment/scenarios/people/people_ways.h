@@ -9,10 +9,10 @@
 namespace dewpoint::experiment {
 
 /// Time at which people appear, seconds. By then, the cameras have learned the background.
-inline constexpr double kAppear = 1.3;
+inline constexpr double kAppearTime = 1.3;
 
 /// Range of distances between two people, meters. The actual distance is drawn from it.
-struct Gap {
+struct DistanceRange {
   double least = 0.0;
   double most = 0.0;
 };
@@ -24,9 +24,9 @@ Eigen::Vector2d headingVector(double angle);
 /// and y, meters.
 bool isWalkable(const Eigen::Vector2d& position);
 /// Returns whether a person can stand at every waypoint of the walker.
-bool isWalkable(const simulation::Walker& walker);
+bool isPathFree(const simulation::Walker& walker);
 
-/// Creates the walker "person N", who is present from kAppear on.
+/// Creates the walker "person N", who is present from kAppearTime on.
 simulation::Walker numberedWalker(int number);
 
 // Each of the following functions adds people with their paths, and sets the times at which
@@ -34,15 +34,15 @@ simulation::Walker numberedWalker(int number);
 
 /// Adds two people who walk past each other. They are closest, at a distance within `gapRange`,
 /// when both are halfway.
-void crossWays(PeopleScenario& scenario, const Gap& gapRange, Draws& draws);
+void addCrossingPeople(PeopleScenario& scenario, const DistanceRange& gapRange, RandomDraws& draws);
 /// Adds two people who approach each other up to a distance within `gapRange`, stand there, and
 /// walk back.
-void meetWays(PeopleScenario& scenario, const Gap& gapRange, Draws& draws);
+void addMeetingPeople(PeopleScenario& scenario, const DistanceRange& gapRange, RandomDraws& draws);
 /// Adds two people who meet, walk side by side, and separate.
-void accompanyWays(PeopleScenario& scenario, Draws& draws);
+void addAccompanyingPeople(PeopleScenario& scenario, RandomDraws& draws);
 /// Adds two people who stay far from each other.
-void apartWays(PeopleScenario& scenario, Draws& draws);
+void addDistantPeople(PeopleScenario& scenario, RandomDraws& draws);
 /// Adds three people who enter through doors one after another and leave through other doors.
-void visitWays(PeopleScenario& scenario, Draws& draws);
+void addVisitors(PeopleScenario& scenario, RandomDraws& draws);
 
 } // namespace dewpoint::experiment

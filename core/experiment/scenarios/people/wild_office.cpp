@@ -15,7 +15,7 @@ using simulation::Vector3f;
 // What is in a room is chosen, unless a line says why: for offices as different as they are.
 
 /// Cameras and lamps are within this of the middle along x and y, meters: before the walls.
-constexpr double kMostAside = simulation::kOfficeHalf - 0.15;
+constexpr double kMostAside = simulation::kOfficeHalfSize - 0.15;
 /// Share of the posters that has the color of a shirt.
 constexpr double kLikeAShirt = 0.5;
 /// The darkest that a channel of a wall's paint is, and the range of other colors; gray levels.
@@ -23,7 +23,7 @@ constexpr double kDarkestPaint = 120.0;
 constexpr double kDarkestPoster = 25.0;
 constexpr double kLightest = 235.0;
 
-Camera putUpElsewhere(Camera camera, Draws& draws) {
+Camera putUpElsewhere(Camera camera, RandomDraws& draws) {
   constexpr double kMovedAside = 0.6; // meters along x and y, either way
   constexpr double kAim = 0.3;        // meters along each axis, either way
   constexpr double kRoll = 0.1;       // radians, either way
@@ -38,7 +38,7 @@ Camera putUpElsewhere(Camera camera, Draws& draws) {
   }
   center.z() = draws.uniform(kLowest, kHighest);
   const Eigen::Vector3d aim = Eigen::Vector3d::Constant(kAim);
-  const Eigen::Vector3d target = Eigen::Vector3d(0.0, 0.0, 0.8) + draws.inBox(-aim, aim);
+  const Eigen::Vector3d target = Eigen::Vector3d(0.0, 0.0, 0.8) + draws.pointInBox(-aim, aim);
   camera.cameraFromWorld =
       lookAt(center, target, Eigen::Vector3d::UnitZ(), draws.uniform(-kRoll, kRoll));
   const double focal = draws.uniform(kShortest, kLongest);
@@ -47,19 +47,19 @@ Camera putUpElsewhere(Camera camera, Draws& draws) {
   return camera;
 }
 
-Vector3f drawPosterColor(const OfficeScene& scene, Draws& draws) {
+Vector3f drawPosterColor(const OfficeScene& scene, RandomDraws& draws) {
   const bool shirt = draws.uniform(0.0, 1.0) < kLikeAShirt;
-  const Eigen::Vector3d other =
-      draws.inBox(Eigen::Vector3d::Constant(kDarkestPoster), Eigen::Vector3d::Constant(kLightest));
+  const Eigen::Vector3d other = draws.pointInBox(Eigen::Vector3d::Constant(kDarkestPoster),
+                                                 Eigen::Vector3d::Constant(kLightest));
   if (shirt && !scene.people.empty()) {
-    const int who = draws.whole(0, static_cast<int>(scene.people.size()) - 1);
+    const int who = draws.integer(0, static_cast<int>(scene.people.size()) - 1);
     return scene.people[static_cast<std::size_t>(who)].clothes.shirt;
   }
   return other.cast<float>();
 }
 
 /// A poster on each wall, flat upon it; sizes and positions in meters.
-void hangPosters(const OfficeScene& scene, Draws& draws, simulation::Furniture& furniture) {
+void hangPosters(const OfficeScene& scene, RandomDraws& draws, simulation::Furniture& furniture) {
   constexpr float kBefore = 0.02F; // its middle, from the wall
   constexpr float kThick = 0.01F;  // half of it
   for (const bool alongX : {true, false}) {
@@ -68,7 +68,7 @@ void hangPosters(const OfficeScene& scene, Draws& draws, simulation::Furniture& 
       const auto up = static_cast<float>(draws.uniform(1.2, 1.8));
       const auto wide = static_cast<float>(draws.uniform(0.2, 0.7));
       const auto tall = static_cast<float>(draws.uniform(0.2, 0.6));
-      const float wall = side * (simulation::kOfficeHalf - kBefore);
+      const float wall = side * (simulation::kOfficeHalfSize - kBefore);
       const Material paper{Pattern::Plain, drawPosterColor(scene, draws)};
       if (alongX) {
         furniture.add(Shape::Box, {along, wall, up}, {wide, kThick, tall}, paper);
@@ -81,17 +81,17 @@ void hangPosters(const OfficeScene& scene, Draws& draws, simulation::Furniture& 
 
 } // namespace
 
-WildOffice wildOffice(const OfficeScene& scene, Draws& draws) {
+WildOffice wildOffice(const OfficeScene& scene, RandomDraws& draws) {
   WildOffice office;
   for (const Camera& camera : scene.cameras) {
     office.rig.push_back(putUpElsewhere(camera, draws));
   }
   hangPosters(scene, draws, office.design.further);
-  const Eigen::Vector3d paint =
-      draws.inBox(Eigen::Vector3d::Constant(kDarkestPaint), Eigen::Vector3d::Constant(kLightest));
+  const Eigen::Vector3d paint = draws.pointInBox(Eigen::Vector3d::Constant(kDarkestPaint),
+                                                 Eigen::Vector3d::Constant(kLightest));
   office.design.walls = Material{Pattern::Plaster, paint.cast<float>()};
   // Above the heads, below the ceiling, over the part of the floor that people walk on.
-  const Eigen::Vector3d lamp = draws.inBox({-1.5, -1.5, 2.3}, {1.5, 1.5, 2.6});
+  const Eigen::Vector3d lamp = draws.pointInBox({-1.5, -1.5, 2.3}, {1.5, 1.5, 2.6});
   office.design.lamp = lamp.cast<float>();
   return office;
 }

@@ -14,17 +14,18 @@ double eased(double share) {
 
 } // namespace
 
-Eigen::Vector3d Excursion::operator()(double time) const {
+Eigen::Vector3d Detour::operator()(double time) const {
   const double away = eased((time - begin) / reach) * (1.0 - eased((time - holdEnd()) / reach));
   const double turned = eased((time - holdBegin()) / hold);
   return base(time) + away * ((1.0 - turned) * out + turned * back);
 }
 
-Showing showingOf(const simulation::RoomView& view, const Eigen::Vector3d& center, double radius) {
+Visibility visibilityOf(const simulation::RoomView& view, const Eigen::Vector3d& center,
+                        double radius) {
   if (view.boundsOfSphere(center, radius).empty()) {
-    return Showing::Nothing;
+    return Visibility::Nothing;
   }
-  return fullyVisible(view, center, radius) ? Showing::Whole : Showing::Part;
+  return isFullyVisible(view, center, radius) ? Visibility::Whole : Visibility::Part;
 }
 
 void addUnseenEvents(ScenarioDraft& draft,

@@ -11,8 +11,8 @@ namespace dewpoint::experiment::scenarios {
 
 /// Round path with a temporary detour. At `begin` seconds, the ball starts to move aside. It takes
 /// `reach` seconds to do so, stays aside for `hold` seconds, and returns within `reach` seconds.
-struct Excursion {
-  RoundPath base;
+struct Detour {
+  LissajousPath base;
   Eigen::Vector3d out = Eigen::Vector3d::Zero();  ///< offset when it has moved aside, meters
   Eigen::Vector3d back = Eigen::Vector3d::Zero(); ///< offset when it starts to return, meters
   double begin = 1.5;
@@ -26,9 +26,10 @@ struct Excursion {
 };
 
 /// Visibility of a ball in an image, given the image border and the objects at rest in the room.
-enum class Showing { Nothing, Part, Whole };
+enum class Visibility { Nothing, Part, Whole };
 /// Returns how much of a ball (world frame, meters) the image shows.
-Showing showingOf(const simulation::RoomView& view, const Eigen::Vector3d& center, double radius);
+Visibility visibilityOf(const simulation::RoomView& view, const Eigen::Vector3d& center,
+                        double radius);
 
 /// Adds the UnseenBegin and UnseenEnd events of each camera, according to `isSeen(camera, frame)`.
 /// Also adds events for all cameras together (camera -1) where no camera sees the target.

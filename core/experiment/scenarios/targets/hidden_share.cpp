@@ -19,7 +19,7 @@ bool isMet(const std::vector<simulation::MovingPart>& parts, const Eigen::Vector
   simulation::PartHit hit;
   hit.distance = static_cast<float>(limit);
   for (const simulation::MovingPart& part : parts) {
-    castPart(part, eye.cast<float>(), direction.cast<float>(), hit);
+    intersectPart(part, eye.cast<float>(), direction.cast<float>(), hit);
   }
   return hit.part != nullptr;
 }
@@ -37,8 +37,8 @@ double metShare(const Eigen::Vector3d& eye, const Eigen::Vector3d& center, doubl
   const Eigen::Vector3d down = axis.cross(right);
   const double outline = std::asin(radius / distance); // the disc's radius as an angle
   int met = 0;
-  for (int i = 0; i < kDiscPoints; ++i) {
-    const double angle = outline * std::sqrt((i + 0.5) / kDiscPoints);
+  for (int i = 0; i < kDiskPoints; ++i) {
+    const double angle = outline * std::sqrt((i + 0.5) / kDiskPoints);
     const double turn = kGoldenAngle * i;
     const Eigen::Vector3d aside = std::cos(turn) * right + std::sin(turn) * down;
     const Eigen::Vector3d direction = std::cos(angle) * axis + std::sin(angle) * aside;
@@ -49,7 +49,7 @@ double metShare(const Eigen::Vector3d& eye, const Eigen::Vector3d& center, doubl
     const double limit = anywhere ? std::numeric_limits<double>::infinity() : entry;
     met += isMet(parts, eye, direction, limit) ? 1 : 0;
   }
-  return static_cast<double>(met) / kDiscPoints;
+  return static_cast<double>(met) / kDiskPoints;
 }
 
 } // namespace
@@ -59,8 +59,8 @@ double hiddenShare(const Eigen::Vector3d& eye, const Eigen::Vector3d& center, do
   return metShare(eye, center, radius, parts, false);
 }
 
-double backedShare(const Eigen::Vector3d& eye, const Eigen::Vector3d& center, double radius,
-                   const std::vector<simulation::MovingPart>& parts) {
+double overlappedFraction(const Eigen::Vector3d& eye, const Eigen::Vector3d& center, double radius,
+                          const std::vector<simulation::MovingPart>& parts) {
   return metShare(eye, center, radius, parts, true);
 }
 

@@ -20,12 +20,12 @@ using simulation::Vector3f;
 const Vector3f kWhite{235.0F, 235.0F, 235.0F};
 const Vector3f kDark{40.0F, 40.0F, 40.0F};
 
-Vector3f whiteOrDark(Draws& draws) {
-  return draws.coin() ? kWhite : kDark;
+Vector3f whiteOrDark(RandomDraws& draws) {
+  return draws.coinFlip() ? kWhite : kDark;
 }
 
 /// Rows: three directions at right angles, anyhow.
-Eigen::Matrix3d drawFrame(Draws& draws) {
+Eigen::Matrix3d drawFrame(RandomDraws& draws) {
   const Eigen::Vector3d first = draws.direction();
   const Eigen::Vector3d second =
       Eigen::AngleAxisd(draws.uniform(0.0, kFullTurn), first) * first.unitOrthogonal();
@@ -41,7 +41,7 @@ void addPatch(SurfacePattern& pattern, const Eigen::Vector3d& axis, double halfA
   pattern.patches.push_back({axis.cast<float>(), static_cast<float>(std::cos(halfAngle)), color});
 }
 
-void addOnePatch(SurfacePattern& pattern, Draws& draws) {
+void addOnePatch(SurfacePattern& pattern, RandomDraws& draws) {
   // Half width in radii: a patch of 22 to 32 mm on a ball of 35 mm, a label.
   constexpr double kLeast = 11.0 / 35.0;
   constexpr double kMost = 16.0 / 35.0;
@@ -50,7 +50,7 @@ void addOnePatch(SurfacePattern& pattern, Draws& draws) {
 }
 
 /// Evenly around a great circle.
-void addLargePatches(SurfacePattern& pattern, int count, Draws& draws) {
+void addLargePatches(SurfacePattern& pattern, int count, RandomDraws& draws) {
   const Eigen::Matrix3d frame = drawFrame(draws);
   const Vector3f color = whiteOrDark(draws);
   for (int k = 0; k < count; ++k) {
@@ -62,7 +62,7 @@ void addLargePatches(SurfacePattern& pattern, int count, Draws& draws) {
   }
 }
 
-void addSixSpots(SurfacePattern& pattern, Draws& draws) {
+void addSixSpots(SurfacePattern& pattern, RandomDraws& draws) {
   const Eigen::Matrix3d frame = drawFrame(draws);
   const Vector3f color = whiteOrDark(draws);
   const double halfAngle = draws.uniform(14.0, 18.0) * kFullTurn / 360.0; // of 14 to 18 degrees
@@ -72,7 +72,7 @@ void addSixSpots(SurfacePattern& pattern, Draws& draws) {
   }
 }
 
-void addSeams(SurfacePattern& pattern, Draws& draws) {
+void addSeams(SurfacePattern& pattern, RandomDraws& draws) {
   const Eigen::Matrix3d frame = drawFrame(draws);
   const Vector3f color = whiteOrDark(draws);
   const auto sine =
@@ -82,14 +82,15 @@ void addSeams(SurfacePattern& pattern, Draws& draws) {
   }
 }
 
-void addOtherHalf(SurfacePattern& pattern, Draws& draws) {
+void addOtherHalf(SurfacePattern& pattern, RandomDraws& draws) {
   const std::array<Vector3f, 4> colors{kWhite, kDark, simulation::rgb(40, 90, 210),
                                        simulation::rgb(240, 215, 50)};
   const Eigen::Vector3d axis = draws.direction();
-  addPatch(pattern, axis, 0.25 * kFullTurn, colors.at(static_cast<std::size_t>(draws.whole(0, 3))));
+  addPatch(pattern, axis, 0.25 * kFullTurn,
+           colors.at(static_cast<std::size_t>(draws.integer(0, 3))));
 }
 
-SurfacePattern drawPattern(BallPattern kind, Draws& draws) {
+SurfacePattern drawPattern(BallPattern kind, RandomDraws& draws) {
   SurfacePattern pattern;
   switch (kind) {
   case BallPattern::OnePatch:
@@ -117,7 +118,7 @@ SurfacePattern drawPattern(BallPattern kind, Draws& draws) {
 }
 
 /// Of lacquer: a highlight that is clipped where the cosine to its power exceeds about a half.
-simulation::Gloss drawHighlight(Draws& draws) {
+simulation::Gloss drawHighlight(RandomDraws& draws) {
   const auto peak = static_cast<float>(draws.uniform(400.0, 600.0)); // gray levels
   const auto power = static_cast<float>(draws.uniform(20.0, 60.0));
   return {peak, power};
@@ -129,12 +130,13 @@ Eigen::Matrix3f Spin::axesAt(double time) const {
   return Eigen::AngleAxisd(rate * time, axis).toRotationMatrix().transpose().cast<float>();
 }
 
-Spin drawSpin(Draws& draws, double least, double most) {
+Spin randomSpin(RandomDraws& draws, double least, double most) {
   const Eigen::Vector3d axis = draws.direction();
   return {axis, kFullTurn * draws.uniform(least, most)};
 }
 
-void paintBall(simulation::StageBody& ball, BallPattern pattern, const Spin& spin, Draws& draws) {
+void paintBall(simulation::StageBody& ball, BallPattern pattern, const Spin& spin,
+               RandomDraws& draws) {
   simulation::MovingPart part = simulation::ballPart(ball.radius, ball.color.cast<float>());
   part.pattern = std::make_shared<const SurfacePattern>(drawPattern(pattern, draws));
   if (pattern == BallPattern::Highlight) {

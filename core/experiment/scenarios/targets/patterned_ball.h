@@ -36,9 +36,10 @@ inline constexpr double kSlowestSpin = 0.25;
 inline constexpr double kFastestSpin = 1.0;
 
 /// Draws a rotation about a random axis with `least` to `most` rotations per second.
-Spin drawSpin(Draws& draws, double least, double most);
+Spin randomSpin(RandomDraws& draws, double least, double most);
 
 /// Paints a pattern on a ball of the stage, at random positions.
-void paintBall(simulation::StageBody& ball, BallPattern pattern, const Spin& spin, Draws& draws);
+void paintBall(simulation::StageBody& ball, BallPattern pattern, const Spin& spin,
+               RandomDraws& draws);
 
 } // namespace dewpoint::experiment::scenarios

@@ -24,8 +24,8 @@ constexpr double kLeastFocal = 0.45;
 constexpr double kLeastResolution = 0.5;
 /// Cameras are within this of the middle of the room along x and y, meters: 0.15 m before the walls
 /// of the room with the desk, 0.1 m before those of the hall.
-constexpr double kWithin = simulation::kDeskRoomHalf - 0.15;
-constexpr double kWithinHall = simulation::kHallHalf - 0.1;
+constexpr double kWithin = simulation::kDeskRoomHalfSize - 0.15;
+constexpr double kWithinHall = simulation::kHallHalfSize - 0.1;
 /// Of cameras above the ground, meters: that of a webcam that stands on the desk.
 constexpr double kLeastHeight = 0.06;
 
@@ -39,17 +39,17 @@ constexpr double kSpare = 0.8;
 /// What the cameras of a rig look at, and what they look for.
 struct RigVolume {
   Eigen::Vector3d middle;
-  Eigen::Vector2d room;                         ///< middle of the walls
-  double radius = simulation::kUsualBallRadius; ///< of the targets, before they are shrunk
-  double size = 1.0;                            ///< of all distances, relative to a desk
+  Eigen::Vector2d room;                           ///< middle of the walls
+  double radius = simulation::kDefaultBallRadius; ///< of the targets, before they are shrunk
+  double size = 1.0;                              ///< of all distances, relative to a desk
 };
 
 RigVolume volumeOf(simulation::Furnishing furnishing) {
   if (furnishing == simulation::Furnishing::Hall) {
     return {{0.0, 0.0, 0.9}, {0.0, 0.0}, simulation::kHallBallRadius, 4.0};
   }
-  return {simulation::kDeskMiddle, Eigen::Vector2d::Constant(simulation::kDeskRoomMiddle),
-          simulation::kUsualBallRadius, 1.0};
+  return {simulation::kDeskCenter, Eigen::Vector2d::Constant(simulation::kDeskRoomCenter),
+          simulation::kDefaultBallRadius, 1.0};
 }
 
 /// Pixels across of a target in the middle.
@@ -57,7 +57,7 @@ double targetPixels(const Camera& camera, const RigVolume& volume) {
   return 2.0 * volume.radius * camera.intrinsics.focalX / (camera.center() - volume.middle).norm();
 }
 
-Camera movedCamera(Camera camera, const RigVolume& volume, Draws& draws) {
+Camera movedCamera(Camera camera, const RigVolume& volume, RandomDraws& draws) {
   // Chosen: cameras put up by hand, about where the scenario wants them.
   constexpr double kAround = 0.3;  // radians, either way
   constexpr double kRoll = 0.15;   // radians, either way
@@ -74,7 +74,7 @@ Camera movedCamera(Camera camera, const RigVolume& volume, Draws& draws) {
   }
   center.z() = std::max(center.z(), kLeastHeight);
   const Eigen::Vector3d aim = Eigen::Vector3d::Constant(volume.size * kAim);
-  const Eigen::Vector3d target = volume.middle + draws.inBox(-aim, aim);
+  const Eigen::Vector3d target = volume.middle + draws.pointInBox(-aim, aim);
   camera.cameraFromWorld =
       lookAt(center, target, Eigen::Vector3d::UnitZ(), draws.uniform(-kRoll, kRoll));
   return camera;
@@ -95,8 +95,8 @@ void setSize(Intrinsics& k, double resolution, double focal) {
 
 } // namespace
 
-WildRig drawRig(const CameraRig& rig, simulation::Furnishing furnishing, int attempt,
-                Draws& draws) {
+WildRig randomRig(const CameraRig& rig, simulation::Furnishing furnishing, int attempt,
+                  RandomDraws& draws) {
   const RigVolume volume = volumeOf(furnishing);
   WildRig result;
   for (const Camera& camera : rig) {
@@ -113,7 +113,7 @@ WildRig drawRig(const CameraRig& rig, simulation::Furnishing furnishing, int att
     factor = std::max(kLeastFocal, rest);
     resolution = std::clamp(rest / factor, kLeastResolution, 1.0);
   } else {
-    factor = std::pow(factor, 1.0 - static_cast<double>(attempt) / (kMostRigs - 1));
+    factor = std::pow(factor, 1.0 - static_cast<double>(attempt) / (kMaxRigAttempts - 1));
     result.pathScale = kSpare / factor;
   }
   for (Camera& camera : result.rig) {

@@ -16,13 +16,14 @@ struct WildRig {
 
 /// Number of rigs that are drawn before a scenario gives up. It is small because each rig requires
 /// rendering a room.
-inline constexpr int kMostRigs = 6;
+inline constexpr int kMaxRigAttempts = 6;
 
 /// Draws a rig that differs from the scenario's rig. Each camera is moved by up to 0.3 radians
 /// around the center of the volume and by up to 15 % in distance, and is tilted. Its focal length
 /// and resolution are drawn such that a target in the center measures from 4 pixels to half of the
-/// image, uniformly in the logarithm. With each attempt (0 to kMostRigs - 1), the largest possible
-/// targets come closer to their usual size.
-WildRig drawRig(const CameraRig& rig, simulation::Furnishing furnishing, int attempt, Draws& draws);
+/// image, uniformly in the logarithm. With each attempt (0 to kMaxRigAttempts - 1), the largest
+/// possible targets come closer to their usual size.
+WildRig randomRig(const CameraRig& rig, simulation::Furnishing furnishing, int attempt,
+                  RandomDraws& draws);
 
 } // namespace dewpoint::experiment::scenarios

@@ -56,32 +56,33 @@ Ground groundOf(simulation::Furnishing furnishing) {
   return {{0.47, 0.47}, 0.7, 0.2, 0.06};
 }
 
-bool chance(double share, Draws& draws) {
+bool chance(double share, RandomDraws& draws) {
   return draws.uniform(0.0, 1.0) < share;
 }
 
 /// BGR: any color, or at times that of the target, or that a little darker.
-Vector3f drawColor(double targetColored, const Eigen::Vector3d& target, Draws& draws) {
+Vector3f drawColor(double targetColored, const Eigen::Vector3d& target, RandomDraws& draws) {
   if (chance(targetColored, draws)) {
     const double tone = draws.uniform(kDarkestTone, 1.0);
     return (tone * target).cast<float>();
   }
-  const Eigen::Vector3d color = draws.inBox(Eigen::Vector3d::Constant(kDarkestChannel),
-                                            Eigen::Vector3d::Constant(kLightestChannel));
+  const Eigen::Vector3d color = draws.pointInBox(Eigen::Vector3d::Constant(kDarkestChannel),
+                                                 Eigen::Vector3d::Constant(kLightestChannel));
   return color.cast<float>();
 }
 
-Material drawMaterial(const Eigen::Vector3d& target, Draws& draws) {
+Material drawMaterial(const Eigen::Vector3d& target, RandomDraws& draws) {
   constexpr std::array kPatterns{Pattern::Plain, Pattern::Plain, Pattern::Wood, Pattern::Plaster,
                                  Pattern::Skin};
-  const auto pattern = static_cast<std::size_t>(draws.whole(0, 4));
+  const auto pattern = static_cast<std::size_t>(draws.integer(0, 4));
   return {kPatterns.at(pattern), drawColor(kTargetColored, target, draws)};
 }
 
 /// A position on the ground; nothing when the drawn one is taken.
-std::optional<Eigen::Vector2d> drawSpot(const Ground& ground, const CameraRig& rig, Draws& draws) {
+std::optional<Eigen::Vector2d> drawSpot(const Ground& ground, const CameraRig& rig,
+                                        RandomDraws& draws) {
   const Eigen::Vector3d half{ground.half, ground.half, 0.0};
-  const Eigen::Vector2d spot = ground.middle + draws.inBox(-half, half).head<2>();
+  const Eigen::Vector2d spot = ground.middle + draws.pointInBox(-half, half).head<2>();
   const auto near = [&](const Camera& camera) {
     return (camera.center().head<2>() - spot).norm() < ground.clear;
   };
@@ -90,14 +91,15 @@ std::optional<Eigen::Vector2d> drawSpot(const Ground& ground, const CameraRig& r
 }
 
 void addClutter(const Ground& ground, const CameraRig& rig, const Eigen::Vector3d& target,
-                Draws& draws, simulation::Furniture& furniture) {
+                RandomDraws& draws, simulation::Furniture& furniture) {
   constexpr std::array kShapes{Shape::Box, Shape::Ellipsoid, Shape::Cylinder};
-  const int count = draws.whole(kLeastClutter, kMostClutter);
+  const int count = draws.integer(kLeastClutter, kMostClutter);
   for (int i = 0; i < count; ++i) {
     const auto spot = drawSpot(ground, rig, draws);
     const Eigen::Vector3d half =
-        draws.inBox(Eigen::Vector3d::Constant(kLeastSize), Eigen::Vector3d::Ones()) * ground.size;
-    const auto shape = kShapes.at(static_cast<std::size_t>(draws.whole(0, 2)));
+        draws.pointInBox(Eigen::Vector3d::Constant(kLeastSize), Eigen::Vector3d::Ones()) *
+        ground.size;
+    const auto shape = kShapes.at(static_cast<std::size_t>(draws.integer(0, 2)));
     const Material material = drawMaterial(target, draws);
     const double yaw = draws.uniform(0.0, kFullTurn);
     if (!spot) {
@@ -113,11 +115,11 @@ void addClutter(const Ground& ground, const CameraRig& rig, const Eigen::Vector3
 }
 
 /// Posters on the two walls that the demo's cameras face; sizes and positions in meters.
-void addPosters(simulation::Furnishing furnishing, const Eigen::Vector3d& target, Draws& draws,
-                simulation::Furniture& furniture) {
+void addPosters(simulation::Furnishing furnishing, const Eigen::Vector3d& target,
+                RandomDraws& draws, simulation::Furniture& furniture) {
   const bool hall = furnishing == simulation::Furnishing::Hall;
-  const float wall =
-      hall ? simulation::kHallHalf : simulation::kDeskRoomMiddle + simulation::kDeskRoomHalf;
+  const float wall = hall ? simulation::kHallHalfSize
+                          : simulation::kDeskRoomCenter + simulation::kDeskRoomHalfSize;
   for (const bool alongX : {true, false}) {
     const auto along = static_cast<float>(draws.uniform(-1.0, 1.8));
     const auto up = static_cast<float>(draws.uniform(0.3, 1.3));
@@ -134,39 +136,40 @@ void addPosters(simulation::Furnishing furnishing, const Eigen::Vector3d& target
 
 } // namespace
 
-simulation::RoomDesign drawRoom(simulation::Furnishing furnishing, const CameraRig& rig,
-                                Draws& draws, const Eigen::Vector3d& targetColor) {
+simulation::RoomDesign randomRoom(simulation::Furnishing furnishing, const CameraRig& rig,
+                                  RandomDraws& draws, const Eigen::Vector3d& targetColor) {
   simulation::RoomDesign design;
   const Ground ground = groundOf(furnishing);
   addClutter(ground, rig, targetColor, draws, design.further);
   addPosters(furnishing, targetColor, draws, design.further);
-  const Eigen::Vector3d paint = draws.inBox(Eigen::Vector3d::Constant(kDarkestWall),
-                                            Eigen::Vector3d::Constant(kLightestChannel));
+  const Eigen::Vector3d paint = draws.pointInBox(Eigen::Vector3d::Constant(kDarkestWall),
+                                                 Eigen::Vector3d::Constant(kLightestChannel));
   const Vector3f likeTarget = drawColor(1.0, targetColor, draws);
   const bool pink = chance(kTargetColored, draws);
   design.walls = Material{Pattern::Plaster, pink ? likeTarget : Vector3f(paint.cast<float>())};
   // From the middle of the ground, meters: below the ceilings, above what stands there.
-  const Eigen::Vector3d lamp = draws.inBox({-0.8, -0.8, 1.3}, {0.8, 0.8, 1.9});
+  const Eigen::Vector3d lamp = draws.pointInBox({-0.8, -0.8, 1.3}, {0.8, 0.8, 1.9});
   const Vector3f middle{static_cast<float>(ground.middle.x()),
                         static_cast<float>(ground.middle.y()), 0.0F};
   design.lamp = middle + lamp.cast<float>();
   return design;
 }
 
-std::vector<simulation::Walker> drawPeople(simulation::Furnishing furnishing, double seconds,
-                                           Draws& draws, const Eigen::Vector3d& targetColor) {
+std::vector<simulation::Walker> randomPeople(simulation::Furnishing furnishing, double seconds,
+                                             RandomDraws& draws,
+                                             const Eigen::Vector3d& targetColor) {
   std::vector<simulation::Walker> people;
   if (furnishing == simulation::Furnishing::Hall) {
     return people;
   }
-  const int count = draws.whole(0, kMostPeople);
+  const int count = draws.integer(0, kMostPeople);
   for (int i = 0; i < count; ++i) {
     simulation::Walker walker;
     walker.name = fmt::format("passer-by {}", i + 1);
     walker.height = draws.uniform(1.5, 1.95); // adults, meters
     walker.clothes.shirt = drawColor(2.0 * kTargetColored, targetColor, draws);
     walker.clothes.trousers = drawColor(0.0, targetColor, draws);
-    const bool alongX = draws.coin();
+    const bool alongX = draws.coinFlip();
     // Along the wall, meters.
     const double from = draws.uniform(-1.0, 1.9);
     const double to = draws.uniform(-1.0, 1.9);
@@ -179,7 +182,7 @@ std::vector<simulation::Walker> drawPeople(simulation::Furnishing furnishing, do
   return people;
 }
 
-float floorOf(simulation::Furnishing furnishing) {
+float floorHeightOf(simulation::Furnishing furnishing) {
   const bool desk = furnishing == simulation::Furnishing::Desk ||
                     furnishing == simulation::Furnishing::ClutteredDesk;
   return desk ? -simulation::kDeskHeight : 0.0F; // the desk's top is z = 0

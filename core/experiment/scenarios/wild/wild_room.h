@@ -15,18 +15,18 @@ namespace dewpoint::experiment::scenarios {
 /// the cameras and of the center of the volume. It also has posters, walls of another color and a
 /// lamp at another position. Some of the clutter has approximately the target color (BGR in full
 /// light).
-simulation::RoomDesign drawRoom(simulation::Furnishing furnishing, const CameraRig& rig,
-                                Draws& draws,
-                                const Eigen::Vector3d& targetColor = simulation::kUsualBallColor);
+simulation::RoomDesign
+randomRoom(simulation::Furnishing furnishing, const CameraRig& rig, RandomDraws& draws,
+           const Eigen::Vector3d& targetColor = simulation::kDefaultBallColor);
 
 /// Draws up to three people who walk along two walls of a room with a desk, behind the cameras'
 /// volume, for a run of `seconds`. Some wear the target color. In the hall there are no people,
 /// because its volume extends to its walls.
 std::vector<simulation::Walker>
-drawPeople(simulation::Furnishing furnishing, double seconds, Draws& draws,
-           const Eigen::Vector3d& targetColor = simulation::kUsualBallColor);
+randomPeople(simulation::Furnishing furnishing, double seconds, RandomDraws& draws,
+             const Eigen::Vector3d& targetColor = simulation::kDefaultBallColor);
 
 /// Returns the world z of a room's floor, meters.
-float floorOf(simulation::Furnishing furnishing);
+float floorHeightOf(simulation::Furnishing furnishing);
 
 } // namespace dewpoint::experiment::scenarios

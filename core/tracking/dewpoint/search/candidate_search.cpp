@@ -94,7 +94,7 @@ std::vector<Candidate> CandidateSearch::find(SphereObservation& observation, boo
   for (std::size_t camera = 0; camera < spots.size(); ++camera) {
     LabelImage& labels = observation.labels(camera);
     if (!labels.empty()) {
-      labels.requireAll();
+      labels.ensureAllLabels();
       spots[camera] = spotsOf(camera, labels);
     }
   }

@@ -22,14 +22,14 @@ SlicedSearch::SlicedSearch(const CameraRig& rig, AdaptiveColor color, double rad
 
 bool SlicedSearch::labelsDone() const {
   const LabelImage& labels = observation_.labels(camera_);
-  return labels.empty() || labels.covered() == cv::Rect({0, 0}, labels.size());
+  return labels.empty() || labels.labeledArea() == cv::Rect({0, 0}, labels.size());
 }
 
 void SlicedSearch::labelBand() {
   LabelImage& labels = observation_.labels(camera_);
   const cv::Size size = labels.size();
-  const int begin = labels.covered().height;
-  labels.require({0, begin, size.width, (size.height + kBands - 1) / kBands});
+  const int begin = labels.labeledArea().height;
+  labels.ensureLabels({0, begin, size.width, (size.height + kBands - 1) / kBands});
 }
 
 bool SlicedSearch::advance(const CandidateSearch& search, TimeBudget& budget, std::size_t limit,
@@ -41,11 +41,11 @@ bool SlicedSearch::advance(const CandidateSearch& search, TimeBudget& budget, st
     const bool done =
         empty ||
         (labeled
-             ? budget.spend(
+             ? budget.runIfAffordable(
                    TimeBudget::Part::Spots,
                    [&] { spots_[camera_] = search.spotsOf(camera_, observation_.labels(camera_)); },
                    must)
-             : budget.spend(
+             : budget.runIfAffordable(
                    TimeBudget::Part::Labels, [&] { labelBand(); }, must));
     if (!done) {
       return false;
@@ -54,7 +54,7 @@ bool SlicedSearch::advance(const CandidateSearch& search, TimeBudget& budget, st
     must = must && empty;
   }
   observation_.setRadius(radius_);
-  return budget.spend(
+  return budget.runIfAffordable(
       TimeBudget::Part::Candidates,
       [&] {
         candidates_ = search.triangulate(spots_, observation_, radius_ > 0.0, limit, bounds_);

@@ -31,14 +31,14 @@ void TimeBudget::set(double milliseconds) {
 }
 
 void TimeBudget::begin() {
-  if (limited()) {
+  if (isLimited()) {
     begin_ = std::chrono::steady_clock::now();
     optional_ = 0.0;
   }
 }
 
 double TimeBudget::elapsed() const {
-  if (!limited()) {
+  if (!isLimited()) {
     return 0.0;
   }
   const std::chrono::duration<double, std::milli> passed =
@@ -46,8 +46,8 @@ double TimeBudget::elapsed() const {
   return passed.count();
 }
 
-bool TimeBudget::affords(Part part) {
-  if (!limited()) {
+bool TimeBudget::canAfford(Part part) {
+  if (!isLimited()) {
     return true;
   }
   History& history = histories_[static_cast<std::size_t>(part)];
@@ -58,7 +58,7 @@ bool TimeBudget::affords(Part part) {
 }
 
 void TimeBudget::record(Part part, double milliseconds) {
-  if (!limited()) {
+  if (!isLimited()) {
     return;
   }
   History& history = histories_[static_cast<std::size_t>(part)];
@@ -72,7 +72,7 @@ void TimeBudget::record(Part part, double milliseconds) {
   history.next = (history.next + 1) % kRemembered;
 }
 
-void TimeBudget::endOfUpdates(double most) {
+void TimeBudget::adaptParticleCount(double most) {
   const double taken = elapsed() - optional_;
   if (taken <= 0.0) {
     return;
@@ -82,7 +82,7 @@ void TimeBudget::endOfUpdates(double most) {
   particles_ = std::clamp(now * factor, kFewestParticles, std::max(most, kFewestParticles));
 }
 
-std::optional<double> TimeBudget::particles() const {
+std::optional<double> TimeBudget::affordableParticles() const {
   return particles_ > 0.0 ? std::optional(particles_) : std::nullopt;
 }
 

@@ -27,14 +27,14 @@ public:
 
   /// Sets the milliseconds per iteration; 0 means no limit. A change discards all measured times.
   void set(double milliseconds);
-  bool limited() const { return limit_ > 0.0; }
+  bool isLimited() const { return limit_ > 0.0; }
   /// Starts the clock of an iteration.
   void begin();
 
   /// Does the work if there is time for it; returns whether it did. Work that was never done before
   /// is assumed to fit. `urgent` work is not deferred.
-  template <class Work> bool spend(Part part, const Work& work, bool urgent = false) {
-    if (!urgent && !affords(part)) {
+  template <class Work> bool runIfAffordable(Part part, const Work& work, bool urgent = false) {
+    if (!urgent && !canAfford(part)) {
       return false;
     }
     const double start = elapsed();
@@ -45,9 +45,9 @@ public:
 
   /// Adapts the number of particles to the time taken by the work that cannot be deferred. Call it
   /// after that work. `most` is the number of particles per target without a budget.
-  void endOfUpdates(double most);
+  void adaptParticleCount(double most);
   /// Returns the number of particles per target that fit, at least ten; nothing without a limit.
-  std::optional<double> particles() const;
+  std::optional<double> affordableParticles() const;
 
 private:
   /// Last durations of one kind of work, in milliseconds.
@@ -57,7 +57,7 @@ private:
     int deferrals = 0;
   };
 
-  bool affords(Part part);
+  bool canAfford(Part part);
   void record(Part part, double milliseconds);
   /// Returns the milliseconds since begin(); 0 without a limit.
   double elapsed() const;

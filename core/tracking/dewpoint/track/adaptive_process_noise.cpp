@@ -29,7 +29,7 @@ constexpr double kGateInflation = 1.4;
 
 } // namespace
 
-ConstantVelocity AdaptiveProcessNoise::next(const ConstantVelocity& allowed) {
+ConstantVelocity AdaptiveProcessNoise::nextMotion(const ConstantVelocity& allowed) {
   most_ = allowed.accelerationSigma;
   interval_ = allowed.interval;
   const double known = sigma_ > 0.0 ? sigma_ : most_;

@@ -17,7 +17,7 @@ public:
   /// its acceleration explains the recent prediction errors. While it is not visible, the
   /// acceleration persists, so the position error grows with the square of the time. It never
   /// exceeds that of `allowed`.
-  ConstantVelocity next(const ConstantVelocity& allowed);
+  ConstantVelocity nextMotion(const ConstantVelocity& allowed);
   /// Records that the target was not visible in the last step.
   void recordUnseen() { ++unseenSteps_; }
   /// Records that the target was visible in the last step.

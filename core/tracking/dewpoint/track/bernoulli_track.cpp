@@ -58,7 +58,7 @@ void BernoulliTrack::restart(const StartVolume& start, std::uint64_t seed) {
 }
 
 void BernoulliTrack::predict(double interval, const RandomKey& key) {
-  confidentBefore_ = confident() != nullptr ? confident()->stream : 0;
+  confidentBefore_ = confidentHypothesis() != nullptr ? confidentHypothesis()->stream : 0;
   const ConstantVelocity motion{interval, settings_.accelerationSigma};
   const double survival = std::exp(-interval / settings_.survivalTime);
   for (TrackHypothesis& hypothesis : hypotheses_) {
@@ -66,7 +66,8 @@ void BernoulliTrack::predict(double interval, const RandomKey& key) {
     hypothesis.probability *= survival;
     hypothesis.secondsSinceRim += interval;
   }
-  if (const TrackHypothesis* confirmed = confident(); confirmed != nullptr && confirmed->hasRim()) {
+  if (const TrackHypothesis* confirmed = confidentHypothesis();
+      confirmed != nullptr && confirmed->hasRim()) {
     searchPrior_.confirm(
         {confirmed->position(), confirmed->gaussian.covariance.topLeftCorner<3, 3>()});
   } else {
@@ -79,7 +80,7 @@ Eigen::Index BernoulliTrack::particleCount(const TrackHypothesis& hypothesis) co
   if (settings_.kldError <= 0.0 || hypothesis.states.rows() == 0) {
     return settings_.maxParticles;
   }
-  const auto bins = occupiedBins(hypothesis.states, kBinRadii * hypothesis.radius);
+  const auto bins = countOccupiedBins(hypothesis.states, kBinRadii * hypothesis.radius);
   return std::clamp(kldSampleSize(bins, settings_.kldError),
                     std::min(settings_.minParticles, settings_.maxParticles),
                     settings_.maxParticles);
@@ -97,17 +98,17 @@ void BernoulliTrack::update(SphereObservation& observation, const CandidateSourc
   updateHypotheses(observation, key, team, logMasses);
   removeImpossible(logMasses);
   if (createsHypotheses_ && mustSearch(hypotheses_, logMasses)) {
-    if (confident() == nullptr) {
+    if (confidentHypothesis() == nullptr) {
       searchParticles_.update(searchPrior_, settings_.maxParticles, radiusPrior_.expected(),
                               bounds_, observation, key, team);
     }
     addNewHypotheses(observation, search, occupied, key, team, logMasses);
   }
   normalizeMasses(hypotheses_, logMasses);
-  limitOneCamera(hypotheses_);
-  limitWithoutRim(hypotheses_);
+  limitOneCameraHypotheses(hypotheses_);
+  limitHypothesesWithoutRim(hypotheses_);
   mergeAndPrune(hypotheses_);
-  if (const TrackHypothesis* sure = confident(); sure != nullptr && sure->isSaturated()) {
+  if (const TrackHypothesis* sure = confidentHypothesis(); sure != nullptr && sure->isSaturated()) {
     radiusPrior_.learn(sure->radius, sure->logRadiusVariance);
   }
 }
@@ -120,7 +121,7 @@ void BernoulliTrack::updateHypotheses(SphereObservation& observation, const Rand
     factor -= evidenceBeyondSaturation(hypothesis);
     hypothesis.oneCameraOnly =
         observation.cameraCount() > 1 &&
-        observation.camerasInView(hypothesis.position(), hypothesis.velocity()) == 1;
+        observation.countCamerasInView(hypothesis.position(), hypothesis.velocity()) == 1;
     logMasses.push_back(std::log(std::max(probabilityBefore(hypothesis, observation), 1e-300)) +
                         factor);
   }
@@ -166,7 +167,7 @@ void BernoulliTrack::addNewHypotheses(SphereObservation& observation, const Cand
                                       std::vector<double>& logMasses) {
   const bool radiusKnown = target_.radius > 0.0;
   observation.setRadius(target_.radius);
-  const double absence = absenceFromSharedViews(hypotheses_);
+  const double absence = absenceProbabilityInSharedViews(hypotheses_);
   const bool first = hypotheses_.empty();
   for (const Candidate& candidate : search(observation, radiusKnown, kMaxCandidates)) {
     const OutlineFit fit = fitBirth(candidate, radiusPrior_, settings_.searchSize, observation);
@@ -175,7 +176,7 @@ void BernoulliTrack::addNewHypotheses(SphereObservation& observation, const Cand
     }
     observation.setRadius(fit.radius);
     if (observation.cameraCount() > 1 &&
-        observation.camerasInView(fit.center, Eigen::Vector3d::Zero()) < 2) {
+        observation.countCamerasInView(fit.center, Eigen::Vector3d::Zero()) < 2) {
       continue; // one camera alone does not show where along its ray the target is
     }
     const double logLikelihoodRatio =
@@ -284,7 +285,7 @@ void BernoulliTrack::setOnlyHypothesis(const TrackHypothesis* hypothesis) {
 }
 
 void BernoulliTrack::removeOccupied(const std::vector<OccupiedSphere>& occupied) {
-  if (confident() != nullptr) {
+  if (confidentHypothesis() != nullptr) {
     return;
   }
   const auto taken = [&](const TrackHypothesis& hypothesis) {
@@ -320,7 +321,7 @@ const TrackHypothesis* BernoulliTrack::best() const {
   return hypotheses_.empty() ? nullptr : &hypotheses_.front();
 }
 
-const TrackHypothesis* BernoulliTrack::confident() const {
+const TrackHypothesis* BernoulliTrack::confidentHypothesis() const {
   const TrackHypothesis* likeliest = best();
   return likeliest != nullptr && likeliest->probability > 0.5 ? likeliest : nullptr;
 }
@@ -361,7 +362,7 @@ SphereEstimate BernoulliTrack::estimate(SphereObservation& observation) const {
 
 void BernoulliTrack::particles(int limit, Eigen::ArrayXXd& positions,
                                Eigen::ArrayXd& weights) const {
-  const TrackHypothesis* confirmed = confident();
+  const TrackHypothesis* confirmed = confidentHypothesis();
   const Eigen::ArrayXXd& states =
       confirmed != nullptr ? confirmed->states : searchParticles_.states();
   const Eigen::ArrayXd& all =

@@ -93,7 +93,7 @@ public:
   /// Returns the most likely hypothesis; null if there is none.
   const TrackHypothesis* best() const;
   /// Returns the most likely hypothesis if its probability is above one half, otherwise null.
-  const TrackHypothesis* confident() const;
+  const TrackHypothesis* confidentHypothesis() const;
   /// Returns all hypotheses, the most likely first.
   const std::vector<TrackHypothesis>& hypotheses() const { return hypotheses_; }
   /// Returns the expected position of the target: the most likely hypothesis, or the last confirmed

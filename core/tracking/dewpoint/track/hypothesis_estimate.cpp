@@ -76,7 +76,7 @@ SphereEstimate estimateFrom(const TrackHypothesis& hypothesis, double identityAm
   const Eigen::Vector3d shift = errors.time * hypothesis.velocity();
   Eigen::Matrix3d systematic = ofShape + shift * shift.transpose();
   if (errors.direction > 0.0) {
-    systematic += covarianceOfDirections(result.mean, seeingCenters, errors.direction);
+    systematic += covarianceFromDirectionErrors(result.mean, seeingCenters, errors.direction);
   }
   result.covariance = withSystematicErrors(result.covariance, systematic, hypothesis.given);
   result.valid = hypothesis.probability * near > 0.5 && isUseful(hypothesis);

@@ -35,7 +35,7 @@ double absenceProbability(const std::vector<TrackHypothesis>& hypotheses) {
   return std::max(kMinAbsence, 1.0 - present);
 }
 
-double absenceFromSharedViews(const std::vector<TrackHypothesis>& hypotheses) {
+double absenceProbabilityInSharedViews(const std::vector<TrackHypothesis>& hypotheses) {
   double present = 0.0;
   for (const TrackHypothesis& hypothesis : hypotheses) {
     present += hypothesis.oneCameraOnly ? 0.0 : hypothesis.probability;
@@ -43,7 +43,7 @@ double absenceFromSharedViews(const std::vector<TrackHypothesis>& hypotheses) {
   return std::max(kMinAbsence, 1.0 - present);
 }
 
-void limitOneCamera(std::vector<TrackHypothesis>& hypotheses) {
+void limitOneCameraHypotheses(std::vector<TrackHypothesis>& hypotheses) {
   for (TrackHypothesis& hypothesis : hypotheses) {
     if (hypothesis.oneCameraOnly) {
       hypothesis.probability = std::min(hypothesis.probability, hypothesis.provenProbability);
@@ -53,7 +53,7 @@ void limitOneCamera(std::vector<TrackHypothesis>& hypotheses) {
   }
 }
 
-void limitWithoutRim(std::vector<TrackHypothesis>& hypotheses) {
+void limitHypothesesWithoutRim(std::vector<TrackHypothesis>& hypotheses) {
   for (TrackHypothesis& hypothesis : hypotheses) {
     if (!hypothesis.hasRim()) {
       hypothesis.probability = std::min(hypothesis.probability, kMostWithoutRim);

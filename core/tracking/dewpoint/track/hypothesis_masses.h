@@ -29,16 +29,16 @@ double absenceProbability(const std::vector<TrackHypothesis>& hypotheses);
 /// Returns the probability that the target is at none of the positions now visible to more than one
 /// camera. A hypothesis seen by one camera alone therefore does not prevent the target from being
 /// found where two cameras see it.
-double absenceFromSharedViews(const std::vector<TrackHypothesis>& hypotheses);
+double absenceProbabilityInSharedViews(const std::vector<TrackHypothesis>& hypotheses);
 
 /// Limits each hypothesis now visible to only one camera to the probability it had when more than
 /// one camera could last see it: the likelihood from one camera can restore a hypothesis only up to
 /// its prior.
-void limitOneCamera(std::vector<TrackHypothesis>& hypotheses);
+void limitOneCameraHypotheses(std::vector<TrackHypothesis>& hypotheses);
 
 /// Limits the probability of a hypothesis that may be part of a larger object
 /// (TrackHypothesis::hasRim() is false) to 0.9.
-void limitWithoutRim(std::vector<TrackHypothesis>& hypotheses);
+void limitHypothesesWithoutRim(std::vector<TrackHypothesis>& hypotheses);
 
 /// Returns the part of the log likelihood ratio above TrackHypothesis::kSaturationShare, which is
 /// not counted.

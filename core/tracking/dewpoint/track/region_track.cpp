@@ -65,10 +65,10 @@ int viewsInView(const std::vector<RegionMeasurement>& views) {
 void RegionTrack::restart(const StartVolume& start) {
   searchPrior_.restart(bounds_ ? within(start, *bounds_) : start);
   numbers_.restart();
-  forget();
+  discardHypothesis();
 }
 
-void RegionTrack::forget() {
+void RegionTrack::discardHypothesis() {
   state_.reset();
   predicted_.reset();
 }
@@ -119,8 +119,8 @@ EllipsoidFit RegionTrack::fitAt(const State& state, RegionObservation& observati
 
 void RegionTrack::accept(State& state, const EllipsoidFit& fit) const {
   TrackHypothesis& hypothesis = state.hypothesis;
-  if (fit.freedoms > 0) {
-    const double now = std::min(fit.disagreement / fit.freedoms, kMaxDisagreement);
+  if (fit.degreesOfFreedom > 0) {
+    const double now = std::min(fit.disagreement / fit.degreesOfFreedom, kMaxDisagreement);
     state.disagreement += kDisagreementRate * (now - state.disagreement);
   }
   state.extent = fit.ellipsoid.extent;
@@ -136,9 +136,9 @@ void RegionTrack::accept(State& state, const EllipsoidFit& fit) const {
   if (off > kManeuverGate * kManeuverGate) {
     hypothesis.gaussian.covariance = wide;
   }
-  condition(hypothesis.gaussian,
-            evidence.posterior(
-                {hypothesis.position(), hypothesis.gaussian.covariance.topLeftCorner<3, 3>()}));
+  conditionOnPosition(hypothesis.gaussian,
+                      evidence.posterior({hypothesis.position(),
+                                          hypothesis.gaussian.covariance.topLeftCorner<3, 3>()}));
   hypothesis.processNoise.learn(off, hypothesis.velocity());
 }
 
@@ -203,7 +203,7 @@ void RegionTrack::update(RegionObservation& observation,
     TrackHypothesis& hypothesis = state_->hypothesis;
     const double before = std::clamp(hypothesis.probability, kMinAbsence, 1.0 - kMinAbsence);
     const double odds = std::log(before / (1.0 - before)) + measure(*state_, observation);
-    hypothesis.probability = probabilityFrom(odds);
+    hypothesis.probability = probabilityFromLogOdds(odds);
     if (hypothesis.oneCameraOnly) {
       hypothesis.probability = std::min(hypothesis.probability, hypothesis.provenProbability);
     } else {
@@ -277,7 +277,7 @@ SphereEstimate RegionTrack::estimate(const RegionObservation& observation) const
     CameraEvidence& camera = cameras[k];
     camera.inView = view.inView;
     camera.logLikelihood = view.inView ? regionEvidence(view, fill) : 0.0;
-    camera.existenceProbability = probabilityFrom(camera.logLikelihood);
+    camera.existenceProbability = probabilityFromLogOdds(camera.logLikelihood);
     camera.visible = std::min(1.0, view.visible * view.matched / fill);
     if (view.inView && view.region && camera.visible >= kSeenShare) {
       seeing.push_back(observation.views()[k].projector.cameraCenter());

@@ -27,7 +27,7 @@ public:
   /// Discards the target. It is expected in the start volume first, then elsewhere.
   void restart(const StartVolume& start);
   /// Discards the hypothesis.
-  void forget();
+  void discardHypothesis();
   /// Starts at this position (m, m²), with the ellipsoid as the approximate extent: replaces the
   /// hypothesis by one with probability 0.98, and updates it with the images of the frame.
   void startAt(const Gaussian3& position, const Eigen::Matrix3d& extent, bool byHand,

@@ -54,7 +54,7 @@ void ShapeBelief::restart() {
 }
 
 bool ShapeBelief::isUnclear() const {
-  return isOpen() && (first_ || std::abs(logOdds_) < kMost - kMostAtOnce);
+  return isDecidedByImages() && (first_ || std::abs(logOdds_) < kMost - kMostAtOnce);
 }
 
 void ShapeBelief::learn(const RegionObservation& observation,
@@ -77,7 +77,7 @@ void ShapeBelief::learn(const RegionObservation& observation,
       any = true;
     }
   }
-  if (!isOpen() || !any) {
+  if (!isDecidedByImages() || !any) {
     return;
   }
   const bool isAnother =

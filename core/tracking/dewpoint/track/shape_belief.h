@@ -24,7 +24,7 @@ public:
 
   bool isBall() const { return !any_; }
   /// Returns whether the shape is decided by the images.
-  bool isOpen() const { return shape_ == TargetShape::Auto; }
+  bool isDecidedByImages() const { return shape_ == TargetShape::Auto; }
   /// Returns whether nothing is known yet, or the log odds do not decide.
   bool isUnclear() const;
   /// Returns the log odds of any shape relative to a ball, in nats.

@@ -16,9 +16,9 @@ constexpr double kSizeSigma = 0.1;
 
 } // namespace
 
-Eigen::Matrix3d covarianceOfDirections(const Eigen::Vector3d& position,
-                                       const std::vector<Eigen::Vector3d>& cameraCenters,
-                                       double sigma) {
+Eigen::Matrix3d covarianceFromDirectionErrors(const Eigen::Vector3d& position,
+                                              const std::vector<Eigen::Vector3d>& cameraCenters,
+                                              double sigma) {
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   for (const Eigen::Vector3d& center : cameraCenters) {
     const Eigen::Vector3d ray = position - center;
@@ -53,8 +53,8 @@ double probabilityWithin(const Eigen::Matrix3d& covariance, double radius) {
   // same mean and variance (Satterthwaite 1946), whose cube root is nearly normal (Wilson and
   // Hilferty 1931).
   const double trace = covariance.trace();
-  const double freedoms = trace * trace / covariance.squaredNorm();
-  const double variance = 2.0 / (9.0 * freedoms);
+  const double degreesOfFreedom = trace * trace / covariance.squaredNorm();
+  const double variance = 2.0 / (9.0 * degreesOfFreedom);
   const double off = (std::cbrt(radius * radius / trace) - (1.0 - variance)) / std::sqrt(variance);
   return 0.5 * std::erfc(-off / std::numbers::sqrt2);
 }

@@ -22,9 +22,9 @@ struct SystematicErrors {
 /// Returns the covariance (m²) of a position caused by errors of `sigma` (radians) in the
 /// directions from the cameras that see it, given their optical centers (meters, world frame); zero
 /// without cameras.
-Eigen::Matrix3d covarianceOfDirections(const Eigen::Vector3d& position,
-                                       const std::vector<Eigen::Vector3d>& cameraCenters,
-                                       double sigma);
+Eigen::Matrix3d covarianceFromDirectionErrors(const Eigen::Vector3d& position,
+                                              const std::vector<Eigen::Vector3d>& cameraCenters,
+                                              double sigma);
 
 /// Returns the covariance (m²) of a position after the `systematic` errors of the images are added.
 /// `known` is its covariance before that, from images and from the covariance `given` by the user,

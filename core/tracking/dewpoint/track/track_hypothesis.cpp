@@ -150,7 +150,7 @@ OutlineMeasurement measure(const TrackHypothesis& hypothesis, SphereObservation&
   prior.logRadiusVariance = hypothesis.logRadiusVariance;
   prior.information = before.covariance.inverse();
   OutlineMeasurement result{observation.fit(prior, hypothesis.velocity(), reach), before};
-  if (result.fit.found && result.fit.freedoms == 0 && prior.logRadiusVariance > 0.0 &&
+  if (result.fit.found && result.fit.degreesOfFreedom == 0 && prior.logRadiusVariance > 0.0 &&
       prior.logRadiusVariance < kHeldRadius * kHeldRadius && observation.cameraCount() > 1) {
     // One camera alone does not tell a larger target from a nearer one: the radius stays, and how
     // well it is known counts in the covariance (a Schmidt-Kalman update).
@@ -219,8 +219,8 @@ OutlineMeasurement findOutline(TrackHypothesis& hypothesis, SphereObservation& o
 /// Updates the cameras' disagreement; returns the factor, at least 1, by which the covariance of an
 /// outline is larger than the assumed errors of its edges say.
 double updateDisagreement(TrackHypothesis& hypothesis, const OutlineFit& fit) {
-  if (fit.freedoms > 0) {
-    const double now = std::min(fit.disagreement / fit.freedoms, kMaxDisagreement);
+  if (fit.degreesOfFreedom > 0) {
+    const double now = std::min(fit.disagreement / fit.degreesOfFreedom, kMaxDisagreement);
     hypothesis.disagreement += kDisagreementRate * (now - hypothesis.disagreement);
   }
   return std::max(1.0, hypothesis.disagreement);
@@ -242,9 +242,9 @@ void conditionOnOutline(TrackHypothesis& hypothesis, const Prediction& predictio
   if (off > kManeuverGate * kManeuverGate) {
     hypothesis.gaussian.covariance = prediction.covariance; // a maneuver
   }
-  condition(hypothesis.gaussian,
-            evidence.posterior(
-                {hypothesis.position(), hypothesis.gaussian.covariance.topLeftCorner<3, 3>()}));
+  conditionOnPosition(hypothesis.gaussian,
+                      evidence.posterior({hypothesis.position(),
+                                          hypothesis.gaussian.covariance.topLeftCorner<3, 3>()}));
   hypothesis.processNoise.learn(off, hypothesis.velocity());
   hypothesis.processNoise.recordSeen();
 }
@@ -272,7 +272,7 @@ double evidenceVolume(double radius) {
 }
 
 void predict(TrackHypothesis& hypothesis, const ConstantVelocity& allowed, const RandomKey& key) {
-  const ConstantVelocity motion = hypothesis.processNoise.next(allowed);
+  const ConstantVelocity motion = hypothesis.processNoise.nextMotion(allowed);
   motion.predict(hypothesis.gaussian);
   hypothesis.given.reset();
   // One camera alone does not tell a larger target from a nearer one.
@@ -317,7 +317,7 @@ Eigen::ArrayXd propose(TrackHypothesis& hypothesis, Eigen::Index count, const Ra
   team.forEachRange(count, [&](std::int64_t begin, std::int64_t end) {
     for (const std::uint32_t block : {0U, 1U}) {
       const Eigen::Index k = 4 * static_cast<Eigen::Index>(block);
-      stream.normals4(
+      stream.fillNormal4(
           first + static_cast<std::uint32_t>(begin), block, end - begin,
           {column(k, begin), column(k + 1, begin), column(k + 2, begin), column(k + 3, begin)});
     }

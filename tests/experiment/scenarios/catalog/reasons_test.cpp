@@ -38,7 +38,7 @@ void track(const ScenarioRun& run, std::int64_t frames,
   for (int axis = 0; axis < 3; ++axis) {
     ASSERT_TRUE(project.parameters.set(std::string("start_") + axes[axis], run.startCenter[axis]));
     ASSERT_TRUE(
-        project.parameters.set(std::string("start_half_") + axes[axis], run.startHalf[axis]));
+        project.parameters.set(std::string("start_half_") + axes[axis], run.startHalfSize[axis]));
   }
   project.seed = run.seed;
   project.targets = run.targets;
@@ -116,7 +116,7 @@ TEST(Reasons, ATargetTakenAwayIsNotHeldAndEveryCameraSaysSo) {
     EXPECT_NE(report.status, CameraStatus::Dark);
     EXPECT_NE(report.status, CameraStatus::NoImage);
   }
-  EXPECT_FALSE(reasonSentence(late.reasons, {"left", "right"}).empty());
+  EXPECT_FALSE(describeReasons(late.reasons, {"left", "right"}).empty());
 }
 
 TEST(Reasons, APlateInFrontOfOneCameraHidesAPart) {

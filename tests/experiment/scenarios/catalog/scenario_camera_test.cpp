@@ -54,7 +54,7 @@ TEST(ScenarioCameraModel, HasTheLensesAndSensorsOfRoom) {
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
       const auto faults = faultsOf(draftOf(experiment::scenarios::sensorScenarios(), name, seed));
       ASSERT_EQ(faults.cameras.size(), 2U);
-      EXPECT_TRUE(faults.illumination.plain());
+      EXPECT_TRUE(faults.illumination.isDefault());
       for (const CameraFaults& camera : faults.cameras) {
         expectWithin(camera.sensor.psfSigmaPx, 0.5, 2.0, name);
         expectWithin(camera.sensor.noise.fullWell, 1000.0, 6000.0, name);

@@ -95,7 +95,7 @@ TEST(ScenarioIllumination, ASecondLampIsABulbOrTheSky) {
     const SensingFaults faults = faultsOf(draft);
     EXPECT_EQ(faults.illumination.roomGain, 0.8F);
     ASSERT_EQ(faults.illumination.further.size(), 1U);
-    const simulation::FurtherLamp& lamp = faults.illumination.further.front();
+    const simulation::AdditionalLamp& lamp = faults.illumination.further.front();
     EXPECT_GE(lamp.color[1], 0.3F); // in green all color temperatures have their strength
     EXPECT_LE(lamp.color[1], 0.5F);
     const double red = rednessOf(Eigen::Vector3d(lamp.color.cast<double>()));

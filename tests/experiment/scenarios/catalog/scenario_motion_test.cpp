@@ -206,7 +206,8 @@ TEST(ScenarioCrossing, BallsNeverTouchButPassBeforeEachOther) {
     EXPECT_GT(covered, 0) << name << ": one ball before the other in some image";
     // The search's box holds all of them.
     for (const Eigen::Vector3d& place : validTruthAt(run, 0)) {
-      EXPECT_TRUE(((place - run.startCenter).array().abs() <= run.startHalf.array()).all()) << name;
+      EXPECT_TRUE(((place - run.startCenter).array().abs() <= run.startHalfSize.array()).all())
+          << name;
     }
   }
 }

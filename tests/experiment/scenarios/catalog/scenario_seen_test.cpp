@@ -18,7 +18,7 @@
 namespace dewpoint::tests {
 namespace {
 
-using experiment::scenarios::apart;
+using experiment::scenarios::areSeparated;
 using Kind = ScenarioEvent::Kind;
 
 /// Pixels in a camera's image that match the first target's color.
@@ -129,7 +129,7 @@ TEST(ScenarioCrowd, OnlyTheTargetIsInTheStartBox) {
     EXPECT_EQ(run.targets.size(), 1U);
     EXPECT_EQ(run.equalCandidates, 1);
     EXPECT_TRUE(((truthAt(run, 0)[0] - run.startCenter).array().abs() <= 0.02).all());
-    EXPECT_EQ(run.startHalf, Eigen::Vector3d::Constant(0.05));
+    EXPECT_EQ(run.startHalfSize, Eigen::Vector3d::Constant(0.05));
     // Six balls or more of 389 pixels at the middle's distance, some before others.
     EXPECT_GT(matching(run, 0, 0), 2 * 389) << name;
   }
@@ -156,7 +156,7 @@ bool isHidden(const ScenarioDraft& draft, std::size_t camera,
   return view.distances[view.index(column, row)] < (point - eye).norm() ||
          std::ranges::any_of(balls, [&](const Eigen::Vector3d& other) {
            return (other - eye).norm() < (point - eye).norm() - 1e-9 &&
-                  !apart(view, other, 0.035, point, 1e-6);
+                  !areSeparated(view, other, 0.035, point, 1e-6);
          });
 }
 
@@ -213,7 +213,7 @@ TEST(ScenarioCrowd, BallsTouchAndCoverTheTarget) {
         const Eigen::Vector3d eye = draft.rig[camera].center();
         covered += std::any_of(balls.begin() + 1, balls.end(), [&](const Eigen::Vector3d& other) {
           return (other - eye).norm() < (balls[0] - eye).norm() &&
-                 !apart(*draft.stage.views[camera], balls[0], kRadius, other, kRadius);
+                 !areSeparated(*draft.stage.views[camera], balls[0], kRadius, other, kRadius);
         });
       }
     }
@@ -228,7 +228,7 @@ TEST(ScenarioCrowd, AnEvenStartFavorsNeither) {
   EXPECT_EQ(run.equalCandidates, 2);
   // The box reaches 0.05 m beyond both balls: the target is on its border but for those.
   const Eigen::Vector3d off = (truthAt(run, 0)[0] - run.startCenter).cwiseAbs();
-  EXPECT_TRUE((run.startHalf - off).isApprox(Eigen::Vector3d::Constant(0.05), 1e-9));
+  EXPECT_TRUE((run.startHalfSize - off).isApprox(Eigen::Vector3d::Constant(0.05), 1e-9));
   EXPECT_EQ(scenarioRun("S0-slow").equalCandidates, 1);
 }
 

@@ -95,7 +95,7 @@ TEST(ScenarioHeld, ThirtyToSixtyPercentAreHiddenInEveryCamera) {
   for (const auto& [name, frames] :
        {std::pair("S11-held", std::vector<std::int64_t>{0, 60, 120, 177}),
         std::pair("S11-grasped", std::vector<std::int64_t>{60, 120, 177})}) {
-    const ScenarioDraft draft = draftOf(experiment::scenarios::heldScenarios(), name);
+    const ScenarioDraft draft = draftOf(experiment::scenarios::handHeldScenarios(), name);
     const ScenarioRun run = scenarioRun(name);
     for (const std::int64_t frame : frames) { // of those at which the scenario itself looks
       for (const std::size_t camera : {0U, 1U}) {
@@ -185,9 +185,9 @@ double paintedShare(const ScenarioDraft& draft, std::size_t camera, std::int64_t
        ++row) {
     for (double column = std::ceil(disc.center.x() - disc.radius);
          column < disc.center.x() + disc.radius; ++column) {
-      const auto direction = unprojector.rayWorld({column, row});
+      const auto direction = unprojector.worldDirection({column, row});
       simulation::PartHit hit;
-      castPart(ball, eye, direction->cast<float>(), hit);
+      intersectPart(ball, eye, direction->cast<float>(), hit);
       const cv::Point pixel(static_cast<int>(column), static_cast<int>(row));
       if (hit.part != nullptr && (plain.empty() || counts(plain.at<cv::Vec3b>(pixel)))) {
         ++all;

@@ -130,8 +130,8 @@ std::vector<SensingFaults> drawnRuns(Grade grade) {
   context.cameras = kCameras;
   std::vector<SensingFaults> runs;
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
-    Draws draws(seed, "grade test");
-    runs.push_back(drawFaults(gradeModel(grade), context, draws));
+    RandomDraws draws(seed, "grade test");
+    runs.push_back(randomFaults(gradeModel(grade), context, draws));
     EXPECT_EQ(runs.back().cameras.size(), kCameras);
   }
   return runs;
@@ -180,8 +180,8 @@ TEST(GradeTable, RunsAreDrawnFromAllOfIt) {
       expectDrawn(row.name, grade == Grade::Room ? row.room : row.wild, values);
     }
     for (const SensingFaults& run : runs) {
-      EXPECT_FALSE(run.illumination.plain());
-      const simulation::FurtherLamp& colored = run.illumination.further.at(1);
+      EXPECT_FALSE(run.illumination.isDefault());
+      const simulation::AdditionalLamp& colored = run.illumination.further.at(1);
       const double red = colored.color[2] / colored.color[0];
       EXPECT_LT(red, 1.001 * redness(grade == Grade::Room ? 2700.0 : 2200.0));
       EXPECT_GT(red, 0.999 * redness(grade == Grade::Room ? 9000.0 : 12000.0));

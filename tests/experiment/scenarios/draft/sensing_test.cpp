@@ -21,12 +21,12 @@ RandomStream chancesOf(std::int64_t frame) {
 
 TEST(CameraTiming, IsRightUnlessSetOtherwise) {
   for (std::int64_t frame = 0; frame < 50; ++frame) {
-    const auto delivery = delivered({}, frame, chancesOf(frame));
+    const auto delivery = deliveryOf({}, frame, chancesOf(frame));
     ASSERT_TRUE(delivery);
     EXPECT_EQ(delivery->shown, frame);
     EXPECT_EQ(delivery->stampError, 0.0);
   }
-  EXPECT_EQ(exposureTime({}, 1.25), 1.25);
+  EXPECT_EQ(midExposureTime({}, 1.25), 1.25);
 }
 
 TEST(CameraTiming, DropsAndDoublesItsShares) {
@@ -36,7 +36,7 @@ TEST(CameraTiming, DropsAndDoublesItsShares) {
   int dropped = 0;
   int doubled = 0;
   for (std::int64_t frame = 0; frame < 2000; ++frame) {
-    const auto delivery = delivered(timing, frame, chancesOf(frame));
+    const auto delivery = deliveryOf(timing, frame, chancesOf(frame));
     dropped += delivery ? 0 : 1;
     doubled += delivery && delivery->shown == frame - 1 ? 1 : 0;
   }
@@ -50,7 +50,7 @@ TEST(CameraTiming, FreezesAtTheLastImageBefore) {
   timing.freezeBegin = 10;
   timing.freezeEnd = 13;
   const auto shown = [&](std::int64_t frame) {
-    return delivered(timing, frame, chancesOf(frame))->shown;
+    return deliveryOf(timing, frame, chancesOf(frame))->shown;
   };
   EXPECT_EQ(shown(9), 9);
   EXPECT_EQ(shown(10), 9);
@@ -62,12 +62,12 @@ TEST(CameraTiming, ExposesBeforeTheStamp) {
   CameraTiming timing;
   timing.delay = 0.012;
   timing.clockDrift = 0.001;
-  EXPECT_NEAR(exposureTime(timing, 5.0), 5.0 - 0.012 - 0.005, 1e-12);
+  EXPECT_NEAR(midExposureTime(timing, 5.0), 5.0 - 0.012 - 0.005, 1e-12);
 }
 
 TEST(CalibrationErrors, HaveTheStatedSizes) {
   const Camera truth = scenarioRun("S0-slow").trueRig[0];
-  Draws draws(5, "calibration test");
+  RandomDraws draws(5, "calibration test");
   EXPECT_EQ(miscalibrated(truth, {}, draws), truth);
   const CalibrationError error{0.005, 0.002, 0.003, 0.01};
   constexpr int kDraws = 2000;
@@ -96,8 +96,8 @@ TEST(Grades, LampsLightTheTargetMoreThanFarWalls) {
   context.cameras = 1;
   context.targetStart = {0.5, 0.5, 0.15};
   for (const Grade grade : {Grade::Room, Grade::Wild}) {
-    Draws draws(4, "lamp test");
-    for (const auto& lamp : drawFaults(gradeModel(grade), context, draws).illumination.further) {
+    RandomDraws draws(4, "lamp test");
+    for (const auto& lamp : randomFaults(gradeModel(grade), context, draws).illumination.further) {
       const float distance = (lamp.position - context.targetStart.cast<float>()).norm();
       EXPECT_FLOAT_EQ(lamp.falloff(distance), 1.0F);
       EXPECT_FLOAT_EQ(lamp.falloff(2.0F * distance), 0.25F);
@@ -112,8 +112,8 @@ double strongestBands(Grade grade) {
   context.cameras = 2;
   double most = 0.0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-    Draws draws(seed, "band test");
-    for (const CameraFaults& camera : drawFaults(gradeModel(grade), context, draws).cameras) {
+    RandomDraws draws(seed, "band test");
+    for (const CameraFaults& camera : randomFaults(gradeModel(grade), context, draws).cameras) {
       const auto gains = simulation::rowGains(camera.sensor.flicker, camera.sensor.shutter, 240, 0);
       const auto [low, high] = std::ranges::minmax_element(gains);
       most = std::max(most, 0.5 * double{*high - *low});

@@ -33,7 +33,7 @@ std::vector<PeopleScenario> drawn(const std::string& name,
 double nearestOfTwo(const PeopleScenario& scenario) {
   const auto& people = scenario.scene.people;
   double nearest = 10.0;
-  for (double time = kAppear; time < scenario.after; time += 0.02) {
+  for (double time = kAppearTime; time < scenario.after; time += 0.02) {
     nearest = std::min(nearest, (people[0].position(time) - people[1].position(time)).norm());
   }
   return nearest;
@@ -131,8 +131,8 @@ TEST(PeopleScenario, CarryingIsABoxAndABag) {
   for (const PeopleScenario& scenario : drawn("carrying")) {
     const auto& people = scenario.scene.people;
     ASSERT_TRUE(people.at(0).load && people.at(1).load);
-    EXPECT_EQ(people[0].load->kind, simulation::Load::Kind::Box);
-    EXPECT_EQ(people[1].load->kind, simulation::Load::Kind::Bag);
+    EXPECT_EQ(people[0].load->kind, simulation::CarriedObject::Kind::Box);
+    EXPECT_EQ(people[1].load->kind, simulation::CarriedObject::Kind::Bag);
   }
 }
 
@@ -142,7 +142,7 @@ TEST(PeopleScenario, ACrowdIsOfFiveAndMore) {
     EXPECT_LE(scenario.scene.people.size(), 8U);
     for (const Walker& walker : scenario.scene.people) {
       EXPECT_GE(walker.height, 1.5);
-      for (double time = kAppear; time < scenario.after; time += 0.1) {
+      for (double time = kAppearTime; time < scenario.after; time += 0.1) {
         const Eigen::Vector2d position = walker.position(time);
         EXPECT_LT(position.cwiseAbs().maxCoeff(), 2.6); // off the walls
       }
@@ -169,7 +169,7 @@ TEST(PeopleScenario, FurnitureIsMovedAfterPeopleHaveAppeared) {
   for (const PeopleScenario& scenario : drawn("furniture-moved")) {
     ASSERT_EQ(scenario.scene.furniture.size(), 2U);
     for (const auto& piece : scenario.scene.furniture) {
-      EXPECT_EQ(piece.at(0.0).position, piece.at(kAppear).position);
+      EXPECT_EQ(piece.at(0.0).position, piece.at(kAppearTime).position);
       const Eigen::Vector2d way = piece.at(scenario.after).position - piece.at(0.0).position;
       EXPECT_GT(way.norm(), 0.79); // 0.8 to 1.5 m
       EXPECT_LT(piece.way.back().time, scenario.after);

@@ -6,8 +6,8 @@
 namespace dewpoint::tests {
 namespace {
 
-using experiment::scenarios::backedShare;
 using experiment::scenarios::hiddenShare;
+using experiment::scenarios::overlappedFraction;
 using simulation::MovingPart;
 
 /// A plate square to X, 1 x 1 m, whose lower edge is at z = `low`.
@@ -34,9 +34,9 @@ TEST(HiddenShare, WhatIsBehindTheBallBacksItAndHidesNothing) {
   const Eigen::Vector3d eye{0.0, 0.0, 0.0};
   const Eigen::Vector3d ball{1.0, 0.0, 0.0};
   EXPECT_EQ(hiddenShare(eye, ball, 0.05, {plateAt(1.5F, 0.0F)}), 0.0);
-  EXPECT_NEAR(backedShare(eye, ball, 0.05, {plateAt(1.5F, 0.0F)}), 0.5, 0.02);
-  EXPECT_EQ(backedShare(eye, ball, 0.05, {plateAt(1.5F, -0.5F)}), 1.0);
-  EXPECT_EQ(backedShare(eye, ball, 0.05, {}), 0.0);
+  EXPECT_NEAR(overlappedFraction(eye, ball, 0.05, {plateAt(1.5F, 0.0F)}), 0.5, 0.02);
+  EXPECT_EQ(overlappedFraction(eye, ball, 0.05, {plateAt(1.5F, -0.5F)}), 1.0);
+  EXPECT_EQ(overlappedFraction(eye, ball, 0.05, {}), 0.0);
 }
 
 } // namespace

@@ -30,8 +30,8 @@ TEST(WildRig, ShowsTargetsFromFourPixelsToHalfTheImage) {
   int small = 0;
   int large = 0;
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
-    Draws draws(seed, "wild rig test");
-    const WildRig wild = drawRig(simulation::demoRig(), Furnishing::ClutteredDesk, 0, draws);
+    RandomDraws draws(seed, "wild rig test");
+    const WildRig wild = randomRig(simulation::demoRig(), Furnishing::ClutteredDesk, 0, draws);
     const double pixels = targetPixels(wild);
     small += pixels < 8.0 ? 1 : 0;
     large += pixels > 80.0 ? 1 : 0;
@@ -60,9 +60,9 @@ TEST(WildRig, ShowsTargetsFromFourPixelsToHalfTheImage) {
 
 TEST(WildRig, LaterAttemptsHaveTheUsualSizeAtMost) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
-    Draws draws(seed, "wild rig test");
+    RandomDraws draws(seed, "wild rig test");
     const WildRig wild =
-        drawRig(simulation::demoRig(), Furnishing::ClutteredDesk, kMostRigs - 1, draws);
+        randomRig(simulation::demoRig(), Furnishing::ClutteredDesk, kMaxRigAttempts - 1, draws);
     // 350 pixels, and lenses that differ by 10 %.
     EXPECT_LE(wild.rig.front().intrinsics.focalX, 350.0 * 1.1 + 1e-9);
   }
@@ -72,8 +72,8 @@ TEST(WildRoom, LeavesTheMiddleAndTheCamerasFree) {
   const CameraRig rig = simulation::demoRig();
   std::size_t objects = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    Draws draws(seed, "wild room test");
-    const simulation::RoomDesign design = drawRoom(Furnishing::ClutteredDesk, rig, draws);
+    RandomDraws draws(seed, "wild room test");
+    const simulation::RoomDesign design = randomRoom(Furnishing::ClutteredDesk, rig, draws);
     ASSERT_TRUE(design.walls);
     ASSERT_TRUE(design.lamp);
     EXPECT_GT(design.lamp->z(), 1.2F);
@@ -88,8 +88,8 @@ TEST(WildRoom, LeavesTheMiddleAndTheCamerasFree) {
         EXPECT_GT(apart(camera.center().x(), camera.center().y()), 0.19);
       }
     }
-    Draws again(seed, "wild room test");
-    EXPECT_EQ(drawRoom(Furnishing::ClutteredDesk, rig, again).further.solids().size(),
+    RandomDraws again(seed, "wild room test");
+    EXPECT_EQ(randomRoom(Furnishing::ClutteredDesk, rig, again).further.solids().size(),
               design.further.solids().size());
   }
   EXPECT_GT(objects, 20U * 7U);
@@ -106,14 +106,14 @@ TEST(WildRoom, SomeOfItHasTheTargetsColor) {
   int walls = 0;
   int shirts = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-    Draws draws(seed, "wild color test");
+    RandomDraws draws(seed, "wild color test");
     const simulation::RoomDesign design =
-        drawRoom(Furnishing::ClutteredDesk, simulation::demoRig(), draws, blue);
+        randomRoom(Furnishing::ClutteredDesk, simulation::demoRig(), draws, blue);
     for (const simulation::Solid& solid : design.further.solids()) {
       objects += isToneOf(solid.material.color, blue) ? 1 : 0;
     }
     walls += isToneOf(design.walls->color, blue) ? 1 : 0;
-    for (const simulation::Walker& walker : drawPeople(Furnishing::Desk, 6.0, draws, blue)) {
+    for (const simulation::Walker& walker : randomPeople(Furnishing::Desk, 6.0, draws, blue)) {
       shirts += isToneOf(walker.clothes.shirt, blue) ? 1 : 0;
     }
   }
@@ -126,8 +126,8 @@ TEST(WildRoom, SomeOfItHasTheTargetsColor) {
 TEST(WildRoom, PeopleWalkBehindTheVolume) {
   std::size_t people = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    Draws draws(seed, "people test");
-    for (const simulation::Walker& walker : drawPeople(Furnishing::Desk, 6.0, draws)) {
+    RandomDraws draws(seed, "people test");
+    for (const simulation::Walker& walker : randomPeople(Furnishing::Desk, 6.0, draws)) {
       ++people;
       for (const double time : {0.0, 3.0, 6.0}) {
         const Eigen::Vector2d position = walker.position(time);
@@ -135,10 +135,10 @@ TEST(WildRoom, PeopleWalkBehindTheVolume) {
         EXPECT_GT(position.minCoeff(), -1.1);
       }
     }
-    EXPECT_TRUE(drawPeople(Furnishing::Hall, 6.0, draws).empty());
+    EXPECT_TRUE(randomPeople(Furnishing::Hall, 6.0, draws).empty());
   }
   EXPECT_GT(people, 10U);
-  EXPECT_EQ(floorOf(Furnishing::ClutteredDesk), -0.75F);
+  EXPECT_EQ(floorHeightOf(Furnishing::ClutteredDesk), -0.75F);
 }
 
 TEST(WildGrade, GivesEverySeedItsOwnCameras) {
@@ -162,12 +162,12 @@ TEST(WildGrade, HasRunsWithTinyAndWithHugeTargets) {
   double smallest = 1e9;
   double largest = 0.0;
   for (std::uint64_t seed = 1; seed <= 60 && (smallest >= 8.0 || largest <= 80.0); ++seed) {
-    Draws draws(seed, "S0-slow wild 0"); // the run's own: only those of interest are made
+    RandomDraws draws(seed, "S0-slow wild 0"); // the run's own: only those of interest are made
     const double wanted =
-        targetPixels(drawRig(simulation::demoRig(), Furnishing::ClutteredDesk, 0, draws));
-    const bool isOfInterest =
+        targetPixels(randomRig(simulation::demoRig(), Furnishing::ClutteredDesk, 0, draws));
+    const bool isInVolumeOfInterest =
         (wanted < 8.0 && smallest >= 8.0) || (wanted > 80.0 && largest <= 80.0);
-    const auto run = isOfInterest
+    const auto run = isInVolumeOfInterest
                          ? scenario->make(seed, Grade::Wild)
                          : Result<ScenarioRun>(failure(ErrorCode::Undetermined, "", "", ""));
     if (run) {

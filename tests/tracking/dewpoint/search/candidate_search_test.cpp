@@ -78,7 +78,7 @@ TEST(CandidateSearch, FindsABallInTwoCameras) {
     EXPECT_LT((candidates[0].center - truth).norm(), 0.3 * kRadius) << k;
     EXPECT_EQ(candidates[0].radius, kRadius);
     EXPECT_GT(candidates[0].logLikelihoodRatio,
-              SphereEvidence::best()); // more than one camera could say
+              SphereEvidence::maxLogLikelihoodRatio()); // more than one camera could say
     EXPECT_EQ(scene.observation().radius(), kRadius);
   }
 }
@@ -163,7 +163,7 @@ TEST(CandidateSearch, AThingOfAnotherSizeConvincesNoTwoCameras) {
   SearchScene scene(2);
   scene.show({Ball{drawn::kMiddle, 0.1}});
   for (const Candidate& candidate : scene.find()) {
-    EXPECT_LT(candidate.logLikelihoodRatio, 1.2 * SphereEvidence::best());
+    EXPECT_LT(candidate.logLikelihoodRatio, 1.2 * SphereEvidence::maxLogLikelihoodRatio());
   }
 }
 
@@ -210,7 +210,7 @@ TEST(SlicedSearch, WaitsForTime) {
   budget.set(1e-12);
   budget.begin();
   EXPECT_FALSE(sliced.advance(scene.search(), budget, 10, false));
-  EXPECT_TRUE(sliced.observation().labels(0).covered().empty());
+  EXPECT_TRUE(sliced.observation().labels(0).labeledArea().empty());
 }
 
 } // namespace

@@ -21,19 +21,19 @@ TEST(TimeBudget, WithoutALimitEverythingIsDone) {
   TimeBudget budget = begun(0.0);
   int done = 0;
   for (int k = 0; k < 100; ++k) {
-    EXPECT_TRUE(budget.spend(Part::Labels, [&] { ++done; }));
+    EXPECT_TRUE(budget.runIfAffordable(Part::Labels, [&] { ++done; }));
   }
-  budget.endOfUpdates(2000.0);
+  budget.adaptParticleCount(2000.0);
   EXPECT_EQ(done, 100);
-  EXPECT_FALSE(budget.limited());
-  EXPECT_FALSE(budget.particles());
+  EXPECT_FALSE(budget.isLimited());
+  EXPECT_FALSE(budget.affordableParticles());
 }
 
 TEST(TimeBudget, WhatFitsIsDone) {
   TimeBudget budget = begun(kDay);
   int done = 0;
   for (int k = 0; k < 100; ++k) {
-    EXPECT_TRUE(budget.spend(Part::Labels, [&] { ++done; }));
+    EXPECT_TRUE(budget.runIfAffordable(Part::Labels, [&] { ++done; }));
   }
   EXPECT_EQ(done, 100);
 }
@@ -42,50 +42,50 @@ TEST(TimeBudget, WhatDoesNotFitIsPutOffButNotForGood) {
   TimeBudget budget = begun(kFemtosecond);
   int done = 0;
   for (int k = 0; k < TimeBudget::kMaxDeferrals; ++k) {
-    EXPECT_FALSE(budget.spend(Part::Learning, [&] { ++done; }));
+    EXPECT_FALSE(budget.runIfAffordable(Part::Learning, [&] { ++done; }));
   }
-  EXPECT_TRUE(budget.spend(Part::Learning, [&] { ++done; }));
-  EXPECT_FALSE(budget.spend(Part::Learning, [&] { ++done; })); // and waits again
-  EXPECT_FALSE(budget.spend(Part::Spots, [&] { ++done; }));    // each part for itself
+  EXPECT_TRUE(budget.runIfAffordable(Part::Learning, [&] { ++done; }));
+  EXPECT_FALSE(budget.runIfAffordable(Part::Learning, [&] { ++done; })); // and waits again
+  EXPECT_FALSE(budget.runIfAffordable(Part::Spots, [&] { ++done; }));    // each part for itself
   EXPECT_EQ(done, 1);
 }
 
 TEST(TimeBudget, UrgentWorkIsDoneAtOnce) {
   TimeBudget budget = begun(kFemtosecond);
   bool done = false;
-  EXPECT_TRUE(budget.spend(
+  EXPECT_TRUE(budget.runIfAffordable(
       Part::Candidates, [&] { done = true; }, true));
   EXPECT_TRUE(done);
 }
 
 TEST(TimeBudget, ParticlesFallAtOnceDownToTen) {
   TimeBudget budget = begun(kFemtosecond);
-  EXPECT_FALSE(budget.particles()); // nothing is known yet
-  budget.endOfUpdates(2000.0);
-  EXPECT_EQ(budget.particles(), 500.0); // by four at most
-  budget.endOfUpdates(2000.0);
-  EXPECT_EQ(budget.particles(), 125.0);
+  EXPECT_FALSE(budget.affordableParticles()); // nothing is known yet
+  budget.adaptParticleCount(2000.0);
+  EXPECT_EQ(budget.affordableParticles(), 500.0); // by four at most
+  budget.adaptParticleCount(2000.0);
+  EXPECT_EQ(budget.affordableParticles(), 125.0);
   for (int k = 0; k < 3; ++k) {
-    budget.endOfUpdates(2000.0);
+    budget.adaptParticleCount(2000.0);
   }
-  EXPECT_EQ(budget.particles(), 10.0);
+  EXPECT_EQ(budget.affordableParticles(), 10.0);
 }
 
 TEST(TimeBudget, ParticlesRiseSlowlyToTheMost) {
   TimeBudget budget = begun(kDay);
-  budget.endOfUpdates(100.0);
-  EXPECT_EQ(budget.particles(), 100.0);
-  budget.endOfUpdates(2000.0);
-  EXPECT_DOUBLE_EQ(*budget.particles(), 110.0);
+  budget.adaptParticleCount(100.0);
+  EXPECT_EQ(budget.affordableParticles(), 100.0);
+  budget.adaptParticleCount(2000.0);
+  EXPECT_DOUBLE_EQ(*budget.affordableParticles(), 110.0);
 }
 
 TEST(TimeBudget, AnotherLimitForgetsTheOld) {
   TimeBudget budget = begun(kFemtosecond);
-  budget.endOfUpdates(2000.0);
+  budget.adaptParticleCount(2000.0);
   budget.set(kFemtosecond);
-  EXPECT_TRUE(budget.particles()); // the same again changes nothing
+  EXPECT_TRUE(budget.affordableParticles()); // the same again changes nothing
   budget.set(kDay);
-  EXPECT_FALSE(budget.particles());
+  EXPECT_FALSE(budget.affordableParticles());
 }
 
 } // namespace

@@ -17,7 +17,7 @@ double spreadAfter(AdaptiveProcessNoise& processNoise, int steps) {
   Gaussian6 state;
   state.covariance.setZero();
   for (int step = 0; step < steps; ++step) {
-    processNoise.next(kAllowed).predict(state);
+    processNoise.nextMotion(kAllowed).predict(state);
     processNoise.recordUnseen();
   }
   return std::sqrt(state.covariance(0, 0));
@@ -25,65 +25,65 @@ double spreadAfter(AdaptiveProcessNoise& processNoise, int steps) {
 
 TEST(AdaptiveProcessNoise, AllowsEverythingAtFirst) {
   AdaptiveProcessNoise processNoise;
-  EXPECT_EQ(processNoise.next(kAllowed).accelerationSigma, 8.0);
-  EXPECT_EQ(processNoise.next(kAllowed).interval, kInterval);
+  EXPECT_EQ(processNoise.nextMotion(kAllowed).accelerationSigma, 8.0);
+  EXPECT_EQ(processNoise.nextMotion(kAllowed).interval, kInterval);
   EXPECT_EQ(processNoise.unseenSteps(), 0);
 }
 
 TEST(AdaptiveProcessNoise, LearnsCalmWithinASecondAndUnrestAtOnce) {
   AdaptiveProcessNoise processNoise;
-  processNoise.next(kAllowed);
+  processNoise.nextMotion(kAllowed);
   for (int frame = 0; frame < 30; ++frame) { // predicted to a third of what was expected
     processNoise.learn(0.3, {0.1, 0.0, 0.0});
   }
-  EXPECT_LT(processNoise.next(kAllowed).accelerationSigma, 2.5);
+  EXPECT_LT(processNoise.nextMotion(kAllowed).accelerationSigma, 2.5);
   for (int frame = 0; frame < 300; ++frame) {
     processNoise.learn(0.3, {0.1, 0.0, 0.0});
   }
-  EXPECT_GE(processNoise.next(kAllowed).accelerationSigma, 0.5); // no hand is that calm
+  EXPECT_GE(processNoise.nextMotion(kAllowed).accelerationSigma, 0.5); // no hand is that calm
   for (int frame = 0; frame < 4; ++frame) {
     processNoise.learn(100.0, {0.1, 0.0, 0.0});
   }
-  EXPECT_GT(processNoise.next(kAllowed).accelerationSigma, 6.0);
-  EXPECT_LE(processNoise.next(kAllowed).accelerationSigma, 8.0); // never more than allowed
+  EXPECT_GT(processNoise.nextMotion(kAllowed).accelerationSigma, 6.0);
+  EXPECT_LE(processNoise.nextMotion(kAllowed).accelerationSigma, 8.0); // never more than allowed
 }
 
 TEST(AdaptiveProcessNoise, WhatIsAsUncertainAsStatedStaysAsItIs) {
   AdaptiveProcessNoise processNoise;
-  processNoise.next({kInterval, 3.0});
+  processNoise.nextMotion({kInterval, 3.0});
   for (int frame = 0; frame < 100; ++frame) {
     processNoise.learn(3.0, Eigen::Vector3d::Zero()); // the mean of chi-square with three degrees
   }
-  EXPECT_NEAR(processNoise.next(kAllowed).accelerationSigma, 3.0, 1e-9);
+  EXPECT_NEAR(processNoise.nextMotion(kAllowed).accelerationSigma, 3.0, 1e-9);
 }
 
 // A velocity that grows by 2 m/s every second along each axis: after half a second without sight
 // the position is off by 2 t² / 2 = 0.25 m. The sum over steps gives 0.8 of that.
 TEST(AdaptiveProcessNoise, WithoutSightAnAccelerationThatWasSeenLasts) {
   AdaptiveProcessNoise processNoise;
-  processNoise.next(kAllowed);
+  processNoise.nextMotion(kAllowed);
   for (int frame = 0; frame < 120; ++frame) {
     processNoise.learn(3.0, Eigen::Vector3d::Constant(2.0 * kInterval * frame));
   }
-  processNoise.next(kAllowed);
+  processNoise.nextMotion(kAllowed);
   processNoise.recordUnseen();
   EXPECT_NEAR(spreadAfter(processNoise, 15), 0.25, 0.1);
 }
 
 TEST(AdaptiveProcessNoise, WithoutSightACalmTargetStaysPredictable) {
   AdaptiveProcessNoise processNoise;
-  processNoise.next(kAllowed);
+  processNoise.nextMotion(kAllowed);
   for (int frame = 0; frame < 120; ++frame) {
     processNoise.learn(1.0, {0.2, 0.0, 0.1});
   }
-  processNoise.next(kAllowed);
+  processNoise.nextMotion(kAllowed);
   processNoise.recordUnseen();
   EXPECT_LT(spreadAfter(processNoise, 10), 0.03);
 }
 
 TEST(AdaptiveProcessNoise, TheMarginMakesUpForWhatIsAllowed) {
   AdaptiveProcessNoise processNoise;
-  processNoise.next(kAllowed);
+  processNoise.nextMotion(kAllowed);
   for (int frame = 0; frame < 300; ++frame) {
     processNoise.learn(0.3, {0.2, 0.0, 0.1});
   }
@@ -92,7 +92,7 @@ TEST(AdaptiveProcessNoise, TheMarginMakesUpForWhatIsAllowed) {
   state.covariance.setZero();
   Gaussian6 allowed = state;
   for (int step = 0; step < 10; ++step) {
-    processNoise.next(kAllowed).predict(state);
+    processNoise.nextMotion(kAllowed).predict(state);
     kAllowed.predict(allowed);
     processNoise.recordUnseen();
     const Gaussian6::Matrix total = state.covariance + processNoise.gatingCovariance();

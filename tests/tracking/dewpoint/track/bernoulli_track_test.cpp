@@ -80,14 +80,14 @@ TEST_F(BernoulliTrackTest, WithoutImagesExistenceDecaysWithTheSurvivalTime) {
   EXPECT_NEAR(probability(), 0.98 * std::exp(-0.2), 1e-12);
   update();
   EXPECT_NEAR(probability(), 0.98 * std::exp(-0.2), 1e-9);
-  EXPECT_NE(track_.confident(), nullptr);
+  EXPECT_NE(track_.confidentHypothesis(), nullptr);
   // A second iteration on the same frame counts nothing twice.
   update();
   EXPECT_NEAR(probability(), 0.98 * std::exp(-0.2), 1e-9);
   predict(2.5); // 3.5 s in all: e^-0.7, less than one half
   update();
   EXPECT_NEAR(probability(), 0.98 * std::exp(-0.7), 1e-9);
-  EXPECT_EQ(track_.confident(), nullptr);
+  EXPECT_EQ(track_.confidentHypothesis(), nullptr);
 }
 
 TEST_F(BernoulliTrackTest, WhatNobodyCanSeeIsSearchedFor) {
@@ -144,7 +144,7 @@ TEST_F(BernoulliTrackTest, ATrackIsCreatedWhereTheSearchFindsIt) {
   show({Ball{kThere}});
   predict(kFrame);
   update({{kThere + Eigen::Vector3d(0.004, 0.0, 0.0), kRadius, 0.0}});
-  ASSERT_NE(track_.confident(), nullptr);
+  ASSERT_NE(track_.confidentHypothesis(), nullptr);
   EXPECT_LT((track_.best()->position() - kThere).norm(), 1e-3);
   EXPECT_TRUE(track_.expectedSphere());
 }
@@ -175,7 +175,7 @@ TEST_F(BernoulliTrackTest, NoTrackIsCreatedOutsideTheBounds) {
   EXPECT_TRUE(boundsFrom(0.05).contains(searched.mean, 1e-9)) << searched.mean.transpose();
   track_.setBounds(boundsFrom(-1.0));
   update({{kThere, kRadius, 0.0}});
-  EXPECT_NE(track_.confident(), nullptr);
+  EXPECT_NE(track_.confidentHypothesis(), nullptr);
 }
 
 TEST_F(BernoulliTrackTest, ATrackEndsMoreThanARadiusOutsideTheBounds) {
@@ -208,7 +208,7 @@ TEST_F(BernoulliTrackTest, RemembersTheRadiusThatItMeasured) {
   show({Ball{elsewhere, half}});
   predict(kFrame);
   update({{elsewhere, half, 0.0}});
-  ASSERT_NE(track_.confident(), nullptr); // nothing is known yet
+  ASSERT_NE(track_.confidentHypothesis(), nullptr); // nothing is known yet
   EXPECT_NEAR(track_.best()->radius, half, 0.1 * half);
 
   track_.restart(StartVolume{kThere, Eigen::Vector3d::Constant(0.5)}, 1);
@@ -217,14 +217,14 @@ TEST_F(BernoulliTrackTest, RemembersTheRadiusThatItMeasured) {
     predict(kFrame);
     update({{kThere, kRadius, 0.0}});
   }
-  ASSERT_NE(track_.confident(), nullptr);
+  ASSERT_NE(track_.confidentHypothesis(), nullptr);
   EXPECT_NEAR(track_.best()->radius, kRadius, 0.03 * kRadius);
   show({Ball{elsewhere, half}});
   for (int frame = 0; frame < 10; ++frame) {
     predict(kFrame);
     update({{elsewhere, half, 0.0}});
   }
-  EXPECT_EQ(track_.confident(), nullptr);
+  EXPECT_EQ(track_.confidentHypothesis(), nullptr);
 }
 
 // The target was followed as something of another shape, and is taken for a ball again: its

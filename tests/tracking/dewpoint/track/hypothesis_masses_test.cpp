@@ -41,19 +41,19 @@ TEST(HypothesisMasses, AbsenceIsWhatTheHypothesesLeave) {
 TEST(HypothesisMasses, WhatOneCameraShowsLeavesAbsenceToTheOthers) {
   std::vector<TrackHypothesis> all{at(0, 0.5), at(1, 0.3)};
   all[1].oneCameraOnly = true;
-  EXPECT_NEAR(absenceFromSharedViews(all), 0.5, 1e-15);
+  EXPECT_NEAR(absenceProbabilityInSharedViews(all), 0.5, 1e-15);
   EXPECT_NEAR(absenceProbability(all), 0.2, 1e-15);
 }
 
 TEST(HypothesisMasses, OneCameraGivesBackWhatWasProvenAndNoMore) {
   std::vector<TrackHypothesis> all{at(0, 0.6)};
-  limitOneCamera(all); // two cameras see it: 0.6 is proven
+  limitOneCameraHypotheses(all); // two cameras see it: 0.6 is proven
   all[0].oneCameraOnly = true;
   all[0].probability = 0.3; // time has passed
-  limitOneCamera(all);
+  limitOneCameraHypotheses(all);
   EXPECT_EQ(all[0].probability, 0.3);
   all[0].probability = 0.9; // what one camera says of it
-  limitOneCamera(all);
+  limitOneCameraHypotheses(all);
   EXPECT_EQ(all[0].probability, 0.6);
 }
 
@@ -62,7 +62,7 @@ TEST(HypothesisMasses, WhatMayBeAPartOfSomethingLargerIsNeverSure) {
   all[0].rimSeen = true;
   all[1].rimSeen = true;
   all[1].secondsSinceRim = TrackHypothesis::kRimMemory + 0.01; // for too long
-  limitWithoutRim(all);
+  limitHypothesesWithoutRim(all);
   EXPECT_EQ(probabilitiesOf(all), (std::vector<double>{0.99, 0.9, 0.9, 0.5}));
 }
 

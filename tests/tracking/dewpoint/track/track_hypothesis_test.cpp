@@ -100,7 +100,8 @@ TEST_F(TrackHypothesisTest, AnUpdateFindsTheBallAndConditionsTheGaussian) {
   EXPECT_GT(factor, 3.0); // 20 times likelier at least
   EXPECT_LT((hypothesis_.position() - truth).norm(), 1e-3);
   EXPECT_EQ(hypothesis_.states.rows(), 500);
-  EXPECT_NEAR(hypothesis_.fullyVisibleLogLikelihoodRatio, 2.0 * SphereEvidence::best(), 1e-9);
+  EXPECT_NEAR(hypothesis_.fullyVisibleLogLikelihoodRatio,
+              2.0 * SphereEvidence::maxLogLikelihoodRatio(), 1e-9);
   EXPECT_GT(hypothesis_.logLikelihoodRatio, 0.9 * hypothesis_.fullyVisibleLogLikelihoodRatio);
   // The velocity follows the position by the covariance 3e-3 over the variance 1e-4.
   const Eigen::Vector3d expected =

@@ -133,7 +133,7 @@ void BoardPageTest::aRecordingCalibratesInOneStep() {
   QVERIFY(calibrate());
   // The board is looked for first, and how far that is, is known; nobody looks for it afterwards.
   QVERIFY(!progress.isEmpty() && progress.first().first().toDouble() >= 0.0);
-  QVERIFY(!calibrator().isLooking());
+  QVERIFY(!calibrator().isSearching());
   QVERIFY2(calibrator().isApplied(), qPrintable(result()));
   QCOMPARE(history().count(), 1);
   QVERIFY(!history().undoText().isEmpty());
@@ -231,7 +231,7 @@ void BoardPageTest::liveCamerasAreGuidedToTheEnd() {
   openLive({true, true});
   BoardGuideRequest request = calibrator().request();
   request.lenses.requestedProjectionPx = 20.0; // coarse: it ends after the fewest views
-  request.requestedPosition = 0.05;
+  request.requiredPositionSigma = 0.05;
   request.rig.instantsPerPair = 4;
   calibrator().setRequest(request);
   const auto before = project().cameras;
@@ -241,7 +241,7 @@ void BoardPageTest::liveCamerasAreGuidedToTheEnd() {
   // board.
   int solving = 0, looking = 0;
   connect(&calibrator(), &BoardCalibrator::progressChanged, this,
-          [&](double part) { ++(calibrator().isLooking() || part >= 0.0 ? looking : solving); });
+          [&](double part) { ++(calibrator().isSearching() || part >= 0.0 ? looking : solving); });
   // The board is moved on when a view was taken, or when this one gives nothing new.
   std::size_t taken = 0;
   int images = 0;

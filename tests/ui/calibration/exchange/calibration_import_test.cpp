@@ -123,7 +123,7 @@ void CalibrationImportTest::goldenFilesAreTaken() {
   QFETCH(int, cameras);
   CalibrationHints hints;
   if (!unit.isEmpty()) {
-    hints.unit = metersOfUnit(unit.toStdString());
+    hints.unit = parseLengthUnit(unit.toStdString());
   }
   if (!size.isEmpty()) {
     hints.size = {1280, 720};

@@ -66,7 +66,7 @@ void PlannerPageTest::showMap() {
 }
 
 QPointF PlannerPageTest::placeInView(const Eigen::Vector3d& point) {
-  const Eigen::Vector2d at = view().scene().placeInPicture(point) / view().devicePixelRatioF();
+  const Eigen::Vector2d at = view().scene().projectToImage(point) / view().devicePixelRatioF();
   return {view().width() / 2.0 + at.x(), view().height() / 2.0 - at.y()};
 }
 
@@ -95,11 +95,11 @@ void PlannerPageTest::opensByItsAction() {
 }
 
 void PlannerPageTest::theMapHasASentenceAndALegend() {
-  const QImage before = view().currentPicture();
+  const QImage before = view().currentImage();
   showMap();
   QVERIFY(find<QCheckBox>("mapShown")->isChecked());
   QVERIFY(view().map() == plan().map().get());
-  QVERIFY(view().currentPicture() != before);
+  QVERIFY(view().currentImage() != before);
   auto* summary = find<QLabel>("mapSummary");
   QVERIFY(summary->isVisible());
   QVERIFY2(summary->text().contains(QLatin1String("within 5 mm")), qPrintable(summary->text()));
@@ -153,7 +153,7 @@ void PlannerPageTest::layerAndVolumeAreSet() {
   Q_EMIT find<QComboBox>("mapQuantity")->activated(1);
   QVERIFY(view().mapLook().quantity == MapQuantity::CameraCount);
   const Eigen::AlignedBox3d room = plan().volume();
-  QVERIFY(plan().followsRoom());
+  QVERIFY(plan().followsProjectVolume());
   QVERIFY(waitForMap([&] { find<QDoubleSpinBox>("mapLowX")->setValue(room.min().x() - 1.0); }));
   QVERIFY(std::abs(plan().map()->grid.low.x() - (room.min().x() - 1.0)) < 0.0006);
   // A volume turned inside out is refused, and the field shows what there is.
@@ -162,7 +162,7 @@ void PlannerPageTest::layerAndVolumeAreSet() {
   high->setValue(-999.0);
   QCOMPARE(high->value(), kept);
   find<QPushButton>("mapRoom")->click();
-  QVERIFY(plan().followsRoom());
+  QVERIFY(plan().followsProjectVolume());
   QVERIFY(plan().volume().isApprox(room));
   QCOMPARE(history().count(), 0);
 }
@@ -178,7 +178,7 @@ void PlannerPageTest::aPlannedCameraIsNoPartOfTheProject() {
   QVERIFY(waitForMap([this] { find<QDoubleSpinBox>("planPlaceX")->setValue(1.25); }));
   QVERIFY(std::abs(plan().planned()[0].center().x() - 1.25) < 1e-9);
   QVERIFY(waitForMap([this] { find<QDoubleSpinBox>("planTargetY")->setValue(0.75); }));
-  const Eigen::Vector3d target = lookedAt(plan().planned()[0], plan().volume().min().z());
+  const Eigen::Vector3d target = aimPoint(plan().planned()[0], plan().volume().min().z());
   QVERIFY(std::abs(target.y() - 0.75) < 1e-6);
   QVERIFY(waitForMap([this] { find<QDoubleSpinBox>("planFieldOfView")->setValue(90.0); }));
   const Intrinsics& lens = plan().planned()[0].intrinsics;
@@ -194,7 +194,7 @@ void PlannerPageTest::aPlannedCameraIsDragged() {
   view().lookFromAbove(); // there, pixels are meters along x and y
   showMap();
   find<QAction>("actionPlanCamera")->trigger();
-  (void)view().currentPicture(); // the view is framed anew
+  (void)view().currentImage(); // the view is framed anew
   const Camera before = plan().planned()[0];
   const QPointF from = placeInView(before.center());
   const double scale = view().scene().metersPerPixel() * view().devicePixelRatioF();
@@ -245,7 +245,7 @@ void PlannerPageTest::aSearchCanBeCanceled() {
 void PlannerPageTest::draggingStaysFluid() {
   showMap();
   find<QPushButton>("planAdd")->click();
-  (void)view().currentPicture();
+  (void)view().currentImage();
   int maps = 0;
   connect(&plan(), &RigPlanner::mapChanged, this, [&] { ++maps; });
   for (const bool volume : {false, true}) {
@@ -258,11 +258,11 @@ void PlannerPageTest::draggingStaysFluid() {
     for (int k = 0; k < 15; ++k) {
       QElapsedTimer own;
       own.start();
-      (void)view().currentPicture();
+      (void)view().currentImage();
       drawn = std::min(drawn, 1e-6 * static_cast<double>(own.nsecsElapsed()));
       view().showMap(plan().map(), plan().look());
       own.restart();
-      (void)view().currentPicture();
+      (void)view().currentImage();
       shown = std::min(shown, 1e-6 * static_cast<double>(own.nsecsElapsed()));
     }
     qInfo("a picture takes %.1f ms, with a new map %.1f ms", drawn, shown);

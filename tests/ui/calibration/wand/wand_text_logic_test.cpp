@@ -13,7 +13,7 @@ TEST(WandText, EveryObstacleIsASentenceOfItsOwn) {
   Project project;
   WandSettings settings;
   std::set<QString> sentences;
-  const auto note = [&](const std::vector<TouchedInstant>& instants = {}) {
+  const auto note = [&](const std::vector<MarkedInstant>& instants = {}) {
     sentences.insert(validationMessage(settings, instants, project));
   };
   note(); // no camera
@@ -22,8 +22,8 @@ TEST(WandText, EveryObstacleIsASentenceOfItsOwn) {
   project.targets.resize(1);
   project.targets[0].name = "ball";
   EXPECT_TRUE(validationMessage(settings, {}, project).isEmpty());
-  note({{10, 0.4, TouchRole::FallBegins}});
-  settings.size = WandSize::Distance;
+  note({{10, 0.4, WandEvent::FallBegins}});
+  settings.size = WandScaleSource::Distance;
   note();
   settings.stick = true;
   note(); // one ball
@@ -37,10 +37,10 @@ TEST(WandText, EveryObstacleIsASentenceOfItsOwn) {
 
 TEST(WandText, EveryTouchHasItsText) {
   std::set<QString> words;
-  for (int role = 0; role < kTouchRoles; ++role) {
-    words.insert(touchText(static_cast<TouchRole>(role)));
+  for (int role = 0; role < kWandEventCount; ++role) {
+    words.insert(touchText(static_cast<WandEvent>(role)));
   }
-  EXPECT_EQ(words.size(), static_cast<std::size_t>(kTouchRoles));
+  EXPECT_EQ(words.size(), static_cast<std::size_t>(kWandEventCount));
 }
 
 } // namespace

@@ -69,14 +69,17 @@ void WorldPageTest::threePointsSetTheFloor() {
   }
   QVERIFY(find<QPushButton>("worldFloor")->isEnabled());
   press("worldFloor");
-  // A click is where a whole pixel of the screen is.
-  QVERIFY((camera(0).center() - (before.center() - points[0])).norm() < 0.03);
+  // Roughly: a click is where a whole pixel of the screen is, and the points are near each other.
+  QVERIFY((camera(0).center() - (before.center() - points[0])).norm() < 0.2);
   QVERIFY(!find<QLabel>("worldResult")->text().isEmpty());
-  // The marks stay where they are in the images; A is the origin now.
-  for (int column = 2; column < 5; ++column) {
-    QVERIFY2(std::abs(QLocale().toDouble(marks()->item(0, column)->text())) < 0.0015,
-             qPrintable(marks()->item(0, column)->text()));
-  }
+  // The marks stay where they are in the images. A is the origin now, B on the x axis, C on the
+  // floor.
+  const auto isZero = [this](int row, int column) {
+    return std::abs(QLocale().toDouble(marks()->item(row, column)->text())) < 0.0015;
+  };
+  QVERIFY(isZero(0, 2) && isZero(0, 3) && isZero(0, 4));
+  QVERIFY(!isZero(1, 2) && isZero(1, 3) && isZero(1, 4));
+  QVERIFY(!isZero(2, 3) && isZero(2, 4));
   history().undo();
   QVERIFY((camera(0).center() - before.center()).norm() < 1e-12);
   QVERIFY(find<QLabel>("worldResult")->text().isEmpty());

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+namespace dewpoint::base {
+
+/// Priority of a thread relative to other threads on the same processor.
+enum class ThreadPriority {
+  Prompt, ///< the normal behavior: runs as soon as it wakes up
+  Patient ///< waits until a running thread pauses or its time slice ends; new threads inherit it
+};
+
+/// Sets the priority of the calling thread (Linux only; elsewhere, or without permission, it has no
+/// effect). User interface threads are patient, so that drawing one iteration does not delay the
+/// next filter iteration by milliseconds.
+void setThreadPriority(ThreadPriority priority);
+
+} // namespace dewpoint::base

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/calibration/board/board.h"
+#include "core/calibration/bundle/bundle_adjustment.h"
+#include "core/calibration/quality/fault_evidence.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace dewpoint::calibration {
+
+/// Minimum gain in log likelihood (Student's t, 4 degrees of freedom) for reporting a hypothesis
+/// about one or two cameras. Origin not recorded.
+inline constexpr double kMinGain = 30.0;
+
+/// Observations and entered data, before anything was solved or dropped.
+struct FaultSearchInput {
+  /// Cameras: the initial rig with the given intrinsics. Bodies: as entered. A board state that is
+  /// fixed represents the floor (or a wall) that defines the world.
+  BundleProblem problem;
+  InitialRigSigma initialSigma; ///< standard deviations of the poses in the initial rig
+  std::vector<std::array<int, 2>> imageSizes =
+      {};                                     ///< image size of each video, pixels; empty: unknown
+  std::optional<BoardDescription> board = {}; ///< board represented by the first body
+  bool focalUnknown = false; ///< true if focal lengths are to be estimated, so that they may differ
+  /// True if cameras run without synchronization, or offsets are to be estimated. A much larger
+  /// gain is then required.
+  bool unsynchronized = false;
+};
+
+} // namespace dewpoint::calibration

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+
+#include <opencv2/core/mat.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace dewpoint::capture {
+
+/// Reads images of one recorded camera by number, as stored: without rotating them or checking
+/// their size.
+class FrameReader {
+public:
+  virtual ~FrameReader() = default;
+  /// Returns the number of images in the recording.
+  virtual std::int64_t frameCount() const = 0;
+  /// Returns the frame rate of the recording in frames per second, or 0 if the recording does not
+  /// specify it.
+  virtual double framesPerSecond() const { return 0; }
+  /// Reads image number `frame`. Returns an empty image at a regular end. The caller owns the
+  /// pixels. Fast if the numbers increase one by one.
+  virtual Result<cv::Mat> read(std::int64_t frame) = 0;
+  /// Returns the position of each image in the complete sequence, from 0, ascending. Empty if no
+  /// image is missing.
+  virtual std::vector<std::int64_t> sequenceNumbers() const { return {}; }
+  /// Returns the file that contains an image, for error messages.
+  virtual std::string fileOf(std::int64_t frame) const = 0;
+};
+
+using FrameReaderPtr = std::unique_ptr<FrameReader>;
+
+} // namespace dewpoint::capture

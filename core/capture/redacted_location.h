@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <string>
+#include <string_view>
+
+namespace dewpoint::capture {
+
+/// Returns the location of a camera without secrets, for display, logs and results. Three asterisks
+/// replace the password in a network address (`rtsp://user:***@host/`) and the values of options
+/// whose names suggest a secret (`token`, `passphrase`, `user-pw`, ...), including in a GStreamer
+/// pipeline. Paths and device numbers are unchanged.
+std::string redactedLocation(std::string_view location);
+
+} // namespace dewpoint::capture

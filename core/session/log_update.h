@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace dewpoint::session {
+
+/// Records added to a log since a reader last read it.
+template <class Record> struct LogUpdate {
+  /// Index of the first of `records` in the log. The reader must discard the records that it
+  /// already has from this index on. Used only by logs whose last frame may be replaced; 0 for
+  /// other logs.
+  std::size_t first = 0;
+  std::vector<Record> records;
+  /// True if `records` contains the whole log again, because the run restarted or went back.
+  bool restarted = false;
+};
+
+} // namespace dewpoint::session

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/watch/camera_motion_watch.h"
+
+#include <cstdint>
+#include <set>
+#include <tuple>
+#include <vector>
+
+namespace dewpoint::session {
+
+/// Stage of handling a moved camera.
+enum class CameraMotionStage {
+  Waiting, ///< its new pose is being computed
+  Solved,  ///< its new pose is known
+  /// Its pose is still unknown after kPoseSearchTimeout because its images do not determine it.
+  Unsolvable,
+  Back ///< it is back in its calibrated pose
+};
+
+/// Time in seconds of the run after which a pose that is still unknown is unlikely to be found. The
+/// search repeats about once a second.
+inline constexpr double kPoseSearchTimeout = 3.0;
+
+/// Returns the stage of a report; `now` in seconds of the run.
+CameraMotionStage stageOf(const CameraMotionReport& report, double now);
+
+/// Selects the messages about moved cameras: each stage of a motion is reported once. After a pose
+/// is known, no worse stage of that motion is reported. When one motion is resolved, the others are
+/// reported again.
+class CameraMotionMessages {
+public:
+  struct Item {
+    CameraMotionReport report;
+    CameraMotionStage stage = CameraMotionStage::Waiting;
+  };
+  struct News {
+    bool withdrawn = false; ///< earlier messages no longer apply
+    std::vector<Item> items;
+  };
+
+  /// Takes all reports of a frame, in the order of the motions, and returns the new messages; `now`
+  /// in seconds of the run.
+  News take(const std::vector<CameraMotionReport>& reports, double now);
+  /// Forgets earlier messages, for another run.
+  void clear();
+
+private:
+  std::set<std::tuple<std::size_t, std::int64_t, CameraMotionStage>>
+      reported_;          ///< camera, frame of the motion, stage
+  std::size_t count_ = 0; ///< number of reports in the previous call
+};
+
+} // namespace dewpoint::session

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/setup/calibration/board_guide.h"
+
+#include <functional>
+#include <memory>
+
+namespace dewpoint::setup {
+
+/// Runs a BoardGuide in a separate thread on images from live cameras. Only the newest images are
+/// processed. Every call returns immediately.
+class BoardGuideThread {
+public:
+  /// `wake` is called from the thread after a state was published; it must only post an event.
+  explicit BoardGuideThread(std::function<void()> wake);
+  /// Stops the thread and waits until it has processed its images, so do not call it from a
+  /// window's thread.
+  ~BoardGuideThread();
+  BoardGuideThread(const BoardGuideThread&) = delete;
+  BoardGuideThread& operator=(const BoardGuideThread&) = delete;
+
+  /// Starts, or restarts from scratch.
+  void begin(const Project& project, const BoardGuideRequest& request);
+  /// Passes images to the guide, replacing images that are still waiting.
+  void show(FrameSetPtr frames);
+  void captureNow();
+  /// Like captureNow(), but for a board that lies on the floor.
+  void captureFloor();
+  void skipToPoses();
+  /// Returns the newest state since begin(); never null.
+  BoardGuideStatePtr newest() const;
+
+private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+} // namespace dewpoint::setup

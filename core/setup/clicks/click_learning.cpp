@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/setup/clicks/click_learning.h"
+
+#include "core/color/color_region.h"
+#include "core/color/sample_colors.h"
+#include "core/project/project_rig.h"
+#include "core/setup/clicks/clicked_correction.h"
+#include "core/setup/clicks/clicked_position.h"
+#include "core/setup/clicks/ray_regions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <utility>
+
+namespace dewpoint::setup {
+namespace {
+
+bool isClick(const ColorSample& sample) {
+  return !sample.excluded && !sample.found;
+}
+
+bool hasClickAt(const std::vector<ColorSample>& samples, std::int64_t frame) {
+  return std::ranges::any_of(
+      samples, [&](const ColorSample& sample) { return isClick(sample) && sample.frame == frame; });
+}
+
+/// Whether there is one of this camera in the images of a frame.
+bool showsTarget(const std::vector<ColorSample>& samples, int camera, std::int64_t frame) {
+  return std::ranges::any_of(samples, [&](const ColorSample& sample) {
+    return !sample.excluded && sample.camera == camera && sample.frame == frame;
+  });
+}
+
+/// Puts clicks and exclusions first, and behind them what was found in other frames than `frame`.
+std::vector<ColorSample> reorderedSamples(const std::vector<ColorSample>& samples,
+                                          std::int64_t frame) {
+  std::vector<ColorSample> kept;
+  std::ranges::copy_if(samples, std::back_inserter(kept),
+                       [](const ColorSample& sample) { return !sample.found; });
+  std::ranges::copy_if(samples, std::back_inserter(kept), [&](const ColorSample& sample) {
+    return sample.found && sample.frame != frame && hasClickAt(samples, sample.frame);
+  });
+  return kept;
+}
+
+/// Adds a mask to another one, which may be empty; both of one size.
+void unite(const cv::Mat& added, cv::Mat& mask) {
+  if (!added.empty()) {
+    mask = mask.empty() ? added : cv::Mat(mask | added);
+  }
+}
+
+BgrColor typicalColor(const std::vector<ColorSample>& samples) {
+  std::vector<BgrColor> colors;
+  for (const ColorSample& sample : samples) {
+    if (isClick(sample)) {
+      colors.insert(colors.end(), sample.colors.begin(), sample.colors.end());
+    }
+  }
+  return colors.empty() ? BgrColor{} : color::medianColor(std::move(colors));
+}
+
+/// colorDistance() of regions that may be of the same object.
+constexpr double kSameColorDistance = 4.0;
+
+/// The samples of other targets in the images of a frame whose color is about that of `samples`.
+std::vector<ColorSample> samplesOfSameColor(const std::vector<ColorSample>& others,
+                                            const std::vector<ColorSample>& samples,
+                                            std::int64_t frame) {
+  const BgrColor own = typicalColor(samples);
+  std::vector<ColorSample> alike;
+  std::ranges::copy_if(others, std::back_inserter(alike), [&](const ColorSample& sample) {
+    return !sample.excluded && sample.frame == frame && !sample.colors.empty() &&
+           color::colorDistance(color::medianColor(sample.colors), own) < kSameColorDistance;
+  });
+  return alike;
+}
+
+/// Nothing where the rays through the centers do not meet.
+std::optional<PositionCorrection> correctionFrom(const std::vector<PointClick>& centers,
+                                                 const CameraRig& rig, std::int64_t frame,
+                                                 int target) {
+  if (centers.empty()) {
+    return std::nullopt;
+  }
+  const auto position = clickedPosition(rig, centers, std::nullopt);
+  if (!position) {
+    return std::nullopt;
+  }
+  return PositionCorrection{frame, target, position->mean, position->covariance, centers};
+}
+
+/// What samples in the images of one frame lead to in the other cameras.
+class FoundSamples {
+public:
+  FoundSamples(const ClickedImages& shown, ClickLearningResult& lesson)
+      : shown_(shown), lesson_(lesson), undecided_(shown.images.size()) {}
+
+  void add(const ColorSample& click, const Counterparts& counterparts) {
+    clicks_.push_back(click);
+    const std::size_t colors = color::groupSamplesByColor(clicks_).size();
+    if (lesson_.centers.empty()) {
+      lesson_.radius = counterparts.radius;
+      lesson_.centers = counterparts.centers;
+    } else if (colors > colors_) {
+      join(counterparts);
+    }
+    colors_ = colors;
+    for (std::size_t i = 0; i < counterparts.found.size(); ++i) {
+      ColorSample sample = counterparts.found[i];
+      if (!showsTarget(lesson_.samples, sample.camera, shown_.frame) ||
+          (colors > 1 && !showsColor(sample))) {
+        sample.frame = shown_.frame;
+        lesson_.found.push_back({sample.camera, counterparts.outlines[i]});
+        lesson_.samples.push_back(std::move(sample));
+      }
+    }
+    for (std::size_t camera = 0; camera < undecided_.size(); ++camera) {
+      unite(counterparts.undecided[camera], undecided_[camera]);
+    }
+  }
+
+  /// Pixels that may show the target, where no sample says what does.
+  std::vector<cv::Mat> undecided() const {
+    std::vector<cv::Mat> masks = undecided_;
+    for (std::size_t camera = 0; camera < masks.size(); ++camera) {
+      if (showsTarget(lesson_.samples, static_cast<int>(camera), shown_.frame)) {
+        masks[camera].release();
+      }
+    }
+    return masks;
+  }
+
+private:
+  /// Whether a sample in the same image shows the target in about this color: the sides of a target
+  /// of several colors are found one by one.
+  bool showsColor(const ColorSample& found) const {
+    const BgrColor own = color::medianColor(found.colors);
+    return std::ranges::any_of(lesson_.samples, [&](const ColorSample& sample) {
+      return !sample.excluded && sample.camera == found.camera && sample.frame == shown_.frame &&
+             color::colorDistance(color::medianColor(sample.colors), own) < kSameColorDistance;
+    });
+  }
+
+  /// Another color of the same thing: its region is a further part of its outline.
+  void join(const Counterparts& part) {
+    if (!lesson_.radius || !part.radius) {
+      return;
+    }
+    const double share =
+        std::pow(*part.radius, 2) / (std::pow(*lesson_.radius, 2) + std::pow(*part.radius, 2));
+    for (PointClick& center : lesson_.centers) {
+      const auto same = std::ranges::find(part.centers, center.camera, &PointClick::camera);
+      if (same != part.centers.end()) {
+        center.pixel += share * (same->pixel - center.pixel);
+      }
+    }
+    lesson_.radius = std::hypot(*lesson_.radius, *part.radius);
+  }
+
+  const ClickedImages& shown_;
+  ClickLearningResult& lesson_;
+  std::vector<cv::Mat> undecided_;
+  std::vector<ColorSample> clicks_; ///< on the target, in these images
+  std::size_t colors_ = 0;          ///< that they show
+};
+
+/// What a click or box marks, if it is only a part of something larger. The other cameras are
+/// searched for the whole thing then.
+struct Marked {
+  std::optional<PartMark> part;
+  Counterparts counterparts;
+};
+
+Marked searchedFor(const CameraRig& rig, const std::vector<cv::Mat>& images,
+                   const ColorSample& sample, const CounterpartLimits& limits) {
+  const auto camera = static_cast<std::size_t>(sample.camera);
+  if (sample.camera < 0 || camera >= images.size() || camera >= rig.size()) {
+    return {std::nullopt, findCounterparts(rig, images, sample, limits)};
+  }
+  Marked marked;
+  marked.part = boxedPart(images[camera], sample);
+  if (marked.part && !clickedObject(rig.at(camera), images[camera], marked.part->whole)) {
+    marked.part.reset(); // a wall, or a region that grew too far
+  }
+  if (marked.part) {
+    CounterpartLimits ofWhole = limits;
+    ofWhole.radius = 0.0;
+    marked.counterparts = findCounterparts(rig, images, marked.part->whole, ofWhole);
+    return marked;
+  }
+  marked.counterparts = findCounterparts(rig, images, sample, limits);
+  if (limits.radius > 0.0 && marked.counterparts.radius) {
+    const double wholePx = std::sqrt(sample.area / std::numbers::pi);
+    marked.part =
+        clickedPart(images[camera], sample, wholePx * limits.radius / *marked.counterparts.radius);
+  }
+  return marked;
+}
+
+} // namespace
+
+Result<ClickLearningResult> learnFromClicks(const CameraRig& rig, const ClickedImages& shown,
+                                            const std::vector<ColorSample>& samples,
+                                            const CounterpartLimits& limits,
+                                            const std::vector<ColorSample>& others) {
+  ClickLearningResult lesson;
+  lesson.samples = reorderedSamples(samples, shown.frame);
+  const std::vector<ColorSample> alike = samplesOfSameColor(others, samples, shown.frame);
+  CounterpartLimits known = limits;
+  known.excluded.insert(known.excluded.end(), alike.begin(), alike.end());
+  std::ranges::copy_if(samples, std::back_inserter(known.excluded), [&](const ColorSample& sample) {
+    return sample.excluded && sample.frame == shown.frame;
+  });
+  FoundSamples found(shown, lesson);
+  std::vector<PartMark> parts;
+  std::vector<ColorSample> wholes;
+  for (const ColorSample& sample : samples) {
+    if (isClick(sample) && sample.frame == shown.frame) {
+      const Marked marked = searchedFor(rig, shown.images, sample, known);
+      found.add(sample, marked.counterparts);
+      if (marked.part) {
+        parts.push_back(*marked.part);
+        wholes.insert(wholes.end(), marked.counterparts.found.begin(),
+                      marked.counterparts.found.end());
+      }
+    }
+  }
+  lesson.part = locatePart(rig, shown.images, parts, wholes);
+  if (lesson.part) {
+    lesson.radius = lesson.part->radius;
+  }
+  std::vector<cv::Mat> undecided = found.undecided();
+  for (const ColorSample& sample : alike) {
+    const auto camera = static_cast<std::size_t>(sample.camera);
+    if (camera < undecided.size() && shown.images[camera].type() == CV_8UC3) {
+      unite(color::regionOfSample(shown.images[camera], sample), undecided[camera]);
+    }
+  }
+  return color::learnColorWithBackground(lesson.samples, shown.images, shown.backgroundImages,
+                                         undecided)
+      .map([&](const LearnedColor& learned) {
+        lesson.color = learned;
+        return lesson;
+      });
+}
+
+Result<ClickLearningResult> learnFromClicks(const Project& project, int target,
+                                            const ClickedImages& shown,
+                                            const std::vector<ColorSample>& samples) {
+  CounterpartLimits limits;
+  limits.volume = project.volumeOfInterest;
+  std::vector<ColorSample> others;
+  for (int i = 0; i < static_cast<int>(project.targets.size()); ++i) {
+    const Target& one = project.targets[static_cast<std::size_t>(i)];
+    if (i == target) {
+      limits.radius = one.radius;
+    } else {
+      others.insert(others.end(), one.samples.begin(), one.samples.end());
+    }
+  }
+  const CameraRig rig = rigOf(project);
+  const bool isNew = target < 0 || target >= static_cast<int>(project.targets.size());
+  const int index = isNew ? static_cast<int>(project.targets.size()) : target;
+  auto lesson = learnFromClicks(rig, shown, samples, limits, others);
+  if (lesson && lesson->part) {
+    const MarkedPart& part = *lesson->part;
+    lesson->correction = PositionCorrection{shown.frame, index, part.position.mean,
+                                            part.position.covariance, part.clicks};
+  } else if (lesson && (!lesson->color.assessment.distractors.empty() ||
+                        !samplesOfSameColor(others, samples, shown.frame).empty())) {
+    lesson->correction = correctionFrom(lesson->centers, rig, shown.frame, index);
+  }
+  return lesson;
+}
+
+void applyLearningResult(const ClickLearningResult& lesson, std::size_t target, Project& project) {
+  Target& taught = project.targets.at(target);
+  const auto index = static_cast<int>(target);
+  for (const ColorSample& sample : taught.samples) {
+    if (isClick(sample) && std::ranges::count(lesson.samples, sample) == 0) {
+      removeCorrection(project, sample.frame, index);
+    }
+  }
+  taught.color = lesson.color.range;
+  taught.otherColors = lesson.color.others;
+  taught.samples = lesson.samples;
+  if (lesson.part && taught.radius <= 0.0) {
+    constexpr double kRadiusStep = 1e-4; // meters: finer is not known
+    taught.radius = kRadiusStep * std::max(1.0, std::round(lesson.part->radius / kRadiusStep));
+  }
+  if (!lesson.correction) {
+    return;
+  }
+  const PositionCorrection* present = correctionAt(project, lesson.correction->frame, index);
+  const bool marksMore = present != nullptr && lesson.part &&
+                         present->clicks.size() < lesson.correction->clicks.size();
+  if (present == nullptr || marksMore) {
+    PositionCorrection correction = *lesson.correction;
+    correction.target = index;
+    addCorrection(project, correction);
+  }
+}
+
+RadiusFit compareRadius(double given, double shown) {
+  // Factors between the two. Judgments: regions show a radius to a third, and a diameter is two.
+  constexpr double kSameColorDistance = 1.6;
+  constexpr double kMostOfDiameter = 2.6;
+  const double ratio = given / shown;
+  if (ratio > 1.0 / kSameColorDistance && ratio < kSameColorDistance) {
+    return RadiusFit::Fits;
+  }
+  return ratio >= kSameColorDistance && ratio < kMostOfDiameter ? RadiusFit::IsDiameter
+                                                                : RadiusFit::Differs;
+}
+
+std::vector<ColorSample> withoutSample(std::vector<ColorSample> samples, std::size_t index) {
+  ColorSample& sample = samples.at(index);
+  if (sample.found) {
+    sample.found = false;
+    sample.excluded = true;
+  } else {
+    samples.erase(samples.begin() + static_cast<std::ptrdiff_t>(index));
+  }
+  return samples;
+}
+
+bool anyClicked(const std::vector<ColorSample>& samples) {
+  return std::ranges::any_of(samples, isClick);
+}
+
+} // namespace dewpoint::setup

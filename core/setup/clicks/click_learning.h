@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/color/color_learning.h"
+#include "core/geometry/camera.h"
+#include "core/project/project.h"
+#include "core/setup/clicks/counterpart_search.h"
+#include "core/setup/clicks/marked_part.h"
+
+#include <opencv2/core/mat.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace dewpoint::setup {
+
+/// Images that the clicks refer to, all of one instant: CV_8UC3, in the order of the rig, empty for
+/// a camera without an image.
+struct ClickedImages {
+  std::vector<cv::Mat> images;
+  std::vector<cv::Mat> backgroundImages; ///< as for learnColorWithBackground()
+  std::int64_t frame = 0;                ///< frame that the images show
+};
+
+/// Outline of an object found in the image of a camera, in pixels.
+struct FoundOutline {
+  int camera = 0;
+  std::vector<cv::Point> outline;
+};
+
+/// Result of learning from clicks on a target.
+struct ClickLearningResult {
+  LearnedColor color;
+  std::vector<ColorSample> samples; ///< the clicked samples, then those found in other images
+  std::vector<FoundOutline> found;  ///< outlines found in the displayed images
+  /// Radius in meters, as Counterparts::radius; empty if nothing was found in the displayed images.
+  std::optional<double> radius;
+  /// Centers of the target in the displayed images, if several cameras show it, for the first click
+  /// that was also found elsewhere.
+  std::vector<PointClick> centers;
+  /// Position and size of the target if only a part of a larger object of its color was marked: by
+  /// a box inside it, or by a click on an object larger than the known radius. `radius` is that of
+  /// the part.
+  std::optional<MarkedPart> part;
+  /// Position of the target in this frame. Set only if the color alone does not identify the
+  /// target, because other objects match it or the target is a part of one.
+  std::optional<PositionCorrection> correction;
+};
+
+/// Comparison of a given radius with the one derived from clicks, which is accurate to about one
+/// third.
+enum class RadiusFit : std::uint8_t {
+  Fits,
+  IsDiameter, ///< the given value is about twice as large, so it may be the diameter
+  Differs,
+};
+RadiusFit compareRadius(double given, double shown);
+
+/// Learns the color of a target from samples. It uses the clicked samples, and samples of the same
+/// object in cameras in which it was not clicked (findCounterparts()). For each click in the
+/// displayed images, the other cameras are searched again. Samples found for clicks in other frames
+/// are kept as long as those clicks exist.
+///
+/// `others` are samples of other targets. Another target of about the same color counts neither as
+/// this target nor as background, since identical targets are distinguished by position. One of a
+/// different color counts as background. Returns the errors of learnColor().
+Result<ClickLearningResult> learnFromClicks(const CameraRig& rig, const ClickedImages& shown,
+                                            const std::vector<ColorSample>& samples,
+                                            const CounterpartLimits& limits = {},
+                                            const std::vector<ColorSample>& others = {});
+
+/// Does the same for a target of a project (index in Project::targets, or a new target if out of
+/// range). It uses the project's cameras and volume of interest, the target's radius, and the
+/// samples of other targets. Only this function computes a correction.
+Result<ClickLearningResult> learnFromClicks(const Project& project, int target,
+                                            const ClickedImages& shown,
+                                            const std::vector<ColorSample>& samples);
+
+/// Applies a lesson to a target of a project (index): color, samples, the radius of a part unless a
+/// radius is given, and the correction unless this frame has one. Corrections in frames whose
+/// clicks are no longer among the samples are removed, since they may belong to another object.
+void applyLearningResult(const ClickLearningResult& lesson, std::size_t target, Project& project);
+
+/// Returns the samples without one of them. A sample that was found is marked as excluded instead
+/// of removed, since it would be found again.
+std::vector<ColorSample> withoutSample(std::vector<ColorSample> samples, std::size_t index);
+
+/// Returns whether at least one sample was clicked on the target.
+bool anyClicked(const std::vector<ColorSample>& samples);
+
+} // namespace dewpoint::setup

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/cameraview/camera_image.h"
+
+#include "core/session/snapshot/snapshot.h"
+#include "core/session/view_image.h"
+#include "ui/style/image.h"
+#include "ui/style/theme.h"
+
+#include <QColor>
+
+#include <cstddef>
+
+namespace dewpoint::ui {
+
+namespace {
+
+/// Light gray. What moves belongs to nobody yet: it has a color that is no identity's.
+const cv::Scalar kMoving(228, 221, 213);
+
+/// The color in which each target is drawn, where a mask has its number.
+const cv::Mat& colorsOfTargets() {
+  static const cv::Mat kTints = [] {
+    cv::Mat tints(1, 256, CV_8UC3);
+    for (int value = 0; value < 256; ++value) {
+      const QColor tint = targetColor(255 - value);
+      tints.at<cv::Vec3b>(value) =
+          cv::Vec3b(static_cast<uchar>(tint.blue()), static_cast<uchar>(tint.green()),
+                    static_cast<uchar>(tint.red()));
+    }
+    return tints;
+  }();
+  return kTints;
+}
+
+/// From so many device pixels on, a pixel of a zoomed image is drawn as a square.
+constexpr int kSquareFrom = 4;
+
+cv::Mat drawn(const CameraImageSource& source) {
+  const cv::Rect part(source.part.x(), source.part.y(), source.part.width(), source.part.height());
+  const cv::Size size(source.size.width(), source.size.height());
+  const bool isMasked = !source.mask.empty() && source.mask.size() == source.frame->image.size();
+  const cv::Mat tints = source.isOfMotion ? cv::Mat(1, 256, CV_8UC3, kMoving) : colorsOfTargets();
+  const cv::Mat image = source.frame->image(part);
+  const cv::Mat tinted = isMasked ? tintedImage(image, source.mask(part), tints) : image;
+  const bool squares = source.isZoomed && size.width >= kSquareFrom * part.width;
+  cv::Mat picture = squares ? enlargedImage(tinted, size) : fittedImage(tinted, size);
+  if (isMasked) {
+    outlineMask(picture, source.mask(part), tints);
+  }
+  return picture;
+}
+
+/// The map of a camera; null where there is none.
+QImage mapImage(const std::vector<LikelihoodMap>& maps, int camera) {
+  const auto index = static_cast<std::size_t>(camera);
+  if (index >= maps.size() || maps[index].area.empty()) {
+    return {};
+  }
+  const cv::Mat drawn = likelihoodImage(maps[index]);
+  // ARGB32 lies in memory as blue, green, red, alpha on the machines we support (toImage()).
+  return QImage(drawn.data, drawn.cols, drawn.rows, static_cast<qsizetype>(drawn.step),
+                QImage::Format_ARGB32)
+      .copy();
+}
+
+} // namespace
+
+bool CameraImageSource::operator==(const CameraImageSource& other) const {
+  return camera == other.camera && frame == other.frame && mask.data == other.mask.data &&
+         isOfMotion == other.isOfMotion && part == other.part && size == other.size &&
+         isZoomed == other.isZoomed && maps == other.maps;
+}
+
+CameraImage drawCameraImage(const CameraImageSource& source) {
+  CameraImage picture{source, {}, {}, {}};
+  const cv::Mat& image = source.frame->image;
+  if (image.type() == CV_8UC3) {
+    picture.image = toImage(drawn(source));
+  }
+  if (source.maps) {
+    for (const TargetSnapshot& target : source.maps->targets) {
+      picture.maps.push_back(mapImage(target.maps, source.camera));
+    }
+    picture.motionMap = mapImage(source.maps->motionMaps, source.camera);
+  }
+  return picture;
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <QImage>
+#include <QRect>
+#include <QSize>
+#include <opencv2/core/mat.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace dewpoint::capture {
+struct Frame;
+} // namespace dewpoint::capture
+namespace dewpoint::session {
+struct TrackSnapshot;
+} // namespace dewpoint::session
+
+namespace dewpoint::ui {
+
+using FramePtr = std::shared_ptr<const Frame>;
+using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
+
+/// Input from which the pixels of a camera view are drawn. It keeps all of its data alive, so that
+/// an address comparison never mistakes new data for freed data.
+struct CameraImageSource {
+  int camera = 0;
+  FramePtr frame; ///< null for no image
+  cv::Mat mask;   ///< as in `TrackSnapshot::masks`; ignored if its size differs from the image size
+  bool isOfMotion = false; ///< the mask shows moving pixels instead of targets
+  QRect part;              ///< part of the image to draw, pixels
+  QSize size;              ///< size of that part on the screen, device pixels
+  bool isZoomed = false;   ///< draws enlarged pixels as squares
+  TrackSnapshotPtr maps;   ///< snapshot whose likelihood maps are drawn; null for none
+
+  bool operator==(const CameraImageSource& other) const;
+};
+
+/// Drawn pixels of a camera view.
+struct CameraImage {
+  CameraImageSource source;
+  QImage image;
+  std::vector<QImage> maps; ///< one per target; null if a target has no map
+  QImage motionMap;         ///< map of the whole image; null if there is none
+};
+
+/// Draws the pixels of a camera view. Slow for large images. May be called from any thread.
+CameraImage drawCameraImage(const CameraImageSource& source);
+
+} // namespace dewpoint::ui

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/change_rule.h"
+
+#include <QObject>
+
+class QTimer;
+
+namespace dewpoint::session {
+class Session;
+struct TrackSnapshot;
+} // namespace dewpoint::session
+
+namespace dewpoint::ui {
+
+/// Keeps the results of a recording consistent with the current settings, according to the
+/// ChangeRule. Once the settings have been unchanged for a short time, it tracks frames with old
+/// results again, or offers to do so.
+class ResultRefresher : public QObject {
+  Q_OBJECT
+public:
+  explicit ResultRefresher(QObject* parent = nullptr);
+
+  /// Watches a run; null if the run is over.
+  void watch(Session* session);
+  /// Sets the time limit (seconds) below which tracking again is considered quick.
+  void setQuickLimit(double seconds) { quickSeconds_ = seconds; }
+  /// Reports that a setting of the run was changed.
+  void edited();
+  /// Reports that the user plays, restarts or tracks again. No frames are then tracked
+  /// again automatically until the next change.
+  void suspend();
+  /// Processes the newest snapshot. `wentBack`: the run's log has restarted.
+  void see(const TrackSnapshot& snapshot, bool wentBack);
+  /// Tracks again from the first old result on. The frame shown stays the same.
+  void trackAgain();
+
+  /// Returns the results that do not match the current settings; none for live cameras.
+  const OldResults& old() const { return old_; }
+  /// Returns whether frames are being tracked again while the view stays the same and the snapshots
+  /// do not show the progress.
+  bool isRefreshing() const { return refreshing_ != Refreshing::No && !isRerunning_; }
+
+Q_SIGNALS:
+  void oldResultsChanged();
+  /// Emitted with whether results of earlier settings can be tracked again.
+  void offered(bool offers);
+  /// Emitted when `trackAgain()` has finished or was abandoned.
+  void refreshed();
+
+private:
+  enum class Refreshing { No, Requested, UnderWay };
+  void giveUp();
+  void setOld(OldResults old);
+  void setOffered(bool offers);
+  void apply();
+
+  Session* session_ = nullptr;
+  QTimer* quiet_;   ///< waits while the settings keep changing, for example during a slider drag
+  QTimer* timeout_; ///< limits the wait for a requested rerun to begin
+  double quickSeconds_ = ChangeRule::kQuickSeconds;
+  OldResults old_;
+  bool isLive_ = true;
+  bool isPlaying_ = false;
+  bool isRerunning_ = false;
+  bool isEdited_ = false;
+  bool offers_ = false;
+  Refreshing refreshing_ = Refreshing::No;
+};
+
+} // namespace dewpoint::ui
