@@ -360,7 +360,7 @@ void CorrectionTest::framesBeforeItAreTrackedToo() {
   };
   QVERIFY(waitFor([&] { return std::ranges::count_if(corrections(), isTrackedBack) > 0; }));
   QCOMPARE(corrections().front().frame, std::int64_t{0});
-  QVERIFY(messageText().contains(QStringLiteral("tracked back to frame 1.")));
+  QVERIFY(messageText().contains(QStringLiteral("tracked backward to frame 1 ")));
   QVERIFY(areCorrected({kCorrectedFrame})); // what was found by tracking is not marked
   show(5);
   QVERIFY((estimate() - *shown().targets.at(0).truth).norm() < 0.03);

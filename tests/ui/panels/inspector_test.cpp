@@ -191,7 +191,7 @@ void InspectorTest::rowsOfTargetsSayStateAndSize() {
   QVERIFY(window_->document().edit(QStringLiteral("no radius"),
                                    [](Project& project) { project.targets[0].radius = 0.0; }));
   action("actionNextFrame")->trigger();
-  QVERIFY(waitFor([&] { return rows()[0].size.contains(QStringLiteral("(found)")); }));
+  QVERIFY(waitFor([&] { return rows()[0].size.contains(QStringLiteral("(estimated)")); }));
 }
 
 QPoint InspectorTest::placeInImage() {

@@ -291,15 +291,15 @@ void CalibrationImportTest::aCameraWithoutANameCanBeMeant() {
   auto* meant = dialog.findChild<QComboBox*>("calibrationImportCamera");
   QCOMPARE(meant->count(), 3);
   QVERIFY(!meant->itemData(0).isValid()); // as the names say
-  QCOMPARE(meant->itemText(1), QStringLiteral("only left"));
+  QCOMPARE(meant->itemText(1), QStringLiteral("for left only"));
   QCOMPARE(meant->itemData(1), QVariant(0));
-  QCOMPARE(meant->itemText(2), QStringLiteral("only camera 2"));
+  QCOMPARE(meant->itemText(2), QStringLiteral("for camera 2 only"));
   QCOMPARE(meant->itemData(2), QVariant(1));
   // Named meanwhile: the list follows, and what was chosen stays.
   meant->setCurrentIndex(2);
   QVERIFY(document.edit(QStringLiteral("name"),
                         [](Project& project) { project.cameras[1].camera.name = "by the door"; }));
-  QCOMPARE(meant->currentText(), QStringLiteral("only by the door"));
+  QCOMPARE(meant->currentText(), QStringLiteral("for by the door only"));
 }
 
 DEWPOINT_WINDOW_TEST(CalibrationImportTest)

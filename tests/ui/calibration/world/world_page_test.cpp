@@ -36,7 +36,7 @@ private:
   void press(const char* button) { QTest::mouseClick(find<QPushButton>(button), Qt::LeftButton); }
   /// Marks a point in both images, where the present cameras see it.
   void mark(int row, const Eigen::Vector3d& world);
-  /// Three points near the ball, all at its height.
+  /// Three points under the ball, all at one height.
   std::array<Eigen::Vector3d, 3> floorPoints();
 };
 
@@ -55,7 +55,8 @@ void WorldPageTest::mark(int row, const Eigen::Vector3d& world) {
 }
 
 std::array<Eigen::Vector3d, 3> WorldPageTest::floorPoints() {
-  const Eigen::Vector3d ball = window_->shown()->targets.at(0).truth.value();
+  Eigen::Vector3d ball = window_->shown()->targets.at(0).truth.value();
+  ball.z() = 0.06; // below both cameras, as a floor is
   return {ball, ball + Eigen::Vector3d(0.08, 0.0, 0.0), ball + Eigen::Vector3d(0.0, 0.08, 0.0)};
 }
 
