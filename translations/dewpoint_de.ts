@@ -7961,8 +7961,8 @@ Effektive Stichprobengröße %8 von %9</translation>
 <context>
     <name>dewpoint::ui::WorldMarkTool</name>
     <message>
-        <source>Click point %1; do the same in another image. Alt: exactly where you click. Esc: finish</source>
-        <translation>Punkt %1 anklicken, auch in einem anderen Bild. Alt: genau an der Klickstelle. Esc: beenden</translation>
+        <source>Click point %1 in two images · Esc: stop</source>
+        <translation>Punkt %1 in zwei Bildern anklicken · Esc: beenden</translation>
     </message>
     <message>
         <source>Image of %1: arrow keys move a cross, Enter marks the point there</source>

@@ -7961,8 +7961,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
 <context>
     <name>dewpoint::ui::WorldMarkTool</name>
     <message>
-        <source>Click point %1; do the same in another image. Alt: exactly where you click. Esc: finish</source>
-        <translation>Haga clic en el punto %1, también en otra imagen. Alt: exactamente donde hace clic. Esc: terminar</translation>
+        <source>Click point %1 in two images · Esc: stop</source>
+        <translation>Haga clic en el punto %1 en dos imágenes · Esc: terminar</translation>
     </message>
     <message>
         <source>Image of %1: arrow keys move a cross, Enter marks the point there</source>

@@ -7949,8 +7949,8 @@ Effective sample size %8 of %9</source>
 <context>
     <name>dewpoint::ui::WorldMarkTool</name>
     <message>
-        <source>Click point %1; do the same in another image. Alt: exactly where you click. Esc: finish</source>
-        <translation>点 %1 をクリックし、別の画像でも同じ点をクリックします。Alt:クリックした位置そのもの。Esc:終了</translation>
+        <source>Click point %1 in two images · Esc: stop</source>
+        <translation>点 %1 を 2 つの画像でクリック · Esc:終了</translation>
     </message>
     <message>
         <source>Image of %1: arrow keys move a cross, Enter marks the point there</source>

@@ -44,9 +44,8 @@ void WorldMarkTool::attach(int camera, CameraView* view) {
   const Layer layer{camera, overlay};
   layers_.push_back(layer);
   const auto name = [this, overlay, camera] {
-    overlay->setHint(tr("Click point %1; do the same in another image. Alt: exactly where you "
-                        "click. Esc: finish")
-                         .arg(WorldMarks::letter(marks_.chosen())));
+    overlay->setHint(
+        tr("Click point %1 in two images · Esc: stop").arg(WorldMarks::letter(marks_.chosen())));
     overlay->setAccessibleName(
         tr("Image of %1: arrow keys move a cross, Enter marks the point there")
             .arg(bench_.cameras.nameOf(camera)));

@@ -256,8 +256,9 @@ void WorldPage::fillRow(int mark) {
   set(Point, tr(kUses[static_cast<std::size_t>(mark)]));
   set(Seen, QStringLiteral("%1/%2").arg(marks_.clicks(mark).size()).arg(cameras_.rowCount()));
   for (int axis = 0; axis < 3; ++axis) {
-    set(X + axis, position ? lengthNumber(position->mean[axis], LengthScale::Meters, 3)
-                           : QStringLiteral("–"));
+    set(X + axis,
+        position ? lengthNumber(position->mean[axis], LengthScale::Meters, 3, NumberForm::Rounded)
+                 : QStringLiteral("–"));
   }
   set(Accuracy, position ? lengthNumber(std::sqrt(position->covariance.trace() / 3.0),
                                         LengthScale::Millimeters, 1)

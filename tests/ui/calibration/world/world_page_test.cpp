@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Floor, origin and scale in the real window: points marked in two images, and each step undone.
 #include "tests/ui/calibration/calibration_window.h"
+#include "tests/ui/mainwindow/small_picture.h"
 #include "tests/ui/window_test.h"
 #include "ui/cameraview/image_pick_overlay.h"
 
@@ -36,6 +37,8 @@ private:
   void press(const char* button) { QTest::mouseClick(find<QPushButton>(button), Qt::LeftButton); }
   /// Marks a point in both images, where the present cameras see it.
   void mark(int row, const Eigen::Vector3d& world);
+  /// The picture of the manual, into the folder that DEWPOINT_MANUAL names (docs/images).
+  void keepPicture();
   /// Three points under the ball, all at one height.
   std::array<Eigen::Vector3d, 3> floorPoints();
 };
@@ -56,7 +59,7 @@ void WorldPageTest::mark(int row, const Eigen::Vector3d& world) {
 
 std::array<Eigen::Vector3d, 3> WorldPageTest::floorPoints() {
   Eigen::Vector3d ball = window_->shown()->targets.at(0).truth.value();
-  ball.z() = 0.06; // below both cameras, as a floor is
+  ball.z() = 0.0; // on the desk
   return {ball, ball + Eigen::Vector3d(0.08, 0.0, 0.0), ball + Eigen::Vector3d(0.0, 0.08, 0.0)};
 }
 
@@ -81,9 +84,20 @@ void WorldPageTest::threePointsSetTheFloor() {
   QVERIFY(isZero(0, 2) && isZero(0, 3) && isZero(0, 4));
   QVERIFY(!isZero(1, 2) && isZero(1, 3) && isZero(1, 4));
   QVERIFY(!isZero(2, 3) && isZero(2, 4));
+  keepPicture();
   history().undo();
   QVERIFY((camera(0).center() - before.center()).norm() < 1e-12);
   QVERIFY(find<QLabel>("worldResult")->text().isEmpty());
+}
+
+void WorldPageTest::keepPicture() {
+  const QString folder = qEnvironmentVariable("DEWPOINT_MANUAL");
+  if (folder.isEmpty()) {
+    return;
+  }
+  QVERIFY(settles(*window_));
+  const QString file = folder + QStringLiteral("/calibration-floor.png");
+  QVERIFY2(withFewerLevels(window_->grab().toImage()).save(file), qPrintable(file));
 }
 
 void WorldPageTest::aMeasuredDistanceSetsTheScale() {
