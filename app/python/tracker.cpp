@@ -27,7 +27,8 @@ struct TrackerHandle {
   explicit TrackerHandle(FrameFeed from) : feed(std::move(from)) {}
   TrackerHandle(const TrackerHandle&) = delete;
   TrackerHandle& operator=(const TrackerHandle&) = delete;
-  ~TrackerHandle() {
+  // Releasing the lock throws only without an interpreter, and then there is no handle either.
+  ~TrackerHandle() { // NOLINT(bugprone-exception-escape)
     const py::gil_scoped_release release;
     feed.reset();
   }

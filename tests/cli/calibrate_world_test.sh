@@ -64,8 +64,8 @@ expectExit 0 calibrate world project.toml --quarter-turn x --apply
 expectText out.txt 'see --upright'
 expectExit 0 calibrate world project.toml --upright --apply
 expectCamera left -?0.0000 -2.0000 1.0000
-expectExit $kBadInput calibrate world project.toml --upright
-expectSentence upright
+expectExit 0 calibrate world project.toml --upright
+expectText out.txt 'upright  unchanged'
 
 expectExit $kBadInput calibrate world project.toml --floor a,b
 expectSentence points

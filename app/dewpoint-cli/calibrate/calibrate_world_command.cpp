@@ -80,6 +80,10 @@ Result<Project> inNewWorld(Project project, const WorldCommandOptions& options) 
     if (!one.isWanted) {
       continue;
     }
+    if (one.step == WorldStep::Upright && !canTurnUpright(project)) {
+      fmt::print("upright  unchanged: the images are upright, or do not show which way is up\n");
+      continue;
+    }
     auto changed = pointsCalled(project, *one.points).and_then([&](const auto& points) {
       return withWorldStep(project, one.step, points, options.meters);
     });
