@@ -1301,8 +1301,8 @@
         <translation>%1 % des Hintergrunds passen auch.</translation>
     </message>
     <message>
-        <source>One sample hardly matches the learned color: its surroundings look the same, or it shows another object.</source>
-        <translation>Eine Probe passt kaum zur gelernten Farbe: Ihre Umgebung sieht genauso aus, oder sie zeigt ein anderes Objekt.</translation>
+        <source>One sample hardly matches the learned color: it resembles its surroundings, or it shows another object.</source>
+        <translation>Eine Probe passt kaum zur gelernten Farbe: Sie ähnelt ihrer Umgebung, oder sie zeigt ein anderes Objekt.</translation>
     </message>
     <message>
         <source>In the image of %3, a region %2 also matches (%1).</source>
@@ -2241,7 +2241,7 @@
         <translation>Wie stark Personen beschleunigen, bremsen und abbiegen.</translation>
     </message>
     <message>
-        <source>Least hue likelihood</source>
+        <source>Min. hue likelihood</source>
         <translation>Kleinste Farbton-Likelihood</translation>
     </message>
     <message>
@@ -2285,7 +2285,7 @@
         <translation>Mitte der beobachteten Bodenfläche.</translation>
     </message>
     <message>
-        <source>Least motion likelihood</source>
+        <source>Min. motion likelihood</source>
         <translation>Kleinste Bewegungs-Likelihood</translation>
     </message>
     <message>
@@ -2293,7 +2293,7 @@
         <translation>Ortsrauschen</translation>
     </message>
     <message>
-        <source>Least saturation likelihood</source>
+        <source>Min. saturation likelihood</source>
         <translation>Kleinste Sättigungs-Likelihood</translation>
     </message>
     <message>
@@ -3424,8 +3424,8 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>Zustand</translation>
     </message>
     <message>
-        <source>Hidden: the box stays at its estimated position</source>
-        <translation>Verdeckt: Der Rahmen bleibt an der geschätzten Position</translation>
+        <source>Hidden: the box shows the expected position</source>
+        <translation>Verdeckt: Der Rahmen zeigt die erwartete Position</translation>
     </message>
 </context>
 <context>
@@ -4546,15 +4546,15 @@ bei %4, %5, %6</translation>
         <translation>Es gibt noch kein Ziel: Lernen Sie zuerst seine Farbe.</translation>
     </message>
     <message>
-        <source>Drag an estimate, or select the target in the list first.</source>
-        <translation>Ziehen Sie eine Schätzung, oder wählen Sie zuerst das Ziel in der Liste.</translation>
+        <source>Select a target in the list first, or drag its estimate.</source>
+        <translation>Wählen Sie zuerst ein Ziel in der Liste, oder ziehen Sie seine Schätzung.</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::CoverageMap</name>
     <message>
-        <source>%1: seen %2 times, in %3 of %4 regions of the image</source>
-        <translation>%1: %2-mal gesehen, in %3 von %4 Teilen des Bildes</translation>
+        <source>%1: %2 detections, in %3 of %4 regions of the image</source>
+        <translation>%1: %2 Erkennungen in %3 von %4 Teilen des Bildes</translation>
     </message>
 </context>
 <context>
@@ -4918,8 +4918,8 @@ bei %4, %5, %6</translation>
         <translation>Längste Lücke</translation>
     </message>
     <message>
-        <source>Longer gaps are not filled, 0.01 to 60 s</source>
-        <translation>Längere Lücken werden nicht gefüllt, 0,01 bis 60 s</translation>
+        <source>Longest gap to fill, 0.01 to 60 s</source>
+        <translation>Längste Lücke, die gefüllt wird, 0,01 bis 60 s</translation>
     </message>
     <message>
         <source>World axes</source>
@@ -6859,8 +6859,8 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Läuft, angehalten, am Ende, im Rückblick auf ein früheres Bild oder erneut verfolgend</translation>
     </message>
     <message>
-        <source>the box stays at its estimated position</source>
-        <translation>der Rahmen bleibt an der geschätzten Position</translation>
+        <source>the box shows the expected position</source>
+        <translation>der Rahmen zeigt die erwartete Position</translation>
     </message>
     <message>
         <source>click the object or drag a box around it</source>
@@ -7653,7 +7653,7 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Quelle des Maßstabs</translation>
     </message>
     <message>
-        <source>Images alone cannot show whether a room is large or small. A diameter is accurate to about one percent, a distance as accurately as you measure it</source>
+        <source>Images alone cannot show whether a room is large or small. A diameter gives the scale to about one percent, a distance as exactly as you measure it</source>
         <translation>Bilder allein zeigen nicht, ob ein Raum groß oder klein ist. Ein Durchmesser ist auf etwa ein Prozent genau, eine Strecke so genau, wie Sie sie messen</translation>
     </message>
     <message>

@@ -1301,8 +1301,8 @@
         <translation>El %1 % del fondo también coincide.</translation>
     </message>
     <message>
-        <source>One sample hardly matches the learned color: its surroundings look the same, or it shows another object.</source>
-        <translation>Una muestra apenas coincide con el color aprendido: su entorno se ve igual, o muestra otro objeto.</translation>
+        <source>One sample hardly matches the learned color: it resembles its surroundings, or it shows another object.</source>
+        <translation>Una muestra apenas coincide con el color aprendido: se parece a su entorno, o muestra otro objeto.</translation>
     </message>
     <message>
         <source>In the image of %3, a region %2 also matches (%1).</source>
@@ -2241,7 +2241,7 @@
         <translation>Con cuánta fuerza las personas aceleran, frenan y giran.</translation>
     </message>
     <message>
-        <source>Least hue likelihood</source>
+        <source>Min. hue likelihood</source>
         <translation>Verosimilitud mínima del tono</translation>
     </message>
     <message>
@@ -2285,7 +2285,7 @@
         <translation>Centro del suelo vigilado.</translation>
     </message>
     <message>
-        <source>Least motion likelihood</source>
+        <source>Min. motion likelihood</source>
         <translation>Verosimilitud mínima de movimiento</translation>
     </message>
     <message>
@@ -2293,7 +2293,7 @@
         <translation>Ruido de posición</translation>
     </message>
     <message>
-        <source>Least saturation likelihood</source>
+        <source>Min. saturation likelihood</source>
         <translation>Verosimilitud mínima de la saturación</translation>
     </message>
     <message>
@@ -3424,8 +3424,8 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>estado</translation>
     </message>
     <message>
-        <source>Hidden: the box stays at its estimated position</source>
-        <translation>Oculto: el recuadro se queda en su posición estimada</translation>
+        <source>Hidden: the box shows the expected position</source>
+        <translation>Oculto: el recuadro muestra la posición esperada</translation>
     </message>
 </context>
 <context>
@@ -4546,15 +4546,15 @@ en %4, %5, %6</translation>
         <translation>Aún no hay ningún objetivo: aprenda primero su color.</translation>
     </message>
     <message>
-        <source>Drag an estimate, or select the target in the list first.</source>
-        <translation>Arrastre una estimación, o elija primero el objetivo en la lista.</translation>
+        <source>Select a target in the list first, or drag its estimate.</source>
+        <translation>Elija primero un objetivo en la lista o arrastre su estimación.</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::CoverageMap</name>
     <message>
-        <source>%1: seen %2 times, in %3 of %4 regions of the image</source>
-        <translation>%1: vista %2 veces, en %3 de %4 zonas de la imagen</translation>
+        <source>%1: %2 detections, in %3 of %4 regions of the image</source>
+        <translation>%1: %2 detecciones, en %3 de %4 zonas de la imagen</translation>
     </message>
 </context>
 <context>
@@ -4918,8 +4918,8 @@ en %4, %5, %6</translation>
         <translation>Hueco más largo</translation>
     </message>
     <message>
-        <source>Longer gaps are not filled, 0.01 to 60 s</source>
-        <translation>Los huecos más largos no se rellenan, de 0,01 a 60 s</translation>
+        <source>Longest gap to fill, 0.01 to 60 s</source>
+        <translation>Hueco más largo que se rellena, de 0,01 a 60 s</translation>
     </message>
     <message>
         <source>World axes</source>
@@ -6859,8 +6859,8 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>En marcha, en pausa, al final, mirando un fotograma anterior o siguiendo de nuevo</translation>
     </message>
     <message>
-        <source>the box stays at its estimated position</source>
-        <translation>el recuadro se queda en su posición estimada</translation>
+        <source>the box shows the expected position</source>
+        <translation>el recuadro muestra la posición esperada</translation>
     </message>
     <message>
         <source>click the object or drag a box around it</source>
@@ -7653,7 +7653,7 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Origen de la escala</translation>
     </message>
     <message>
-        <source>Images alone cannot show whether a room is large or small. A diameter is accurate to about one percent, a distance as accurately as you measure it</source>
+        <source>Images alone cannot show whether a room is large or small. A diameter gives the scale to about one percent, a distance as exactly as you measure it</source>
         <translation>Las imágenes solas no muestran si una sala es grande o pequeña. Un diámetro es preciso hasta un uno por ciento; una distancia, tanto como la mida</translation>
     </message>
     <message>

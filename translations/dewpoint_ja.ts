@@ -1301,8 +1301,8 @@
         <translation>背景の %1 % も一致します。</translation>
     </message>
     <message>
-        <source>One sample hardly matches the learned color: its surroundings look the same, or it shows another object.</source>
-        <translation>学習した色にほとんど合わない見本があります。周りが同じ色か、別の物体を示しています。</translation>
+        <source>One sample hardly matches the learned color: it resembles its surroundings, or it shows another object.</source>
+        <translation>学習した色にほとんど合わない見本があります。周囲と似ているか、別の物体を示しています。</translation>
     </message>
     <message>
         <source>In the image of %3, a region %2 also matches (%1).</source>
@@ -2240,7 +2240,7 @@
         <translation>人がどれだけ強く加速、減速、方向転換するか。</translation>
     </message>
     <message>
-        <source>Least hue likelihood</source>
+        <source>Min. hue likelihood</source>
         <translation>色相の尤度の下限</translation>
     </message>
     <message>
@@ -2284,7 +2284,7 @@
         <translation>追跡する床の中心。</translation>
     </message>
     <message>
-        <source>Least motion likelihood</source>
+        <source>Min. motion likelihood</source>
         <translation>動きの尤度の下限</translation>
     </message>
     <message>
@@ -2292,7 +2292,7 @@
         <translation>位置のノイズ</translation>
     </message>
     <message>
-        <source>Least saturation likelihood</source>
+        <source>Min. saturation likelihood</source>
         <translation>彩度の尤度の下限</translation>
     </message>
     <message>
@@ -3423,8 +3423,8 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>状態</translation>
     </message>
     <message>
-        <source>Hidden: the box stays at its estimated position</source>
-        <translation>隠れている：枠は推定位置にとどまります</translation>
+        <source>Hidden: the box shows the expected position</source>
+        <translation>隠れている：枠は予測位置を示します</translation>
     </message>
 </context>
 <context>
@@ -4540,14 +4540,14 @@ at %4, %5, %6</source>
         <translation>ターゲットがまだありません。先にその色を学習してください。</translation>
     </message>
     <message>
-        <source>Drag an estimate, or select the target in the list first.</source>
-        <translation>推定位置をドラッグするか、先に一覧でターゲットを選んでください。</translation>
+        <source>Select a target in the list first, or drag its estimate.</source>
+        <translation>先に一覧でターゲットを選ぶか、その推定位置をドラッグしてください。</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::CoverageMap</name>
     <message>
-        <source>%1: seen %2 times, in %3 of %4 regions of the image</source>
+        <source>%1: %2 detections, in %3 of %4 regions of the image</source>
         <translation>%1: %2 回、画像の %4 区画のうち %3 区画で検出</translation>
     </message>
 </context>
@@ -4912,8 +4912,8 @@ at %4, %5, %6</source>
         <translation>最長の欠落</translation>
     </message>
     <message>
-        <source>Longer gaps are not filled, 0.01 to 60 s</source>
-        <translation>これより長い欠落は埋めません（0.01〜60 s）</translation>
+        <source>Longest gap to fill, 0.01 to 60 s</source>
+        <translation>埋める欠落の最大の長さ（0.01〜60 s）</translation>
     </message>
     <message>
         <source>World axes</source>
@@ -6850,8 +6850,8 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>再生中、一時停止、終端、過去のフレームを表示中、または再追跡中</translation>
     </message>
     <message>
-        <source>the box stays at its estimated position</source>
-        <translation>枠は推定位置にとどまっています</translation>
+        <source>the box shows the expected position</source>
+        <translation>枠は予測位置を示しています</translation>
     </message>
     <message>
         <source>click the object or drag a box around it</source>
@@ -7641,7 +7641,7 @@ Effective sample size %8 of %9</source>
         <translation>縮尺の求め方</translation>
     </message>
     <message>
-        <source>Images alone cannot show whether a room is large or small. A diameter is accurate to about one percent, a distance as accurately as you measure it</source>
+        <source>Images alone cannot show whether a room is large or small. A diameter gives the scale to about one percent, a distance as exactly as you measure it</source>
         <translation>画像だけでは部屋が大きいか小さいか分かりません。直径なら約1パーセント、距離なら測定の精度です</translation>
     </message>
     <message>

@@ -12,8 +12,8 @@ enum class ThreadPriority {
 };
 
 /// Sets the priority of the calling thread (Linux only; elsewhere, or without permission, it has no
-/// effect). User interface threads are patient, so that drawing one iteration does not delay the
-/// next filter iteration by milliseconds.
+/// effect). UI threads are `Patient`, so that drawing one iteration does not delay the next filter
+/// iteration by milliseconds.
 void setThreadPriority(ThreadPriority priority);
 
 } // namespace dewpoint::base

@@ -91,7 +91,7 @@ struct SetVolumeOfInterest {
 struct ShowMasks {
   bool shown = false;
 };
-/// Turns hulls and level curves of people on or off (TargetSnapshot::shape).
+/// Turns people's hulls and density contours on or off (TargetSnapshot::shape).
 struct ShowShapes {
   bool shown = false;
 };

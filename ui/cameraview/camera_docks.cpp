@@ -34,12 +34,12 @@ CameraDocks::CameraDocks(const Workbench& bench)
   connect(pick_, &ImagePickTool::cameraChosen, &bench_.selection, &Selection::selectCamera);
   connect(&bench_.session, &SessionController::runStarted, this, &CameraDocks::make);
   connect(&bench_.session, &SessionController::closed, this, &CameraDocks::make);
-  connect(&bench_.session, &SessionController::snapshotChanged, this, &CameraDocks::showReasons);
+  connect(&bench_.session, &SessionController::snapshotChanged, this, &CameraDocks::updateTitles);
   connect(&bench_.selection, &Selection::targetSelected, this, [this](int target) {
     for (CameraView* view : views_) {
       view->setChosenTarget(target);
     }
-    showReasons();
+    updateTitles();
   });
   connectActions();
   connectZoom();
@@ -185,7 +185,7 @@ bool isWorthSaying(const TrackEstimate& estimate, const CameraReport& reason) {
 
 } // namespace
 
-void CameraDocks::showReasons() {
+void CameraDocks::updateTitles() {
   const TrackSnapshotPtr& snapshot = bench_.session.shown();
   if (!snapshot) {
     return;

@@ -43,7 +43,7 @@ private:
   /// selected camera's view, or else the first visible view. Returns null if there is none.
   CameraView* viewToZoom() const;
   void zoom(double factor);
-  void showReasons();
+  void updateTitles();
 
   Workbench bench_;
   ImagePickTool* pick_;

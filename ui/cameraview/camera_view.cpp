@@ -319,7 +319,7 @@ void CameraView::paintEstimates(QPainter& painter) const {
   paintPeople(painter, *shown_, camera_, placement_, seen, chosenTarget_);
   paintPeopleObstacle(painter, *shown_, camera_, seen);
   for (std::size_t i = 0; i < shown_->targets.size(); ++i) {
-    if (isPaintedByPeople(shown_->targets[i])) {
+    if (isPaintedAsPerson(shown_->targets[i])) {
       continue;
     }
     if (picture_.source.maps == shown_) {
@@ -345,7 +345,7 @@ void CameraView::paintInset(QPainter& painter, const std::vector<QRectF>& taken)
           ? static_cast<std::size_t>(chosenTarget_)
           : 0;
   const cv::Mat& image = picture_.source.frame->image;
-  if (!magnifierShown_ || targets.empty() || isPaintedByPeople(targets[chosen]) ||
+  if (!magnifierShown_ || targets.empty() || isPaintedAsPerson(targets[chosen]) ||
       targets[chosen].status != TargetStatus::Held || image.type() != CV_8UC3) {
     return;
   }

@@ -80,7 +80,7 @@ void paintPeople(QPainter& painter, const TrackSnapshot& snapshot, int camera,
   painter.restore();
 }
 
-bool isPaintedByPeople(const TargetSnapshot& target) {
+bool isPaintedAsPerson(const TargetSnapshot& target) {
   return std::visit(Overloaded{[](const SphereEstimate&) { return false; },
                                [](const BoxEstimate&) { return false; },
                                [](const PersonEstimate&) { return true; },

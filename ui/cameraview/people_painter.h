@@ -16,7 +16,7 @@ void paintPeople(QPainter& painter, const TrackSnapshot& snapshot, int camera,
                  const ImagePlacement& placement, const QRectF& room, int chosen);
 
 /// Returns whether `paintPeople()` draws everything that is shown for a target.
-bool isPaintedByPeople(const TargetSnapshot& target);
+bool isPaintedAsPerson(const TargetSnapshot& target);
 
 /// Draws, at the lower edge of the image, the reason why a camera cannot detect people, with a
 /// progress bar while it learns the background. Draws nothing if people can be detected.

@@ -132,7 +132,7 @@ void CorrectionTool::grab(const Layer& layer, const QPointF& pixel) {
   if (drag_->target < 0) {
     Q_EMIT failed(bench_.document.project().targets.empty()
                       ? tr("There is no target yet: learn its color first.")
-                      : tr("Drag an estimate, or select the target in the list first."));
+                      : tr("Select a target in the list first, or drag its estimate."));
     return;
   }
   if (bench_.session.isPlaying()) {

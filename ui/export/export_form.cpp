@@ -99,7 +99,7 @@ void ExportForm::retranslateUi() {
   setTexts(to_, tr("To"), tr("Last time, 0 to 1,000,000 s"));
   setTexts(rate_, tr("Rate"), tr("Rows per second, 0.001 to 10,000; interpolated"));
   setTexts(gaps_, tr("Gaps"), tr("What to write while the position is unknown"));
-  setTexts(longestGap_, tr("Longest gap"), tr("Longer gaps are not filled, 0.01 to 60 s"));
+  setTexts(longestGap_, tr("Longest gap"), tr("Longest gap to fill, 0.01 to 60 s"));
   setTexts(axes_, tr("World axes"), tr("Axis that points up in the file"));
   setTexts(unit_, tr("Lengths"), tr("Unit of positions in the file"));
   from_->setSpecialValueText(tr("the beginning"));

@@ -67,8 +67,7 @@ QString reasonOf(const TrackSnapshot& snapshot, const TargetSnapshot& target) {
   };
   return std::visit(Overloaded{[&](const SphereEstimate&) { return ofCameras(); },
                                [](const BoxEstimate&) {
-                                 return StatusBarPanel::tr(
-                                     "the box stays at its estimated position");
+                                 return StatusBarPanel::tr("the box shows the expected position");
                                },
                                [&](const PersonEstimate&) { return ofCameras(); },
                                [&](const AbsentEstimate&) { return ofCameras(); }},

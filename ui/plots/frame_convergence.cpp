@@ -61,7 +61,7 @@ FrameConvergence::FrameConvergence(QWidget* parent)
   stack_->setAttribute(Qt::WA_TransparentForMouseEvents); // it has one frame only
   stack_->setFocusPolicy(Qt::NoFocus);
   stack_->focusProxy()->setFocusPolicy(Qt::NoFocus);
-  stack_->setBare(true);
+  stack_->setCurvesOnly(true);
   stack_->setMinIterations(kLeastIterations);
   stack_->setShown({QStringLiteral("convergence")});
   series_.reset(1);

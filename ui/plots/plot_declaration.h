@@ -49,7 +49,7 @@ struct PlotDeclaration {
 
 /// Returns a value with its unit and a suitable precision; "–" if it is not a number.
 QString quantityText(PlotQuantity quantity, double value);
-/// Returns the number without its unit, in the axis unit. The number of decimals does not depend on
+/// Returns only the number, converted to the axis unit. The number of decimals does not depend on
 /// the value.
 QString drawnNumberText(PlotQuantity quantity, double value);
 /// Returns the axis unit; may be empty.

@@ -62,8 +62,8 @@ void PlotStack::setEmptyText(const QString& sentence) {
   scroll_->setEmptyText(sentence);
 }
 
-void PlotStack::setBare(bool bare) {
-  bare_ = bare;
+void PlotStack::setCurvesOnly(bool bare) {
+  curvesOnly_ = bare;
   scroll_->setNameShown(!bare);
   rebuild();
 }
@@ -126,8 +126,8 @@ void PlotStack::rebuild() {
 }
 
 void PlotStack::arrangeRows(const std::vector<const PlotDeclaration*>& wanted) {
-  const int captionWidth = bare_ ? 0 : PlotCaption::widthFor(wanted, font());
-  const int readoutWidth = bare_ ? kBareMargin : PlotReadout::widthFor(wanted, font());
+  const int captionWidth = curvesOnly_ ? 0 : PlotCaption::widthFor(wanted, font());
+  const int readoutWidth = curvesOnly_ ? kBareMargin : PlotReadout::widthFor(wanted, font());
   int height = 0;
   for (const auto& row : rows_) {
     row->caption()->setWidth(captionWidth);

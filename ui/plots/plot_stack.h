@@ -43,7 +43,7 @@ public:
   /// Sets the sentence shown while there are no data.
   void setEmptyText(const QString& sentence);
   /// Sets whether only curves and axes are shown, for a stack whose surroundings explain it.
-  void setBare(bool bare);
+  void setCurvesOnly(bool bare);
   /// Sets the minimum length of the axis in iterations. A shorter run fills it gradually.
   void setMinIterations(int least) { navigation_->setMinIterations(least); }
   void setAxis(PlotAxis axis);
@@ -112,7 +112,7 @@ private:
   PlotCursor* cursor_;
   PlotNavigation* navigation_;
   PlotPointer* pointer_;
-  bool bare_ = false;
+  bool curvesOnly_ = false;
   std::vector<PlotDeclaration> plots_;
   QStringList shown_;
   std::vector<std::unique_ptr<PlotRow>> rows_;

@@ -175,6 +175,7 @@ bool CameraTable::hasImageFolders() const {
 
 std::vector<NewCamera> CameraTable::cameras() const {
   std::vector<NewCamera> cameras;
+  cameras.reserve(static_cast<std::size_t>(rowCount()));
   for (int row = 0; row < rowCount(); ++row) {
     cameras.push_back({.name = textAt(row, kNameColumn).toStdString(),
                        .location = locationAt(row).toStdString()});
@@ -256,7 +257,7 @@ void CameraTable::showKnown(int row) {
   found->setForeground(color);
 }
 
-QString CameraTable::differenceText() const {
+QString CameraTable::mismatchText() const {
   std::vector<FootageFacts> recordings;
   for (int row = 0; row < rowCount(); ++row) {
     const auto known = known_.find(locationAt(row));

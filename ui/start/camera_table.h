@@ -45,7 +45,7 @@ public:
   std::vector<NewCamera> cameras() const;
   /// Returns a hint about recordings that differ from each other, or an empty string if there is
   /// nothing to report.
-  QString differenceText() const;
+  QString mismatchText() const;
 
 Q_SIGNALS:
   /// Emitted when rows, names, sources, source information or the selection have changed.

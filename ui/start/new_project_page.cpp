@@ -267,7 +267,7 @@ void NewProjectPage::refresh() {
   rate_->setVisible(cameras_->hasImageFolders());
   remove_->setEnabled(cameras_->hasSelection());
   create_->setEnabled(any && pendingSearches_ == 0);
-  const QString note = cameras_->differenceText();
+  const QString note = cameras_->mismatchText();
   note_->setText(note);
   note_->setVisible(!note.isEmpty());
   QPalette colors = palette();

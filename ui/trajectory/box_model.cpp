@@ -110,7 +110,7 @@ QVariant BoxModel::headerData(int section, Qt::Orientation orientation, int role
   case Spread:
     return name ? tr("spread, px") : tr("Root mean square distance of the particles to their mean");
   case Seen:
-    return name ? tr("state") : tr("Hidden: the box stays at its estimated position");
+    return name ? tr("state") : tr("Hidden: the box shows the expected position");
   default:
     return {};
   }

@@ -31,7 +31,8 @@ BoxPanel::BoxPanel(Selection& selection, QWidget* parent)
   table_->setModel(model_);
   head_ = new TableHead(table_, selection, [this](qint64 frame) {
     const auto& samples = model_->samples();
-    const auto [first, last] = std::ranges::equal_range(samples, frame, {}, &BoxSample::frame);
+    const auto first = std::ranges::lower_bound(samples, frame, {}, &BoxSample::frame);
+    const auto last = std::ranges::upper_bound(samples, frame, {}, &BoxSample::frame);
     return std::pair(static_cast<int>(first - samples.begin()),
                      static_cast<int>(last - samples.begin()));
   });

@@ -12,7 +12,7 @@
 #include "core/session/watch/camera_agreement_watch.h"
 #include "core/session/watch/camera_motion_observer.h"
 #include "core/session/watch/camera_motion_watch.h"
-#include "core/session/watch/reason_log.h"
+#include "core/session/watch/state_log.h"
 #include "core/trajectory/evaluation.h"
 #include "core/trajectory/jobs/job_folder.h"
 #include "core/trajectory/trajectory_writer.h"
@@ -37,7 +37,7 @@ struct TrackOutput {
   std::optional<TrajectoryWriter> writer; ///< not with boxes, which are in no space
   Trajectory kept;
   BoxTrack boxes;
-  std::optional<ReasonLog> reasons = std::nullopt;
+  std::optional<StateLog> reasons = std::nullopt;
   std::optional<TrackedFrame> previous = std::nullopt; ///< while there are reasons to write
 
   void takeReasons(const TrackingRun& run) {
@@ -76,6 +76,7 @@ struct TrackOutput {
       valid[std::to_string(sample.target)] += sample.estimate.visible ? 1 : 0;
     }
     std::vector<JobTarget> targets;
+    targets.reserve(valid.size());
     for (const auto& [name, frames] : valid) {
       targets.push_back({name, frames});
     }

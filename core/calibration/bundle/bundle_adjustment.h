@@ -58,7 +58,7 @@ struct BundleBody {
   std::vector<Eigen::Vector3d> points = {}; ///< points of a board, in the board frame; meters
 };
 
-/// Body at one instant. These are the unknowns of the problem in addition to the cameras.
+/// Body at one instant. These states and the cameras are the unknowns of the problem.
 struct BundleState {
   std::size_t body = 0;
   double time = 0.0;  ///< seconds

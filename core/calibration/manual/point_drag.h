@@ -42,8 +42,8 @@ inline constexpr int kMaxHeldPoints = 3;
 
 /// Moves a camera so that `dragged.world` is seen at `dragged.pixel` while the held points stay at
 /// their pixels (to 1e-6 px). What changes depends on the number of held points:
-/// - 0: the smallest rotation about the camera center, or the sideways motion perpendicular to the
-///   line of sight;
+/// - 0: the smallest rotation about the camera center; in slide mode, the motion perpendicular to
+///   the line of sight;
 /// - 1: the camera rolls about the ray of the held point and moves along it; in slide mode, the
 ///   smallest change of pose that meets the conditions;
 /// - 2: the pose that meets the conditions (three points allow finitely many poses; this is the one

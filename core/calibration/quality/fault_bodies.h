@@ -8,8 +8,8 @@
 
 namespace dewpoint::calibration {
 
-/// Finds incorrect lengths, boards and floors in the entered data, using point positions
-/// triangulated by all cameras.
+/// Finds errors in the entered lengths, board and floor, using the point positions triangulated by
+/// all cameras.
 std::vector<DetectedFault> findBodyFaults(const FaultSearchInput& question,
                                           const PointPositions& positions, const CameraRig& rig);
 

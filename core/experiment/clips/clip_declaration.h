@@ -39,7 +39,7 @@ struct ClipDeclaration {
   std::string start;     ///< how methods learn the target's appearance
   std::string truth;     ///< kind, origin and accuracy of the truth
   TruthOrigin origin = TruthOrigin::Marked;
-  /// Standard deviation of the truth along each axis, in mm. In pixels if only images are measured.
+  /// Standard deviation of the truth along each axis: in mm, or in pixels if `images` is set.
   double truthSigma = 0.0;
   TunedOn tunedOn = TunedOn::No;
   std::string tuned; ///< what was tuned, or why nothing was tuned, in one clause

@@ -13,7 +13,7 @@ namespace dewpoint::experiment {
 /// usual ball and about 5 cm for a stick of 30 cm.
 inline constexpr double kNearFraction = 0.25;
 
-/// Error of an estimate and true target size, in one frame in which the target can be seen. Meters.
+/// Position error, estimated and true size, in one frame in which the target can be seen. Meters.
 struct ExtentSample {
   std::optional<double> distance; ///< from estimate to centroid; nothing: not declared present
   double halfExtent = 0.0;        ///< longest semi-axis (TargetExtent::halfAxes)

@@ -134,6 +134,7 @@ cv::Mat besideEachOther(const std::vector<cv::Mat>& images) {
 std::vector<double> valuesOverTime(const std::map<std::int64_t, MotionFrame>& frames,
                                    double (*number)(const MotionFrame&)) {
   std::vector<double> values;
+  values.reserve(frames.size());
   for (const auto& [frame, shown] : frames) {
     values.push_back(shown.people == 0 ? std::numeric_limits<double>::quiet_NaN() : number(shown));
   }

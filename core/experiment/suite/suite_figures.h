@@ -20,7 +20,7 @@ Plot errorOverTime(std::span<const SuiteCell> cells);
 /// an error of at most x. The curve ends below 100 % if a method does not declare the target
 /// present in some frames.
 Plot errorDistribution(std::span<const SuiteCell> cells);
-/// Plots the fraction of estimates whose target was at the estimate, over the reported P(exists).
+/// Plots the fraction of estimates that were on the target, over the reported P(exists).
 Plot reliabilityDiagram(std::span<const SuiteCell> cells);
 
 } // namespace dewpoint::experiment

@@ -48,7 +48,7 @@ struct OutlinePrior {
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
 };
 
-/// Largest distance at which edges are searched from the expected outline.
+/// Largest distance from the expected outline at which edges are sought.
 enum class OutlineReach {
   Near, ///< up to half a radius; for a good prediction near other objects of the same color
   Far,  ///< more than a radius at first, reduced step by step; for a rough start

@@ -34,11 +34,10 @@ public:
   /// Processes a frame after its iterations.
   void watch(const FrameSet& frames, const std::vector<Target>& targets,
              const std::vector<SphereEstimate>& estimates);
-  /// Pauses detection while a calibration board is shown to live cameras. The image of a moving
-  /// board that fills the view resembles a scene seen by a rotating camera. The same holds if a
-  /// board was visible when the reference image was taken. After the board has been put down, the
-  /// cameras that are not reported count as being in their calibrated poses, and their images
-  /// become the reference.
+  /// Pauses detection while a calibration board is shown to live cameras: a moving board that fills
+  /// the view, or was in the reference image, looks like a rotation of the camera. After the board
+  /// has been put down, each camera without a report counts as being in its calibrated pose, and
+  /// its image becomes the reference.
   void setPaused(bool paused);
   const std::vector<CameraMotionReport>& reports() const { return reports_; }
   /// Returns one notice for each report: which camera moved, how far, and when.

@@ -79,13 +79,14 @@ Result<ClickLearningResult> learnFromClicks(const Project& project, int target,
                                             const ClickedImages& shown,
                                             const std::vector<ColorSample>& samples);
 
-/// Applies a lesson to a target of a project (index): color, samples, the radius of a part unless a
-/// radius is given, and the correction unless this frame has one. Corrections in frames whose
-/// clicks are no longer among the samples are removed, since they may belong to another object.
+/// Applies what was learned to a target of a project (index): color, samples, the radius of a part
+/// unless a radius is given, and the correction unless this frame has one. Corrections in frames
+/// whose clicks are no longer among the samples are removed, since they may belong to another
+/// object.
 void applyLearningResult(const ClickLearningResult& lesson, std::size_t target, Project& project);
 
-/// Returns the samples without one of them. A sample that was found is marked as excluded instead
-/// of removed, since it would be found again.
+/// Returns the samples without one of them. An automatically found sample is marked as excluded,
+/// since it would be found again if removed.
 std::vector<ColorSample> withoutSample(std::vector<ColorSample> samples, std::size_t index);
 
 /// Returns whether at least one sample was clicked on the target.

@@ -13,7 +13,7 @@
 
 namespace dewpoint::setup {
 
-/// Assumed image size in pixels of a camera that does not report it before it is opened. Origin not
+/// Assumed image size in pixels of a camera that reports none until opened. Origin of the value not
 /// recorded.
 inline constexpr int kAssumedImageWidth = 640;
 inline constexpr int kAssumedImageHeight = 480;

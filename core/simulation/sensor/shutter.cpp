@@ -27,7 +27,7 @@ std::vector<RowBand> rowBands(const Shutter& shutter, int rows) {
     return {{0, rows, 0.0}};
   }
   std::vector<RowBand> bands;
-  bands.reserve(static_cast<std::size_t>(rows / kBandRows + 1));
+  bands.reserve(static_cast<std::size_t>(rows / kBandRows) + 1);
   for (int begin = 0; begin < rows; begin += kBandRows) {
     const int end = std::min(rows, begin + kBandRows);
     const double middle = 0.5 * (rowTime(shutter, begin, rows) + rowTime(shutter, end - 1, rows));

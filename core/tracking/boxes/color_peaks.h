@@ -7,10 +7,9 @@
 
 namespace dewpoint::tracking {
 
-/// Returns the centers of the boxes of one size that contain most of the target's colors, best
-/// first. Returns at most `most`, no two overlapping by more than a quarter in each direction, each
-/// with a sum of at least `least`. Tries all positions on a grid with a spacing of a quarter of the
-/// box.
+/// Returns the centers of the boxes of this size with the largest sums in `map`, largest first: at
+/// most `most`, each with a sum of at least `least`, no two overlapping by more than a quarter in
+/// both directions. Tries all positions on a grid with a spacing of a quarter of the box.
 std::vector<Eigen::Vector2d> colorPeaks(const TargetMap& map, double width, double height,
                                         std::size_t most, double least);
 

@@ -84,7 +84,7 @@ Declarations mohedano(bool color) {
        "Standard deviation of the noise on each component of the velocity, per frame.", false},
       {"mask_sigma", kReal, "Mask smoothing", "px", 0.0, 50.0, 0.5, 4.0,
        "Sigma of the Gaussian that smooths the motion masks (the paper: 4 px).", false},
-      {"motion_floor", kReal, "Least motion likelihood", "", 0.001, 1.0, 0.01, 0.2,
+      {"motion_floor", kReal, "Min. motion likelihood", "", 0.001, 1.0, 0.01, 0.2,
        "Smallest likelihood where a camera sees no motion (p_B in the paper: 0.2).", false},
   };
   if (color) {
@@ -92,11 +92,11 @@ Declarations mohedano(bool color) {
                "Standard deviation of a measured hue, in [0, 1].", true},
               {"saturation_sigma", kReal, "Saturation sigma", "", 0.001, 1.0, 0.005, 0.06,
                "Standard deviation of a measured saturation, in [0, 1].", true},
-              {"hue_floor", kReal, "Least hue likelihood", "", 0.001, 1.0, 0.01, 0.3,
+              {"hue_floor", kReal, "Min. hue likelihood", "", 0.001, 1.0, 0.01, 0.3,
                "Smallest likelihood of a hue (h_B in the paper); above 0 because another object "
                "may hide the person.",
                false},
-              {"saturation_floor", kReal, "Least saturation likelihood", "", 0.001, 1.0, 0.01, 0.3,
+              {"saturation_floor", kReal, "Min. saturation likelihood", "", 0.001, 1.0, 0.01, 0.3,
                "Smallest likelihood of a saturation (s_B in the paper).", false},
               {"color_noise", kReal, "Color noise", "", 0.0, 0.5, 0.001, 0.005,
                "Standard deviation of the noise on hue and saturation, per frame.", false}});

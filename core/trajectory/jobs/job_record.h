@@ -45,7 +45,7 @@ struct JobIdentity {
   std::string frames;  ///< range of frames: "0:60"; empty: all
   std::string version; ///< version of Dewpoint
 
-  auto operator<=>(const JobIdentity&) const = default;
+  auto operator<=>(const JobIdentity&) const = default; // NOLINT(modernize-use-nullptr)
 };
 
 /// Record of a finished job, stored in done.json.

@@ -17,7 +17,7 @@ void CoverageMap::setCamera(const QString& camera, const CameraSightings& seen, 
   aspectRatio_ = shape;
   const auto& regions = seen.coverage.corners;
   const auto covered = std::ranges::count_if(regions, [](int count) { return count > 0; });
-  const QString text = tr("%1: seen %2 times, in %3 of %4 regions of the image")
+  const QString text = tr("%1: %2 detections, in %3 of %4 regions of the image")
                            .arg(camera)
                            .arg(static_cast<qulonglong>(seen.count))
                            .arg(covered)

@@ -214,8 +214,8 @@ void WandForm::retranslateUi() {
   length_->setSuffix(tr(" cm"));
   sizeLabel_->setText(tr("Scale from"));
   name(size_, tr("Source of the scale"),
-       tr("Images alone cannot show whether a room is large or small. A diameter is accurate to "
-          "about one percent, a distance as accurately as you measure it"));
+       tr("Images alone cannot show whether a room is large or small. A diameter gives the scale "
+          "to about one percent, a distance as exactly as you measure it"));
   distanceLabel_->setText(tr("Distance"));
   name(distance_, tr("Known distance"),
        tr("Distance between the two positions at which you held the center of the ball"));

@@ -122,13 +122,13 @@ void BernoulliTrack::updateHypotheses(SphereObservation& observation, const Rand
     hypothesis.oneCameraOnly =
         observation.cameraCount() > 1 &&
         observation.countCamerasInView(hypothesis.position(), hypothesis.velocity()) == 1;
-    logMasses.push_back(std::log(std::max(probabilityBefore(hypothesis, observation), 1e-300)) +
+    logMasses.push_back(std::log(std::max(priorProbability(hypothesis, observation), 1e-300)) +
                         factor);
   }
 }
 
-double BernoulliTrack::probabilityBefore(TrackHypothesis& hypothesis,
-                                         SphereObservation& observation) const {
+double BernoulliTrack::priorProbability(TrackHypothesis& hypothesis,
+                                        SphereObservation& observation) const {
   observation.setRadius(hypothesis.radius);
   if (observation.showsRim(hypothesis.position(), hypothesis.velocity())) {
     hypothesis.rimSeen = true;

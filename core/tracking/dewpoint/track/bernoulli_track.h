@@ -111,7 +111,7 @@ private:
   /// Returns the probability of a hypothesis before the images of this frame are used, and stores
   /// in the hypothesis whether they show its rim. A hypothesis that may be part of a larger object
   /// gets at most the probability of a birth.
-  double probabilityBefore(TrackHypothesis& hypothesis, SphereObservation& observation) const;
+  double priorProbability(TrackHypothesis& hypothesis, SphereObservation& observation) const;
   /// Returns the probability that an absent target appears at a position, or so close to it that
   /// images cannot distinguish the two.
   double birthProbability(const Eigen::Vector3d& position, double radius) const;

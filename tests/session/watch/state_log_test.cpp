@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/watch/reason_log.h"
+#include "core/session/watch/state_log.h"
 #include "tests/session/fake_recording.h"
 
 #include <gtest/gtest.h>
@@ -15,8 +15,8 @@ FrameRecord record(std::int64_t frame, TargetStatus status, const CameraReport& 
   return record;
 }
 
-TEST(ReasonLog, ARowIsWrittenWhenStateOrReasonChange) {
-  ReasonLog log(test::twoCameras());
+TEST(StateLog, ARowIsWrittenWhenStateOrReasonChange) {
+  StateLog log(test::twoCameras());
   const std::vector<Target> targets = test::twoCameraProject().targets;
   log.append(record(0, TargetStatus::Searching), targets);
   log.append(record(1, TargetStatus::Held), targets);
@@ -31,8 +31,8 @@ TEST(ReasonLog, ARowIsWrittenWhenStateOrReasonChange) {
                        "0.200000,5,ball,lost,camera left: hidden\n");
 }
 
-TEST(ReasonLog, TargetsThatComeLaterHaveRowsOfTheirOwn) {
-  ReasonLog log(test::twoCameras());
+TEST(StateLog, TargetsThatComeLaterHaveRowsOfTheirOwn) {
+  StateLog log(test::twoCameras());
   std::vector<Target> targets = test::twoCameraProject().targets;
   log.append(record(0, TargetStatus::Held), targets);
   targets.push_back(targets.front());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/watch/reason_log.h"
+#include "core/session/watch/state_log.h"
 
 #include "core/tracking/camera_report.h"
 #include "core/trajectory/csv_text.h"
@@ -30,13 +30,13 @@ const char* stateName(TargetStatus status) {
 
 } // namespace
 
-ReasonLog::ReasonLog(const CameraRig& rig) {
+StateLog::StateLog(const CameraRig& rig) {
   for (const Camera& camera : rig) {
     cameras_.push_back(camera.name);
   }
 }
 
-void ReasonLog::append(const FrameRecord& record, const std::vector<Target>& targets) {
+void StateLog::append(const FrameRecord& record, const std::vector<Target>& targets) {
   const std::size_t count = std::min(record.targets.size(), targets.size());
   last_.resize(std::max(last_.size(), count));
   for (std::size_t k = 0; k < count; ++k) {

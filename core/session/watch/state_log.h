@@ -11,9 +11,9 @@ namespace dewpoint::session {
 
 /// CSV table of the reasons why the targets of a run were held or not, to be read with the
 /// trajectory. It has a row for every change of a target's state or of the reason for it.
-class ReasonLog {
+class StateLog {
 public:
-  explicit ReasonLog(const CameraRig& rig);
+  explicit StateLog(const CameraRig& rig);
 
   /// Adds a frame; targets are in the order of the record.
   void append(const FrameRecord& record, const std::vector<Target>& targets);
