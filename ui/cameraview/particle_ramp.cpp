@@ -2,6 +2,7 @@
 #include "ui/cameraview/particle_ramp.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace dewpoint::ui {
@@ -10,7 +11,7 @@ namespace {
 
 QColor colorBetween(const QColor& from, const QColor& to, double share) {
   const auto part = [share](int low, int high) {
-    return static_cast<int>(low + share * (high - low) + 0.5);
+    return static_cast<int>(std::lround(low + share * (high - low)));
   };
   return {part(from.red(), to.red()), part(from.green(), to.green()), part(from.blue(), to.blue())};
 }

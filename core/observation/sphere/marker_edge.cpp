@@ -117,6 +117,7 @@ struct PolarFit {
 std::optional<PolarFit> fitPolar(const std::vector<Edge>& edges) {
   PolarFit fit;
   std::vector<double> sorted;
+  sorted.reserve(edges.size());
   for (const Edge& edge : edges) {
     sorted.push_back(edge.distance);
   }
