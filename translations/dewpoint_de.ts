@@ -8004,8 +8004,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Die Linie von A nach B ist nicht annähernd waagerecht.</translation>
     </message>
     <message>
-        <source>A and B lie above each other.</source>
-        <translation>A und B liegen übereinander.</translation>
+        <source>A is directly above or below B.</source>
+        <translation>A liegt genau über oder unter B.</translation>
     </message>
     <message>
         <source>The floor is set: A is the origin, and the x axis points to B. The world was rotated by %1.</source>

@@ -8004,8 +8004,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>La línea de A a B no es aproximadamente horizontal.</translation>
     </message>
     <message>
-        <source>A and B lie above each other.</source>
-        <translation>A y B están uno encima del otro.</translation>
+        <source>A is directly above or below B.</source>
+        <translation>A está justo encima o debajo de B.</translation>
     </message>
     <message>
         <source>The floor is set: A is the origin, and the x axis points to B. The world was rotated by %1.</source>

@@ -7992,8 +7992,8 @@ Effective sample size %8 of %9</source>
         <translation>A から B への線は水平に近くありません。</translation>
     </message>
     <message>
-        <source>A and B lie above each other.</source>
-        <translation>A と B が上下に重なっています。</translation>
+        <source>A is directly above or below B.</source>
+        <translation>A は B の真上または真下にあります。</translation>
     </message>
     <message>
         <source>The floor is set: A is the origin, and the x axis points to B. The world was rotated by %1.</source>

@@ -64,7 +64,11 @@ void CalibrationMode::show(bool isShown) {
   }
   // The grid would lie over the board that is shown to the cameras.
   manual_->setActive(isShown && pages_->shownPage() != kBoard);
-  Q_EMIT shown(isShown ? pages_->shownPage() : QString());
+  const QString page = isShown ? pages_->shownPage() : QString();
+  if (page != page_) { // a new layout of the views shows the same page again
+    page_ = page;
+    Q_EMIT shown(page);
+  }
 }
 
 } // namespace dewpoint::ui

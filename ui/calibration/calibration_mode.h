@@ -41,6 +41,7 @@ private:
   ManualCalibration* manual_;
   CalibrationDock* pages_;
   ViewDock* dock_;
+  QString page_; ///< last page that shown() was emitted for
 };
 
 } // namespace dewpoint::ui

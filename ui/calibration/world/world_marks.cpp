@@ -127,7 +127,7 @@ QString refusal(const Error& error) {
     return WorldMarks::tr("The line from A to B is not nearly horizontal.");
   }
   if (error.field == "axis") {
-    return WorldMarks::tr("A and B lie above each other.");
+    return WorldMarks::tr("A is directly above or below B.");
   }
   return errorText(error);
 }
