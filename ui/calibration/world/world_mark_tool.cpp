@@ -19,7 +19,7 @@
 namespace dewpoint::ui {
 namespace {
 
-/// Half the size of the diamond around a mark, as a share of the width of the image.
+/// Half the size of the diamond around a mark, as a share of the width of the image. Chosen.
 constexpr double kMarkShare = 0.008;
 
 QPolygonF diamondAt(const Eigen::Vector2d& pixel, double half) {

@@ -26,6 +26,7 @@
 namespace dewpoint::ui {
 namespace {
 
+// Meters, meters, degrees. Chosen.
 constexpr NumberRange kLength{0.001, 1000.0, 0.01, 4};
 constexpr NumberRange kShift{-1000.0, 1000.0, 0.01, 3};
 constexpr NumberRange kTurn{-360.0, 360.0, 1.0, 2};
