@@ -5,6 +5,7 @@
 #include "core/geometry/camera.h"
 #include "core/geometry/reference_grid.h"
 #include "core/geometry/world_box.h"
+#include "core/project/calibration_record.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "core/tracking/parameters.h"
 #include "core/tracking/target.h"
@@ -41,6 +42,8 @@ struct ProjectCamera {
   /// recording, the image closest in time is used. Methods that can use capture times correct for
   /// the remaining difference.
   double delay = 0.0;
+  /// Where its calibration comes from, as far as it is known.
+  CameraRecord calibrated = {};
 
   /// Sets `adjusted` for a simulated camera, after its calibration was changed in the project. Does
   /// nothing for other cameras.
@@ -115,7 +118,8 @@ struct Project {
   std::vector<PersonCorrection> people;     ///< corrections for people, ordered by frame
   /// Corrections of target positions, ordered by frame.
   std::vector<PositionCorrection> corrections;
-  std::string layout; ///< view layout saved by the window; empty: default layout
+  WorldRecord calibrated; ///< where floor and scale come from, as far as it is known
+  std::string layout;     ///< view layout saved by the window; empty: default layout
 
   bool operator==(const Project&) const = default;
 };

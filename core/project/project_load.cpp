@@ -12,6 +12,7 @@
 #include "core/project/project_migration.h"
 #include "core/project/project_paths.h"
 #include "core/project/project_people.h"
+#include "core/project/project_records.h"
 #include "core/project/project_room.h"
 #include "core/project/project_targets.h"
 #include "core/tracking/catalog/method_catalog.h"
@@ -117,6 +118,7 @@ ProjectCamera readCamera(const toml::table& table, const std::string& file,
     }
   }
   camera.camera.name = name;
+  camera.calibrated = readCameraRecord(reader, file, prefix);
   error = reader.finish();
   return camera;
 }
@@ -244,6 +246,7 @@ Result<Project> loadProject(const std::filesystem::path& file, const MovedFiles&
   readRoom(reader, file.string(), project);
   readPeople(reader, file.string(), project);
   readCorrections(reader, file.string(), project);
+  project.calibrated = readWorldRecord(reader, file.string());
   readWindow(reader, file.string(), project);
   if (auto error = reader.finish()) {
     return tl::make_unexpected(std::move(*error));

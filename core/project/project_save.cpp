@@ -8,6 +8,7 @@
 #include "core/project/project_corrections.h"
 #include "core/project/project_format.h"
 #include "core/project/project_people.h"
+#include "core/project/project_records.h"
 #include "core/project/project_room.h"
 #include "core/project/project_targets.h"
 
@@ -52,7 +53,7 @@ std::string cameraText(const ProjectCamera& camera, const path& folder) {
     text += "empty_room = " + storedPath(camera.backgroundImage, folder) + "\n";
   }
   return text + "[camera.calibration]   # pixels, radians, meters; camera from world\n" +
-         cameraToToml(camera.camera, RotationForm::Matrix);
+         cameraToToml(camera.camera, RotationForm::Matrix) + cameraRecordText(camera.calibrated);
 }
 
 std::string parametersText(const ParameterValues& parameters) {
@@ -119,6 +120,7 @@ std::string projectText(const Project& project, const std::filesystem::path& fol
         fmt::format("\n[[mark]]\nframe = {}\nname = {}\n", marker.frame, tomlQuoted(marker.name));
   }
   text += roomText(project);
+  text += worldRecordText(project.calibrated);
   text += peopleText(project);
   text += correctionsText(project);
   if (!project.layout.empty()) {

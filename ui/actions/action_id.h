@@ -32,6 +32,7 @@ inline constexpr auto kActionNames = std::to_array<std::string_view>({
     "actionCorrectPosition",
     "actionRemoveCorrection",
     "actionShortcuts",
+    "actionCalibrate",
     "actionCalibrateByHand",
     "actionCalibrateBoard",
     "actionPrintBoard",

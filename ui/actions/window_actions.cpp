@@ -85,6 +85,10 @@ std::vector<ActionDeclaration> editActions() {
 std::vector<ActionDeclaration> calibrationActions() {
   const char* group = QT_TRANSLATE_NOOP("Actions", "Calibration");
   return {
+      {"actionCalibrate", group, QT_TRANSLATE_NOOP("Actions", "Calibrate…"),
+       QT_TRANSLATE_NOOP("Actions", "See what is known about the cameras, choose a way to "
+                                    "calibrate them, and go through it step by step"),
+       nullptr, Qt::CTRL | Qt::ALT | Qt::Key_G},
       {"actionCalibrateByHand", group, QT_TRANSLATE_NOOP("Actions", "Calibrate by hand…"),
        QT_TRANSLATE_NOOP("Actions",
                          "Adjust the cameras until a grid matches the real scene in their images"),

@@ -59,6 +59,10 @@ void CalibrationDock::addPage(QWidget* page, const std::function<QString()>& tit
                 [this, scroll, title] { tabs_->setTabText(tabs_->indexOf(scroll), title()); });
 }
 
+void CalibrationDock::setHeader(QWidget* header) {
+  static_cast<QVBoxLayout*>(layout())->insertWidget(0, header);
+}
+
 bool CalibrationDock::eventFilter(QObject* watched, QEvent* event) {
   if (auto* part = qobject_cast<QWidget*>(watched);
       part != nullptr && event->type() == QEvent::Show &&

@@ -25,6 +25,8 @@ public:
   /// Adds a page as a tab, in a scroll area. The page is identified by its objectName. `title` is
   /// called again when the language changes.
   void addPage(QWidget* page, const std::function<QString()>& title);
+  /// Sets the widget above the tabs, which stays visible with every page.
+  void setHeader(QWidget* header);
   /// Shows the page with this objectName.
   void showPage(const QString& name);
   /// Returns the objectName of the current page, or an empty string if there is none.

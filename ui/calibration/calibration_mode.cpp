@@ -52,6 +52,10 @@ void CalibrationMode::addPage(QWidget* page, const std::function<QString()>& tit
   pages_->addPage(page, title);
 }
 
+void CalibrationMode::setHeader(QWidget* header) {
+  pages_->setHeader(header);
+}
+
 void CalibrationMode::open(const QString& page) {
   bench_.action("actionCalibrateByHand")->setChecked(true);
   pages_->showPage(page);

@@ -24,6 +24,8 @@ public:
   /// Adds a page, which is identified by its objectName. `title` is called again when the language
   /// changes.
   void addPage(QWidget* page, const std::function<QString()>& title);
+  /// Sets the widget above the pages.
+  void setHeader(QWidget* header);
   /// Starts the mode with the page that has this objectName.
   void open(const QString& page);
 

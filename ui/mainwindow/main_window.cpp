@@ -7,6 +7,7 @@
 #include "ui/calibration/board/board_installer.h"
 #include "ui/calibration/calibration_mode.h"
 #include "ui/calibration/exchange/exchange_installer.h"
+#include "ui/calibration/guide/guide_installer.h"
 #include "ui/calibration/manual/manual_installer.h"
 #include "ui/calibration/planner/planner_installer.h"
 #include "ui/calibration/wand/wand_installer.h"
@@ -121,6 +122,7 @@ void MainWindow::installFeatures() {
   connect(&cameras->pick(), &ImagePickTool::imageClicked, people, &PeopleDock::selectSeenAt);
   new CorrectionMode(bench, *cameras, *birdsEye, *trajectory);
   auto* calibration = new CalibrationMode(bench);
+  installCalibrationGuide(bench, *calibration);
   installManualCalibration(bench, *calibration, *cameras);
   installBoardCalibration(bench, *calibration, *cameras);
   installWandCalibration(bench, *calibration);

@@ -2,6 +2,7 @@
 #include "ui/mainwindow/project_controller.h"
 
 #include "core/project/project.h"
+#include "core/setup/new_project/new_project.h"
 #include "ui/document/document.h"
 #include "ui/document/method_presentation.h"
 #include "ui/mainwindow/changes_guard.h"
@@ -175,9 +176,10 @@ void ProjectController::showNewProjectPage(const QStringList& files) {
 
 void ProjectController::openCreated(const Project& project, const QString& note) {
   const bool boxes = presentationOf(project).takesBoxes;
+  const bool isCalibrated = !hasGuessedPose(project); // else the guide asks for it
   const QString hint =
       boxes ? tr("Click the object or drag a box around it in any camera view.")
-      : note.isEmpty()
+      : note.isEmpty() && isCalibrated
           ? tr("Click the object to track in any image. Its color is learned and tracking starts.")
           : note;
   bench_.session.open({.what = project, .unsaved = true, .note = hint});

@@ -51,9 +51,10 @@ void WindowMenus::make() {
        "actionPlacePerson", "actionRemovePerson", nullptr, "actionShortcuts"});
   makeViewMenu();
   add(tr("&Calibration"), "menuCalibration",
-      {"actionCalibrateByHand", "actionCalibrateBoard", "actionPrintBoard", "actionCalibrateWand",
-       "actionCalibrateWorld", nullptr, "actionPlanRig", "actionPlanCamera", "actionFindPlace",
-       "actionResolveCamera", nullptr, "actionImportCalibration", "actionExportCalibration"});
+      {"actionCalibrate", nullptr, "actionCalibrateByHand", "actionCalibrateBoard",
+       "actionPrintBoard", "actionCalibrateWand", "actionCalibrateWorld", nullptr, "actionPlanRig",
+       "actionPlanCamera", "actionFindPlace", "actionResolveCamera", nullptr,
+       "actionImportCalibration", "actionExportCalibration"});
   add(tr("&Run"), "menuRun",
       {"actionPlay",
        "actionNextFrame",

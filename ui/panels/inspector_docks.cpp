@@ -23,15 +23,8 @@ namespace dewpoint::ui {
 namespace {
 
 void showMethodRequirements(const Workbench& bench) {
-  const Project& project = bench.document.project();
   const MethodFamily family = bench.document.methodFamily();
-  if (family.needsCalibration) {
-    if (hasGuessedPose(project)) {
-      bench.messages.showNotice(
-          ParameterPanel::tr("This method tracks in 3D, but the camera positions are only guesses: "
-                             "calibrate the cameras first (menu Calibration)."));
-    }
-  } else if (family.lacksTargets(project.targets)) {
+  if (!family.needsCalibration && family.lacksTargets(bench.document.project().targets)) {
     bench.messages.showNotice(
         ParameterPanel::tr("Click the object or drag a box around it in any camera view."));
   }

@@ -312,10 +312,7 @@ void NewProjectPage::finish(const Result<CreatedProject>& result) {
     return;
   }
   QString note;
-  if (result->lacksCalibration) {
-    note = tr("Without a calibration, the camera positions are guesses: targets can be tracked in "
-              "the images, but their 3D positions are meaningless.");
-  } else if (result->matchedByOrder) {
+  if (result->matchedByOrder) {
     note = tr("The calibration uses other camera names. The cameras were matched by order.");
   }
   Q_EMIT created(result->project, note);

@@ -127,7 +127,8 @@ int calibrate(const PointsCommandOptions& options) {
   printPoints(*project, solution);
   auto written = options.out.empty() ? Status() : saveCalibration(solution.rig, options.out);
   if (written && options.apply) {
-    written = saveProject(withCameras(*project, solution.rig), options.project);
+    written = saveProject(withPointSolution(*project, solution, options.points.estimateFocal),
+                          options.project);
   }
   return written ? static_cast<int>(kExitDone) : report(written.error());
 }

@@ -188,11 +188,7 @@ int calibrate(WandCommandOptions options) {
   }
   auto written = options.out.empty() ? Status() : saveCalibration(cameras, options.out);
   if (written && options.apply && better) {
-    Project calibrated = withCameras(inputs->project, cameras);
-    if (options.wand.findOffsets) {
-      calibrated = withTimeOffsets(std::move(calibrated), result->result.offsets);
-    }
-    written = saveProject(calibrated, options.project);
+    written = saveProject(withRefinement(inputs->project, *result), options.project);
   }
   if (written && !options.report.empty()) {
     written = writeTextFile(options.report, htmlText(*result));

@@ -250,26 +250,12 @@ private:
       fit.rmsPx = overallRms(fit.views);
       fit.views.insert(fit.views.end(), chain_.leftOut[k].begin(), chain_.leftOut[k].end());
       const auto& known = result.covariance;
-      fit.centerSigma = spread(known, k, CameraQuantity::CenterX, CameraQuantity::CenterZ);
-      fit.rotationSigma = spread(known, k, CameraQuantity::TurnX, CameraQuantity::TurnZ);
+      fit.centerSigma = centerSigma(known, k);
+      fit.rotationSigma = rotationSigma(known, k);
     }
     result.problem = std::move(problem_);
     result.bundle = std::move(bundle_);
     return result;
-  }
-
-  /// Root of the summed variances of three quantities of a camera.
-  static double spread(const BundleCovariance& covariance, std::size_t camera, CameraQuantity from,
-                       CameraQuantity to) {
-    double variance = 0.0;
-    for (std::size_t k = 0; k < covariance.columns.size(); ++k) {
-      const CameraColumn& column = covariance.columns[k];
-      if (column.camera == camera && column.quantity >= from && column.quantity <= to) {
-        const auto at = static_cast<Eigen::Index>(k);
-        variance += covariance.matrix(at, at);
-      }
-    }
-    return std::sqrt(variance);
   }
 
   const ExtrinsicsRequest& request_;

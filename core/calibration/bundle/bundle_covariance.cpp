@@ -15,6 +15,20 @@ namespace {
 /// not determined.
 constexpr double kLeastShare = 1e-13;
 
+/// Root of the summed variances of several quantities of a camera.
+double spread(const BundleCovariance& covariance, std::size_t camera, CameraQuantity from,
+              CameraQuantity to) {
+  double variance = 0.0;
+  for (std::size_t k = 0; k < covariance.columns.size(); ++k) {
+    const CameraColumn& column = covariance.columns[k];
+    if (column.camera == camera && column.quantity >= from && column.quantity <= to) {
+      const auto at = static_cast<Eigen::Index>(k);
+      variance += covariance.matrix(at, at);
+    }
+  }
+  return std::sqrt(variance);
+}
+
 } // namespace
 
 std::string quantityName(CameraQuantity quantity) {
@@ -22,6 +36,14 @@ std::string quantityName(CameraQuantity quantity) {
       "turn x", "turn y", "turn z", "x",  "y",  "z",  "focal", "aspect", "center x", "center y",
       "k1",     "k2",     "p1",     "p2", "k3", "k4", "k5",    "k6",     "offset"};
   return kNames.at(static_cast<std::size_t>(quantity));
+}
+
+double centerSigma(const BundleCovariance& covariance, std::size_t camera) {
+  return spread(covariance, camera, CameraQuantity::CenterX, CameraQuantity::CenterZ);
+}
+
+double rotationSigma(const BundleCovariance& covariance, std::size_t camera) {
+  return spread(covariance, camera, CameraQuantity::TurnX, CameraQuantity::TurnZ);
 }
 
 std::optional<Eigen::MatrixXd> reducedCovariance(const Eigen::SparseMatrix<double>& jacobian,

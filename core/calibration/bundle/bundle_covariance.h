@@ -56,6 +56,11 @@ struct BundleCovariance {
   int gaugeFreedoms = 0; ///< degrees of freedom that nothing fixes: 0, 1 (size), 6 (pose) or 7
 };
 
+/// Returns the standard deviation of a camera's position in meters, or of its orientation in
+/// radians: the root of the summed variances of the three numbers. 0 if the camera is not free.
+double centerSigma(const BundleCovariance& covariance, std::size_t camera);
+double rotationSigma(const BundleCovariance& covariance, std::size_t camera);
+
 /// Computes the covariance of the first `cameraColumns` parameters from the Jacobian of the
 /// weighted residuals (rows) with respect to all parameters. It is the inverse of the Schur
 /// complement without its `gaugeFreedoms` weakest directions. Returns nothing if further directions

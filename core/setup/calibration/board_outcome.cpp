@@ -3,6 +3,10 @@
 
 #include "core/calibration/quality/board_accuracy.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
 namespace dewpoint::setup {
 namespace {
 
@@ -27,6 +31,41 @@ std::string page(const BoardDetections& seen, const BoardCalibrationRequest& req
   return htmlText(reports);
 }
 
+void recordLenses(const LensesFromBoards& lenses, Project& project) {
+  for (std::size_t k = 0; k < project.cameras.size(); ++k) {
+    if (k < lenses.cameras.size() && lenses.cameras[k]) {
+      ProjectCamera& camera = project.cameras[k];
+      camera.calibrated.lens = recordOfLens(camera.camera, CalibrationOrigin::Board,
+                                            lenses.cameras[k]->worstProjectionPx);
+    }
+  }
+}
+
+/// Which cameras were placed by the board, and how well. What the accuracy is widened by holds for
+/// each camera as well.
+void recordPoses(const BoardCalibrationRequest& request, BoardOutcome& outcome) {
+  const double factor = outcome.accuracy ? outcome.accuracy->modelFactor : 1.0;
+  const std::vector<CameraFit>& fits = outcome.extrinsics->fits;
+  for (std::size_t k = 0; k < std::min(fits.size(), outcome.project.cameras.size()); ++k) {
+    ProjectCamera& camera = outcome.project.cameras[k];
+    if (!fits[k].views.empty()) {
+      camera.calibrated.pose =
+          recordOfPose(camera.camera, CalibrationOrigin::Board, factor * fits[k].centerSigma);
+    }
+    if (request.refineIntrinsics && !fits[k].views.empty()) {
+      camera.calibrated.lens = recordOfLens(camera.camera, CalibrationOrigin::Board);
+    }
+  }
+  WorldRecord& world = outcome.project.calibrated;
+  world.scale = CalibrationOrigin::Board;
+  world.scaleError = outcome.accuracy ? outcome.accuracy->scale95 : std::nullopt;
+  world.accuracy = outcome.accuracy ? std::optional(outcome.accuracy->position95) : std::nullopt;
+  world.check.reset();
+  if (request.worldFrame) {
+    world.floor = CalibrationOrigin::Board;
+  }
+}
+
 Status addExtrinsics(const BoardDetections& seen, const BoardCalibrationRequest& request,
                      BoardOutcome& outcome, const CalibrationProgress& progress) {
   auto extrinsics = extrinsicsFromBoards(outcome.project, seen, request, progress);
@@ -42,6 +81,7 @@ Status addExtrinsics(const BoardDetections& seen, const BoardCalibrationRequest&
       accuracy ? accuracySummary(*accuracy) : "none; " + sentence(accuracy.error());
   outcome.project = withCameras(std::move(outcome.project), extrinsics->cameras);
   outcome.extrinsics = std::move(*extrinsics);
+  recordPoses(request, outcome);
   return {};
 }
 
@@ -59,6 +99,7 @@ Result<BoardOutcome> calibrateFromBoards(const Project& project, const BoardDete
       return tl::make_unexpected(lenses.error());
     }
     outcome.project = withIntrinsics(std::move(outcome.project), lenses->cameras);
+    recordLenses(*lenses, outcome.project);
     outcome.lenses = std::move(*lenses);
   }
   const bool alone = project.cameras.size() < 2 && !request.worldFrame;
@@ -91,8 +132,19 @@ Project withOutcome(Project project, const BoardOutcome& outcome) {
   if (outcome.lenses) {
     project = withIntrinsics(std::move(project), outcome.lenses->cameras);
   }
-  return outcome.extrinsics ? withCameras(std::move(project), outcome.extrinsics->cameras)
-                            : project;
+  if (outcome.extrinsics) {
+    project = withCameras(std::move(project), outcome.extrinsics->cameras);
+    project.calibrated = outcome.project.calibrated;
+  }
+  // A record that is not about the numbers of this project says nothing.
+  for (std::size_t k = 0; k < std::min(project.cameras.size(), outcome.project.cameras.size());
+       ++k) {
+    const CameraRecord& found = outcome.project.cameras[k].calibrated;
+    CameraRecord& record = project.cameras[k].calibrated;
+    record.lens = outcome.lenses || outcome.extrinsics ? found.lens : record.lens;
+    record.pose = outcome.extrinsics ? found.pose : record.pose;
+  }
+  return project;
 }
 
 std::vector<std::string> remarksOn(const BoardOutcome& outcome) {

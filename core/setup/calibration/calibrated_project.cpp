@@ -59,6 +59,26 @@ Project withProposedSymmetries(Project project, const std::vector<CameraFromPoin
   return project;
 }
 
+Project withPointSolution(Project project, const PointSolution& solution, bool focal) {
+  project = withCameras(std::move(project), solution.rig);
+  for (const CameraFromPoints& found : solution.cameras) {
+    if (found.status == PoseStatus::None) {
+      ProjectCamera& camera = project.cameras.at(static_cast<std::size_t>(found.camera));
+      camera.calibrated.pose = recordOfPose(camera.camera, CalibrationOrigin::Points);
+      if (focal) {
+        camera.calibrated.lens = recordOfLens(camera.camera, CalibrationOrigin::Points);
+      }
+    }
+  }
+  if (solution.anySolved()) {
+    // The positions of the points are in the world frame, and in meters.
+    project.calibrated = {};
+    project.calibrated.scale = CalibrationOrigin::Points;
+    project.calibrated.floor = CalibrationOrigin::Points;
+  }
+  return project;
+}
+
 Project withIntrinsics(Project project,
                        const std::vector<std::optional<IntrinsicsResult>>& results) {
   for (std::size_t k = 0; k < std::min(results.size(), project.cameras.size()); ++k) {

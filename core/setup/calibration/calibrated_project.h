@@ -37,6 +37,10 @@ bool canSetImageSymmetry(const ProjectCamera& camera);
 /// Returns the project with the image symmetry proposed for each camera, where it can be set.
 Project withProposedSymmetries(Project project, const std::vector<CameraFromPoints>& cameras);
 
+/// Returns the project with the cameras computed from measured points. `focal`: the focal lengths
+/// were computed as well.
+Project withPointSolution(Project project, const PointSolution& solution, bool focal);
+
 /// Returns the project with these intrinsics, in the order of its cameras. Cameras without a result
 /// keep their intrinsics; poses are unchanged.
 Project withIntrinsics(Project project,

@@ -58,6 +58,8 @@ Result<std::size_t> cameraOfFile(const Project& project, const ImportRequest& re
 /// Takes one camera alone.
 CreatedProject withOneCamera(Project project, std::size_t index, const Camera& camera) {
   project.cameras[index].camera = camera;
+  project.cameras[index].calibrated = {recordOfLens(camera, CalibrationOrigin::File),
+                                       recordOfPose(camera, CalibrationOrigin::File)};
   CreatedProject made;
   made.project = std::move(project);
   return made;
@@ -132,6 +134,7 @@ Result<CalibrationImport> importCalibration(const Project& project, const Import
     const Camera& before = project.cameras[k].camera;
     if (result.lensOnly) {
       rig[k].cameraFromWorld = before.cameraFromWorld;
+      made->project.cameras[k].calibrated.pose = project.cameras[k].calibrated.pose;
     }
     if (only && k != *only) {
       continue;
@@ -139,6 +142,9 @@ Result<CalibrationImport> importCalibration(const Project& project, const Import
     const auto source = std::ranges::find(original, before.name, &Camera::name);
     const std::string& from = source != original.end() ? source->name : original[k].name;
     result.cameras.push_back({k, before.name, from, poseShift(before, rig[k])});
+  }
+  if (result.lensOnly) {
+    made->project.calibrated = project.calibrated;
   }
   const auto loss = roundTripError(rig, file);
   if (!loss) {

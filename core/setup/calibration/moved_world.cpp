@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 namespace dewpoint::setup {
@@ -82,12 +83,30 @@ void moveBox(const Similarity& change, const BoxKeys& keys, ParameterValues& par
   }
 }
 
+void moveLength(const Similarity& change, std::optional<double>& length) {
+  if (length) {
+    *length *= change.scale;
+  }
+}
+
+/// A record stays about the camera if it was: it was not the camera that moved.
+void moveCamera(const Similarity& change, ProjectCamera& camera) {
+  std::optional<PoseRecord>& record = camera.calibrated.pose;
+  const bool wasAbout = record && isAbout(*record, camera.camera);
+  setCalibration(camera, transformed(change, camera.camera));
+  if (wasAbout) {
+    moveLength(change, record->error);
+    record = recordOfPose(camera.camera, record->origin, record->error);
+  }
+}
+
 } // namespace
 
 Project withMovedWorld(Project project, const Similarity& change) {
   for (ProjectCamera& camera : project.cameras) {
-    setCalibration(camera, transformed(change, camera.camera));
+    moveCamera(change, camera);
   }
+  moveLength(change, project.calibrated.accuracy);
   if (project.grid) {
     project.grid = moved(change, *project.grid);
   }

@@ -3,6 +3,11 @@
 
 #include "core/calibration/report/wand_report.h"
 #include "core/project/project_rig.h"
+#include "core/setup/calibration/calibrated_project.h"
+
+#include <cstddef>
+#include <optional>
+#include <utility>
 
 namespace dewpoint::setup {
 namespace {
@@ -15,6 +20,33 @@ Result<WandRefinement> assessed(const Project& project, const WandOptions& optio
   CameraRig before = rigOf(project);
   auto accuracy = assessWand(*result, options.floorTimes);
   return WandRefinement{options, std::move(before), std::move(*result), std::move(accuracy)};
+}
+
+void recordCameras(const WandRefinement& refinement, Project& project) {
+  const BundleResult& bundle = refinement.result.bundle;
+  const double factor =
+      bundle.noiseFactor * (refinement.accuracy ? refinement.accuracy->modelFactor : 1.0);
+  for (std::size_t k = 0; k < project.cameras.size(); ++k) {
+    ProjectCamera& camera = project.cameras[k];
+    camera.calibrated.pose = recordOfPose(camera.camera, CalibrationOrigin::Wand,
+                                          factor * centerSigma(bundle.covariance, k));
+    if (refinement.options.findFocal || refinement.options.findDistortion) {
+      camera.calibrated.lens = recordOfLens(camera.camera, CalibrationOrigin::Wand);
+    }
+  }
+}
+
+void recordWorld(const WandRefinement& refinement, WorldRecord& world) {
+  const auto& accuracy = refinement.accuracy;
+  if (refinement.result.scale != WandScale::InitialRig) {
+    world.scale = CalibrationOrigin::Wand;
+    world.scaleError = accuracy ? accuracy->scale95 : std::nullopt;
+    world.check.reset();
+  }
+  if (refinement.result.floorFound || refinement.result.freeFall) {
+    world.floor = CalibrationOrigin::Wand;
+  }
+  world.accuracy = accuracy ? std::optional(accuracy->position95) : std::nullopt;
 }
 
 } // namespace
@@ -39,6 +71,17 @@ Result<WandRefinement> refineFromViews(const Project& project,
                                        const WandOptions& options,
                                        const WandCalibrationCallback& callback) {
   return assessed(project, options, calibrateFromViews(project, views, options, callback));
+}
+
+Project withRefinement(Project project, const WandRefinement& refinement) {
+  const WandResult& result = refinement.result;
+  project = withCameras(std::move(project), result.cameras);
+  if (refinement.options.findOffsets) {
+    project = withTimeOffsets(std::move(project), result.offsets);
+  }
+  recordCameras(refinement, project);
+  recordWorld(refinement, project.calibrated);
+  return project;
 }
 
 std::vector<BoardCoverage> coverageOf(const WandResult& result) {

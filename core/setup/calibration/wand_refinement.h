@@ -38,6 +38,10 @@ Result<WandRefinement> refineFromViews(const Project& project,
                                        const WandOptions& options,
                                        const WandCalibrationCallback& callback = nullptr);
 
+/// Returns a project with the same cameras and the calibration of the refinement: poses, lenses,
+/// the delays if they were asked for, and where all this comes from.
+Project withRefinement(Project project, const WandRefinement& refinement);
+
 /// Returns, for each camera, the image regions of the balls used in the result.
 std::vector<BoardCoverage> coverageOf(const WandResult& result);
 

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -67,6 +68,17 @@ Result<FloorChange> changeOf(WorldStep step, const CameraRig& rig, const Positio
                  "their images are upright, or do not show which way is up");
 }
 
+void addRecord(WorldStep step, double meters, WorldRecord& record) {
+  if (step == WorldStep::Floor || step == WorldStep::Level) {
+    record.floor = CalibrationOrigin::Marks;
+  }
+  if (step == WorldStep::Length) {
+    record.scale = CalibrationOrigin::Marks;
+    record.scaleError.reset(); // nobody knows how well the person measured
+    record.check = {meters, meters};
+  }
+}
+
 } // namespace
 
 Result<Gaussian3> pointInRoom(const CameraRig& rig, const MeasuredPoint& point) {
@@ -91,9 +103,21 @@ Result<WorldStepResult> withWorldStep(const Project& project, WorldStep step,
     return tl::make_unexpected(positions.error());
   }
   return changeOf(step, rig, *positions, meters).map([&](const FloorChange& found) {
-    return WorldStepResult{withMovedWorld(project, found.change),
-                           vectorFromRotation(found.change.rotation).norm(), found.change.scale,
-                           found.rms};
+    Project changed = withMovedWorld(project, found.change);
+    addRecord(step, meters, changed.calibrated);
+    return WorldStepResult{std::move(changed), vectorFromRotation(found.change.rotation).norm(),
+                           found.change.scale, found.rms};
+  });
+}
+
+Result<Project> withLengthCheck(Project project, const MeasuredPoint& from, const MeasuredPoint& to,
+                                double meters) {
+  if (!(meters > 0.0) || !std::isfinite(meters)) {
+    return failure(ErrorCode::BadValue, "", "meters", "a positive distance is expected");
+  }
+  return positionsOf(rigOf(project), {from, to}).map([&](const Positions& ends) {
+    project.calibrated.check = {meters, (ends[1] - ends[0]).norm()};
+    return std::move(project);
   });
 }
 

@@ -44,6 +44,12 @@ Result<WorldStepResult> withWorldStep(const Project& project, WorldStep step,
                                       const std::vector<MeasuredPoint>& points,
                                       double meters = 0.0);
 
+/// Returns the project with a distance of the room, as measured and as found from clicks on its
+/// ends, in its record (WorldRecord::check). Nothing else changes. Errors: those of pointInRoom(),
+/// and BadValue with "meters".
+Result<Project> withLengthCheck(Project project, const MeasuredPoint& from, const MeasuredPoint& to,
+                                double meters);
+
 /// Returns whether the step Upright would change the project.
 bool canTurnUpright(const Project& project);
 

@@ -232,6 +232,13 @@ bool hasGuessedPose(const Project& project, std::size_t index) {
          std::abs(camera.intrinsics.focalX - guessed.intrinsics.focalX) < kRounding;
 }
 
+bool hasGuessedLens(const Project& project, std::size_t index) {
+  const Camera& camera = project.cameras[index].camera;
+  const Camera guessed = guessedCamera(index, project.cameras.size(),
+                                       {camera.intrinsics.width, camera.intrinsics.height});
+  return camera.intrinsics == guessed.intrinsics && !camera.hasDistortion();
+}
+
 bool hasGuessedPose(const Project& project) {
   for (std::size_t index = 0; index < project.cameras.size(); ++index) {
     if (hasGuessedPose(project, index)) {
@@ -278,7 +285,12 @@ Result<CreatedProject> withCalibration(Project project, const CameraRig& rig,
   for (std::size_t i = 0; i < cameras.size(); ++i) {
     (*ordered)[i].name = cameras[i].camera.name;
     cameras[i].camera = (*ordered)[i];
+    cameras[i].calibrated = {recordOfLens(cameras[i].camera, CalibrationOrigin::File),
+                             recordOfPose(cameras[i].camera, CalibrationOrigin::File)};
   }
+  made.project.calibrated = {};
+  made.project.calibrated.scale = CalibrationOrigin::File;
+  made.project.calibrated.floor = CalibrationOrigin::File;
   return made;
 }
 

@@ -67,6 +67,8 @@ Status guessMissingCameras(Project& project);
 bool hasGuessedPose(const Project& project);
 /// As above, for one camera.
 bool hasGuessedPose(const Project& project, std::size_t camera);
+/// Returns whether the lens of a camera is the one guessed by createNewProject().
+bool hasGuessedLens(const Project& project, std::size_t camera);
 /// Guesses the calibration of a camera again for images of this size in pixels, which is known for
 /// live cameras only after the first image.
 void guessCalibration(Project& project, std::size_t camera, const cv::Size& size);

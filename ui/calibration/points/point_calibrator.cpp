@@ -151,9 +151,9 @@ void PointCalibrator::solve(bool estimateFocal) {
   const bool begun = job_.start([this, rig = rigOf(document_.project()), all = points(),
                                  settings](const BackgroundJob::Progress&) {
     auto solution = std::make_shared<const PointSolution>(solveFromPoints(rig, all, settings));
-    return [this, solution, all] {
+    return [this, solution, all, settings] {
       if (all == points() && solution->rig.size() == document_.project().cameras.size()) {
-        applyResult(*solution);
+        applyResult(*solution, settings.estimateFocal);
       }
       Q_EMIT changed();
       Q_EMIT solved();
@@ -164,12 +164,13 @@ void PointCalibrator::solve(bool estimateFocal) {
   }
 }
 
-void PointCalibrator::applyResult(const PointSolution& solution) {
+void PointCalibrator::applyResult(const PointSolution& solution, bool estimatedFocal) {
   discardSolution();
   applying_ = true;
   if (solution.anySolved()) {
-    edit(tr("Compute cameras from measured points"),
-         [&](Project& project) { project = withCameras(std::move(project), solution.rig); });
+    edit(tr("Compute cameras from measured points"), [&](Project& project) {
+      project = withPointSolution(std::move(project), solution, estimatedFocal);
+    });
   }
   applying_ = false;
   QStringList lines;

@@ -72,7 +72,7 @@ Q_SIGNALS:
 private:
   bool edit(const QString& step, const std::function<void(Project&)>& change,
             const std::string& mergeKey = {});
-  void applyResult(const PointSolution& solution);
+  void applyResult(const PointSolution& solution, bool estimatedFocal);
   QString cameraResultText(const CameraFromPoints& camera) const;
   QString worstPointText(const PointSolution& solution) const;
   void discardSolution();

@@ -225,13 +225,7 @@ void WandCalibrator::apply() {
   dependencies_.manual.storeAsBefore();
   const auto edited = dependencies_.document.edit(
       settings_.stick ? tr("Refine cameras with a wand") : tr("Refine cameras with a ball"),
-      [this](Project& project) {
-        const WandResult& found = refinement_->result;
-        project = withCameras(std::move(project), found.cameras);
-        if (refinement_->options.findOffsets) {
-          project = withTimeOffsets(std::move(project), found.offsets);
-        }
-      });
+      [this](Project& project) { project = withRefinement(std::move(project), *refinement_); });
   applied_ = edited.has_value();
   failure_ = edited ? QString() : errorText(edited.error());
   Q_EMIT changed();

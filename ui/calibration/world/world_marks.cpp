@@ -8,6 +8,7 @@
 #include "ui/text/quantity_text.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace dewpoint::ui {
 
@@ -170,6 +171,21 @@ void WorldMarks::apply(WorldStep step, double meters) {
   resultText_ = result ? resultOf(step, *result) : refusal(result.error());
   if (result) {
     replaceProject(stepName(step), result->project);
+  }
+  Q_EMIT changed();
+}
+
+void WorldMarks::check(double meters) {
+  const auto result = withLengthCheck(document_.project(), marks_[0], marks_[1], meters);
+  if (result) {
+    const LengthCheck found = result->calibrated.check.value();
+    resultText_ = tr("A to B: %1 found, %2 measured. The calibration is off by %3 %.")
+                      .arg(lengthText(found.found, LengthScale::Meters, 4),
+                           lengthText(found.measured, LengthScale::Meters, 4),
+                           percentAccuracyText(std::abs(found.found / found.measured - 1.0)));
+    replaceProject(tr("Check a distance"), *result);
+  } else {
+    resultText_ = refusal(result.error());
   }
   Q_EMIT changed();
 }

@@ -49,6 +49,9 @@ public:
   bool canApply(WorldStep step) const;
   /// Changes the world frame of the project. `meters`: the distance between A and B, for Length.
   void apply(WorldStep step, double meters = 0.0);
+  /// Compares the distance from A to B with the measured one (meters), and keeps both in the
+  /// project.
+  void check(double meters);
   /// Rotates the cameras about an axis by 90 degrees, or moves them all together (meters, radians).
   void turn(WorldAxis axis);
   void move(const Eigen::Vector3d& shift, double turn);

@@ -65,6 +65,7 @@ void WorldPage::build() {
   distanceLabel_ = new QLabel(this);
   distance_ = makeNumberField(QStringLiteral("worldDistance"), kLength, this);
   distanceLabel_->setBuddy(distance_);
+  check_ = makeButton("worldCheck", this);
   resultText_ = new QLabel(this);
   resultText_->setObjectName(QStringLiteral("worldResult"));
   resultText_->setWordWrap(true);
@@ -90,8 +91,9 @@ void WorldPage::build() {
   world->addWidget(buttonOf(WorldStep::XAxis), 1, 1);
   world->addWidget(buttonOf(WorldStep::Level), 2, 0, 1, 2);
   world->addWidget(distanceLabel_, 3, 0, 1, 2);
-  world->addWidget(distance_, 4, 0);
-  world->addWidget(buttonOf(WorldStep::Length), 4, 1);
+  world->addWidget(distance_, 4, 0, 1, 2);
+  world->addWidget(check_, 5, 0);
+  world->addWidget(buttonOf(WorldStep::Length), 5, 1);
   world->setColumnStretch(0, 1);
   world->setColumnStretch(1, 1);
   auto* column = new QVBoxLayout(this);
@@ -149,6 +151,8 @@ void WorldPage::connectFields() {
   });
   connect(mark_, &QPushButton::clicked, &marks_, &WorldMarks::setClicking);
   connect(clear_, &QPushButton::clicked, &marks_, &WorldMarks::clear);
+  connect(distance_, &QDoubleSpinBox::valueChanged, this, [this] { distanceEntered_ = true; });
+  connect(check_, &QPushButton::clicked, this, [this] { marks_.check(distance_->value()); });
   for (const auto& [step, button] : steps_) {
     connect(button, &QPushButton::clicked, this,
             [this, step = step] { marks_.apply(step, distance_->value()); });
@@ -190,6 +194,8 @@ void WorldPage::retranslateUi() {
   setRange(*distance_, kLength, tr(" m"));
   name(distance_, tr("Measured distance from A to B"),
        tr("The distance that you measured in the room, in meters"));
+  button(check_, tr("Check"),
+         tr("Compare the distance from A to B with the measured one. Nothing moves."));
   for (const auto& [step, one] : steps_) {
     switch (step) {
     case WorldStep::Upright:
@@ -292,8 +298,11 @@ void WorldPage::refresh() {
       button->setVisible(marks_.canTurnUpright());
     }
   }
+  check_->setEnabled(marks_.canApply(WorldStep::Length));
   uprightText_->setVisible(marks_.canTurnUpright());
-  if (const auto distance = marks_.distance(); distance && !distance_->hasFocus()) {
+  const auto distance = marks_.distance();
+  distanceEntered_ = distanceEntered_ && distance;
+  if (distance && !distanceEntered_) {
     showValue(*distance_, *distance);
   }
   resultText_->setText(marks_.resultText());

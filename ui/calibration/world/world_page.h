@@ -48,6 +48,7 @@ private:
   QLabel* resultText_;
   QLabel* distanceLabel_;
   QDoubleSpinBox* distance_;
+  QPushButton* check_;
   QLabel* moveTitle_;
   std::array<QDoubleSpinBox*, 3> shift_;
   QDoubleSpinBox* turn_;
@@ -57,6 +58,7 @@ private:
   /// Buttons of the steps.
   std::vector<std::pair<WorldStep, QPushButton*>> steps_;
   bool filling_ = false;
+  bool distanceEntered_ = false; ///< the distance is the user's, not the present one of the marks
 };
 
 } // namespace dewpoint::ui

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/camera.h"
+
+#include <array>
+#include <optional>
+
+namespace dewpoint::project {
+
+/// Where a part of a calibration comes from.
+enum class CalibrationOrigin {
+  Points, ///< points measured in the room and clicked in the images
+  Board,  ///< views of a printed board
+  Wand,   ///< views of a waved ball or stick
+  File,   ///< file of another tool
+  Marks   ///< points marked in the images to set the floor or a measured distance
+};
+
+/// Where the intrinsics of a camera come from.
+struct LensRecord {
+  CalibrationOrigin origin = CalibrationOrigin::File;
+  /// Largest standard deviation of a projected ray across the image, pixels. Empty if unknown.
+  std::optional<double> error;
+  /// Intrinsics that the record is about: focal lengths and principal point, pixels.
+  std::array<double, 4> of{};
+
+  bool operator==(const LensRecord&) const = default;
+};
+
+/// Where the pose of a camera comes from.
+struct PoseRecord {
+  CalibrationOrigin origin = CalibrationOrigin::File;
+  /// Standard deviation of the camera position relative to the other cameras, meters. Empty if
+  /// unknown.
+  std::optional<double> error;
+  /// Pose that the record is about: center in the world frame in meters, then the rotation vector
+  /// (camera from world) in radians.
+  std::array<double, 6> of{};
+
+  bool operator==(const PoseRecord&) const = default;
+};
+
+/// Where the calibration of a camera comes from. A record is about certain numbers: it is void as
+/// soon as the calibration differs from them, whoever changed it.
+struct CameraRecord {
+  std::optional<LensRecord> lens;
+  std::optional<PoseRecord> pose;
+
+  bool operator==(const CameraRecord&) const = default;
+};
+
+/// A distance in the room, as measured with a tape and as found from marks in the images. Meters.
+struct LengthCheck {
+  double measured = 0.0;
+  double found = 0.0;
+
+  bool operator==(const LengthCheck&) const = default;
+};
+
+/// Where the world frame of a project comes from.
+struct WorldRecord {
+  std::optional<CalibrationOrigin> scale;
+  std::optional<double> scaleError; ///< relative error of the scale, 95 %
+  std::optional<CalibrationOrigin> floor;
+  /// Position error in the calibrated volume that is not exceeded in 95 %, meters.
+  std::optional<double> accuracy;
+  std::optional<LengthCheck> check;
+
+  bool operator==(const WorldRecord&) const = default;
+};
+
+/// Returns a record about the present intrinsics of a camera.
+LensRecord recordOfLens(const Camera& camera, CalibrationOrigin origin,
+                        std::optional<double> error = {});
+/// Returns a record about the present pose of a camera.
+PoseRecord recordOfPose(const Camera& camera, CalibrationOrigin origin,
+                        std::optional<double> error = {});
+
+/// Returns whether a record is about the present intrinsics or pose of a camera, to the precision
+/// of a project file.
+bool isAbout(const LensRecord& record, const Camera& camera);
+bool isAbout(const PoseRecord& record, const Camera& camera);
+
+} // namespace dewpoint::project

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/table_reader.h"
+#include "core/project/calibration_record.h"
+
+#include <string>
+
+namespace dewpoint::project {
+
+/// Reads the table [camera.calibrated] of a camera's table. `prefix` names the camera in errors.
+CameraRecord readCameraRecord(TableReader& camera, const std::string& file,
+                              const std::string& prefix);
+/// Returns the same table as TOML; empty if there is no record.
+std::string cameraRecordText(const CameraRecord& record);
+
+/// Reads the table [calibrated] of a project file.
+WorldRecord readWorldRecord(TableReader& project, const std::string& file);
+/// Returns the same table as TOML; empty if there is no record.
+std::string worldRecordText(const WorldRecord& record);
+
+} // namespace dewpoint::project

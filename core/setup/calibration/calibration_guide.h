@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/setup/calibration/calibration_status.h"
+
+#include <optional>
+#include <vector>
+
+namespace dewpoint::setup {
+
+/// Way to calibrate the cameras of a project.
+enum class CalibrationWay { Grid, Points, Board, Wand, File };
+
+/// Step of a way. Each way is a sequence of some of these.
+enum class GuideStep {
+  ImportFile,     ///< read the calibration of another tool
+  PrintBoard,     ///< print a board and glue it to something flat
+  LensesByBoard,  ///< show the board to each camera
+  FieldOfView,    ///< enter the focal length or field of view
+  GridOnFloor,    ///< lay the grid over the room in each image
+  MeasurePoints,  ///< measure points and click them
+  ComputeCameras, ///< compute the cameras from the points
+  BoardInVolume,  ///< show the board to several cameras at a time
+  RoughPositions, ///< place the cameras roughly
+  LearnBall,      ///< learn the color of the ball
+  WaveWand,       ///< wave the ball or the stick
+  Floor,          ///< set floor and origin
+  MeasuredLength  ///< compare a measured distance
+};
+
+/// How far a step has got. It is done if `done` is `total`.
+struct StepProgress {
+  int done = 0;
+  int total = 1;
+  std::optional<double> error; ///< pixels, meters or a fraction, see errorUnit()
+
+  bool isDone() const { return done >= total; }
+  bool operator==(const StepProgress&) const = default;
+};
+
+/// Unit of the error of a step.
+enum class StepErrorUnit { None, Pixels, Meters, Fraction };
+StepErrorUnit errorUnit(GuideStep step);
+
+/// Returns the steps of a way, in order.
+const std::vector<GuideStep>& stepsOf(CalibrationWay way);
+
+/// Returns how far a step has got. `status`: calibrationStatus() of the same project.
+StepProgress progressOf(GuideStep step, const Project& project, const CalibrationStatus& status);
+
+/// Returns the first step of a way that is not done, or the last step.
+GuideStep nextStep(CalibrationWay way, const Project& project, const CalibrationStatus& status);
+
+/// Returns the way that most camera poses come from; empty if none is recorded.
+std::optional<CalibrationWay> wayTaken(const CalibrationStatus& status);
+
+} // namespace dewpoint::setup

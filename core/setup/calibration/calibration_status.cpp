@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/setup/calibration/calibration_status.h"
+
+#include "core/setup/calibration/world_step.h"
+#include "core/setup/new_project/new_project.h"
+
+#include <algorithm>
+
+namespace dewpoint::setup {
+namespace {
+
+/// Numbers read from a file are given, whoever measured them.
+Knowledge knowledgeFrom(CalibrationOrigin origin) {
+  return origin == CalibrationOrigin::File ? Knowledge::Given : Knowledge::Measured;
+}
+
+template <class Record>
+PartStatus partStatus(const std::optional<Record>& record, const Camera& camera, bool isGuessed) {
+  if (record && isAbout(*record, camera)) {
+    return {knowledgeFrom(record->origin), record->origin, record->error};
+  }
+  return {isGuessed ? Knowledge::Missing : Knowledge::Given, std::nullopt, std::nullopt};
+}
+
+CameraCalibrationStatus cameraStatus(const Project& project, std::size_t index) {
+  const ProjectCamera& camera = project.cameras[index];
+  CameraCalibrationStatus status;
+  status.delay = camera.delay;
+  if (camera.source == SourceKind::Simulation && !camera.adjusted) {
+    status.lens.knowledge = status.pose.knowledge = Knowledge::Measured;
+    return status;
+  }
+  status.lens = partStatus(camera.calibrated.lens, camera.camera, hasGuessedLens(project, index));
+  status.pose = partStatus(camera.calibrated.pose, camera.camera, hasGuessedPose(project, index));
+  return status;
+}
+
+/// Scale and floor are those of the cameras' positions: they are not known better than the best
+/// known of these, and not at all while one is guessed.
+PartStatus worldPart(const std::vector<CameraCalibrationStatus>& cameras,
+                     const std::optional<CalibrationOrigin>& origin, bool survivesEditing) {
+  Knowledge best = Knowledge::Missing;
+  for (const CameraCalibrationStatus& camera : cameras) {
+    if (camera.pose.knowledge == Knowledge::Missing) {
+      return {};
+    }
+    best = std::max(best, camera.pose.knowledge);
+  }
+  PartStatus status{best == Knowledge::Missing ? best : Knowledge::Given, std::nullopt,
+                    std::nullopt};
+  if (origin && (best == Knowledge::Measured || survivesEditing)) {
+    status.knowledge = knowledgeFrom(*origin);
+    status.origin = origin;
+  } else if (best == Knowledge::Measured && !origin) {
+    status.knowledge =
+        std::ranges::all_of(
+            cameras, [](const CameraCalibrationStatus& camera) { return !camera.pose.origin; })
+            ? Knowledge::Measured // simulated
+            : Knowledge::Given;
+  }
+  return status;
+}
+
+} // namespace
+
+CalibrationStatus calibrationStatus(const Project& project) {
+  CalibrationStatus status;
+  for (std::size_t k = 0; k < project.cameras.size(); ++k) {
+    status.cameras.push_back(cameraStatus(project, k));
+  }
+  const WorldRecord& record = project.calibrated;
+  // Marks in the images set the world whatever the cameras come from.
+  const auto isByMarks = [](const std::optional<CalibrationOrigin>& origin) {
+    return origin == CalibrationOrigin::Marks;
+  };
+  status.scale = worldPart(status.cameras, record.scale, isByMarks(record.scale));
+  status.floor = worldPart(status.cameras, record.floor, isByMarks(record.floor));
+  if (status.scale.origin) {
+    status.scale.error = record.scaleError;
+  }
+  status.isUpright = !canTurnUpright(project);
+  if (!status.isUpright) {
+    status.floor = {};
+  }
+  const bool isAllMeasured =
+      !status.cameras.empty() && countKnown(status, &CameraCalibrationStatus::pose,
+                                            Knowledge::Measured) == status.cameras.size();
+  status.accuracy = isAllMeasured ? record.accuracy : std::nullopt;
+  status.check = status.scale.knowledge == Knowledge::Missing ? std::nullopt : record.check;
+  return status;
+}
+
+std::size_t countKnown(const CalibrationStatus& status, PartStatus CameraCalibrationStatus::*part,
+                       Knowledge least) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(status.cameras, [&](const CameraCalibrationStatus& camera) {
+        return (camera.*part).knowledge >= least;
+      }));
+}
+
+std::optional<double> worstError(const CalibrationStatus& status,
+                                 PartStatus CameraCalibrationStatus::*part) {
+  std::optional<double> worst;
+  for (const CameraCalibrationStatus& camera : status.cameras) {
+    if (const auto& error = (camera.*part).error) {
+      worst = std::max(worst.value_or(0.0), *error);
+    }
+  }
+  return worst;
+}
+
+} // namespace dewpoint::setup

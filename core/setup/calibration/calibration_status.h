@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/project.h"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace dewpoint::setup {
+
+/// How well a part of the calibration is known.
+enum class Knowledge {
+  Missing, ///< only guessed by the program, or known to be wrong
+  Given,   ///< entered, set by hand or read from a file: nobody measured how accurate it is
+  Measured ///< found by measurement with this program, and not changed since
+};
+
+/// What is known about one part of the calibration.
+struct PartStatus {
+  Knowledge knowledge = Knowledge::Missing;
+  std::optional<CalibrationOrigin> origin; ///< empty if not recorded
+  std::optional<double> error;             ///< in the unit of the part; empty if unknown
+
+  bool operator==(const PartStatus&) const = default;
+};
+
+/// What is known about one camera.
+struct CameraCalibrationStatus {
+  PartStatus lens;    ///< error: largest standard deviation of a projected ray, pixels
+  PartStatus pose;    ///< error: standard deviation of the position, meters
+  double delay = 0.0; ///< seconds
+};
+
+/// What is known about the calibration of a project.
+struct CalibrationStatus {
+  std::vector<CameraCalibrationStatus> cameras; ///< in project order
+  PartStatus scale;                             ///< error: relative, 95 %
+  PartStatus floor;      ///< floor and upward direction; its error is never given
+  bool isUpright = true; ///< false if the images show that the z axis does not point up
+  /// Position error in the calibrated volume that is not exceeded in 95 %, meters.
+  std::optional<double> accuracy;
+  std::optional<LengthCheck> check;
+};
+
+/// Returns what is known. Records about numbers that have changed since are ignored. Simulated
+/// cameras are known exactly: Measured, without an origin.
+CalibrationStatus calibrationStatus(const Project& project);
+
+/// Returns the number of cameras with at least this knowledge of a part.
+std::size_t countKnown(const CalibrationStatus& status, PartStatus CameraCalibrationStatus::*part,
+                       Knowledge least);
+
+/// Returns the largest error of a part among the cameras; empty if none is known.
+std::optional<double> worstError(const CalibrationStatus& status,
+                                 PartStatus CameraCalibrationStatus::*part);
+
+} // namespace dewpoint::setup

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/geometry/rotation_vector.h"
+#include "core/setup/calibration/calibrated_project.h"
+#include "core/setup/calibration/calibration_status.h"
+#include "core/setup/calibration/moved_world.h"
+#include "core/setup/new_project/new_project.h"
+#include "tests/session/fake_recording.h"
+
+#include <gtest/gtest.h>
+
+namespace dewpoint::tests {
+namespace {
+
+/// Two cameras that were found with a board.
+Project boardProject() {
+  Project project = test::twoCameraProject();
+  for (ProjectCamera& camera : project.cameras) {
+    camera.calibrated = {recordOfLens(camera.camera, CalibrationOrigin::Board, 0.4),
+                         recordOfPose(camera.camera, CalibrationOrigin::Board, 0.002)};
+  }
+  project.calibrated.scale = CalibrationOrigin::Board;
+  project.calibrated.scaleError = 0.001;
+  project.calibrated.floor = CalibrationOrigin::Board;
+  project.calibrated.accuracy = 0.003;
+  return project;
+}
+
+TEST(CalibrationStatus, GuessedCamerasAreMissing) {
+  Project project = test::twoCameraProject();
+  for (std::size_t k = 0; k < project.cameras.size(); ++k) {
+    const Intrinsics& image = project.cameras[k].camera.intrinsics;
+    guessCalibration(project, k, {image.width, image.height});
+  }
+  const CalibrationStatus status = calibrationStatus(project);
+  ASSERT_EQ(status.cameras.size(), 2U);
+  for (const CameraCalibrationStatus& camera : status.cameras) {
+    EXPECT_EQ(camera.lens.knowledge, Knowledge::Missing);
+    EXPECT_EQ(camera.pose.knowledge, Knowledge::Missing);
+  }
+  EXPECT_EQ(status.scale.knowledge, Knowledge::Missing);
+  EXPECT_EQ(status.floor.knowledge, Knowledge::Missing);
+}
+
+TEST(CalibrationStatus, NumbersWithoutARecordAreGiven) {
+  const CalibrationStatus status = calibrationStatus(test::twoCameraProject());
+  EXPECT_EQ(countKnown(status, &CameraCalibrationStatus::pose, Knowledge::Given), 2U);
+  EXPECT_EQ(countKnown(status, &CameraCalibrationStatus::pose, Knowledge::Measured), 0U);
+  EXPECT_EQ(status.scale.knowledge, Knowledge::Given);
+  EXPECT_FALSE(status.accuracy);
+}
+
+TEST(CalibrationStatus, MeasuredCamerasHaveAnAccuracy) {
+  const CalibrationStatus status = calibrationStatus(boardProject());
+  EXPECT_EQ(countKnown(status, &CameraCalibrationStatus::lens, Knowledge::Measured), 2U);
+  EXPECT_EQ(countKnown(status, &CameraCalibrationStatus::pose, Knowledge::Measured), 2U);
+  EXPECT_EQ(worstError(status, &CameraCalibrationStatus::lens), 0.4);
+  EXPECT_EQ(status.scale.knowledge, Knowledge::Measured);
+  EXPECT_EQ(status.scale.error, 0.001);
+  EXPECT_EQ(status.floor.origin, CalibrationOrigin::Board);
+  EXPECT_EQ(status.accuracy, 0.003);
+}
+
+TEST(CalibrationStatus, ACameraMovedByHandIsNoLongerMeasured) {
+  Project project = boardProject();
+  Camera moved = project.cameras[1].camera;
+  moved.cameraFromWorld.translation().x() += 0.01;
+  setCalibration(project.cameras[1], moved);
+  const CalibrationStatus status = calibrationStatus(project);
+  EXPECT_EQ(status.cameras[0].pose.knowledge, Knowledge::Measured);
+  EXPECT_EQ(status.cameras[1].pose.knowledge, Knowledge::Given);
+  EXPECT_EQ(status.cameras[1].lens.knowledge, Knowledge::Measured);
+  EXPECT_FALSE(status.accuracy); // it was that of both
+}
+
+TEST(CalibrationStatus, AMoveOfAllCamerasKeepsWhatIsKnown) {
+  const Similarity change{2.0, geometry::rotationFromVector({0.0, 0.0, 0.8}), {0.3, 0.2, 0.1}};
+  const CalibrationStatus status = calibrationStatus(withMovedWorld(boardProject(), change));
+  EXPECT_EQ(countKnown(status, &CameraCalibrationStatus::pose, Knowledge::Measured), 2U);
+  EXPECT_NEAR(*worstError(status, &CameraCalibrationStatus::pose), 0.004, 1e-12);
+  EXPECT_NEAR(*status.accuracy, 0.006, 1e-12);
+}
+
+TEST(CalibrationStatus, ACalibrationFromAFileIsGiven) {
+  const Project project = test::twoCameraProject();
+  CameraRig rig;
+  for (const ProjectCamera& camera : project.cameras) {
+    rig.push_back(camera.camera);
+  }
+  const auto made = withCalibration(project, rig, "rig.toml");
+  ASSERT_TRUE(made);
+  const CalibrationStatus status = calibrationStatus(made->project);
+  EXPECT_EQ(status.cameras[0].pose.knowledge, Knowledge::Given);
+  EXPECT_EQ(status.cameras[0].pose.origin, CalibrationOrigin::File);
+  EXPECT_EQ(status.scale.knowledge, Knowledge::Given);
+}
+
+} // namespace
+} // namespace dewpoint::tests

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/calibration/guide/calibration_guide.h"
+
+#include "ui/document/document.h"
+
+#include <algorithm>
+
+namespace dewpoint::ui {
+
+CalibrationGuide::CalibrationGuide(Document& document, QObject* parent)
+    : QObject(parent), document_(document) {
+  connect(&document_, &Document::changed, this, &CalibrationGuide::refresh);
+  connect(&document_, &Document::replaced, this, &CalibrationGuide::restart);
+  restart();
+}
+
+void CalibrationGuide::restart() {
+  status_ = calibrationStatus(document_.project());
+  way_ = wayTaken(status_);
+  current_ = 0;
+  if (way_) {
+    setWay(*way_);
+  } else {
+    Q_EMIT changed();
+  }
+}
+
+void CalibrationGuide::refresh() {
+  status_ = calibrationStatus(document_.project());
+  Q_EMIT changed();
+}
+
+void CalibrationGuide::setWay(CalibrationWay way) {
+  way_ = way;
+  const auto& all = stepsOf(way);
+  const GuideStep next = nextStep(way, document_.project(), status_);
+  current_ = static_cast<int>(std::ranges::find(all, next) - all.begin());
+  Q_EMIT changed();
+}
+
+std::vector<GuideStep> CalibrationGuide::steps() const {
+  return way_ ? stepsOf(*way_) : std::vector<GuideStep>();
+}
+
+StepProgress CalibrationGuide::progress(GuideStep step) const {
+  return progressOf(step, document_.project(), status_);
+}
+
+void CalibrationGuide::goTo(int index) {
+  const int last = static_cast<int>(steps().size()) - 1;
+  const int wanted = std::clamp(index, 0, std::max(0, last));
+  if (wanted != current_) {
+    current_ = wanted;
+    Q_EMIT changed();
+  }
+}
+
+} // namespace dewpoint::ui

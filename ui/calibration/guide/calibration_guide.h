@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/setup/calibration/calibration_guide.h"
+
+#include <QObject>
+
+#include <optional>
+#include <vector>
+
+namespace dewpoint::ui {
+
+class Document;
+
+/// The way to a calibrated project, and the step that the user is at. Follows the project: progress
+/// comes from what is known about its cameras, however that was obtained.
+class CalibrationGuide : public QObject {
+  Q_OBJECT
+public:
+  explicit CalibrationGuide(Document& document, QObject* parent = nullptr);
+
+  const CalibrationStatus& status() const { return status_; }
+  /// Returns the chosen way; empty until the user has chosen one, or the project tells.
+  std::optional<CalibrationWay> way() const { return way_; }
+  /// Chooses a way and goes to its first step that is not done.
+  void setWay(CalibrationWay way);
+  /// Returns the steps of the chosen way.
+  std::vector<GuideStep> steps() const;
+  /// Returns how far a step has got.
+  StepProgress progress(GuideStep step) const;
+  /// Returns the index of the current step in `steps()`.
+  int current() const { return current_; }
+  /// Makes a step the current one.
+  void goTo(int index);
+
+Q_SIGNALS:
+  void changed();
+  /// Emitted when the user wants to work on a step.
+  void openRequested(dewpoint::setup::GuideStep step);
+
+private:
+  void refresh();
+  void restart();
+
+  Document& document_;
+  CalibrationStatus status_;
+  std::optional<CalibrationWay> way_;
+  int current_ = 0;
+};
+
+} // namespace dewpoint::ui

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/calibration/guide/guide_installer.h"
+
+#include "core/setup/new_project/new_project.h"
+#include "ui/calibration/calibration_mode.h"
+#include "ui/calibration/guide/calibration_guide.h"
+#include "ui/calibration/guide/guide_page.h"
+#include "ui/calibration/guide/step_strip.h"
+#include "ui/document/document.h"
+#include "ui/widgets/message_bar.h"
+
+#include <QAction>
+
+namespace dewpoint::ui {
+namespace {
+
+constexpr QLatin1String kPage("guidePage");
+
+void openStep(const Workbench& bench, CalibrationMode& mode, GuideStep step) {
+  switch (step) {
+  case GuideStep::ImportFile:
+    bench.action("actionImportCalibration")->trigger();
+    return;
+  case GuideStep::LearnBall:
+    bench.action("actionLearnColor")->trigger();
+    return;
+  case GuideStep::PrintBoard:
+  case GuideStep::LensesByBoard:
+  case GuideStep::BoardInVolume:
+    mode.open(QStringLiteral("boardPage"));
+    return;
+  case GuideStep::WaveWand:
+    mode.open(QStringLiteral("wandPage"));
+    return;
+  case GuideStep::Floor:
+  case GuideStep::MeasuredLength:
+    mode.open(QStringLiteral("worldPage"));
+    return;
+  case GuideStep::FieldOfView:
+  case GuideStep::GridOnFloor:
+  case GuideStep::MeasurePoints:
+  case GuideStep::ComputeCameras:
+  case GuideStep::RoughPositions:
+    break;
+  }
+  mode.open(QStringLiteral("handPage"));
+}
+
+bool lacksCalibration(const Document& document) {
+  return document.methodFamily().needsCalibration && hasGuessedPose(document.project());
+}
+
+QString question() {
+  return GuidePage::tr("The camera positions are only guesses. Calibrate the cameras, so that 3D "
+                       "positions mean something.");
+}
+
+/// The question stays until it is answered: it is the next step.
+void askForCalibration(const Workbench& bench) {
+  if (lacksCalibration(bench.document)) {
+    QAction* guide = bench.action("actionCalibrate");
+    bench.messages.askUntilAnswered(question(),
+                                    {{GuidePage::tr("Calibrate…"), [guide] { guide->trigger(); }}});
+  }
+}
+
+} // namespace
+
+void installCalibrationGuide(const Workbench& bench, CalibrationMode& mode) {
+  auto* guide = new CalibrationGuide(bench.document, &mode);
+  mode.addPage(new GuidePage(*guide, bench.cameras), [] { return GuidePage::tr("Guide"); });
+  mode.setHeader(new StepStrip(*guide));
+  QObject::connect(guide, &CalibrationGuide::openRequested, &mode,
+                   [bench, &mode](GuideStep step) { openStep(bench, mode, step); });
+  bench.onTriggered("actionCalibrate", guide, [&mode] { mode.open(kPage); });
+  bench.requireRun({"actionCalibrate"});
+  QObject::connect(&bench.document, &Document::methodChanged, guide,
+                   [bench] { askForCalibration(bench); });
+  QObject::connect(&bench.session, &SessionController::opened, guide,
+                   [bench] { askForCalibration(bench); });
+  QObject::connect(&bench.document, &Document::calibrationChanged, guide, [bench] {
+    if (!lacksCalibration(bench.document) && bench.messages.text() == question()) {
+      bench.messages.dismiss();
+    }
+  });
+}
+
+} // namespace dewpoint::ui

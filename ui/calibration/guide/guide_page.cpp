@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/calibration/guide/guide_page.h"
+
+#include "ui/calibration/guide/calibration_guide.h"
+#include "ui/calibration/guide/guide_text.h"
+#include "ui/document/camera_list_model.h"
+#include "ui/text/quantity_text.h"
+#include "ui/text/retranslation.h"
+#include "ui/widgets/named_widgets.h"
+#include "ui/widgets/page_title.h"
+
+#include <QButtonGroup>
+#include <QGridLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace dewpoint::ui {
+namespace {
+
+/// More cameras are scrolled to.
+constexpr int kMostRows = 9;
+
+QLabel* makeText(const char* name, QWidget* parent) {
+  auto* label = new QLabel(parent);
+  label->setObjectName(QLatin1String(name));
+  label->setWordWrap(true);
+  return label;
+}
+
+QString marked(Knowledge knowledge, const QString& text) {
+  return knowledgeMark(knowledge) + QLatin1Char(' ') + text;
+}
+
+} // namespace
+
+GuidePage::GuidePage(CalibrationGuide& guide, const CameraListModel& cameras, QWidget* parent)
+    : QWidget(parent), guide_(guide), cameras_(cameras) {
+  setObjectName(QStringLiteral("guidePage"));
+  build();
+  connectFields();
+  onRetranslate(this, [this] { retranslateUi(); });
+}
+
+void GuidePage::build() {
+  knownTitle_ = makePageTitle(this);
+  table_ = new QTableWidget(0, ColumnCount, this);
+  table_->setObjectName(QStringLiteral("guideKnown"));
+  table_->setSelectionMode(QAbstractItemView::NoSelection);
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table_->setFocusPolicy(Qt::NoFocus);
+  table_->verticalHeader()->hide();
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setSectionResizeMode(Position, QHeaderView::Stretch);
+  world_ = makeText("guideWorld", this);
+  waysTitle_ = makePageTitle(this);
+  needs_ = makeText("guideNeeds", this);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(12, 8, 12, 8);
+  column->setSpacing(8);
+  column->addWidget(knownTitle_);
+  column->addWidget(table_);
+  column->addWidget(world_);
+  column->addWidget(waysTitle_);
+  group_ = new QButtonGroup(this);
+  auto* ways = new QVBoxLayout;
+  ways->setSpacing(4);
+  for (int way = 0; way < kWays; ++way) {
+    auto* choice = new QRadioButton(this);
+    choice->setObjectName(QStringLiteral("guideWay%1").arg(way));
+    group_->addButton(choice, way);
+    ways->addWidget(choice);
+    ways_[static_cast<std::size_t>(way)] = choice;
+  }
+  column->addLayout(ways);
+  column->addWidget(needs_);
+  column->addWidget(makeSteps());
+  column->addStretch(1);
+}
+
+QWidget* GuidePage::makeSteps() {
+  steps_ = new QWidget(this);
+  stepTitle_ = makePageTitle(steps_);
+  stepTitle_->setObjectName(QStringLiteral("guideStepTitle"));
+  stepTitle_->setWordWrap(true);
+  how_ = makeText("guideHow", steps_);
+  reached_ = makeText("guideReached", steps_);
+  open_ = makeButton("guideOpen", steps_);
+  back_ = makeButton("guideBack", steps_);
+  next_ = makeButton("guideNext", steps_);
+  auto* grid = new QGridLayout(steps_);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setSpacing(8);
+  grid->addWidget(stepTitle_, 0, 0, 1, 2);
+  grid->addWidget(how_, 1, 0, 1, 2);
+  grid->addWidget(reached_, 2, 0, 1, 2);
+  grid->addWidget(open_, 3, 0, 1, 2);
+  grid->addWidget(back_, 4, 0);
+  grid->addWidget(next_, 4, 1);
+  grid->setColumnStretch(0, 1);
+  grid->setColumnStretch(1, 1);
+  return steps_;
+}
+
+void GuidePage::connectFields() {
+  connect(&guide_, &CalibrationGuide::changed, this, &GuidePage::refresh);
+  connect(group_, &QButtonGroup::idClicked, this,
+          [this](int way) { guide_.setWay(static_cast<CalibrationWay>(way)); });
+  connect(open_, &QPushButton::clicked, this, [this] {
+    Q_EMIT guide_.openRequested(guide_.steps().at(static_cast<std::size_t>(guide_.current())));
+  });
+  connect(back_, &QPushButton::clicked, this, [this] { guide_.goTo(guide_.current() - 1); });
+  connect(next_, &QPushButton::clicked, this, [this] { guide_.goTo(guide_.current() + 1); });
+}
+
+void GuidePage::retranslateUi() {
+  knownTitle_->setText(tr("What is known"));
+  table_->setHorizontalHeaderLabels({tr("Camera"), tr("Lens"), tr("Position"), tr("Delay")});
+  table_->setAccessibleName(tr("What is known about each camera"));
+  table_->setToolTip(tr("✓ measured with this program: ± is the standard deviation. ○ entered, set "
+                        "by hand or read from a file: nobody checked it. ⚠ only a guess."));
+  waysTitle_->setText(tr("Ways to calibrate"));
+  for (int way = 0; way < kWays; ++way) {
+    const WayText text = wayText(static_cast<CalibrationWay>(way));
+    QRadioButton* choice = ways_[static_cast<std::size_t>(way)];
+    choice->setText(text.title);
+    choice->setToolTip(text.needs);
+  }
+  back_->setText(tr("Back"));
+  back_->setToolTip(tr("Show the previous step"));
+  next_->setText(tr("Next"));
+  next_->setToolTip(tr("Show the next step"));
+  refresh();
+}
+
+void GuidePage::refreshTable() {
+  const auto& cameras = guide_.status().cameras;
+  table_->setRowCount(static_cast<int>(cameras.size()));
+  const auto set = [this](int row, int column, const QString& text) {
+    QTableWidgetItem* item = table_->item(row, column);
+    if (item == nullptr) {
+      item = new QTableWidgetItem;
+      table_->setItem(row, column, item);
+    }
+    item->setText(text);
+  };
+  for (int row = 0; row < table_->rowCount(); ++row) {
+    const CameraCalibrationStatus& camera = cameras[static_cast<std::size_t>(row)];
+    set(row, Name, cameras_.index(row).data().toString());
+    set(row, Lens, marked(camera.lens.knowledge, lensText(camera.lens)));
+    set(row, Position, marked(camera.pose.knowledge, poseText(camera.pose)));
+    set(row, Delay,
+        camera.delay == 0.0 ? QStringLiteral("–")
+                            : tr("%1 ms").arg(millisecondsNumber(camera.delay)));
+  }
+  int height = table_->horizontalHeader()->sizeHint().height() + 2 * table_->frameWidth();
+  for (int row = 0; row < std::min(kMostRows, table_->rowCount()); ++row) {
+    height += table_->rowHeight(row);
+  }
+  table_->setFixedHeight(height);
+  const CalibrationStatus& status = guide_.status();
+  QStringList lines{
+      tr("%1 Scale: %2").arg(knowledgeMark(status.scale.knowledge), scaleText(status.scale)),
+      tr("%1 Floor and up: %2")
+          .arg(knowledgeMark(status.floor.knowledge), floorText(status.floor, status.isUpright))};
+  if (status.accuracy) {
+    lines << tr("✓ Accuracy in the calibrated volume: %1 (95 %)")
+                 .arg(lengthText(*status.accuracy, LengthForm::TwoDigits));
+  } else {
+    lines << tr("○ Accuracy in the calibrated volume: not measured");
+  }
+  if (status.check) {
+    lines << tr("✓ Measured length: %1, found %2")
+                 .arg(lengthText(status.check->measured, LengthScale::Meters, 4),
+                      lengthText(status.check->found, LengthScale::Meters, 4));
+  }
+  world_->setText(lines.join(QLatin1Char('\n')));
+}
+
+void GuidePage::refreshStep() {
+  const auto steps = guide_.steps();
+  steps_->setVisible(!steps.empty());
+  needs_->setVisible(!steps.empty());
+  if (steps.empty()) {
+    return;
+  }
+  needs_->setText(wayText(*guide_.way()).needs);
+  const auto current = static_cast<std::size_t>(guide_.current());
+  const StepText text = stepText(steps[current]);
+  const StepProgress progress = guide_.progress(steps[current]);
+  stepTitle_->setText(tr("Step %1 of %2: %3").arg(current + 1).arg(steps.size()).arg(text.title));
+  how_->setText(text.how);
+  reached_->setText((progress.isDone() ? QStringLiteral("✓ ") : QStringLiteral("○ ")) +
+                    progressText(steps[current], progress));
+  open_->setText(text.open);
+  open_->setToolTip(text.title);
+  back_->setEnabled(current > 0);
+  next_->setEnabled(current + 1 < steps.size());
+}
+
+void GuidePage::refresh() {
+  refreshTable();
+  if (const auto way = guide_.way()) {
+    ways_.at(static_cast<std::size_t>(*way))->setChecked(true);
+  } else if (QAbstractButton* checked = group_->checkedButton()) {
+    group_->setExclusive(false); // a group does not let go of its last choice otherwise
+    checked->setChecked(false);
+    group_->setExclusive(true);
+  }
+  refreshStep();
+}
+
+} // namespace dewpoint::ui

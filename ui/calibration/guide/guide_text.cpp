@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/calibration/guide/guide_text.h"
+
+#include "ui/text/quantity_text.h"
+
+#include <QCoreApplication>
+
+namespace dewpoint::ui {
+namespace {
+
+class GuideText {
+  Q_DECLARE_TR_FUNCTIONS(GuideText)
+};
+
+/// Where numbers come from, or how they are otherwise known.
+QString originText(const PartStatus& part) {
+  if (part.knowledge == Knowledge::Missing) {
+    return GuideText::tr("guessed");
+  }
+  if (!part.origin) {
+    return part.knowledge == Knowledge::Measured ? GuideText::tr("exact (simulated)")
+                                                 : GuideText::tr("set by hand");
+  }
+  switch (*part.origin) {
+  case CalibrationOrigin::Points:
+    return GuideText::tr("measured points");
+  case CalibrationOrigin::Board:
+    return GuideText::tr("board");
+  case CalibrationOrigin::Wand:
+    return GuideText::tr("wand");
+  case CalibrationOrigin::File:
+    return GuideText::tr("from a file");
+  case CalibrationOrigin::Marks:
+    break;
+  }
+  return GuideText::tr("marks in the images");
+}
+
+QString withError(const QString& origin, const QString& error) {
+  return error.isEmpty() ? origin : GuideText::tr("%1, ±%2").arg(origin, error);
+}
+
+QString deviationText(StepErrorUnit unit, std::optional<double> error) {
+  if (!error) {
+    return {};
+  }
+  switch (unit) {
+  case StepErrorUnit::Pixels:
+    return pixelText(*error);
+  case StepErrorUnit::Meters:
+    return lengthText(*error, LengthForm::TwoDigits);
+  case StepErrorUnit::Fraction:
+    return percentAccuracyText(*error) + QStringLiteral(" %");
+  case StepErrorUnit::None:
+    break;
+  }
+  return {};
+}
+
+bool countsCameras(GuideStep step) {
+  return step != GuideStep::PrintBoard && step != GuideStep::LearnBall &&
+         step != GuideStep::Floor && step != GuideStep::MeasuredLength;
+}
+
+} // namespace
+
+WayText wayText(CalibrationWay way) {
+  switch (way) {
+  case CalibrationWay::Grid:
+    return {GuideText::tr("By hand, with a grid"),
+            GuideText::tr("You need: one known length, such as a table or floor tiles. A first "
+                          "result in minutes.")};
+  case CalibrationWay::Points:
+    return {GuideText::tr("Measured points"),
+            GuideText::tr("You need: a tape measure and six points that the cameras see. Good for "
+                          "cameras that are mounted in a room.")};
+  case CalibrationWay::Board:
+    return {GuideText::tr("Printed board"),
+            GuideText::tr("You need: a printed board that you can carry through the room. The most "
+                          "accurate lenses.")};
+  case CalibrationWay::Wand:
+    return {GuideText::tr("Wand: a ball, or a stick with two balls"),
+            GuideText::tr("You need: rough camera positions and a ball to wave. The most accurate "
+                          "positions in a large room.")};
+  case CalibrationWay::File:
+    break;
+  }
+  return {GuideText::tr("File of another tool"),
+          GuideText::tr("You need: a calibration of these cameras, for images of this size.")};
+}
+
+StepText stepText(GuideStep step) {
+  switch (step) {
+  case GuideStep::ImportFile:
+    return {GuideText::tr("File"), GuideText::tr("Import the file"),
+            GuideText::tr("Choose the file. The dialog asks for what the file does not say, such "
+                          "as the unit, and shows how far each camera would move."),
+            GuideText::tr("Import calibration…")};
+  case GuideStep::PrintBoard:
+    return {GuideText::tr("Print"), GuideText::tr("Print a board"),
+            GuideText::tr("Describe the board on the page Board, and print it at 100 %. Check the "
+                          "scale bar with a ruler, and glue the sheet to something stiff and flat. "
+                          "If you have a board, describe it and go on."),
+            GuideText::tr("Go to the page Board")};
+  case GuideStep::LensesByBoard:
+    return {GuideText::tr("Lenses"), GuideText::tr("Calibrate the lenses"),
+            GuideText::tr("Choose Intrinsics on the page Board. Show the board to each camera: "
+                          "close, tilted to all sides, and in the corners of the image. Hold it "
+                          "still each time. With a recording, press Calibrate."),
+            GuideText::tr("Go to the page Board")};
+  case GuideStep::FieldOfView:
+    return {GuideText::tr("Lenses"), GuideText::tr("Set the field of view"),
+            GuideText::tr("Enter the field of view or the focal length of each camera, for example "
+                          "from its data sheet. A calibration of the lens with a board is more "
+                          "accurate, but not necessary for a start."),
+            GuideText::tr("Go to the page By hand")};
+  case GuideStep::GridOnFloor:
+    return {GuideText::tr("Grid"), GuideText::tr("Lay the grid over the room"),
+            GuideText::tr("Give the grid the size of something that you know. In each image, drag "
+                          "the grid until it lies on the real thing. Click a point of the grid to "
+                          "hold it in place."),
+            GuideText::tr("Go to the page By hand")};
+  case GuideStep::MeasurePoints:
+    return {GuideText::tr("Points"), GuideText::tr("Measure points and click them"),
+            GuideText::tr("Add points with positions in meters, and click each point in the "
+                          "images. Each camera needs four, better six that do not lie in one "
+                          "plane."),
+            GuideText::tr("Go to the page By hand")};
+  case GuideStep::ComputeCameras:
+    return {GuideText::tr("Positions"), GuideText::tr("Compute the cameras"),
+            GuideText::tr("Press Compute cameras below the table of points. If one point fits "
+                          "badly, the page says which."),
+            GuideText::tr("Go to the page By hand")};
+  case GuideStep::BoardInVolume:
+    return {GuideText::tr("Positions"), GuideText::tr("Find the camera positions"),
+            GuideText::tr("Choose Positions on the page Board. Show the board to at least two "
+                          "cameras at a time, in many parts of the volume. Lay it on the floor "
+                          "once, and press Set floor from board."),
+            GuideText::tr("Go to the page Board")};
+  case GuideStep::RoughPositions:
+    return {GuideText::tr("Rough"), GuideText::tr("Place the cameras roughly"),
+            GuideText::tr("Drag the grid in each image, or the cameras in the bird's-eye view, "
+                          "until the cameras are within about 12 cm of their places."),
+            GuideText::tr("Go to the page By hand")};
+  case GuideStep::LearnBall:
+    return {GuideText::tr("Ball"), GuideText::tr("Learn the color of the ball"),
+            GuideText::tr("Click the ball in an image. For a stick with two balls, learn two "
+                          "targets of different colors."),
+            GuideText::tr("Learn color")};
+  case GuideStep::WaveWand:
+    return {GuideText::tr("Wave"), GuideText::tr("Wave the wand"),
+            GuideText::tr("Say on the page Wand what you wave and where the scale comes from. Wave "
+                          "slowly, through all of the volume, for half a minute, and press Refine "
+                          "cameras."),
+            GuideText::tr("Go to the page Wand")};
+  case GuideStep::Floor:
+    return {GuideText::tr("Floor"), GuideText::tr("Set floor and origin"),
+            GuideText::tr("Mark three points of the floor in two images each: A becomes the "
+                          "origin, and the x axis points to B. Then press Set floor from A, B and "
+                          "C."),
+            GuideText::tr("Go to the page Floor")};
+  case GuideStep::MeasuredLength:
+    break;
+  }
+  return {GuideText::tr("Length"), GuideText::tr("Check a measured length"),
+          GuideText::tr("Measure a distance in the room, as long as possible. Mark its ends as A "
+                        "and B, enter the distance, and press Check. If it differs, Set scale "
+                        "makes it right."),
+          GuideText::tr("Go to the page Floor")};
+}
+
+QString progressText(GuideStep step, const StepProgress& progress) {
+  const QString error = deviationText(errorUnit(step), progress.error);
+  if (!countsCameras(step)) {
+    if (!progress.isDone()) {
+      return GuideText::tr("Not done yet.");
+    }
+    return error.isEmpty() ? GuideText::tr("Done.")
+                           : GuideText::tr("Done: differs by %1.").arg(error);
+  }
+  return error.isEmpty() ? GuideText::tr("%1 of %2 cameras.").arg(progress.done).arg(progress.total)
+                         : GuideText::tr("%1 of %2 cameras, largest error %3.")
+                               .arg(progress.done)
+                               .arg(progress.total)
+                               .arg(error);
+}
+
+QString progressNumber(GuideStep step, const StepProgress& progress) {
+  const QString error = deviationText(errorUnit(step), progress.error);
+  if (progress.isDone() && !error.isEmpty()) {
+    return error;
+  }
+  return countsCameras(step) ? QStringLiteral("%1/%2").arg(progress.done).arg(progress.total)
+                             : QString();
+}
+
+QString lensText(const PartStatus& lens) {
+  return withError(originText(lens), deviationText(StepErrorUnit::Pixels, lens.error));
+}
+
+QString poseText(const PartStatus& pose) {
+  return withError(originText(pose), deviationText(StepErrorUnit::Meters, pose.error));
+}
+
+QString scaleText(const PartStatus& scale) {
+  return withError(originText(scale), deviationText(StepErrorUnit::Fraction, scale.error));
+}
+
+QString floorText(const PartStatus& floor, bool isUpright) {
+  return isUpright ? originText(floor) : GuideText::tr("the z axis does not seem to point up");
+}
+
+QString knowledgeMark(Knowledge knowledge) {
+  switch (knowledge) {
+  case Knowledge::Measured:
+    return QStringLiteral("✓");
+  case Knowledge::Given:
+    return QStringLiteral("○");
+  case Knowledge::Missing:
+    break;
+  }
+  return QStringLiteral("⚠");
+}
+
+} // namespace dewpoint::ui
