@@ -76,3 +76,13 @@ expectSentence alone 'at least two cameras'
 expectExit $kUsage calibrate world project.toml --length a,b
 expectExit $kUsage calibrate world demo --apply
 expectSentence --apply
+
+# What is known before and after.
+expectExit 0 calibrate status project.toml
+expectText out.txt 'set by hand' 'accuracy  not measured'
+expectExit 0 calibrate world project.toml --floor a,b,c --length a,b --meters 2 --apply
+expectExit 0 calibrate status project.toml
+expectText out.txt 'scale     marks in the images' 'floor     marks in the images' 'length    2.0000 m measured, 2.0000 m found'
+expectExit 0 calibrate status demo
+expectText out.txt 'exact (simulated)'
+expectExit $kBadInput calibrate status nowhere.toml

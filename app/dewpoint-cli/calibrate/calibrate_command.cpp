@@ -14,6 +14,7 @@ void addCalibrateCommand(CLI::App& app, int& exitCode) {
   addCalibrateExtrinsicsCommand(*group, exitCode);
   addCalibrateWandCommand(*group, exitCode);
   addCalibrateWorldCommand(*group, exitCode);
+  addCalibrateStatusCommand(*group, exitCode);
 }
 
 } // namespace dewpoint::app

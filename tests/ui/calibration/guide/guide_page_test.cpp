@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The guide of the calibration panel in the real window: what is known, a way, its steps.
 #include "core/setup/calibration/calibration_guide.h"
+#include "core/setup/new_project/new_project.h"
 #include "tests/ui/calibration/calibration_window.h"
 #include "tests/ui/mainwindow/small_picture.h"
 #include "tests/ui/window_test.h"
 #include "ui/calibration/calibration_dock.h"
 #include "ui/document/document.h"
+#include "ui/widgets/message_bar.h"
 
 #include <QAction>
 #include <QLabel>
@@ -26,8 +28,11 @@ private Q_SLOTS:
   void leadsThroughTheStepsOfAWay();
   void aStepOpensItsPage();
   void followsTheProject();
+  void asksWhilePositionsAreGuesses();
 
 private:
+  /// The picture of the manual, into the folder that DEWPOINT_MANUAL names (docs/images).
+  void keepPicture();
   CalibrationDock* pages() { return find<CalibrationDock>("calibrationPlace"); }
   QTableWidget* known() { return find<QTableWidget>("guideKnown"); }
   QString text(const char* label) { return find<QLabel>(label)->text(); }
@@ -68,6 +73,9 @@ void GuidePageTest::leadsThroughTheStepsOfAWay() {
   }
   QCOMPARE(titles.size(), static_cast<qsizetype>(stepsOf(CalibrationWay::Board).size()));
   QCOMPARE(titles.removeDuplicates(), 0);
+  find<QToolButton>("guideStep3")->click();
+  find<QAction>("actionCalibrate")->trigger();
+  keepPicture();
 }
 
 void GuidePageTest::aStepOpensItsPage() {
@@ -96,6 +104,42 @@ void GuidePageTest::followsTheProject() {
   QVERIFY(known()->item(1, 2)->text().startsWith(QStringLiteral("✓")));
   find<QAction>("actionUndo")->trigger();
   QVERIFY(known()->item(0, 2)->text().startsWith(QStringLiteral("✓")));
+}
+
+void GuidePageTest::keepPicture() {
+  const QString folder = qEnvironmentVariable("DEWPOINT_MANUAL");
+  if (folder.isEmpty()) {
+    return;
+  }
+  QVERIFY(settles(*window_));
+  const QString file = folder + QStringLiteral("/calibration-guide.png");
+  QVERIFY2(withFewerLevels(window_->grab().toImage()).save(file), qPrintable(file));
+}
+
+void GuidePageTest::asksWhilePositionsAreGuesses() {
+  auto* messages = window_->findChild<MessageBar*>();
+  QVERIFY(messages != nullptr);
+  Project calibrated = project();
+  Project guessed = calibrated;
+  for (std::size_t k = 0; k < guessed.cameras.size(); ++k) {
+    const Intrinsics& image = guessed.cameras[k].camera.intrinsics;
+    guessCalibration(guessed, k, {image.width, image.height});
+    guessed.cameras[k].markAdjusted();
+  }
+  QVERIFY(window_->document().edit(QStringLiteral("guess"),
+                                   [&](Project& project) { project = guessed; }));
+  QVERIFY(known()->item(0, 1)->text().startsWith(QStringLiteral("⚠")));
+  QVERIFY(known()->item(0, 2)->text().startsWith(QStringLiteral("⚠")));
+  window_->document().setMethod("barrera");
+  QVERIFY(messages->isVisible());
+  const QString question = messages->text();
+  messages->showNotice(QStringLiteral("something else"));
+  messages->dismiss();
+  QCOMPARE(messages->text(), question); // it is asked again
+  QVERIFY(window_->document().edit(QStringLiteral("calibrate"), [&](Project& project) {
+    project.cameras = calibrated.cameras;
+  }));
+  QVERIFY(messages->text() != question);
 }
 
 DEWPOINT_WINDOW_TEST(GuidePageTest)

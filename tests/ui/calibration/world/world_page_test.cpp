@@ -111,6 +111,11 @@ void WorldPageTest::aMeasuredDistanceSetsTheScale() {
   const double apart = (camera(0).center() - camera(1).center()).norm();
   const double factor = 0.5 / distance->value();
   distance->setValue(0.5);
+  press("worldCheck");
+  QVERIFY((camera(0).center() - camera(1).center()).norm() == apart); // nothing moved
+  QVERIFY(project().calibrated.check.has_value());
+  QCOMPARE(project().calibrated.check->measured, 0.5);
+  QVERIFY(!find<QLabel>("worldResult")->text().isEmpty());
   press("worldLength");
   const double now = (camera(0).center() - camera(1).center()).norm();
   QVERIFY(std::abs(now / apart / factor - 1.0) < 1e-2); // the field has four decimals
