@@ -69,7 +69,7 @@ void installHelp(const Workbench& bench) {
   });
   bench.onTriggered("actionQuickStart", window, [bench] {
     presentOne<QuickStart>(bench, [&] {
-      return new QuickStart({bench.action("actionNew"), bench.action("actionCalibrateByHand"),
+      return new QuickStart({bench.action("actionNew"), bench.action("actionCalibrate"),
                              bench.action("actionPlay"), bench.action("actionExportTrajectory"),
                              bench.action("actionLegend"), bench.action("actionManual")},
                             &bench.window);

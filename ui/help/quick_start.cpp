@@ -148,8 +148,8 @@ void QuickStart::retranslateUi() {
       tr("1.  Open one video per camera, or connect cameras: File › New project (%1). Or try the "
          "demo first.")
           .arg(keyOf(actions_.openProject)),
-      tr("2.  Load a calibration of the cameras, or create one: menu Calibration (%1 to start by "
-         "hand). Without it, targets are tracked only in the images.")
+      tr("2.  Calibrate the cameras: Calibration › Calibrate (%1) guides you through it. Without "
+         "a calibration, targets are tracked only in the images.")
           .arg(keyOf(actions_.calibrate)),
       tr("3.  Click the object to track in any image. Its color is learned in all cameras, and "
          "tracking starts."),

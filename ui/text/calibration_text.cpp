@@ -63,7 +63,7 @@ QString accuracyText(const CalibrationAccuracy& accuracy) {
               : CalibrationText::tr(", scale unknown");
   text += accuracy.up95
               ? CalibrationText::tr(", upward direction ±%1").arg(angleAccuracyText(*accuracy.up95))
-              : CalibrationText::tr(", upward direction not measured");
+              : CalibrationText::tr(", upward direction not measured yet (page Floor)");
   return text + QStringLiteral(".");
 }
 

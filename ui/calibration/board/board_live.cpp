@@ -4,6 +4,7 @@
 #include "ui/calibration/board/board_calibrator.h"
 #include "ui/calibration/board/board_map.h"
 #include "ui/calibration/board/board_text.h"
+#include "ui/calibration/board/room_display.h"
 #include "ui/text/retranslation.h"
 #include "ui/widgets/named_widgets.h"
 
@@ -30,6 +31,15 @@ BoardLive::BoardLive(BoardCalibrator& calibrator, QWidget* parent)
   connect(capture_, &QPushButton::clicked, &calibrator_, &BoardCalibrator::captureNow);
   connect(floor_, &QPushButton::clicked, &calibrator_, &BoardCalibrator::captureFloor);
   connect(next_, &QPushButton::clicked, &calibrator_, &BoardCalibrator::skipToPoses);
+  connect(display_, &QPushButton::clicked, this, [this] {
+    auto* display = window()->findChild<RoomDisplay*>();
+    if (display == nullptr) {
+      display = new RoomDisplay(calibrator_, window());
+      display->showMaximized();
+    }
+    display->raise();
+    display->activateWindow();
+  });
   connect(finish_, &QPushButton::clicked, &calibrator_, &BoardCalibrator::finish);
   connect(&calibrator_, &BoardCalibrator::changed, this, &BoardLive::refresh);
   connect(&calibrator_, &BoardCalibrator::requestChanged, this, &BoardLive::refresh);
@@ -42,6 +52,7 @@ void BoardLive::createWidgets() {
   capture_ = makeButton("boardCapture", this);
   floor_ = makeButton("boardFloorNow", this);
   next_ = makeButton("boardNext", this);
+  display_ = makeButton("boardDisplay", this);
   finish_ = makeButton("boardFinish", this);
   overall_ = new QLabel(this);
   overall_->setObjectName(QStringLiteral("boardOverall"));
@@ -58,6 +69,7 @@ void BoardLive::createWidgets() {
   buttons->addWidget(capture_, 0, 1);
   buttons->addWidget(floor_, 1, 0);
   buttons->addWidget(next_, 1, 1);
+  buttons->addWidget(display_, 2, 0, 1, 2);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(8);
@@ -136,6 +148,9 @@ void BoardLive::retranslateUi() {
   next_->setText(tr("Next: positions"));
   next_->setToolTip(tr("Accept the present accuracy of the intrinsics, then show the board to "
                        "several cameras at once"));
+  display_->setText(tr("Large display…"));
+  display_->setToolTip(tr("Show what to do next in large letters that can be read from across the "
+                          "room, with a sound for each captured view"));
   finish_->setText(tr("Calibrate with these views"));
   finish_->setToolTip(tr("Finish now with the views captured so far"));
   refresh();

@@ -46,6 +46,7 @@ private:
   QPushButton* capture_;
   QPushButton* floor_;
   QPushButton* next_;
+  QPushButton* display_;
   QPushButton* finish_;
   QLabel* overall_;
   QWidget* list_;

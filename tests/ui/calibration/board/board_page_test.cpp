@@ -13,6 +13,7 @@
 #include <QDir>
 #include <QFile>
 #include <QLabel>
+#include <QPointer>
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
@@ -39,6 +40,7 @@ private Q_SLOTS:
   void theBoardIsRemembered();
   void liveCamerasAreGuidedToTheEnd();
   void liveViewsCanBeTakenByHand();
+  void theNextViewIsShownAcrossTheRoom();
   void everythingHasAName();
 
 private:
@@ -297,6 +299,27 @@ void BoardPageTest::liveViewsCanBeTakenByHand() {
   QVERIFY(calibrator().guide()->cameras[0].taken.empty());
   QVERIFY(map->grab().toImage() != full);
   QTest::mouseClick(capture, Qt::LeftButton);
+}
+
+void BoardPageTest::theNextViewIsShownAcrossTheRoom() {
+  openLive({true, false});
+  QTest::mouseClick(find<QPushButton>(QStringLiteral("boardDisplay")), Qt::LeftButton);
+  const QPointer<QWidget> display = find<QWidget>(QStringLiteral("roomDisplay"));
+  QVERIFY(QTest::qWaitForWindowExposed(display));
+  const auto text = [&](const char* name) { return find<QLabel>(QLatin1String(name))->text(); };
+  QVERIFY(!text("roomAdvice").isEmpty()); // how to begin
+  QTest::mouseClick(find<QPushButton>(QStringLiteral("boardStart")), Qt::LeftButton);
+  QVERIFY(waitFor([&] { return calibrator().guide()->cameras.size() == 2; }));
+  QVERIFY(waitFor([&] { return calibrator().guide()->cameras[0].seen.has_value(); }));
+  QVERIFY(waitFor([&] { return !text("roomCamera").isEmpty(); }));
+  const QString none = text("roomCount");
+  QTest::mouseClick(find<QPushButton>(QStringLiteral("boardCapture")), Qt::LeftButton);
+  QVERIFY(waitFor([&] { return text("roomCount") != none; }));
+  QVERIFY(find<QLabel>(QStringLiteral("roomAdvice"))->font().pixelSize() >
+          find<QLabel>(QStringLiteral("boardAdvice0"))->fontInfo().pixelSize());
+  QTest::keyClick(display, Qt::Key_Escape);
+  QVERIFY(waitFor([&] { return display.isNull(); }));
+  QTest::mouseClick(find<QPushButton>(QStringLiteral("boardStart")), Qt::LeftButton); // over
 }
 
 void BoardPageTest::everythingHasAName() {

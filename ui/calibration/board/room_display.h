@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include <cstddef>
+
+class QLabel;
+class QProgressBar;
+
+namespace dewpoint::ui {
+
+class BoardCalibrator;
+
+/// Window with what to show next in letters that can be read from across the room, for a person who
+/// holds the board in front of the cameras. A sound is played when a view is captured. Esc closes
+/// it.
+class RoomDisplay : public QWidget {
+  Q_OBJECT
+public:
+  explicit RoomDisplay(BoardCalibrator& calibrator, QWidget* parent);
+
+protected:
+  void resizeEvent(QResizeEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+private:
+  void refresh();
+  void fitText();
+
+  BoardCalibrator& calibrator_;
+  QLabel* camera_;
+  QLabel* advice_;
+  QLabel* count_;
+  QProgressBar* held_;
+  std::size_t captured_ = 0; ///< views when it was refreshed last
+};
+
+} // namespace dewpoint::ui
