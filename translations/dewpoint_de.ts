@@ -767,6 +767,14 @@
         <source>Set the floor, the origin, the axes and the scale of the calibrated cameras from points marked in the images</source>
         <translation>Boden, Ursprung, Achsen und Maßstab der kalibrierten Kameras mit Punkten festlegen, die in den Bildern markiert werden</translation>
     </message>
+    <message>
+        <source>Calibrate…</source>
+        <translation>Kalibrieren…</translation>
+    </message>
+    <message>
+        <source>See what is known about the cameras, choose a way to calibrate them, and go through it step by step</source>
+        <translation>Sehen, was über die Kameras bekannt ist, einen Weg zur Kalibrierung wählen und ihn Schritt für Schritt gehen</translation>
+    </message>
 </context>
 <context>
     <name>AssessedRegions</name>
@@ -1012,10 +1020,6 @@
         <translation>, Lotrichtung ±%1</translation>
     </message>
     <message>
-        <source>, upward direction not measured</source>
-        <translation>, Lotrichtung nicht gemessen</translation>
-    </message>
-    <message>
         <source>all cameras</source>
         <translation>alle Kameras</translation>
     </message>
@@ -1042,6 +1046,10 @@
     <message>
         <source>The images fit when shifted by %1 along both axes: the calibration probably counts pixels from their corners, not their centers. Convert the principal points.</source>
         <translation>Die Bilder passen, wenn sie um %1 in beiden Achsen verschoben werden: Die Kalibrierung zählt Pixel wahrscheinlich von ihren Ecken statt von ihren Mitten aus. Rechnen Sie die Hauptpunkte um.</translation>
+    </message>
+    <message>
+        <source>, upward direction not measured yet (page Floor)</source>
+        <translation>, Richtung nach oben noch nicht gemessen (Seite Boden)</translation>
     </message>
 </context>
 <context>
@@ -1721,6 +1729,281 @@
     <message>
         <source>OpenGL 3.2 is needed</source>
         <translation>OpenGL 3.2 wird benötigt</translation>
+    </message>
+</context>
+<context>
+    <name>GuideText</name>
+    <message>
+        <source>guessed</source>
+        <translation>geraten</translation>
+    </message>
+    <message>
+        <source>exact (simulated)</source>
+        <translation>exakt (simuliert)</translation>
+    </message>
+    <message>
+        <source>set by hand</source>
+        <translation>von Hand</translation>
+    </message>
+    <message>
+        <source>measured points</source>
+        <translation>gemessene Punkte</translation>
+    </message>
+    <message>
+        <source>board</source>
+        <translation>Kalibriertafel</translation>
+    </message>
+    <message>
+        <source>wand</source>
+        <translation>Stab</translation>
+    </message>
+    <message>
+        <source>from a file</source>
+        <translation>aus einer Datei</translation>
+    </message>
+    <message>
+        <source>marks in the images</source>
+        <translation>Marken in den Bildern</translation>
+    </message>
+    <message>
+        <source>%1, ±%2</source>
+        <translation>%1, ±%2</translation>
+    </message>
+    <message>
+        <source>By hand, with a grid</source>
+        <translation>Von Hand, mit einem Gitter</translation>
+    </message>
+    <message>
+        <source>You need: one known length, such as a table or floor tiles. A first result in minutes.</source>
+        <translation>Nötig: eine bekannte Länge, zum Beispiel ein Tisch oder Bodenfliesen. Ein erstes Ergebnis in wenigen Minuten.</translation>
+    </message>
+    <message>
+        <source>Measured points</source>
+        <translation>Gemessene Punkte</translation>
+    </message>
+    <message>
+        <source>You need: a tape measure and six points that the cameras see. Good for cameras that are mounted in a room.</source>
+        <translation>Nötig: ein Maßband und sechs Punkte, die die Kameras sehen. Gut für Kameras, die fest in einem Raum montiert sind.</translation>
+    </message>
+    <message>
+        <source>Printed board</source>
+        <translation>Gedruckte Kalibriertafel</translation>
+    </message>
+    <message>
+        <source>You need: a printed board that you can carry through the room. The most accurate lenses.</source>
+        <translation>Nötig: eine gedruckte Kalibriertafel, die Sie durch den Raum tragen können. Die genauesten Objektivwerte.</translation>
+    </message>
+    <message>
+        <source>Wand: a ball, or a stick with two balls</source>
+        <translation>Stab: ein Ball oder ein Stab mit zwei Bällen</translation>
+    </message>
+    <message>
+        <source>You need: rough camera positions and a ball to wave. The most accurate positions in a large room.</source>
+        <translation>Nötig: ungefähre Kamerapositionen und ein Ball zum Schwenken. Die genauesten Positionen in einem großen Raum.</translation>
+    </message>
+    <message>
+        <source>File of another tool</source>
+        <translation>Datei eines anderen Programms</translation>
+    </message>
+    <message>
+        <source>You need: a calibration of these cameras, for images of this size.</source>
+        <translation>Nötig: eine Kalibrierung dieser Kameras für Bilder dieser Größe.</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Import the file</source>
+        <translation>Datei importieren</translation>
+    </message>
+    <message>
+        <source>Choose the file. The dialog asks for what the file does not say, such as the unit, and shows how far each camera would move.</source>
+        <translation>Wählen Sie die Datei. Der Dialog fragt nach dem, was die Datei nicht sagt, zum Beispiel der Einheit, und zeigt, wie weit sich jede Kamera bewegen würde.</translation>
+    </message>
+    <message>
+        <source>Import calibration…</source>
+        <translation>Kalibrierung importieren…</translation>
+    </message>
+    <message>
+        <source>Print</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>Print a board</source>
+        <translation>Kalibriertafel drucken</translation>
+    </message>
+    <message>
+        <source>Describe the board on the page Board, and print it at 100 %. Check the scale bar with a ruler, and glue the sheet to something stiff and flat. If you have a board, describe it and go on.</source>
+        <translation>Beschreiben Sie die Kalibriertafel auf der Seite Tafel und drucken Sie sie mit 100 %. Prüfen Sie den Maßstab mit einem Lineal und kleben Sie das Blatt auf etwas Steifes und Ebenes. Wenn Sie schon eine Tafel haben, beschreiben Sie sie und gehen Sie weiter.</translation>
+    </message>
+    <message>
+        <source>Go to the page Board</source>
+        <translation>Zur Seite Tafel</translation>
+    </message>
+    <message>
+        <source>Lenses</source>
+        <translation>Objektive</translation>
+    </message>
+    <message>
+        <source>Calibrate the lenses</source>
+        <translation>Objektive kalibrieren</translation>
+    </message>
+    <message>
+        <source>Choose Intrinsics on the page Board. Show the board to each camera: close, tilted to all sides, and in the corners of the image. Hold it still each time. With a recording, press Calibrate.</source>
+        <translation>Wählen Sie auf der Seite Tafel die intrinsischen Parameter. Zeigen Sie jeder Kamera die Tafel: nah, nach allen Seiten geneigt und in den Ecken des Bildes. Halten Sie sie jedes Mal still. Bei einer Aufzeichnung drücken Sie Kalibrieren.</translation>
+    </message>
+    <message>
+        <source>Set the field of view</source>
+        <translation>Bildwinkel einstellen</translation>
+    </message>
+    <message>
+        <source>Enter the field of view or the focal length of each camera, for example from its data sheet. A calibration of the lens with a board is more accurate, but not necessary for a start.</source>
+        <translation>Geben Sie den Bildwinkel oder die Brennweite jeder Kamera ein, zum Beispiel aus dem Datenblatt. Eine Kalibrierung des Objektivs mit einer Tafel ist genauer, für den Anfang aber nicht nötig.</translation>
+    </message>
+    <message>
+        <source>Go to the page By hand</source>
+        <translation>Zur Seite Von Hand</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Gitter</translation>
+    </message>
+    <message>
+        <source>Lay the grid over the room</source>
+        <translation>Gitter über den Raum legen</translation>
+    </message>
+    <message>
+        <source>Give the grid the size of something that you know. In each image, drag the grid until it lies on the real thing. Click a point of the grid to hold it in place.</source>
+        <translation>Geben Sie dem Gitter die Größe von etwas, das Sie kennen. Ziehen Sie das Gitter in jedem Bild, bis es auf dem wirklichen Gegenstand liegt. Klicken Sie einen Punkt des Gitters an, um ihn festzuhalten.</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Measure points and click them</source>
+        <translation>Punkte messen und anklicken</translation>
+    </message>
+    <message>
+        <source>Add points with positions in meters, and click each point in the images. Each camera needs four, better six that do not lie in one plane.</source>
+        <translation>Fügen Sie Punkte mit Positionen in Metern hinzu und klicken Sie jeden Punkt in den Bildern an. Jede Kamera braucht vier, besser sechs, die nicht in einer Ebene liegen.</translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation>Positionen</translation>
+    </message>
+    <message>
+        <source>Compute the cameras</source>
+        <translation>Kameras berechnen</translation>
+    </message>
+    <message>
+        <source>Press Compute cameras below the table of points. If one point fits badly, the page says which.</source>
+        <translation>Drücken Sie Kameras berechnen unter der Punkttabelle. Passt ein Punkt schlecht, sagt die Seite, welcher.</translation>
+    </message>
+    <message>
+        <source>Find the camera positions</source>
+        <translation>Kamerapositionen finden</translation>
+    </message>
+    <message>
+        <source>Choose Positions on the page Board. Show the board to at least two cameras at a time, in many parts of the volume. Lay it on the floor once, and press Set floor from board.</source>
+        <translation>Wählen Sie Positionen auf der Seite Tafel. Zeigen Sie die Tafel mindestens zwei Kameras gleichzeitig, in vielen Teilen des Raums. Legen Sie sie einmal auf den Boden und drücken Sie Boden aus Tafel setzen.</translation>
+    </message>
+    <message>
+        <source>Rough</source>
+        <translation>Grob</translation>
+    </message>
+    <message>
+        <source>Place the cameras roughly</source>
+        <translation>Kameras ungefähr platzieren</translation>
+    </message>
+    <message>
+        <source>Drag the grid in each image, or the cameras in the bird&apos;s-eye view, until the cameras are within about 12 cm of their places.</source>
+        <translation>Ziehen Sie das Gitter in jedem Bild oder die Kameras in der Vogelperspektive, bis die Kameras auf etwa 12 cm genau stehen.</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>Ball</translation>
+    </message>
+    <message>
+        <source>Learn the color of the ball</source>
+        <translation>Farbe des Balls lernen</translation>
+    </message>
+    <message>
+        <source>Click the ball in an image. For a stick with two balls, learn two targets of different colors.</source>
+        <translation>Klicken Sie den Ball in einem Bild an. Für einen Stab mit zwei Bällen lernen Sie zwei Ziele mit verschiedenen Farben.</translation>
+    </message>
+    <message>
+        <source>Learn color</source>
+        <translation>Farbe lernen</translation>
+    </message>
+    <message>
+        <source>Wave</source>
+        <translation>Schwenken</translation>
+    </message>
+    <message>
+        <source>Wave the wand</source>
+        <translation>Stab schwenken</translation>
+    </message>
+    <message>
+        <source>Say on the page Wand what you wave and where the scale comes from. Wave slowly, through all of the volume, for half a minute, and press Refine cameras.</source>
+        <translation>Geben Sie auf der Seite Stab an, was Sie schwenken und woher der Maßstab kommt. Schwenken Sie eine halbe Minute lang langsam durch den ganzen Raum und drücken Sie Kameras verfeinern.</translation>
+    </message>
+    <message>
+        <source>Go to the page Wand</source>
+        <translation>Zur Seite Stab</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Boden</translation>
+    </message>
+    <message>
+        <source>Set floor and origin</source>
+        <translation>Boden und Ursprung setzen</translation>
+    </message>
+    <message>
+        <source>Mark three points of the floor in two images each: A becomes the origin, and the x axis points to B. Then press Set floor from A, B and C.</source>
+        <translation>Markieren Sie drei Punkte des Bodens in je zwei Bildern: A wird der Ursprung, und die x-Achse zeigt zu B. Drücken Sie dann Boden aus A, B und C festlegen.</translation>
+    </message>
+    <message>
+        <source>Go to the page Floor</source>
+        <translation>Zur Seite Boden</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Check a measured length</source>
+        <translation>Gemessene Länge prüfen</translation>
+    </message>
+    <message>
+        <source>Measure a distance in the room, as long as possible. Mark its ends as A and B, enter the distance, and press Check. If it differs, Set scale makes it right.</source>
+        <translation>Messen Sie eine möglichst lange Strecke im Raum. Markieren Sie ihre Enden als A und B, geben Sie die Länge ein und drücken Sie Prüfen. Weicht sie ab, korrigiert Maßstab festlegen das.</translation>
+    </message>
+    <message>
+        <source>Not done yet.</source>
+        <translation>Noch nicht erledigt.</translation>
+    </message>
+    <message>
+        <source>Done.</source>
+        <translation>Erledigt.</translation>
+    </message>
+    <message>
+        <source>Done: differs by %1.</source>
+        <translation>Erledigt: Abweichung %1.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 cameras.</source>
+        <translation>%1 von %2 Kameras.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 cameras, largest error %3.</source>
+        <translation>%1 von %2 Kameras, größter Fehler %3.</translation>
+    </message>
+    <message>
+        <source>the z axis does not seem to point up</source>
+        <translation>die z-Achse zeigt anscheinend nicht nach oben</translation>
     </message>
 </context>
 <context>
@@ -3272,6 +3555,14 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
     <message>
         <source>Show the board to one camera after the other, following the instructions for each.</source>
         <translation>Zeigen Sie die Tafel einer Kamera nach der anderen, nach der Anleitung zu jeder.</translation>
+    </message>
+    <message>
+        <source>Large display…</source>
+        <translation>Große Anzeige…</translation>
+    </message>
+    <message>
+        <source>Show what to do next in large letters that can be read from across the room, with a sound for each captured view</source>
+        <translation>In großen, quer durch den Raum lesbaren Buchstaben zeigen, was als Nächstes zu tun ist, mit einem Ton für jede aufgenommene Ansicht</translation>
     </message>
 </context>
 <context>
@@ -5203,6 +5494,97 @@ bei %4, %5, %6</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::GuidePage</name>
+    <message>
+        <source>The camera positions are only guesses. Calibrate the cameras, so that 3D positions mean something.</source>
+        <translation>Die Kamerapositionen sind nur geraten. Kalibrieren Sie die Kameras, damit 3D-Positionen etwas bedeuten.</translation>
+    </message>
+    <message>
+        <source>Calibrate…</source>
+        <translation>Kalibrieren…</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Anleitung</translation>
+    </message>
+    <message>
+        <source>What is known</source>
+        <translation>Was bekannt ist</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Lens</source>
+        <translation>Objektiv</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Delay</source>
+        <translation>Verzögerung</translation>
+    </message>
+    <message>
+        <source>What is known about each camera</source>
+        <translation>Was über jede Kamera bekannt ist</translation>
+    </message>
+    <message>
+        <source>✓ measured with this program: ± is the standard deviation. ○ entered, set by hand or read from a file: nobody checked it. ⚠ only a guess.</source>
+        <translation>✓ mit diesem Programm gemessen: ± ist die Standardabweichung. ○ eingegeben, von Hand eingestellt oder aus einer Datei gelesen: nicht überprüft. ⚠ nur geraten.</translation>
+    </message>
+    <message>
+        <source>Ways to calibrate</source>
+        <translation>Wege zur Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Show the previous step</source>
+        <translation>Den vorigen Schritt zeigen</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Show the next step</source>
+        <translation>Den nächsten Schritt zeigen</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 Scale: %2</source>
+        <translation>%1 Maßstab: %2</translation>
+    </message>
+    <message>
+        <source>%1 Floor and up: %2</source>
+        <translation>%1 Boden und oben: %2</translation>
+    </message>
+    <message>
+        <source>✓ Accuracy in the calibrated volume: %1 (95 %)</source>
+        <translation>✓ Genauigkeit im kalibrierten Raum: %1 (95 %)</translation>
+    </message>
+    <message>
+        <source>○ Accuracy in the calibrated volume: not measured</source>
+        <translation>○ Genauigkeit im kalibrierten Raum: nicht gemessen</translation>
+    </message>
+    <message>
+        <source>✓ Measured length: %1, found %2</source>
+        <translation>✓ Gemessene Länge: %1, gefunden %2</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2: %3</source>
+        <translation>Schritt %1 von %2: %3</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::HistogramView</name>
     <message>
         <source>Colors of the box</source>
@@ -5612,10 +5994,6 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>An diesen Rechner ist keine Kamera angeschlossen. Eine Netzwerkkamera lässt sich mit ihrer Adresse hinzufügen.</translation>
     </message>
     <message>
-        <source>Without a calibration, the camera positions are guesses: targets can be tracked in the images, but their 3D positions are meaningless.</source>
-        <translation>Ohne Kalibrierung sind die Kamerapositionen geraten: Ziele lassen sich in den Bildern verfolgen, aber ihre 3D-Positionen bedeuten nichts.</translation>
-    </message>
-    <message>
         <source>The calibration uses other camera names. The cameras were matched by order.</source>
         <translation>Die Kalibrierung verwendet andere Kameranamen. Die Kameras wurden nach Reihenfolge zugeordnet.</translation>
     </message>
@@ -5707,10 +6085,6 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
     <message>
         <source>Click the object or drag a box around it in any camera view.</source>
         <translation>Klicken Sie das Objekt in einer Kameraansicht an, oder ziehen Sie einen Rahmen darum.</translation>
-    </message>
-    <message>
-        <source>This method tracks in 3D, but the camera positions are only guesses: calibrate the cameras first (menu Calibration).</source>
-        <translation>Dieses Verfahren verfolgt in 3D, aber die Kamerapositionen sind nur geraten: Kalibrieren Sie zuerst die Kameras (Menü Kalibrierung).</translation>
     </message>
     <message>
         <source>Parameters</source>
@@ -6412,10 +6786,6 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>1.  Öffnen Sie ein Video je Kamera, oder schließen Sie Kameras an: Datei › Neues Projekt (%1). Oder probieren Sie zuerst die Demo aus.</translation>
     </message>
     <message>
-        <source>2.  Load a calibration of the cameras, or create one: menu Calibration (%1 to start by hand). Without it, targets are tracked only in the images.</source>
-        <translation>2.  Laden Sie eine Kalibrierung der Kameras, oder erstellen Sie eine: Menü Kalibrierung (%1 beginnt von Hand). Ohne sie werden Ziele nur in den Bildern verfolgt.</translation>
-    </message>
-    <message>
         <source>3.  Click the object to track in any image. Its color is learned in all cameras, and tracking starts.</source>
         <translation>3.  Klicken Sie in einem Bild das Objekt an, das verfolgt werden soll. Seine Farbe wird in allen Kameras gelernt, und die Verfolgung beginnt.</translation>
     </message>
@@ -6450,6 +6820,10 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
     <message>
         <source>Close this window</source>
         <translation>Dieses Fenster schließen</translation>
+    </message>
+    <message>
+        <source>2.  Calibrate the cameras: Calibration › Calibrate (%1) guides you through it. Without a calibration, targets are tracked only in the images.</source>
+        <translation>2.  Kalibrieren Sie die Kameras: Kalibrierung › Kalibrieren (%1) führt Sie hindurch. Ohne Kalibrierung werden Ziele nur in den Bildern verfolgt.</translation>
     </message>
 </context>
 <context>
@@ -6498,6 +6872,36 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
     <message>
         <source>With %1 here (x %2, y %3, z %4), the error is at most %6 in %5 of the volume, instead of %7.</source>
         <translation>Mit %1 hier (x %2, y %3, z %4) ist der Fehler in %5 des Raums höchstens %6, statt in %7.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::RoomDisplay</name>
+    <message>
+        <source>What to show next – Dewpoint</source>
+        <translation>Was als Nächstes zu zeigen ist – Dewpoint</translation>
+    </message>
+    <message>
+        <source>Time for which the board was held still</source>
+        <translation>Zeit, die die Tafel stillgehalten wurde</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n views captured</source>
+        <translation>
+            <numerusform>%n Ansicht aufgenommen</numerusform>
+            <numerusform>%n Ansichten aufgenommen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Done.</source>
+        <translation>Erledigt.</translation>
+    </message>
+    <message>
+        <source>Press Start on the page Board.</source>
+        <translation>Drücken Sie Beginnen auf der Seite Tafel.</translation>
+    </message>
+    <message>
+        <source>Waiting for images…</source>
+        <translation>Warten auf Bilder…</translation>
     </message>
 </context>
 <context>
@@ -6909,6 +7313,17 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
     <message>
         <source>Timing, particles and memory used</source>
         <translation>Zeiten, Partikel und benutzter Speicher</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::StepStrip</name>
+    <message>
+        <source>Step %1: %2</source>
+        <translation>Schritt %1: %2</translation>
+    </message>
+    <message>
+        <source>Step %1: %2. %3</source>
+        <translation>Schritt %1: %2. %3</translation>
     </message>
 </context>
 <context>
@@ -8031,6 +8446,14 @@ Effektive Stichprobengröße %8 von %9</translation>
         <source>Move all cameras</source>
         <translation>Alle Kameras verschieben</translation>
     </message>
+    <message>
+        <source>A to B: %1 found, %2 measured. The calibration is off by %3 %.</source>
+        <translation>A bis B: %1 gefunden, %2 gemessen. Die Kalibrierung weicht um %3 % ab.</translation>
+    </message>
+    <message>
+        <source>Check a distance</source>
+        <translation>Strecke prüfen</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::WorldPage</name>
@@ -8213,6 +8636,14 @@ Effektive Stichprobengröße %8 von %9</translation>
     <message>
         <source>Click the selected point in two or more images. Corners are found to a fraction of a pixel (Alt: exactly where you click). Press Esc to finish.</source>
         <translation>Den gewählten Punkt in mindestens zwei Bildern anklicken. Ecken werden auf Bruchteile eines Pixels gefunden (Alt: genau an der Klickstelle). Mit Esc beenden.</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>Compare the distance from A to B with the measured one. Nothing moves.</source>
+        <translation>Die Strecke von A nach B mit der gemessenen vergleichen. Nichts bewegt sich.</translation>
     </message>
 </context>
 </TS>

@@ -86,6 +86,16 @@
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::RoomDisplay</name>
+    <message numerus="yes">
+        <source>%n views captured</source>
+        <translation>
+            <numerusform>%n view captured</numerusform>
+            <numerusform>%n views captured</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::TrajectoryPanel</name>
     <message numerus="yes">
         <source>%n rows are on the clipboard as CSV.</source>

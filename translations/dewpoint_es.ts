@@ -767,6 +767,14 @@
         <source>Set the floor, the origin, the axes and the scale of the calibrated cameras from points marked in the images</source>
         <translation>Definir el suelo, el origen, los ejes y la escala de las cámaras calibradas con puntos marcados en las imágenes</translation>
     </message>
+    <message>
+        <source>Calibrate…</source>
+        <translation>Calibrar…</translation>
+    </message>
+    <message>
+        <source>See what is known about the cameras, choose a way to calibrate them, and go through it step by step</source>
+        <translation>Ver lo que se sabe de las cámaras, elegir una forma de calibrarlas y seguirla paso a paso</translation>
+    </message>
 </context>
 <context>
     <name>AssessedRegions</name>
@@ -1012,10 +1020,6 @@
         <translation>, dirección vertical ±%1</translation>
     </message>
     <message>
-        <source>, upward direction not measured</source>
-        <translation>, dirección vertical sin medir</translation>
-    </message>
-    <message>
         <source>all cameras</source>
         <translation>todas las cámaras</translation>
     </message>
@@ -1042,6 +1046,10 @@
     <message>
         <source>The images fit when shifted by %1 along both axes: the calibration probably counts pixels from their corners, not their centers. Convert the principal points.</source>
         <translation>Las imágenes encajan desplazadas %1 en ambos ejes: probablemente la calibración cuenta los píxeles desde sus esquinas y no desde sus centros. Convierta los puntos principales.</translation>
+    </message>
+    <message>
+        <source>, upward direction not measured yet (page Floor)</source>
+        <translation>, dirección vertical aún sin medir (página Suelo)</translation>
     </message>
 </context>
 <context>
@@ -1721,6 +1729,281 @@
     <message>
         <source>OpenGL 3.2 is needed</source>
         <translation>se necesita OpenGL 3.2</translation>
+    </message>
+</context>
+<context>
+    <name>GuideText</name>
+    <message>
+        <source>guessed</source>
+        <translation>supuesta</translation>
+    </message>
+    <message>
+        <source>exact (simulated)</source>
+        <translation>exacta (simulada)</translation>
+    </message>
+    <message>
+        <source>set by hand</source>
+        <translation>a mano</translation>
+    </message>
+    <message>
+        <source>measured points</source>
+        <translation>puntos medidos</translation>
+    </message>
+    <message>
+        <source>board</source>
+        <translation>tablero</translation>
+    </message>
+    <message>
+        <source>wand</source>
+        <translation>varita</translation>
+    </message>
+    <message>
+        <source>from a file</source>
+        <translation>de un archivo</translation>
+    </message>
+    <message>
+        <source>marks in the images</source>
+        <translation>marcas en las imágenes</translation>
+    </message>
+    <message>
+        <source>%1, ±%2</source>
+        <translation>%1, ±%2</translation>
+    </message>
+    <message>
+        <source>By hand, with a grid</source>
+        <translation>A mano, con una cuadrícula</translation>
+    </message>
+    <message>
+        <source>You need: one known length, such as a table or floor tiles. A first result in minutes.</source>
+        <translation>Se necesita: una longitud conocida, por ejemplo una mesa o las baldosas del suelo. Un primer resultado en minutos.</translation>
+    </message>
+    <message>
+        <source>Measured points</source>
+        <translation>Puntos medidos</translation>
+    </message>
+    <message>
+        <source>You need: a tape measure and six points that the cameras see. Good for cameras that are mounted in a room.</source>
+        <translation>Se necesita: una cinta métrica y seis puntos que vean las cámaras. Adecuado para cámaras montadas en una sala.</translation>
+    </message>
+    <message>
+        <source>Printed board</source>
+        <translation>Tablero impreso</translation>
+    </message>
+    <message>
+        <source>You need: a printed board that you can carry through the room. The most accurate lenses.</source>
+        <translation>Se necesita: un tablero impreso que pueda llevar por la sala. Las lentes más exactas.</translation>
+    </message>
+    <message>
+        <source>Wand: a ball, or a stick with two balls</source>
+        <translation>Varita: una bola, o un palo con dos bolas</translation>
+    </message>
+    <message>
+        <source>You need: rough camera positions and a ball to wave. The most accurate positions in a large room.</source>
+        <translation>Se necesita: posiciones aproximadas de las cámaras y una bola para agitar. Las posiciones más exactas en una sala grande.</translation>
+    </message>
+    <message>
+        <source>File of another tool</source>
+        <translation>Archivo de otro programa</translation>
+    </message>
+    <message>
+        <source>You need: a calibration of these cameras, for images of this size.</source>
+        <translation>Se necesita: una calibración de estas cámaras para imágenes de este tamaño.</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Archivo</translation>
+    </message>
+    <message>
+        <source>Import the file</source>
+        <translation>Importar el archivo</translation>
+    </message>
+    <message>
+        <source>Choose the file. The dialog asks for what the file does not say, such as the unit, and shows how far each camera would move.</source>
+        <translation>Elija el archivo. El cuadro de diálogo pregunta lo que el archivo no dice, como la unidad, y muestra cuánto se movería cada cámara.</translation>
+    </message>
+    <message>
+        <source>Import calibration…</source>
+        <translation>Importar calibración…</translation>
+    </message>
+    <message>
+        <source>Print</source>
+        <translation>Imprimir</translation>
+    </message>
+    <message>
+        <source>Print a board</source>
+        <translation>Imprimir un tablero</translation>
+    </message>
+    <message>
+        <source>Describe the board on the page Board, and print it at 100 %. Check the scale bar with a ruler, and glue the sheet to something stiff and flat. If you have a board, describe it and go on.</source>
+        <translation>Describa el tablero en la página Tablero e imprímalo al 100 %. Compruebe la barra de escala con una regla y pegue la hoja a algo rígido y plano. Si ya tiene un tablero, descríbalo y continúe.</translation>
+    </message>
+    <message>
+        <source>Go to the page Board</source>
+        <translation>Ir a la página Tablero</translation>
+    </message>
+    <message>
+        <source>Lenses</source>
+        <translation>Lentes</translation>
+    </message>
+    <message>
+        <source>Calibrate the lenses</source>
+        <translation>Calibrar las lentes</translation>
+    </message>
+    <message>
+        <source>Choose Intrinsics on the page Board. Show the board to each camera: close, tilted to all sides, and in the corners of the image. Hold it still each time. With a recording, press Calibrate.</source>
+        <translation>Elija Parámetros intrínsecos en la página Tablero. Muestre el tablero a cada cámara: de cerca, inclinado hacia todos los lados y en las esquinas de la imagen. Manténgalo quieto cada vez. Con una grabación, pulse Calibrar.</translation>
+    </message>
+    <message>
+        <source>Set the field of view</source>
+        <translation>Indicar el campo de visión</translation>
+    </message>
+    <message>
+        <source>Enter the field of view or the focal length of each camera, for example from its data sheet. A calibration of the lens with a board is more accurate, but not necessary for a start.</source>
+        <translation>Introduzca el campo de visión o la distancia focal de cada cámara, por ejemplo de su hoja de datos. Una calibración de la lente con un tablero es más exacta, pero no hace falta para empezar.</translation>
+    </message>
+    <message>
+        <source>Go to the page By hand</source>
+        <translation>Ir a la página A mano</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Cuadrícula</translation>
+    </message>
+    <message>
+        <source>Lay the grid over the room</source>
+        <translation>Colocar la cuadrícula sobre la sala</translation>
+    </message>
+    <message>
+        <source>Give the grid the size of something that you know. In each image, drag the grid until it lies on the real thing. Click a point of the grid to hold it in place.</source>
+        <translation>Dé a la cuadrícula el tamaño de algo que conozca. En cada imagen, arrastre la cuadrícula hasta que coincida con el objeto real. Haga clic en un punto de la cuadrícula para fijarlo.</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Puntos</translation>
+    </message>
+    <message>
+        <source>Measure points and click them</source>
+        <translation>Medir puntos y hacer clic en ellos</translation>
+    </message>
+    <message>
+        <source>Add points with positions in meters, and click each point in the images. Each camera needs four, better six that do not lie in one plane.</source>
+        <translation>Añada puntos con posiciones en metros y haga clic en cada punto en las imágenes. Cada cámara necesita cuatro, mejor seis que no estén en un mismo plano.</translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation>Posiciones</translation>
+    </message>
+    <message>
+        <source>Compute the cameras</source>
+        <translation>Calcular las cámaras</translation>
+    </message>
+    <message>
+        <source>Press Compute cameras below the table of points. If one point fits badly, the page says which.</source>
+        <translation>Pulse Calcular cámaras debajo de la tabla de puntos. Si un punto no encaja, la página dice cuál.</translation>
+    </message>
+    <message>
+        <source>Find the camera positions</source>
+        <translation>Encontrar las posiciones de las cámaras</translation>
+    </message>
+    <message>
+        <source>Choose Positions on the page Board. Show the board to at least two cameras at a time, in many parts of the volume. Lay it on the floor once, and press Set floor from board.</source>
+        <translation>Elija Posiciones en la página Tablero. Muestre el tablero a al menos dos cámaras a la vez, en muchas partes del volumen. Póngalo una vez en el suelo y pulse Fijar suelo con tablero.</translation>
+    </message>
+    <message>
+        <source>Rough</source>
+        <translation>Aprox.</translation>
+    </message>
+    <message>
+        <source>Place the cameras roughly</source>
+        <translation>Colocar las cámaras aproximadamente</translation>
+    </message>
+    <message>
+        <source>Drag the grid in each image, or the cameras in the bird&apos;s-eye view, until the cameras are within about 12 cm of their places.</source>
+        <translation>Arrastre la cuadrícula en cada imagen, o las cámaras en la vista aérea, hasta que las cámaras estén a unos 12 cm de su lugar.</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>Bola</translation>
+    </message>
+    <message>
+        <source>Learn the color of the ball</source>
+        <translation>Aprender el color de la bola</translation>
+    </message>
+    <message>
+        <source>Click the ball in an image. For a stick with two balls, learn two targets of different colors.</source>
+        <translation>Haga clic en la bola en una imagen. Para un palo con dos bolas, aprenda dos objetivos de colores distintos.</translation>
+    </message>
+    <message>
+        <source>Learn color</source>
+        <translation>Aprender color</translation>
+    </message>
+    <message>
+        <source>Wave</source>
+        <translation>Agitar</translation>
+    </message>
+    <message>
+        <source>Wave the wand</source>
+        <translation>Agitar la varita</translation>
+    </message>
+    <message>
+        <source>Say on the page Wand what you wave and where the scale comes from. Wave slowly, through all of the volume, for half a minute, and press Refine cameras.</source>
+        <translation>Indique en la página Varita qué agita y de dónde viene la escala. Agite despacio por todo el volumen durante medio minuto y pulse Refinar cámaras.</translation>
+    </message>
+    <message>
+        <source>Go to the page Wand</source>
+        <translation>Ir a la página Varita</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Suelo</translation>
+    </message>
+    <message>
+        <source>Set floor and origin</source>
+        <translation>Fijar suelo y origen</translation>
+    </message>
+    <message>
+        <source>Mark three points of the floor in two images each: A becomes the origin, and the x axis points to B. Then press Set floor from A, B and C.</source>
+        <translation>Marque tres puntos del suelo en dos imágenes cada uno: A será el origen y el eje x apunta a B. Después pulse Definir suelo con A, B y C.</translation>
+    </message>
+    <message>
+        <source>Go to the page Floor</source>
+        <translation>Ir a la página Suelo</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Longitud</translation>
+    </message>
+    <message>
+        <source>Check a measured length</source>
+        <translation>Comprobar una longitud medida</translation>
+    </message>
+    <message>
+        <source>Measure a distance in the room, as long as possible. Mark its ends as A and B, enter the distance, and press Check. If it differs, Set scale makes it right.</source>
+        <translation>Mida una distancia en la sala, lo más larga posible. Marque sus extremos como A y B, introduzca la distancia y pulse Comprobar. Si difiere, Definir escala la corrige.</translation>
+    </message>
+    <message>
+        <source>Not done yet.</source>
+        <translation>Aún no hecho.</translation>
+    </message>
+    <message>
+        <source>Done.</source>
+        <translation>Hecho.</translation>
+    </message>
+    <message>
+        <source>Done: differs by %1.</source>
+        <translation>Hecho: difiere en %1.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 cameras.</source>
+        <translation>%1 de %2 cámaras.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 cameras, largest error %3.</source>
+        <translation>%1 de %2 cámaras, error máximo %3.</translation>
+    </message>
+    <message>
+        <source>the z axis does not seem to point up</source>
+        <translation>el eje z no parece apuntar hacia arriba</translation>
     </message>
 </context>
 <context>
@@ -3272,6 +3555,14 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
     <message>
         <source>Show the board to one camera after the other, following the instructions for each.</source>
         <translation>Muestre el tablero a una cámara tras otra, según las instrucciones de cada una.</translation>
+    </message>
+    <message>
+        <source>Large display…</source>
+        <translation>Pantalla grande…</translation>
+    </message>
+    <message>
+        <source>Show what to do next in large letters that can be read from across the room, with a sound for each captured view</source>
+        <translation>Mostrar qué hacer a continuación en letras grandes que se lean desde el otro lado de la sala, con un sonido por cada vista capturada</translation>
     </message>
 </context>
 <context>
@@ -5203,6 +5494,97 @@ en %4, %5, %6</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::GuidePage</name>
+    <message>
+        <source>The camera positions are only guesses. Calibrate the cameras, so that 3D positions mean something.</source>
+        <translation>Las posiciones de las cámaras son solo suposiciones. Calibre las cámaras para que las posiciones 3D tengan sentido.</translation>
+    </message>
+    <message>
+        <source>Calibrate…</source>
+        <translation>Calibrar…</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Guía</translation>
+    </message>
+    <message>
+        <source>What is known</source>
+        <translation>Lo que se sabe</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Cámara</translation>
+    </message>
+    <message>
+        <source>Lens</source>
+        <translation>Lente</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Posición</translation>
+    </message>
+    <message>
+        <source>Delay</source>
+        <translation>Retraso</translation>
+    </message>
+    <message>
+        <source>What is known about each camera</source>
+        <translation>Lo que se sabe de cada cámara</translation>
+    </message>
+    <message>
+        <source>✓ measured with this program: ± is the standard deviation. ○ entered, set by hand or read from a file: nobody checked it. ⚠ only a guess.</source>
+        <translation>✓ medido con este programa: ± es la desviación típica. ○ introducido, ajustado a mano o leído de un archivo: nadie lo comprobó. ⚠ solo una suposición.</translation>
+    </message>
+    <message>
+        <source>Ways to calibrate</source>
+        <translation>Formas de calibrar</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Atrás</translation>
+    </message>
+    <message>
+        <source>Show the previous step</source>
+        <translation>Mostrar el paso anterior</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Siguiente</translation>
+    </message>
+    <message>
+        <source>Show the next step</source>
+        <translation>Mostrar el paso siguiente</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 Scale: %2</source>
+        <translation>%1 Escala: %2</translation>
+    </message>
+    <message>
+        <source>%1 Floor and up: %2</source>
+        <translation>%1 Suelo y vertical: %2</translation>
+    </message>
+    <message>
+        <source>✓ Accuracy in the calibrated volume: %1 (95 %)</source>
+        <translation>✓ Exactitud en el volumen calibrado: %1 (95 %)</translation>
+    </message>
+    <message>
+        <source>○ Accuracy in the calibrated volume: not measured</source>
+        <translation>○ Exactitud en el volumen calibrado: no medida</translation>
+    </message>
+    <message>
+        <source>✓ Measured length: %1, found %2</source>
+        <translation>✓ Longitud medida: %1, encontrada %2</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2: %3</source>
+        <translation>Paso %1 de %2: %3</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::HistogramView</name>
     <message>
         <source>Colors of the box</source>
@@ -5612,10 +5994,6 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>No hay ninguna cámara conectada a este equipo. Una cámara de red se puede añadir por su dirección.</translation>
     </message>
     <message>
-        <source>Without a calibration, the camera positions are guesses: targets can be tracked in the images, but their 3D positions are meaningless.</source>
-        <translation>Sin calibración, las posiciones de las cámaras son suposiciones: se pueden seguir objetivos en las imágenes, pero sus posiciones 3D no significan nada.</translation>
-    </message>
-    <message>
         <source>The calibration uses other camera names. The cameras were matched by order.</source>
         <translation>La calibración usa otros nombres de cámara. Las cámaras se asignaron por orden.</translation>
     </message>
@@ -5707,10 +6085,6 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
     <message>
         <source>Click the object or drag a box around it in any camera view.</source>
         <translation>Haga clic en el objeto o dibuje un recuadro a su alrededor en cualquier cámara.</translation>
-    </message>
-    <message>
-        <source>This method tracks in 3D, but the camera positions are only guesses: calibrate the cameras first (menu Calibration).</source>
-        <translation>Este método sigue en 3D, pero las posiciones de las cámaras son solo suposiciones: calibre primero las cámaras (menú Calibración).</translation>
     </message>
     <message>
         <source>Parameters</source>
@@ -6412,10 +6786,6 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>1.  Abra un vídeo por cámara o conecte cámaras: Archivo › Proyecto nuevo (%1). O pruebe antes la demo.</translation>
     </message>
     <message>
-        <source>2.  Load a calibration of the cameras, or create one: menu Calibration (%1 to start by hand). Without it, targets are tracked only in the images.</source>
-        <translation>2.  Cargue una calibración de las cámaras o cree una: menú Calibración (%1 para empezar a mano). Sin ella, los objetivos se siguen solo en las imágenes.</translation>
-    </message>
-    <message>
         <source>3.  Click the object to track in any image. Its color is learned in all cameras, and tracking starts.</source>
         <translation>3.  Haga clic en cualquier imagen en el objeto que quiere seguir. Se aprende su color en todas las cámaras y empieza el seguimiento.</translation>
     </message>
@@ -6450,6 +6820,10 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
     <message>
         <source>Close this window</source>
         <translation>Cerrar esta ventana</translation>
+    </message>
+    <message>
+        <source>2.  Calibrate the cameras: Calibration › Calibrate (%1) guides you through it. Without a calibration, targets are tracked only in the images.</source>
+        <translation>2.  Calibre las cámaras: Calibración › Calibrar (%1) le guía. Sin calibración, los objetivos se siguen solo en las imágenes.</translation>
     </message>
 </context>
 <context>
@@ -6498,6 +6872,36 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
     <message>
         <source>With %1 here (x %2, y %3, z %4), the error is at most %6 in %5 of the volume, instead of %7.</source>
         <translation>Con %1 aquí (x %2, y %3, z %4), el error es como mucho %6 en el %5 del volumen, en vez de en el %7.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::RoomDisplay</name>
+    <message>
+        <source>What to show next – Dewpoint</source>
+        <translation>Qué mostrar a continuación – Dewpoint</translation>
+    </message>
+    <message>
+        <source>Time for which the board was held still</source>
+        <translation>Tiempo que el tablero se mantuvo quieto</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n views captured</source>
+        <translation>
+            <numerusform>%n vista capturada</numerusform>
+            <numerusform>%n vistas capturadas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Done.</source>
+        <translation>Hecho.</translation>
+    </message>
+    <message>
+        <source>Press Start on the page Board.</source>
+        <translation>Pulse Empezar en la página Tablero.</translation>
+    </message>
+    <message>
+        <source>Waiting for images…</source>
+        <translation>Esperando imágenes…</translation>
     </message>
 </context>
 <context>
@@ -6909,6 +7313,17 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
     <message>
         <source>Timing, particles and memory used</source>
         <translation>Tiempos, partículas y memoria usada</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::StepStrip</name>
+    <message>
+        <source>Step %1: %2</source>
+        <translation>Paso %1: %2</translation>
+    </message>
+    <message>
+        <source>Step %1: %2. %3</source>
+        <translation>Paso %1: %2. %3</translation>
     </message>
 </context>
 <context>
@@ -8031,6 +8446,14 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <source>Move all cameras</source>
         <translation>Mover todas las cámaras</translation>
     </message>
+    <message>
+        <source>A to B: %1 found, %2 measured. The calibration is off by %3 %.</source>
+        <translation>De A a B: %1 encontrados, %2 medidos. La calibración se desvía un %3 %.</translation>
+    </message>
+    <message>
+        <source>Check a distance</source>
+        <translation>Comprobar una distancia</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::WorldPage</name>
@@ -8213,6 +8636,14 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     <message>
         <source>Click the selected point in two or more images. Corners are found to a fraction of a pixel (Alt: exactly where you click). Press Esc to finish.</source>
         <translation>Haga clic en el punto seleccionado en dos o más imágenes. Las esquinas se hallan con precisión de fracciones de píxel (Alt: exactamente donde hace clic). Pulse Esc para terminar.</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Comprobar</translation>
+    </message>
+    <message>
+        <source>Compare the distance from A to B with the measured one. Nothing moves.</source>
+        <translation>Comparar la distancia de A a B con la medida. Nada se mueve.</translation>
     </message>
 </context>
 </TS>

@@ -767,6 +767,14 @@
         <source>Set the floor, the origin, the axes and the scale of the calibrated cameras from points marked in the images</source>
         <translation>画像でマークした点から、校正済みカメラの床、原点、軸、縮尺を設定します</translation>
     </message>
+    <message>
+        <source>Calibrate…</source>
+        <translation>キャリブレーション…</translation>
+    </message>
+    <message>
+        <source>See what is known about the cameras, choose a way to calibrate them, and go through it step by step</source>
+        <translation>カメラについてわかっていることを見て、キャリブレーションの方法を選び、ステップごとに進めます</translation>
+    </message>
 </context>
 <context>
     <name>AssessedRegions</name>
@@ -1012,10 +1020,6 @@
         <translation>、鉛直方向 ±%1</translation>
     </message>
     <message>
-        <source>, upward direction not measured</source>
-        <translation>、鉛直方向は未測定</translation>
-    </message>
-    <message>
         <source>all cameras</source>
         <translation>全カメラ</translation>
     </message>
@@ -1042,6 +1046,10 @@
     <message>
         <source>The images fit when shifted by %1 along both axes: the calibration probably counts pixels from their corners, not their centers. Convert the principal points.</source>
         <translation>画像は両軸に %1 ずらすと合います。おそらくキャリブレーションがピクセルを中心ではなく角から数えています。主点を換算してください。</translation>
+    </message>
+    <message>
+        <source>, upward direction not measured yet (page Floor)</source>
+        <translation>、上方向は未測定(「床」ページ)</translation>
     </message>
 </context>
 <context>
@@ -1720,6 +1728,281 @@
     <message>
         <source>OpenGL 3.2 is needed</source>
         <translation>OpenGL 3.2 が必要です</translation>
+    </message>
+</context>
+<context>
+    <name>GuideText</name>
+    <message>
+        <source>guessed</source>
+        <translation>推測</translation>
+    </message>
+    <message>
+        <source>exact (simulated)</source>
+        <translation>正確(シミュレーション)</translation>
+    </message>
+    <message>
+        <source>set by hand</source>
+        <translation>手動設定</translation>
+    </message>
+    <message>
+        <source>measured points</source>
+        <translation>計測点</translation>
+    </message>
+    <message>
+        <source>board</source>
+        <translation>ボード</translation>
+    </message>
+    <message>
+        <source>wand</source>
+        <translation>ワンド</translation>
+    </message>
+    <message>
+        <source>from a file</source>
+        <translation>ファイルから</translation>
+    </message>
+    <message>
+        <source>marks in the images</source>
+        <translation>画像内のマーク</translation>
+    </message>
+    <message>
+        <source>%1, ±%2</source>
+        <translation>%1、±%2</translation>
+    </message>
+    <message>
+        <source>By hand, with a grid</source>
+        <translation>グリッドを使って手動で</translation>
+    </message>
+    <message>
+        <source>You need: one known length, such as a table or floor tiles. A first result in minutes.</source>
+        <translation>必要なもの: テーブルや床タイルなど、長さのわかるもの。数分で最初の結果が得られます。</translation>
+    </message>
+    <message>
+        <source>Measured points</source>
+        <translation>計測点</translation>
+    </message>
+    <message>
+        <source>You need: a tape measure and six points that the cameras see. Good for cameras that are mounted in a room.</source>
+        <translation>必要なもの: 巻き尺と、カメラに見える 6 点。部屋に固定したカメラに向いています。</translation>
+    </message>
+    <message>
+        <source>Printed board</source>
+        <translation>印刷したボード</translation>
+    </message>
+    <message>
+        <source>You need: a printed board that you can carry through the room. The most accurate lenses.</source>
+        <translation>必要なもの: 部屋の中を持ち運べる印刷したボード。レンズを最も正確に求められます。</translation>
+    </message>
+    <message>
+        <source>Wand: a ball, or a stick with two balls</source>
+        <translation>ワンド: ボール 1 個、またはボール 2 個付きの棒</translation>
+    </message>
+    <message>
+        <source>You need: rough camera positions and a ball to wave. The most accurate positions in a large room.</source>
+        <translation>必要なもの: カメラのおおよその位置と、振るためのボール。広い部屋で位置を最も正確に求められます。</translation>
+    </message>
+    <message>
+        <source>File of another tool</source>
+        <translation>他のツールのファイル</translation>
+    </message>
+    <message>
+        <source>You need: a calibration of these cameras, for images of this size.</source>
+        <translation>必要なもの: これらのカメラの、この画像サイズでのキャリブレーション。</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>ファイル</translation>
+    </message>
+    <message>
+        <source>Import the file</source>
+        <translation>ファイルを読み込む</translation>
+    </message>
+    <message>
+        <source>Choose the file. The dialog asks for what the file does not say, such as the unit, and shows how far each camera would move.</source>
+        <translation>ファイルを選びます。単位など、ファイルに書かれていないことはダイアログで尋ねられ、各カメラがどれだけ動くかが表示されます。</translation>
+    </message>
+    <message>
+        <source>Import calibration…</source>
+        <translation>キャリブレーションを読み込む…</translation>
+    </message>
+    <message>
+        <source>Print</source>
+        <translation>印刷</translation>
+    </message>
+    <message>
+        <source>Print a board</source>
+        <translation>ボードを印刷する</translation>
+    </message>
+    <message>
+        <source>Describe the board on the page Board, and print it at 100 %. Check the scale bar with a ruler, and glue the sheet to something stiff and flat. If you have a board, describe it and go on.</source>
+        <translation>「ボード」ページでボードを記述し、100 % で印刷します。目盛りを定規で確かめ、硬くて平らなものに貼ります。すでにボードがあれば、記述して先へ進みます。</translation>
+    </message>
+    <message>
+        <source>Go to the page Board</source>
+        <translation>「ボード」ページへ</translation>
+    </message>
+    <message>
+        <source>Lenses</source>
+        <translation>レンズ</translation>
+    </message>
+    <message>
+        <source>Calibrate the lenses</source>
+        <translation>レンズをキャリブレーションする</translation>
+    </message>
+    <message>
+        <source>Choose Intrinsics on the page Board. Show the board to each camera: close, tilted to all sides, and in the corners of the image. Hold it still each time. With a recording, press Calibrate.</source>
+        <translation>「ボード」ページで内部パラメータを選びます。各カメラにボードを見せます: 近くで、あらゆる方向に傾けて、画像の隅でも。そのつど静止させます。録画の場合は「キャリブレーション」を押します。</translation>
+    </message>
+    <message>
+        <source>Set the field of view</source>
+        <translation>視野角を設定する</translation>
+    </message>
+    <message>
+        <source>Enter the field of view or the focal length of each camera, for example from its data sheet. A calibration of the lens with a board is more accurate, but not necessary for a start.</source>
+        <translation>データシートなどから、各カメラの視野角または焦点距離を入力します。ボードによるレンズのキャリブレーションのほうが正確ですが、最初は必要ありません。</translation>
+    </message>
+    <message>
+        <source>Go to the page By hand</source>
+        <translation>「手動」ページへ</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>グリッド</translation>
+    </message>
+    <message>
+        <source>Lay the grid over the room</source>
+        <translation>グリッドを部屋に重ねる</translation>
+    </message>
+    <message>
+        <source>Give the grid the size of something that you know. In each image, drag the grid until it lies on the real thing. Click a point of the grid to hold it in place.</source>
+        <translation>グリッドを大きさのわかるものに合わせます。各画像で、実物に重なるまでグリッドをドラッグします。グリッドの点をクリックすると、その点が固定されます。</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>Measure points and click them</source>
+        <translation>点を計測してクリックする</translation>
+    </message>
+    <message>
+        <source>Add points with positions in meters, and click each point in the images. Each camera needs four, better six that do not lie in one plane.</source>
+        <translation>位置(メートル)を指定して点を追加し、画像内で各点をクリックします。各カメラに 4 点、できれば同じ平面上にない 6 点が必要です。</translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Compute the cameras</source>
+        <translation>カメラを計算する</translation>
+    </message>
+    <message>
+        <source>Press Compute cameras below the table of points. If one point fits badly, the page says which.</source>
+        <translation>点の表の下の「カメラを求める」を押します。合わない点があれば、ページに表示されます。</translation>
+    </message>
+    <message>
+        <source>Find the camera positions</source>
+        <translation>カメラの位置を求める</translation>
+    </message>
+    <message>
+        <source>Choose Positions on the page Board. Show the board to at least two cameras at a time, in many parts of the volume. Lay it on the floor once, and press Set floor from board.</source>
+        <translation>「ボード」ページで位置を選びます。空間のさまざまな場所で、同時に 2 台以上のカメラにボードを見せます。一度床に置き、「ボードで床を設定」を押します。</translation>
+    </message>
+    <message>
+        <source>Rough</source>
+        <translation>概略</translation>
+    </message>
+    <message>
+        <source>Place the cameras roughly</source>
+        <translation>カメラをおおまかに配置する</translation>
+    </message>
+    <message>
+        <source>Drag the grid in each image, or the cameras in the bird&apos;s-eye view, until the cameras are within about 12 cm of their places.</source>
+        <translation>各画像のグリッド、または俯瞰ビューのカメラをドラッグし、カメラを実際の位置から約 12 cm 以内に合わせます。</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>ボール</translation>
+    </message>
+    <message>
+        <source>Learn the color of the ball</source>
+        <translation>ボールの色を学習する</translation>
+    </message>
+    <message>
+        <source>Click the ball in an image. For a stick with two balls, learn two targets of different colors.</source>
+        <translation>画像内のボールをクリックします。ボール 2 個付きの棒では、色の異なる 2 つのターゲットを学習します。</translation>
+    </message>
+    <message>
+        <source>Learn color</source>
+        <translation>色を学習</translation>
+    </message>
+    <message>
+        <source>Wave</source>
+        <translation>振る</translation>
+    </message>
+    <message>
+        <source>Wave the wand</source>
+        <translation>ワンドを振る</translation>
+    </message>
+    <message>
+        <source>Say on the page Wand what you wave and where the scale comes from. Wave slowly, through all of the volume, for half a minute, and press Refine cameras.</source>
+        <translation>「ワンド」ページで、何を振るか、縮尺をどこから得るかを指定します。空間全体をゆっくり 30 秒ほど振り、「カメラを精密化」を押します。</translation>
+    </message>
+    <message>
+        <source>Go to the page Wand</source>
+        <translation>「ワンド」ページへ</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>床</translation>
+    </message>
+    <message>
+        <source>Set floor and origin</source>
+        <translation>床と原点を設定する</translation>
+    </message>
+    <message>
+        <source>Mark three points of the floor in two images each: A becomes the origin, and the x axis points to B. Then press Set floor from A, B and C.</source>
+        <translation>床の 3 点をそれぞれ 2 つの画像でマークします。A が原点になり、x 軸は B を向きます。次に「A、B、C から床を設定」を押します。</translation>
+    </message>
+    <message>
+        <source>Go to the page Floor</source>
+        <translation>「床」ページへ</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>長さ</translation>
+    </message>
+    <message>
+        <source>Check a measured length</source>
+        <translation>計測した長さを確かめる</translation>
+    </message>
+    <message>
+        <source>Measure a distance in the room, as long as possible. Mark its ends as A and B, enter the distance, and press Check. If it differs, Set scale makes it right.</source>
+        <translation>部屋の中でできるだけ長い距離を測ります。両端を A と B としてマークし、距離を入力して「確認」を押します。違う場合は「縮尺を設定」で直せます。</translation>
+    </message>
+    <message>
+        <source>Not done yet.</source>
+        <translation>まだ完了していません。</translation>
+    </message>
+    <message>
+        <source>Done.</source>
+        <translation>完了。</translation>
+    </message>
+    <message>
+        <source>Done: differs by %1.</source>
+        <translation>完了: 差は %1。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 cameras.</source>
+        <translation>カメラ %2 台中 %1 台。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 cameras, largest error %3.</source>
+        <translation>カメラ %2 台中 %1 台、最大誤差 %3。</translation>
+    </message>
+    <message>
+        <source>the z axis does not seem to point up</source>
+        <translation>z 軸が上を向いていないようです</translation>
     </message>
 </context>
 <context>
@@ -3271,6 +3554,14 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     <message>
         <source>Show the board to one camera after the other, following the instructions for each.</source>
         <translation>各カメラの案内に従って、順番にボードを見せてください。</translation>
+    </message>
+    <message>
+        <source>Large display…</source>
+        <translation>大きく表示…</translation>
+    </message>
+    <message>
+        <source>Show what to do next in large letters that can be read from across the room, with a sound for each captured view</source>
+        <translation>次にすることを部屋の向こうからでも読める大きな文字で表示し、ビューを取得するたびに音を鳴らします</translation>
     </message>
 </context>
 <context>
@@ -5195,6 +5486,97 @@ at %4, %5, %6</source>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::GuidePage</name>
+    <message>
+        <source>The camera positions are only guesses. Calibrate the cameras, so that 3D positions mean something.</source>
+        <translation>カメラの位置は推測にすぎません。3D 位置に意味を持たせるには、カメラをキャリブレーションしてください。</translation>
+    </message>
+    <message>
+        <source>Calibrate…</source>
+        <translation>キャリブレーション…</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>ガイド</translation>
+    </message>
+    <message>
+        <source>What is known</source>
+        <translation>わかっていること</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>カメラ</translation>
+    </message>
+    <message>
+        <source>Lens</source>
+        <translation>レンズ</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Delay</source>
+        <translation>遅延</translation>
+    </message>
+    <message>
+        <source>What is known about each camera</source>
+        <translation>各カメラについてわかっていること</translation>
+    </message>
+    <message>
+        <source>✓ measured with this program: ± is the standard deviation. ○ entered, set by hand or read from a file: nobody checked it. ⚠ only a guess.</source>
+        <translation>✓ このプログラムで測定済み: ± は標準偏差です。○ 入力、手動設定、またはファイルからの値: 確認されていません。⚠ 推測にすぎません。</translation>
+    </message>
+    <message>
+        <source>Ways to calibrate</source>
+        <translation>キャリブレーションの方法</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>戻る</translation>
+    </message>
+    <message>
+        <source>Show the previous step</source>
+        <translation>前のステップを表示</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>次へ</translation>
+    </message>
+    <message>
+        <source>Show the next step</source>
+        <translation>次のステップを表示</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 Scale: %2</source>
+        <translation>%1 縮尺: %2</translation>
+    </message>
+    <message>
+        <source>%1 Floor and up: %2</source>
+        <translation>%1 床と上方向: %2</translation>
+    </message>
+    <message>
+        <source>✓ Accuracy in the calibrated volume: %1 (95 %)</source>
+        <translation>✓ キャリブレーションした空間での精度: %1 (95 %)</translation>
+    </message>
+    <message>
+        <source>○ Accuracy in the calibrated volume: not measured</source>
+        <translation>○ キャリブレーションした空間での精度: 未測定</translation>
+    </message>
+    <message>
+        <source>✓ Measured length: %1, found %2</source>
+        <translation>✓ 計測した長さ: %1、検出 %2</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2: %3</source>
+        <translation>ステップ %1/%2: %3</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::HistogramView</name>
     <message>
         <source>Colors of the box</source>
@@ -5603,10 +5985,6 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>このコンピューターにはカメラが接続されていません。ネットワークカメラはアドレスで追加できます。</translation>
     </message>
     <message>
-        <source>Without a calibration, the camera positions are guesses: targets can be tracked in the images, but their 3D positions are meaningless.</source>
-        <translation>キャリブレーションがないためカメラ位置は推測です。画像での追跡はできますが、3D の位置は意味を持ちません。</translation>
-    </message>
-    <message>
         <source>The calibration uses other camera names. The cameras were matched by order.</source>
         <translation>キャリブレーションのカメラ名が異なるため、順番で対応づけました。</translation>
     </message>
@@ -5698,10 +6076,6 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
     <message>
         <source>Click the object or drag a box around it in any camera view.</source>
         <translation>どれかのカメラ画像で、物体をクリックするか、枠で囲んでください。</translation>
-    </message>
-    <message>
-        <source>This method tracks in 3D, but the camera positions are only guesses: calibrate the cameras first (menu Calibration).</source>
-        <translation>この手法は 3D で追跡しますが、カメラの位置は推測にすぎません。先に較正してください（メニュー「較正」）。</translation>
     </message>
     <message>
         <source>Parameters</source>
@@ -6403,10 +6777,6 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>1.  カメラごとに動画を1つ開くか、カメラを接続します：ファイル › 新しいプロジェクト（%1）。先にデモを試すこともできます。</translation>
     </message>
     <message>
-        <source>2.  Load a calibration of the cameras, or create one: menu Calibration (%1 to start by hand). Without it, targets are tracked only in the images.</source>
-        <translation>2.  カメラのキャリブレーションを読み込むか、作成します：メニュー「キャリブレーション」（手動で始めるには %1）。なければ、ターゲットは画像の中だけで追跡されます。</translation>
-    </message>
-    <message>
         <source>3.  Click the object to track in any image. Its color is learned in all cameras, and tracking starts.</source>
         <translation>3.  どれかの画像で追跡したい物体をクリックします。すべてのカメラで色が学習され、追跡が始まります。</translation>
     </message>
@@ -6441,6 +6811,10 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
     <message>
         <source>Close this window</source>
         <translation>このウィンドウを閉じます</translation>
+    </message>
+    <message>
+        <source>2.  Calibrate the cameras: Calibration › Calibrate (%1) guides you through it. Without a calibration, targets are tracked only in the images.</source>
+        <translation>2.  カメラをキャリブレーションします: キャリブレーション › キャリブレーション (%1) が手順を案内します。キャリブレーションがないと、ターゲットは画像内でのみ追跡されます。</translation>
     </message>
 </context>
 <context>
@@ -6489,6 +6863,35 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
     <message>
         <source>With %1 here (x %2, y %3, z %4), the error is at most %6 in %5 of the volume, instead of %7.</source>
         <translation>%1 をここ（x %2、y %3、z %4）に置くと、誤差が %6 以内の空間が %5 になります（現在は %7）。</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::RoomDisplay</name>
+    <message>
+        <source>What to show next – Dewpoint</source>
+        <translation>次に見せるもの – Dewpoint</translation>
+    </message>
+    <message>
+        <source>Time for which the board was held still</source>
+        <translation>ボードを静止させた時間</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n views captured</source>
+        <translation>
+            <numerusform>%n 個のビューを取得</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Done.</source>
+        <translation>完了。</translation>
+    </message>
+    <message>
+        <source>Press Start on the page Board.</source>
+        <translation>「ボード」ページで「開始」を押します。</translation>
+    </message>
+    <message>
+        <source>Waiting for images…</source>
+        <translation>画像を待っています…</translation>
     </message>
 </context>
 <context>
@@ -6900,6 +7303,17 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
     <message>
         <source>Timing, particles and memory used</source>
         <translation>時間、粒子、使用メモリ</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::StepStrip</name>
+    <message>
+        <source>Step %1: %2</source>
+        <translation>ステップ %1: %2</translation>
+    </message>
+    <message>
+        <source>Step %1: %2. %3</source>
+        <translation>ステップ %1: %2。%3</translation>
     </message>
 </context>
 <context>
@@ -8019,6 +8433,14 @@ Effective sample size %8 of %9</source>
         <source>Move all cameras</source>
         <translation>すべてのカメラを移動</translation>
     </message>
+    <message>
+        <source>A to B: %1 found, %2 measured. The calibration is off by %3 %.</source>
+        <translation>A から B: 検出 %1、計測 %2。キャリブレーションの誤差は %3 % です。</translation>
+    </message>
+    <message>
+        <source>Check a distance</source>
+        <translation>距離を確認</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::WorldPage</name>
@@ -8201,6 +8623,14 @@ Effective sample size %8 of %9</source>
     <message>
         <source>Click the selected point in two or more images. Corners are found to a fraction of a pixel (Alt: exactly where you click). Press Esc to finish.</source>
         <translation>選択した点を 2 つ以上の画像でクリックします。角は 1 ピクセル未満の精度で検出されます(Alt:クリックした位置そのもの)。Esc で終了します。</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>確認</translation>
+    </message>
+    <message>
+        <source>Compare the distance from A to B with the measured one. Nothing moves.</source>
+        <translation>A から B までの距離を計測値と比べます。何も動きません。</translation>
     </message>
 </context>
 </TS>

@@ -13,9 +13,10 @@ bool sameSource(const ProjectCamera& a, const ProjectCamera& b) {
 }
 
 bool sameCalibration(const ProjectCamera& a, const ProjectCamera& b) {
-  ProjectCamera withRoom = a;
-  withRoom.backgroundImage = b.backgroundImage;
-  return withRoom == b;
+  ProjectCamera same = a;
+  same.backgroundImage = b.backgroundImage;
+  same.calibrated = b.calibrated;
+  return same == b;
 }
 
 } // namespace
@@ -38,6 +39,9 @@ ProjectChanges changesBetween(const Project& before, const Project& after) {
   changes.points = before.points != after.points;
   changes.people = before.people != after.people;
   changes.corrections = before.corrections != after.corrections;
+  changes.records = before.calibrated != after.calibrated ||
+                    !std::ranges::equal(before.cameras, after.cameras, {},
+                                        &ProjectCamera::calibrated, &ProjectCamera::calibrated);
   changes.backgroundImages =
       !changes.sources &&
       !std::ranges::equal(before.cameras, after.cameras, {}, &ProjectCamera::backgroundImage,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/rotation_vector.h"
 #include "core/project/project.h"
+#include "core/project/project_changes.h"
 #include "core/project/project_load.h"
 #include "core/project/project_save.h"
 #include "tests/project/loaded_text.h"
@@ -110,6 +111,19 @@ TEST(ProjectRecords, AreVoidWhenTheNumbersChange) {
   EXPECT_TRUE(isAbout(lens, nudged));
   camera.intrinsics.focalX += 0.01;
   EXPECT_FALSE(isAbout(lens, camera));
+}
+
+TEST(ProjectRecords, AreEditsButNoOtherCalibration) {
+  const auto project = load(kCalibrated);
+  ASSERT_TRUE(project);
+  Project other = *project;
+  other.calibrated.check.reset();
+  EXPECT_TRUE(changesBetween(*project, other).any());
+  EXPECT_FALSE(changesBetween(*project, other).calibration);
+  other = *project;
+  other.cameras[0].calibrated.pose.reset();
+  EXPECT_TRUE(changesBetween(*project, other).records);
+  EXPECT_FALSE(changesBetween(*project, other).calibration);
 }
 
 TEST(ProjectRecords, NameTheFieldThatIsWrong) {

@@ -11,6 +11,7 @@ namespace {
 Project guessedProject() {
   Project project = test::twoCameraProject();
   for (std::size_t k = 0; k < project.cameras.size(); ++k) {
+    project.cameras[k].source = SourceKind::Video;
     const Intrinsics& image = project.cameras[k].camera.intrinsics;
     guessCalibration(project, k, {image.width, image.height});
   }

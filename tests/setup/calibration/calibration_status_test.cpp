@@ -11,9 +11,18 @@
 namespace dewpoint::tests {
 namespace {
 
-/// Two cameras that were found with a board.
-Project boardProject() {
+/// Two recorded cameras.
+Project recordedProject() {
   Project project = test::twoCameraProject();
+  for (ProjectCamera& camera : project.cameras) {
+    camera.source = SourceKind::Video;
+  }
+  return project;
+}
+
+/// The same, found with a board.
+Project boardProject() {
+  Project project = recordedProject();
   for (ProjectCamera& camera : project.cameras) {
     camera.calibrated = {recordOfLens(camera.camera, CalibrationOrigin::Board, 0.4),
                          recordOfPose(camera.camera, CalibrationOrigin::Board, 0.002)};
@@ -26,7 +35,7 @@ Project boardProject() {
 }
 
 TEST(CalibrationStatus, GuessedCamerasAreMissing) {
-  Project project = test::twoCameraProject();
+  Project project = recordedProject();
   for (std::size_t k = 0; k < project.cameras.size(); ++k) {
     const Intrinsics& image = project.cameras[k].camera.intrinsics;
     guessCalibration(project, k, {image.width, image.height});
@@ -41,8 +50,15 @@ TEST(CalibrationStatus, GuessedCamerasAreMissing) {
   EXPECT_EQ(status.floor.knowledge, Knowledge::Missing);
 }
 
-TEST(CalibrationStatus, NumbersWithoutARecordAreGiven) {
+TEST(CalibrationStatus, SimulatedCamerasAreExact) {
   const CalibrationStatus status = calibrationStatus(test::twoCameraProject());
+  EXPECT_EQ(countKnown(status, &CameraCalibrationStatus::pose, Knowledge::Measured), 2U);
+  EXPECT_EQ(status.scale.knowledge, Knowledge::Measured);
+  EXPECT_FALSE(status.scale.origin);
+}
+
+TEST(CalibrationStatus, NumbersWithoutARecordAreGiven) {
+  const CalibrationStatus status = calibrationStatus(recordedProject());
   EXPECT_EQ(countKnown(status, &CameraCalibrationStatus::pose, Knowledge::Given), 2U);
   EXPECT_EQ(countKnown(status, &CameraCalibrationStatus::pose, Knowledge::Measured), 0U);
   EXPECT_EQ(status.scale.knowledge, Knowledge::Given);
@@ -81,7 +97,7 @@ TEST(CalibrationStatus, AMoveOfAllCamerasKeepsWhatIsKnown) {
 }
 
 TEST(CalibrationStatus, ACalibrationFromAFileIsGiven) {
-  const Project project = test::twoCameraProject();
+  const Project project = recordedProject();
   CameraRig rig;
   for (const ProjectCamera& camera : project.cameras) {
     rig.push_back(camera.camera);

@@ -6,6 +6,7 @@
 #include "ui/calibration/world/world_marks.h"
 #include "ui/calibration/world/world_page.h"
 #include "ui/cameraview/camera_docks.h"
+#include "ui/cameraview/camera_view.h"
 
 namespace dewpoint::ui {
 namespace {
