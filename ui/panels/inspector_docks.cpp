@@ -10,6 +10,7 @@
 #include "ui/panels/parameter_panel.h"
 #include "ui/panels/target_panel.h"
 #include "ui/selection/selection.h"
+#include "ui/text/camera_agreement_text.h"
 #include "ui/text/error_sentence.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/workbench/dock_manager.h"
@@ -45,11 +46,20 @@ void takeCameras(const Workbench& bench, const CreatedProject& made, const QStri
     bench.messages.showError(errorText(edited.error()));
     return;
   }
-  bench.messages.showNotice(
+  QString notice =
       made.matchedByOrder
           ? CameraPanel::tr(
                 "The calibration uses other camera names. The cameras were matched by order.")
-          : CameraPanel::tr("The cameras now use the calibration from %1.").arg(file));
+          : CameraPanel::tr("The cameras now use the calibration from %1.").arg(file);
+  QStringList names;
+  for (const ProjectCamera& camera : made.project.cameras) {
+    names << QString::fromStdString(camera.camera.name);
+  }
+  for (const CameraDisagreement& fault : made.faults) {
+    notice += QStringLiteral(" ") +
+              CameraPanel::tr("Probably a mistake: %1").arg(disagreementText(fault, names));
+  }
+  bench.messages.showNotice(notice);
 }
 
 void loadCalibration(const Workbench& bench, LatestJob* job, const QString& file) {

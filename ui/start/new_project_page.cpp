@@ -7,6 +7,7 @@
 #include "ui/style/spacing.h"
 #include "ui/style/theme.h"
 #include "ui/text/calibration_files.h"
+#include "ui/text/camera_agreement_text.h"
 #include "ui/text/error_sentence.h"
 #include "ui/text/retranslation.h"
 #include "ui/widgets/decimal_field.h"
@@ -317,6 +318,14 @@ void NewProjectPage::finish(const Result<CreatedProject>& result) {
               "the images, but their 3D positions are meaningless.");
   } else if (result->matchedByOrder) {
     note = tr("The calibration uses other camera names. The cameras were matched by order.");
+  }
+  QStringList names;
+  for (const ProjectCamera& camera : result->project.cameras) {
+    names << QString::fromStdString(camera.camera.name);
+  }
+  for (const CameraDisagreement& fault : result->faults) {
+    note += (note.isEmpty() ? QString() : QStringLiteral(" ")) +
+            tr("Probably a mistake in the calibration: %1").arg(disagreementText(fault, names));
   }
   Q_EMIT created(result->project, note);
 }

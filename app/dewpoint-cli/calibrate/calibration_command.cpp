@@ -74,6 +74,9 @@ int convert(ConvertOptions& options) {
   for (const std::string& decision : conversion->decisions) {
     fmt::print("{}\n", decision);
   }
+  for (const std::string& notice : conversion->notices) {
+    fmt::print(stderr, "dewpoint-cli: note: {}.\n", notice);
+  }
   for (const CameraDifference& camera : conversion->cameras) {
     fmt::print("{}\n", cameraSentence(camera));
   }

@@ -2,6 +2,8 @@
 #include "app/dewpoint-cli/commands.h"
 #include "app/dewpoint-cli/common/exit_code.h"
 #include "app/wiring/open_project.h"
+#include "core/camera_motion/agreement/disagreement_sentence.h"
+#include "core/project/project_rig.h"
 #include "core/project/project_save.h"
 #include "core/session/run/background_images.h"
 #include "core/setup/new_project/footage.h"
@@ -144,6 +146,10 @@ int makeNew(NewOptions& options) {
   if (made->matchedByOrder) {
     fmt::print(stderr, "dewpoint-cli: note: the calibration uses other camera names; the cameras "
                        "were matched by order.\n");
+  }
+  for (const CameraDisagreement& fault : made->faults) {
+    fmt::print(stderr, "dewpoint-cli: note: {}.\n",
+               describeDisagreement(fault, rigOf(made->project)));
   }
   fmt::print("{}\n", options.file);
   return kExitDone;

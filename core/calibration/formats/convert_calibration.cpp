@@ -2,9 +2,11 @@
 #include "core/calibration/formats/convert_calibration.h"
 
 #include "core/base/text_file.h"
+#include "core/calibration/formats/calibration_plausibility.h"
 #include "core/calibration/formats/format_catalog.h"
 #include "core/calibration/formats/lens_refit.h"
 #include "core/calibration/formats/read_calibration.h"
+#include "core/geometry/camera_name.h"
 #include "core/geometry/projector.h"
 #include "core/geometry/ray.h"
 
@@ -249,6 +251,11 @@ Result<CalibrationConversion> convertCalibration(const std::filesystem::path& in
   auto conversion = writeCalibration(read->rig, target);
   if (conversion) {
     conversion->from = read->format;
+    for (const auto& [first, second] : camerasOfOnePose(read->rig)) {
+      conversion->notices.push_back(fmt::format(
+          "{} and {} have the same pose, which is probably a mistake",
+          nameOrNumber(read->rig[first], first), nameOrNumber(read->rig[second], second)));
+    }
     conversion->decisions.insert(conversion->decisions.begin(), read->decisions.begin(),
                                  read->decisions.end());
   }

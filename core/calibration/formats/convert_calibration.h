@@ -30,6 +30,7 @@ struct CalibrationConversion {
   std::string from;                   ///< name of the input format
   std::string to;                     ///< name of the output format
   std::vector<std::string> decisions; ///< complete sentences about reading and writing
+  std::vector<std::string> notices;   ///< sentences about what is probably a mistake in the input
   std::vector<CameraDifference> cameras;
   double largestPixels = 0.0; ///< largest over all cameras, pixels
   std::vector<std::filesystem::path> written;

@@ -5,6 +5,7 @@
 #include "core/calibration/formats/format_catalog.h"
 #include "core/calibration/formats/format_dewpoint.h"
 #include "core/calibration/formats/read_calibration.h"
+#include "core/camera_motion/agreement/rig_check.h"
 #include "core/project/project_check.h"
 #include "core/project/project_rig.h"
 #include "core/setup/calibration/calibrated_project.h"
@@ -145,6 +146,7 @@ Result<CalibrationImport> importCalibration(const Project& project, const Import
     return tl::make_unexpected(loss.error());
   }
   result.largestPixels = *loss;
+  result.faults = camera_motion::checkRig(rig);
   result.project = withCameras(std::move(made->project), rig);
   if (const auto good = checkProject(result.project); !good) {
     return tl::make_unexpected(good.error());

@@ -3,6 +3,7 @@
 
 #include "core/calibration/formats/convert_calibration.h"
 #include "core/calibration/manual/pose_change.h"
+#include "core/camera_motion/agreement/camera_disagreement.h"
 #include "core/project/project.h"
 
 #include <cstddef>
@@ -38,6 +39,8 @@ struct CalibrationImport {
   std::vector<ImportedCamera> cameras;
   bool matchedByOrder = false; ///< names match no camera; the order in the file was used
   bool lensOnly = false;       ///< the file has no poses; those of the project are kept
+  /// Likely mistakes in the calibration: two cameras of one pose, another unit (checkRig()).
+  std::vector<camera_motion::CameraDisagreement> faults;
   /// Result of difference() between the file's cameras and the project's cameras as they would be
   /// saved, in pixels.
   double largestPixels = 0.0;

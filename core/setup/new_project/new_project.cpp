@@ -2,9 +2,11 @@
 #include "core/setup/new_project/new_project.h"
 
 #include "core/calibration/formats/calibration_file.h"
+#include "core/camera_motion/agreement/rig_check.h"
 #include "core/capture/recording.h"
 #include "core/geometry/camera_name.h"
 #include "core/project/project_check.h"
+#include "core/project/project_rig.h"
 #include "core/setup/new_project/project_recording.h"
 #include "core/tracking/catalog/method_catalog.h"
 
@@ -279,6 +281,7 @@ Result<CreatedProject> withCalibration(Project project, const CameraRig& rig,
     (*ordered)[i].name = cameras[i].camera.name;
     cameras[i].camera = (*ordered)[i];
   }
+  made.faults = camera_motion::checkRig(rigOf(made.project));
   return made;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/camera_motion/agreement/camera_disagreement.h"
 #include "core/project/project.h"
 
 #include <opencv2/core/types.hpp>
@@ -41,6 +42,8 @@ struct CreatedProject {
   bool lacksCalibration = false;
   /// True if names in the calibration file match no camera, so that its order was used.
   bool matchedByOrder = false;
+  /// Likely mistakes in the calibration file: two cameras of one pose (checkRig()).
+  std::vector<camera_motion::CameraDisagreement> faults = {};
 };
 
 /// Creates a project from videos, image folders, devices or streams. Calibrations are matched by

@@ -84,6 +84,24 @@ TEST(ConvertCalibration, GoesThereAndBackThroughEveryFormat) {
   }
 }
 
+TEST(ConvertCalibration, NamesCamerasOfOnePose) {
+  CameraRig rig = plainRig();
+  const auto in = target(**calibrationFormat("dewpoint"));
+  ASSERT_TRUE(writeCalibration(rig, in));
+  const auto out = target(**calibrationFormat("anipose"));
+  auto conversion = convertCalibration(in.path, {}, out);
+  ASSERT_TRUE(conversion) << sentence(conversion.error());
+  EXPECT_TRUE(conversion->notices.empty());
+  rig[1].cameraFromWorld = rig[0].cameraFromWorld;
+  ASSERT_TRUE(writeCalibration(rig, in));
+  conversion = convertCalibration(in.path, {}, out);
+  ASSERT_TRUE(conversion) << sentence(conversion.error());
+  ASSERT_EQ(conversion->notices.size(), 1U);
+  EXPECT_NE(
+      conversion->notices.front().find(rig[0].name + " and " + rig[1].name + " have the same pose"),
+      std::string::npos);
+}
+
 TEST(ConvertCalibration, RefitsALensThatTheFormatCannotHoldAndSaysTheLoss) {
   CameraRig rig = plainRig();
   rig[0].distortion[4] = -0.05; // k3: Pose2Sim and Kalibr have none

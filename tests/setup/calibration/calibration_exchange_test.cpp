@@ -84,6 +84,22 @@ TEST_F(CalibrationExchange, ImportMatchesByNameAndSaysWhatChanges) {
   EXPECT_FALSE(made->decisions.empty());
 }
 
+TEST_F(CalibrationExchange, TwoCamerasOfOnePoseAreNamed) {
+  CameraRig rig = rigOf(project_);
+  const auto file = folder_ / "copied.toml";
+  ASSERT_TRUE(saveCalibration(rig, file));
+  auto made = importCalibration(project_, {file, {}});
+  ASSERT_TRUE(made) << sentence(made.error());
+  EXPECT_TRUE(made->faults.empty());
+  rig[1].cameraFromWorld = rig[0].cameraFromWorld;
+  ASSERT_TRUE(saveCalibration(rig, file));
+  made = importCalibration(project_, {file, {}}); // not an error
+  ASSERT_TRUE(made) << sentence(made.error());
+  ASSERT_EQ(made->faults.size(), 1U);
+  EXPECT_EQ(made->faults.front().fault, CameraFault::SamePose);
+  EXPECT_EQ(made->faults.front().cameras, (std::vector<std::size_t>{0, 1}));
+}
+
 TEST_F(CalibrationExchange, AFileOfOneCameraIsForTheOneThatIsNamed) {
   ImportRequest wish{kGolden / "opencv_sample.yml", {}};
   wish.hints.unit = 1.0;

@@ -5,6 +5,7 @@
 #include "ui/document/camera_list_model.h"
 #include "ui/document/document.h"
 #include "ui/text/calibration_files.h"
+#include "ui/text/camera_agreement_text.h"
 #include "ui/text/error_sentence.h"
 #include "ui/text/quantity_text.h"
 #include "ui/widgets/choice_field.h"
@@ -185,6 +186,14 @@ void CalibrationImportDialog::applyResult(const Result<CalibrationImport>& made)
   if (made->lensOnly) {
     lines << tr(
         "The file contains no pose: only the intrinsics are imported, and the pose is kept.");
+  }
+  QStringList names;
+  for (int camera = 0; camera < cameras_.rowCount(); ++camera) {
+    names << cameras_.nameOf(camera);
+  }
+  for (const CameraDisagreement& fault : made->faults) {
+    lines << QStringLiteral("⚠ ") +
+                 tr("Probably a mistake: %1").arg(disagreementText(fault, names));
   }
   lines << QString();
   for (const ImportedCamera& camera : made->cameras) {
