@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/inspector_docks.h"
 
+#include "core/setup/calibration/calibration_exchange.h"
 #include "core/setup/new_project/new_project.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "ui/document/document.h"
@@ -66,7 +67,11 @@ void loadCalibration(const Workbench& bench, LatestJob* job, const QString& file
   job->start([bench, file, project = bench.document.state()](const BackgroundJob::Progress&) {
     return [bench, file, project, made = withCalibration(*project, file.toStdString())] {
       if (!made) {
-        bench.messages.showError(errorText(made.error()));
+        const AskedQuestion asked = askedQuestion(made.error());
+        bench.messages.showError(
+            asked.question == ImportQuestion::None
+                ? errorText(asked.error)
+                : CameraPanel::tr("%1. Use Import calibration.").arg(errorText(asked.error)));
       } else if (project->cameras == bench.document.project().cameras) { // not changed meanwhile
         takeCameras(bench, *made, file);
       }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/start/new_project_page.h"
 
+#include "core/setup/calibration/calibration_exchange.h"
 #include "core/setup/new_project/footage.h"
 #include "ui/start/calibration_choice.h"
 #include "ui/start/drop_zone.h"
@@ -309,7 +310,11 @@ void NewProjectPage::createProject() {
 void NewProjectPage::finish(const Result<CreatedProject>& result) {
   refresh();
   if (!result) {
-    Q_EMIT failed(errorText(result.error()));
+    const AskedQuestion asked = askedQuestion(result.error());
+    Q_EMIT failed(asked.question == ImportQuestion::None
+                      ? errorText(asked.error)
+                      : tr("%1. Create the project without this file, then use Import calibration.")
+                            .arg(errorText(asked.error)));
     return;
   }
   QString note;

@@ -168,6 +168,33 @@ Result<CameraRig> readBack(const CalibrationFormat& format,
   return again;
 }
 
+/// A rotation alone says what size comes out.
+std::array<int, 2> sizeAfter(const CalibrationChanges& changes, const Camera& camera) {
+  return changes.size.value_or(std::array{camera.intrinsics.height, camera.intrinsics.width});
+}
+
+Status applyChanges(const CalibrationChanges& changes, const std::string& file,
+                    ParsedCalibration& calibration) {
+  const auto& [names, fit] = changes.adaptation;
+  if (auto named = renameCameras(calibration.rig, names, file); !named) {
+    return named;
+  }
+  for (Camera& camera : calibration.rig) {
+    if (!fit) {
+      break;
+    }
+    const auto [width, height] = sizeAfter(changes, camera);
+    auto fitted = fittedToSize(camera, width, height, *fit);
+    if (!fitted) {
+      fitted.error().file = file;
+      return tl::make_unexpected(fitted.error());
+    }
+    calibration.decisions.push_back(sizeFitSentence(camera, *fitted, *fit));
+    camera = std::move(*fitted);
+  }
+  return {};
+}
+
 } // namespace
 
 CameraDifference difference(const Camera& camera, const Camera& other,
@@ -243,10 +270,14 @@ Result<CalibrationConversion> writeCalibration(const CameraRig& rig,
 
 Result<CalibrationConversion> convertCalibration(const std::filesystem::path& in,
                                                  const CalibrationHints& hints,
-                                                 const CalibrationOutput& target) {
-  const auto read = readCalibration(in, hints);
+                                                 const CalibrationOutput& target,
+                                                 const CalibrationChanges& changes) {
+  auto read = readCalibration(in, hints);
   if (!read) {
     return tl::make_unexpected(read.error());
+  }
+  if (const auto changed = applyChanges(changes, in.string(), *read); !changed) {
+    return tl::make_unexpected(changed.error());
   }
   auto conversion = writeCalibration(read->rig, target);
   if (conversion) {

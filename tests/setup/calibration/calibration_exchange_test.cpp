@@ -84,6 +84,41 @@ TEST_F(CalibrationExchange, ImportMatchesByNameAndSaysWhatChanges) {
   EXPECT_FALSE(made->decisions.empty());
 }
 
+TEST_F(CalibrationExchange, NamesThatDoNotFitAreAskedForAndMapped) {
+  CameraRig rig = rigOf(project_);
+  rig[0].name = "right"; // the file has it the other way round, and one more
+  rig[1].name = "third";
+  rig.push_back(rig[1]);
+  rig[2].name = "fourth";
+  rig[2].cameraFromWorld.translation().x() += 0.5;
+  const auto file = folder_ / "names.toml";
+  ASSERT_TRUE(saveCalibration(rig, file));
+  ImportRequest wish{file, {}};
+  EXPECT_EQ(cameraNamesIn(wish), (std::vector<std::string>{"right", "third", "fourth"}));
+  const auto refused = importCalibration(project_, wish);
+  ASSERT_FALSE(refused);
+  const AskedQuestion asked = askedQuestion(refused.error());
+  EXPECT_EQ(asked.question, ImportQuestion::Names);
+  EXPECT_EQ(
+      asked.error.detail,
+      "it has 3 cameras ('right', 'third', 'fourth'), and the project has 2 ('left', 'right')");
+  wish.adaptation.names = {{"left", "right"}, {"right", "fourth"}};
+  const auto made = importCalibration(project_, wish);
+  ASSERT_TRUE(made) << sentence(made.error());
+  ASSERT_EQ(made->cameras.size(), 2U);
+  EXPECT_EQ(made->cameras[0].fileName, "right");
+  EXPECT_EQ(made->cameras[1].fileName, "fourth");
+  EXPECT_NEAR(made->cameras[0].shift.meters, 0.0, 1e-9);
+  EXPECT_NEAR(made->cameras[1].shift.meters, 0.5, 1e-9);
+}
+
+TEST_F(CalibrationExchange, TheSizeOfTheImagesIsAQuestion) {
+  const AskedQuestion asked = askedQuestion(
+      {ErrorCode::Mismatch, "rig.toml", "left", "64 x 48, and 64 x 40: adapt it with --fit crop"});
+  EXPECT_EQ(asked.question, ImportQuestion::Fit);
+  EXPECT_EQ(asked.error.detail, "64 x 48, and 64 x 40");
+}
+
 TEST_F(CalibrationExchange, TwoCamerasOfOnePoseAreNamed) {
   CameraRig rig = rigOf(project_);
   const auto file = folder_ / "copied.toml";
