@@ -28,6 +28,12 @@ expectExit $kBadInput calibrate intrinsics demo --looks 3 --board chessboard:9x6
 expectSentence 'camera 1' 'board'
 expectExit $kBadInput calibrate extrinsics demo --looks 3 --board chessboard:9x6:0.025 --out no.toml
 expectSentence 'camera 2' 'board'
+expectExit $kUsage calibrate intrinsics demo --frames 9:3 --board chessboard:9x6:0.025 --out no.toml
+expectSentence --frames 9:3
+expectExit $kUsage calibrate intrinsics bad.jpg --frames 0:3 --board chessboard:9x6:0.025 --out no.toml
+expectSentence --frames 'image files'
+expectExit $kBadInput calibrate intrinsics demo --frames 1000000: --board chessboard:9x6:0.025 --out no.toml
+expectSentence --frames 'the recording has only'
 [[ ! -e no.toml && ! -e no.pdf ]] || fail "something was written in spite of an error"
 
 pictures=${DEWPOINT_DATA:-}/opencv_left13

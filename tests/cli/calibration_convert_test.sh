@@ -46,3 +46,12 @@ expectText ros.toml '[camera.calibration]'
 expectExit 0 calibration convert made/calibration.toml made/any.toml --to anipose
 expectExit $kBadInput new other.toml --camera made/camera-1.mkv --calibration made/any.toml
 expectSentence any.toml unit
+
+# A camera that is a copy of the other is noted, not refused.
+awk '/^rotation/ { if (!r) r = $0; $0 = r } /^translation/ { if (!t) t = $0; $0 = t } { print }' \
+  made/calibration.toml >copied.toml
+expectExit 0 calibration convert copied.toml out/copied.toml
+expectText err.txt 'camera 1 and camera 2 have the same pose'
+expectExit 0 new copied_project.toml --camera "camera 1=made/camera-1.mkv" \
+  --camera "camera 2=made/camera-2.mkv" --calibration copied.toml
+expectText err.txt 'camera 1 and camera 2 have the same pose'

@@ -57,3 +57,21 @@ expectSentence camera-1.mkv "camera 2" "320 x 240"
 expectExit $kBadInput new no.toml "${cameras[@]}" --empty-room nobody=made/camera-1.mkv
 expectSentence --empty-room nobody
 [[ ! -e no.toml ]] || fail "a project was written in spite of an error"
+
+# A calibration of other names, or of images of another size, is refused with a way out.
+expectExit 0 calibration convert made/calibration.toml renamed.toml --map "eye=camera 2"
+sed 's/\[320, 240\]/[320, 248]/' renamed.toml >taller.toml
+expectExit $kBadInput new fitted.toml "${cameras[@]}" --calibration taller.toml
+expectSentence taller.toml "'camera 1', 'eye'" "'camera 2', 'camera 1'" --map
+expectExit $kBadInput new fitted.toml "${cameras[@]}" --calibration taller.toml --map "camera 2=eye"
+expectSentence taller.toml 'camera 1' '320 x 248' '320 x 240' --fit
+expectExit 0 new fitted.toml "${cameras[@]}" --calibration taller.toml --map "camera 2=eye" --fit trim
+expectText err.txt 'camera 1: cropped from 320 x 248 to 320 x 240 pixels'
+expectText fitted.toml 'size = [320, 240]' 'size = [240, 320]'
+expectExit $kUsage new other.toml "${cameras[@]}" --calibration taller.toml --map "camera 2"
+expectSentence --map 'camera 2'
+expectExit $kUsage new other.toml "${cameras[@]}" --fit crop
+expectExit 0 calibration convert made/calibration.toml small.toml --fit crop --to-size 200x200
+expectText out.txt 'camera 1: cropped from 320 x 240 to 200 x 200 pixels'
+expectExit $kUsage calibration convert made/calibration.toml other.toml --fit crop
+expectSentence --to-size

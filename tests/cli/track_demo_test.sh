@@ -61,3 +61,14 @@ expectText corrected.jsonl '"corrected":true'
 sed -i 's/target = 1/target = 2/' corrected.toml
 expectExit $kBadInput track corrected.toml --out corrected --frames 0:6
 expectSentence corrected.toml 'correction 1.target'
+
+# A truth in millimeters is noticed, and read as such.
+awk -F, -v OFS=, 'BEGIN { x = y = z = 0 } /^#/ { print; next }
+  !x { for (i = 1; i <= NF; ++i) { if ($i == "x_m") x = i; if ($i == "y_m") y = i; if ($i == "z_m") z = i } print; next }
+  { $x *= 1000; $y *= 1000; $z *= 1000; print }' why/truth.csv >millimeters.csv
+expectExit 0 evaluate why/trajectory.csv millimeters.csv
+expectText err.txt millimeters.csv '--truth-unit mm'
+expectExit 0 evaluate why/trajectory.csv millimeters.csv --truth-unit mm
+expectText out.txt 'converged          after'
+[[ ! -s err.txt ]] || fail "a note in spite of --truth-unit: $(cat err.txt)"
+expectExit $kUsage evaluate why/trajectory.csv millimeters.csv --truth-unit parsec

@@ -141,6 +141,11 @@ void fuzzMultical(std::string_view bytes) {
   readAs(kFile, "multical", bytes);
 }
 
+void fuzzPlain(std::string_view bytes) {
+  static const InputFile kFile("plain.json");
+  readAs(kFile, "plain", bytes);
+}
+
 void fuzzOpencvExtrinsics(std::string_view bytes) {
   static const InputFile kIntrinsicsFile("pair/intrinsics.yml");
   static const InputFile kFile("pair/extrinsics.yml");

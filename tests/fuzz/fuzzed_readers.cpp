@@ -23,6 +23,7 @@ std::span<const FuzzedReader> fuzzedReaders() {
       {"mc-calib", fuzzMcCalib},
       {"qualisys", fuzzQualisys},
       {"multical", fuzzMultical},
+      {"plain", fuzzPlain},
       {"opencv-extrinsics", fuzzOpencvExtrinsics},
       {"ros-transforms", fuzzRosTransforms},
   };

@@ -32,6 +32,7 @@ void fuzzMrcal(std::string_view bytes);
 void fuzzMcCalib(std::string_view bytes);
 void fuzzQualisys(std::string_view bytes);
 void fuzzMultical(std::string_view bytes);
+void fuzzPlain(std::string_view bytes);
 void fuzzOpencvExtrinsics(std::string_view bytes);
 void fuzzRosTransforms(std::string_view bytes);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/inspector_docks.h"
 
+#include "core/setup/calibration/calibration_exchange.h"
 #include "core/setup/new_project/new_project.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "ui/document/document.h"
@@ -10,6 +11,7 @@
 #include "ui/panels/parameter_panel.h"
 #include "ui/panels/target_panel.h"
 #include "ui/selection/selection.h"
+#include "ui/text/camera_agreement_text.h"
 #include "ui/text/error_sentence.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/workbench/dock_manager.h"
@@ -38,18 +40,31 @@ void takeCameras(const Workbench& bench, const CreatedProject& made, const QStri
     bench.messages.showError(errorText(edited.error()));
     return;
   }
-  bench.messages.showNotice(
+  QString notice =
       made.matchedByOrder
           ? CameraPanel::tr(
                 "The calibration uses other camera names. The cameras were matched by order.")
-          : CameraPanel::tr("The cameras now use the calibration from %1.").arg(file));
+          : CameraPanel::tr("The cameras now use the calibration from %1.").arg(file);
+  QStringList names;
+  for (const ProjectCamera& camera : made.project.cameras) {
+    names << QString::fromStdString(camera.camera.name);
+  }
+  for (const CameraDisagreement& fault : made.faults) {
+    notice += QStringLiteral(" ") +
+              CameraPanel::tr("Probably a mistake: %1").arg(disagreementText(fault, names));
+  }
+  bench.messages.showNotice(notice);
 }
 
 void loadCalibration(const Workbench& bench, LatestJob* job, const QString& file) {
   job->start([bench, file, project = bench.document.state()](const BackgroundJob::Progress&) {
     return [bench, file, project, made = withCalibration(*project, file.toStdString())] {
       if (!made) {
-        bench.messages.showError(errorText(made.error()));
+        const AskedQuestion asked = askedQuestion(made.error());
+        bench.messages.showError(
+            asked.question == ImportQuestion::None
+                ? errorText(asked.error)
+                : CameraPanel::tr("%1. Use Import calibration.").arg(errorText(asked.error)));
       } else if (project->cameras == bench.document.project().cameras) { // not changed meanwhile
         takeCameras(bench, *made, file);
       }

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/start/new_project_page.h"
 
+#include "core/setup/calibration/calibration_exchange.h"
 #include "core/setup/new_project/footage.h"
 #include "ui/start/calibration_choice.h"
 #include "ui/start/drop_zone.h"
 #include "ui/style/spacing.h"
 #include "ui/style/theme.h"
 #include "ui/text/calibration_files.h"
+#include "ui/text/camera_agreement_text.h"
 #include "ui/text/error_sentence.h"
 #include "ui/text/retranslation.h"
 #include "ui/widgets/decimal_field.h"
@@ -308,12 +310,24 @@ void NewProjectPage::createProject() {
 void NewProjectPage::finish(const Result<CreatedProject>& result) {
   refresh();
   if (!result) {
-    Q_EMIT failed(errorText(result.error()));
+    const AskedQuestion asked = askedQuestion(result.error());
+    Q_EMIT failed(asked.question == ImportQuestion::None
+                      ? errorText(asked.error)
+                      : tr("%1. Create the project without this file, then use Import calibration.")
+                            .arg(errorText(asked.error)));
     return;
   }
   QString note;
   if (result->matchedByOrder) {
     note = tr("The calibration uses other camera names. The cameras were matched by order.");
+  }
+  QStringList names;
+  for (const ProjectCamera& camera : result->project.cameras) {
+    names << QString::fromStdString(camera.camera.name);
+  }
+  for (const CameraDisagreement& fault : result->faults) {
+    note += (note.isEmpty() ? QString() : QStringLiteral(" ")) +
+            tr("Probably a mistake in the calibration: %1").arg(disagreementText(fault, names));
   }
   Q_EMIT created(result->project, note);
 }

@@ -16,9 +16,13 @@ namespace {
 /// The endings of a format, with their dots: YAML has two.
 QStringList endingsOf(const CalibrationFormat& format) {
   const QString ending = QLatin1String(format.extension);
-  return ending == QLatin1String(".yaml") || ending == QLatin1String(".yml")
-             ? QStringList{QStringLiteral(".yaml"), QStringLiteral(".yml")}
-             : QStringList{ending};
+  QStringList endings = ending == QLatin1String(".yaml") || ending == QLatin1String(".yml")
+                            ? QStringList{QStringLiteral(".yaml"), QStringLiteral(".yml")}
+                            : QStringList{ending};
+  for (const char* other : format.otherExtensions) {
+    endings << QLatin1String(other);
+  }
+  return endings;
 }
 
 QString patterns(const QStringList& endings) {

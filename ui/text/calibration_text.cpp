@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace dewpoint::ui {
 namespace {
@@ -56,12 +57,17 @@ QString cameraFault(const DetectedFault& fault, const QString& first, const QStr
 } // namespace
 
 QString accuracyText(const CalibrationAccuracy& accuracy) {
-  QString text = CalibrationText::tr("In this volume: position ±%1 (95 %)")
-                     .arg(lengthText(accuracy.position95, LengthForm::TwoDigits));
-  text += accuracy.scale95
+  const auto isKnown = [](const std::optional<double>& value) {
+    return value && std::isfinite(*value);
+  };
+  QString text = isKnown(accuracy.position95)
+                     ? CalibrationText::tr("In this volume: position ±%1 (95 %)")
+                           .arg(lengthText(accuracy.position95, LengthForm::TwoDigits))
+                     : CalibrationText::tr("In this volume: position unknown");
+  text += isKnown(accuracy.scale95)
               ? CalibrationText::tr(", scale ±%1 %").arg(percentAccuracyText(*accuracy.scale95))
               : CalibrationText::tr(", scale unknown");
-  text += accuracy.up95
+  text += isKnown(accuracy.up95)
               ? CalibrationText::tr(", upward direction ±%1").arg(angleAccuracyText(*accuracy.up95))
               : CalibrationText::tr(", upward direction not measured yet (page Floor)");
   return text + QStringLiteral(".");

@@ -2,6 +2,7 @@
 #include "app/dewpoint-cli/calibrate/calibrate_commands.h"
 #include "app/dewpoint-cli/calibrate/calibrate_output.h"
 #include "app/dewpoint-cli/common/exit_code.h"
+#include "app/dewpoint-cli/common/frame_range.h"
 #include "app/wiring/open_project.h"
 #include "core/base/units.h"
 #include "core/setup/calibration/board_outcome.h"
@@ -18,6 +19,7 @@ namespace {
 struct BoardOptions {
   std::vector<std::string> inputs;
   std::string board;
+  std::string frames;
   std::string model = "5";
   std::string pixels = "measured";
   std::string corners = "sample";
@@ -31,7 +33,13 @@ Status takeRequest(BoardOptions& options) {
   if (!board) {
     return tl::make_unexpected(board.error());
   }
+  const auto frames = parseFrames(options.frames);
+  if (!frames) {
+    return tl::make_unexpected(frames.error());
+  }
   options.request.board = *board;
+  options.request.firstFrame = frames->first;
+  options.request.endFrame = frames->end;
   options.request.model = options.model == "8"         ? IntrinsicsModel::EightCoefficients
                           : options.model == "fisheye" ? IntrinsicsModel::Fisheye
                                                        : IntrinsicsModel::FiveCoefficients;
@@ -201,6 +209,10 @@ int intrinsics(BoardOptions& options) {
     report({ErrorCode::BadValue, "", "--apply", "image files have no project; use --out"});
     return kExitUsage;
   }
+  if (!options.frames.empty()) {
+    report({ErrorCode::BadValue, "", "--frames", "image files are no recording; omit the option"});
+    return kExitUsage;
+  }
   return intrinsicsOfPictures(options);
 }
 
@@ -224,6 +236,8 @@ void addBoardOptions(CLI::App& command, BoardOptions& options) {
                   "Number of frames of the recording to search for the board")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
+  command.add_option("--frames", options.frames,
+                     "Search only frames A to B-1 of a recording, as A:B (either may be empty)");
 }
 
 } // namespace

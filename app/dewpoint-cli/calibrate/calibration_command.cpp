@@ -7,8 +7,11 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <array>
 #include <cstdio>
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace dewpoint::app {
 namespace {
@@ -20,8 +23,12 @@ struct ConvertOptions {
   std::string size;
   std::string lens;
   std::string poses;
+  std::string fit;
+  std::string toSize;
+  std::vector<std::string> names;
   CalibrationHints hints;
   CalibrationOutput target;
+  CalibrationChanges changes;
 };
 
 /// A unit's meters, checked by the command line already.
@@ -41,12 +48,35 @@ std::string wrongSize(const std::string& text) {
   return count == 2 && width > 0 && height > 0 ? "" : "a size is WIDTHxHEIGHT, as in 1280x720";
 }
 
+std::array<int, 2> sizeFrom(const std::string& text) {
+  std::array<int, 2> size{};
+  std::sscanf(text.c_str(), "%dx%d", &size[0], &size[1]);
+  return size;
+}
+
+/// The text options that change the cameras.
+Status takeChanges(ConvertOptions& options) {
+  auto names = parseCameraRenaming(options.names);
+  if (!names) {
+    return tl::make_unexpected(names.error());
+  }
+  options.changes.adaptation = {std::move(*names), parseSizeFit(options.fit)};
+  if (!options.toSize.empty()) {
+    options.changes.size = sizeFrom(options.toSize);
+  }
+  const bool isRotation = options.fit.starts_with("rotate");
+  if (!options.fit.empty() && !isRotation && options.toSize.empty()) {
+    return failure(ErrorCode::MissingKey, "", "--to-size",
+                   fmt::format("--fit {} needs the size of the images", options.fit));
+  }
+  return {};
+}
+
 void takeHints(ConvertOptions& options) {
   options.hints.unit = meters(options.unit);
   options.target.unit = meters(options.outUnit);
   if (!options.size.empty()) {
-    auto& size = options.hints.size.emplace();
-    std::sscanf(options.size.c_str(), "%dx%d", &size[0], &size[1]);
+    options.hints.size = sizeFrom(options.size);
   }
   if (!options.lens.empty()) {
     options.hints.lens = options.lens == "fisheye" ? LensModel::Fisheye : LensModel::Pinhole;
@@ -67,12 +97,20 @@ std::string cameraSentence(const CameraDifference& camera) {
 
 int convert(ConvertOptions& options) {
   takeHints(options);
-  const auto conversion = convertCalibration(options.in, options.hints, options.target);
+  if (const auto taken = takeChanges(options); !taken) {
+    report(taken.error());
+    return kExitUsage;
+  }
+  const auto conversion =
+      convertCalibration(options.in, options.hints, options.target, options.changes);
   if (!conversion) {
     return report(conversion.error());
   }
   for (const std::string& decision : conversion->decisions) {
     fmt::print("{}\n", decision);
+  }
+  for (const std::string& notice : conversion->notices) {
+    fmt::print(stderr, "dewpoint-cli: note: {}.\n", notice);
   }
   for (const CameraDifference& camera : conversion->cameras) {
     fmt::print("{}\n", cameraSentence(camera));
@@ -119,6 +157,18 @@ void addCalibrationCommand(CLI::App& app, int& exitCode) {
   add->add_option("--poses", options->poses,
                   "Direction of the poses in IN, if it differs from the format's default")
       ->check(CLI::IsMember({"camera-from-world", "world-from-camera"}));
+  add->add_option("--map", options->names,
+                  "NAME=NAME IN THE FILE: write a camera under another name; once per camera")
+      ->allow_extra_args(false);
+  auto* fit =
+      add->add_option("--fit", options->fit,
+                      "How images differ from those that were calibrated: cropped on all sides, "
+                      "trimmed at the right and below, scaled, or rotated clockwise by 90 or 270 "
+                      "degrees")
+          ->check(CLI::IsMember({"crop", "trim", "scale", "rotate-90", "rotate-270"}));
+  add->add_option("--to-size", options->toSize, "WIDTHxHEIGHT of the images, for --fit")
+      ->check(wrongSize)
+      ->needs(fit);
   add->add_flag("--force", options->target.replace, "Replace existing files");
   convertCommand->footer(formatNames());
   convertCommand->callback([options, &exitCode] { exitCode = convert(*options); });

@@ -2,6 +2,8 @@
 #include "app/dewpoint-cli/commands.h"
 #include "app/dewpoint-cli/common/exit_code.h"
 #include "app/wiring/open_project.h"
+#include "core/camera_motion/agreement/disagreement_sentence.h"
+#include "core/project/project_rig.h"
 #include "core/project/project_save.h"
 #include "core/session/run/background_images.h"
 #include "core/setup/new_project/footage.h"
@@ -14,6 +16,8 @@
 #include <filesystem>
 #include <memory>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 namespace dewpoint::app {
 namespace {
@@ -24,6 +28,8 @@ struct NewOptions {
   std::string footage;
   bool connected = false;
   std::string calibration;
+  std::string fit;
+  std::vector<std::string> names;
   std::vector<std::string> backgroundImages;
   std::string times;
   bool force = false;
@@ -115,6 +121,12 @@ int makeNew(NewOptions& options) {
   if (!options.calibration.empty()) {
     options.project.calibration = options.calibration;
   }
+  auto names = parseCameraRenaming(options.names);
+  if (!names) {
+    report(names.error());
+    return kExitUsage;
+  }
+  options.project.adaptation = {std::move(*names), parseSizeFit(options.fit)};
   auto made = createNewProject(options.project);
   if (!made) {
     return report(made.error());
@@ -145,6 +157,13 @@ int makeNew(NewOptions& options) {
     fmt::print(stderr, "dewpoint-cli: note: the calibration uses other camera names; the cameras "
                        "were matched by order.\n");
   }
+  for (const std::string& decision : made->decisions) {
+    fmt::print(stderr, "dewpoint-cli: note: {}\n", decision);
+  }
+  for (const CameraDisagreement& fault : made->faults) {
+    fmt::print(stderr, "dewpoint-cli: note: {}.\n",
+               describeDisagreement(fault, rigOf(made->project)));
+  }
   fmt::print("{}\n", options.file);
   return kExitDone;
 }
@@ -167,6 +186,19 @@ void addNewCommand(CLI::App& app, int& exitCode) {
   command->add_option(
       "--calibration", options->calibration,
       "Calibration file; cameras are matched by name, or by order if the names differ");
+  command
+      ->add_option("--map", options->names,
+                   "NAME=NAME IN THE FILE: the camera of the calibration file that a camera of the "
+                   "project uses; once per camera")
+      ->allow_extra_args(false)
+      ->needs("--calibration");
+  command
+      ->add_option("--fit", options->fit,
+                   "How images of another size differ from those that were calibrated: cropped on "
+                   "all sides, trimmed at the right and below, scaled, or rotated clockwise by 90 "
+                   "or 270 degrees")
+      ->check(CLI::IsMember({"crop", "trim", "scale", "rotate-90", "rotate-270"}))
+      ->needs("--calibration");
   command->add_option("--empty-room", options->backgroundImages,
                       "NAME=FILE: image, video or folder of images in which that camera shows the "
                       "scene without any target");

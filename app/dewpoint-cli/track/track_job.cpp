@@ -7,6 +7,7 @@
 #include "app/dewpoint-cli/track/run_notes.h"
 #include "core/base/text_file.h"
 #include "core/base/units.h"
+#include "core/experiment/metrics/truth_names.h"
 #include "core/session/run/run_report.h"
 #include "core/session/run/tracking_run.h"
 #include "core/session/watch/camera_agreement_watch.h"
@@ -149,7 +150,24 @@ Status trackJob(const TrackJob& job, FrameSetSource& source, TrackingRun& run, T
   return tracked;
 }
 
-void printSummary(const Trajectory& estimate, const Trajectory& truth, int iterationsPerFrame,
+/// The names of the targets that have the same colors, for each such colors.
+std::vector<std::vector<std::string>> targetsAlike(const std::vector<Target>& targets) {
+  std::vector<std::vector<std::string>> groups;
+  std::vector<ColorRanges> colors;
+  for (const Target& target : targets) {
+    const auto found = std::ranges::find(colors, target.colors());
+    if (found == colors.end()) {
+      colors.push_back(target.colors());
+      groups.push_back({target.name});
+    } else {
+      groups[static_cast<std::size_t>(found - colors.begin())].push_back(target.name);
+    }
+  }
+  return groups;
+}
+
+void printSummary(const Trajectory& estimate, const Trajectory& truth,
+                  const std::vector<Target>& targets, int iterationsPerFrame,
                   const RunStatistics& figures) {
   fmt::print("frames                  {:>10}\n", figures.frames);
   fmt::print("frames per second       {:>10.1f}\n",
@@ -159,10 +177,15 @@ void printSummary(const Trajectory& estimate, const Trajectory& truth, int itera
   if (truth.samples.empty()) {
     return;
   }
-  const auto evaluations = evaluate(estimate, truth);
+  const auto truthNames = truthNamesByPosition(estimate, truth, targetsAlike(targets));
+  const auto evaluations = evaluate(estimate, namedAsTracked(truth, truthNames));
   for (std::size_t k = 0; evaluations && k < evaluations->size(); ++k) {
     const auto& one = (*evaluations)[k];
     fmt::print("target                  {:>10}\n", one.target);
+    if (const auto other = truthNames.find(one.target); other != truthNames.end()) {
+      fmt::print("compared with           {:>10}, by position: they have the same color\n",
+                 other->second);
+    }
     if (one.framesToConverge) {
       fmt::print("iterations to converge  {:>10}\n",
                  (*one.framesToConverge + 1) * iterationsPerFrame);
@@ -229,7 +252,8 @@ int TrackJob::run(SessionInputs inputs) const {
   }
   figures.droppedFrames = inputs.source->droppedFrames();
   const auto ended = writeTextFile(folder / "run.json", runReport(inputs.project, figures));
-  printSummary(output.kept, inputs.truth, run->iterationsPerFrame(), figures);
+  printSummary(output.kept, inputs.truth, inputs.project.targets, run->iterationsPerFrame(),
+               figures);
   if (!tracked) {
     // Frames were tracked before the input broke: that is "ended early", whatever broke it.
     const int code = report(tracked.error());

@@ -3,11 +3,13 @@
 #include "app/dewpoint-cli/common/exit_code.h"
 #include "core/base/sha256.h"
 #include "core/base/text_file.h"
+#include "core/calibration/formats/calibration_format.h"
 #include "core/experiment/metrics/identity_evaluation.h"
 #include "core/trajectory/evaluation_text.h"
 #include "core/trajectory/export/trajectory_export.h"
 #include "core/trajectory/jobs/gathered_jobs.h"
 #include "core/trajectory/trajectory_reader.h"
+#include "core/trajectory/truth_unit.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -15,6 +17,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <utility>
 
 namespace dewpoint::app {
 namespace {
@@ -22,6 +25,7 @@ namespace {
 struct EvaluateOptions {
   std::string trajectory;
   std::string truth;
+  std::string truthUnit;
   double gate = kDefaultGate;
   bool json = false;
   bool identities = false;
@@ -35,6 +39,30 @@ Status saveEvaluation(const std::filesystem::path& folder,
   return sha256OfFile(folder / "trajectory.csv").and_then([&](const std::string& sum) {
     return writeTextFile(folder / kEvaluationFile, evaluationFileText(evaluations, sum));
   });
+}
+
+std::string wrongTruthUnit(const std::string& text) {
+  return parseLengthUnit(text) ? "" : "a unit is m, mm, cm, in, ft or the meters of one unit";
+}
+
+/// The truth in meters; a note if it seems to be in another unit, which was not given.
+Result<Trajectory> readTruth(const EvaluateOptions& options, const Trajectory& estimate) {
+  auto truth = readTrajectory(options.truth);
+  if (!truth) {
+    return truth;
+  }
+  if (!options.truthUnit.empty()) {
+    return inMeters(std::move(*truth), parseLengthUnit(options.truthUnit).value_or(1.0));
+  }
+  if (const auto unit = likelyTruthUnit(estimate, *truth)) {
+    const bool isMillimeter = *unit < 0.005;
+    fmt::print(stderr,
+               "dewpoint-cli: note: the positions in {} fit if they are in {}; evaluate with "
+               "--truth-unit {}.\n",
+               options.truth, isMillimeter ? "millimeters" : "centimeters",
+               isMillimeter ? "mm" : "cm");
+  }
+  return truth;
 }
 
 int evaluateIdentity(const EvaluateOptions& options, const Trajectory& estimate,
@@ -60,7 +88,7 @@ int evaluateFiles(const EvaluateOptions& options) {
   if (!estimate) {
     return report(estimate.error());
   }
-  const auto truth = readTrajectory(options.truth);
+  const auto truth = readTruth(options, *estimate);
   if (!truth) {
     return report(truth.error());
   }
@@ -94,6 +122,11 @@ void addEvaluateCommand(CLI::App& app, int& exitCode) {
                    "Trajectory (CSV) to evaluate, or the folder of a run")
       ->required();
   command->add_option("TRUTH", options->truth, "True positions (CSV)")->required();
+  command
+      ->add_option("--truth-unit", options->truthUnit,
+                   "Unit of the positions in TRUTH: m, mm, cm, in, ft or meters of one unit; m "
+                   "unless given")
+      ->check(wrongTruthUnit);
   command->add_option("--gate", options->gate, "Error in meters above which a frame counts as lost")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();

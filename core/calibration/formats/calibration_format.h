@@ -63,10 +63,13 @@ struct CalibrationFormat {
   const char* name = "";      ///< name used with the options --from and --to
   const char* title = "";     ///< commonly used name of the format
   const char* extension = ""; ///< extension of written files, including the dot
-  const char* contents = "";  ///< content and structure, in one sentence
+  /// Further extensions of files in this format, including the dots.
+  std::vector<const char*> otherExtensions = {};
+  const char* contents = ""; ///< content and structure, in one sentence
   FileLayout layout = FileLayout::OneFile;
   LensSupport lenses;
   bool sharesKeys = false;         ///< true for TOML dialects that only the user can tell apart
+  bool isFallback = false;         ///< true if a file of another format may look like it, too
   bool firstCameraIsWorld = false; ///< true if poses are always relative to the first camera
   std::optional<double> unit;      ///< meters per unit, if defined by the format's documentation
   double defaultUnit = 1.0; ///< unit used for writing unless another one is requested, meters

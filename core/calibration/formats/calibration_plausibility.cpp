@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/formats/calibration_plausibility.h"
 
+#include "core/base/angle.h"
 #include "core/base/units.h"
 #include "core/geometry/projector.h"
 #include "core/geometry/ray.h"
+#include "core/geometry/rotation_vector.h"
 
 #include <fmt/format.h>
 
@@ -20,6 +22,15 @@ constexpr double kMaxSpreadInMeters = 50.0;
 constexpr double kSameDirection = 0.94; // cosine of 20 degrees
 /// Times, by which inverted poses miss a common point less.
 constexpr double kClearlyBetter = 3.0;
+
+constexpr double kOnePosition = 1e-4; ///< of the distance from the origin
+constexpr double kOneRotation = 0.02 * base::kDegree;
+
+bool haveOnePose(const Camera& a, const Camera& b) {
+  const double apart = (a.center() - b.center()).norm();
+  const double turn = angleBetween(a.cameraFromWorld.linear(), b.cameraFromWorld.linear());
+  return apart <= kOnePosition * a.center().norm() && turn <= kOneRotation;
+}
 
 /// How well the cameras of a rig look at one place: the root mean square of the angles' tangents by
 /// which their axes miss it. Infinite when there is no such place before all cameras, when one does
@@ -122,6 +133,18 @@ double cameraSpread(const CameraRig& rig) {
 
 const char* likelyUnit(double spread) {
   return spread > kMaxSpreadInMeters ? "mm" : "m";
+}
+
+std::vector<std::array<std::size_t, 2>> camerasOfOnePose(const CameraRig& rig) {
+  std::vector<std::array<std::size_t, 2>> pairs;
+  for (std::size_t i = 0; i < rig.size(); ++i) {
+    for (std::size_t j = i + 1; j < rig.size(); ++j) {
+      if (haveOnePose(rig[i], rig[j])) {
+        pairs.push_back({i, j});
+      }
+    }
+  }
+  return pairs;
 }
 
 CameraRig withInvertedPoses(CameraRig rig) {

@@ -3,6 +3,10 @@
 
 #include "core/calibration/formats/calibration_format.h"
 
+#include <array>
+#include <cstddef>
+#include <vector>
+
 namespace dewpoint::calibration {
 
 /// Largest plausible distance between cameras in a room, in meters. A larger rig is assumed to be
@@ -15,6 +19,10 @@ double cameraSpread(const CameraRig& rig);
 
 /// Returns the likely unit of a rig with this spread: "mm" or "m".
 const char* likelyUnit(double spread);
+
+/// Returns the pairs of cameras, lower index first, that have the same position and rotation. Two
+/// calibrations of one camera differ by more; copies differ by nothing but rounding.
+std::vector<std::array<std::size_t, 2>> camerasOfOnePose(const CameraRig& rig);
 
 /// Returns the rig with all poses inverted.
 CameraRig withInvertedPoses(CameraRig rig);

@@ -2,9 +2,11 @@
 #include "core/calibration/formats/convert_calibration.h"
 
 #include "core/base/text_file.h"
+#include "core/calibration/formats/calibration_plausibility.h"
 #include "core/calibration/formats/format_catalog.h"
 #include "core/calibration/formats/lens_refit.h"
 #include "core/calibration/formats/read_calibration.h"
+#include "core/geometry/camera_name.h"
 #include "core/geometry/projector.h"
 #include "core/geometry/ray.h"
 
@@ -166,6 +168,33 @@ Result<CameraRig> readBack(const CalibrationFormat& format,
   return again;
 }
 
+/// A rotation alone says what size comes out.
+std::array<int, 2> sizeAfter(const CalibrationChanges& changes, const Camera& camera) {
+  return changes.size.value_or(std::array{camera.intrinsics.height, camera.intrinsics.width});
+}
+
+Status applyChanges(const CalibrationChanges& changes, const std::string& file,
+                    ParsedCalibration& calibration) {
+  const auto& [names, fit] = changes.adaptation;
+  if (auto named = renameCameras(calibration.rig, names, file); !named) {
+    return named;
+  }
+  for (Camera& camera : calibration.rig) {
+    if (!fit) {
+      break;
+    }
+    const auto [width, height] = sizeAfter(changes, camera);
+    auto fitted = fittedToSize(camera, width, height, *fit);
+    if (!fitted) {
+      fitted.error().file = file;
+      return tl::make_unexpected(fitted.error());
+    }
+    calibration.decisions.push_back(sizeFitSentence(camera, *fitted, *fit));
+    camera = std::move(*fitted);
+  }
+  return {};
+}
+
 } // namespace
 
 CameraDifference difference(const Camera& camera, const Camera& other,
@@ -241,14 +270,23 @@ Result<CalibrationConversion> writeCalibration(const CameraRig& rig,
 
 Result<CalibrationConversion> convertCalibration(const std::filesystem::path& in,
                                                  const CalibrationHints& hints,
-                                                 const CalibrationOutput& target) {
-  const auto read = readCalibration(in, hints);
+                                                 const CalibrationOutput& target,
+                                                 const CalibrationChanges& changes) {
+  auto read = readCalibration(in, hints);
   if (!read) {
     return tl::make_unexpected(read.error());
+  }
+  if (const auto changed = applyChanges(changes, in.string(), *read); !changed) {
+    return tl::make_unexpected(changed.error());
   }
   auto conversion = writeCalibration(read->rig, target);
   if (conversion) {
     conversion->from = read->format;
+    for (const auto& [first, second] : camerasOfOnePose(read->rig)) {
+      conversion->notices.push_back(fmt::format(
+          "{} and {} have the same pose, which is probably a mistake",
+          nameOrNumber(read->rig[first], first), nameOrNumber(read->rig[second], second)));
+    }
     conversion->decisions.insert(conversion->decisions.begin(), read->decisions.begin(),
                                  read->decisions.end());
   }

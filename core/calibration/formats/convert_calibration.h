@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/calibration/formats/calibration_adaptation.h"
 #include "core/calibration/formats/calibration_format.h"
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +33,7 @@ struct CalibrationConversion {
   std::string from;                   ///< name of the input format
   std::string to;                     ///< name of the output format
   std::vector<std::string> decisions; ///< complete sentences about reading and writing
+  std::vector<std::string> notices;   ///< sentences about what is probably a mistake in the input
   std::vector<CameraDifference> cameras;
   double largestPixels = 0.0; ///< largest over all cameras, pixels
   std::vector<std::filesystem::path> written;
@@ -47,9 +51,18 @@ CameraDifference difference(const Camera& camera, const Camera& other,
 Result<CalibrationConversion> writeCalibration(const CameraRig& rig,
                                                const CalibrationOutput& target);
 
-/// Calls readCalibration(), then writeCalibration().
+/// Changes made to the cameras between reading and writing.
+struct CalibrationChanges {
+  CalibrationAdaptation adaptation;
+  /// Image width and height for `adaptation.fit`, pixels; not needed for a rotation.
+  std::optional<std::array<int, 2>> size;
+};
+
+/// Calls readCalibration(), renames the cameras and fits them to another image size if requested,
+/// then calls writeCalibration().
 Result<CalibrationConversion> convertCalibration(const std::filesystem::path& in,
                                                  const CalibrationHints& hints,
-                                                 const CalibrationOutput& target);
+                                                 const CalibrationOutput& target,
+                                                 const CalibrationChanges& changes = {});
 
 } // namespace dewpoint::calibration

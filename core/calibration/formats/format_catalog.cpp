@@ -9,6 +9,7 @@
 #include "core/calibration/formats/format_mrcal.h"
 #include "core/calibration/formats/format_multical.h"
 #include "core/calibration/formats/format_opencv.h"
+#include "core/calibration/formats/format_plain.h"
 #include "core/calibration/formats/format_qualisys.h"
 #include "core/calibration/formats/format_ros.h"
 
@@ -20,9 +21,9 @@ namespace dewpoint::calibration {
 
 const std::vector<CalibrationFormat>& calibrationFormats() {
   static const std::vector<CalibrationFormat> kFormats = {
-      dewpointFormat(), aniposeFormat(),      pose2simFormat(), caliscopeFormat(),
-      opencvFormat(),   opencvStereoFormat(), rosFormat(),      kalibrFormat(),
-      mrcalFormat(),    mcCalibFormat(),      qualisysFormat(), multicalFormat()};
+      dewpointFormat(),     aniposeFormat(),  pose2simFormat(), caliscopeFormat(), opencvFormat(),
+      opencvStereoFormat(), rosFormat(),      kalibrFormat(),   mrcalFormat(),     mcCalibFormat(),
+      qualisysFormat(),     multicalFormat(), plainFormat()};
   return kFormats;
 }
 
@@ -43,6 +44,9 @@ Result<RecognizedFormat> recognizeFormat(const CalibrationText& source) {
     if (std::string reason = format.recognize(source); !reason.empty()) {
       found.push_back({&format, std::move(reason)});
     }
+  }
+  if (found.size() > 1) { // what has a row of its own is that
+    std::erase_if(found, [](const RecognizedFormat& one) { return one.format->isFallback; });
   }
   if (found.size() == 1) {
     return found.front();

@@ -4,6 +4,7 @@
 #include "core/base/text_file.h"
 #include "core/calibration/formats/camera_parts.h"
 #include "core/calibration/formats/filestorage_text.h"
+#include "core/calibration/formats/format_plain.h"
 #include "core/calibration/formats/number_text.h"
 #include "core/calibration/formats/yaml_reader.h"
 #include "core/geometry/rotation_vector.h"
@@ -19,7 +20,7 @@ bool isFileStorage(const std::string& text) {
 
 std::string recognizeCamera(const CalibrationText& source) {
   return isFileStorage(source.text) && hasLineStartingWith(source.text, "camera_matrix:") &&
-                 !hasLineStartingWith(source.text, "nb_camera:")
+                 !hasLineStartingWith(source.text, "nb_camera:") && !hasPlainPose(source.text)
              ? "an OpenCV FileStorage with camera_matrix"
              : "";
 }
@@ -28,7 +29,9 @@ bool isIntrinsics(const std::string& text) {
   return hasLineStartingWith(text, "M1:");
 }
 bool isExtrinsics(const std::string& text) {
-  return hasLineStartingWith(text, "R:") && hasLineStartingWith(text, "T:");
+  const auto has = [&](const char* start) { return hasLineStartingWith(text, start); };
+  const bool isOneCamera = has("K:") || has("mtx:") || has("camera_matrix:");
+  return has("R:") && has("T:") && !isOneCamera;
 }
 
 std::string recognizePair(const CalibrationText& source) {

@@ -145,19 +145,26 @@ bool numericLess(const std::filesystem::path& a, const std::filesystem::path& b)
   return here != there && (here > 0 || there > 0) ? here < there : one < other;
 }
 
-/// The files of a folder that are calibrations of a camera each, in the order people count them.
+/// Whether a file of a folder may be read, by its name: not each of them is a calibration.
+bool mayBeOfFolder(const std::filesystem::path& file) {
+  const auto extension = file.extension();
+  return extension == ".yaml" || extension == ".yml" || extension == ".json" ||
+         extension == ".cameramodel";
+}
+
+/// The files of a folder that are calibrations of a camera each, in the order people count them; or
+/// one of the two files of a pair, which names the other.
 Result<std::vector<CalibrationText>> folderSources(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
   std::error_code problem;
   for (const auto& entry : std::filesystem::directory_iterator(folder, problem)) {
-    const auto extension = entry.path().extension();
-    if (entry.is_regular_file(problem) &&
-        (extension == ".yaml" || extension == ".yml" || extension == ".cameramodel")) {
+    if (entry.is_regular_file(problem) && mayBeOfFolder(entry.path())) {
       files.push_back(entry.path());
     }
   }
   std::ranges::sort(files, numericLess);
   std::vector<CalibrationText> sources;
+  std::vector<CalibrationText> pair;
   for (const auto& file : files) {
     auto source = readSource(file);
     if (!source) {
@@ -166,12 +173,22 @@ Result<std::vector<CalibrationText>> folderSources(const std::filesystem::path& 
     const auto recognized = recognizeFormat(*source);
     if (recognized && recognized->format->layout == FileLayout::FilePerCamera) {
       sources.push_back(std::move(*source));
+    } else if (recognized && recognized->format->layout == FileLayout::CameraPair) {
+      pair.push_back(std::move(*source));
     }
+  }
+  if (sources.empty() && pair.size() > 2) {
+    return failure(ErrorCode::Mismatch, folder.string(), pair[2].file.filename().string(),
+                   "there is more than one pair of cameras in the folder: choose one of the files");
+  }
+  if (sources.empty() && !pair.empty()) {
+    sources.push_back(std::move(pair.front()));
   }
   if (sources.empty()) {
     return failure(ErrorCode::NotFound, folder.string(), "",
                    "a folder is expected to hold a calibration file per camera (camera_info, "
-                   ".cameramodel or OpenCV YAML)");
+                   ".cameramodel, OpenCV YAML, or K with R and t), or intrinsics.yml and "
+                   "extrinsics.yml of a pair");
   }
   return sources;
 }

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace dewpoint::calibration {
 namespace {
@@ -93,6 +94,30 @@ void findWorst(const std::vector<bool>& solved, const std::vector<MeasuredPoint>
   }
 }
 
+/// A camera with clicks, and what these say of its pose.
+struct CameraClicks {
+  std::size_t camera = 0;
+  std::vector<ImageAnchor> anchors;
+  PointPose pose;
+};
+
+/// Whether z points down, so that upright images look upside down: all cameras say so, and not only
+/// one that sees points of a plane, which would look like that in a mirrored image, too.
+bool zPointsDown(const std::vector<CameraClicks>& clicked) {
+  std::size_t inverted = 0;
+  bool inSpace = false;
+  for (const CameraClicks& one : clicked) {
+    const WorldSide side =
+        isSolved(one.pose.status) ? worldSideOf(one.pose, one.anchors) : WorldSide::Unknown;
+    if (side == WorldSide::Upright) {
+      return false;
+    }
+    inverted += side == WorldSide::Inverted ? 1 : 0;
+    inSpace = inSpace || (side == WorldSide::Inverted && !one.pose.planar);
+  }
+  return inverted > 1 || inSpace;
+}
+
 } // namespace
 
 const PointClick* clickIn(const MeasuredPoint& point, int camera) {
@@ -142,19 +167,25 @@ PointSolution solveFromPoints(const CameraRig& rig, const std::vector<MeasuredPo
   PointSolution solution;
   solution.rig = rig;
   std::vector<bool> solved(rig.size(), false);
+  std::vector<CameraClicks> clicked;
   for (std::size_t k = 0; k < rig.size(); ++k) {
-    const auto anchors = anchorsOf(points, static_cast<int>(k));
-    if (anchors.empty()) {
-      continue;
+    auto anchors = anchorsOf(points, static_cast<int>(k));
+    if (!anchors.empty()) {
+      const PointPose pose = poseFromPoints(rig[k], anchors, settings.estimateFocal);
+      clicked.push_back({k, std::move(anchors), pose});
     }
-    const PointPose pose = poseFromPoints(rig[k], anchors, settings.estimateFocal);
+  }
+  const bool isInverted = zPointsDown(clicked);
+  for (const auto& [k, anchors, pose] : clicked) {
     CameraFromPoints camera{static_cast<int>(k), static_cast<int>(anchors.size()), pose.status,
                             pose.rmsPx, std::nullopt};
     if (isSolved(pose.status)) {
       solution.rig[k] = pose.camera;
       solved[k] = true;
     }
-    if (isSolved(pose.status) || pose.status == PoseStatus::NoPose) {
+    const bool isExplained =
+        isInverted && isSolved(pose.status) && worldSideOf(pose, anchors) == WorldSide::Inverted;
+    if ((isSolved(pose.status) && !isExplained) || pose.status == PoseStatus::NoPose) {
       camera.proposal = proposeSymmetry(rig[k], anchors, pose);
     }
     solution.cameras.push_back(camera);

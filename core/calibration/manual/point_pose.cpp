@@ -20,6 +20,7 @@ constexpr double kThin = 2e-3;     ///< extent over the largest: points in a lin
 constexpr std::size_t kFewest = 4; ///< three have up to four poses
 constexpr double kAsGood = 2.0;    ///< of two poses: rms over the better one's, and ...
 constexpr double kAsGoodPx = 1.0;  ///< ... in pixels, with the noise of a click
+constexpr double kBadPx = 3.0;     ///< rms: clicks are better than that
 
 /// The three extents of a cloud of points, largest first.
 Eigen::Vector3d extents(const std::vector<ImageAnchor>& anchors) {
@@ -159,12 +160,23 @@ PointPose poseFromPoints(const Camera& camera, const std::vector<ImageAnchor>& a
   return poses.front();
 }
 
+WorldSide worldSideOf(const PointPose& found, const std::vector<ImageAnchor>& anchors) {
+  constexpr double kUpsideDown = 120.0 * std::numbers::pi / 180.0; // of roll; on its side is less
+  if (found.status == PoseStatus::NoPose || found.rmsPx > kBadPx || isSteep(found.camera)) {
+    return WorldSide::Unknown;
+  }
+  const double height = found.camera.center().z();
+  const bool isBelow = std::ranges::all_of(
+      anchors, [&](const ImageAnchor& anchor) { return height < anchor.world.z(); });
+  return isBelow && std::abs(headingOf(found.camera).roll) > kUpsideDown ? WorldSide::Inverted
+                                                                         : WorldSide::Upright;
+}
+
 std::optional<SymmetryProposal> proposeSymmetry(const Camera& camera,
                                                 const std::vector<ImageAnchor>& anchors,
                                                 const PointPose& found) {
-  constexpr double kBad = 3.0;     // pixels: clicks are better than that
   constexpr double kBetter = 0.25; // of the rms as it is
-  const bool looksBad = found.status == PoseStatus::NoPose || found.rmsPx > kBad;
+  const bool looksBad = found.status == PoseStatus::NoPose || found.rmsPx > kBadPx;
   const double roll = headingOf(found.camera).roll;
   const bool lies = !isSteep(found.camera) && std::abs(roll) > 60.0 * std::numbers::pi / 180.0;
   const bool through = found.planar && isBelowPlane(found.camera, anchors);
@@ -187,7 +199,7 @@ std::optional<SymmetryProposal> proposeSymmetry(const Camera& camera,
     }
     const bool fits =
         looksBad && (found.status == PoseStatus::NoPose || other.rmsPx < kBetter * found.rmsPx);
-    const bool stands = !looksBad && other.rmsPx < std::max(kBad, 1.5 * found.rmsPx);
+    const bool stands = !looksBad && other.rmsPx < std::max(kBadPx, 1.5 * found.rmsPx);
     // Turns of one picture fit equally well unless its center is off: the upright one is meant.
     const bool first = !best || (other.rmsPx < 0.5 * best->rmsPx && looksBad);
     const bool upright =

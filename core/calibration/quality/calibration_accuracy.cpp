@@ -3,6 +3,7 @@
 
 #include "core/base/random.h"
 #include "core/base/statistics.h"
+#include "core/base/uncertainty_text.h"
 #include "core/base/units.h"
 #include "core/calibration/quality/position_error.h"
 #include "core/calibration/wand/wand_gauge.h"
@@ -236,11 +237,11 @@ Result<CalibrationAccuracy> assessWand(const WandResult& result,
 
 std::string accuracySummary(const CalibrationAccuracy& accuracy) {
   std::string text =
-      fmt::format("In this volume +-{:.2g} mm (95 %)", inMillimeters(accuracy.position95));
-  text += accuracy.scale95 ? fmt::format(", scale +-{:.2g} %", inPercent(*accuracy.scale95))
-                           : std::string(", scale unknown");
-  text += accuracy.up95 ? fmt::format(", up +-{:.2g} degrees", inDegrees(*accuracy.up95))
-                        : std::string(", up not measured");
+      fmt::format("In this volume {} (95 %)", lengthUncertaintyText(accuracy.position95));
+  text += ", scale " + (accuracy.scale95 ? uncertaintyText(inPercent(*accuracy.scale95), "%")
+                                         : std::string("unknown"));
+  text += ", up " + (accuracy.up95 ? uncertaintyText(inDegrees(*accuracy.up95), "degrees")
+                                   : std::string("not measured"));
   return text + ".";
 }
 

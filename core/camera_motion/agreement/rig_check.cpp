@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/camera_motion/agreement/rig_check.h"
 
-#include "core/base/angle.h"
 #include "core/calibration/formats/calibration_plausibility.h"
-#include "core/geometry/rotation_vector.h"
 
 #include <array>
-#include <cmath>
 
 namespace dewpoint::camera_motion {
 namespace {
@@ -20,16 +17,6 @@ constexpr double kNarrowestInMillimeters = 0.3;
 /// A ratio of lengths within this factor is that of a unit: balls seem smaller or larger by light
 /// and color range by up to some 20 %, and units are a factor of 2.5 apart.
 constexpr double kUnitTolerance = 1.3;
-
-// Two calibrations of one camera differ by more; copies differ by nothing but rounding.
-constexpr double kSamePosition = 1e-4; ///< of the distance from the origin
-constexpr double kSameAxes = 0.02 * base::kDegree;
-
-bool haveSamePose(const Camera& a, const Camera& b) {
-  const double apart = (a.center() - b.center()).norm();
-  const double turn = angleBetween(a.cameraFromWorld.linear(), b.cameraFromWorld.linear());
-  return apart <= kSamePosition * a.center().norm() && turn <= kSameAxes;
-}
 
 } // namespace
 
@@ -50,12 +37,8 @@ std::vector<CameraDisagreement> checkRig(const CameraRig& rig) {
     const bool isNarrow = kMillimeter * spread < kNarrowestInMillimeters;
     found.push_back({.fault = CameraFault::Unit, .scale = isNarrow ? kCentimeter : kMillimeter});
   }
-  for (std::size_t i = 0; i < rig.size(); ++i) {
-    for (std::size_t j = i + 1; j < rig.size(); ++j) {
-      if (haveSamePose(rig[i], rig[j])) {
-        found.push_back({.fault = CameraFault::SamePose, .cameras = {i, j}});
-      }
-    }
+  for (const auto& [first, second] : calibration::camerasOfOnePose(rig)) {
+    found.push_back({.fault = CameraFault::SamePose, .cameras = {first, second}});
   }
   return found;
 }

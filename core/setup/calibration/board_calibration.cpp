@@ -43,16 +43,18 @@ void detectAll(const BoardDetector& detector, DetectionEffort effort, const Fram
   }
 }
 
-/// The frames to look at: evenly spread, and the one that makes the world.
+/// The frames to look at: evenly spread over those requested, and the one that makes the world.
 std::vector<std::int64_t> framesToSearch(std::int64_t total,
                                          const BoardCalibrationRequest& request) {
+  const std::int64_t end = std::min(total, request.endFrame.value_or(total));
+  const std::int64_t count = end - request.firstFrame;
   const std::int64_t stride =
-      std::max<std::int64_t>(1, (total + request.frameLimit - 1) / request.frameLimit);
+      std::max<std::int64_t>(1, (count + request.frameLimit - 1) / request.frameLimit);
   std::vector<std::int64_t> frames;
-  for (std::int64_t frame = 0; frame < total; frame += stride) {
+  for (std::int64_t frame = request.firstFrame; frame < end; frame += stride) {
     frames.push_back(frame);
   }
-  const std::int64_t world = request.worldFrame.value_or(0);
+  const std::int64_t world = request.worldFrame.value_or(request.firstFrame);
   if (const auto at = std::ranges::lower_bound(frames, world);
       world < total && (at == frames.end() || *at != world)) {
     frames.insert(at, world);
@@ -139,6 +141,10 @@ Result<BoardDetections> findBoards(const Project& project, FrameSetSource& sourc
   if (!total) {
     return failure(ErrorCode::BadValue, project.file.string(), "camera",
                    "the cameras are live, but a recording is needed");
+  }
+  if (request.firstFrame >= *total) {
+    return failure(ErrorCode::BadValue, project.file.string(), "--frames",
+                   fmt::format("the recording has only {} frames", *total));
   }
   BoardDetections seen;
   for (const ProjectCamera& camera : project.cameras) {

@@ -21,9 +21,11 @@ struct BoardCalibrationRequest {
   BoardDescription board;
   IntrinsicsModel model = IntrinsicsModel::FiveCoefficients;
   PixelShape pixels = PixelShape::Measured;
-  int views = 30;       ///< images per camera used to estimate intrinsics
-  int instants = 60;    ///< instants used to estimate poses
-  int frameLimit = 300; ///< frames of a recording in which the board is searched for
+  int views = 30;              ///< images per camera used to estimate intrinsics
+  int instants = 60;           ///< instants used to estimate poses
+  int frameLimit = 300;        ///< frames of a recording in which the board is searched for
+  std::int64_t firstFrame = 0; ///< first frame in which the board may be searched for
+  std::optional<std::int64_t> endFrame; ///< one past the last such frame; not set: all
   /// Frame in which the board lies on the floor and defines the world frame; not set: the first
   /// camera keeps its pose.
   std::optional<std::int64_t> worldFrame;
@@ -44,7 +46,9 @@ struct BoardDetections {
 };
 
 /// Searches a recording for the board, in evenly spaced frames that are the same for all cameras.
-/// Returns BadValue if the cameras are live, Canceled, or the errors of the source.
+/// Only the frames from `firstFrame` to `endFrame` count, and `worldFrame` wherever it is. Returns
+/// BadValue if the cameras are live or there is no such frame, Canceled, or the errors of the
+/// source.
 Result<BoardDetections> findBoards(const Project& project, FrameSetSource& source,
                                    const BoardCalibrationRequest& request,
                                    const CalibrationProgress& progress = {});

@@ -5,9 +5,11 @@
 #include "core/calibration/formats/format_catalog.h"
 #include "core/calibration/formats/format_dewpoint.h"
 #include "core/calibration/formats/read_calibration.h"
+#include "core/camera_motion/agreement/rig_check.h"
 #include "core/project/project_check.h"
 #include "core/project/project_rig.h"
 #include "core/setup/calibration/calibrated_project.h"
+#include "core/setup/new_project/image_size.h"
 #include "core/setup/new_project/new_project.h"
 
 #include <fmt/format.h>
@@ -15,6 +17,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstring>
+#include <iterator>
 #include <unistd.h>
 
 namespace dewpoint::setup {
@@ -47,22 +50,30 @@ Result<std::size_t> cameraOfFile(const Project& project, const ImportRequest& re
   const auto found = std::ranges::find_if(
       project.cameras, [&](const ProjectCamera& one) { return one.camera.name == name; });
   if (found == project.cameras.end()) {
+    std::vector<std::string> names;
+    for (const ProjectCamera& one : project.cameras) {
+      names.push_back(one.camera.name);
+    }
     return failure(ErrorCode::Mismatch, request.path.string(), "camera",
-                   fmt::format("the file has one camera \"{}\", but none of the project's {} "
-                               "cameras has this name: select the camera",
-                               name, project.cameras.size()));
+                   fmt::format("the file has one camera '{}', and the project has {}: select the "
+                               "camera",
+                               name, quotedNames(names)));
   }
   return static_cast<std::size_t>(found - project.cameras.begin());
 }
 
 /// Takes one camera alone.
-CreatedProject withOneCamera(Project project, std::size_t index, const Camera& camera) {
-  project.cameras[index].camera = camera;
-  project.cameras[index].calibrated = {recordOfLens(camera, CalibrationOrigin::File),
-                                       recordOfPose(camera, CalibrationOrigin::File)};
+Result<CreatedProject> withOneCamera(Project project, std::size_t index, const Camera& camera,
+                                     const ImportRequest& request) {
   CreatedProject made;
   made.project = std::move(project);
-  return made;
+  ProjectCamera& changed = made.project.cameras[index];
+  changed.camera = camera;
+  const auto fits =
+      fitCalibration(changed, request.adaptation.fit, request.path.string(), made.decisions);
+  changed.calibrated = {recordOfLens(changed.camera, CalibrationOrigin::File),
+                        recordOfPose(changed.camera, CalibrationOrigin::File)};
+  return fits ? Result<CreatedProject>(std::move(made)) : tl::make_unexpected(fits.error());
 }
 
 Result<double> roundTripError(const CameraRig& rig, const std::string& file) {
@@ -107,7 +118,11 @@ Result<CalibrationImport> importCalibration(const Project& project, const Import
     return tl::make_unexpected(read.error());
   }
   const std::string file = request.path.string();
-  if (const auto named = nameAsRequested(project, request, read->rig); !named) {
+  const auto& names = request.adaptation.names;
+  const auto named = renameCameras(read->rig, names, file).and_then([&] {
+    return nameAsRequested(project, request, read->rig);
+  });
+  if (!named) {
     return tl::make_unexpected(named.error());
   }
   const CameraRig original = read->rig;
@@ -119,14 +134,15 @@ Result<CalibrationImport> importCalibration(const Project& project, const Import
     }
     only = *found;
   }
-  auto made = only ? withOneCamera(project, *only, original.front())
-                   : withCalibration(project, read->rig, file);
+  auto made = only ? withOneCamera(project, *only, original.front(), request)
+                   : withCalibration(project, read->rig, file, request.adaptation.fit);
   if (!made) {
     return tl::make_unexpected(made.error());
   }
   CalibrationImport result;
   result.formatTitle = (*calibrationFormat(read->format))->title;
   result.decisions = read->decisions;
+  result.decisions.insert(result.decisions.end(), made->decisions.begin(), made->decisions.end());
   result.matchedByOrder = made->matchedByOrder;
   result.lensOnly = !read->hasPoses;
   CameraRig rig = rigOf(made->project);
@@ -140,7 +156,10 @@ Result<CalibrationImport> importCalibration(const Project& project, const Import
       continue;
     }
     const auto source = std::ranges::find(original, before.name, &Camera::name);
-    const std::string& from = source != original.end() ? source->name : original[k].name;
+    const auto renamed = names.find(before.name);
+    const std::string& from = renamed != names.end()     ? renamed->second
+                              : source != original.end() ? source->name
+                                                         : original[k].name;
     result.cameras.push_back({k, before.name, from, poseShift(before, rig[k])});
   }
   if (result.lensOnly) {
@@ -151,6 +170,7 @@ Result<CalibrationImport> importCalibration(const Project& project, const Import
     return tl::make_unexpected(loss.error());
   }
   result.largestPixels = *loss;
+  result.faults = camera_motion::checkRig(rig);
   result.project = withCameras(std::move(made->project), rig);
   if (const auto good = checkProject(result.project); !good) {
     return tl::make_unexpected(good.error());
@@ -158,12 +178,21 @@ Result<CalibrationImport> importCalibration(const Project& project, const Import
   return result;
 }
 
+std::vector<std::string> cameraNamesIn(const ImportRequest& request) {
+  std::vector<std::string> names;
+  if (const auto read = readCalibration(request.path, request.hints)) {
+    std::ranges::transform(read->rig, std::back_inserter(names), &Camera::name);
+  }
+  return names;
+}
+
 AskedQuestion askedQuestion(Error error) {
   constexpr std::pair<const char*, ImportQuestion> kOptions[] = {
       {"--from", ImportQuestion::Format}, {"--unit", ImportQuestion::Unit},
       {"--lens", ImportQuestion::Lens},   {"--size", ImportQuestion::Size},
       {"--poses", ImportQuestion::Poses}, {"--force", ImportQuestion::None},
-      {"--to ", ImportQuestion::Format}};
+      {"--to ", ImportQuestion::Format},  {"--fit", ImportQuestion::Fit},
+      {"--map", ImportQuestion::Names}};
   AskedQuestion asked;
   const auto option = error.detail.find("--");
   for (const auto& [name, question] : kOptions) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/calibration/formats/calibration_adaptation.h"
 #include "core/calibration/formats/convert_calibration.h"
 #include "core/calibration/manual/pose_change.h"
+#include "core/camera_motion/agreement/camera_disagreement.h"
 #include "core/project/project.h"
 
 #include <cstddef>
@@ -20,6 +22,8 @@ struct ImportRequest {
   /// Index of the project's camera to which a file with one camera belongs; not set: matched by
   /// name.
   std::optional<std::size_t> camera = {};
+  /// How to match names, and images of another size, that do not fit.
+  CalibrationAdaptation adaptation = {};
 };
 
 /// Change of one camera by an import.
@@ -38,18 +42,27 @@ struct CalibrationImport {
   std::vector<ImportedCamera> cameras;
   bool matchedByOrder = false; ///< names match no camera; the order in the file was used
   bool lensOnly = false;       ///< the file has no poses; those of the project are kept
+  /// Likely mistakes in the calibration: two cameras of one pose, another unit (checkRig()).
+  std::vector<camera_motion::CameraDisagreement> faults;
   /// Result of difference() between the file's cameras and the project's cameras as they would be
   /// saved, in pixels.
   double largestPixels = 0.0;
 };
 
 /// Imports the calibration of any supported tool for a project's cameras. They are matched by name,
-/// or by order if the file has one for each camera. The given project is not changed. Errors name
+/// or by order if the file has one for each camera. A calibration for images of another size than
+/// those of a recording is Mismatch, unless the request says how they differ. The given project is
+/// not changed. Errors name
 /// file, field and likely cause (readCalibration()).
 Result<CalibrationImport> importCalibration(const Project& project, const ImportRequest& request);
 
-/// Information that a file lacks; see CalibrationHints.
-enum class ImportQuestion { None, Format, Unit, Lens, Size, Poses, Camera };
+/// Returns the names of the cameras in the file of a request, in its order; none if it cannot be
+/// read yet.
+std::vector<std::string> cameraNamesIn(const ImportRequest& request);
+
+/// Information that a file lacks (see CalibrationHints), or that says how it is to fit the project
+/// (see CalibrationAdaptation).
+enum class ImportQuestion { None, Format, Unit, Lens, Size, Poses, Camera, Fit, Names };
 
 /// Question raised by an error of importCalibration(), and the error's sentence without the
 /// command-line option that answers it.

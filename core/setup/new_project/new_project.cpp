@@ -2,10 +2,11 @@
 #include "core/setup/new_project/new_project.h"
 
 #include "core/calibration/formats/calibration_file.h"
-#include "core/capture/recording.h"
+#include "core/camera_motion/agreement/rig_check.h"
 #include "core/geometry/camera_name.h"
 #include "core/project/project_check.h"
-#include "core/setup/new_project/project_recording.h"
+#include "core/project/project_rig.h"
+#include "core/setup/new_project/image_size.h"
 #include "core/tracking/catalog/method_catalog.h"
 
 #include <fmt/format.h>
@@ -85,32 +86,15 @@ Result<CameraRig> matched(const std::vector<ProjectCamera>& cameras, const Camer
     byOrder = true;
     return rig;
   }
-  return failure(
-      ErrorCode::Mismatch, file, "",
-      fmt::format("{} cameras, of which {} have the names of the {} cameras of the project",
-                  rig.size(), ordered.size(), cameras.size()));
-}
-
-/// The size of a recording's images, whatever its calibration and its times say.
-Result<cv::Size> sizeOf(const ProjectCamera& camera) {
-  RecordedCamera recorded = recordedCamera(camera);
-  recorded.width = 0;
-  recorded.height = 0;
-  recorded.times.clear();
-  recorded.delay = 0.0;
-  auto source = openRecording({recorded}, 0.0);
-  if (!source) {
-    return tl::make_unexpected(source.error());
+  std::vector<std::string> names;
+  for (const ProjectCamera& camera : cameras) {
+    names.push_back(camera.camera.name);
   }
-  const auto frames = (*source)->next();
-  if (!frames) {
-    return tl::make_unexpected(frames.error());
-  }
-  if (!*frames || !(*frames)->frames.front()) {
-    return failure(ErrorCode::FileUnreadable, camera.location, camera.camera.name,
-                   "there is no image in it");
-  }
-  return (*frames)->frames.front()->image.size();
+  return failure(ErrorCode::Mismatch, file, "",
+                 fmt::format("it has {} cameras ({}), and the project has {} ({}): match them with "
+                             "--map \"{}={}\"",
+                             rig.size(), quotedNames(rig), names.size(), quotedNames(names),
+                             names.front(), rig.empty() ? "NAME" : rig.front().name));
 }
 
 /// 53 degrees wide, at `index` of a ring of `count` around a box of 1 m.
@@ -139,7 +123,7 @@ Status guess(std::vector<ProjectCamera>& cameras, std::size_t index) {
   ProjectCamera& camera = cameras[index];
   cv::Size size(kAssumedImageWidth, kAssumedImageHeight);
   if (isRecording(camera.source)) {
-    const auto real = sizeOf(camera);
+    const auto real = imageSizeOf(camera);
     if (!real) {
       return tl::make_unexpected(real.error());
     }
@@ -207,7 +191,7 @@ Result<CreatedProject> createNewProject(const NewProject& wanted) {
     }
     return made;
   }
-  return withCalibration(std::move(project), *wanted.calibration);
+  return withCalibration(std::move(project), *wanted.calibration, wanted.adaptation);
 }
 
 Status guessMissingCameras(Project& project) {
@@ -265,16 +249,20 @@ std::filesystem::path proposedProjectFile(const Project& project) {
              : std::filesystem::path(recorded->location).parent_path() / file;
 }
 
-Result<CreatedProject> withCalibration(Project project, const std::filesystem::path& file) {
-  const auto rig = loadCalibration(file);
+Result<CreatedProject> withCalibration(Project project, const std::filesystem::path& file,
+                                       const CalibrationAdaptation& adaptation) {
+  auto rig = loadCalibration(file);
   if (!rig) {
     return tl::make_unexpected(rig.error());
   }
-  return withCalibration(std::move(project), *rig, file.string());
+  if (const auto named = renameCameras(*rig, adaptation.names, file.string()); !named) {
+    return tl::make_unexpected(named.error());
+  }
+  return withCalibration(std::move(project), *rig, file.string(), adaptation.fit);
 }
 
 Result<CreatedProject> withCalibration(Project project, const CameraRig& rig,
-                                       const std::string& file) {
+                                       const std::string& file, const std::optional<SizeFit>& fit) {
   CreatedProject made;
   auto ordered = matched(project.cameras, rig, file, made.matchedByOrder);
   if (!ordered) {
@@ -285,12 +273,16 @@ Result<CreatedProject> withCalibration(Project project, const CameraRig& rig,
   for (std::size_t i = 0; i < cameras.size(); ++i) {
     (*ordered)[i].name = cameras[i].camera.name;
     cameras[i].camera = (*ordered)[i];
+    if (const auto fits = fitCalibration(cameras[i], fit, file, made.decisions); !fits) {
+      return tl::make_unexpected(fits.error());
+    }
     cameras[i].calibrated = {recordOfLens(cameras[i].camera, CalibrationOrigin::File),
                              recordOfPose(cameras[i].camera, CalibrationOrigin::File)};
   }
   made.project.calibrated = {};
   made.project.calibrated.scale = CalibrationOrigin::File;
   made.project.calibrated.floor = CalibrationOrigin::File;
+  made.faults = camera_motion::checkRig(rigOf(made.project));
   return made;
 }
 

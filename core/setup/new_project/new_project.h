@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/calibration/formats/calibration_adaptation.h"
+#include "core/camera_motion/agreement/camera_disagreement.h"
 #include "core/project/project.h"
 
 #include <opencv2/core/types.hpp>
@@ -30,7 +32,8 @@ struct NewProject {
   std::string name; ///< empty: name of the folder of its first recording
   std::vector<NewCamera> cameras;
   std::optional<std::filesystem::path> calibration;
-  double framesPerSecond = 0.0; ///< frame rate for image folders; 0 means 30
+  double framesPerSecond = 0.0;          ///< frame rate for image folders; 0 means 30
+  CalibrationAdaptation adaptation = {}; ///< for a calibration of other names or image sizes
 };
 
 /// A new project, and notes about it.
@@ -41,6 +44,10 @@ struct CreatedProject {
   bool lacksCalibration = false;
   /// True if names in the calibration file match no camera, so that its order was used.
   bool matchedByOrder = false;
+  /// Full sentences about calibrations that were fitted to the size of the images.
+  std::vector<std::string> decisions = {};
+  /// Likely mistakes in the calibration file: two cameras of one pose (checkRig()).
+  std::vector<camera_motion::CameraDisagreement> faults = {};
 };
 
 /// Creates a project from videos, image folders, devices or streams. Calibrations are matched by
@@ -51,12 +58,15 @@ struct CreatedProject {
 Result<CreatedProject> createNewProject(const NewProject& wanted);
 
 /// Returns the project with the calibration of its cameras from a file, matched as by
-/// createNewProject().
-Result<CreatedProject> withCalibration(Project project, const std::filesystem::path& file);
+/// createNewProject(). Returns Mismatch if it is for images of another size than those of a
+/// recording, unless the adaptation says how they differ (fitCalibration()).
+Result<CreatedProject> withCalibration(Project project, const std::filesystem::path& file,
+                                       const CalibrationAdaptation& adaptation = {});
 
-/// As above, from cameras that were read from this file.
+/// As above, from cameras that were read from this file and have their final names.
 Result<CreatedProject> withCalibration(Project project, const CameraRig& rig,
-                                       const std::string& file);
+                                       const std::string& file,
+                                       const std::optional<SizeFit>& fit = {});
 
 /// Sets the image size and a guessed pose for every camera with unknown image size (without a
 /// calibration, see loadProject()). Returns the errors of createNewProject().

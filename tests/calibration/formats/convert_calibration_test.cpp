@@ -84,6 +84,48 @@ TEST(ConvertCalibration, GoesThereAndBackThroughEveryFormat) {
   }
 }
 
+TEST(ConvertCalibration, RenamesAndFitsOnTheWay) {
+  const CameraRig rig = plainRig();
+  const auto in = target(**calibrationFormat("dewpoint"));
+  ASSERT_TRUE(writeCalibration(rig, in));
+  auto out = target(**calibrationFormat("anipose"));
+  out.unit = 1.0;
+  CalibrationChanges changes;
+  changes.adaptation = {{{"renamed", rig[1].name}}, SizeFit::Scale};
+  const auto& intrinsics = rig[1].intrinsics;
+  changes.size = {2 * intrinsics.width, 2 * intrinsics.height};
+  const auto conversion = convertCalibration(in.path, {}, out, changes);
+  ASSERT_TRUE(conversion) << sentence(conversion.error());
+  const auto back = readCalibration(out.path, [] {
+    CalibrationHints hints;
+    hints.unit = 1.0;
+    return hints;
+  }());
+  ASSERT_TRUE(back) << sentence(back.error());
+  EXPECT_EQ(back->rig[0].name, rig[0].name);
+  EXPECT_EQ(back->rig[1].name, "renamed");
+  EXPECT_NEAR(back->rig[1].intrinsics.focalX, 2.0 * intrinsics.focalX, 1e-6);
+  EXPECT_NEAR(back->rig[1].intrinsics.centerX, 2.0 * intrinsics.centerX + 0.5, 1e-6);
+}
+
+TEST(ConvertCalibration, NamesCamerasOfOnePose) {
+  CameraRig rig = plainRig();
+  const auto in = target(**calibrationFormat("dewpoint"));
+  ASSERT_TRUE(writeCalibration(rig, in));
+  const auto out = target(**calibrationFormat("anipose"));
+  auto conversion = convertCalibration(in.path, {}, out);
+  ASSERT_TRUE(conversion) << sentence(conversion.error());
+  EXPECT_TRUE(conversion->notices.empty());
+  rig[1].cameraFromWorld = rig[0].cameraFromWorld;
+  ASSERT_TRUE(writeCalibration(rig, in));
+  conversion = convertCalibration(in.path, {}, out);
+  ASSERT_TRUE(conversion) << sentence(conversion.error());
+  ASSERT_EQ(conversion->notices.size(), 1U);
+  EXPECT_NE(
+      conversion->notices.front().find(rig[0].name + " and " + rig[1].name + " have the same pose"),
+      std::string::npos);
+}
+
 TEST(ConvertCalibration, RefitsALensThatTheFormatCannotHoldAndSaysTheLoss) {
   CameraRig rig = plainRig();
   rig[0].distortion[4] = -0.05; // k3: Pose2Sim and Kalibr have none

@@ -102,6 +102,26 @@ TEST(FormatGolden, EveryFilePutsItsPointsWhereItsToolDoes) {
   }
 }
 
+TEST(FormatGolden, TheTwoFilesOfAPairAreOneFolder) {
+  const auto folder = ownFolder() / "pair";
+  std::filesystem::create_directories(folder);
+  for (const char* name : {"intrinsics.yml", "extrinsics.yml"}) {
+    std::filesystem::copy_file(kGolden / name, folder / name,
+                               std::filesystem::copy_options::overwrite_existing);
+  }
+  const auto folderRead = readCalibration(folder, stereo());
+  ASSERT_TRUE(folderRead) << sentence(folderRead.error());
+  EXPECT_EQ(folderRead->format, "opencv-stereo");
+  EXPECT_EQ(folderRead->rig, readCalibration(kGolden / "intrinsics.yml", stereo())->rig);
+  for (const char* name : {"more_intrinsics.yml", "more_extrinsics.yml"}) {
+    std::filesystem::copy_file(kGolden / std::string(name).substr(5), folder / name,
+                               std::filesystem::copy_options::overwrite_existing);
+  }
+  const auto two = readCalibration(folder, stereo());
+  ASSERT_FALSE(two);
+  EXPECT_NE(two.error().detail.find("more than one pair"), std::string::npos);
+}
+
 /// The error of a golden file with one piece of its text replaced.
 Error errorOfGolden(const std::string& file, const std::string& from, const std::string& to,
                     const CalibrationHints& hints = {}) {

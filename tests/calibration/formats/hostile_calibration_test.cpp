@@ -32,6 +32,7 @@ constexpr Sample kSamples[] = {
     {"mc-calib", "mc_calib.yml"},
     {"qualisys", "session.qca.txt"},
     {"multical", "multical.json"},
+    {"plain", "plain.json"},
 };
 
 class HostileCalibration : public testing::Test {

@@ -196,6 +196,31 @@ TEST_P(Symmetries, ATurnedOrMirroredStreamIsNamed) {
 
 INSTANTIATE_TEST_SUITE_P(All, Symmetries, testing::Range(0, 8));
 
+/// The same room with z down: x as before, y and z the other way.
+void turnWorld(CameraRig& rig, std::vector<MeasuredPoint>& points) {
+  const Eigen::Matrix3d half = Eigen::Vector3d(1.0, -1.0, -1.0).asDiagonal();
+  for (Camera& camera : rig) {
+    camera.cameraFromWorld.linear() = camera.cameraFromWorld.linear() * half;
+  }
+  for (MeasuredPoint& point : points) {
+    point.world = half * point.world;
+  }
+}
+
+TEST(MeasuredPoints, UprightImagesAreNotUpsideDownWhereZPointsDown) {
+  for (const std::size_t count : {8U, 4U}) { // in space, and on the floor
+    CameraRig rig = twoCameras();
+    auto points = pointsSeenBy(rig, count);
+    turnWorld(rig, points);
+    const PointSolution solution = solveFromPoints(rig, points);
+    ASSERT_EQ(solution.cameras.size(), 2U);
+    for (const CameraFromPoints& camera : solution.cameras) {
+      EXPECT_EQ(camera.status, PoseStatus::None);
+      EXPECT_FALSE(camera.proposal) << count;
+    }
+  }
+}
+
 TEST(MeasuredPoints, AMirroredFloorIsSeenFromBelow) {
   // Points of one plane fit mirrored as well; but nobody looks through the floor.
   const CameraRig rig{measuringCamera({-2.0, -3.0, 1.8}, "left")};

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace dewpoint::tests {
 namespace {
@@ -120,6 +121,10 @@ TEST(CalibrationAccuracy, SaysItInOneSentence) {
   accuracy.up95 = 0.2 / 180.0 * 3.14159265358979;
   EXPECT_EQ(accuracySummary(accuracy),
             "In this volume +-3.1 mm (95 %), scale +-0.1 %, up +-0.2 degrees.");
+  accuracy.position95 = 0.893;
+  accuracy.scale95 = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(accuracySummary(accuracy),
+            "In this volume +-890 mm (95 %), scale unknown, up +-0.2 degrees.");
 }
 
 TEST(CalibrationAccuracy, WithoutFreeCamerasThereIsNone) {

@@ -121,6 +121,32 @@ TEST(BoardCalibration, StopsWhenTold) {
   EXPECT_EQ(calls, 3);
 }
 
+TEST(BoardCalibration, OnlyTheFramesOfARangeAreSearched) {
+  const Recorded recorded;
+  const auto source = recorded.open();
+  BoardCalibrationRequest wish = recorded.wish();
+  wish.firstFrame = 3;
+  wish.endFrame = 6;
+  auto seen = findBoards(recorded.project, *source, wish);
+  ASSERT_TRUE(seen) << sentence(seen.error());
+  EXPECT_EQ(seen->cameras[0].searched, 3);
+  for (const BoardView& view : seen->cameras[0].views) {
+    EXPECT_GE(view.instant, 3);
+    EXPECT_LT(view.instant, 6);
+  }
+
+  wish.worldFrame = 0; // outside the range, but it is what makes the world
+  seen = findBoards(recorded.project, *source, wish);
+  ASSERT_TRUE(seen) << sentence(seen.error());
+  EXPECT_EQ(seen->cameras[0].searched, 4);
+
+  wish.firstFrame = kFrames;
+  wish.endFrame.reset();
+  seen = findBoards(recorded.project, *source, wish);
+  ASSERT_FALSE(seen);
+  EXPECT_EQ(seen.error().field, "--frames");
+}
+
 TEST(BoardCalibration, FramesBetweenThoseLookedAtArePassedOver) {
   const Recorded recorded;
   BoardCalibrationRequest wish = recorded.wish();

@@ -84,6 +84,57 @@ TEST_F(CalibrationExchange, ImportMatchesByNameAndSaysWhatChanges) {
   EXPECT_FALSE(made->decisions.empty());
 }
 
+TEST_F(CalibrationExchange, NamesThatDoNotFitAreAskedForAndMapped) {
+  CameraRig rig = rigOf(project_);
+  rig[0].name = "right"; // the file has it the other way round, and one more
+  rig[1].name = "third";
+  rig.push_back(rig[1]);
+  rig[2].name = "fourth";
+  rig[2].cameraFromWorld.translation().x() += 0.5;
+  const auto file = folder_ / "names.toml";
+  ASSERT_TRUE(saveCalibration(rig, file));
+  ImportRequest wish{file, {}};
+  EXPECT_EQ(cameraNamesIn(wish), (std::vector<std::string>{"right", "third", "fourth"}));
+  const auto refused = importCalibration(project_, wish);
+  ASSERT_FALSE(refused);
+  const AskedQuestion asked = askedQuestion(refused.error());
+  EXPECT_EQ(asked.question, ImportQuestion::Names);
+  EXPECT_EQ(
+      asked.error.detail,
+      "it has 3 cameras ('right', 'third', 'fourth'), and the project has 2 ('left', 'right')");
+  wish.adaptation.names = {{"left", "right"}, {"right", "fourth"}};
+  const auto made = importCalibration(project_, wish);
+  ASSERT_TRUE(made) << sentence(made.error());
+  ASSERT_EQ(made->cameras.size(), 2U);
+  EXPECT_EQ(made->cameras[0].fileName, "right");
+  EXPECT_EQ(made->cameras[1].fileName, "fourth");
+  EXPECT_NEAR(made->cameras[0].shift.meters, 0.0, 1e-9);
+  EXPECT_NEAR(made->cameras[1].shift.meters, 0.5, 1e-9);
+}
+
+TEST_F(CalibrationExchange, TheSizeOfTheImagesIsAQuestion) {
+  const AskedQuestion asked = askedQuestion(
+      {ErrorCode::Mismatch, "rig.toml", "left", "64 x 48, and 64 x 40: adapt it with --fit crop"});
+  EXPECT_EQ(asked.question, ImportQuestion::Fit);
+  EXPECT_EQ(asked.error.detail, "64 x 48, and 64 x 40");
+}
+
+TEST_F(CalibrationExchange, TwoCamerasOfOnePoseAreNamed) {
+  CameraRig rig = rigOf(project_);
+  const auto file = folder_ / "copied.toml";
+  ASSERT_TRUE(saveCalibration(rig, file));
+  auto made = importCalibration(project_, {file, {}});
+  ASSERT_TRUE(made) << sentence(made.error());
+  EXPECT_TRUE(made->faults.empty());
+  rig[1].cameraFromWorld = rig[0].cameraFromWorld;
+  ASSERT_TRUE(saveCalibration(rig, file));
+  made = importCalibration(project_, {file, {}}); // not an error
+  ASSERT_TRUE(made) << sentence(made.error());
+  ASSERT_EQ(made->faults.size(), 1U);
+  EXPECT_EQ(made->faults.front().fault, CameraFault::SamePose);
+  EXPECT_EQ(made->faults.front().cameras, (std::vector<std::size_t>{0, 1}));
+}
+
 TEST_F(CalibrationExchange, AFileOfOneCameraIsForTheOneThatIsNamed) {
   ImportRequest wish{kGolden / "opencv_sample.yml", {}};
   wish.hints.unit = 1.0;

@@ -127,6 +127,37 @@ TEST_F(NewProjectTest, ACalibrationThatFitsNeitherWayIsRefused) {
   const auto made = createNewProject(wanted);
   ASSERT_FALSE(made);
   EXPECT_EQ(made.error().code, ErrorCode::Mismatch);
+  EXPECT_NE(made.error().detail.find("'left', 'other'"), std::string::npos) << made.error().detail;
+  EXPECT_NE(made.error().detail.find("'left', 'right'"), std::string::npos) << made.error().detail;
+  wanted.adaptation.names = {{"right", "other"}};
+  const auto mapped = createNewProject(wanted);
+  ASSERT_TRUE(mapped) << sentence(mapped.error());
+  EXPECT_FALSE(mapped->matchedByOrder);
+  EXPECT_EQ(mapped->project.cameras[1].camera.name, "right");
+  EXPECT_EQ(mapped->project.cameras[1].camera.intrinsics.focalX, 101.0);
+}
+
+TEST_F(NewProjectTest, ACalibrationOfAnotherImageSizeIsFittedAsTheUserSays) {
+  for (const char* name : {"left", "right"}) { // 64x48 is calibrated
+    cv::imwrite((folder_ / name / "0.png").string(), cv::Mat(40, 64, CV_8UC3, cv::Scalar(0)));
+  }
+  auto wanted = two();
+  wanted.calibration = calibration({"left", "right"});
+  const auto refused = createNewProject(wanted);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::Mismatch);
+  EXPECT_EQ(refused.error().field, "left");
+  EXPECT_NE(refused.error().detail.find("64 x 48"), std::string::npos);
+  EXPECT_NE(refused.error().detail.find("64 x 40"), std::string::npos);
+  wanted.adaptation.fit = SizeFit::Crop;
+  const auto made = createNewProject(wanted);
+  ASSERT_TRUE(made) << sentence(made.error());
+  EXPECT_EQ(made->decisions.size(), 2U);
+  const Intrinsics& in = made->project.cameras[1].camera.intrinsics;
+  EXPECT_EQ(in.height, 40);
+  EXPECT_DOUBLE_EQ(in.centerY, 19.5);
+  wanted.adaptation.fit = SizeFit::Rotate90;
+  EXPECT_EQ(createNewProject(wanted).error().code, ErrorCode::Mismatch); // 48 x 64 then
 }
 
 TEST_F(NewProjectTest, TheSameNameTwiceIsMadeDifferent) {

@@ -5,6 +5,7 @@
 #include "ui/document/camera_list_model.h"
 #include "ui/document/document.h"
 #include "ui/text/calibration_files.h"
+#include "ui/text/camera_agreement_text.h"
 #include "ui/text/error_sentence.h"
 #include "ui/text/quantity_text.h"
 #include "ui/widgets/choice_field.h"
@@ -14,6 +15,7 @@
 #include <QComboBox>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -27,16 +29,20 @@ CalibrationImportDialog::CalibrationImportDialog(Document& document, const Camer
     : ExchangeDialog(QStringLiteral("calibrationImport"), parent), document_(document),
       cameras_(cameras), format_(addChoice("Format")), unit_(addChoice("Unit")),
       lens_(addChoice("Lens")), size_(new QLineEdit(this)), poses_(addChoice("Poses")),
-      camera_(addChoice("Camera")), folder_(new QPushButton(this)) {
+      camera_(addChoice("Camera")), fit_(addChoice("Fit")), names_(new QWidget(this)),
+      folder_(new QPushButton(this)) {
   size_->setObjectName(QStringLiteral("calibrationImportSize"));
   folder_->setObjectName(QStringLiteral("calibrationImportFolder"));
   unit_->setEditable(true);
   unit_->setInsertPolicy(QComboBox::NoInsert);
   addButton(folder_);
-  for (QWidget* field :
-       std::initializer_list<QWidget*>{format_, unit_, lens_, size_, poses_, camera_}) {
+  for (QWidget* field : std::initializer_list<QWidget*>{format_, unit_, lens_, size_, poses_,
+                                                        camera_, fit_, names_}) {
     labels_.push_back(addRow(field));
   }
+  auto* rows = new QFormLayout(names_);
+  rows->setContentsMargins(0, 0, 0, 0);
+  fillNames({});
   connect(folder_, &QPushButton::clicked, this, [this] {
     const QString folder = askForFolder(this, tr("Choose a folder"));
     if (!folder.isEmpty()) {
@@ -46,6 +52,7 @@ CalibrationImportDialog::CalibrationImportDialog(Document& document, const Camer
   connect(&document_, &Document::replaced, this, &QDialog::close);
   connect(&cameras_, &CameraListModel::dataChanged, this, [this] {
     fillCameras();
+    fillNames({});
     refresh(); // what is taken has the names, too
   });
   begin();
@@ -65,6 +72,41 @@ void CalibrationImportDialog::fillCameras() {
     choices.emplace_back(tr("for %1 only").arg(cameras_.nameOf(camera)), camera);
   }
   setChoicesWithData(*camera_, choices);
+}
+
+void CalibrationImportDialog::fillNames(const QStringList& inFile) {
+  const auto isChosen = [](const QComboBox* choice) { return choice->currentIndex() > 0; };
+  QStringList missing; // names of the project
+  for (int camera = 0; camera < cameras_.rowCount(); ++camera) {
+    if (!inFile.contains(cameras_.nameOf(camera))) {
+      missing << cameras_.nameOf(camera);
+    }
+  }
+  const bool isNeeded = inFile.size() > 1 && !missing.isEmpty();
+  if (inFile != namesInFile_ || inFile.isEmpty()) {
+    namesInFile_ = inFile;
+    auto* rows = static_cast<QFormLayout*>(names_->layout());
+    while (rows->rowCount() > 0) {
+      rows->removeRow(0);
+    }
+    nameChoices_.clear();
+    for (int camera = 0; isNeeded && camera < cameras_.rowCount(); ++camera) {
+      QComboBox* choice = addChoice(QByteArray("Name" + QByteArray::number(camera)).constData());
+      ChoicesWithData choices = {{tr("match automatically"), {}}};
+      for (const QString& name : inFile) {
+        choices.emplace_back(name, name);
+      }
+      setChoicesWithData(*choice, choices);
+      choice->setAccessibleName(cameras_.nameOf(camera));
+      choice->setToolTip(tr("The camera of the file that each camera of the project uses"));
+      connect(choice, &QComboBox::currentIndexChanged, this, &CalibrationImportDialog::refresh);
+      rows->addRow(cameras_.nameOf(camera), choice);
+      nameChoices_.push_back(choice);
+    }
+  }
+  const bool isShown = isNeeded || std::ranges::any_of(nameChoices_, isChosen);
+  names_->setVisible(isShown);
+  labels_.back()->setVisible(isShown);
 }
 
 void CalibrationImportDialog::retranslateFields() {
@@ -93,8 +135,15 @@ void CalibrationImportDialog::retranslateFields() {
   setChoicesWithData(*poses_, {{tr("format default"), {}},
                                {tr("camera from world"), QStringLiteral("no")},
                                {tr("world from camera"), QStringLiteral("yes")}});
+  setChoicesWithData(*fit_, {{tr("equal the calibrated ones"), {}},
+                             {tr("cropped on all sides"), QStringLiteral("crop")},
+                             {tr("cropped at the right and below"), QStringLiteral("trim")},
+                             {tr("scaled"), QStringLiteral("scale")},
+                             {tr("rotated clockwise by 90°"), QStringLiteral("rotate-90")},
+                             {tr("rotated clockwise by 270°"), QStringLiteral("rotate-270")}});
   size_->setPlaceholderText(own);
   fillCameras();
+  fillNames({});
   const std::pair<QString, QString> names[] = {
       {tr("Format"), tr("The program that wrote the file")},
       {tr("Unit"), tr("Unit of the lengths in the file; or enter the length of one unit in meters, "
@@ -102,8 +151,11 @@ void CalibrationImportDialog::retranslateFields() {
       {tr("Four coefficients"), tr("Meaning of the four lens coefficients")},
       {tr("Image size"), tr("Width and height in pixels, such as 1280x720")},
       {tr("Poses"), tr("Direction of the transformation that the file stores as a pose")},
-      {tr("Camera"), tr("The camera to which a file with a single camera belongs")}};
-  QWidget* const fields[] = {format_, unit_, lens_, size_, poses_, camera_};
+      {tr("Camera"), tr("The camera to which a file with a single camera belongs")},
+      {tr("The images are"),
+       tr("How images of another size differ from those that were calibrated")},
+      {tr("Names in the file"), tr("The camera of the file that each camera of the project uses")}};
+  QWidget* const fields[] = {format_, unit_, lens_, size_, poses_, camera_, fit_, names_};
   for (std::size_t k = 0; k < labels_.size(); ++k) {
     labels_[k]->setText(names[k].first);
     fields[k]->setAccessibleName(names[k].first);
@@ -134,6 +186,13 @@ ImportRequest CalibrationImportDialog::request() const {
   if (const QVariant camera = camera_->currentData(); camera.isValid()) {
     request.camera = static_cast<std::size_t>(camera.toInt());
   }
+  request.adaptation.fit = parseSizeFit(fit_->currentData().toString().toStdString());
+  for (std::size_t k = 0; k < nameChoices_.size(); ++k) {
+    if (const QString name = nameChoices_[k]->currentData().toString(); !name.isEmpty()) {
+      request.adaptation.names[cameras_.nameOf(static_cast<int>(k)).toStdString()] =
+          name.toStdString();
+    }
+  }
   return request;
 }
 
@@ -142,7 +201,14 @@ ExchangeDialog::Preview CalibrationImportDialog::preview() {
   return [this, project = document_.project(), request = request()] {
     const auto made =
         std::make_shared<Result<CalibrationImport>>(importCalibration(project, request));
-    return [this, made] { applyResult(*made); };
+    QStringList inFile;
+    for (const std::string& name : cameraNamesIn(request)) {
+      inFile << QString::fromStdString(name);
+    }
+    return [this, made, inFile] {
+      fillNames(inFile);
+      applyResult(*made);
+    };
   };
 }
 
@@ -161,8 +227,12 @@ void CalibrationImportDialog::applyError(const Error& error) {
   QString text = QStringLiteral("⚠ ") + sentence;
   if (asked.question != ImportQuestion::None) {
     const QString label = labels_[static_cast<std::size_t>(asked.question) - 1]->text();
+    const bool isMisfit =
+        asked.question == ImportQuestion::Fit || asked.question == ImportQuestion::Names;
     text += QStringLiteral("\n\n") +
-            tr("The file does not contain all information. Set “%1” above.").arg(label);
+            (isMisfit ? tr("The calibration does not fit the project. Set “%1” above.")
+                      : tr("The file does not contain all information. Set “%1” above."))
+                .arg(label);
   }
   showPreview(text, false);
   Q_EMIT failed(sentence);
@@ -185,6 +255,14 @@ void CalibrationImportDialog::applyResult(const Result<CalibrationImport>& made)
   if (made->lensOnly) {
     lines << tr(
         "The file contains no pose: only the intrinsics are imported, and the pose is kept.");
+  }
+  QStringList names;
+  for (int camera = 0; camera < cameras_.rowCount(); ++camera) {
+    names << cameras_.nameOf(camera);
+  }
+  for (const CameraDisagreement& fault : made->faults) {
+    lines << QStringLiteral("⚠ ") +
+                 tr("Probably a mistake: %1").arg(disagreementText(fault, names));
   }
   lines << QString();
   for (const ImportedCamera& camera : made->cameras) {

@@ -4,7 +4,10 @@
 #include "core/setup/calibration/calibration_exchange.h"
 #include "ui/calibration/exchange/exchange_dialog.h"
 
+#include <QStringList>
+
 #include <memory>
+#include <vector>
 
 namespace dewpoint::ui {
 
@@ -34,6 +37,9 @@ private:
   void applyError(const Error& error);
   void highlightQuestion(ImportQuestion question);
   void fillCameras();
+  /// Shows a choice for each camera of the project if names do not match. `inFile`: the names in
+  /// the file; empty if they are not known.
+  void fillNames(const QStringList& inFile);
 
   Document& document_;
   const CameraListModel& cameras_;
@@ -43,7 +49,11 @@ private:
   QLineEdit* size_;
   QComboBox* poses_;
   QComboBox* camera_;
-  std::vector<QLabel*> labels_; ///< indexed by ImportQuestion, starting at Format
+  QComboBox* fit_;
+  QWidget* names_;                      ///< holds `nameChoices_`
+  std::vector<QComboBox*> nameChoices_; ///< for each camera of the project, the one in the file
+  QStringList namesInFile_;             ///< offered by `nameChoices_`
+  std::vector<QLabel*> labels_;         ///< indexed by ImportQuestion, starting at Format
   QPushButton* folder_;
   std::shared_ptr<const CalibrationImport> import_;
 };

@@ -188,9 +188,17 @@ void CalibrationImportTest::asksWhatTheFileLeavesOpen() {
   unit->lineEdit()->selectAll();
   QTest::keyClicks(unit->lineEdit(), QStringLiteral("0.001"));
   QTest::keyClick(unit->lineEdit(), Qt::Key_Return);
-  // The unit is answered; what is said next is that the file has three cameras, the demo two.
+  // The unit is answered; what is asked next is which of the file's three cameras the demo's two
+  // are.
   QVERIFY(waitText("calibrationImportPreview", QStringLiteral("3 cameras")));
-  QVERIFY(!preview("calibrationImportPreview").contains(QStringLiteral("above")));
+  QVERIFY(preview("calibrationImportPreview").contains(QStringLiteral("Names in the file")));
+  choose("calibrationImportName0", "right");
+  choose("calibrationImportName1", "left");
+  QVERIFY2(waitReady(dialog), qPrintable(preview("calibrationImportPreview")));
+  const QString matched = preview("calibrationImportPreview");
+  const auto first = matched.indexOf(QStringLiteral("(in the file: right)"));
+  const auto second = matched.indexOf(QStringLiteral("(in the file: left)"));
+  QVERIFY2(first >= 0 && first < second, qPrintable(matched));
   QVERIFY(QApplication::activeModalWidget() == nullptr);
 }
 

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/trajectory/truth_unit.h"
+
+#include <gtest/gtest.h>
+
+namespace dewpoint::tests {
+namespace {
+
+/// A target that moves along x for ten frames.
+Trajectory moving() {
+  Trajectory trajectory;
+  for (int frame = 0; frame < 10; ++frame) {
+    TrajectorySample sample;
+    sample.frame = frame;
+    sample.position = {0.1 * frame, 0.4, 0.2};
+    trajectory.samples.push_back(sample);
+  }
+  return trajectory;
+}
+
+TEST(TruthUnit, MillimetersAreRecognized) {
+  const auto unit = likelyTruthUnit(moving(), inMeters(moving(), 1000.0));
+  ASSERT_TRUE(unit);
+  EXPECT_DOUBLE_EQ(*unit, 0.001);
+}
+
+TEST(TruthUnit, CentimetersAreRecognized) {
+  const auto unit = likelyTruthUnit(moving(), inMeters(moving(), 100.0));
+  ASSERT_TRUE(unit);
+  EXPECT_DOUBLE_EQ(*unit, 0.01);
+}
+
+TEST(TruthUnit, MetersAreLeftAlone) {
+  EXPECT_FALSE(likelyTruthUnit(moving(), moving()));
+  Trajectory elsewhere = moving(); // wrong, but not by a unit
+  for (TrajectorySample& sample : elsewhere.samples) {
+    sample.position += Eigen::Vector3d(5.0, 0.0, 0.0);
+  }
+  EXPECT_FALSE(likelyTruthUnit(elsewhere, moving()));
+  EXPECT_FALSE(likelyTruthUnit({}, moving()));
+}
+
+TEST(TruthUnit, ScalesCovariancesWithPositions) {
+  Trajectory truth = moving();
+  truth.samples[1].covariance.setIdentity();
+  truth.samples[1].best = truth.samples[1].position;
+  const Trajectory scaled = inMeters(truth, 0.001);
+  EXPECT_DOUBLE_EQ(scaled.samples[1].position.x(), 1e-4);
+  EXPECT_DOUBLE_EQ(scaled.samples[1].best->x(), 1e-4);
+  EXPECT_DOUBLE_EQ(scaled.samples[1].covariance(0, 0), 1e-6);
+}
+
+} // namespace
+} // namespace dewpoint::tests
