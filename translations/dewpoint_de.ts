@@ -1051,6 +1051,10 @@
         <source>, upward direction not measured yet (page Floor)</source>
         <translation>, Richtung nach oben noch nicht gemessen (Seite Boden)</translation>
     </message>
+    <message>
+        <source>In this volume: position unknown</source>
+        <translation>In diesem Volumen: Position unbekannt</translation>
+    </message>
 </context>
 <context>
     <name>CameraAgreement</name>
@@ -4054,6 +4058,58 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <source>The cameras now use the calibration from %1.</source>
         <translation>Die Kameras verwenden jetzt die Kalibrierung aus %1.</translation>
     </message>
+    <message>
+        <source>match automatically</source>
+        <translation>automatisch zuordnen</translation>
+    </message>
+    <message>
+        <source>The camera of the file that each camera of the project uses</source>
+        <translation>Die Kamera der Datei, die jede Kamera des Projekts verwendet</translation>
+    </message>
+    <message>
+        <source>equal the calibrated ones</source>
+        <translation>gleich den kalibrierten</translation>
+    </message>
+    <message>
+        <source>cropped on all sides</source>
+        <translation>auf allen Seiten beschnitten</translation>
+    </message>
+    <message>
+        <source>cropped at the right and below</source>
+        <translation>rechts und unten beschnitten</translation>
+    </message>
+    <message>
+        <source>scaled</source>
+        <translation>skaliert</translation>
+    </message>
+    <message>
+        <source>rotated clockwise by 90°</source>
+        <translation>um 90° im Uhrzeigersinn gedreht</translation>
+    </message>
+    <message>
+        <source>rotated clockwise by 270°</source>
+        <translation>um 270° im Uhrzeigersinn gedreht</translation>
+    </message>
+    <message>
+        <source>The images are</source>
+        <translation>Die Bilder sind</translation>
+    </message>
+    <message>
+        <source>How images of another size differ from those that were calibrated</source>
+        <translation>Wie sich Bilder anderer Größe von den kalibrierten unterscheiden</translation>
+    </message>
+    <message>
+        <source>Names in the file</source>
+        <translation>Namen in der Datei</translation>
+    </message>
+    <message>
+        <source>The calibration does not fit the project. Set “%1” above.</source>
+        <translation>Die Kalibrierung passt nicht zum Projekt. Stellen Sie oben „%1“ ein.</translation>
+    </message>
+    <message>
+        <source>Probably a mistake: %1</source>
+        <translation>Wahrscheinlich ein Fehler: %1</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::CalibrationMode</name>
@@ -4466,6 +4522,14 @@ bei %4, %5, %6</translation>
     <message>
         <source>The cameras now use the calibration from %1.</source>
         <translation>Die Kameras verwenden jetzt die Kalibrierung aus %1.</translation>
+    </message>
+    <message>
+        <source>Probably a mistake: %1</source>
+        <translation>Wahrscheinlich ein Fehler: %1</translation>
+    </message>
+    <message>
+        <source>%1. Use Import calibration.</source>
+        <translation>%1. Verwenden Sie „Kalibrierung importieren“.</translation>
     </message>
 </context>
 <context>
@@ -6044,6 +6108,14 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
     <message>
         <source>Found</source>
         <translation>Gefunden</translation>
+    </message>
+    <message>
+        <source>%1. Create the project without this file, then use Import calibration.</source>
+        <translation>%1. Legen Sie das Projekt ohne diese Datei an, und verwenden Sie dann „Kalibrierung importieren“.</translation>
+    </message>
+    <message>
+        <source>Probably a mistake in the calibration: %1</source>
+        <translation>Wahrscheinlich ein Fehler in der Kalibrierung: %1</translation>
     </message>
 </context>
 <context>

@@ -1051,6 +1051,10 @@
         <source>, upward direction not measured yet (page Floor)</source>
         <translation>, dirección vertical aún sin medir (página Suelo)</translation>
     </message>
+    <message>
+        <source>In this volume: position unknown</source>
+        <translation>En este volumen: posición desconocida</translation>
+    </message>
 </context>
 <context>
     <name>CameraAgreement</name>
@@ -4054,6 +4058,58 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <source>The cameras now use the calibration from %1.</source>
         <translation>Las cámaras usan ahora la calibración de %1.</translation>
     </message>
+    <message>
+        <source>match automatically</source>
+        <translation>asignar automáticamente</translation>
+    </message>
+    <message>
+        <source>The camera of the file that each camera of the project uses</source>
+        <translation>La cámara del archivo que usa cada cámara del proyecto</translation>
+    </message>
+    <message>
+        <source>equal the calibrated ones</source>
+        <translation>iguales a las calibradas</translation>
+    </message>
+    <message>
+        <source>cropped on all sides</source>
+        <translation>recortadas por todos los lados</translation>
+    </message>
+    <message>
+        <source>cropped at the right and below</source>
+        <translation>recortadas a la derecha y abajo</translation>
+    </message>
+    <message>
+        <source>scaled</source>
+        <translation>escaladas</translation>
+    </message>
+    <message>
+        <source>rotated clockwise by 90°</source>
+        <translation>giradas 90° en sentido horario</translation>
+    </message>
+    <message>
+        <source>rotated clockwise by 270°</source>
+        <translation>giradas 270° en sentido horario</translation>
+    </message>
+    <message>
+        <source>The images are</source>
+        <translation>Las imágenes son</translation>
+    </message>
+    <message>
+        <source>How images of another size differ from those that were calibrated</source>
+        <translation>En qué se diferencian las imágenes de otro tamaño de las calibradas</translation>
+    </message>
+    <message>
+        <source>Names in the file</source>
+        <translation>Nombres en el archivo</translation>
+    </message>
+    <message>
+        <source>The calibration does not fit the project. Set “%1” above.</source>
+        <translation>La calibración no encaja con el proyecto. Indique arriba «%1».</translation>
+    </message>
+    <message>
+        <source>Probably a mistake: %1</source>
+        <translation>Probablemente un error: %1</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::CalibrationMode</name>
@@ -4466,6 +4522,14 @@ en %4, %5, %6</translation>
     <message>
         <source>The cameras now use the calibration from %1.</source>
         <translation>Las cámaras usan ahora la calibración de %1.</translation>
+    </message>
+    <message>
+        <source>Probably a mistake: %1</source>
+        <translation>Probablemente un error: %1</translation>
+    </message>
+    <message>
+        <source>%1. Use Import calibration.</source>
+        <translation>%1. Use «Importar calibración».</translation>
     </message>
 </context>
 <context>
@@ -6044,6 +6108,14 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
     <message>
         <source>Found</source>
         <translation>Encontrado</translation>
+    </message>
+    <message>
+        <source>%1. Create the project without this file, then use Import calibration.</source>
+        <translation>%1. Cree el proyecto sin este archivo y use después «Importar calibración».</translation>
+    </message>
+    <message>
+        <source>Probably a mistake in the calibration: %1</source>
+        <translation>Probablemente un error en la calibración: %1</translation>
     </message>
 </context>
 <context>

@@ -1051,6 +1051,10 @@
         <source>, upward direction not measured yet (page Floor)</source>
         <translation>、上方向は未測定(「床」ページ)</translation>
     </message>
+    <message>
+        <source>In this volume: position unknown</source>
+        <translation>この空間での位置精度: 不明</translation>
+    </message>
 </context>
 <context>
     <name>CameraAgreement</name>
@@ -4051,6 +4055,58 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <source>The cameras now use the calibration from %1.</source>
         <translation>カメラは %1 のキャリブレーションを使います。</translation>
     </message>
+    <message>
+        <source>match automatically</source>
+        <translation>自動で対応付ける</translation>
+    </message>
+    <message>
+        <source>The camera of the file that each camera of the project uses</source>
+        <translation>プロジェクトの各カメラが使う、ファイル内のカメラ</translation>
+    </message>
+    <message>
+        <source>equal the calibrated ones</source>
+        <translation>キャリブレーション時と同じ</translation>
+    </message>
+    <message>
+        <source>cropped on all sides</source>
+        <translation>四辺を切り取ったもの</translation>
+    </message>
+    <message>
+        <source>cropped at the right and below</source>
+        <translation>右と下を切り取ったもの</translation>
+    </message>
+    <message>
+        <source>scaled</source>
+        <translation>拡大縮小したもの</translation>
+    </message>
+    <message>
+        <source>rotated clockwise by 90°</source>
+        <translation>時計回りに90°回転したもの</translation>
+    </message>
+    <message>
+        <source>rotated clockwise by 270°</source>
+        <translation>時計回りに270°回転したもの</translation>
+    </message>
+    <message>
+        <source>The images are</source>
+        <translation>画像は</translation>
+    </message>
+    <message>
+        <source>How images of another size differ from those that were calibrated</source>
+        <translation>サイズの異なる画像が、キャリブレーション時の画像とどう違うか</translation>
+    </message>
+    <message>
+        <source>Names in the file</source>
+        <translation>ファイル内の名前</translation>
+    </message>
+    <message>
+        <source>The calibration does not fit the project. Set “%1” above.</source>
+        <translation>キャリブレーションがプロジェクトに合いません。上の「%1」を設定してください。</translation>
+    </message>
+    <message>
+        <source>Probably a mistake: %1</source>
+        <translation>おそらく誤りです: %1</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::CalibrationMode</name>
@@ -4463,6 +4519,14 @@ at %4, %5, %6</source>
     <message>
         <source>The cameras now use the calibration from %1.</source>
         <translation>カメラは %1 のキャリブレーションを使います。</translation>
+    </message>
+    <message>
+        <source>Probably a mistake: %1</source>
+        <translation>おそらく誤りです: %1</translation>
+    </message>
+    <message>
+        <source>%1. Use Import calibration.</source>
+        <translation>%1。「キャリブレーションを読み込む」を使ってください。</translation>
     </message>
 </context>
 <context>
@@ -6035,6 +6099,14 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
     <message>
         <source>Found</source>
         <translation>検出結果</translation>
+    </message>
+    <message>
+        <source>%1. Create the project without this file, then use Import calibration.</source>
+        <translation>%1。このファイルなしでプロジェクトを作成し、その後「キャリブレーションを読み込む」を使ってください。</translation>
+    </message>
+    <message>
+        <source>Probably a mistake in the calibration: %1</source>
+        <translation>キャリブレーションがおそらく誤っています: %1</translation>
     </message>
 </context>
 <context>

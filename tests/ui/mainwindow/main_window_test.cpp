@@ -199,7 +199,9 @@ void MainWindowTest::statusBarSaysWhatTheSnapshotSays() {
   QCOMPARE(label("statusFrame"),
            QStringLiteral("frame %1 / %2").arg(shown().frame + 1).arg(*shown().frameCount));
   QVERIFY(label("statusSampleSize").contains(QString::number(estimate.particleCount)));
-  QVERIFY(label("statusTime").contains(QStringLiteral("µs")));
+  const QString time = label("statusTime"); // milliseconds on a slow machine
+  QVERIFY2(time.contains(QStringLiteral("µs")) || time.contains(QStringLiteral("ms")),
+           qPrintable(time));
   QVERIFY(label("statusSpread").contains(QStringLiteral("±")));
   QVERIFY(label("statusSpeed").contains(QStringLiteral("m/s")));
   QCOMPARE(label("statusPlaying"), QStringLiteral("paused"));
