@@ -5600,10 +5600,6 @@ bei %4, %5, %6</translation>
         <translation>✓ mit diesem Programm gemessen: ± ist die Standardabweichung. ○ eingegeben, von Hand eingestellt oder aus einer Datei gelesen: nicht überprüft. ⚠ nur geraten.</translation>
     </message>
     <message>
-        <source>Ways to calibrate</source>
-        <translation>Wege zur Kalibrierung</translation>
-    </message>
-    <message>
         <source>Back</source>
         <translation>Zurück</translation>
     </message>
@@ -5646,6 +5642,18 @@ bei %4, %5, %6</translation>
     <message>
         <source>Step %1 of %2: %3</source>
         <translation>Schritt %1 von %2: %3</translation>
+    </message>
+    <message>
+        <source>Another way…</source>
+        <translation>Anderer Weg…</translation>
+    </message>
+    <message>
+        <source>Show all ways to calibrate. What is known about the cameras stays.</source>
+        <translation>Alle Wege zur Kalibrierung zeigen. Was über die Kameras bekannt ist, bleibt.</translation>
+    </message>
+    <message>
+        <source>Choose a way to calibrate</source>
+        <translation>Weg zur Kalibrierung wählen</translation>
     </message>
 </context>
 <context>

@@ -5600,10 +5600,6 @@ en %4, %5, %6</translation>
         <translation>✓ medido con este programa: ± es la desviación típica. ○ introducido, ajustado a mano o leído de un archivo: nadie lo comprobó. ⚠ solo una suposición.</translation>
     </message>
     <message>
-        <source>Ways to calibrate</source>
-        <translation>Formas de calibrar</translation>
-    </message>
-    <message>
         <source>Back</source>
         <translation>Atrás</translation>
     </message>
@@ -5646,6 +5642,18 @@ en %4, %5, %6</translation>
     <message>
         <source>Step %1 of %2: %3</source>
         <translation>Paso %1 de %2: %3</translation>
+    </message>
+    <message>
+        <source>Another way…</source>
+        <translation>Otra forma…</translation>
+    </message>
+    <message>
+        <source>Show all ways to calibrate. What is known about the cameras stays.</source>
+        <translation>Mostrar todas las formas de calibrar. Lo que se sabe de las cámaras se conserva.</translation>
+    </message>
+    <message>
+        <source>Choose a way to calibrate</source>
+        <translation>Elija una forma de calibrar</translation>
     </message>
 </context>
 <context>

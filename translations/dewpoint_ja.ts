@@ -5592,10 +5592,6 @@ at %4, %5, %6</source>
         <translation>✓ このプログラムで測定済み: ± は標準偏差です。○ 入力、手動設定、またはファイルからの値: 確認されていません。⚠ 推測にすぎません。</translation>
     </message>
     <message>
-        <source>Ways to calibrate</source>
-        <translation>キャリブレーションの方法</translation>
-    </message>
-    <message>
         <source>Back</source>
         <translation>戻る</translation>
     </message>
@@ -5638,6 +5634,18 @@ at %4, %5, %6</source>
     <message>
         <source>Step %1 of %2: %3</source>
         <translation>ステップ %1/%2: %3</translation>
+    </message>
+    <message>
+        <source>Another way…</source>
+        <translation>別の方法…</translation>
+    </message>
+    <message>
+        <source>Show all ways to calibrate. What is known about the cameras stays.</source>
+        <translation>キャリブレーションのすべての方法を表示します。カメラについてわかっていることは残ります。</translation>
+    </message>
+    <message>
+        <source>Choose a way to calibrate</source>
+        <translation>キャリブレーションの方法を選ぶ</translation>
     </message>
 </context>
 <context>

@@ -22,11 +22,12 @@ StepProgress ofPart(bool isDone, std::optional<double> error = {}) {
   return {isDone ? 1 : 0, 1, error};
 }
 
-/// Poses found in one way.
+/// Poses found in one way. Simulated cameras need none.
 StepProgress ofOrigin(const CalibrationStatus& status, CalibrationOrigin origin) {
   StepProgress progress{0, std::max(1, static_cast<int>(status.cameras.size())), {}};
   for (const CameraCalibrationStatus& camera : status.cameras) {
-    if (camera.pose.origin == origin) {
+    const bool isExact = camera.pose.knowledge == Knowledge::Measured && !camera.pose.origin;
+    if (camera.pose.origin == origin || isExact) {
       ++progress.done;
       if (camera.pose.error) {
         progress.error = std::max(progress.error.value_or(0.0), *camera.pose.error);
@@ -98,7 +99,7 @@ StepProgress progressOf(GuideStep step, const Project& project, const Calibratio
   }
   case GuideStep::PrintBoard: // it was printed if it was seen
     return ofPart(std::ranges::any_of(status.cameras, [](const CameraCalibrationStatus& camera) {
-      return camera.lens.origin == CalibrationOrigin::Board ||
+      return camera.lens.knowledge == Knowledge::Measured ||
              camera.pose.origin == CalibrationOrigin::Board;
     }));
   case GuideStep::LensesByBoard:

@@ -68,17 +68,21 @@ void GuidePage::build() {
   column->addWidget(world_);
   column->addWidget(waysTitle_);
   group_ = new QButtonGroup(this);
-  auto* ways = new QVBoxLayout;
+  choices_ = new QWidget(this);
+  auto* ways = new QVBoxLayout(choices_);
+  ways->setContentsMargins(0, 0, 0, 0);
   ways->setSpacing(4);
   for (int way = 0; way < kWays; ++way) {
-    auto* choice = new QRadioButton(this);
+    auto* choice = new QRadioButton(choices_);
     choice->setObjectName(QStringLiteral("guideWay%1").arg(way));
     group_->addButton(choice, way);
     ways->addWidget(choice);
     ways_[static_cast<std::size_t>(way)] = choice;
   }
-  column->addLayout(ways);
+  column->addWidget(choices_);
   column->addWidget(needs_);
+  other_ = makeButton("guideOther", this);
+  column->addWidget(other_, 0, Qt::AlignLeft);
   column->addWidget(makeSteps());
   column->addStretch(1);
 }
@@ -109,8 +113,14 @@ QWidget* GuidePage::makeSteps() {
 
 void GuidePage::connectFields() {
   connect(&guide_, &CalibrationGuide::changed, this, &GuidePage::refresh);
-  connect(group_, &QButtonGroup::idClicked, this,
-          [this](int way) { guide_.setWay(static_cast<CalibrationWay>(way)); });
+  connect(group_, &QButtonGroup::idClicked, this, [this](int way) {
+    choosing_ = false;
+    guide_.setWay(static_cast<CalibrationWay>(way));
+  });
+  connect(other_, &QPushButton::clicked, this, [this] {
+    choosing_ = true;
+    refresh();
+  });
   connect(open_, &QPushButton::clicked, this, [this] {
     Q_EMIT guide_.openRequested(guide_.steps().at(static_cast<std::size_t>(guide_.current())));
   });
@@ -124,13 +134,14 @@ void GuidePage::retranslateUi() {
   table_->setAccessibleName(tr("What is known about each camera"));
   table_->setToolTip(tr("✓ measured with this program: ± is the standard deviation. ○ entered, set "
                         "by hand or read from a file: nobody checked it. ⚠ only a guess."));
-  waysTitle_->setText(tr("Ways to calibrate"));
   for (int way = 0; way < kWays; ++way) {
     const WayText text = wayText(static_cast<CalibrationWay>(way));
     QRadioButton* choice = ways_[static_cast<std::size_t>(way)];
     choice->setText(text.title);
     choice->setToolTip(text.needs);
   }
+  other_->setText(tr("Another way…"));
+  other_->setToolTip(tr("Show all ways to calibrate. What is known about the cameras stays."));
   back_->setText(tr("Back"));
   back_->setToolTip(tr("Show the previous step"));
   next_->setText(tr("Next"));
@@ -184,9 +195,13 @@ void GuidePage::refreshTable() {
 
 void GuidePage::refreshStep() {
   const auto steps = guide_.steps();
-  steps_->setVisible(!steps.empty());
-  needs_->setVisible(!steps.empty());
-  if (steps.empty()) {
+  const bool isChosen = !steps.empty() && !choosing_;
+  steps_->setVisible(isChosen);
+  needs_->setVisible(isChosen);
+  other_->setVisible(isChosen);
+  choices_->setVisible(!isChosen);
+  waysTitle_->setText(isChosen ? wayText(*guide_.way()).title : tr("Choose a way to calibrate"));
+  if (!isChosen) {
     return;
   }
   needs_->setText(wayText(*guide_.way()).needs);

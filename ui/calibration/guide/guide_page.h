@@ -45,7 +45,9 @@ private:
   QLabel* waysTitle_;
   QButtonGroup* group_;
   std::array<QRadioButton*, kWays> ways_{};
+  QWidget* choices_;
   QLabel* needs_;
+  QPushButton* other_;
   QWidget* steps_;
   QLabel* stepTitle_;
   QLabel* how_;
@@ -53,6 +55,7 @@ private:
   QPushButton* open_;
   QPushButton* back_;
   QPushButton* next_;
+  bool choosing_ = false; ///< the user wants another way than the present one
 };
 
 } // namespace dewpoint::ui

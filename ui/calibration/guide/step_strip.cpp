@@ -10,6 +10,18 @@
 
 namespace dewpoint::ui {
 
+namespace {
+
+/// A tick or a circle, and the number if there is one.
+QString glance(const StepProgress& progress, const QString& number) {
+  if (!progress.isDone()) {
+    return number.isEmpty() ? QStringLiteral("○") : number;
+  }
+  return number.isEmpty() ? QStringLiteral("✓") : QStringLiteral("✓ ") + number;
+}
+
+} // namespace
+
 StepStrip::StepStrip(CalibrationGuide& guide, QWidget* parent)
     : QWidget(parent), guide_(guide), row_(new QHBoxLayout(this)) {
   setObjectName(QStringLiteral("guideStrip"));
@@ -50,10 +62,8 @@ void StepStrip::refresh() {
     const StepText text = stepText(steps[k]);
     const StepProgress progress = guide_.progress(steps[k]);
     const QString number = progressNumber(steps[k], progress);
-    const QString mark = progress.isDone() ? QStringLiteral("✓") : QString::number(k + 1);
     QToolButton* button = buttons_[k];
-    button->setText((number.isEmpty() ? mark : mark + QLatin1Char(' ') + number) +
-                    QLatin1Char('\n') + text.name);
+    button->setText(glance(progress, number) + QLatin1Char('\n') + text.name);
     button->setChecked(static_cast<int>(k) == guide_.current());
     button->setAccessibleName(tr("Step %1: %2").arg(k + 1).arg(text.title));
     button->setToolTip(

@@ -73,9 +73,15 @@ void GuidePageTest::leadsThroughTheStepsOfAWay() {
   }
   QCOMPARE(titles.size(), static_cast<qsizetype>(stepsOf(CalibrationWay::Board).size()));
   QCOMPARE(titles.removeDuplicates(), 0);
-  find<QToolButton>("guideStep3")->click();
+  find<QToolButton>("guideStep4")->click();
   find<QAction>("actionCalibrate")->trigger();
   keepPicture();
+  QVERIFY(!find<QRadioButton>("guideWay0")->isVisible());
+  press("guideOther");
+  QVERIFY(find<QRadioButton>("guideWay0")->isVisible());
+  QVERIFY(!find<QPushButton>("guideNext")->isVisible());
+  choose(CalibrationWay::File);
+  QVERIFY(!find<QRadioButton>("guideWay0")->isVisible());
 }
 
 void GuidePageTest::aStepOpensItsPage() {
