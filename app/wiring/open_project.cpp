@@ -144,7 +144,7 @@ Result<std::unique_ptr<FrameSetSource>> openLiveCameras(Project& project) {
   std::vector<LiveCamera> cameras = liveCamerasOf(project);
   std::vector<std::size_t> guessed;
   for (std::size_t k = 0; k < cameras.size(); ++k) {
-    if (hasGuessedPose(project, k)) {
+    if (hasGuessedPose(project, k) && hasGuessedLens(project, k)) {
       guessed.push_back(k);
       cameras[k].width = cameras[k].height = 0;
     }

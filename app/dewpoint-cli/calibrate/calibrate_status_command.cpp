@@ -39,12 +39,14 @@ std::string originText(const PartStatus& part) {
 }
 
 std::string lensText(const PartStatus& lens) {
-  return originText(lens) + (lens.error ? fmt::format(" +-{:.2f} px", *lens.error) : "");
+  return originText(lens) + (lens.error ? fmt::format(" +-{:.2f} px", *lens.error) : "") +
+         (lens.isPoor ? " (poor)" : "");
 }
 
 std::string poseText(const PartStatus& pose) {
   return originText(pose) +
-         (pose.error ? fmt::format(" +-{:.1f} mm", inMillimeters(*pose.error)) : "");
+         (pose.error ? fmt::format(" +-{:.1f} mm", inMillimeters(*pose.error)) : "") +
+         (pose.isPoor ? " (poor)" : "");
 }
 
 void printWorld(const CalibrationStatus& status) {

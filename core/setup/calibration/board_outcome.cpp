@@ -41,6 +41,11 @@ void recordLenses(const LensesFromBoards& lenses, Project& project) {
   }
 }
 
+/// The camera that the others are placed by has no error of its own.
+std::optional<double> positionError(double sigma) {
+  return sigma > 0.0 ? std::optional(sigma) : std::nullopt;
+}
+
 /// Which cameras were placed by the board, and how well. What the accuracy is widened by holds for
 /// each camera as well.
 void recordPoses(const BoardCalibrationRequest& request, BoardOutcome& outcome) {
@@ -49,8 +54,8 @@ void recordPoses(const BoardCalibrationRequest& request, BoardOutcome& outcome) 
   for (std::size_t k = 0; k < std::min(fits.size(), outcome.project.cameras.size()); ++k) {
     ProjectCamera& camera = outcome.project.cameras[k];
     if (!fits[k].views.empty()) {
-      camera.calibrated.pose =
-          recordOfPose(camera.camera, CalibrationOrigin::Board, factor * fits[k].centerSigma);
+      camera.calibrated.pose = recordOfPose(camera.camera, CalibrationOrigin::Board,
+                                            positionError(factor * fits[k].centerSigma));
     }
     if (request.refineIntrinsics && !fits[k].views.empty()) {
       camera.calibrated.lens = recordOfLens(camera.camera, CalibrationOrigin::Board);

@@ -27,7 +27,7 @@ StepProgress ofOrigin(const CalibrationStatus& status, CalibrationOrigin origin)
   StepProgress progress{0, std::max(1, static_cast<int>(status.cameras.size())), {}};
   for (const CameraCalibrationStatus& camera : status.cameras) {
     const bool isExact = camera.pose.knowledge == Knowledge::Measured && !camera.pose.origin;
-    if (camera.pose.origin == origin || isExact) {
+    if ((camera.pose.origin == origin || isExact) && !camera.pose.isPoor) {
       ++progress.done;
       if (camera.pose.error) {
         progress.error = std::max(progress.error.value_or(0.0), *camera.pose.error);

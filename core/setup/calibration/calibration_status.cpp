@@ -9,17 +9,24 @@
 namespace dewpoint::setup {
 namespace {
 
+// Errors above which a part is poor. Chosen: each is about 1 % of a distance of 2 m, where a focal
+// length of 1000 pixels is assumed.
+constexpr double kPoorLens = 10.0; ///< pixels
+constexpr double kPoorPose = 0.02; ///< meters
+
 /// Numbers read from a file are given, whoever measured them.
 Knowledge knowledgeFrom(CalibrationOrigin origin) {
   return origin == CalibrationOrigin::File ? Knowledge::Given : Knowledge::Measured;
 }
 
 template <class Record>
-PartStatus partStatus(const std::optional<Record>& record, const Camera& camera, bool isGuessed) {
+PartStatus partStatus(const std::optional<Record>& record, const Camera& camera, bool isGuessed,
+                      double poor) {
   if (record && isAbout(*record, camera)) {
-    return {knowledgeFrom(record->origin), record->origin, record->error};
+    return {knowledgeFrom(record->origin), record->origin, record->error,
+            record->error && *record->error > poor};
   }
-  return {isGuessed ? Knowledge::Missing : Knowledge::Given, std::nullopt, std::nullopt};
+  return {.knowledge = isGuessed ? Knowledge::Missing : Knowledge::Given};
 }
 
 CameraCalibrationStatus cameraStatus(const Project& project, std::size_t index) {
@@ -30,8 +37,10 @@ CameraCalibrationStatus cameraStatus(const Project& project, std::size_t index) 
     status.lens.knowledge = status.pose.knowledge = Knowledge::Measured;
     return status;
   }
-  status.lens = partStatus(camera.calibrated.lens, camera.camera, hasGuessedLens(project, index));
-  status.pose = partStatus(camera.calibrated.pose, camera.camera, hasGuessedPose(project, index));
+  status.lens =
+      partStatus(camera.calibrated.lens, camera.camera, hasGuessedLens(project, index), kPoorLens);
+  status.pose =
+      partStatus(camera.calibrated.pose, camera.camera, hasGuessedPose(project, index), kPoorPose);
   return status;
 }
 
@@ -46,8 +55,7 @@ PartStatus worldPart(const std::vector<CameraCalibrationStatus>& cameras,
     }
     best = std::max(best, camera.pose.knowledge);
   }
-  PartStatus status{best == Knowledge::Missing ? best : Knowledge::Given, std::nullopt,
-                    std::nullopt};
+  PartStatus status{.knowledge = best == Knowledge::Missing ? best : Knowledge::Given};
   if (origin && (best == Knowledge::Measured || survivesEditing)) {
     status.knowledge = knowledgeFrom(*origin);
     status.origin = origin;
@@ -94,7 +102,9 @@ std::size_t countKnown(const CalibrationStatus& status, PartStatus CameraCalibra
                        Knowledge least) {
   return static_cast<std::size_t>(
       std::ranges::count_if(status.cameras, [&](const CameraCalibrationStatus& camera) {
-        return (camera.*part).knowledge >= least;
+        const PartStatus& known = camera.*part;
+        const bool isPoor = least == Knowledge::Measured && known.isPoor;
+        return known.knowledge >= least && !isPoor;
       }));
 }
 

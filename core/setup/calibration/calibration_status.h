@@ -19,8 +19,9 @@ enum class Knowledge {
 /// What is known about one part of the calibration.
 struct PartStatus {
   Knowledge knowledge = Knowledge::Missing;
-  std::optional<CalibrationOrigin> origin; ///< empty if not recorded
-  std::optional<double> error;             ///< in the unit of the part; empty if unknown
+  std::optional<CalibrationOrigin> origin = {}; ///< empty if not recorded
+  std::optional<double> error = {};             ///< in the unit of the part; empty if unknown
+  bool isPoor = false; ///< measured, but so inexactly that it should be measured again
 
   bool operator==(const PartStatus&) const = default;
 };
@@ -47,7 +48,8 @@ struct CalibrationStatus {
 /// cameras are known exactly: Measured, without an origin.
 CalibrationStatus calibrationStatus(const Project& project);
 
-/// Returns the number of cameras with at least this knowledge of a part.
+/// Returns the number of cameras with at least this knowledge of a part. What is poor counts as
+/// given, not as measured.
 std::size_t countKnown(const CalibrationStatus& status, PartStatus CameraCalibrationStatus::*part,
                        Knowledge least);
 

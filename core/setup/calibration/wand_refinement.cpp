@@ -28,8 +28,9 @@ void recordCameras(const WandRefinement& refinement, Project& project) {
       bundle.noiseFactor * (refinement.accuracy ? refinement.accuracy->modelFactor : 1.0);
   for (std::size_t k = 0; k < project.cameras.size(); ++k) {
     ProjectCamera& camera = project.cameras[k];
+    const double sigma = factor * centerSigma(bundle.covariance, k);
     camera.calibrated.pose = recordOfPose(camera.camera, CalibrationOrigin::Wand,
-                                          factor * centerSigma(bundle.covariance, k));
+                                          sigma > 0.0 ? std::optional(sigma) : std::nullopt);
     if (refinement.options.findFocal || refinement.options.findDistortion) {
       camera.calibrated.lens = recordOfLens(camera.camera, CalibrationOrigin::Wand);
     }

@@ -212,8 +212,7 @@ bool hasGuessedPose(const Project& project, std::size_t index) {
   const Camera& camera = project.cameras[index].camera;
   const Camera guessed = guessedCamera(index, project.cameras.size(),
                                        {camera.intrinsics.width, camera.intrinsics.height});
-  return camera.cameraFromWorld.isApprox(guessed.cameraFromWorld, kRounding) &&
-         std::abs(camera.intrinsics.focalX - guessed.intrinsics.focalX) < kRounding;
+  return camera.cameraFromWorld.isApprox(guessed.cameraFromWorld, kRounding);
 }
 
 bool hasGuessedLens(const Project& project, std::size_t index) {

@@ -88,6 +88,27 @@ TEST(CalibrationStatus, ACameraMovedByHandIsNoLongerMeasured) {
   EXPECT_FALSE(status.accuracy); // it was that of both
 }
 
+TEST(CalibrationStatus, APoorLensIsNotDone) {
+  Project project = boardProject();
+  project.cameras[0].calibrated.lens->error = 62.0;
+  const CalibrationStatus status = calibrationStatus(project);
+  EXPECT_TRUE(status.cameras[0].lens.isPoor);
+  EXPECT_FALSE(status.cameras[1].lens.isPoor);
+  EXPECT_EQ(countKnown(status, &CameraCalibrationStatus::lens, Knowledge::Measured), 1U);
+}
+
+TEST(CalibrationStatus, ALensAloneLeavesThePositionAGuess) {
+  Project project = recordedProject();
+  const Intrinsics image = project.cameras[0].camera.intrinsics;
+  guessCalibration(project, 0, {image.width, image.height});
+  project.cameras[0].camera.intrinsics.focalX += 20.0;
+  project.cameras[0].calibrated.lens =
+      recordOfLens(project.cameras[0].camera, CalibrationOrigin::Board, 0.4);
+  const CalibrationStatus status = calibrationStatus(project);
+  EXPECT_EQ(status.cameras[0].lens.knowledge, Knowledge::Measured);
+  EXPECT_EQ(status.cameras[0].pose.knowledge, Knowledge::Missing);
+}
+
 TEST(CalibrationStatus, AMoveOfAllCamerasKeepsWhatIsKnown) {
   const Similarity change{2.0, geometry::rotationFromVector({0.0, 0.0, 0.8}), {0.3, 0.2, 0.1}};
   const CalibrationStatus status = calibrationStatus(withMovedWorld(boardProject(), change));

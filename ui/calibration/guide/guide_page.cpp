@@ -33,8 +33,8 @@ QLabel* makeText(const char* name, QWidget* parent) {
   return label;
 }
 
-QString marked(Knowledge knowledge, const QString& text) {
-  return knowledgeMark(knowledge) + QLatin1Char(' ') + text;
+QString marked(const PartStatus& part, const QString& text) {
+  return knowledgeMark(part) + QLatin1Char(' ') + text;
 }
 
 } // namespace
@@ -132,8 +132,9 @@ void GuidePage::retranslateUi() {
   knownTitle_->setText(tr("What is known"));
   table_->setHorizontalHeaderLabels({tr("Camera"), tr("Lens"), tr("Position"), tr("Delay")});
   table_->setAccessibleName(tr("What is known about each camera"));
-  table_->setToolTip(tr("✓ measured with this program: ± is the standard deviation. ○ entered, set "
-                        "by hand or read from a file: nobody checked it. ⚠ only a guess."));
+  table_->setToolTip(
+      tr("✓ measured with this program: ± is the standard deviation. ○ entered, set "
+         "by hand or read from a file: nobody checked it. ⚠ only a guess, or too inexact."));
   for (int way = 0; way < kWays; ++way) {
     const WayText text = wayText(static_cast<CalibrationWay>(way));
     QRadioButton* choice = ways_[static_cast<std::size_t>(way)];
@@ -163,8 +164,8 @@ void GuidePage::refreshTable() {
   for (int row = 0; row < table_->rowCount(); ++row) {
     const CameraCalibrationStatus& camera = cameras[static_cast<std::size_t>(row)];
     set(row, Name, cameras_.index(row).data().toString());
-    set(row, Lens, marked(camera.lens.knowledge, lensText(camera.lens)));
-    set(row, Position, marked(camera.pose.knowledge, poseText(camera.pose)));
+    set(row, Lens, marked(camera.lens, lensText(camera.lens)));
+    set(row, Position, marked(camera.pose, poseText(camera.pose)));
     set(row, Delay,
         camera.delay == 0.0 ? QStringLiteral("–")
                             : tr("%1 ms").arg(millisecondsNumber(camera.delay)));
@@ -176,9 +177,9 @@ void GuidePage::refreshTable() {
   table_->setFixedHeight(height);
   const CalibrationStatus& status = guide_.status();
   QStringList lines{
-      tr("%1 Scale: %2").arg(knowledgeMark(status.scale.knowledge), scaleText(status.scale)),
+      tr("%1 Scale: %2").arg(knowledgeMark(status.scale), scaleText(status.scale)),
       tr("%1 Floor and up: %2")
-          .arg(knowledgeMark(status.floor.knowledge), floorText(status.floor, status.isUpright))};
+          .arg(knowledgeMark(status.floor), floorText(status.floor, status.isUpright))};
   if (status.accuracy) {
     lines << tr("✓ Accuracy in the calibrated volume: %1 (95 %)")
                  .arg(lengthText(*status.accuracy, LengthForm::TwoDigits));

@@ -36,8 +36,11 @@ QString originText(const PartStatus& part) {
   return GuideText::tr("marks in the images");
 }
 
-QString withError(const QString& origin, const QString& error) {
-  return error.isEmpty() ? origin : GuideText::tr("%1, ±%2").arg(origin, error);
+QString withError(const PartStatus& part, const QString& error) {
+  const QString origin = originText(part);
+  return error.isEmpty() ? origin
+         : part.isPoor   ? GuideText::tr("%1, ±%2: too inexact").arg(origin, error)
+                         : GuideText::tr("%1, ±%2").arg(origin, error);
 }
 
 QString deviationText(StepErrorUnit unit, std::optional<double> error) {
@@ -195,23 +198,23 @@ QString progressNumber(GuideStep step, const StepProgress& progress) {
 }
 
 QString lensText(const PartStatus& lens) {
-  return withError(originText(lens), deviationText(StepErrorUnit::Pixels, lens.error));
+  return withError(lens, deviationText(StepErrorUnit::Pixels, lens.error));
 }
 
 QString poseText(const PartStatus& pose) {
-  return withError(originText(pose), deviationText(StepErrorUnit::Meters, pose.error));
+  return withError(pose, deviationText(StepErrorUnit::Meters, pose.error));
 }
 
 QString scaleText(const PartStatus& scale) {
-  return withError(originText(scale), deviationText(StepErrorUnit::Fraction, scale.error));
+  return withError(scale, deviationText(StepErrorUnit::Fraction, scale.error));
 }
 
 QString floorText(const PartStatus& floor, bool isUpright) {
   return isUpright ? originText(floor) : GuideText::tr("the z axis does not seem to point up");
 }
 
-QString knowledgeMark(Knowledge knowledge) {
-  switch (knowledge) {
+QString knowledgeMark(const PartStatus& part) {
+  switch (part.isPoor ? Knowledge::Missing : part.knowledge) {
   case Knowledge::Measured:
     return QStringLiteral("✓");
   case Knowledge::Given:

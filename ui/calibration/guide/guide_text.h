@@ -35,7 +35,7 @@ QString poseText(const PartStatus& pose);
 QString scaleText(const PartStatus& scale);
 QString floorText(const PartStatus& floor, bool isUpright);
 
-/// Returns a mark for a glance: "✓" measured, "○" given, "⚠" missing.
-QString knowledgeMark(Knowledge knowledge);
+/// Returns a mark for a glance: "✓" measured, "○" given, "⚠" missing or poor.
+QString knowledgeMark(const PartStatus& part);
 
 } // namespace dewpoint::ui
