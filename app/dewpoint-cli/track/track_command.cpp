@@ -63,7 +63,8 @@ Result<WorldBox> parseVolume(const std::string& text) {
   if (read != 6 || static_cast<std::size_t>(used) != text.size() || !box.min.allFinite() ||
       !box.max.allFinite() || (box.min.array() >= box.max.array()).any()) {
     return failure(ErrorCode::BadValue, "", "--volume",
-                   text + " is not x0,y0,z0,x1,y1,z1 in meters, the last three greater");
+                   text + " is not x0,y0,z0,x1,y1,z1 in meters, with each of the last three "
+                          "greater than its counterpart");
   }
   return box;
 }
