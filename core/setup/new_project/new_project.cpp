@@ -87,7 +87,7 @@ Result<CameraRig> matched(const std::vector<ProjectCamera>& cameras, const Camer
   }
   return failure(
       ErrorCode::Mismatch, file, "",
-      fmt::format("{} cameras, of which {} have the names of the {} cameras of the project",
+      fmt::format("it has {} cameras, of which only {} have names of the {} cameras of the project",
                   rig.size(), ordered.size(), cameras.size()));
 }
 
@@ -108,7 +108,7 @@ Result<cv::Size> sizeOf(const ProjectCamera& camera) {
   }
   if (!*frames || !(*frames)->frames.front()) {
     return failure(ErrorCode::FileUnreadable, camera.location, camera.camera.name,
-                   "there is no image in it");
+                   "it contains no image");
   }
   return (*frames)->frames.front()->image.size();
 }
