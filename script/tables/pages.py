@@ -5,7 +5,7 @@ read by tests/experiment/report/table_states.h, too; so is NOT_MADE, the sentenc
 tables have not been made by script/figures yet."""
 import re
 
-NOT_MADE = "Tables marked *state older* on this page were made with earlier versions of the methods. `script/figures` updates them."
+NOT_MADE = "Tables marked *state older* were made with earlier methods; `script/figures` updates them."
 END = "<!-- /table -->"
 
 

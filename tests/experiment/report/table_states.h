@@ -80,8 +80,7 @@ inline std::vector<TableState> tableStates(const std::string& file, const std::s
 
 /// What a page has to say, in a paragraph of its own, for tables of it to be of an older state.
 inline constexpr const char* kNotMade =
-    "Tables marked *state older* on this page were made with earlier versions of the methods. "
-    "`script/figures` updates them.";
+    "Tables marked *state older* were made with earlier methods; `script/figures` updates them.";
 
 /// Whether a page says so.
 inline bool saysNotMade(const std::string& page) {
