@@ -80,7 +80,8 @@ std::string barsHtml(const BoxStudy& study) {
 }
 
 constexpr const char* kPerturbationRemark =
-    "Inexact first boxes: 0.8 to 1.4 times the true size, each at the true position and shifted by "
+    "Imprecise first boxes: 0.8 to 1.4 times the true size, each at the true position and shifted "
+    "by "
     "15 % to the four sides. They are compared with the true boxes, so that success decreases with "
     "the overlap of the first box. Similarity on and off the target (center within the radius or "
     "not): means of the similarity that a method reports; frames in which it reports the target "
@@ -94,7 +95,7 @@ std::string claimsText(const BoxPerturbationRow& row) {
 }
 
 std::string perturbationText(const std::vector<BoxPerturbationRow>& rows) {
-  std::string text = fmt::format("\nInexact first boxes\n{:<28} {:<10} {:>5} {:>5} {:>8} {:>8} "
+  std::string text = fmt::format("\nImprecise first boxes\n{:<28} {:<10} {:>5} {:>5} {:>8} {:>8} "
                                  "{:>9} {:>8} {:>6} {:>6} {:>8}\n",
                                  "clip", "method", "size", "runs", "RMSE px", "success",
                                  "precision", "worst", "on", "off", "wrong");
@@ -116,7 +117,7 @@ std::string claimsCells(const BoxPerturbationRow& row) {
 
 std::string perturbationHtml(const std::vector<BoxPerturbationRow>& rows) {
   std::string text =
-      "<h2>Inexact first boxes</h2><div "
+      "<h2>Imprecise first boxes</h2><div "
       "class='scroll'><table><thead><tr><th>clip</th><th>method</th><th>size</th><th>runs</"
       "th><th>RMSE px</th><th>success</th><th>precision</th><th>worst run</th><th>similarity "
       "on</th><th>off</th><th>confident but wrong</th></tr></thead><tbody>";
