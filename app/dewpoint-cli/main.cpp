@@ -17,10 +17,9 @@ int run(int argc, char** argv) {
   CLI::App app("Dewpoint: tracks colored objects in 3D with particle filters.", "dewpoint-cli");
   app.set_version_flag("--version", std::string("dewpoint-cli ") + DEWPOINT_VERSION);
   app.require_subcommand(1);
-  app.footer(
-      "Exit codes: 0 done, 1 a check found a problem, 2 wrong command line, 3 bad input, 4 the "
-      "input ended early,\nor results are missing (what there is is kept), 5 the output "
-      "cannot be written, 130 interrupted.");
+  app.footer("Exit codes: 0 done, 1 a check found a problem, 2 wrong command line, 3 bad input, 4 "
+             "the input ended early,\nor results are missing (all other results are kept), 5 the "
+             "output cannot be written, 130 interrupted.");
   int exitCode = kExitDone;
   addNewCommand(app, exitCode);
   addDoctorCommand(app, exitCode);

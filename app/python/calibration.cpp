@@ -44,7 +44,7 @@ std::optional<double> metersFrom(const std::optional<std::string>& unit) {
   }
   const auto meters = parseLengthUnit(*unit);
   if (!meters) {
-    raiseBadValue("unit", "a unit is m, mm, cm, in, ft or the meters of one unit");
+    raiseBadValue("unit", "expected m, mm, cm, in, ft, or the length of one unit in meters");
   }
   return meters;
 }

@@ -36,8 +36,8 @@ std::int64_t frameNumber(const RecordingHandle& recording, std::int64_t frame) {
 
 void bindFrameSet(py::module_& module) {
   py::class_<FrameSet, std::shared_ptr<FrameSet>>(module, "Frames",
-                                                  "What all cameras delivered for one instant.")
-      .def_readonly("index", &FrameSet::index, "Number of the frame, from 0.")
+                                                  "The images that all cameras took at one time.")
+      .def_readonly("index", &FrameSet::index, "Frame number, counted from 0.")
       .def_property_readonly(
           "time", [](const FrameSet& set) { return seconds(set.time); },
           "Seconds since the first frame.")
@@ -92,11 +92,12 @@ void bindRecording(py::module_& module) {
   bindFrameSet(module);
   py::class_<RecordingHandle, std::shared_ptr<RecordingHandle>>(
       module, "Recording",
-      "The images of a project's cameras, frame by frame: iterate over it, or take one by its "
+      "The images of a project's cameras, frame by frame: iterate over it, or get one by its "
       "number.")
       .def_property_readonly("frame_count", &RecordingHandle::frameCount,
-                             "Number of frames; None of live cameras.")
-      .def_property_readonly("frames_per_second", &RecordingHandle::framesPerSecond, "Its rate.")
+                             "Number of frames; None for live cameras.")
+      .def_property_readonly("frames_per_second", &RecordingHandle::framesPerSecond,
+                             "Frames per second of the recording.")
       .def("__len__",
            [](const RecordingHandle& recording) {
              const auto count = recording.frameCount();

@@ -148,7 +148,7 @@ Status TimeTable::readLine(std::string_view line) {
       columns_ = columnsOf(cells);
       return columns_ ? Status()
                       : failure(ErrorCode::BadValue, file_, field_,
-                                "no column of it is called time_s, frame_time or timestamp");
+                                "it has no column time_s, frame_time or timestamp");
     }
     columns_ = Columns{cells.size() - 1, 1.0, std::nullopt};
   }
@@ -159,8 +159,9 @@ Status TimeTable::readLine(std::string_view line) {
                    fmt::format("line {} has no time in column {}", number_, columns_->time + 1));
   }
   if (lines_.size() == limits::kMaxRows) {
-    return failure(ErrorCode::NotParsed, file_, field_,
-                   fmt::format("line {} is one more than {} times", number_, limits::kMaxRows));
+    return failure(
+        ErrorCode::NotParsed, file_, field_,
+        fmt::format("it has more than {1} times, from line {0} on", number_, limits::kMaxRows));
   }
   lines_.push_back(
       {columns_->camera ? cells[*columns_->camera] : std::string_view(), *time * columns_->unit});
@@ -209,14 +210,14 @@ Result<CaptureTimes> readCaptureTimes(const std::string& file, const std::vector
   if (times.empty()) {
     return failure(ErrorCode::BadValue, file, field,
                    table.namesCameras()
-                       ? fmt::format("it has no line of camera {}", fmt::join(ids, " or "))
-                       : "there is no time in it");
+                       ? fmt::format("it has no line for camera {}", fmt::join(ids, " or "))
+                       : "it contains no time");
   }
   std::ranges::sort(times);
   if (std::ranges::adjacent_find(times) != times.end()) {
     return failure(
         ErrorCode::BadValue, file, field,
-        fmt::format("two pictures have the time {} s", *std::ranges::adjacent_find(times)));
+        fmt::format("two images have the time {} s", *std::ranges::adjacent_find(times)));
   }
   return times;
 }

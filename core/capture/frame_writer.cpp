@@ -51,12 +51,12 @@ Status FrameWriter::write(const cv::Mat& image) {
     return failure(ErrorCode::FileUnwritable, path_, "", "it is already closed");
   }
   if (image.empty() || image.type() != CV_8UC3) {
-    return failure(ErrorCode::BadValue, path_, "", "a picture must have three 8-bit colors");
+    return failure(ErrorCode::BadValue, path_, "", "an image must have three 8-bit channels");
   }
   if (frames_ > 0 && image.size() != size_) {
     return failure(ErrorCode::Mismatch, path_, "",
-                   fmt::format("picture {} is {} x {}, the first was {} x {}", frames_, image.cols,
-                               image.rows, size_.width, size_.height));
+                   fmt::format("image {} is {} x {}, but the first was {} x {}", frames_,
+                               image.cols, image.rows, size_.width, size_.height));
   }
   size_ = image.size();
   try {

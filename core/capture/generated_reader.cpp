@@ -22,7 +22,7 @@ public:
       cv::Mat picture = camera_.generate(frame);
       if (picture.empty()) {
         return failure(ErrorCode::FileUnreadable, camera_.path, field_,
-                       fmt::format("picture {} was not made", frame));
+                       fmt::format("image {} was not made", frame));
       }
       return picture;
     } catch (const std::exception& problem) {
@@ -39,7 +39,7 @@ private:
 
 Result<FrameReaderPtr> openGeneratedReader(const RecordedCamera& camera, const std::string& field) {
   if (!camera.generate || camera.generatedFrames < 1) {
-    return failure(ErrorCode::BadValue, camera.path, field, "there is nothing that makes pictures");
+    return failure(ErrorCode::BadValue, camera.path, field, "there is nothing that makes images");
   }
   return std::make_unique<GeneratedReader>(camera, field);
 }

@@ -66,8 +66,7 @@ Result<FrameReaderPtr> openImageFolderReader(const std::string& folder, const st
     return failure(ErrorCode::FileMissing, folder, field, "");
   }
   if (!fs::is_directory(folder, problem)) {
-    return failure(ErrorCode::FileUnreadable, folder, field,
-                   "a folder of pictures is expected here");
+    return failure(ErrorCode::FileUnreadable, folder, field, "a folder of images is expected here");
   }
   std::vector<std::string> files;
   for (fs::directory_iterator item(folder, problem), end; !problem && item != end;
@@ -82,7 +81,7 @@ Result<FrameReaderPtr> openImageFolderReader(const std::string& folder, const st
   }
   if (files.empty()) {
     return failure(ErrorCode::FileUnreadable, folder, field,
-                   "the folder contains no pictures (png, jpg, bmp or tif)");
+                   "the folder contains no images (png, jpg, bmp or tif)");
   }
   std::ranges::sort(files, naturallyBefore);
   return std::make_unique<ImageReader>(std::move(files), field);

@@ -19,7 +19,7 @@ Result<cv::Mat> asBgr(const cv::Mat& picture, const ImageShape& shape, const std
     cv::cvtColor(picture, bgr, cv::COLOR_BGRA2BGR);
   } else {
     return failure(ErrorCode::Mismatch, file, cameraField(shape.camera),
-                   "the picture has neither 8-bit color nor 8-bit gray values");
+                   "the image has neither 8-bit color nor 8-bit gray values");
   }
   return bgr;
 }

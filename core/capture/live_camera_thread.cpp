@@ -112,7 +112,7 @@ std::optional<Error> LiveCameraThread::problem() const {
   // A pipeline without a sender opens for as long as nothing comes.
   return Error{shared_->connected ? ErrorCode::ConnectionLost : ErrorCode::DeviceUnavailable,
                redactedLocation(shared_->camera.location), cameraField(shared_->camera.name),
-               shared_->connected ? "connected, but no picture for two seconds"
+               shared_->connected ? "connected, but no image for two seconds"
                                   : "no answer for two seconds; still waiting"};
 }
 

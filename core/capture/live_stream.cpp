@@ -48,13 +48,13 @@ public:
     const std::string& location = camera_.location;
     if (location.starts_with(kPipelinePrefix)) {
       return opened(video_.open(location.substr(kPipelinePrefix.size()), cv::CAP_GSTREAMER),
-                    "the GStreamer pipeline does not start");
+                    "the GStreamer pipeline cannot be started");
     }
     if (isStream(location)) {
       return opened(video_.open(location, cv::CAP_FFMPEG,
                                 {cv::CAP_PROP_OPEN_TIMEOUT_MSEC, kOpenTimeoutMilliseconds,
                                  cv::CAP_PROP_READ_TIMEOUT_MSEC, kReadTimeoutMilliseconds}),
-                    "no video stream answers there");
+                    "no video stream answers at this address");
     }
     return openDevice(deviceNumber(location).value_or(0));
   }

@@ -125,7 +125,7 @@ Status addTimes(const RecordedCamera& description, CaptureSchedule::CameraImages
   if (std::ssize(*times) != pictures.count) {
     return failure(
         ErrorCode::Mismatch, description.times, field,
-        fmt::format("it has {} times, but there are {} pictures", times->size(), pictures.count));
+        fmt::format("it has {} times, but there are {} images", times->size(), pictures.count));
   }
   pictures.times = std::move(*times);
   return {};
@@ -193,7 +193,7 @@ void noteDifferences(const std::vector<Camera>& cameras, std::vector<Error>& not
     const double first = reference->reader->framesPerSecond();
     if (std::abs(rate - first) > kRateTolerance * first) {
       notices.push_back({ErrorCode::Mismatch, camera.path, cameraField(camera.shape.camera),
-                         fmt::format("{:.4g} pictures per second, but {} has {:.4g}", rate,
+                         fmt::format("{:.4g} images per second, but {} has {:.4g}", rate,
                                      nameOf(*reference), first)});
     }
   }
@@ -215,8 +215,8 @@ void noteGaps(const std::vector<Camera>& cameras, std::vector<Error>& notices) {
     const std::int64_t gaps = CaptureSchedule::lengthOf(camera.pictures) - camera.pictures.count;
     if (gaps > 0 && !camera.pictures.times) {
       notices.push_back({ErrorCode::Mismatch, camera.path, cameraField(camera.shape.camera),
-                         fmt::format("{} pictures are missing by their numbers, the first after "
-                                     "{}; the camera has no image then",
+                         fmt::format("by the numbers in the file names, {} images are missing, the "
+                                     "first after {}; the camera has no image in these frames",
                                      gaps, firstFileBeforeGap(camera))});
     }
   }

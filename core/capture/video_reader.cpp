@@ -94,7 +94,7 @@ Status VideoReader::open() {
   }
   try {
     if (!reopen()) {
-      return unreadable("it is not a video, or it is cut off or has an unknown format");
+      return unreadable("it is not a video, is cut off, or has an unknown format");
     }
     readHeader();
     if (counted_) {
@@ -104,7 +104,7 @@ Status VideoReader::open() {
     return unreadable(problem.what());
   }
   if (count_ == 0) {
-    return unreadable("the video contains no pictures");
+    return unreadable("the video contains no images");
   }
   return {};
 }
@@ -159,7 +159,7 @@ Result<cv::Mat> VideoReader::read(std::int64_t frame) {
       return missing(frame);
     }
     if (!video_.retrieve(picture) || picture.empty()) {
-      return unreadable(fmt::format("picture {} cannot be decoded", frame));
+      return unreadable(fmt::format("image {} cannot be decoded", frame));
     }
     return picture;
   } catch (const std::exception& problem) {
@@ -175,8 +175,9 @@ Result<cv::Mat> VideoReader::missing(std::int64_t frame) const {
   if (!exact && position_ > 0 && position_ == frame && frame + 1 >= count_) {
     return cv::Mat();
   }
-  return failure(ErrorCode::EndedEarly, path_, field_,
-                 fmt::format("it announces {} pictures but contains only {}", count_, position_));
+  return failure(
+      ErrorCode::EndedEarly, path_, field_,
+      fmt::format("it should contain {} images but contains only {}", count_, position_));
 }
 
 } // namespace

@@ -51,7 +51,7 @@ Status checkColorRange(const ColorRange& range) {
   }
   if (range.intensityMax == 0.0) {
     return refuse("intensity", range.intensityMin, range.intensityMax,
-                  "only black is left, which never matches");
+                  "the range contains only black, which never matches");
   }
   return {};
 }

@@ -146,9 +146,11 @@ void readHead(TableReader& reader, const ProjectPaths& place, Project& project) 
   reader.require("format");
   reader.integer("format", format, 1, std::int64_t{1} << 30);
   if (format > kProjectFormat) {
-    reader.fail(ErrorCode::BadValue, "format",
-                fmt::format("written by a newer Dewpoint: {}, this one reads up to {}", format,
-                            kProjectFormat));
+    reader.fail(
+        ErrorCode::BadValue, "format",
+        fmt::format(
+            "the file is in format {}, of a newer Dewpoint; this version reads formats up to {}",
+            format, kProjectFormat));
   }
   reader.text("name", project.name);
   reader.text("method", project.method);

@@ -38,9 +38,9 @@ std::string words(const CameraReport& report) {
     return report.pixels >= 1.0 ? fmt::format("{:.0f} px from a distractor", report.pixels)
                                 : "at a distractor";
   case CameraStatus::NoColor:
-    return "no color matches";
+    return "no matching color";
   case CameraStatus::Elsewhere:
-    return fmt::format("its color is {:.0f} px away", std::max(1.0, report.pixels));
+    return fmt::format("color found {:.0f} px away", std::max(1.0, report.pixels));
   case CameraStatus::Unclear:
     return "right color, wrong shape";
   }

@@ -253,7 +253,7 @@ private:
   }
   tl::unexpected<Error> badNumber(const char* name, const std::string& text) const {
     return failure(ErrorCode::BadValue, file_, fmt::format("line {}, {}", lineNumber_, name),
-                   fmt::format("\"{}\" is not such a number", text));
+                   fmt::format("\"{}\" is not a valid number", text));
   }
   tl::unexpected<Error> notParsed(std::string detail) const {
     return failure(ErrorCode::NotParsed, file_, fmt::format("line {}", lineNumber_),

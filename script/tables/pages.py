@@ -5,7 +5,7 @@ read by tests/experiment/report/table_states.h, too; so is NOT_MADE, the sentenc
 tables have not been made by script/figures yet."""
 import re
 
-NOT_MADE = "Tables on this page with *state older* are of earlier methods until `script/figures` is run."
+NOT_MADE = "Tables marked *state older* were made with earlier methods; `script/figures` updates them."
 END = "<!-- /table -->"
 
 

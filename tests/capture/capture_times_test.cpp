@@ -43,7 +43,7 @@ TEST_F(CaptureTimesFile, HasLinesOfSeveralCamerasInAnyOrder) {
   const std::string table = "sync_index,cam_id,frame_time\n0,1,2.5\n0,0,2.25\n1,0,2.0\n1,1,3.0\n";
   EXPECT_EQ(read(table, {"left", "0"}).value(), (CaptureTimes{2.0, 2.25}));
   EXPECT_EQ(read(table, {"1", "0"}).value(), (CaptureTimes{2.5, 3.0}));
-  EXPECT_EQ(errorOf(table, {"left", "2"}).detail, "it has no line of camera left or 2");
+  EXPECT_EQ(errorOf(table, {"left", "2"}).detail, "it has no line for camera left or 2");
 }
 
 TEST_F(CaptureTimesFile, OfWindowsIsTheSame) {
@@ -61,14 +61,13 @@ TEST_F(CaptureTimesFile, SaysWhatIsWrong) {
   EXPECT_EQ(readCaptureTimes(folder_ / "none.csv", {}, "camera left").error().code,
             ErrorCode::FileMissing);
   EXPECT_EQ(errorOf("").code, ErrorCode::BadValue);
-  EXPECT_EQ(errorOf("a,b\n1,2\n").detail,
-            "no column of it is called time_s, frame_time or timestamp");
+  EXPECT_EQ(errorOf("a,b\n1,2\n").detail, "it has no column time_s, frame_time or timestamp");
   const Error cut = errorOf("frame,time_s\n0,0.5\n1\n");
   EXPECT_EQ(cut.code, ErrorCode::NotParsed);
   EXPECT_EQ(cut.detail, "line 3 has no time in column 2");
   EXPECT_EQ(cut.field, "camera left");
   EXPECT_EQ(errorOf("time_s\n0.5\nnan\n").code, ErrorCode::NotParsed);
-  EXPECT_EQ(errorOf("0.5\n0.25\n0.5\n").detail, "two pictures have the time 0.5 s");
+  EXPECT_EQ(errorOf("0.5\n0.25\n0.5\n").detail, "two images have the time 0.5 s");
 }
 
 } // namespace

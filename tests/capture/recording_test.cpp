@@ -271,7 +271,7 @@ TEST(Recording, missingAndUnreadableFilesAreNamed) {
   EXPECT_EQ(errorOf(folder(home / "text.mkv")).code, ErrorCode::FileUnreadable);
   const Error bare = errorOf(folder(home / "folder"));
   EXPECT_EQ(bare.code, ErrorCode::FileUnreadable);
-  EXPECT_NE(bare.detail.find("no pictures"), std::string::npos);
+  EXPECT_NE(bare.detail.find("no images"), std::string::npos);
 }
 
 TEST(Recording, foldersOfPicturesComeInNaturalOrder) {

@@ -57,8 +57,9 @@ TEST_F(TimedRecording, MissingNumbersOfAFolderAreNoImage) {
   EXPECT_EQ(seen(**source), (Seen{{0, 7}, {1, 8}, {2, -1}, {3, -1}, {4, 11}}));
   const auto notices = (*source)->notices();
   ASSERT_EQ(notices.size(), 1U);
-  EXPECT_EQ(notices[0].detail, "2 pictures are missing by their numbers, the first after 1008.png; "
-                               "the camera has no image then");
+  EXPECT_EQ(notices[0].detail,
+            "by the numbers in the file names, 2 images are missing, the first after 1008.png; "
+            "the camera has no image in these frames");
   ASSERT_TRUE((*source)->seek(4));
   EXPECT_EQ(seen(**source), (Seen{{4, 11}}));
 }
@@ -90,7 +91,7 @@ TEST_F(TimedRecording, AWrongTableIsRefused) {
   left.times = table("0\n1\n2\n");
   const auto longer = openRecording({left}, 0);
   ASSERT_FALSE(longer);
-  EXPECT_EQ(longer.error().detail, "it has 3 times, but there are 2 pictures");
+  EXPECT_EQ(longer.error().detail, "it has 3 times, but there are 2 images");
 }
 
 } // namespace

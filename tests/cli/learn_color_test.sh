@@ -23,11 +23,11 @@ expectText taught.toml 'found = true'
 ! grep -q 'Its radius' out.txt || fail "the radius fits: $(cat out.txt)"
 # A diameter given as radius, a radius that nothing has, and none.
 expectExit 0 learn-color fresh.toml --camera "camera 1" --frame 2 --pixel 157,117 --radius 0.07
-expectText out.txt 'Its radius seems to be about 0.03' 'but 0.07 m is given. Is that its diameter?'
+expectText out.txt "The target's radius seems to be about 0.03" 'but 0.07 m is given. Is that its diameter?'
 expectExit 0 learn-color fresh.toml --camera "camera 1" --frame 2 --pixel 157,117 --radius 100
-expectText out.txt 'Its radius seems to be about 0.03' 'but 100 m is given.'
+expectText out.txt "The target's radius seems to be about 0.03" 'but 100 m is given.'
 expectExit 0 learn-color fresh.toml --camera "camera 1" --frame 2 --pixel 157,117
-expectText out.txt 'Its radius seems to be about 0.03'
+expectText out.txt "The target's radius seems to be about 0.03"
 ! grep -q target fresh.toml || fail "the project itself was changed"
 
 expectExit 0 track taught.toml --out run
@@ -66,11 +66,11 @@ awk -F, '/^[0-9]/ { d = sqrt(($4 - 0.5) ^ 2 + ($5 - 0.5) ^ 2 + ($6 - 0.15) ^ 2);
 
 # Each of the others can be a target, too: one image shows two more about as large as this one.
 expectExit 0 learn-color alike.toml --pixel 157,117 --radius 0.035 --follow-all --out all.toml
-expectText out.txt 'Targets added for others of this color and size: 2.'
+expectText out.txt 'Targets added for other objects of this color and size: 2.'
 expectText all.toml 'name = "target 2"' 'name = "target 3"'
 [[ $(grep -c '^\[\[target\]\]' all.toml) == 3 ]] || fail "not every ball is a target"
 expectExit 0 learn-color fresh.toml --frame 2 --pixel 157,117 --radius 0.035 --follow-all --out one.toml
-expectText out.txt 'Targets added for others of this color and size: 0.'
+expectText out.txt 'Targets added for other objects of this color and size: 0.'
 [[ $(grep -c '^\[\[target\]\]' one.toml) == 1 ]] || fail "there is one ball"
 
 # One sentence says what is wrong, and nothing is written.

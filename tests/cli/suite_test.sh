@@ -56,7 +56,7 @@ expectExit 0 suite "${few[@]}" --seeds 1 --part --out one
 expectText err.txt "S0-slow, grade ideal, seed 1 $none"
 [[ $(wc -l <one/runs.csv) == 1 ]] || fail "a skipped run was run: $(cat one/runs.csv)"
 expectExit 0 suite "${few[@]}" --seeds 2 --out two
-expectText err.txt "S0-slow, grade ideal, seed 1 $none" 'skipped: 1.'
+expectText err.txt "S0-slow, grade ideal, seed 1 $none" 'Skipped runs: 1.'
 [[ $(wc -l <two/runs.csv) == 3 ]] || fail "two rows of seed 2 expected: $(cat two/runs.csv)"
 expectText two/report.html 'Skipped runs: 1.' 'seed 1 is skipped'
 expectText two/report.json '"reason": "no position"'

@@ -63,12 +63,12 @@ TEST_F(HostileTrajectory, FramesAreThoseOfARecording) {
   for (const char* frame : {"9223372036854775807", "-9223372036854775808", "10000000001"}) {
     EXPECT_EQ(
         problemOf(fmt::format("frame,x_m,y_m,z_m\n{},1,2,3\n", frame)),
-        fmt::format("line 2, frame: not a usable value (\"{}\" is not such a number)", frame));
+        fmt::format("line 2, frame: not a usable value (\"{}\" is not a valid number)", frame));
   }
   EXPECT_EQ(problemOf("frame,x_m,y_m,z_m\n1e400,1,2,3\n"),
-            "line 2, frame: not a usable value (\"1e400\" is not such a number)");
+            "line 2, frame: not a usable value (\"1e400\" is not a valid number)");
   EXPECT_EQ(problemOf("frame,x_m,y_m,z_m\n1,1e400,2,3\n"),
-            "line 2, x_m: not a usable value (\"1e400\" is not such a number)");
+            "line 2, x_m: not a usable value (\"1e400\" is not a valid number)");
 }
 
 // A table of all targets by all times would have 10^8 cells, 24 GB, of a file of 200 kB.

@@ -174,7 +174,7 @@ std::vector<ActionDeclaration> runActions() {
        Qt::Key_Backslash},
       {"actionSlowStart", group, QT_TRANSLATE_NOOP("Actions", "Slow until converged"),
        QT_TRANSLATE_NOOP("Actions", "Play the first iterations of a run one by one, until every "
-                                    "target is held (five seconds at most)"),
+                                    "target is being tracked (five seconds at most)"),
        nullptr, Qt::SHIFT | Qt::Key_Space, true},
       {"actionAddMark", group, QT_TRANSLATE_NOOP("Actions", "Add marker"),
        QT_TRANSLATE_NOOP("Actions", "Add a named marker at the frame shown"), "mark", Qt::Key_K},

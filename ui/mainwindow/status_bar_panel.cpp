@@ -124,8 +124,8 @@ void StatusBarPanel::retranslateUi() {
   explain(position_, tr("x %1  y %2  z %3").arg("−00.000", "−00.000", "−00.000 m"),
           tr("Estimated position of the target in the room"));
   explain(held_, holdText(HoldState::Searching),
-          tr("Held: the cameras confirm the estimate. Ambiguous: another object fits about as "
-             "well. Lost: not held for more than a second."));
+          tr("Tracking: the cameras confirm the estimate. Ambiguous: another object fits about as "
+             "well. Lost: not tracked for more than a second."));
   more_->setText(tr("Details"));
   more_->setToolTip(tr("Timing, particles and memory used"));
   refresh();

@@ -22,7 +22,7 @@ QString cameraFault(const DetectedFault& fault, const QString& first, const QStr
   switch (fault.fault) {
   case CalibrationFault::CamerasSwapped:
     return CalibrationText::tr(
-               "Everything fits when %1 and %2 are exchanged: their videos are likely "
+               "Everything fits when %1 and %2 are exchanged: their videos are probably "
                "swapped. Exchange the two files.")
         .arg(first, second);
   case CalibrationFault::CameraDelayed:
@@ -86,11 +86,11 @@ QString faultText(const DetectedFault& fault, const QStringList& cameraNames) {
   case CalibrationFault::WrongUnitMillimeters:
     return CalibrationText::tr(
                "The given length is %1 times what the cameras see: millimeters and meters "
-               "are likely mixed up.")
+               "are probably mixed up.")
         .arg(ratioText(fault.value));
   case CalibrationFault::WrongUnitInches:
     return CalibrationText::tr(
-               "The given length is %1 times what the cameras see: it is likely in inches "
+               "The given length is %1 times what the cameras see: it is probably in inches "
                "(1 inch = 2.54 cm).")
         .arg(ratioText(fault.value));
   case CalibrationFault::WrongSquareCount:

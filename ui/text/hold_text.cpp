@@ -8,7 +8,7 @@ namespace dewpoint::ui {
 QString holdText(HoldState state) {
   switch (state) {
   case HoldState::Held:
-    return QCoreApplication::translate("HoldState", "● held");
+    return QCoreApplication::translate("HoldState", "● tracking");
   case HoldState::Ambiguous:
     return QCoreApplication::translate("HoldState", "◇ ambiguous");
   case HoldState::Hidden:

@@ -7,7 +7,7 @@
 
 namespace dewpoint::ui {
 
-/// Returns the shape and word for a state: "● held".
+/// Returns the shape and word for a state: "● tracking".
 QString holdText(HoldState state);
 
 } // namespace dewpoint::ui

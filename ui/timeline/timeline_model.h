@@ -44,7 +44,7 @@ struct TimelineModel {
   /// Returns the frame of the closest marker after (1) or before (-1) a frame, or nothing if there
   /// is none.
   std::optional<qint64> nextMarker(qint64 from, int direction) const;
-  /// Returns "Frame 132, 4.400 s: ball held (0.99) · …".
+  /// Returns "Frame 132, 4.400 s: ball tracking (0.99) · …".
   QString describe(qint64 frame) const;
 
 private:

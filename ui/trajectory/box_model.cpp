@@ -78,7 +78,7 @@ QVariant BoxModel::data(const QModelIndex& index, int role) const {
   case Spread:
     return tableText(estimate.spread, 1);
   case Seen:
-    return estimate.visible ? tr("● held") : tr("◌ hidden");
+    return estimate.visible ? tr("● tracking") : tr("◌ hidden");
   default:
     return {};
   }

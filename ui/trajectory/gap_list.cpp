@@ -77,7 +77,7 @@ void GapList::fill() {
         setItem(row, column, cell);
       }
       cell->setText(texts[column]);
-      cell->setToolTip(tr("Seconds from the last held estimate before the gap to the first one "
+      cell->setToolTip(tr("Seconds from the last tracked frame before the gap to the first one "
                           "after it"));
     }
   }

@@ -90,8 +90,8 @@ QVariant TrajectoryModel::data(const QModelIndex& index, int role) const {
   case Held:
     return sample.corrected   ? tr("◆ corrected")
            : sample.ambiguous ? tr("◇ ambiguous")
-           : sample.valid     ? tr("● held")
-                              : tr("○ not held");
+           : sample.valid     ? tr("● tracking")
+                              : tr("○ not tracked");
   default:
     return {};
   }
@@ -129,7 +129,8 @@ QVariant TrajectoryModel::headerData(int section, Qt::Orientation orientation, i
     return name ? tr("existence") : tr("Probability that the target is at the estimated position");
   case Held:
     return name ? tr("state")
-                : tr("Held: the cameras confirm the estimate. Ambiguous: another object fits about "
+                : tr("Tracking: the cameras confirm the estimate. Ambiguous: another object fits "
+                     "about "
                      "as well. Corrected: you set the position");
   default:
     return {};

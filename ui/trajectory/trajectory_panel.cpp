@@ -88,7 +88,7 @@ void TrajectoryPanel::makeTable() {
     table_->setAccessibleName(tr("Trajectory"));
     const QFontMetrics metrics = table_->fontMetrics();
     const QString widestState =
-        std::max({TrajectoryModel::tr("○ not held"), TrajectoryModel::tr("◆ corrected"),
+        std::max({TrajectoryModel::tr("○ not tracked"), TrajectoryModel::tr("◆ corrected"),
                   TrajectoryModel::tr("◇ ambiguous")},
                  [&](const QString& one, const QString& other) {
                    return metrics.horizontalAdvance(one) < metrics.horizontalAdvance(other);

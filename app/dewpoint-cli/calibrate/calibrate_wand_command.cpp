@@ -119,7 +119,7 @@ void printDecisions(const WandOptions& options, const WandResult& result) {
   const char* source = result.scale == WandScale::Stick      ? "the length of the wand"
                        : result.scale == WandScale::Distance ? "the measured distance"
                        : result.scale == WandScale::Diameter ? "the ball's diameter"
-                                                             : "the cameras as they were";
+                                                             : "the earlier calibration";
   fmt::print("Size: from {}, {:+.2f} % compared with before", source,
              inPercent(result.scaleFactor - 1.0));
   if (result.scaleSigma > 0.0) {
@@ -130,8 +130,8 @@ void printDecisions(const WandOptions& options, const WandResult& result) {
     fmt::print("Floor: from {} positions, flat to {:.1f} mm; z = 0 on the floor.\n",
                options.floorTimes.size(), inMillimeters(result.floorRms));
   } else if (!options.floorTimes.empty()) {
-    fmt::print("Floor: height from {} positions; with three, the upward direction could be "
-               "measured, too.\n",
+    fmt::print("Floor: height from {} positions. Give three or more to measure the upward "
+               "direction, too.\n",
                options.floorTimes.size());
   }
   if (result.freeFall) {
@@ -202,9 +202,8 @@ int calibrate(WandCommandOptions options) {
 } // namespace
 
 void addCalibrateWandCommand(CLI::App& group, int& exitCode) {
-  auto* command = group.add_subcommand(
-      "wand",
-      "Refine the cameras from a recording in which a ball, or a wand with two balls, is waved.");
+  auto* command = group.add_subcommand("wand", "Refine the calibration from a recording in which "
+                                               "you wave a ball, or a wand with two balls.");
   auto options = std::make_shared<WandCommandOptions>();
   WandOptions& wand = options->wand;
   const auto positive = CLI::Range(1e-6, 1e6);
@@ -232,7 +231,7 @@ void addCalibrateWandCommand(CLI::App& group, int& exitCode) {
               "T1 T2 METERS: the ball was held at two positions this far apart at these times")
           ->expected(3)
           ->excludes(length);
-  command->add_flag("--diameter", wand.fromDiameter, "Size from the ball's diameter")
+  command->add_flag("--diameter", wand.fromDiameter, "Scale from the ball's diameter")
       ->excludes(length)
       ->excludes(distance);
   command->add_option("--floor", wand.floorTimes,
@@ -243,7 +242,7 @@ void addCalibrateWandCommand(CLI::App& group, int& exitCode) {
       ->expected(2);
   command
       ->add_option("--off-by", options->offBy,
-                   "METERS DEGREES: largest initial errors of the cameras (0.12 3.5)")
+                   "METERS DEGREES: how far off the cameras may be at the start (0.12 3.5)")
       ->expected(2);
   command->add_option("--out", options->out, "Calibration file to write");
   command->add_option("--report", options->report,

@@ -129,7 +129,7 @@ int moveWorld(const WorldCommandOptions& options) {
                center.z());
   }
   if (canTurnUpright(*moved)) {
-    fmt::print("The images would be upright after a turn of the world: see --upright.\n");
+    fmt::print("The images would be upright if the world were rotated: see --upright.\n");
   }
   const auto written = writeCalibrated(options.output, *moved, {});
   return written ? static_cast<int>(kExitDone) : report(written.error());

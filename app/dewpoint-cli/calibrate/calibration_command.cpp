@@ -37,7 +37,8 @@ std::optional<double> meters(const std::string& unit) {
 }
 
 std::string wrongUnit(const std::string& text) {
-  return parseLengthUnit(text) ? "" : "a unit is m, mm, cm, in, ft or the meters of one unit";
+  return parseLengthUnit(text) ? ""
+                               : "expected m, mm, cm, in, ft, or the length of one unit in meters";
 }
 
 std::string wrongSize(const std::string& text) {
@@ -45,7 +46,7 @@ std::string wrongSize(const std::string& text) {
   int height = 0;
   char rest = 0;
   const int count = std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest);
-  return count == 2 && width > 0 && height > 0 ? "" : "a size is WIDTHxHEIGHT, as in 1280x720";
+  return count == 2 && width > 0 && height > 0 ? "" : "expected WIDTHxHEIGHT, such as 1280x720";
 }
 
 std::array<int, 2> sizeFrom(const std::string& text) {
@@ -146,7 +147,8 @@ void addCalibrationCommand(CLI::App& app, int& exitCode) {
   add->add_option("--from", options->hints.format, "Format of IN; detected if omitted");
   add->add_option("--to", options->target.format,
                   "Format of OUT; taken from the file name extension if omitted");
-  add->add_option("--unit", options->unit, "Unit of IN: m, mm, cm, in, ft or meters of one unit")
+  add->add_option("--unit", options->unit,
+                  "Unit of IN: m, mm, cm, in, ft, or the length of one unit in meters")
       ->check(wrongUnit);
   add->add_option("--out-unit", options->outUnit, "Unit of OUT, if the format does not define it")
       ->check(wrongUnit);

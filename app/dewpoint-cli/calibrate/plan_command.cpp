@@ -133,8 +133,8 @@ void addPlanCommand(CLI::App& app, int& exitCode) {
       ->check(CLI::Range(1.0, 170.0));
   command
       ->add_option("--wall", placement.wallDistance,
-                   "Distance in meters of the walls and the ceiling, where the camera may be "
-                   "mounted, from the volume")
+                   "Distance from the volume to the walls and the ceiling, where the camera may be "
+                   "mounted, meters")
       ->check(CLI::Range(0.0, 1000.0))
       ->capture_default_str();
   command

@@ -69,7 +69,7 @@ int listSuite(const SuiteOptions& options) {
   for (const std::string& method : suiteMethods()) {
     fmt::print(" {}", method);
   }
-  fmt::print("\nmethods of clips of one camera:");
+  fmt::print("\nmethods for clips of one camera:");
   for (const std::string& method : imageClipMethods()) {
     fmt::print(" {}", method);
   }
@@ -196,10 +196,10 @@ int conclude(const SuiteStore& store, const std::string& folder, bool isPart) {
     fmt::print(stderr, "dewpoint-cli: {}\n", skippedSentence(run));
   }
   if (!store.skipped().empty()) {
-    fmt::print(stderr,
-               "dewpoint-cli: Runs that were skipped: {}. No result contains them; see "
-               "skipped.csv.\n",
-               store.skipped().size());
+    fmt::print(
+        stderr,
+        "dewpoint-cli: Skipped runs: {}. The results do not contain them; see skipped.csv.\n",
+        store.skipped().size());
   }
   std::set<RunKey> done;
   for (const auto& [key, result] : store.results()) {
@@ -305,7 +305,9 @@ void addSuiteCommand(CLI::App& app, int& exitCode) {
       ->add_option("--clips", options->clips.truth,
                    "Folder with the ground truth of recordings that do not include it")
       ->capture_default_str();
-  command->add_option("--seeds", options->seeds, "Runs per scenario (each has its own number)")
+  command
+      ->add_option("--seeds", options->seeds,
+                   "Runs per scenario (the default depends on the scenario)")
       ->check(CLI::Range(1, 1000000));
   command
       ->add_option("--first-seed", options->firstSeed,
@@ -316,8 +318,8 @@ void addSuiteCommand(CLI::App& app, int& exitCode) {
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
   command->add_flag("--part", options->part,
-                    "The folder is one part of a suite to be merged with --merge: all runs of a "
-                    "scenario may be skipped");
+                    "The folder is one part of a suite that you will merge with --merge: all runs "
+                    "of a scenario may be skipped");
   command->add_option("--out", options->folder, "Folder to write, or to continue");
   command
       ->add_option(

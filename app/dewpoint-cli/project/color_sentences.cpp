@@ -36,7 +36,7 @@ const char* advice(Suggestion suggestion) {
   case Suggestion::AddSamples:
     return "Much of the target does not match: add its light and its dark side with --more.";
   case Suggestion::ExcludeDistractor:
-    return "Use --exclude to exclude what also matches.";
+    return "Exclude the other matching objects with --exclude.";
   case Suggestion::RemoveDistractor:
     return "Cover objects of the same color, or take them out of view.";
   case Suggestion::MoreLight:
@@ -86,10 +86,10 @@ std::vector<std::string> describeAssessment(const ColorAssessment& assessment,
   }
   for (const DistractorRegion& region : assessment.distractors) {
     const cv::Point middle = (region.box.tl() + region.box.br()) / 2;
-    sentences.push_back(fmt::format("A {} region {} of {} also matches, at about pixel {},{}.",
-                                    nameOf(region.color), partOfImage(region),
-                                    cameras.at(static_cast<std::size_t>(region.camera)), middle.x,
-                                    middle.y));
+    sentences.push_back(
+        fmt::format("In the image of {2}, a {0} region {1} also matches, near pixel {3},{4}.",
+                    nameOf(region.color), partOfImage(region),
+                    cameras.at(static_cast<std::size_t>(region.camera)), middle.x, middle.y));
   }
   if (const std::string text = advice(assessment.suggestion); !text.empty()) {
     sentences.push_back(text);
@@ -103,7 +103,7 @@ std::string describeRadius(double given, const std::optional<double>& shown) {
   if (!shown || fit == setup::RadiusFit::Fits) {
     return {};
   }
-  std::string text = fmt::format("Its radius seems to be about {:.2g} m", *shown);
+  std::string text = fmt::format("The target's radius seems to be about {:.2g} m", *shown);
   if (given > 0.0) {
     text += fmt::format(", but {:g} m is given", given);
   }

@@ -96,7 +96,7 @@ void addDoctorCommand(CLI::App& app, int& exitCode) {
   command->add_flag("--every-frame", options->everyFrame,
                     "Read all frames, instead of only the first, middle and last frame");
   command->add_flag("--json", options->asJson, "Print JSON instead of lines");
-  command->footer("Exit codes: 0 no problem, 1 at least one.");
+  command->footer("Exit codes: 0 no problem, 1 at least one problem.");
   command->callback([options, &exitCode] { exitCode = examineAndPrint(*options); });
 }
 

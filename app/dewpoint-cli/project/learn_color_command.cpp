@@ -119,7 +119,7 @@ void addAllAlike(setup::FootageLearningResult& taught) {
     return setup::unusedTargetName(
         project, [](std::size_t number) { return fmt::format("target {}", number); });
   });
-  fmt::print("Targets added for others of this color and size: {}.\n", missing);
+  fmt::print("Targets added for other objects of this color and size: {}.\n", missing);
 }
 
 /// Says what was learned, and writes its mask and the project.
@@ -204,7 +204,7 @@ void addLearnColorCommand(CLI::App& app, int& exitCode) {
   marked->add_option("--pixel", options->pixel, "X,Y of the click on the target");
   marked->add_option("--box", options->box, "X,Y,WIDTH,HEIGHT of a box around the target");
   marked->require_option(1);
-  command->add_option("--more", options->more, "Another click on it, CAMERA:FRAME:X,Y");
+  command->add_option("--more", options->more, "Another click on the target, CAMERA:FRAME:X,Y");
   command->add_option("--exclude", options->excluded,
                       "A click on an object that is not the target, CAMERA:FRAME:X,Y");
   command->add_option("--target", options->target,
@@ -217,7 +217,7 @@ void addLearnColorCommand(CLI::App& app, int& exitCode) {
       ->check(CLI::IsMember(targetShapeNames()));
   command->add_flag(
       "--follow-all", options->followAll,
-      "Also make a target of each other object of this color and size, if they are few");
+      "Also add a target for each other object of this color and size, unless there are many");
   command->add_option("--mask", options->mask, "PNG to write: white where the image matches");
   command->add_option("--out", options->out, "Project file to write, with the learned color");
   command->callback([options, &exitCode] { exitCode = learn(*options); });

@@ -92,7 +92,7 @@ Result<std::vector<NewCamera>> camerasOf(const NewOptions& options) {
   }
   if (cameras.empty()) {
     return failure(ErrorCode::MissingKey, "", "--camera",
-                   "a camera is needed, or --footage or --connected");
+                   "name at least one camera with --camera, --footage or --connected");
   }
   return cameras;
 }
@@ -205,7 +205,9 @@ void addNewCommand(CLI::App& app, int& exitCode) {
   command->add_option("--times", options->times,
                       "Table (CSV) with the times at which the images of each camera were taken");
   command->add_option("--name", options->project.name, "Name of the project");
-  command->add_option("--rate", options->project.framesPerSecond, "Images per second of folders")
+  command
+      ->add_option("--rate", options->project.framesPerSecond,
+                   "Images per second, for folders of images")
       ->check(CLI::Range(0.1, 10000.0));
   command->add_flag("--force", options->force, "Replace an existing file");
   command->callback([options, &exitCode] { exitCode = makeNew(*options); });

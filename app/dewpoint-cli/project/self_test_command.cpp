@@ -59,7 +59,7 @@ void addSelfTestCommand(CLI::App& app, int& exitCode) {
       "Check what tracking needs from this computer: codecs, disk, cameras, a short run.");
   auto asJson = std::make_shared<bool>(false);
   command->add_flag("--json", *asJson, "Print JSON instead of lines");
-  command->footer("Exit codes: 0 no problem, 1 at least one.");
+  command->footer("Exit codes: 0 no problem, 1 at least one problem.");
   command->callback([asJson, &exitCode] { exitCode = testAndPrint(*asJson); });
 }
 

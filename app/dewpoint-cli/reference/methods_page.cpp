@@ -55,12 +55,11 @@ std::string methodSection(const Method& method) {
 
 std::string methodsPage() {
   std::string text =
-      "# Methods and their parameters\n\n"
-      "Every method and every parameter, as the program declares them. Set a parameter in the "
-      "panel *Parameters*, in the table `[parameters]` of a [project "
+      "# Methods and their parameters\n\nEvery method and every parameter, as the program declares "
+      "them. Set a parameter in the panel *Parameters*, in the table `[parameters]` of a [project "
       "file](project-file.md#parameters), or with `--set key=value` on the [command "
-      "line](command-line.md#parameters). A default \"or from the cameras\" is replaced by a value "
-      "that fits your cameras unless you set one.\n";
+      "line](command-line.md#parameters). Where a default says \"or from the cameras\", Dewpoint "
+      "computes a value that fits your cameras, unless you set one.\n";
   std::string_view heading;
   for (const Method* method : methodsByUse()) {
     if (headingOf(*method) != heading) {

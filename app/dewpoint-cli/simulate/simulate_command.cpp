@@ -87,7 +87,7 @@ Status writeCamera(const SceneRenderer& renderer, int index, const SimulateOptio
 int simulateOffice(const SimulateOptions& options) {
   if (options.motion || options.distractors || options.occluder || options.images) {
     report({ErrorCode::BadValue, "", "--motion, --look-alikes, --occluder, --images",
-            "they are for scenes with balls, not for the office"});
+            "only for scenes with balls, not for the office"});
     return kExitUsage;
   }
   OfficeScene scene = builtInOfficeScene();
@@ -100,7 +100,7 @@ int simulateOffice(const SimulateOptions& options) {
 int simulateBoard(const SimulateOptions& options) {
   if (options.motion || options.distractors || options.occluder || options.images || options.seed) {
     report({ErrorCode::BadValue, "", "--seed, --motion, --look-alikes, --occluder, --images",
-            "they are for scenes with balls, not for the board"});
+            "only for scenes with balls, not for the board"});
     return kExitUsage;
   }
   return recordBoard(options.out, options.frames, "--out");
@@ -176,7 +176,7 @@ void addSimulateCommand(CLI::App& app, int& exitCode) {
       ->add_option("--look-alikes", options->distractors, "Number of other balls of the same color")
       ->check(CLI::Range(0, 4));
   command->add_flag("--occluder", options->occluder,
-                    "Move a box past camera 1, which hides the ball");
+                    "Move a box past camera 1, so that it hides the ball");
   command->add_flag("--images", options->images,
                     "Write folders of PNG images instead of lossless videos");
   command->callback([options, &exitCode] { exitCode = simulate(*options); });

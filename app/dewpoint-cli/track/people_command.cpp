@@ -275,9 +275,8 @@ void addPeopleCommand(CLI::App& app, int& exitCode) {
   command->add_option("--frames", options->frames,
                       "Only frames A to B-1, as A:B (either may be empty)");
   command->add_option("--set", options->settings, "Set a parameter of the method: key=value");
-  command->add_option(
-      "--person", options->persons,
-      "A person stands here from the first frame on: x,y,z of the center of the body");
+  command->add_option("--person", options->persons,
+                      "Position of a person in the first frame: x,y,z of the center of the body");
   command
       ->add_option("--overlay", options->overlay,
                    "Write overlay.png: about this many frames of all cameras, with hulls drawn")

@@ -74,8 +74,7 @@ Result<BoxRequest> requestOf(const TrackBoxOptions& options) {
     }
   }
   if (request.marks.empty()) {
-    return failure(ErrorCode::MissingKey, "", "--box",
-                   "a box or a click is needed to show what to track");
+    return failure(ErrorCode::MissingKey, "", "--box", "mark what to track with --box or --click");
   }
   return request;
 }
@@ -303,15 +302,16 @@ int trackBoxes(const TrackBoxOptions& options) {
 
 void addTrackBoxCommand(CLI::App& app, int& exitCode) {
   auto* command = app.add_subcommand(
-      "track-box", "Track boxes in the images of one camera, without calibration.");
+      "track-box", "Track image targets (boxes) in the images of one camera, without calibration.");
   auto options = std::make_shared<TrackBoxOptions>();
   const std::vector<std::string> known = methodNames(RunTables::Boxes); // the default first
   options->method = known.front();
   command->add_option("SOURCE", options->source, "Video, or folder of images")->required();
   command->add_option("--box", options->boxes,
                       "X,Y,WIDTH,HEIGHT of a target in the first frame; may be repeated");
-  command->add_option("--click", options->clicks,
-                      "X,Y on a target in the first frame: the box is found; may be repeated");
+  command->add_option(
+      "--click", options->clicks,
+      "X,Y of a click on a target in the first frame, to find its box; may be repeated");
   command->add_option("--out", options->folder, "Folder to write")->required();
   command->add_option("--method", options->method, "Tracking method")
       ->check(CLI::IsMember(known))
@@ -327,7 +327,7 @@ void addTrackBoxCommand(CLI::App& app, int& exitCode) {
                       "Only frames A to B-1, as A:B (either may be empty)");
   command->add_option("--rate", options->rate, "Images per second of a folder")
       ->check(CLI::Range(0.0, 10000.0));
-  command->add_flag("--draw", options->draw, "Write a video with the boxes drawn, too");
+  command->add_flag("--draw", options->draw, "Also write a video with the boxes drawn into it");
   command->callback([options, &exitCode] { exitCode = trackBoxes(*options); });
 }
 

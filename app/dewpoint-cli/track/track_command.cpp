@@ -63,7 +63,8 @@ Result<WorldBox> parseVolume(const std::string& text) {
   if (read != 6 || static_cast<std::size_t>(used) != text.size() || !box.min.allFinite() ||
       !box.max.allFinite() || (box.min.array() >= box.max.array()).any()) {
     return failure(ErrorCode::BadValue, "", "--volume",
-                   text + " is not x0,y0,z0,x1,y1,z1 in meters, the last three greater");
+                   text + " is not x0,y0,z0,x1,y1,z1 in meters, with each of the last three "
+                          "greater than its counterpart");
   }
   return box;
 }
@@ -145,7 +146,7 @@ void addTrackCommand(CLI::App& app, int& exitCode) {
                       "Only frames A to B-1, as A:B (either may be empty)");
   command->add_option("--particles", options->particles, "Number of particles");
   command->add_flag("--reasons", options->job.reasons,
-                    "Also write reasons.csv: when and why targets were held or not");
+                    "Also write reasons.csv: when and why targets were tracked or not");
   command->add_option(
       "--volume", options->volume,
       "Track only in this box, as x0,y0,z0,x1,y1,z1 in meters (default: the project's)");

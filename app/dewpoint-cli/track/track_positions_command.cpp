@@ -69,7 +69,7 @@ int trackPositionsIn(const TrackPositionsOptions& options) {
     return reportInput(tracked.error());
   }
   if (tracked->samples.empty()) {
-    return reportInput({ErrorCode::BadValue, "", "x_m", "no position is given as numbers"});
+    return reportInput({ErrorCode::BadValue, "", "x_m", "it contains no position"});
   }
   if (*timed) {
     tracked->header.entries.emplace_back("times",

@@ -49,8 +49,9 @@ Result<std::optional<RangeBound>> parseSpanEnd(const std::string& text, const ch
   }
   const auto number = toNumber<double>(digits);
   if (!number) {
-    return failure(ErrorCode::BadValue, "", option,
-                   fmt::format("expected seconds, as 2.5, or a frame, as 75f; found {}", text));
+    return failure(
+        ErrorCode::BadValue, "", option,
+        fmt::format("expected seconds, such as 2.5, or a frame, such as 75f; found {}", text));
   }
   end.value = *number;
   return std::optional(end);
@@ -222,11 +223,12 @@ void addExportCommand(CLI::App& app, int& exitCode) {
   command->add_option("--figure", arguments->figure,
                       "Figure to write (SVG): positions over time, and from above");
   command->add_option("--targets", options.targets, "Targets; all if omitted")->delimiter(',');
-  command->add_option("--from", arguments->from, "First time in seconds, or frame as 75f");
-  command->add_option("--to", arguments->to, "Last time in seconds, or frame as 150f");
+  command->add_option("--from", arguments->from,
+                      "First time in seconds, or first frame, such as 75f");
+  command->add_option("--to", arguments->to, "Last time in seconds, or last frame, such as 150f");
   command->add_option("--rate", options.rate, "Rows per second; as recorded if omitted")
       ->check(CLI::PositiveNumber);
-  command->add_option("--gaps", arguments->gaps, "Gaps: leave or fill")
+  command->add_option("--gaps", arguments->gaps, "What to do with gaps: leave or fill")
       ->check(CLI::IsMember({"leave", "fill"}))
       ->capture_default_str();
   command->add_option("--longest-gap", options.longestGap, "Longest gap that is filled, seconds")
@@ -240,7 +242,7 @@ void addExportCommand(CLI::App& app, int& exitCode) {
       ->check(CLI::IsMember({"m", "mm"}));
   command->add_flag("--smooth", options.smooth,
                     "Export smoothed estimates, which use all frames, instead of live ones");
-  command->add_flag("--no-header", arguments->noHeader, "Without comments about the run");
+  command->add_flag("--no-header", arguments->noHeader, "Leave out the comments about the run");
   command->add_flag("--preview", arguments->preview, "Only show the first lines, units and axes");
   command->callback([arguments, command, &exitCode] {
     if (arguments->file.empty() && arguments->figure.empty() && !arguments->preview) {

@@ -23,23 +23,23 @@ std::string faultDescription(const DetectedFault& fault,
   };
   switch (fault.fault) {
   case CalibrationFault::MirroredBoard:
-    return "The cameras would all look at the back of the board or floor: its points are likely "
-           "mirrored; check the direction of its axes, and that the print is not reversed.";
+    return "All cameras seem to see the back of the board or floor: its points are probably "
+           "mirrored. Check the direction of the axes, and that the print is not reversed.";
   case CalibrationFault::WrongUnitMillimeters:
     return fmt::format("The given length is {:.3g} times what the cameras see: millimeters and "
-                       "meters are likely mixed up; give all lengths in meters.",
+                       "meters are probably mixed up. Give all lengths in meters.",
                        fault.value);
   case CalibrationFault::WrongUnitInches:
-    return fmt::format("The given length is {:.3g} times what the cameras see: it is likely in "
-                       "inches; give it in meters (1 inch = 0.0254 m).",
+    return fmt::format("The given length is {:.3g} times what the cameras see: it is probably in "
+                       "inches. Give it in meters (1 inch = 0.0254 m).",
                        fault.value);
   case CalibrationFault::CamerasSwapped:
-    return fmt::format("Everything fits when {} and {} are exchanged: their videos are likely "
-                       "swapped; exchange the two files.",
+    return fmt::format("Everything fits when {} and {} are exchanged: their videos are probably "
+                       "swapped. Exchange the two files.",
                        name(0), name(1));
   case CalibrationFault::WrongSquareCount:
     return fmt::format("The corners form a board with {:.0f} squares in a row: the number of "
-                       "squares is probably wrong; count them and correct the board.",
+                       "squares is probably wrong. Count them and correct the board.",
                        fault.value);
   case CalibrationFault::WrongSquareSize:
     return fmt::format("The given size of the squares is {:.3g} times what the cameras see: "
@@ -47,29 +47,30 @@ std::string faultDescription(const DetectedFault& fault,
                        fault.value);
   case CalibrationFault::HalfPixel:
     return fmt::format(
-        "The images fit when shifted by {:+.1f} px along both axes: a program likely "
-        "counts pixels from their corners; convert the principal points.",
+        "The images fit when shifted by {:+.1f} px along both axes: the calibration probably "
+        "counts pixels from their corners, not their centers. Convert the principal points.",
         fault.value);
   case CalibrationFault::CameraDelayed:
     return fmt::format(
-        "{} fits when its video is shifted: it likely shows everything {:.0f} frames "
-        "{}; synchronize the videos or set its offset.",
+        "{} fits when its video is shifted in time: the video is probably {:.0f} frames {}. "
+        "Synchronize the videos, or set the offset of its source.",
         name(0), std::abs(fault.value), fault.value > 0.0 ? "late" : "early");
   case CalibrationFault::CameraMoved:
-    return fmt::format("{} fits one pose before {:.1f} s and another after it: the camera was "
-                       "probably moved; calibrate with the part after that time.",
+    return fmt::format("{} fits one pose before {:.1f} s and another pose after that time: the "
+                       "camera was probably moved. Calibrate with the later part only.",
                        name(0), fault.value);
   case CalibrationFault::VideoFlipped:
     return fmt::format("{} fits only with flipped images: its video is probably mirrored or upside "
-                       "down; set the rotation and mirroring of its source.",
+                       "down. Set the rotation and mirroring of its source.",
                        name(0));
   case CalibrationFault::ZoomChanged:
     return fmt::format("{} fits with {:.3g} times the given focal length: its zoom or crop was "
-                       "probably changed; calibrate its intrinsics again.",
+                       "probably changed. Calibrate its intrinsics again.",
                        name(0), fault.value);
   case CalibrationFault::WrongResolution:
-    return fmt::format("The lens data of {} are likely for another resolution: its images are "
-                       "{:.3g} times as large; convert them or record at the calibrated size.",
+    return fmt::format("The intrinsics of {} are probably for another resolution: its images are "
+                       "{:.3g} times as large. Convert the intrinsics, or record at the "
+                       "calibrated size.",
                        name(0), fault.value);
   }
   return {};

@@ -68,26 +68,29 @@ void addCamera(std::string& html, const BoardReport::CameraPart& camera) {
   }
   auto out = std::back_inserter(html);
   fmt::format_to(out,
-                 "<h2>{}</h2>\n<p>rms {:.4f} px over {} corners in {} of {} pictures; corners in "
+                 "<h2>{}</h2>\n<p>rms {:.4f} px over {} corners in {} of {} images; corners in "
                  "{:.0f} % of the image",
                  htmlEscaped(camera.name), camera.rmsPx, corners, used, camera.views.size(),
                  inPercent(camera.coverage.coveredFraction()));
   if (camera.projectionPx) {
-    fmt::format_to(out, "; a ray is known to {:.2f} px (1 sigma) where the image is known least",
-                   *camera.projectionPx);
+    fmt::format_to(
+        out, "; a line of sight is accurate to {:.2f} px (1 sigma) in the worst part of the image",
+        *camera.projectionPx);
   }
   if (camera.centerSigma && *camera.centerSigma > 0.0) {
-    fmt::format_to(out, "; place ±{:.2f} mm, direction ±{:.3f}° against the first camera (1 sigma)",
-                   inMillimeters(*camera.centerSigma), inDegrees(*camera.rotationSigma));
+    fmt::format_to(
+        out, "; position ±{:.2f} mm, direction ±{:.3f}° relative to the first camera (1 sigma)",
+        inMillimeters(*camera.centerSigma), inDegrees(*camera.rotationSigma));
   }
   html += ".</p>\n";
   addParameters(html, camera);
-  html += "<h3>Residuals</h3><p>From where a corner is projected to where it was measured.</p>\n" +
-          residualDrawing(camera.camera.intrinsics, residualsOf(camera)) +
-          "<h3>Coverage</h3><p>Corners seen in each part of the image, "
-          "and pictures at each tilt.</p>\n" +
-          coverageDrawing(camera.camera.intrinsics, camera.coverage, tiltCounts(camera.coverage)) +
-          "<h3>Pictures</h3>\n" + errorDrawing(camera.views);
+  html +=
+      "<h3>Residuals</h3><p>Arrows from the projected to the measured position of each "
+      "corner.</p>\n" +
+      residualDrawing(camera.camera.intrinsics, residualsOf(camera)) +
+      "<h3>Coverage</h3><p>Corners seen in each part of the image, and images at each tilt.</p>\n" +
+      coverageDrawing(camera.camera.intrinsics, camera.coverage, tiltCounts(camera.coverage)) +
+      "<h3>Pictures</h3>\n" + errorDrawing(camera.views);
 }
 
 void addReport(std::string& html, const BoardReport& report) {

@@ -132,7 +132,7 @@ std::string errorDrawing(const std::vector<ViewFit>& views) {
     most = std::max(most, view.used ? view.rmsPx : 0.0);
   }
   const double height = (kBarHeight + 2.0) * static_cast<double>(views.size());
-  std::string svg = opened(kDrawingWidth, height, "error of each picture");
+  std::string svg = opened(kDrawingWidth, height, "error of each image");
   auto out = std::back_inserter(svg);
   double y = 0.0;
   for (const ViewFit& view : views) {

@@ -64,7 +64,7 @@ Status checkViews(const WandProblem& problem) {
       if (!view.pixel.allFinite() || !std::isfinite(view.time) || !(view.sigma > 0.0) ||
           view.ball > 1) {
         return failure(ErrorCode::BadValue, "", problem.initialRig[c].name,
-                       "a view has no usable time, place or sigma");
+                       "a view has no usable time, position or sigma");
       }
     }
   }

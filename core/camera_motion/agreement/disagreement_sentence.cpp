@@ -25,20 +25,22 @@ std::string describeDisagreement(const CameraDisagreement& found, const CameraRi
                              "file",
                              name(0), name(1));
   case CameraFault::Late:
-    return fmt::format("{} is about {:.0f} ms {}; add {:.3f} to its late_by in the project file",
-                       name(0), inMilliseconds(std::abs(found.delay)),
-                       found.delay > 0.0 ? "late" : "early", found.delay);
+    return fmt::format(
+        "the images of {} are about {:.0f} ms {}; add {:.3f} to its late_by in the project file",
+        name(0), inMilliseconds(std::abs(found.delay)), found.delay > 0.0 ? "late" : "early",
+        found.delay);
   case CameraFault::Rotated:
     return found.cameras.size() > 1
-               ? fmt::format("{} or {} looks at least {:.1f} degrees away from its calibration; "
-                             "calibrate them again",
-                             name(0), name(1), inDegrees(found.turns.at(0).norm()))
-               : fmt::format("{} looks about {:.1f} degrees away from its calibration; calibrate "
-                             "it again",
-                             name(0), inDegrees(found.turns.at(0).norm()));
+               ? fmt::format(
+                     "{} or {} points at least {:.1f} degrees away from its calibrated direction; "
+                     "calibrate them again",
+                     name(0), name(1), inDegrees(found.turns.at(0).norm()))
+               : fmt::format(
+                     "{} points about {:.1f} degrees away from its calibrated direction; calibrate "
+                     "it again",
+                     name(0), inDegrees(found.turns.at(0).norm()));
   case CameraFault::Unit:
-    return fmt::format("the positions of the cameras seem to be in units of {:g} m; they are "
-                       "expected in meters",
+    return fmt::format("the calibration seems to be in units of {:g} m; it must be in meters",
                        found.scale);
   case CameraFault::SamePose:
     return fmt::format("{} and {} have the same pose; calibrate them again", name(0), name(1));
@@ -46,7 +48,7 @@ std::string describeDisagreement(const CameraDisagreement& found, const CameraRi
     break;
   }
   return found.cameras.size() > 1
-             ? fmt::format("{} and {} do not see the target at one position; calibrate them again",
+             ? fmt::format("{} and {} disagree about where the target is; calibrate them again",
                            name(0), name(1))
              : fmt::format("{} does not agree with the other cameras; calibrate it again", name(0));
 }

@@ -66,7 +66,7 @@ ClipDeclaration bandsRow() {
   clip.origin = TruthOrigin::Segmented;
   clip.truthSigma = kCentroidPx;
   clip.tunedOn = TunedOn::No;
-  clip.tuned = "it is in no document, test or benchmark";
+  clip.tuned = "no document, test or benchmark uses it";
   clip.calibrated = bandsClip;
   return clip;
 }
@@ -75,10 +75,9 @@ ClipDeclaration boardRow() {
   ClipDeclaration clip;
   clip.name = "R1-board";
   clip.recording = "charuco4";
-  clip.sentence =
-      "A man waves a board of black and white squares before four webcams, 57 instants, "
-      "6 per second, each camera with its own time stamps. Outside of what color "
-      "methods are made for: the target is flat, and doors and sky are as white.";
+  clip.sentence = "A man waves a board of black and white squares before four webcams, 57 "
+                  "instants, 6 per second, each camera with its own time stamps. Color methods are "
+                  "not made for this: the target is flat, and doors and sky are as white.";
   clip.start = "one click on a white square, from which the color is learned, and a box of 0.1 m "
                "half size around the first position.";
   clip.truth = "the board's center, the mean of opposite corners of the published twelve";
@@ -171,11 +170,13 @@ std::span<const ClipDeclaration> clipCatalog() {
 
 std::span<const OmittedRecording> omittedRecordings() {
   static const std::vector<OmittedRecording> kRecordings{
-      {"ball9_arena", "It has detections of a ball, no images of it: no method that sees can run."},
-      {"opencv_left13", "It has stills of a chessboard: a truth of intrinsics, not of a target."},
-      {"stereo_tray", "It has 14 separate stereo stills of a chessboard on a tray, no sequence: a "
-                      "truth of calibration."},
-      {"ufes4_people", "It has no truth for the people in it."},
+      {"ball9_arena",
+       "It contains detections of a ball but no images, so no method that needs images can run."},
+      {"opencv_left13",
+       "It contains still images of a chessboard: ground truth for intrinsics, not for a target."},
+      {"stereo_tray", "It contains 14 separate stereo images of a chessboard on a tray, not a "
+                      "sequence: ground truth for a calibration."},
+      {"ufes4_people", "It contains no ground truth for the people in it."},
   };
   return kRecordings;
 }

@@ -49,8 +49,9 @@ std::string reasonToSkip(const ClipDeclaration& clip, const ClipFolders& folders
     return fmt::format("there is no folder {}", folder.string());
   }
   if (clip.needsTruthFolder && !std::filesystem::is_directory(folders.truth)) {
-    return fmt::format("its truth is not there, the folder bench/clips of the sources ('{}')",
-                       folders.truth.string());
+    return fmt::format(
+        "its ground truth is missing: the folder bench/clips of the source code ('{}')",
+        folders.truth.string());
   }
   return {};
 }

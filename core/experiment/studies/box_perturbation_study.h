@@ -39,9 +39,9 @@ struct BoxPerturbationRow {
   double worstPrecision = 1.0;
   bool reportsConfidence =
       false; ///< the remaining fields are known, because the method reports its confidence
-  double similarityOn = 0.0; ///< mean similarity with the center within the radius
-  double similarityOff =
-      0.0; ///< mean similarity with the center outside the radius; held boxes count as 0
+  double similarityOn = 0.0;  ///< mean similarity with the center within the radius
+  double similarityOff = 0.0; ///< mean similarity with the center outside the radius; frames in
+                              ///< which it reports the target hidden count as 0
   double confidentlyWrong =
       0.0; ///< fraction of all frames off the target with a similarity above 0.9
 };

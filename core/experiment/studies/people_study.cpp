@@ -296,7 +296,7 @@ Status checkPeopleParameters(const PeopleStudySetup& setup) {
       }
     }
     if (!known) {
-      return failure(ErrorCode::UnknownKey, "", key, "of the chosen methods none has it");
+      return failure(ErrorCode::UnknownKey, "", key, "none of the chosen methods has it");
     }
   }
   return {};

@@ -129,13 +129,14 @@ void addCoverage(const std::vector<PeopleSummary>& summaries, FigurePage& page) 
     const auto outcome = !(all > part)   ? ClaimOutcome::NotReproduced
                          : all < kCovers ? ClaimOutcome::InPart
                                          : ClaimOutcome::Reproduced;
-    page.claim("Figure 4(a): the volume of MS covers the whole body, that of MS+C less of it.",
-               outcome,
-               fmt::format(
-                   "Here, grade {}, {} clothes: MS covers {} of what is visible of a body, MS+C {} "
-                   "(a body counts as covered from {:.1f} on).",
-                   gradeName(motion.grade), clothesName(motion.clothes), cell(all, 2),
-                   cell(part, 2), kCovers));
+    page.claim(
+        "Figure 4(a): the volume of MS covers the whole body; that of MS+C covers less of it.",
+        outcome,
+        fmt::format(
+            "Here, grade {}, {} clothes: MS covers {} of what is visible of a body, MS+C {} "
+            "(a body counts as covered from {:.1f} on).",
+            gradeName(motion.grade), clothesName(motion.clothes), cell(all, 2), cell(part, 2),
+            kCovers));
   }
 }
 
@@ -203,22 +204,23 @@ void addHeights(const std::vector<PeopleTrial>& trials, FigurePage& page) {
 }
 
 constexpr const char* kHowToRead =
-    "Identities are kept when everybody has the same one before people meet and after it; in "
-    "enter-leave, when nobody's changes while they are there. Ghost: how long an estimate belongs "
-    "to nobody; missed: how long somebody whom two cameras see has none; the longest of all runs. "
-    "The bars are for 30 runs: of fewer, \"so far\" says how it looks. Found: the share of the "
-    "frames in which at least two cameras see somebody who then has an estimate. Silhouettes: the "
-    "outlines of the 95 % volumes of those who have an estimate, against what each camera that "
-    "sees the person shows of the whole body, every fifth frame. Recall: how much of that the "
-    "outline holds; precision: how much of the outline lies on it; IoU: both over either. Where "
-    "the body is hidden, an outline is neither right nor wrong; a load is no part of a body.";
+    "A run keeps the identities if all people have the same identity before and after they meet; "
+    "in enter-leave, if no identity changes while its person is there. Ghost: how long an estimate "
+    "belongs to no person. Missed: how long a person whom two cameras see has no estimate. Both "
+    "are the longest of all runs. The requirements are for 30 runs; with fewer runs, the result is "
+    "preceded by \"so far\". Found: of the frames in which at least two cameras see a person, the "
+    "share in which the person has an estimate. Silhouettes: in every fifth frame, the outline of "
+    "each 95 % volume is compared with the visible part of the body in each camera. Recall: the "
+    "share of the visible body inside the outline; precision: the share of the outline on the "
+    "body; IoU: their intersection over their union. Where the body is hidden, the outline counts "
+    "as neither right nor wrong; a carried object is not part of the body.";
 
 constexpr const char* kPictureSentence =
     "The first seed (Mohedano et al. 2009, figures 2 and 4). Left: the four cameras with the "
-    "outlines of the 95 % volumes, a color and a number for each identity. Right: the floor from "
-    "above, with level curves around 25, 50, 75 and 95 % of each person's density; crosses: where "
-    "people are in truth; rings: the cameras. A method that keeps identities shows the same number "
-    "on the same person before and after.";
+    "outlines of the 95 % volumes; each identity has a color and a number. Right: the floor from "
+    "above, with contours around 25, 50, 75 and 95 % of each person's density; crosses: the true "
+    "positions; rings: the cameras. A method that keeps identities shows the same number on the "
+    "same person before and after.";
 
 void addPictures(const std::vector<PeopleTrial>& trials, FigurePage& page) {
   bool any = false;
@@ -246,11 +248,12 @@ std::string gradesOfTrials(const std::vector<PeopleTrial>& trials) {
     text += " Grade ideal: images with normal noise, exact time stamps and calibration.";
   }
   if (has(Grade::Room)) {
-    text += " Grade room: lenses, sensors, light, time stamps and a calibration by hand as fixed "
-            "cameras in a room have them; the methods learn the empty room from the same images.";
+    text += " Grade room: lenses, sensors, light, time stamps and a manual calibration, as with "
+            "fixed cameras in a room; the methods learn the background from the same images.";
   }
   if (has(Grade::Wild)) {
-    text += " Grade wild: the same, stronger, with other cameras, walls and lamp in each run.";
+    text += " Grade wild: the same effects, stronger, with different cameras, walls and lamps in "
+            "each run.";
   }
   return text;
 }
@@ -361,8 +364,8 @@ FigurePage peopleReport(const std::string& scenario, const std::vector<PeopleTri
   const auto summaries = summarize(trials);
   FigurePage page("People: " + scenario,
                   peopleScenarioDescription(scenario) + " Simulated office, 320x240 cameras; " +
-                      "mohedano-ms and mohedano-msc are the paper's methods by motion alone and "
-                      "by motion and color, people is our own." +
+                      "mohedano-ms and mohedano-msc are the paper's methods by motion alone and by "
+                      "motion and color, people is Dewpoint's own." +
                       gradesOfTrials(trials));
   std::vector<std::vector<std::string>> rows;
   rows.reserve(summaries.size());
@@ -381,7 +384,7 @@ FigurePage peopleReport(const std::string& scenario, const std::vector<PeopleTri
               "MOTP mm", "GOSPA m", "longest ghost s", "longest missed s", "95 % volume m³",
               "ms per frame", "found %", "silhouette recall", "precision", "IoU"},
              rows);
-  page.heading("What is expected, and whether it came out");
+  page.heading("Expected results, and whether they were reached");
   addCoverage(summaries, page);
   for (const Bar& bar : barsOf(summaries)) {
     page.requirement(assessmentOf(bar), bar.reached, bar.words);

@@ -23,18 +23,18 @@ constexpr const char* kRemarks[] = {
     "the share of frames whose overlap is above a threshold. Precision: share of frames with the "
     "center "
     "within the radius (20 px on otb, else the ball's).",
-    "All start from the true box of the first frame. Figures of sugandi and histogram are means "
-    "over "
-    "the seeds; OpenCV's trackers have their default parameters; KCF gives up soon with them.",
-    "A star marks clips where only centers are marked and the boxes have a set size: their success "
-    "says little.",
-    "The paper's clip is not public: its 6.48 px with 100 particles and 2.28 px with 300 cannot be "
-    "repeated, only the trend. It gives neither the noise of the motion nor sigma.",
+    "All methods start from the true box of the first frame. The results of sugandi and histogram "
+    "are means over the seeds. OpenCV's trackers use their default parameters, with which KCF soon "
+    "loses the target.",
+    "A star marks clips whose ground truth has only centers, with boxes of a fixed size: their "
+    "success means little.",
+    "The paper's clip is not public: its RMSE of 6.48 px with 100 particles and 2.28 px with 300 "
+    "cannot be reproduced, only the trend. The paper states neither the motion noise nor sigma.",
     "Curves, frames and histograms are of the first seed; tracks.csv and histograms.csv have their "
     "numbers. Bins are numbered 64 r + 8 g + b, with r, g and b from 0 to 7."};
 
 std::string seedRemark(const BoxStudy& study) {
-  return "Seeds of our methods: " + describeSeeds(study.firstSeed, study.seeds) + ".";
+  return "Seeds of Dewpoint's methods: " + describeSeeds(study.firstSeed, study.seeds) + ".";
 }
 
 std::string starred(const BoxStudyRow& row) {
@@ -80,12 +80,13 @@ std::string barsHtml(const BoxStudy& study) {
 }
 
 constexpr const char* kPerturbationRemark =
-    "Sloppy first boxes: of 0.8 to 1.4 times the true size, each in place and shifted by 15 % to "
-    "the four sides; measured against the true boxes, so that success falls with the first box's "
-    "own overlap. Similarity on and off the target (center within the radius or not): means of "
-    "what "
-    "a method says of itself; held boxes count as 0. Surely wrong: share of all frames off the "
-    "target with a similarity above 0.9.";
+    "Imprecise first boxes: 0.8 to 1.4 times the true size, each at the true position and shifted "
+    "by "
+    "15 % to the four sides. They are compared with the true boxes, so that success decreases with "
+    "the overlap of the first box. Similarity on and off the target (center within the radius or "
+    "not): means of the similarity that a method reports; frames in which it reports the target "
+    "hidden count as 0. Confident but wrong: share of all frames off the target with a similarity "
+    "above 0.9.";
 
 std::string claimsText(const BoxPerturbationRow& row) {
   return row.reportsConfidence ? fmt::format("{:>6.2f} {:>6.2f} {:>6.1f} %", row.similarityOn,
@@ -94,11 +95,10 @@ std::string claimsText(const BoxPerturbationRow& row) {
 }
 
 std::string perturbationText(const std::vector<BoxPerturbationRow>& rows) {
-  std::string text =
-      fmt::format("\nSloppy first boxes\n{:<28} {:<10} {:>5} {:>5} {:>8} {:>8} {:>9} "
-                  "{:>8} {:>6} {:>6} {:>8}\n",
-                  "clip", "method", "size", "runs", "RMSE px", "success", "precision", "worst",
-                  "on", "off", "wrong");
+  std::string text = fmt::format("\nImprecise first boxes\n{:<28} {:<10} {:>5} {:>5} {:>8} {:>8} "
+                                 "{:>9} {:>8} {:>6} {:>6} {:>8}\n",
+                                 "clip", "method", "size", "runs", "RMSE px", "success",
+                                 "precision", "worst", "on", "off", "wrong");
   for (const BoxPerturbationRow& row : rows) {
     text += fmt::format("{:<28} {:<10} {:>5.1f} {:>5} {:>8.2f} {:>8.3f} {:>7.1f} % {:>6.1f} % {}\n",
                         row.clip, row.method, row.scale, row.runs, row.metrics.rmse,
@@ -117,10 +117,10 @@ std::string claimsCells(const BoxPerturbationRow& row) {
 
 std::string perturbationHtml(const std::vector<BoxPerturbationRow>& rows) {
   std::string text =
-      "<h2>Sloppy first boxes</h2><div class='scroll'><table><thead><tr><th>clip</th>"
-      "<th>method</th><th>size</th><th>runs</th><th>RMSE px</th><th>success</th>"
-      "<th>precision</th><th>worst run</th><th>similarity on</th><th>off</th>"
-      "<th>surely wrong</th></tr></thead><tbody>";
+      "<h2>Imprecise first boxes</h2><div "
+      "class='scroll'><table><thead><tr><th>clip</th><th>method</th><th>size</th><th>runs</"
+      "th><th>RMSE px</th><th>success</th><th>precision</th><th>worst run</th><th>similarity "
+      "on</th><th>off</th><th>confident but wrong</th></tr></thead><tbody>";
   for (const BoxPerturbationRow& row : rows) {
     text += fmt::format("<tr{}><td>{}</td><td>{}</td><td>{:.1f}</td><td>{}</td><td>{:.2f}</td>"
                         "<td>{:.3f}</td><td>{:.1f} %</td><td>{:.1f} %</td>{}</tr>",

@@ -40,7 +40,7 @@ std::string familyTitle(const std::string& family) {
       {"S18", "Thrown, bouncing, spinning"},
       {"S19", "A crowd of identical objects"},
       {"S20", "Hard light"},
-      {"S21", "Shapes that are no balls"},
+      {"S21", "Shapes other than balls"},
       {"S22", "Learned by one click"},
       {"R1", "Real clips of calibrated cameras"},
       {"R2", "Real clips of one camera"}};
@@ -70,8 +70,8 @@ std::string skippedRuns(const SuiteReport& report) {
     return {};
   }
   std::string text =
-      fmt::format("<details class='note'><summary>Skipped runs: {}. Chance has drawn nothing for "
-                  "these seeds that fits the scenario; no result contains them.</summary><ul>",
+      fmt::format("<details class='note'><summary>Skipped runs: {}. The random draws for these "
+                  "seeds did not fit the scenario. The results do not contain them.</summary><ul>",
                   report.skipped.size());
   for (const SkippedRun& run : report.skipped) {
     text += fmt::format("<li>{}</li>", htmlEscaped(skippedSentence(run)));
@@ -132,9 +132,9 @@ std::string tiles(const SuiteReport& report, bool aims, const char* caption) {
 
 std::string requirements(const SuiteReport& report) {
   std::string text =
-      "<h2 id='bars'>What must be reached</h2><p>Method <b>dewpoint</b>, grade by grade. Below a "
-      "value stands the scenario that decides it. <span class='chip'>next version</span> marks "
-      "what the next version aims at: this one is measured against it.</p>" +
+      "<h2 id='bars'>What must be reached</h2><p>Method <b>dewpoint</b>, grade by grade. The "
+      "scenario that decides a value is named below it. <span class='chip'>next version</span> "
+      "marks a goal of the next version, with what this version reaches.</p>" +
       tiles(report, false, "This version") + tiles(report, true, "Next version");
   std::set<std::string> done;
   for (const RequirementResult& result : report.bars) {
@@ -147,12 +147,12 @@ std::string requirements(const SuiteReport& report) {
 
 std::string belief(const SuiteReport& report) {
   std::string text =
-      "<h2 id='belief'>Does it know how sure it may be?</h2><p>Each figure is taken for every "
-      "scenario; shown are the median over the scenarios and, in gray, the worst of them by name. "
-      "A method that is right has 50 and 95 % of the truths in its ellipsoids and a NEES of 3; "
-      "methods without a P(exists) state 1 for all that they declare. Sure of a tie has scenarios "
-      "only "
-      "in which several objects are the target equally well.</p>";
+      "<h2 id='belief'>Is its confidence justified?</h2><p>Every number is computed for each "
+      "scenario. The table shows the median over the scenarios and, in gray, the worst value with "
+      "the name of its scenario. For a method that states its uncertainty correctly, the "
+      "ellipsoids contain 50 and 95 % of the true positions, and NEES is 3. For methods without "
+      "P(exists), it counts as 1 whenever they declare a target. “Sure of a tie” uses only "
+      "scenarios in which several objects could be the target equally well.</p>";
   const std::span<const BeliefSummary> all(report.belief);
   for (std::size_t begin = 0; begin < all.size();) {
     std::size_t end = begin;
@@ -167,11 +167,10 @@ std::string belief(const SuiteReport& report) {
 }
 
 std::string overview(const SuiteReport& report) {
-  return "<h2 id='overview'>At a glance</h2><p>Median over the runs of each run's RMSE after "
-         "convergence, in millimeters (px: in pixels, of clips without lengths); the smallest in "
-         "each row is bold. Where more than a "
-         "trace of the frames is lost, that is said beside it: a small error of few frames is "
-         "no success.</p>" +
+  return "<h2 id='overview'>At a glance</h2><p>The median over the runs of the RMSE after "
+         "convergence, in millimeters (px: in pixels, for clips without lengths). The smallest "
+         "value of each row is bold. If a notable share of the frames is lost, the share is given "
+         "beside the value: a small error in few frames is no success.</p>" +
          overviewTable(report.cells);
 }
 
@@ -182,12 +181,13 @@ std::string extents(const SuiteReport& report) {
       })) {
     return {};
   }
-  return fmt::format("<h2 id='extents'>Measured by the target's size</h2><p>Percent of the frames "
-                     "after convergence, with the target in sight, in which the estimate is within "
-                     "{:g} of the target's longest semi-axis from its centroid: mean over the "
-                     "runs. Where methods are not told the size and estimate it, the median error "
-                     "of the radius, of that of a ball of the target's volume, is beside it.</p>",
-                     kNearFraction) +
+  return fmt::format(
+             "<h2 id='extents'>Measured by the target's size</h2><p>Percent of the frames "
+             "after convergence, with the target in sight, in which the estimate is within "
+             "{:g} of the target's longest semi-axis from its centroid: mean over the "
+             "runs. Where methods estimate the size because it is not given, the median error "
+             "of the radius is beside it, compared with a ball of the target's volume.</p>",
+             kNearFraction) +
          extentTable(report.cells);
 }
 

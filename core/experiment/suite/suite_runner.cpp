@@ -211,7 +211,7 @@ selectScenarios(std::span<const ScenarioDeclaration> catalog,
   };
   for (const std::string& name : names) {
     if (std::ranges::none_of(catalog, [&](const auto& item) { return means(name, item); })) {
-      return failure(ErrorCode::NotFound, "", "--scenario", name + "; --list shows what there is");
+      return failure(ErrorCode::NotFound, "", "--scenario", name + "; --list shows all of them");
     }
   }
   std::vector<const ScenarioDeclaration*> selected;

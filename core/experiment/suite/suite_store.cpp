@@ -38,7 +38,7 @@ Result<std::vector<std::string>> readLines(const std::filesystem::path& file,
   }
   if (lines.front() != header) {
     return failure(ErrorCode::Mismatch, file.string(), "line 1",
-                   "its columns are of another version; choose another folder");
+                   "its columns are from another version of Dewpoint; choose another folder");
   }
   lines.erase(lines.begin());
   return lines;

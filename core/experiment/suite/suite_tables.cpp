@@ -250,9 +250,9 @@ std::string formatValue(double value) {
 }
 
 std::string requirementTable(std::span<const RequirementResult> bars) {
-  std::string text = "<div class='scroll'><table><thead><tr><th>No.</th><th class='text'>What</th>"
-                     "<th>must be</th><th>is</th><th>runs</th><th class='text'>verdict</th></tr>"
-                     "</thead><tbody>";
+  std::string text =
+      "<div class='scroll'><table><thead><tr><th>No.</th><th class='text'>What</th><th>must "
+      "be</th><th>is</th><th>runs</th><th class='text'>result</th></tr></thead><tbody>";
   for (const RequirementResult& result : bars) {
     const char* const aim = result.bar->isAim ? " <span class='chip'>next version</span>" : "";
     text +=

@@ -38,7 +38,7 @@ PeopleChange peopleChange(const PersonCorrection& correction, const PeopleFindin
     change.newPerson = bodyCenter(*correction.position, parameters);
   } else if (correction.position) {
     correctionErrors.push_back({ErrorCode::BadValue, "", "place of a person",
-                                fmt::format("{:.2f}, {:.2f} m lies outside the watched floor",
+                                fmt::format("{:.2f}, {:.2f} m lies outside the tracked floor",
                                             correction.position->x(), correction.position->y())});
   }
   if (correction.click) {

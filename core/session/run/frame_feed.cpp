@@ -40,8 +40,8 @@ Result<FrameFeed> FrameFeed::create(const Project& project, int threads) {
 Status FrameFeed::checkImages(const std::vector<cv::Mat>& images) const {
   const CameraRig& rig = run_.rig();
   if (images.size() != rig.size()) {
-    return wrongStep("images", fmt::format("one per camera is expected, {}, found {}", rig.size(),
-                                           images.size()));
+    return wrongStep(
+        "images", fmt::format("expected one per camera ({}), found {}", rig.size(), images.size()));
   }
   if (std::ranges::all_of(images, [](const cv::Mat& image) { return image.empty(); })) {
     return wrongStep("images", "no camera has one");
@@ -58,8 +58,7 @@ Status FrameFeed::checkImages(const std::vector<cv::Mat>& images) const {
     }
     if (image.cols != in.width || image.rows != in.height) {
       return wrongStep("images",
-                       fmt::format("that of {} is {}x{} pixels, its calibration is for "
-                                   "{}x{}",
+                       fmt::format("that of {} is {}x{} pixels, but its calibration is for {}x{}",
                                    rig[k].name, image.cols, image.rows, in.width, in.height));
     }
   }

@@ -35,8 +35,7 @@ Result<TrackerPtr> trackerAt(const Eigen::Vector3d& position, ParameterValues pa
     if (const auto set = parameters.set(kStart[axis], value); !set) {
       return failure(
           ErrorCode::BadValue, "", kColumns[axis],
-          fmt::format("{:g} is too far away for the start of a filter; the unit must be meters",
-                      value));
+          fmt::format("{:g} is too far away to start a filter; the unit must be meters", value));
     }
   }
   auto tracker = std::make_unique<DynamicsTracker>(parameters, CameraRig{}, Target{});
@@ -85,11 +84,11 @@ Result<bool> addMissingTimes(Trajectory& measured, double rate) {
     return false;
   }
   if (std::ranges::any_of(measured.samples, hasTime)) {
-    return failure(ErrorCode::MissingKey, "", "time_s", "some rows have a time and others not");
+    return failure(ErrorCode::MissingKey, "", "time_s", "some rows have a time and others do not");
   }
   for (TrajectorySample& sample : measured.samples) {
     if (sample.frame == kNoFrame) {
-      return failure(ErrorCode::MissingKey, "", "time_s", "no row has a time, nor a frame");
+      return failure(ErrorCode::MissingKey, "", "time_s", "no row has a time or a frame");
     }
     sample.time = static_cast<double>(sample.frame) / rate;
   }

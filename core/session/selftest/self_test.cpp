@@ -133,7 +133,7 @@ SelfTestLine outcomeOf(const SceneRun& run, const std::vector<Evaluation>& targe
       "tracking",
       fmt::format("{:.0f} s of a simulated scene at {:.0f} frames per second, RMSE {:.2f} mm{}{}",
                   kSelfTestSeconds, run.rate, inMillimeters(error),
-                  isRight ? "" : "; the result is not what it should be",
+                  isRight ? "" : "; the target was lost or the error is too large",
                   isFast ? "" : "; slower than ordinary cameras")};
 }
 

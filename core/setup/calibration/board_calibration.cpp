@@ -303,7 +303,7 @@ BoardReport reportOf(const BoardDetections& seen, const BoardCalibrationRequest&
       report.cameras.push_back(reportPart(seen.cameras[k].name, *lenses.cameras[k]));
     }
   }
-  report.title = fmt::format("Lenses of {} camera{} from a board", report.cameras.size(),
+  report.title = fmt::format("Intrinsics of {} camera{} from a board", report.cameras.size(),
                              report.cameras.size() == 1 ? "" : "s");
   for (const Error& kept : lenses.kept) {
     report.notices.push_back(keptIntrinsicsText(kept));

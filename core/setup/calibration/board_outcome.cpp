@@ -160,7 +160,8 @@ std::vector<std::string> remarksOn(const BoardOutcome& outcome) {
     }
   }
   if (outcome.extrinsicsError) {
-    remarks.push_back("The positions were not found: " + sentence(*outcome.extrinsicsError) + ".");
+    remarks.push_back(
+        "The poses of the cameras were not found: " + sentence(*outcome.extrinsicsError) + ".");
   }
   if (outcome.extrinsics) {
     for (const std::string& notice : outcome.extrinsics->notices) {

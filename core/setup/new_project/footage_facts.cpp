@@ -56,7 +56,7 @@ Result<std::optional<FootageFacts>> readFootageFacts(const std::string& location
     return tl::make_unexpected(picture.error());
   }
   if (picture->empty()) {
-    return failure(ErrorCode::FileUnreadable, location, "", "there is no image in it");
+    return failure(ErrorCode::FileUnreadable, location, "", "it contains no image");
   }
   const auto image = prepareImage(*picture, ImageShape(), (*reader)->fileOf(0));
   if (!image) {

@@ -363,7 +363,7 @@ Result<ExportTable> makeExportTable(const Trajectory& trajectory, const ExportOp
     return table;
   }
   if (table->gapCount() == table->targets.size() * table->rowCount()) {
-    return unusable("span", "the chosen targets are nowhere known in the chosen span");
+    return unusable("span", "no position of the chosen targets is known in the chosen span");
   }
   table->axes = options.axes.value_or(defaults.axes);
   table->unit = options.unit.value_or(defaults.unit);

@@ -58,7 +58,8 @@ Result<std::vector<Evaluation>> evaluationsIn(const fs::path& folder, const JobR
     const std::string of = json.at(kTrajectoryChecksumKey);
     if (std::ranges::none_of(record.files, [&](const auto& one) { return one.sha256 == of; })) {
       return failure(ErrorCode::Mismatch, file.string(), kTrajectoryChecksumKey,
-                     "it is of another trajectory than the one in this folder: evaluate it again");
+                     "it was made from another trajectory than the one in this folder: evaluate "
+                     "the run again");
     }
     std::vector<Evaluation> evaluations;
     for (const auto& one : json.at("targets")) {
@@ -112,7 +113,7 @@ Status mergeRepeated(GatheredJobs& gathered) {
     }
     if (once.back().record.files != job.record.files) {
       return failure(ErrorCode::Mismatch, job.folder, kDoneFile,
-                     "it has another result of the same job than " + once.back().folder);
+                     "it has a different result of the same job than " + once.back().folder);
     }
     gathered.repeated.emplace_back(once.back().folder, job.folder);
   }

@@ -81,7 +81,7 @@ Status JobFolder::finish(JobRecord record, const std::vector<std::string>& names
   const auto token = readTextFile(folder_ / kUnfinishedFile);
   if (!token || *token != token_) {
     return failure(ErrorCode::FileUnwritable, (folder_ / kDoneFile).string(), "",
-                   "another job has begun in this folder meanwhile");
+                   "another job has started in this folder in the meantime");
   }
   record.files.clear();
   for (const std::string& name : names) {

@@ -80,7 +80,7 @@ inline std::vector<TableState> tableStates(const std::string& file, const std::s
 
 /// What a page has to say, in a paragraph of its own, for tables of it to be of an older state.
 inline constexpr const char* kNotMade =
-    "Tables on this page with *state older* are of earlier methods until `script/figures` is run.";
+    "Tables marked *state older* were made with earlier methods; `script/figures` updates them.";
 
 /// Whether a page says so.
 inline bool saysNotMade(const std::string& page) {

@@ -165,8 +165,8 @@ TEST(BoxPerturbationStudy, ReportsASizePerRow) {
   EXPECT_TRUE(study.perturbed.front().reportsConfidence);
   EXPECT_FALSE(study.perturbed.back().reportsConfidence);
   EXPECT_EQ(std::ranges::count(perturbedBoxesCsv(study.perturbed), '\n'), 9);
-  EXPECT_NE(boxStudyText(study).find("Sloppy first boxes"), std::string::npos);
-  EXPECT_NE(boxStudyHtml(study).find("Sloppy first boxes"), std::string::npos);
+  EXPECT_NE(boxStudyText(study).find("Imprecise first boxes"), std::string::npos);
+  EXPECT_NE(boxStudyHtml(study).find("Imprecise first boxes"), std::string::npos);
 }
 
 TEST(BoxPerturbationStudy, HistogramStaysOnThePedestrian) {

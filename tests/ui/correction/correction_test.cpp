@@ -280,7 +280,7 @@ void CorrectionTest::itIsMarkedRemovedAndUndone() {
   QVERIFY(corrections().empty());
   QVERIFY(areCorrected({}));
   QVERIFY(!timeline.isCorrected(0, kCorrectedFrame));
-  QVERIFY(stateIs("held"));
+  QVERIFY(stateIs("tracking"));
   action("actionUndo")->trigger();
   QVERIFY(areCorrected({kCorrectedFrame}));
   QVERIFY(stateIs("corrected"));

@@ -128,7 +128,7 @@ void LiveWindowTest::tracksTwoStreamsToTheBall() {
   const auto held = [&](int camera) {
     return find<QLabel>(QStringLiteral("cameraDock%1TitleState").arg(camera))
         ->text()
-        .contains(QStringLiteral("held"));
+        .contains(QStringLiteral("● tracking"));
   };
   QVERIFY(waitFor([&] { return held(0) && held(1); }));
   QTest::mouseClick(find<QToolButton>("actionPlayButton"), Qt::LeftButton); // pause

@@ -99,7 +99,7 @@ void MainWindowTest::playsTheDemoAndHolds() {
     return shown().frame >= 20 && std::get<SphereEstimate>(shown().targets.front().estimate).valid;
   }));
   QCOMPARE(shown().rig->size(), std::size_t{2}); // the demo: Barrera's two cameras
-  QVERIFY(label("cameraDock0TitleState").contains(QStringLiteral("held")));
+  QVERIFY(label("cameraDock0TitleState").contains(QStringLiteral("tracking")));
   QVERIFY(find<PlotPanel>("plotPanel")->shownIterations() > 0);
 }
 
@@ -205,7 +205,7 @@ void MainWindowTest::statusBarSaysWhatTheSnapshotSays() {
   QVERIFY(label("statusSpread").contains(QStringLiteral("±")));
   QVERIFY(label("statusSpeed").contains(QStringLiteral("m/s")));
   QCOMPARE(label("statusPlaying"), QStringLiteral("paused"));
-  QCOMPARE(label("statusHeld").contains(QStringLiteral("held")), estimate.valid);
+  QCOMPARE(label("statusHeld").contains(QStringLiteral("● tracking")), estimate.valid);
 }
 
 void MainWindowTest::restartWithTheSameSeedRepeats() {

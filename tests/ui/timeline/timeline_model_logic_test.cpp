@@ -97,7 +97,7 @@ TEST(TimelineModel, AFrameIsDescribedWithTargetAndReason) {
   lost.targets[0].existenceProbability = 0.1F;
   lost.targets[0].reasons = {{CameraStatus::Hidden, 0.0}, {CameraStatus::None, 0.0}};
   model.append({lost}, false);
-  EXPECT_EQ(model.describe(1), QStringLiteral("Frame 2, 0.04 s\nball ● held (0.99)"));
+  EXPECT_EQ(model.describe(1), QStringLiteral("Frame 2, 0.04 s\nball ● tracking (0.99)"));
   const QString text = model.describe(2);
   EXPECT_TRUE(text.endsWith(QStringLiteral("lost (0.10) – left: hidden"))) << text.toStdString();
   EXPECT_TRUE(model.describe(5).endsWith(QStringLiteral("not tracked")));

@@ -108,7 +108,8 @@ bool withMovedCamera(ScenarioDraft& draft) {
 
 std::vector<ScenarioRecipe> movedCameraScenarios() {
   ScenarioRecipe recipe{"S9-bump",
-                        "One of three cameras is bumped, by 1.5 degrees and 1 cm; nobody tells.",
+                        "One of three cameras is moved by 1.5 degrees and 1 cm, and its "
+                        "calibration is not corrected.",
                         threeCameraDeskRig()};
   recipe.complete = withMovedCamera;
   return {recipe};
@@ -118,13 +119,13 @@ std::vector<ScenarioRecipe> cameraScenarios() {
   std::vector<ScenarioRecipe> recipes;
   for (const int count : {2, 3, 4, 6, 8}) {
     ScenarioRecipe recipe{fmt::format("S6-{}", count),
-                          fmt::format("The smooth path before {} cameras.", count),
+                          fmt::format("The smooth path seen by {} cameras.", count),
                           deskRingRig(count)};
     recipe.complete = [](ScenarioDraft& draft) { return addDeskBall(draft, kDefaultFrameCount); };
     recipes.push_back(std::move(recipe));
   }
   ScenarioRecipe dropouts{"S6-dropouts",
-                          "One of four cameras after another drops out for about 1 s and returns.",
+                          "Each of four cameras in turn fails for about 1 s and returns.",
                           deskRingRig(4)};
   dropouts.complete = withDropouts;
   recipes.push_back(std::move(dropouts));

@@ -150,7 +150,7 @@ std::vector<ScenarioRecipe> distractorScenarios() {
 }
 
 std::vector<ScenarioRecipe> unknownSizeScenarios() {
-  ScenarioRecipe clean{"S10-clean", "The smooth path; how large the ball is must be found out.",
+  ScenarioRecipe clean{"S10-clean", "The smooth path; the size of the ball is not given.",
                        demoRig()};
   clean.complete = [](ScenarioDraft& draft) { return ofUnknownSize(draft, 0); };
   ScenarioRecipe distractors{"S10-still-3", "The same among 3 identical balls at rest.", demoRig()};

@@ -93,7 +93,7 @@ bool withTemperature(ScenarioDraft& draft) {
 
 std::vector<ScenarioRecipe> clockScenarios() {
   ScenarioRecipe offsets{"S7-offsets",
-                         "Three cameras, each early by its own part of up to half a frame.",
+                         "Three cameras, each early by a different time of up to half a frame.",
                          threeCameraDeskRig()};
   offsets.complete = withOffsets;
   ScenarioRecipe rates{"S7-rates", "Three cameras with 30, 25 and 15 frames per second.",
@@ -106,8 +106,9 @@ std::vector<ScenarioRecipe> lightScenarios() {
   ScenarioRecipe ramp{"S8-ramp", "The light falls to 0.35 and rises to 1.4, 4 times, within 4 s.",
                       demoRig()};
   ramp.complete = withRamp;
-  ScenarioRecipe temperature{
-      "S8-temperature", "The light's color wanders by 1000 K to both sides of 5500 K.", demoRig()};
+  ScenarioRecipe temperature{"S8-temperature",
+                             "The color temperature of the light drifts between 4500 K and 6500 K.",
+                             demoRig()};
   temperature.complete = withTemperature;
   return {ramp, temperature};
 }

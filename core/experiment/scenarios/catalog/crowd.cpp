@@ -159,8 +159,8 @@ std::vector<ScenarioRecipe> crowdScenarios() {
     return result;
   };
   ScenarioRecipe even{"S19-even-start",
-                      "Two identical balls; the search starts in the middle between them, so that "
-                      "each is the target with a probability of one half.",
+                      "Two identical balls; the search starts halfway between them, so that each "
+                      "is the target with a probability of one half.",
                       deskRingRig(2)};
   even.complete = evenStart;
   return {recipe(5, 2), recipe(8, 2), recipe(12, 2), recipe(8, 4), even};

@@ -185,14 +185,13 @@ bool withAbsence(ScenarioDraft& draft) {
 
 std::vector<ScenarioRecipe> occlusionScenarios() {
   ScenarioRecipe still{"S2-still",
-                       "A plate at rest hides half of the ball in one camera; the ball moves along "
-                       "its edge and in depth.",
+                       "A fixed plate hides half of the ball in one camera; the ball moves along "
+                       "the edge of the plate and in depth.",
                        demoRig()};
   still.complete = [](ScenarioDraft& draft) { return halfHidden(draft, besideStillPlate); };
-  ScenarioRecipe moving{"S2-moving",
-                        "A plate slides before one camera and goes along with the moving ball, "
-                        "half of which it hides.",
-                        demoRig()};
+  ScenarioRecipe moving{
+      "S2-moving", "A plate in front of one camera follows the moving ball and hides half of it.",
+      demoRig()};
   moving.complete = [](ScenarioDraft& draft) { return halfHidden(draft, withMovingPlate); };
   ScenarioRecipe third = moving;
   third.name = "S2-three-cameras";

@@ -151,8 +151,8 @@ std::vector<ScenarioRecipe> lampScenarios() {
     return result;
   };
   return {
-      recipe("S20-side-light",
-             "A strong lamp from one side: half of the ball is cut at full scale.", withSideLight),
+      recipe("S20-side-light", "A strong lamp from one side: half of the ball is overexposed.",
+             withSideLight),
       recipe("S20-second-lamp", "A second lamp of another color.", withColoredLamp),
       recipe("S20-exposure-steps",
              "Exposure and white balance of each camera jump about once a second.",

@@ -318,12 +318,12 @@ std::vector<ScenarioRecipe> outOfViewScenarios() {
                            "cameras for 1.2 s.",
                            deskRingRig(2)};
   furniture.complete = behindFurniture;
-  return {
-      recipe("S17-leaves-one", "The ball leaves one image for 1.2 s and comes back.", {}),
-      recipe("S17-leaves-all", "The ball leaves all images for 1.2 s and comes back.",
-             {true, false}),
-      recipe("S17-returns-elsewhere", "The same; it comes back from another side.", {true, true}),
-      border, furniture};
+  return {recipe("S17-leaves-one", "The ball leaves one image for 1.2 s and comes back.", {}),
+          recipe("S17-leaves-all", "The ball leaves all images for 1.2 s and comes back.",
+                 {true, false}),
+          recipe("S17-returns-elsewhere", "The same, but it comes back from another side.",
+                 {true, true}),
+          border, furniture};
 }
 
 } // namespace dewpoint::experiment::scenarios

@@ -43,8 +43,8 @@ bool withWebcams(ScenarioDraft& draft, bool fast) {
 
 std::vector<ScenarioRecipe> sensorScenarios() {
   ScenarioRecipe slow{"S14-slow",
-                      "The smooth path before webcams: blur, Bayer mosaic, shot noise, sharpening, "
-                      "JPEG; all else is ideal.",
+                      "The smooth path seen by webcams: blur, Bayer mosaic, shot noise, "
+                      "sharpening, JPEG; all else is ideal.",
                       demoRig()};
   slow.complete = [](ScenarioDraft& draft) { return withWebcams(draft, false); };
   ScenarioRecipe fast{"S14-fast", "The same, five times as fast.", demoRig()};

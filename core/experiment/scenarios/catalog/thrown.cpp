@@ -114,7 +114,8 @@ std::vector<ScenarioRecipe> thrownScenarios() {
   ScenarioRecipe thrown{"S18-thrown", "A ball is thrown from hand to hand (not seen) and caught.",
                         demoRig()};
   thrown.complete = [](ScenarioDraft& draft) { return along(draft, drawThrows); };
-  ScenarioRecipe bouncing{"S18-bouncing", "A ball falls on the desk, bounces, lies, is lifted.",
+  ScenarioRecipe bouncing{"S18-bouncing",
+                          "A ball falls on the desk, bounces, comes to rest, and is lifted.",
                           demoRig()};
   bouncing.complete = [](ScenarioDraft& draft) { return along(draft, drawBounces); };
   ScenarioRecipe spins{

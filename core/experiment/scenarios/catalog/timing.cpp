@@ -112,21 +112,22 @@ std::vector<ScenarioRecipe> timingScenarios() {
     result.complete = std::move(complete);
     return result;
   };
-  return {recipe("S15-rolling-slow", "The smooth path before rolling shutters of 15 to 30 ms.",
-                 [](ScenarioDraft& draft) { return withRollingShutters(draft, false); }),
-          recipe("S15-rolling-fast", "The same, five times as fast.",
-                 [](ScenarioDraft& draft) { return withRollingShutters(draft, true); }),
-          recipe("S15-offsets-slow",
-                 "Each camera is early by its own unknown part of half a frame.",
-                 [](ScenarioDraft& draft) { return withUnknownDelays(draft, false); }),
-          recipe("S15-offsets-fast", "The same, five times as fast.",
-                 [](ScenarioDraft& draft) { return withUnknownDelays(draft, true); }),
-          recipe("S15-dropped", "One frame in ten does not come, one in ten shows the one before.",
-                 withDroppedAndDoubled),
-          recipe("S15-frozen", "One camera shows the same image for 1 s, with new time stamps.",
-                 withFrozenStream),
-          recipe("S15-clock-drift", "The cameras' clocks are up to 0.2 % fast or slow.",
-                 withDriftingClocks)};
+  return {
+      recipe("S15-rolling-slow", "The smooth path seen through rolling shutters of 15 to 30 ms.",
+             [](ScenarioDraft& draft) { return withRollingShutters(draft, false); }),
+      recipe("S15-rolling-fast", "The same, five times as fast.",
+             [](ScenarioDraft& draft) { return withRollingShutters(draft, true); }),
+      recipe("S15-offsets-slow",
+             "Each camera is early by a different, unknown time of up to half a frame.",
+             [](ScenarioDraft& draft) { return withUnknownDelays(draft, false); }),
+      recipe("S15-offsets-fast", "The same, five times as fast.",
+             [](ScenarioDraft& draft) { return withUnknownDelays(draft, true); }),
+      recipe("S15-dropped", "One frame in ten is missing, and one in ten repeats the frame before.",
+             withDroppedAndDoubled),
+      recipe("S15-frozen", "One camera shows the same image for 1 s, with new time stamps.",
+             withFrozenStream),
+      recipe("S15-clock-drift", "The cameras' clocks are up to 0.2 % fast or slow.",
+             withDriftingClocks)};
 }
 
 } // namespace dewpoint::experiment::scenarios
