@@ -608,10 +608,6 @@
         <translation>Langsam bis zur Konvergenz</translation>
     </message>
     <message>
-        <source>Play the first iterations of a run one by one, until every target is held (five seconds at most)</source>
-        <translation>Die ersten Iterationen eines Laufs einzeln abspielen, bis jedes Ziel gehalten ist (höchstens fünf Sekunden)</translation>
-    </message>
-    <message>
         <source>Show magnifier</source>
         <translation>Lupe zeigen</translation>
     </message>
@@ -774,6 +770,10 @@
     <message>
         <source>See what is known about the cameras, choose a way to calibrate them, and go through it step by step</source>
         <translation>Sehen, was über die Kameras bekannt ist, einen Weg zur Kalibrierung wählen und ihn Schritt für Schritt gehen</translation>
+    </message>
+    <message>
+        <source>Play the first iterations of a run one by one, until every target is being tracked (five seconds at most)</source>
+        <translation>Die ersten Iterationen eines Laufs einzeln abspielen, bis jedes Ziel verfolgt wird (höchstens fünf Sekunden)</translation>
     </message>
 </context>
 <context>
@@ -976,10 +976,6 @@
 <context>
     <name>CalibrationText</name>
     <message>
-        <source>Everything fits when %1 and %2 are exchanged: their videos are likely swapped. Exchange the two files.</source>
-        <translation>Alles passt, wenn %1 und %2 vertauscht werden: wahrscheinlich sind ihre Videos verwechselt. Tauschen Sie die beiden Dateien.</translation>
-    </message>
-    <message>
         <source>%1 fits when its video is shifted in time: the video is probably %2 frames late. Synchronize the videos, or calibrate with a wand and “Find time offsets”.</source>
         <translation>%1 passt, wenn ihr Video zeitlich verschoben wird: Es ist wahrscheinlich %2 Bilder zu spät. Synchronisieren Sie die Videos, oder kalibrieren Sie mit dem Stab und „Zeitversätze suchen“.</translation>
     </message>
@@ -1028,14 +1024,6 @@
         <translation>Alle Kameras sehen anscheinend die Rückseite der Tafel oder des Bodens: Die Punkte sind wahrscheinlich gespiegelt. Prüfen Sie die Richtung der Achsen, und dass der Druck nicht seitenverkehrt ist.</translation>
     </message>
     <message>
-        <source>The given length is %1 times what the cameras see: millimeters and meters are likely mixed up.</source>
-        <translation>Die angegebene Länge ist das %1-fache dessen, was die Kameras sehen: wahrscheinlich sind Millimeter und Meter verwechselt.</translation>
-    </message>
-    <message>
-        <source>The given length is %1 times what the cameras see: it is likely in inches (1 inch = 2.54 cm).</source>
-        <translation>Die angegebene Länge ist das %1-fache dessen, was die Kameras sehen: wahrscheinlich ist sie in Zoll (1 Zoll = 2,54 cm).</translation>
-    </message>
-    <message>
         <source>The corners form a board with %1 squares in a row: the number of squares is probably wrong. Count them and correct the board.</source>
         <translation>Die Ecken bilden eine Tafel mit %1 Feldern in einer Reihe: Die Zahl der Felder ist wahrscheinlich falsch. Zählen Sie nach, und berichtigen Sie die Tafel.</translation>
     </message>
@@ -1054,6 +1042,18 @@
     <message>
         <source>In this volume: position unknown</source>
         <translation>In diesem Volumen: Position unbekannt</translation>
+    </message>
+    <message>
+        <source>Everything fits when %1 and %2 are exchanged: their videos are probably swapped. Exchange the two files.</source>
+        <translation>Alles passt, wenn %1 und %2 vertauscht werden: wahrscheinlich sind ihre Videos verwechselt. Tauschen Sie die beiden Dateien.</translation>
+    </message>
+    <message>
+        <source>The given length is %1 times what the cameras see: millimeters and meters are probably mixed up.</source>
+        <translation>Die angegebene Länge ist das %1-fache dessen, was die Kameras sehen: wahrscheinlich sind Millimeter und Meter verwechselt.</translation>
+    </message>
+    <message>
+        <source>The given length is %1 times what the cameras see: it is probably in inches (1 inch = 2.54 cm).</source>
+        <translation>Die angegebene Länge ist das %1-fache dessen, was die Kameras sehen: wahrscheinlich ist sie in Zoll (1 Zoll = 2,54 cm).</translation>
     </message>
 </context>
 <context>
@@ -2009,13 +2009,13 @@
         <source>the z axis does not seem to point up</source>
         <translation>die z-Achse zeigt anscheinend nicht nach oben</translation>
     </message>
+    <message>
+        <source>%1, ±%2: too inexact</source>
+        <translation>%1, ±%2: zu ungenau</translation>
+    </message>
 </context>
 <context>
     <name>HoldState</name>
-    <message>
-        <source>● held</source>
-        <translation>● gehalten</translation>
-    </message>
     <message>
         <source>○ searching</source>
         <translation>○ sucht</translation>
@@ -2063,6 +2063,10 @@
     <message>
         <source>◇ ambiguous</source>
         <translation>◇ mehrdeutig</translation>
+    </message>
+    <message>
+        <source>● tracking</source>
+        <translation>● verfolgt</translation>
     </message>
 </context>
 <context>
@@ -3635,10 +3639,6 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
 <context>
     <name>dewpoint::ui::BoxModel</name>
     <message>
-        <source>● held</source>
-        <translation>● gehalten</translation>
-    </message>
-    <message>
         <source>◌ hidden</source>
         <translation>◌ verdeckt</translation>
     </message>
@@ -3721,6 +3721,10 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
     <message>
         <source>Hidden: the box shows the expected position</source>
         <translation>Verdeckt: Der Rahmen zeigt die erwartete Position</translation>
+    </message>
+    <message>
+        <source>● tracking</source>
+        <translation>● verfolgt</translation>
     </message>
 </context>
 <context>
@@ -5431,8 +5435,8 @@ bei %4, %5, %6</translation>
         </translation>
     </message>
     <message>
-        <source>Seconds from the last held estimate before the gap to the first one after it</source>
-        <translation>Sekunden von der letzten gehaltenen Schätzung vor der Lücke bis zur ersten danach</translation>
+        <source>Seconds from the last tracked frame before the gap to the first one after it</source>
+        <translation>Sekunden vom letzten verfolgten Bild vor der Lücke bis zum ersten danach</translation>
     </message>
 </context>
 <context>
@@ -5596,10 +5600,6 @@ bei %4, %5, %6</translation>
         <translation>Was über jede Kamera bekannt ist</translation>
     </message>
     <message>
-        <source>✓ measured with this program: ± is the standard deviation. ○ entered, set by hand or read from a file: nobody checked it. ⚠ only a guess.</source>
-        <translation>✓ mit diesem Programm gemessen: ± ist die Standardabweichung. ○ eingegeben, von Hand eingestellt oder aus einer Datei gelesen: nicht überprüft. ⚠ nur geraten.</translation>
-    </message>
-    <message>
         <source>Back</source>
         <translation>Zurück</translation>
     </message>
@@ -5654,6 +5654,10 @@ bei %4, %5, %6</translation>
     <message>
         <source>Choose a way to calibrate</source>
         <translation>Weg zur Kalibrierung wählen</translation>
+    </message>
+    <message>
+        <source>✓ measured with this program: ± is the standard deviation. ○ entered, set by hand or read from a file: nobody checked it. ⚠ only a guess, or too inexact.</source>
+        <translation>✓ mit diesem Programm gemessen: ± ist die Standardabweichung. ○ eingegeben, von Hand eingestellt oder aus einer Datei gelesen: nicht überprüft. ⚠ nur geraten oder zu ungenau.</translation>
     </message>
 </context>
 <context>
@@ -7367,10 +7371,6 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>andere Objekte passen ebenso gut: X drücken, Ziel ziehen</translation>
     </message>
     <message>
-        <source>Held: the cameras confirm the estimate. Ambiguous: another object fits about as well. Lost: not held for more than a second.</source>
-        <translation>Gehalten: Die Kameras bestätigen die Schätzung. Mehrdeutig: Ein anderes Objekt passt etwa genauso gut. Verloren: seit mehr als einer Sekunde nicht gehalten.</translation>
-    </message>
-    <message>
         <source>± %1</source>
         <translation>± %1</translation>
     </message>
@@ -7393,6 +7393,10 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
     <message>
         <source>Timing, particles and memory used</source>
         <translation>Zeiten, Partikel und benutzter Speicher</translation>
+    </message>
+    <message>
+        <source>Tracking: the cameras confirm the estimate. Ambiguous: another object fits about as well. Lost: not tracked for more than a second.</source>
+        <translation>Verfolgt: Die Kameras bestätigen die Schätzung. Mehrdeutig: Ein anderes Objekt passt etwa genauso gut. Verloren: seit mehr als einer Sekunde nicht verfolgt.</translation>
     </message>
 </context>
 <context>
@@ -7643,14 +7647,6 @@ Effektive Stichprobengröße %8 von %9</translation>
 <context>
     <name>dewpoint::ui::TrajectoryModel</name>
     <message>
-        <source>● held</source>
-        <translation>● gehalten</translation>
-    </message>
-    <message>
-        <source>○ not held</source>
-        <translation>○ nicht gehalten</translation>
-    </message>
-    <message>
         <source>time, s</source>
         <translation>Zeit, s</translation>
     </message>
@@ -7727,8 +7723,16 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>◇ mehrdeutig</translation>
     </message>
     <message>
-        <source>Held: the cameras confirm the estimate. Ambiguous: another object fits about as well. Corrected: you set the position</source>
-        <translation>Gehalten: Die Kameras bestätigen die Schätzung. Mehrdeutig: Ein anderes Objekt passt etwa genauso gut. Korrigiert: Sie haben die Position gesetzt</translation>
+        <source>● tracking</source>
+        <translation>● verfolgt</translation>
+    </message>
+    <message>
+        <source>○ not tracked</source>
+        <translation>○ nicht verfolgt</translation>
+    </message>
+    <message>
+        <source>Tracking: the cameras confirm the estimate. Ambiguous: another object fits about as well. Corrected: you set the position</source>
+        <translation>Verfolgt: Die Kameras bestätigen die Schätzung. Mehrdeutig: Ein anderes Objekt passt etwa genauso gut. Korrigiert: Sie haben die Position gesetzt</translation>
     </message>
 </context>
 <context>

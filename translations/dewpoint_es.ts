@@ -608,10 +608,6 @@
         <translation>Lento hasta converger</translation>
     </message>
     <message>
-        <source>Play the first iterations of a run one by one, until every target is held (five seconds at most)</source>
-        <translation>Reproducir una a una las primeras iteraciones de una ejecución, hasta que todos los objetivos estén seguidos (cinco segundos como máximo)</translation>
-    </message>
-    <message>
         <source>Show magnifier</source>
         <translation>Mostrar lupa</translation>
     </message>
@@ -774,6 +770,10 @@
     <message>
         <source>See what is known about the cameras, choose a way to calibrate them, and go through it step by step</source>
         <translation>Ver lo que se sabe de las cámaras, elegir una forma de calibrarlas y seguirla paso a paso</translation>
+    </message>
+    <message>
+        <source>Play the first iterations of a run one by one, until every target is being tracked (five seconds at most)</source>
+        <translation>Reproducir una a una las primeras iteraciones de una ejecución, hasta que todos los objetivos estén seguidos (cinco segundos como máximo)</translation>
     </message>
 </context>
 <context>
@@ -976,10 +976,6 @@
 <context>
     <name>CalibrationText</name>
     <message>
-        <source>Everything fits when %1 and %2 are exchanged: their videos are likely swapped. Exchange the two files.</source>
-        <translation>Todo encaja al intercambiar %1 y %2: probablemente sus vídeos están cambiados. Intercambie los dos archivos.</translation>
-    </message>
-    <message>
         <source>%1 fits when its video is shifted in time: the video is probably %2 frames late. Synchronize the videos, or calibrate with a wand and “Find time offsets”.</source>
         <translation>%1 encaja si su vídeo se desplaza en el tiempo: probablemente va %2 fotogramas tarde. Sincronice los vídeos o calibre con la varita y «Buscar desfases de tiempo».</translation>
     </message>
@@ -1028,14 +1024,6 @@
         <translation>Todas las cámaras parecen ver el reverso del tablero o del suelo: probablemente sus puntos están reflejados. Compruebe la dirección de los ejes y que la impresión no esté invertida.</translation>
     </message>
     <message>
-        <source>The given length is %1 times what the cameras see: millimeters and meters are likely mixed up.</source>
-        <translation>La longitud indicada es %1 veces la que ven las cámaras: probablemente se confundieron milímetros y metros.</translation>
-    </message>
-    <message>
-        <source>The given length is %1 times what the cameras see: it is likely in inches (1 inch = 2.54 cm).</source>
-        <translation>La longitud indicada es %1 veces la que ven las cámaras: probablemente está en pulgadas (1 pulgada = 2,54 cm).</translation>
-    </message>
-    <message>
         <source>The corners form a board with %1 squares in a row: the number of squares is probably wrong. Count them and correct the board.</source>
         <translation>Las esquinas forman un tablero con %1 casillas por fila: el número de casillas probablemente es erróneo. Cuéntelas y corrija el tablero.</translation>
     </message>
@@ -1054,6 +1042,18 @@
     <message>
         <source>In this volume: position unknown</source>
         <translation>En este volumen: posición desconocida</translation>
+    </message>
+    <message>
+        <source>Everything fits when %1 and %2 are exchanged: their videos are probably swapped. Exchange the two files.</source>
+        <translation>Todo encaja al intercambiar %1 y %2: probablemente sus vídeos están cambiados. Intercambie los dos archivos.</translation>
+    </message>
+    <message>
+        <source>The given length is %1 times what the cameras see: millimeters and meters are probably mixed up.</source>
+        <translation>La longitud indicada es %1 veces la que ven las cámaras: probablemente se confundieron milímetros y metros.</translation>
+    </message>
+    <message>
+        <source>The given length is %1 times what the cameras see: it is probably in inches (1 inch = 2.54 cm).</source>
+        <translation>La longitud indicada es %1 veces la que ven las cámaras: probablemente está en pulgadas (1 pulgada = 2,54 cm).</translation>
     </message>
 </context>
 <context>
@@ -2009,13 +2009,13 @@
         <source>the z axis does not seem to point up</source>
         <translation>el eje z no parece apuntar hacia arriba</translation>
     </message>
+    <message>
+        <source>%1, ±%2: too inexact</source>
+        <translation>%1, ±%2: demasiado inexacto</translation>
+    </message>
 </context>
 <context>
     <name>HoldState</name>
-    <message>
-        <source>● held</source>
-        <translation>● seguido</translation>
-    </message>
     <message>
         <source>○ searching</source>
         <translation>○ buscando</translation>
@@ -2063,6 +2063,10 @@
     <message>
         <source>◇ ambiguous</source>
         <translation>◇ ambiguo</translation>
+    </message>
+    <message>
+        <source>● tracking</source>
+        <translation>● seguido</translation>
     </message>
 </context>
 <context>
@@ -3635,10 +3639,6 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
 <context>
     <name>dewpoint::ui::BoxModel</name>
     <message>
-        <source>● held</source>
-        <translation>● seguido</translation>
-    </message>
-    <message>
         <source>◌ hidden</source>
         <translation>◌ oculto</translation>
     </message>
@@ -3721,6 +3721,10 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
     <message>
         <source>Hidden: the box shows the expected position</source>
         <translation>Oculto: el recuadro muestra la posición esperada</translation>
+    </message>
+    <message>
+        <source>● tracking</source>
+        <translation>● seguido</translation>
     </message>
 </context>
 <context>
@@ -5431,8 +5435,8 @@ en %4, %5, %6</translation>
         </translation>
     </message>
     <message>
-        <source>Seconds from the last held estimate before the gap to the first one after it</source>
-        <translation>Segundos desde la última estimación segura antes del hueco hasta la primera después</translation>
+        <source>Seconds from the last tracked frame before the gap to the first one after it</source>
+        <translation>Segundos desde el último fotograma seguido antes del hueco hasta el primero después</translation>
     </message>
 </context>
 <context>
@@ -5596,10 +5600,6 @@ en %4, %5, %6</translation>
         <translation>Lo que se sabe de cada cámara</translation>
     </message>
     <message>
-        <source>✓ measured with this program: ± is the standard deviation. ○ entered, set by hand or read from a file: nobody checked it. ⚠ only a guess.</source>
-        <translation>✓ medido con este programa: ± es la desviación típica. ○ introducido, ajustado a mano o leído de un archivo: nadie lo comprobó. ⚠ solo una suposición.</translation>
-    </message>
-    <message>
         <source>Back</source>
         <translation>Atrás</translation>
     </message>
@@ -5654,6 +5654,10 @@ en %4, %5, %6</translation>
     <message>
         <source>Choose a way to calibrate</source>
         <translation>Elija una forma de calibrar</translation>
+    </message>
+    <message>
+        <source>✓ measured with this program: ± is the standard deviation. ○ entered, set by hand or read from a file: nobody checked it. ⚠ only a guess, or too inexact.</source>
+        <translation>✓ medido con este programa: ± es la desviación típica. ○ introducido, ajustado a mano o leído de un archivo: nadie lo comprobó. ⚠ solo una suposición, o demasiado inexacto.</translation>
     </message>
 </context>
 <context>
@@ -7367,10 +7371,6 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>otros objetos encajan igual: pulse X y arrastre el objetivo</translation>
     </message>
     <message>
-        <source>Held: the cameras confirm the estimate. Ambiguous: another object fits about as well. Lost: not held for more than a second.</source>
-        <translation>Seguido: las cámaras confirman la estimación. Ambiguo: otro objeto encaja casi igual de bien. Perdido: no seguido desde hace más de un segundo.</translation>
-    </message>
-    <message>
         <source>± %1</source>
         <translation>± %1</translation>
     </message>
@@ -7393,6 +7393,10 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
     <message>
         <source>Timing, particles and memory used</source>
         <translation>Tiempos, partículas y memoria usada</translation>
+    </message>
+    <message>
+        <source>Tracking: the cameras confirm the estimate. Ambiguous: another object fits about as well. Lost: not tracked for more than a second.</source>
+        <translation>Seguido: las cámaras confirman la estimación. Ambiguo: otro objeto encaja casi igual de bien. Perdido: no seguido desde hace más de un segundo.</translation>
     </message>
 </context>
 <context>
@@ -7643,14 +7647,6 @@ Tamaño efectivo de la muestra %8 de %9</translation>
 <context>
     <name>dewpoint::ui::TrajectoryModel</name>
     <message>
-        <source>● held</source>
-        <translation>● seguido</translation>
-    </message>
-    <message>
-        <source>○ not held</source>
-        <translation>○ no seguido</translation>
-    </message>
-    <message>
         <source>time, s</source>
         <translation>tiempo, s</translation>
     </message>
@@ -7727,7 +7723,15 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>◇ ambiguo</translation>
     </message>
     <message>
-        <source>Held: the cameras confirm the estimate. Ambiguous: another object fits about as well. Corrected: you set the position</source>
+        <source>● tracking</source>
+        <translation>● seguido</translation>
+    </message>
+    <message>
+        <source>○ not tracked</source>
+        <translation>○ no seguido</translation>
+    </message>
+    <message>
+        <source>Tracking: the cameras confirm the estimate. Ambiguous: another object fits about as well. Corrected: you set the position</source>
         <translation>Seguido: las cámaras confirman la estimación. Ambiguo: otro objeto encaja casi igual de bien. Corregido: usted fijó la posición</translation>
     </message>
 </context>

@@ -608,10 +608,6 @@
         <translation>収束するまでゆっくり</translation>
     </message>
     <message>
-        <source>Play the first iterations of a run one by one, until every target is held (five seconds at most)</source>
-        <translation>すべてのターゲットが追跡中になるまで、実行の最初の反復を 1 回ずつ再生します（最長 5 秒）</translation>
-    </message>
-    <message>
         <source>Show magnifier</source>
         <translation>拡大鏡を表示</translation>
     </message>
@@ -774,6 +770,10 @@
     <message>
         <source>See what is known about the cameras, choose a way to calibrate them, and go through it step by step</source>
         <translation>カメラについてわかっていることを見て、キャリブレーションの方法を選び、ステップごとに進めます</translation>
+    </message>
+    <message>
+        <source>Play the first iterations of a run one by one, until every target is being tracked (five seconds at most)</source>
+        <translation>すべてのターゲットが追跡中になるまで、実行の最初の反復を 1 回ずつ再生します（最長 5 秒）</translation>
     </message>
 </context>
 <context>
@@ -976,10 +976,6 @@
 <context>
     <name>CalibrationText</name>
     <message>
-        <source>Everything fits when %1 and %2 are exchanged: their videos are likely swapped. Exchange the two files.</source>
-        <translation>%1 と %2 を入れ替えるとすべて合います。動画が逆になっているようです。2つのファイルを入れ替えてください。</translation>
-    </message>
-    <message>
         <source>%1 fits when its video is shifted in time: the video is probably %2 frames late. Synchronize the videos, or calibrate with a wand and “Find time offsets”.</source>
         <translation>%1 は動画の時間をずらすと合います。おそらく %2 フレーム遅れています。動画を同期させるか、「時間のずれを求める」を選んでワンドで校正してください。</translation>
     </message>
@@ -1028,14 +1024,6 @@
         <translation>すべてのカメラがボードまたは床の裏側を見ているようです。点がおそらく鏡像になっています。軸の向きと、印刷が反転していないことを確かめてください。</translation>
     </message>
     <message>
-        <source>The given length is %1 times what the cameras see: millimeters and meters are likely mixed up.</source>
-        <translation>与えられた長さはカメラの見る長さの %1 倍です。ミリメートルとメートルを取り違えているようです。</translation>
-    </message>
-    <message>
-        <source>The given length is %1 times what the cameras see: it is likely in inches (1 inch = 2.54 cm).</source>
-        <translation>与えられた長さはカメラの見る長さの %1 倍です。インチのようです（1 インチ = 2.54 cm）。</translation>
-    </message>
-    <message>
         <source>The corners form a board with %1 squares in a row: the number of squares is probably wrong. Count them and correct the board.</source>
         <translation>角は1列にマス目が %1 個あるボードをなしています。マス目の数が違うようです。数えてボードを直してください。</translation>
     </message>
@@ -1054,6 +1042,18 @@
     <message>
         <source>In this volume: position unknown</source>
         <translation>この空間での位置精度: 不明</translation>
+    </message>
+    <message>
+        <source>Everything fits when %1 and %2 are exchanged: their videos are probably swapped. Exchange the two files.</source>
+        <translation>%1 と %2 を入れ替えるとすべて合います。動画が逆になっているようです。2つのファイルを入れ替えてください。</translation>
+    </message>
+    <message>
+        <source>The given length is %1 times what the cameras see: millimeters and meters are probably mixed up.</source>
+        <translation>与えられた長さはカメラの見る長さの %1 倍です。ミリメートルとメートルを取り違えているようです。</translation>
+    </message>
+    <message>
+        <source>The given length is %1 times what the cameras see: it is probably in inches (1 inch = 2.54 cm).</source>
+        <translation>与えられた長さはカメラの見る長さの %1 倍です。インチのようです（1 インチ = 2.54 cm）。</translation>
     </message>
 </context>
 <context>
@@ -2008,13 +2008,13 @@
         <source>the z axis does not seem to point up</source>
         <translation>z 軸が上を向いていないようです</translation>
     </message>
+    <message>
+        <source>%1, ±%2: too inexact</source>
+        <translation>%1、±%2: 誤差が大きすぎます</translation>
+    </message>
 </context>
 <context>
     <name>HoldState</name>
-    <message>
-        <source>● held</source>
-        <translation>● 追跡中</translation>
-    </message>
     <message>
         <source>○ searching</source>
         <translation>○ 探索中</translation>
@@ -2062,6 +2062,10 @@
     <message>
         <source>◇ ambiguous</source>
         <translation>◇ あいまい</translation>
+    </message>
+    <message>
+        <source>● tracking</source>
+        <translation>● 追跡中</translation>
     </message>
 </context>
 <context>
@@ -3634,10 +3638,6 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
 <context>
     <name>dewpoint::ui::BoxModel</name>
     <message>
-        <source>● held</source>
-        <translation>● 追跡中</translation>
-    </message>
-    <message>
         <source>◌ hidden</source>
         <translation>◌ 隠れている</translation>
     </message>
@@ -3720,6 +3720,10 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     <message>
         <source>Hidden: the box shows the expected position</source>
         <translation>隠れている：枠は予測位置を示します</translation>
+    </message>
+    <message>
+        <source>● tracking</source>
+        <translation>● 追跡中</translation>
     </message>
 </context>
 <context>
@@ -5423,8 +5427,8 @@ at %4, %5, %6</source>
         </translation>
     </message>
     <message>
-        <source>Seconds from the last held estimate before the gap to the first one after it</source>
-        <translation>途切れ前の最後の追跡から、その後の最初の追跡までの秒数</translation>
+        <source>Seconds from the last tracked frame before the gap to the first one after it</source>
+        <translation>途切れ前の最後の追跡フレームから、その後の最初の追跡フレームまでの秒数</translation>
     </message>
 </context>
 <context>
@@ -5588,10 +5592,6 @@ at %4, %5, %6</source>
         <translation>各カメラについてわかっていること</translation>
     </message>
     <message>
-        <source>✓ measured with this program: ± is the standard deviation. ○ entered, set by hand or read from a file: nobody checked it. ⚠ only a guess.</source>
-        <translation>✓ このプログラムで測定済み: ± は標準偏差です。○ 入力、手動設定、またはファイルからの値: 確認されていません。⚠ 推測にすぎません。</translation>
-    </message>
-    <message>
         <source>Back</source>
         <translation>戻る</translation>
     </message>
@@ -5646,6 +5646,10 @@ at %4, %5, %6</source>
     <message>
         <source>Choose a way to calibrate</source>
         <translation>キャリブレーションの方法を選ぶ</translation>
+    </message>
+    <message>
+        <source>✓ measured with this program: ± is the standard deviation. ○ entered, set by hand or read from a file: nobody checked it. ⚠ only a guess, or too inexact.</source>
+        <translation>✓ このプログラムで測定済み: ± は標準偏差です。○ 入力、手動設定、またはファイルからの値: 確認されていません。⚠ 推測にすぎないか、誤差が大きすぎます。</translation>
     </message>
 </context>
 <context>
@@ -7357,10 +7361,6 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>別の物体も同じくらい合います：X を押してターゲットをドラッグ</translation>
     </message>
     <message>
-        <source>Held: the cameras confirm the estimate. Ambiguous: another object fits about as well. Lost: not held for more than a second.</source>
-        <translation>追跡中：カメラが推定を裏付けています。あいまい：別の物体も同じくらい合います。見失い：1 秒以上追跡できていません。</translation>
-    </message>
-    <message>
         <source>± %1</source>
         <translation>± %1</translation>
     </message>
@@ -7383,6 +7383,10 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
     <message>
         <source>Timing, particles and memory used</source>
         <translation>時間、粒子、使用メモリ</translation>
+    </message>
+    <message>
+        <source>Tracking: the cameras confirm the estimate. Ambiguous: another object fits about as well. Lost: not tracked for more than a second.</source>
+        <translation>追跡中：カメラが推定を裏付けています。あいまい：別の物体も同じくらい合います。見失い：1 秒以上追跡できていません。</translation>
     </message>
 </context>
 <context>
@@ -7633,14 +7637,6 @@ Effective sample size %8 of %9</source>
 <context>
     <name>dewpoint::ui::TrajectoryModel</name>
     <message>
-        <source>● held</source>
-        <translation>● 追跡中</translation>
-    </message>
-    <message>
-        <source>○ not held</source>
-        <translation>○ 未追跡</translation>
-    </message>
-    <message>
         <source>time, s</source>
         <translation>時間, s</translation>
     </message>
@@ -7717,7 +7713,15 @@ Effective sample size %8 of %9</source>
         <translation>◇ あいまい</translation>
     </message>
     <message>
-        <source>Held: the cameras confirm the estimate. Ambiguous: another object fits about as well. Corrected: you set the position</source>
+        <source>● tracking</source>
+        <translation>● 追跡中</translation>
+    </message>
+    <message>
+        <source>○ not tracked</source>
+        <translation>○ 未追跡</translation>
+    </message>
+    <message>
+        <source>Tracking: the cameras confirm the estimate. Ambiguous: another object fits about as well. Corrected: you set the position</source>
         <translation>追跡中：カメラが推定を裏付けています。あいまい：別の物体も同じくらい合います。修正済み：位置をあなたが指定しました</translation>
     </message>
 </context>

@@ -53,7 +53,7 @@ void GuidePage::build() {
   table_->setObjectName(QStringLiteral("guideKnown"));
   table_->setSelectionMode(QAbstractItemView::NoSelection);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  table_->setFocusPolicy(Qt::NoFocus);
+  table_->setTabKeyNavigation(false); // Tab goes on to the ways
   table_->verticalHeader()->hide();
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setSectionResizeMode(Position, QHeaderView::Stretch);
