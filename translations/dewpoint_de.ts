@@ -1878,7 +1878,7 @@
         <translation>Gitter über den Raum legen</translation>
     </message>
     <message>
-        <source>Give the grid the size of something that you know. In each image, drag the grid until it lies on the real thing. Click a point of the grid to hold it in place.</source>
+        <source>Give the grid the size of an object that you know. In each image, drag the grid until it lies on the real object. Click a point of the grid to hold it in place.</source>
         <translation>Geben Sie dem Gitter die Größe von etwas, das Sie kennen. Ziehen Sie das Gitter in jedem Bild, bis es auf dem wirklichen Gegenstand liegt. Klicken Sie einen Punkt des Gitters an, um ihn festzuhalten.</translation>
     </message>
     <message>

@@ -1878,7 +1878,7 @@
         <translation>Colocar la cuadrícula sobre la sala</translation>
     </message>
     <message>
-        <source>Give the grid the size of something that you know. In each image, drag the grid until it lies on the real thing. Click a point of the grid to hold it in place.</source>
+        <source>Give the grid the size of an object that you know. In each image, drag the grid until it lies on the real object. Click a point of the grid to hold it in place.</source>
         <translation>Dé a la cuadrícula el tamaño de algo que conozca. En cada imagen, arrastre la cuadrícula hasta que coincida con el objeto real. Haga clic en un punto de la cuadrícula para fijarlo.</translation>
     </message>
     <message>

@@ -1877,7 +1877,7 @@
         <translation>グリッドを部屋に重ねる</translation>
     </message>
     <message>
-        <source>Give the grid the size of something that you know. In each image, drag the grid until it lies on the real thing. Click a point of the grid to hold it in place.</source>
+        <source>Give the grid the size of an object that you know. In each image, drag the grid until it lies on the real object. Click a point of the grid to hold it in place.</source>
         <translation>グリッドを大きさのわかるものに合わせます。各画像で、実物に重なるまでグリッドをドラッグします。グリッドの点をクリックすると、その点が固定されます。</translation>
     </message>
     <message>

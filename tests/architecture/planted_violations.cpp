@@ -122,6 +122,7 @@ const std::vector<PlantedViolation>& plantedViolations() {
       {"ui/calibration/manual/a.h", "ui/calibration/board/b.h"},
       {"ui/calibration/wand/a.h", "ui/calibration/points/b.h"},
       {"ui/calibration/world/a.h", "ui/calibration/wand/b.h"},
+      {"ui/calibration/guide/a.h", "ui/calibration/board/b.h"},
       {"ui/calibration/planner/a.h", "ui/calibration/exchange/b.h"},
       {"ui/calibration/exchange/a.h", "ui/calibration/planner/b.h"},
       {"ui/calibration/a.h", "ui/calibration/board/b.h"},

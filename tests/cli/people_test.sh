@@ -43,7 +43,7 @@ awk '/^translation = / { gsub(/[][,]/, "")
        printf "translation = [%.9g, %.9g, %.9g]\n", 1000 * $3, 1000 * $4, 1000 * $5; next } 1' \
   office/project.toml >office/far.toml
 expectExit 0 people office/far.toml --out far --frames 0:2
-[[ $(grep -c 'note: the positions of the cameras seem to be in units of 0.001 m' err.txt) == 1 ]] ||
+[[ $(grep -c 'note: the calibration seems to be in units of 0.001 m' err.txt) == 1 ]] ||
   fail "it is to be said once: $(cat err.txt)"
 expectExit 0 people office/project.toml --out near --frames 0:2
 [[ ! -s err.txt ]] || fail "nothing was to be said: $(cat err.txt)"

@@ -51,7 +51,7 @@ std::string poseText(const PartStatus& pose) {
 
 void printWorld(const CalibrationStatus& status) {
   fmt::print("scale     {}{}\n", originText(status.scale),
-             status.scale.error ? fmt::format(" +-{:.2f} % (95 %)", 100.0 * *status.scale.error)
+             status.scale.error ? fmt::format(" +-{:.2f} % (95 %)", inPercent(*status.scale.error))
                                 : "");
   fmt::print("floor     {}\n",
              status.isUpright ? originText(status.floor) : "the z axis does not seem to point up");
@@ -79,7 +79,7 @@ int printStatus(const std::string& name) {
   for (std::size_t k = 0; k < status.cameras.size(); ++k) {
     const CameraCalibrationStatus& camera = status.cameras[k];
     fmt::print("{:<{}}  {:<26} {:<26} {:>9.1f}\n", project->cameras[k].camera.name, width,
-               lensText(camera.lens), poseText(camera.pose), 1000.0 * camera.delay);
+               lensText(camera.lens), poseText(camera.pose), inMilliseconds(camera.delay));
   }
   printWorld(status);
   return kExitDone;

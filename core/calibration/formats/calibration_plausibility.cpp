@@ -96,7 +96,9 @@ Status checkUnit(const CameraRig& rig, const std::string& file) {
                                "mm: convert with --unit mm",
                                spread));
   }
-  if (rig.size() > 1 && spread < kMinCameraSpread && spread > 0.0) {
+  // Cameras in one place are another mistake, which no unit explains.
+  constexpr double kSamePlace = 1e-9; // meters: what rounding leaves
+  if (rig.size() > 1 && spread < kMinCameraSpread && spread > kSamePlace) {
     return failure(ErrorCode::BadValue, file, "translation",
                    fmt::format("the cameras would be {:.2g} mm apart; the lengths are probably "
                                "already in meters: convert with --unit m",

@@ -46,8 +46,10 @@ bool textHasOneOf(std::string_view text, KeyNames keys) {
 }
 
 std::string recognize(const CalibrationText& source) {
-  const bool isCamera = textHasOneOf(source.text, kMatrixKeys) &&
-                        (textHasOneOf(source.text, kLensKeys) || hasPlainPose(source.text));
+  const bool isCamera =
+      textHasOneOf(source.text, kMatrixKeys) &&
+      (textHasOneOf(source.text, kLensKeys) || textHasOneOf(source.text, kRotationKeys) ||
+       textHasOneOf(source.text, kTranslationKeys));
   return isCamera ? "a camera matrix with distortion, R or t" : "";
 }
 
@@ -162,6 +164,9 @@ void readLens(const YamlReader& reader, const char* key, const CalibrationHints&
       std::ranges::all_of(parts.distortion, [](double value) { return value == 0.0; });
   if (hints.lens == LensModel::Fisheye || (saysFisheye && !hints.lens)) {
     parts.lens = LensModel::Fisheye;
+    if (parts.distortion.empty()) {
+      parts.distortion.assign(4, 0.0);
+    }
   } else if (parts.distortion.size() == 4 && !isZero && !hints.lens && !reader.has("model") &&
              !reader.has("fisheye")) {
     reader.fail(ErrorCode::BadValue, key,

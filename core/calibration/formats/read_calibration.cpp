@@ -194,6 +194,12 @@ Result<std::vector<CalibrationText>> folderSources(const std::filesystem::path& 
 }
 
 void append(ParsedCalibration& whole, ParsedCalibration&& part) {
+  if (part.unit && whole.unit) { // each file may have its own
+    for (Camera& camera : part.rig) {
+      camera.cameraFromWorld.translation() *= *part.unit / *whole.unit;
+    }
+  }
+  whole.unit = whole.unit ? whole.unit : part.unit;
   std::ranges::move(part.rig, std::back_inserter(whole.rig));
   whole.hasPoses = whole.hasPoses && part.hasPoses;
   for (std::string& decision : part.decisions) {

@@ -162,12 +162,15 @@ PointPose poseFromPoints(const Camera& camera, const std::vector<ImageAnchor>& a
 
 WorldSide worldSideOf(const PointPose& found, const std::vector<ImageAnchor>& anchors) {
   constexpr double kUpsideDown = 120.0 * std::numbers::pi / 180.0; // of roll; on its side is less
+  constexpr double kClearlyBelow = 0.1; // of the distance: six degrees; level with them is not
   if (found.status == PoseStatus::NoPose || found.rmsPx > kBadPx || isSteep(found.camera)) {
     return WorldSide::Unknown;
   }
-  const double height = found.camera.center().z();
-  const bool isBelow = std::ranges::all_of(
-      anchors, [&](const ImageAnchor& anchor) { return height < anchor.world.z(); });
+  const Eigen::Vector3d center = found.camera.center();
+  const bool isBelow = std::ranges::all_of(anchors, [&](const ImageAnchor& anchor) {
+    const Eigen::Vector3d up = anchor.world - center;
+    return up.z() > kClearlyBelow * up.norm();
+  });
   return isBelow && std::abs(headingOf(found.camera).roll) > kUpsideDown ? WorldSide::Inverted
                                                                          : WorldSide::Upright;
 }

@@ -39,7 +39,7 @@ Result<WandRefinement> refineFromViews(const Project& project,
                                        const WandCalibrationCallback& callback = nullptr);
 
 /// Returns a project with the same cameras and the calibration of the refinement: poses, lenses,
-/// the delays if they were asked for, and where all this comes from.
+/// the delays if they were requested, and where all this comes from.
 Project withRefinement(Project project, const WandRefinement& refinement);
 
 /// Returns, for each camera, the image regions of the balls used in the result.

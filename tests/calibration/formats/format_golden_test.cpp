@@ -104,6 +104,7 @@ TEST(FormatGolden, EveryFilePutsItsPointsWhereItsToolDoes) {
 
 TEST(FormatGolden, TheTwoFilesOfAPairAreOneFolder) {
   const auto folder = ownFolder() / "pair";
+  std::filesystem::remove_all(folder); // of an earlier run
   std::filesystem::create_directories(folder);
   for (const char* name : {"intrinsics.yml", "extrinsics.yml"}) {
     std::filesystem::copy_file(kGolden / name, folder / name,

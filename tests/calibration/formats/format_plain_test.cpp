@@ -142,7 +142,7 @@ TEST(FormatPlain, AsksForWhatIsMissing) {
   hints.unit.reset();
   read = readText("c.json", matrix + pose + "}", hints);
   ASSERT_FALSE(read);
-  EXPECT_EQ(read.error().field, "unit");
+  EXPECT_EQ(read.error().field, "unit") << sentence(read.error());
 }
 
 TEST(FormatPlain, NamesTheFieldThatIsWrong) {
@@ -150,10 +150,10 @@ TEST(FormatPlain, NamesTheFieldThatIsWrong) {
 "K": [500, 0, 320, 0, 510, 240, 0, 0, 1], )";
   auto read = readText("a.json", start + R"("R": [1, 0, 0, 0, 1, 0, 0, 0, 1]}})", inMeters());
   ASSERT_FALSE(read);
-  EXPECT_EQ(read.error().field, "front.t");
+  EXPECT_EQ(read.error().field, "front.t") << sentence(read.error());
   read = readText("a.json", start + R"("R": [1, 0, 0], "t": [0, 0]}})", inMeters());
   ASSERT_FALSE(read);
-  EXPECT_EQ(read.error().field, "front.t");
+  EXPECT_EQ(read.error().field, "front.t") << sentence(read.error());
   read = readText("a.json", start + R"("R": [1, 0, 0, 0, 1, 0, 0, 0, -1], "t": [0, 0, 1]}})",
                   inMeters());
   ASSERT_FALSE(read);

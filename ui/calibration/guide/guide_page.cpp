@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/calibration/guide/guide_page.h"
 
+#include "core/base/units.h"
 #include "ui/calibration/guide/calibration_guide.h"
 #include "ui/calibration/guide/guide_text.h"
 #include "ui/document/camera_list_model.h"
@@ -167,8 +168,7 @@ void GuidePage::refreshTable() {
     set(row, Lens, marked(camera.lens, lensText(camera.lens)));
     set(row, Position, marked(camera.pose, poseText(camera.pose)));
     set(row, Delay,
-        camera.delay == 0.0 ? QStringLiteral("–")
-                            : tr("%1 ms").arg(millisecondsNumber(camera.delay)));
+        camera.delay == 0.0 ? QStringLiteral("–") : millisecondsText(inMilliseconds(camera.delay)));
   }
   int height = table_->horizontalHeader()->sizeHint().height() + 2 * table_->frameWidth();
   for (int row = 0; row < std::min(kMostRows, table_->rowCount()); ++row) {

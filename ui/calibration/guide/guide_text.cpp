@@ -119,8 +119,8 @@ StepText stepText(GuideStep step) {
             GuideText::tr("Go to the page By hand")};
   case GuideStep::GridOnFloor:
     return {GuideText::tr("Grid"), GuideText::tr("Lay the grid over the room"),
-            GuideText::tr("Give the grid the size of something that you know. In each image, drag "
-                          "the grid until it lies on the real thing. Click a point of the grid to "
+            GuideText::tr("Give the grid the size of an object that you know. In each image, drag "
+                          "the grid until it lies on the real object. Click a point of the grid to "
                           "hold it in place."),
             GuideText::tr("Go to the page By hand")};
   case GuideStep::MeasurePoints:

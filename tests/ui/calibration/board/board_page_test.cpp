@@ -317,6 +317,9 @@ void BoardPageTest::theNextViewIsShownAcrossTheRoom() {
   QVERIFY(waitFor([&] { return text("roomCount") != none; }));
   QVERIFY(find<QLabel>(QStringLiteral("roomAdvice"))->font().pixelSize() >
           find<QLabel>(QStringLiteral("boardAdvice0"))->fontInfo().pixelSize());
+  const QString folder = qEnvironmentVariable("DEWPOINT_SCREENSHOTS");
+  QVERIFY(folder.isEmpty() ||
+          display->grab().save(folder + QStringLiteral("/calibration-room-display.png")));
   QTest::keyClick(display, Qt::Key_Escape);
   QVERIFY(waitFor([&] { return display.isNull(); }));
   QTest::mouseClick(find<QPushButton>(QStringLiteral("boardStart")), Qt::LeftButton); // over
