@@ -20,6 +20,8 @@ constexpr int kSteps = 100;
 /// Letters are this part of the height of the window: five lines of advice fit.
 constexpr int kLinesPerHeight = 10;
 constexpr int kSmallestLetters = 16; ///< pixels
+constexpr int kLetterStep = 2;       ///< pixels
+constexpr QSize kSmallestWindow(640, 480);
 
 std::size_t viewsIn(const BoardGuideState& state) {
   std::size_t views = 0;
@@ -58,6 +60,7 @@ RoomDisplay::RoomDisplay(BoardCalibrator& calibrator, QWidget* parent)
   }
   held_->setRange(0, kSteps);
   held_->setTextVisible(false);
+  setMinimumSize(kSmallestWindow);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(32, 32, 32, 32);
   column->setSpacing(24);
@@ -100,11 +103,23 @@ void RoomDisplay::refresh() {
     held = state->rig.holdProgress;
   }
   held_->setValue(static_cast<int>(kSteps * held));
+  fitText(); // a longer advice has smaller letters
 }
 
 void RoomDisplay::fitText() {
   QFont letters = font();
-  letters.setPixelSize(std::max(kSmallestLetters, height() / kLinesPerHeight));
+  int size = std::max(kSmallestLetters, height() / kLinesPerHeight);
+  letters.setPixelSize(size);
+  const auto fits = [&] {
+    const QRect place(0, 0, advice_->width(), height() / 2);
+    const QRect needed =
+        QFontMetrics(letters).boundingRect(place, Qt::TextWordWrap, advice_->text());
+    return needed.width() <= place.width() && needed.height() <= place.height();
+  };
+  while (size > kSmallestLetters && !fits()) {
+    size -= kLetterStep;
+    letters.setPixelSize(size);
+  }
   advice_->setFont(letters);
   letters.setBold(true);
   camera_->setFont(letters);

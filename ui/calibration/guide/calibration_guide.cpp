@@ -27,7 +27,11 @@ void CalibrationGuide::restart() {
 
 void CalibrationGuide::refresh() {
   status_ = calibrationStatus(document_.project());
-  Q_EMIT changed();
+  if (const auto taken = wayTaken(status_); taken && !way_) {
+    setWay(*taken); // somebody who knows the pages has begun without the guide
+  } else {
+    Q_EMIT changed();
+  }
 }
 
 void CalibrationGuide::setWay(CalibrationWay way) {
