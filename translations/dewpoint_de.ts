@@ -1950,7 +1950,7 @@
         <translation>Stab schwenken</translation>
     </message>
     <message>
-        <source>Say on the page Wand what you wave and where the scale comes from. Wave slowly, through all of the volume, for half a minute, and press Refine cameras.</source>
+        <source>On the page Wand, choose what you wave and where the scale comes from. Wave slowly, through all of the volume, for half a minute, and press Refine cameras.</source>
         <translation>Geben Sie auf der Seite Stab an, was Sie schwenken und woher der Maßstab kommt. Schwenken Sie eine halbe Minute lang langsam durch den ganzen Raum und drücken Sie Kameras verfeinern.</translation>
     </message>
     <message>

@@ -1950,7 +1950,7 @@
         <translation>Agitar la varita</translation>
     </message>
     <message>
-        <source>Say on the page Wand what you wave and where the scale comes from. Wave slowly, through all of the volume, for half a minute, and press Refine cameras.</source>
+        <source>On the page Wand, choose what you wave and where the scale comes from. Wave slowly, through all of the volume, for half a minute, and press Refine cameras.</source>
         <translation>Indique en la página Varita qué agita y de dónde viene la escala. Agite despacio por todo el volumen durante medio minuto y pulse Refinar cámaras.</translation>
     </message>
     <message>

@@ -1949,7 +1949,7 @@
         <translation>ワンドを振る</translation>
     </message>
     <message>
-        <source>Say on the page Wand what you wave and where the scale comes from. Wave slowly, through all of the volume, for half a minute, and press Refine cameras.</source>
+        <source>On the page Wand, choose what you wave and where the scale comes from. Wave slowly, through all of the volume, for half a minute, and press Refine cameras.</source>
         <translation>「ワンド」ページで、何を振るか、縮尺をどこから得るかを指定します。空間全体をゆっくり 30 秒ほど振り、「カメラを精密化」を押します。</translation>
     </message>
     <message>

@@ -151,11 +151,12 @@ StepText stepText(GuideStep step) {
                           "targets of different colors."),
             GuideText::tr("Learn color")};
   case GuideStep::WaveWand:
-    return {GuideText::tr("Wave"), GuideText::tr("Wave the wand"),
-            GuideText::tr("Say on the page Wand what you wave and where the scale comes from. Wave "
-                          "slowly, through all of the volume, for half a minute, and press Refine "
-                          "cameras."),
-            GuideText::tr("Go to the page Wand")};
+    return {
+        GuideText::tr("Wave"), GuideText::tr("Wave the wand"),
+        GuideText::tr("On the page Wand, choose what you wave and where the scale comes from. Wave "
+                      "slowly, through all of the volume, for half a minute, and press Refine "
+                      "cameras."),
+        GuideText::tr("Go to the page Wand")};
   case GuideStep::Floor:
     return {GuideText::tr("Floor"), GuideText::tr("Set floor and origin"),
             GuideText::tr("Mark three points of the floor in two images each: A becomes the "
