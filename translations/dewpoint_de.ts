@@ -5616,10 +5616,6 @@ bei %4, %5, %6</translation>
         <translation>Den nächsten Schritt zeigen</translation>
     </message>
     <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
         <source>%1 Scale: %2</source>
         <translation>%1 Maßstab: %2</translation>
     </message>

@@ -5616,10 +5616,6 @@ en %4, %5, %6</translation>
         <translation>Mostrar el paso siguiente</translation>
     </message>
     <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
         <source>%1 Scale: %2</source>
         <translation>%1 Escala: %2</translation>
     </message>

@@ -5608,10 +5608,6 @@ at %4, %5, %6</source>
         <translation>次のステップを表示</translation>
     </message>
     <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
         <source>%1 Scale: %2</source>
         <translation>%1 縮尺: %2</translation>
     </message>
