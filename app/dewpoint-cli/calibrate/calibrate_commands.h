@@ -13,5 +13,6 @@ void addCalibrateExtrinsicsCommand(CLI::App& group, int& exitCode);
 void addCalibrateWandCommand(CLI::App& group, int& exitCode);
 void addCalibratePointsCommand(CLI::App& group, int& exitCode);
 void addCalibrateWorldCommand(CLI::App& group, int& exitCode);
+void addFindBoardCommand(CLI::App& group, int& exitCode);
 
 } // namespace dewpoint::app
