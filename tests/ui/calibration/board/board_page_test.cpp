@@ -8,6 +8,7 @@
 #include "ui/calibration/board/board_calibrator.h"
 #include "ui/calibration/board/board_map.h"
 #include "ui/document/document.h"
+#include "ui/widgets/message_bar.h"
 
 #include <QComboBox>
 #include <QDir>
@@ -35,6 +36,8 @@ private Q_SLOTS:
   void theCommandLineGivesTheSameBits();
   void cancelKeepsWhatWas();
   void aWrongBoardIsSaid();
+  void theBoardFindsItself();
+  void liveCamerasShowWhichBoardItIs();
   void printsAndReports();
   void theBoardIsRemembered();
   void liveCamerasAreGuidedToTheEnd();
@@ -47,6 +50,10 @@ private:
   BoardCalibrator& calibrator() { return *window_->findChild<BoardCalibrator*>(); }
   QString result() { return find<QLabel>(QStringLiteral("boardResult"))->text(); }
 
+  MessageBar& messages() { return *window_->findChild<MessageBar*>(); }
+  /// The button of a message; null if it has none with that text.
+  QPushButton* answer(const QString& text);
+  void expectShownBoard();
   void openWindow(const ProjectOpener& opener, const std::filesystem::path& project);
   void openRecording();
   void openLive(const BoardGoal& goal);
@@ -195,8 +202,77 @@ void BoardPageTest::aWrongBoardIsSaid() {
   QVERIFY(calibrate());
   QVERIFY(!calibrator().isApplied());
   QCOMPARE(history().count(), 0);
-  QVERIFY2(result().contains(QStringLiteral("left")), qPrintable(result()));
-  QVERIFY2(result().contains(QStringLiteral("board")), qPrintable(result()));
+  // The board that the recording shows is named, and one button describes it.
+  QVERIFY2(result().contains(QStringLiteral("charuco:7x5:")), qPrintable(result()));
+  QVERIFY(calibrator().proposal().has_value());
+  QVERIFY2(messages().text().contains(QStringLiteral("DICT_4X4_50")),
+           qPrintable(messages().text()));
+  QVERIFY(answer(QStringLiteral("Search all frames")) != nullptr);
+  QTest::mouseClick(answer(QStringLiteral("Use this board")), Qt::LeftButton);
+  expectShownBoard();
+  QCOMPARE(history().count(), 0); // no project data
+  QVERIFY(calibrate());
+  QVERIFY2(calibrator().isApplied(), qPrintable(result()));
+}
+
+void BoardPageTest::theBoardFindsItself() {
+  openRecording();
+  auto* findButton = find<QPushButton>(QStringLiteral("boardFind"));
+  QVERIFY(findButton->isEnabled());
+  // As it is described: a notice.
+  QSignalSpy confirmed(&calibrator(), &BoardCalibrator::boardConfirmed);
+  scrollTo(findButton);
+  QTest::mouseClick(findButton, Qt::LeftButton);
+  QVERIFY(!findButton->isEnabled());
+  QVERIFY(confirmed.wait(kTimeoutMs));
+  QVERIFY(!calibrator().proposal());
+  // Another one is proposed; the lengths stay.
+  BoardGuideRequest request = calibrator().request();
+  request.board.board = parseBoard("chessboard:9x6:0.04").value();
+  calibrator().setRequest(request);
+  QSignalSpy proposed(&calibrator(), &BoardCalibrator::boardProposed);
+  QVERIFY(waitFor([&] { return findButton->isEnabled(); }));
+  QTest::mouseClick(findButton, Qt::LeftButton);
+  QVERIFY(proposed.wait(kTimeoutMs));
+  QVERIFY(answer(QStringLiteral("Search all frames")) == nullptr); // nothing was searched
+  QTest::mouseClick(answer(QStringLiteral("Use this board")), Qt::LeftButton);
+  expectShownBoard();
+  QCOMPARE(calibrator().request().board.board.squareSize, 0.04);
+  QCOMPARE(find<QSpinBox>(QStringLiteral("boardColumns"))->value(), 7);
+  QCOMPARE(find<QComboBox>(QStringLiteral("boardKind"))->currentIndex(), 1);
+  QCOMPARE(history().count(), 0);
+}
+
+void BoardPageTest::liveCamerasShowWhichBoardItIs() {
+  openLive({true, false});
+  BoardGuideRequest request = calibrator().request();
+  request.board.board = parseBoard("chessboard:9x6:0.03").value();
+  calibrator().setRequest(request);
+  QSignalSpy proposed(&calibrator(), &BoardCalibrator::boardProposed);
+  auto* findButton = find<QPushButton>(QStringLiteral("boardFind"));
+  scrollTo(findButton);
+  QTest::mouseClick(findButton, Qt::LeftButton);
+  QVERIFY(proposed.wait(kTimeoutMs));
+  calibrator().useProposal();
+  expectShownBoard();
+}
+
+void BoardPageTest::expectShownBoard() {
+  const BoardDescription& board = calibrator().request().board.board;
+  QCOMPARE(board.kind, shown_.board.kind);
+  QCOMPARE(board.columns, shown_.board.columns);
+  QCOMPARE(board.rows, shown_.board.rows);
+  QCOMPARE(QString::fromStdString(board.dictionary),
+           QString::fromStdString(shown_.board.dictionary));
+}
+
+QPushButton* BoardPageTest::answer(const QString& text) {
+  for (auto* button : messages().findChildren<QPushButton*>()) {
+    if (button->text() == text && button->isVisible()) {
+      return button;
+    }
+  }
+  return nullptr;
 }
 
 void BoardPageTest::printsAndReports() {
