@@ -150,12 +150,13 @@ BoardDescription chessboardOf(const cv::Size& size, const BoardDescription& requ
 }
 
 /// Chessboards suggested by single images, the most frequent sizes first.
-std::vector<BoardDescription> mostFrequentSizes(const std::vector<std::optional<cv::Size>>& sizes,
-                                                const BoardDescription& requested) {
+std::vector<BoardDescription>
+mostFrequentSizes(const std::vector<std::optional<ChessboardSuggestion>>& sizes,
+                  const BoardDescription& requested) {
   std::map<std::pair<int, int>, int> votes;
   for (const auto& size : sizes) {
-    if (size) {
-      ++votes[{size->width, size->height}];
+    if (size && size->whole) {
+      ++votes[{size->size.width, size->size.height}];
     }
   }
   std::vector<std::pair<int, BoardDescription>> ranked;
@@ -180,15 +181,15 @@ std::vector<BoardDescription> mostFrequentSizes(const std::vector<std::optional<
 std::optional<std::vector<BoardGuess>> chessboardGuesses(const std::vector<cv::Mat>& images,
                                                          const BoardDescription& requested,
                                                          const CalibrationProgress& progress) {
-  std::vector<std::optional<cv::Size>> sizes;
+  std::vector<std::optional<ChessboardSuggestion>> sizes;
   for (std::size_t k = 0; k < images.size(); ++k) {
     if (!reportProgress(progress, CalibrationStage::BoardDetection, kReadingShare)) {
       return std::nullopt;
     }
-    sizes.push_back(suggestChessboardSize(images[k]));
+    sizes.push_back(suggestChessboard(images[k]));
   }
   const auto suggested = static_cast<int>(
-      std::ranges::count_if(sizes, [](const auto& size) { return size.has_value(); }));
+      std::ranges::count_if(sizes, [](const auto& size) { return size && size->whole; }));
   std::vector<BoardGuess> guesses;
   for (const BoardDescription& board : mostFrequentSizes(sizes, requested)) {
     BoardGuess guess{board, false, static_cast<int>(images.size()), 0, 0};
@@ -200,9 +201,11 @@ std::optional<std::vector<BoardGuess>> chessboardGuesses(const std::vector<cv::M
                                               static_cast<double>(images.size()))) {
         return std::nullopt;
       }
-      // Images without any grid cost the most time and show nothing; so does trying hard in vain.
-      const bool same = sizes[k] && isSameBoard(board, chessboardOf(*sizes[k], requested));
-      bool shown = sizes[k] && showsChessboard(images[k], detector, DetectionEffort::Live);
+      // Looking in vain costs the most time, and a few corners are easily found in anything.
+      const bool same = sizes[k] && sizes[k]->whole &&
+                        isSameBoard(board, chessboardOf(sizes[k]->size, requested));
+      bool shown = sizes[k] && (same || board.cornerCount() >= kSurelyChessboard) &&
+                   showsChessboard(images[k], detector, DetectionEffort::Live);
       if (!shown && same && failed < kMostFailures) {
         shown = showsChessboard(images[k], detector, DetectionEffort::Exact);
         failed += shown ? 0 : 1;

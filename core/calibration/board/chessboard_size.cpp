@@ -120,7 +120,7 @@ bool isPartOfABoard(const SquareLevels& squares, double medianContrast) {
 
 } // namespace
 
-std::optional<cv::Size> suggestChessboardSize(const cv::Mat& gray) {
+std::optional<ChessboardSuggestion> suggestChessboard(const cv::Mat& gray) {
   cv::Mat reduced = gray;
   if (gray.cols > kSuggestionWidth) {
     const double scale = static_cast<double>(kSuggestionWidth) / gray.cols;
@@ -135,7 +135,16 @@ std::optional<cv::Size> suggestChessboardSize(const cv::Mat& gray) {
   } catch (const cv::Exception&) {
     return std::nullopt; // its own algorithms give up on some pictures that way
   }
-  return cv::Size(std::max(meta.cols, meta.rows), std::min(meta.cols, meta.rows));
+  BoardDescription grid;
+  grid.columns = meta.cols;
+  grid.rows = meta.rows;
+  BoardDetection found;
+  for (const cv::Point2f& corner : corners) {
+    found.ids.push_back(static_cast<int>(found.ids.size()));
+    found.pixels.emplace_back(corner.x, corner.y);
+  }
+  return ChessboardSuggestion{{std::max(meta.cols, meta.rows), std::min(meta.cols, meta.rows)},
+                              isWholeChessboard(reduced, grid, found)};
 }
 
 bool isWholeChessboard(const cv::Mat& gray, const BoardDescription& board,

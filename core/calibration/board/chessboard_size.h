@@ -10,10 +10,16 @@
 
 namespace dewpoint::calibration {
 
-/// Returns the number of inner corners (width >= height) of the largest chessboard-like grid in an
-/// image (CV_8UC1), or nothing. The number is a suggestion: the grid may be a part of a board, or
-/// continue beside it. isWholeChessboard() tells.
-std::optional<cv::Size> suggestChessboardSize(const cv::Mat& gray);
+/// Chessboard-like grid in an image.
+struct ChessboardSuggestion {
+  cv::Size size; ///< number of inner corners; width >= height
+  /// isWholeChessboard(). If false, the grid may be a part of a board, continue beside it, or be
+  /// something else.
+  bool whole = false;
+};
+
+/// Returns the largest chessboard-like grid in an image (CV_8UC1), or nothing.
+std::optional<ChessboardSuggestion> suggestChessboard(const cv::Mat& gray);
 
 /// Returns whether dark and bright squares alternate over the whole detected chessboard, including
 /// the squares around its inner corners, and do not go on beyond them. `detection`: all corners of
