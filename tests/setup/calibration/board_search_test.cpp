@@ -6,7 +6,6 @@
 #include "core/setup/calibration/board_proposal.h"
 #include "tests/calibration/board_views.h"
 
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 namespace dewpoint::tests {
@@ -28,14 +27,17 @@ struct ShownRecording {
       one.name = camera.camera.name;
       one.kind = RecordedCamera::Kind::Generated;
       one.generatedFrames = frames;
-      const auto poses = variedPoses(board, camera.camera, 5, 4 + static_cast<std::uint64_t>(k));
-      one.generate = [=, lens = camera.camera](std::int64_t frame) {
-        cv::Mat image = renderBoard(board, lens, poses[static_cast<std::size_t>(frame % 5)], 2);
+      std::vector<cv::Mat> images; // drawn once: drawing takes longer than the search
+      for (const auto& pose :
+           variedPoses(board, camera.camera, 5, 4 + static_cast<std::uint64_t>(k))) {
+        cv::Mat& image = images.emplace_back(renderBoard(board, camera.camera, pose, 2));
         if (k == 1 && secondMirrored) {
           cv::flip(image.clone(), image, 1);
         }
-        cv::cvtColor(image, image, cv::COLOR_GRAY2BGR);
-        return image;
+        cv::cvtColor(image.clone(), image, cv::COLOR_GRAY2BGR);
+      }
+      one.generate = [images](std::int64_t frame) {
+        return images[static_cast<std::size_t>(frame % 5)].clone();
       };
       recorded.push_back(one);
     }
