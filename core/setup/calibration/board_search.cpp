@@ -305,7 +305,11 @@ Result<BoardDetections> findBoards(const Project& project, FrameSetSource& sourc
   if (request.lookFirst && isLong) {
     auto first = searchedFrames(OtherBoards::OfAll, evenlySpaced(*total, kFramesToLookAt), detector,
                                 effort, source, partOfSearch(progress, 0.0, kLookShare), nothing);
-    if (!first || first->hasOnlyOtherBoard()) {
+    if (!first) {
+      return first;
+    }
+    if (first->hasOnlyOtherBoard()) {
+      first->searchedAll = false;
       return first;
     }
   }
@@ -326,7 +330,11 @@ Result<BoardDetections> findBoards(const std::vector<std::filesystem::path>& pic
     }
     auto first = searchedPictures(OtherBoards::OfAll, few, detector, effort,
                                   partOfSearch(progress, 0.0, kLookShare));
-    if (!first || first->hasOnlyOtherBoard()) {
+    if (!first) {
+      return first;
+    }
+    if (first->hasOnlyOtherBoard()) {
+      first->searchedAll = false;
       return first;
     }
   }

@@ -48,6 +48,8 @@ struct BoardDetections {
   /// Board that a few images of all cameras show instead of the requested one, which is in none or
   /// almost none of the images.
   std::optional<BoardGuess> otherBoard = std::nullopt;
+  /// False if the search ended after a look at a few frames, because they show another board only.
+  bool searchedAll = true;
 
   /// Returns whether there is only another board than the requested one.
   bool hasOnlyOtherBoard() const;

@@ -32,6 +32,7 @@ BoardCalibrator::BoardCalibrator(Document& document, Opener open, QObject* paren
     }
     Q_EMIT changed();
     Q_EMIT calibrated();
+    finishWhenGuided(); // the guidance may have ended while a board was being found
   });
   connect(&document_, &Document::replaced, this, &BoardCalibrator::discardResults);
   connect(&document_, &Document::sourcesChanged, this, &BoardCalibrator::discardResults);
@@ -121,7 +122,7 @@ void BoardCalibrator::compute(Computation computation, bool applyIt) {
 void BoardCalibrator::applyResult(const std::shared_ptr<Computed>& computed, bool applyIt) {
   proposal_ = computed->otherBoard;
   if (proposal_) {
-    Q_EMIT boardProposed(!computed->outcome);
+    Q_EMIT boardProposed(!computed->searchedAll);
   }
   if (!computed->outcome) {
     failure_ = errorText(computed->outcome.error());
@@ -155,6 +156,7 @@ void BoardCalibrator::calibrateRecording(bool lookFirst) {
           return findBoards(inputs.project, *inputs.source, request.board, progress)
               .and_then([&](const BoardDetections& seen) {
                 computed.otherBoard = seen.otherBoard;
+                computed.searchedAll = seen.searchedAll;
                 return calibrateFromBoards(inputs.project, seen, request.board, request.goal,
                                            progress);
               });
@@ -272,12 +274,16 @@ std::function<void()> BoardCalibrator::wakeUp() {
     mailbox.post([this, pending] {
       // Cleared before reading: what is published from here on earns a wake-up of its own.
       *pending = false;
-      if (watching_ && guide()->phase == BoardGuideState::Phase::Finished && hasViews()) {
-        finish();
-      }
+      finishWhenGuided();
       Q_EMIT guideChanged();
     });
   };
+}
+
+void BoardCalibrator::finishWhenGuided() {
+  if (watching_ && guide()->phase == BoardGuideState::Phase::Finished) {
+    finish();
+  }
 }
 
 bool BoardCalibrator::isApplied() const {

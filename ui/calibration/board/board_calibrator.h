@@ -98,7 +98,7 @@ Q_SIGNALS:
   void progressChanged(double part); ///< 0 to 1; negative if unknown
   void calibrated();                 ///< the computation has ended, with or without a result
   /// Images show the board in proposal() instead of the described one. `stopped`: a calibration
-  /// ended for that reason.
+  /// ended for that reason before it had searched all frames.
   void boardProposed(bool stopped);
   void boardConfirmed(int images, int searched); ///< the images show the board as described
   void playRequested();                          ///< live images are needed
@@ -111,10 +111,13 @@ private:
   struct Computed {
     Result<BoardOutcome> outcome;
     std::optional<BoardGuess> otherBoard = std::nullopt;
+    bool searchedAll = true; ///< see BoardDetections
   };
   using Computation = std::function<Computed(const CalibrationProgress& progress)>;
   void calibrateRecording(bool lookFirst);
   void setWatching(bool watching);
+  /// Calibrates once the guidance has all the views that it asked for.
+  void finishWhenGuided();
   void compute(Computation computation, bool applyIt);
   void applyResult(const std::shared_ptr<Computed>& computed, bool applyIt);
   void takeGuesses(const Result<std::vector<BoardGuess>>& guesses);
