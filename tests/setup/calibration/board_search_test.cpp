@@ -76,7 +76,7 @@ TEST(BoardSearch, AnotherBoardIsSaidWithHowToGoOn) {
 }
 
 TEST(BoardSearch, ALongRecordingIsNotSearchedForTheWrongBoard) {
-  const ShownRecording recording(60);
+  const ShownRecording recording(40);
   auto request = requestFor("chessboard:9x6:0.025");
   const auto source = recording.open();
   const auto first = findBoards(recording.project, *source, request);
@@ -89,11 +89,11 @@ TEST(BoardSearch, ALongRecordingIsNotSearchedForTheWrongBoard) {
   ASSERT_TRUE(all) << sentence(all.error());
   EXPECT_TRUE(all->hasOnlyOtherBoard());
   EXPECT_TRUE(all->searchedAll);
-  EXPECT_EQ(all->cameras[0].searched, 60);
+  EXPECT_EQ(all->cameras[0].searched, 40);
 }
 
 TEST(BoardSearch, TheRightBoardIsSearchedForInAllFrames) {
-  const ShownRecording recording(60);
+  const ShownRecording recording(40);
   auto request = requestFor(kShown);
   const auto source = recording.open();
   double last = -1.0;
@@ -105,7 +105,7 @@ TEST(BoardSearch, TheRightBoardIsSearchedForInAllFrames) {
       });
   ASSERT_TRUE(seen);
   EXPECT_FALSE(seen->otherBoard);
-  EXPECT_EQ(seen->cameras[1].searched, 60);
+  EXPECT_EQ(seen->cameras[1].searched, 40);
   request.lookFirst = false;
   const auto again = findBoards(recording.project, *source, request);
   ASSERT_TRUE(again);
