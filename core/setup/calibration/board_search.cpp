@@ -183,6 +183,16 @@ std::vector<std::int64_t> framesToSearch(std::int64_t total,
   return frames;
 }
 
+/// The frames of a search that are looked at first.
+std::vector<std::int64_t> someOf(const std::vector<std::int64_t>& frames) {
+  std::vector<std::int64_t> some;
+  for (const std::int64_t k :
+       evenlySpaced(static_cast<std::int64_t>(frames.size()), kFramesToLookAt)) {
+    some.push_back(frames[static_cast<std::size_t>(k)]);
+  }
+  return some;
+}
+
 BoardDetections nothingSeen(const Project& project, const FrameSetSource& source) {
   BoardDetections seen;
   for (const ProjectCamera& camera : project.cameras) {
@@ -303,8 +313,8 @@ Result<BoardDetections> findBoards(const Project& project, FrameSetSource& sourc
   const auto frames = framesToSearch(*total, request);
   const bool isLong = static_cast<std::int64_t>(frames.size()) > kLongRecording;
   if (request.lookFirst && isLong) {
-    auto first = searchedFrames(OtherBoards::OfAll, evenlySpaced(*total, kFramesToLookAt), detector,
-                                effort, source, partOfSearch(progress, 0.0, kLookShare), nothing);
+    auto first = searchedFrames(OtherBoards::OfAll, someOf(frames), detector, effort, source,
+                                partOfSearch(progress, 0.0, kLookShare), nothing);
     if (!first) {
       return first;
     }
