@@ -34,6 +34,22 @@ expectExit $kUsage calibrate intrinsics bad.jpg --frames 0:3 --board chessboard:
 expectSentence --frames 'image files'
 expectExit $kBadInput calibrate intrinsics demo --frames 1000000: --board chessboard:9x6:0.025 --out no.toml
 expectSentence --frames 'the recording has only'
+# A board that is not the described one is found, and the sentence says how to go on.
+expectExit 0 simulate board --frames 60 --out shown
+expectExit 0 new shown.toml --camera left=shown/left.mkv --camera right=shown/right.mkv
+expectExit 0 calibrate find-board shown.toml --square 0.025
+expectText out.txt 'chessboard:9x6:0.025' '9 x 6 inner corners' 'images'
+! grep -q 'Replace' out.txt || fail "the square is known: $(cat out.txt)"
+expectExit $kBadInput calibrate intrinsics shown.toml --board charuco:7x5:0.025:0.019:DICT_4X4_50 --out no.toml
+expectSentence charuco:7x5 'not found' '--board chessboard:9x6:0.025'
+expectExit $kBadInput calibrate extrinsics shown.toml --board charuco:7x5:0.025:0.019:DICT_4X4_50 --out no.toml \
+  --search-all
+expectSentence '--board chessboard:9x6:0.025'
+expectExit $kBadInput calibrate find-board demo --looks 2
+expectSentence board 'images searched'
+expectExit $kBadInput calibrate find-board none.jpg
+expectSentence none.jpg
+expectExit $kUsage calibrate find-board demo --square 0
 [[ ! -e no.toml && ! -e no.pdf ]] || fail "something was written in spite of an error"
 
 pictures=${DEWPOINT_DATA:-}/opencv_left13
@@ -46,6 +62,8 @@ expectText out.txt 'RMS 0.3926 px' 'K [[535.9' 'distortion [-0.266' 'doubtful: l
 expectText left.toml 'size = [640, 480]' 'matrix = [[535.9'
 expectText left.html '<svg' 'left02.jpg'
 cp left.toml first.toml
+expectExit 0 calibrate find-board "$pictures"/left*.jpg
+expectText out.txt 'chessboard:9x6:' '12 images' 'Replace 0.025'
 expectExit 0 calibrate intrinsics --board chessboard:9x6:0.025 "$pictures"/left*.jpg --out left.toml
 cmp first.toml left.toml || fail "a second run gives other numbers"
 

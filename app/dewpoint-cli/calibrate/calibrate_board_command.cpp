@@ -23,6 +23,7 @@ struct BoardOptions {
   std::string model = "5";
   std::string pixels = "measured";
   std::string corners = "sample";
+  bool searchAll = false;
   BoardCalibrationRequest request;
   CalibrateOutput output;
 };
@@ -40,6 +41,7 @@ Status takeRequest(BoardOptions& options) {
   options.request.board = *board;
   options.request.firstFrame = frames->first;
   options.request.endFrame = frames->end;
+  options.request.lookFirst = !options.searchAll;
   options.request.model = options.model == "8"         ? IntrinsicsModel::EightCoefficients
                           : options.model == "fisheye" ? IntrinsicsModel::Fisheye
                                                        : IntrinsicsModel::FiveCoefficients;
@@ -47,11 +49,6 @@ Status takeRequest(BoardOptions& options) {
                            : options.pixels == "free" ? PixelShape::Free
                                                       : PixelShape::Measured;
   return {};
-}
-
-bool isProject(const std::vector<std::string>& inputs) {
-  const std::filesystem::path first(inputs.front());
-  return inputs.size() == 1 && (first.extension() == ".toml" || !first.has_extension());
 }
 
 void printLens(const Camera& camera) {
@@ -114,6 +111,13 @@ void printPositions(const BoardDetections& seen, const BoardOutcome& outcome) {
     const Eigen::Vector3d center = camera.center();
     const Eigen::Vector3d axis = camera.opticalAxis();
     fmt::print("{}\n", seen.cameras[k].name);
+    if (std::ranges::none_of(fit.views, &ViewFit::used)) {
+      fmt::print("{} in {} images; it keeps its pose\n",
+                 fit.views.empty() ? "never saw the board" : "fits in none of its views",
+                 seen.cameras[k].searched);
+      printViews(fit.views);
+      continue;
+    }
     fmt::print("RMS {:.4f} px; at {:.4f} {:.4f} {:.4f} m, looking along {:.4f} {:.4f} {:.4f}",
                fit.rmsPx, center.x(), center.y(), center.z(), axis.x(), axis.y(), axis.z());
     if (fit.centerSigma > 0.0) {
@@ -151,7 +155,8 @@ int intrinsicsOfPictures(const BoardOptions& options) {
   const auto effort =
       options.corners == "sample" ? DetectionEffort::Sample : DetectionEffort::Exact;
   const auto progress = interruptibleProgress();
-  const auto seen = findBoards(files, options.request.board, effort, progress);
+  const auto seen =
+      findBoards(files, options.request.board, effort, progress, options.request.lookFirst);
   if (!seen) {
     return reportCalibrationError(seen.error());
   }
@@ -238,6 +243,8 @@ void addBoardOptions(CLI::App& command, BoardOptions& options) {
       ->capture_default_str();
   command.add_option("--frames", options.frames,
                      "Search only frames A to B-1 of a recording, as A:B (either may be empty)");
+  command.add_flag("--search-all", options.searchAll,
+                   "Search all these frames, also if a few of them show another board only");
 }
 
 } // namespace

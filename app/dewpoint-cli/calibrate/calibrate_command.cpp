@@ -10,6 +10,7 @@ void addCalibrateCommand(CLI::App& app, int& exitCode) {
   auto* group = app.add_subcommand("calibrate", "Calibrate the cameras.");
   group->require_subcommand(1);
   addCalibratePointsCommand(*group, exitCode);
+  addFindBoardCommand(*group, exitCode);
   addCalibrateIntrinsicsCommand(*group, exitCode);
   addCalibrateExtrinsicsCommand(*group, exitCode);
   addCalibrateWandCommand(*group, exitCode);

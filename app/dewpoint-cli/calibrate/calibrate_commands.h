@@ -14,5 +14,6 @@ void addCalibrateWandCommand(CLI::App& group, int& exitCode);
 void addCalibratePointsCommand(CLI::App& group, int& exitCode);
 void addCalibrateWorldCommand(CLI::App& group, int& exitCode);
 void addCalibrateStatusCommand(CLI::App& group, int& exitCode);
+void addFindBoardCommand(CLI::App& group, int& exitCode);
 
 } // namespace dewpoint::app

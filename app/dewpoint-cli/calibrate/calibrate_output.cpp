@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -39,6 +40,12 @@ const char* nameOf(CalibrationStage stage) {
 }
 
 } // namespace
+
+bool isProject(const std::vector<std::string>& inputs) {
+  const std::filesystem::path first(inputs.front());
+  return inputs.size() == 1 && (first.extension() == ".toml" || first.extension() == ".dewpoint" ||
+                                !first.has_extension());
+}
 
 void addOutputOptions(CLI::App& command, CalibrateOutput& output, bool ofProject) {
   command.add_option("--out", output.out, "Calibration file (TOML) to write");

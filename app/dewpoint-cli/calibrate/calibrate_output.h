@@ -21,6 +21,9 @@ struct CalibrateOutput {
   bool apply = false; ///< also write the calibration into the project file
 };
 
+/// Returns whether the inputs of a command are one project, not image files.
+bool isProject(const std::vector<std::string>& inputs);
+
 /// Adds the options to a command. `ofProject` is true if the command calibrates a project, so that
 /// the calibration can be written into the project file.
 void addOutputOptions(CLI::App& command, CalibrateOutput& output, bool ofProject);

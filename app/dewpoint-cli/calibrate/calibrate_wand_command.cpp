@@ -100,9 +100,10 @@ void printCameras(const WandRefinement& refinement) {
   for (std::size_t c = 0; c < result.cameras.size(); ++c) {
     const Camera& camera = result.cameras[c];
     const PoseShift shift = poseShift(refinement.before[c], camera);
-    fmt::print("{:<16} {:>6} {:>8} {:>7.3f} {:>9.2f} {:>11.2f}", camera.name, result.views[c],
-               result.dropped[c], result.cameraMedianPx[c], inCentimeters(shift.meters),
-               inDegrees(shift.radians));
+    fmt::print("{:<16} {:>6} {:>8} {:>7} {:>9.2f} {:>11.2f}", camera.name, result.views[c],
+               result.dropped[c],
+               result.views[c] > 0 ? fmt::format("{:.3f}", result.cameraMedianPx[c]) : "-",
+               inCentimeters(shift.meters), inDegrees(shift.radians));
     if (options.findOffsets) {
       fmt::print(" {:>9.2f}", -inMilliseconds(result.offsets[c]) + 0.0); // no -0.00
     }

@@ -66,6 +66,12 @@ void addCamera(std::string& html, const BoardReport::CameraPart& camera) {
     used += view.used ? 1 : 0;
     corners += view.used ? view.ids.size() : 0;
   }
+  if (used == 0) {
+    html += fmt::format("<h2>{}</h2>\n<p>It {} and keeps its calibration.</p>\n",
+                        htmlEscaped(camera.name),
+                        camera.views.empty() ? "never saw the board" : "fits in none of its views");
+    return;
+  }
   auto out = std::back_inserter(html);
   fmt::format_to(out,
                  "<h2>{}</h2>\n<p>rms {:.4f} px over {} corners in {} of {} images; corners in "

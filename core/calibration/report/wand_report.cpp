@@ -65,11 +65,14 @@ void addStatistics(std::string& html, const WandReport& report) {
   for (std::size_t c = 0; c < result.cameras.size(); ++c) {
     const Camera& camera = result.cameras[c];
     const PoseShift shift = poseShift(report.before.at(c), camera);
+    const auto pixelsOf = [&](double pixels) {
+      return result.views[c] > 0 ? fmt::format("{:.3f}", pixels) : "none";
+    };
     fmt::format_to(out,
-                   "<tr><td>{}</td><td>{}</td><td>{}</td><td>{:.3f}</td><td>{:.3f}</td>"
+                   "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
                    "<td>{:.2f}</td><td>{:.2f}°</td>",
                    htmlEscaped(camera.name), result.views[c], result.dropped[c],
-                   result.bundle.cameraRms.at(c), result.cameraMedianPx[c],
+                   pixelsOf(result.bundle.cameraRms.at(c)), pixelsOf(result.cameraMedianPx[c]),
                    inCentimeters(shift.meters), inDegrees(shift.radians));
     if (report.offsetsFound) {
       fmt::format_to(out, "<td>{:.2f}</td>", inMilliseconds(-result.offsets[c]) + 0.0);

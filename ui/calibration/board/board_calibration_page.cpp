@@ -31,6 +31,7 @@ BoardCalibrationPage::BoardCalibrationPage(BoardCalibrator& calibrator, QWidget*
     : QWidget(parent), calibrator_(calibrator) {
   setObjectName(QStringLiteral("boardPage"));
   createWidgets();
+  connect(find_, &QPushButton::clicked, &calibrator_, &BoardCalibrator::findBoard);
   connect(calibrate_, &QPushButton::clicked, &calibrator_, &BoardCalibrator::calibrate);
   connect(cancel_, &QPushButton::clicked, &calibrator_, &BoardCalibrator::cancel);
   connect(apply_, &QPushButton::clicked, &calibrator_, &BoardCalibrator::apply);
@@ -58,6 +59,7 @@ void BoardCalibrationPage::createWidgets() {
     made->setObjectName(QLatin1String(name));
     return made;
   };
+  find_ = button("boardFind");
   calibrate_ = button("boardCalibrate");
   cancel_ = button("boardCancel");
   apply_ = button("boardApply");
@@ -82,6 +84,7 @@ void BoardCalibrationPage::createWidgets() {
   column->addWidget(guide_);
   column->addWidget(boardTitle_);
   column->addWidget(fields_);
+  column->addWidget(find_);
   column->addWidget(goalTitle_);
   column->addWidget(goal);
   column->addWidget(runTitle_);
@@ -99,6 +102,9 @@ void BoardCalibrationPage::print() {
 void BoardCalibrationPage::retranslateUi() {
   boardTitle_->setText(tr("Board"));
   goalTitle_->setText(tr("Values to calibrate"));
+  find_->setText(tr("Find board"));
+  find_->setToolTip(tr("Find out which board the images show: its kind, squares and dictionary. "
+                       "Sizes in millimeters must be measured"));
   calibrate_->setText(tr("Calibrate"));
   calibrate_->setToolTip(
       tr("Find the board in the recording and calibrate the cameras with it (one undo step)"));
@@ -124,6 +130,7 @@ void BoardCalibrationPage::refresh() {
                            "still in many positions, some of them close to the camera or tilted."));
   runTitle_->setText(live ? tr("Live cameras") : tr("This recording"));
   live_->setVisible(live);
+  find_->setEnabled(!computing && calibrator_.shownFrame() >= 0);
   calibrate_->setVisible(!live && !computing);
   calibrate_->setEnabled(calibrator_.shownFrame() >= 0);
   progress_->setVisible(computing);

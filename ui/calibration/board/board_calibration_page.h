@@ -36,6 +36,7 @@ private:
   QLabel* guide_;
   QLabel* boardTitle_;
   BoardForm* fields_;
+  QPushButton* find_;
   QLabel* goalTitle_;
   QLabel* runTitle_;
   QPushButton* calibrate_;

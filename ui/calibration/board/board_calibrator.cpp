@@ -32,6 +32,7 @@ BoardCalibrator::BoardCalibrator(Document& document, Opener open, QObject* paren
     }
     Q_EMIT changed();
     Q_EMIT calibrated();
+    finishWhenGuided(); // the guidance may have ended while a board was being found
   });
   connect(&document_, &Document::replaced, this, &BoardCalibrator::discardResults);
   connect(&document_, &Document::sourcesChanged, this, &BoardCalibrator::discardResults);
@@ -86,6 +87,7 @@ void BoardCalibrator::setSnapshot(const TrackSnapshotPtr& snapshot) {
   const bool live = snapshot && snapshot->frames && !snapshot->frameCount;
   const bool first = shownFrame_ < 0;
   shownFrame_ = snapshot ? snapshot->frame : -1;
+  liveFrames_ = live ? snapshot->frames : nullptr;
   if (live && watching_ && !snapshot->past && snapshot->frames != lastWatchedFrames_) {
     lastWatchedFrames_ = snapshot->frames;
     watch_->show(snapshot->frames);
@@ -103,44 +105,116 @@ bool BoardCalibrator::isComputing() const {
 void BoardCalibrator::compute(Computation computation, bool applyIt) {
   outcome_.reset();
   failure_.clear();
+  proposal_.reset();
   job_->start([this, computation = std::move(computation), looking = searching_,
                applyIt](const BackgroundJob::Progress& progress) -> std::function<void()> {
-    auto result = std::make_shared<Result<BoardOutcome>>(
-        computation([&](CalibrationStage stage, double part) {
+    auto computed =
+        std::make_shared<Computed>(computation([&](CalibrationStage stage, double part) {
           *looking = stage == CalibrationStage::BoardDetection;
           return progress(*looking ? kLookingShare * part : -1.0);
         }));
     *looking = false;
-    return [this, result, applyIt] { applyResult(result, applyIt); };
+    return [this, computed, applyIt] { applyResult(computed, applyIt); };
   });
   Q_EMIT changed();
 }
 
-void BoardCalibrator::applyResult(const std::shared_ptr<Result<BoardOutcome>>& result,
-                                  bool applyIt) {
-  if (!*result) {
-    failure_ = errorText(result->error());
+void BoardCalibrator::applyResult(const std::shared_ptr<Computed>& computed, bool applyIt) {
+  proposal_ = computed->otherBoard;
+  if (proposal_) {
+    Q_EMIT boardProposed(!computed->searchedAll);
+  }
+  if (!computed->outcome) {
+    failure_ = errorText(computed->outcome.error());
     return;
   }
-  outcome_ = std::make_shared<const BoardOutcome>(std::move(**result));
+  outcome_ = std::make_shared<const BoardOutcome>(std::move(*computed->outcome));
   if (applyIt && !isDoubtful(*outcome_)) {
     apply();
   }
 }
 
 void BoardCalibrator::calibrate() {
+  calibrateRecording(true);
+}
+
+void BoardCalibrator::searchAllFrames() {
+  calibrateRecording(false);
+}
+
+void BoardCalibrator::calibrateRecording(bool lookFirst) {
   if (isComputing() || live_) {
     return;
   }
   *searching_ = true;
+  BoardGuideRequest request = request_;
+  request.board.lookFirst = lookFirst;
   compute(
-      [open = open_, project = project(), request = request_](const CalibrationProgress& progress) {
-        return open(project).and_then([&](const SessionInputs& inputs) {
-          return calibrateFromBoards(inputs.project, *inputs.source, request.board, request.goal,
-                                     progress);
+      [open = open_, project = project(), request](const CalibrationProgress& progress) {
+        Computed computed;
+        computed.outcome = open(project).and_then([&](const SessionInputs& inputs) {
+          return findBoards(inputs.project, *inputs.source, request.board, progress)
+              .and_then([&](const BoardDetections& seen) {
+                computed.otherBoard = seen.otherBoard;
+                computed.searchedAll = seen.searchedAll;
+                return calibrateFromBoards(inputs.project, seen, request.board, request.goal,
+                                           progress);
+              });
         });
+        return computed;
       },
       true);
+}
+
+void BoardCalibrator::findBoard() {
+  if (isComputing() || shownFrame_ < 0) {
+    return;
+  }
+  *searching_ = true;
+  failure_.clear();
+  proposal_.reset();
+  job_->start([this, open = open_, project = project(), frames = liveFrames_,
+               board = request_.board.board, looking = searching_](
+                  const BackgroundJob::Progress& progress) -> std::function<void()> {
+    const CalibrationProgress report = [&](CalibrationStage, double part) {
+      return progress(part);
+    };
+    auto guesses = std::make_shared<Result<std::vector<BoardGuess>>>(
+        frames != nullptr ? proposeBoards(*frames, board, report)
+                          : open(project).and_then([&](const SessionInputs& inputs) {
+                              return proposeBoards(*inputs.source, board, kFramesToLookAt, report);
+                            }));
+    *looking = false;
+    return [this, guesses] { takeGuesses(*guesses); };
+  });
+  Q_EMIT changed();
+}
+
+void BoardCalibrator::takeGuesses(const Result<std::vector<BoardGuess>>& guesses) {
+  if (!guesses) {
+    failure_ = guesses.error().code == ErrorCode::NotFound
+                   ? tr("No board was found. Show the whole board, sharp and evenly lit.")
+                   : errorText(guesses.error());
+    return;
+  }
+  const BoardGuess& best = guesses->front();
+  if (!best.mirrored && isSameBoard(best.board, request_.board.board)) {
+    Q_EMIT boardConfirmed(best.images, best.searched);
+    return;
+  }
+  proposal_ = best;
+  Q_EMIT boardProposed(false);
+}
+
+void BoardCalibrator::useProposal() {
+  if (!proposal_) {
+    return;
+  }
+  BoardGuideRequest request = request_;
+  request.board.board = proposal_->board;
+  proposal_.reset();
+  failure_.clear();
+  setRequest(request);
 }
 
 void BoardCalibrator::cancel() {
@@ -186,7 +260,7 @@ void BoardCalibrator::finish() {
   compute(
       [project = project(), seen = state->seen, request = requestForCaptured(request_, *state),
        goal = request_.goal](const CalibrationProgress& progress) {
-        return calibrateFromBoards(project, *seen, request, goal, progress);
+        return Computed{calibrateFromBoards(project, *seen, request, goal, progress)};
       },
       false);
 }
@@ -200,12 +274,16 @@ std::function<void()> BoardCalibrator::wakeUp() {
     mailbox.post([this, pending] {
       // Cleared before reading: what is published from here on earns a wake-up of its own.
       *pending = false;
-      if (watching_ && guide()->phase == BoardGuideState::Phase::Finished && hasViews()) {
-        finish();
-      }
+      finishWhenGuided();
       Q_EMIT guideChanged();
     });
   };
+}
+
+void BoardCalibrator::finishWhenGuided() {
+  if (watching_ && guide()->phase == BoardGuideState::Phase::Finished) {
+    finish();
+  }
 }
 
 bool BoardCalibrator::isApplied() const {
@@ -265,6 +343,7 @@ void BoardCalibrator::discardResults() {
   setWatching(false);
   outcome_.reset();
   failure_.clear();
+  proposal_.reset();
   request_.board.worldFrame.reset();
   Q_EMIT requestChanged();
   Q_EMIT changed();

@@ -3,6 +3,7 @@
 
 #include "core/session/session.h"
 #include "core/setup/calibration/board_guide_thread.h"
+#include "core/setup/calibration/board_proposal.h"
 #include "ui/jobs/job_thread.h"
 
 #include <QObject>
@@ -11,6 +12,8 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <vector>
 
 namespace dewpoint::ui {
 
@@ -43,12 +46,23 @@ public:
 
   // Calibration from a recording.
   void calibrate();
+  /// As calibrate(), but searches all frames, also if a few of them show another board only.
+  void searchAllFrames();
   void cancel();
   /// Returns whether a computation is running, either on a recording or on views from live cameras.
   bool isComputing() const;
   /// Returns whether the recording is still being searched for the board. Solving starts after the
   /// search.
   bool isSearching() const { return *searching_; }
+
+  // Any board.
+  /// Finds out which board the recording, or the newest live images, show. Emits boardProposed(),
+  /// boardConfirmed(), or a failure.
+  void findBoard();
+  /// Returns the board that images show instead of the described one, if one was found.
+  const std::optional<BoardGuess>& proposal() const { return proposal_; }
+  /// Describes the board as proposed.
+  void useProposal();
 
   // Live cameras.
   void start(); ///< starts or restarts the guidance
@@ -83,16 +97,30 @@ Q_SIGNALS:
   void guideChanged();
   void progressChanged(double part); ///< 0 to 1; negative if unknown
   void calibrated();                 ///< the computation has ended, with or without a result
-  void playRequested();              ///< live images are needed
-  void boardShown(bool shown);       ///< whether the board is currently being shown to live cameras
+  /// Images show the board in proposal() instead of the described one. `stopped`: a calibration
+  /// ended for that reason before it had searched all frames.
+  void boardProposed(bool stopped);
+  void boardConfirmed(int images, int searched); ///< the images show the board as described
+  void playRequested();                          ///< live images are needed
+  void boardShown(bool shown); ///< whether the board is currently being shown to live cameras
   void saved(const QString& file);
   void failed(const QString& sentence);
 
 private:
-  using Computation = std::function<Result<BoardOutcome>(const CalibrationProgress& progress)>;
+  /// Result of a calibration, and another board that was seen instead.
+  struct Computed {
+    Result<BoardOutcome> outcome;
+    std::optional<BoardGuess> otherBoard = std::nullopt;
+    bool searchedAll = true; ///< see BoardDetections
+  };
+  using Computation = std::function<Computed(const CalibrationProgress& progress)>;
+  void calibrateRecording(bool lookFirst);
   void setWatching(bool watching);
+  /// Calibrates once the guidance has all the views that it asked for.
+  void finishWhenGuided();
   void compute(Computation computation, bool applyIt);
-  void applyResult(const std::shared_ptr<Result<BoardOutcome>>& result, bool applyIt);
+  void applyResult(const std::shared_ptr<Computed>& computed, bool applyIt);
+  void takeGuesses(const Result<std::vector<BoardGuess>>& guesses);
   void write(const std::function<Status()>& task, const QString& file);
   void discardResults();
   std::function<void()> wakeUp();
@@ -106,8 +134,10 @@ private:
   bool watching_ = false;
   qint64 shownFrame_ = -1;
   FrameSetPtr lastWatchedFrames_;
+  FrameSetPtr liveFrames_; ///< newest images of live cameras
   std::shared_ptr<const BoardOutcome> outcome_;
   QString failure_;
+  std::optional<BoardGuess> proposal_;
   bool outdated_ = false; ///< the running computation belongs to a previous project
   std::shared_ptr<std::atomic<bool>> searching_;
   BackgroundJob* job_; ///< child of the calibrator, which deletes it

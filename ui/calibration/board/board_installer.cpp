@@ -5,6 +5,7 @@
 #include "ui/calibration/board/board_calibration_page.h"
 #include "ui/calibration/board/board_calibrator.h"
 #include "ui/calibration/board/board_layer.h"
+#include "ui/calibration/board/board_text.h"
 #include "ui/calibration/calibration_mode.h"
 #include "ui/cameraview/camera_docks.h"
 #include "ui/cameraview/camera_view.h"
@@ -36,6 +37,22 @@ void installBoardCalibration(const Workbench& bench, CalibrationMode& mode,
                      }
                    });
   MessageBar* messages = &bench.messages;
+  QObject::connect(
+      board, &BoardCalibrator::boardProposed, messages, [board, messages](bool stopped) {
+        std::vector<MessageBar::Answer> answers{
+            {BoardCalibrationPage::tr("Use this board"), [board] { board->useProposal(); }}};
+        if (stopped) {
+          answers.emplace_back(BoardCalibrationPage::tr("Search all frames"),
+                               [board] { board->searchAllFrames(); });
+        }
+        messages->ask(proposalQuestion(*board->proposal()), answers);
+      });
+  QObject::connect(
+      board, &BoardCalibrator::boardConfirmed, messages, [messages](int images, int searched) {
+        messages->showNotice(
+            BoardCalibrationPage::tr("%1 of %2 images searched show the board as it is described.")
+                .arg(QString::number(images), QString::number(searched)));
+      });
   QObject::connect(board, &BoardCalibrator::failed, messages, &MessageBar::showError);
   QObject::connect(board, &BoardCalibrator::saved, messages, [messages](const QString& file) {
     messages->showNotice(BoardCalibrationPage::tr("Saved %1.").arg(file));

@@ -177,6 +177,35 @@ QString positionAccuracyText(const BoardGuideState::PerCamera& camera) {
              : BoardText::tr("%1 views shared with other cameras").arg(views);
 }
 
+QString guessedBoardText(const BoardGuess& guess) {
+  const BoardDescription& board = guess.board;
+  const QString columns = QString::number(board.columns);
+  const QString rows = QString::number(board.rows);
+  QStringList parts;
+  parts << (board.kind == BoardDescription::Kind::Chessboard
+                ? BoardText::tr("a chessboard with %1 × %2 inner corners").arg(columns, rows)
+                : BoardText::tr("a ChArUco board with %1 × %2 squares, %3")
+                      .arg(columns, rows, QString::fromStdString(board.dictionary)));
+  if (board.legacy) {
+    parts << BoardText::tr("legacy layout");
+  }
+  if (board.inverted) {
+    parts << BoardText::tr("black and white exchanged");
+  }
+  return parts.join(QStringLiteral(", "));
+}
+
+QString proposalQuestion(const BoardGuess& guess) {
+  const QString images = QString::number(guess.images);
+  const QString searched = QString::number(guess.searched);
+  return guess.mirrored
+             ? BoardText::tr("%1 of %2 images searched show %3, but mirrored: change the mirroring "
+                             "of these cameras. Use this board?")
+                   .arg(images, searched, guessedBoardText(guess))
+             : BoardText::tr("%1 of %2 images searched show %3. Use this board?")
+                   .arg(images, searched, guessedBoardText(guess));
+}
+
 QString outcomeText(const BoardCalibrator& calibrator, const BoardOutcome& outcome) {
   QStringList lines;
   if (outcome.lenses) {

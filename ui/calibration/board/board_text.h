@@ -31,6 +31,12 @@ QString visibilityText(const BoardGuideState::PerCamera& camera);
 /// position is so far.
 QString positionAccuracyText(const BoardGuideState::PerCamera& camera);
 
+/// Returns the description of a board that was found: "a ChArUco board with 4 × 5 squares,
+/// DICT_4X4_50, black and white exchanged".
+QString guessedBoardText(const BoardGuess& guess);
+/// Returns the question whether to use a board that was found.
+QString proposalQuestion(const BoardGuess& guess);
+
 /// Returns the result in sentences: what was found for each camera, the quality, and remarks.
 QString outcomeText(const BoardCalibrator& calibrator, const BoardOutcome& outcome);
 

@@ -2,12 +2,12 @@
 // Calibrating with a board in the real window: a recording, and live cameras.
 #include "core/session/snapshot/snapshot.h"
 #include "core/setup/calibration/board_outcome.h"
-#include "tests/ui/calibration/board/shown_board.h"
-#include "tests/ui/window_fixture.h"
+#include "tests/ui/calibration/board/board_page_fixture.h"
 #include "tests/ui/window_test.h"
 #include "ui/calibration/board/board_calibrator.h"
 #include "ui/calibration/board/board_map.h"
 #include "ui/document/document.h"
+#include "ui/widgets/message_bar.h"
 
 #include <QComboBox>
 #include <QDir>
@@ -25,17 +25,16 @@
 
 namespace dewpoint::tests {
 
-class BoardPageTest : public QObject, private test::WindowFixture {
+class BoardPageTest : public QObject, private test::BoardPageFixture {
   Q_OBJECT
 
 private Q_SLOTS:
-  void initTestCase();
-  void init();
-  void cleanup();
+  void initTestCase() { record(); }
+  void init() { QSettings().clear(); }
+  void cleanup() { window_.reset(); }
   void aRecordingCalibratesInOneStep();
   void theCommandLineGivesTheSameBits();
   void cancelKeepsWhatWas();
-  void aWrongBoardIsSaid();
   void printsAndReports();
   void theBoardIsRemembered();
   void liveCamerasAreGuidedToTheEnd();
@@ -44,77 +43,10 @@ private Q_SLOTS:
   void everythingHasAName();
 
 private:
-  const Project& project() { return window_->document().project(); }
-  QUndoStack& history() { return *window_->document().undoStack(); }
-  BoardCalibrator& calibrator() { return *window_->findChild<BoardCalibrator*>(); }
-  QString result() { return find<QLabel>(QStringLiteral("boardResult"))->text(); }
-
-  void openWindow(const ProjectOpener& opener, const std::filesystem::path& project);
-  void openRecording();
-  void openLive(const BoardGoal& goal);
-  void setBoard(const BoardGoal& goal);
-  bool calibrate();
   /// A picture of the window in both themes, as the manual shows it: into the folder that
   /// DEWPOINT_SCREENSHOTS names, or beside the test.
   void keep(const QString& name);
-
-  test::ShownBoard shown_;
-  std::shared_ptr<std::atomic<int>> place_;
 };
-
-void BoardPageTest::initTestCase() {
-  QVERIFY(folder_.isValid());
-  QVERIFY(shown_.record(folder_.path().toStdString()));
-}
-
-void BoardPageTest::init() {
-  QSettings().clear();
-}
-
-void BoardPageTest::cleanup() {
-  window_.reset();
-}
-
-void BoardPageTest::openWindow(const ProjectOpener& opener, const std::filesystem::path& project) {
-  makeAnotherWindow({.opener = opener, .size = {1500, 950}, .theme = Theme::Light, .play = false});
-  QVERIFY(QTest::qWaitForWindowActive(window_.get()));
-  open(project);
-  QVERIFY(waitFor([this] { return shown().frames != nullptr; }));
-  QTest::keyClick(window_.get(), Qt::Key_C, Qt::ShiftModifier);
-  QVERIFY(find<QWidget>(QStringLiteral("boardPage"))->isVisible());
-}
-
-void BoardPageTest::setBoard(const BoardGoal& goal) {
-  BoardGuideRequest request = calibrator().request();
-  request.board.board = shown_.board;
-  request.goal = goal;
-  calibrator().setRequest(request);
-}
-
-void BoardPageTest::openRecording() {
-  openWindow(&openProject, file("board.toml").toStdString());
-  setBoard({true, true});
-}
-
-void BoardPageTest::openLive(const BoardGoal& goal) {
-  place_ = std::make_shared<std::atomic<int>>(0);
-  openWindow(
-      [this](const SessionRequest&) -> Result<SessionInputs> {
-        SessionInputs inputs;
-        inputs.project = shown_.project();
-        inputs.source = std::make_unique<test::LiveBoard>(shown_, place_);
-        return inputs;
-      },
-      {});
-  QVERIFY(waitFor([&] { return calibrator().isLive(); }));
-  setBoard(goal);
-}
-
-bool BoardPageTest::calibrate() {
-  QSignalSpy over(&calibrator(), &BoardCalibrator::calibrated);
-  QTest::mouseClick(find<QPushButton>(QStringLiteral("boardCalibrate")), Qt::LeftButton);
-  return over.wait(kTimeoutMs);
-}
 
 void BoardPageTest::keep(const QString& name) {
   const QString folder =
@@ -186,19 +118,6 @@ void BoardPageTest::cancelKeepsWhatWas() {
   QVERIFY2(result().contains(QStringLiteral("kept")), qPrintable(result()));
   QVERIFY(calibrate()); // and again
   QVERIFY(calibrator().isApplied());
-}
-
-void BoardPageTest::aWrongBoardIsSaid() {
-  openRecording();
-  find<QComboBox>(QStringLiteral("boardKind"))->setCurrentIndex(0);
-  Q_EMIT find<QComboBox>(QStringLiteral("boardKind"))->activated(0);
-  find<QSpinBox>(QStringLiteral("boardColumns"))->setValue(12);
-  QCOMPARE(calibrator().request().board.board.columns, 11); // inner corners
-  QVERIFY(calibrate());
-  QVERIFY(!calibrator().isApplied());
-  QCOMPARE(history().count(), 0);
-  QVERIFY2(result().contains(QStringLiteral("left")), qPrintable(result()));
-  QVERIFY2(result().contains(QStringLiteral("board")), qPrintable(result()));
 }
 
 void BoardPageTest::printsAndReports() {

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dewpoint-cli/calibrate/calibrate_commands.h"
+#include "app/dewpoint-cli/calibrate/calibrate_output.h"
+#include "app/dewpoint-cli/common/exit_code.h"
+#include "app/wiring/open_project.h"
+#include "core/setup/calibration/board_proposal.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace dewpoint::app {
+namespace {
+
+struct FindBoardOptions {
+  std::vector<std::string> inputs;
+  double square = 0.0; ///< side of a square, meters; 0: not known
+  int looks = kFramesToLookAt;
+};
+
+Result<std::vector<BoardGuess>> proposedBoards(const FindBoardOptions& options) {
+  BoardDescription lengths;
+  lengths.squareSize = options.square > 0.0 ? options.square : lengths.squareSize;
+  const auto progress = interruptibleProgress();
+  if (!isProject(options.inputs)) {
+    return proposeBoards({options.inputs.begin(), options.inputs.end()}, lengths, options.looks,
+                         progress);
+  }
+  return resolveProject(options.inputs.front())
+      .and_then(openInputs)
+      .and_then([&](const SessionInputs& inputs) {
+        return proposeBoards(*inputs.source, lengths, options.looks, progress);
+      });
+}
+
+int findBoard(const FindBoardOptions& options) {
+  const auto guesses = proposedBoards(options);
+  if (!guesses) {
+    return reportCalibrationError(guesses.error());
+  }
+  for (const BoardGuess& guess : *guesses) {
+    fmt::print("{}\n  {}: {} corners in {} of {} images\n", boardText(guess.board),
+               guessText(guess), guess.corners, guess.images, guess.searched);
+    if (guess.mirrored) {
+      fmt::print("  The images are mirrored left to right: set mirror = true in the project file, "
+                 "or false if it is set.\n");
+    }
+  }
+  if (options.square <= 0.0) {
+    fmt::print("Images do not show lengths. Replace {} by the measured side of a square in "
+               "meters, or use --square.\n",
+               guesses->front().board.squareSize);
+  }
+  return kExitDone;
+}
+
+} // namespace
+
+void addFindBoardCommand(CLI::App& group, int& exitCode) {
+  auto* command = group.add_subcommand(
+      "find-board", "Find out which board images show: its kind, size and dictionary.");
+  auto options = std::make_shared<FindBoardOptions>();
+  command
+      ->add_option("INPUT", options->inputs,
+                   "Project file (TOML), whose recordings are used, or image files")
+      ->required();
+  command
+      ->add_option("--square", options->square,
+                   "Measured side of a square, meters; used in the proposals")
+      ->check(CLI::Range(1e-4, 10.0));
+  command
+      ->add_option("--looks", options->looks,
+                   "Number of frames of the recording, or of image files, to look at")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command->callback([options, &exitCode] { exitCode = findBoard(*options); });
+}
+
+} // namespace dewpoint::app

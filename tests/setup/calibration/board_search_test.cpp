@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is said of recordings that show another board than the requested one.
+#include "core/calibration/board/board_picture.h"
+#include "core/capture/recording.h"
+#include "core/setup/calibration/board_outcome.h"
+#include "core/setup/calibration/board_proposal.h"
+#include "tests/calibration/board_views.h"
+
+#include <opencv2/imgproc.hpp>
+
+namespace dewpoint::tests {
+namespace {
+
+constexpr const char* kShown = "charuco:7x5:0.03:0.0225:DICT_4X4_50";
+constexpr const char* kRight = "charuco:7x5:0.025:0.01875:DICT_4X4_50"; // with a requested length
+
+/// Two cameras; the images of the second are mirrored if wanted.
+struct ShownRecording {
+  explicit ShownRecording(int frames, bool secondMirrored = false) {
+    const BoardDescription board = boardOf(kShown);
+    for (int k = 0; k < 2; ++k) {
+      ProjectCamera camera;
+      camera.camera = testCamera(480, 360);
+      camera.camera.name = k == 0 ? "left" : "right";
+      project.cameras.push_back(camera);
+      RecordedCamera one;
+      one.name = camera.camera.name;
+      one.kind = RecordedCamera::Kind::Generated;
+      one.generatedFrames = frames;
+      std::vector<cv::Mat> images; // drawn once: drawing takes longer than the search
+      for (const auto& pose :
+           variedPoses(board, camera.camera, 5, 4 + static_cast<std::uint64_t>(k))) {
+        cv::Mat& image = images.emplace_back(renderBoard(board, camera.camera, pose, 2));
+        if (k == 1 && secondMirrored) {
+          cv::flip(image.clone(), image, 1);
+        }
+        cv::cvtColor(image.clone(), image, cv::COLOR_GRAY2BGR);
+      }
+      one.generate = [images](std::int64_t frame) {
+        return images[static_cast<std::size_t>(frame % 5)].clone();
+      };
+      recorded.push_back(one);
+    }
+  }
+
+  std::unique_ptr<FrameSetSource> open() const {
+    return std::move(openRecording(recorded, 30.0).value());
+  }
+
+  Project project;
+  std::vector<RecordedCamera> recorded;
+};
+
+BoardCalibrationRequest requestFor(const char* board) {
+  BoardCalibrationRequest request;
+  request.board = boardOf(board);
+  return request;
+}
+
+TEST(BoardSearch, AnotherBoardIsSaidWithHowToGoOn) {
+  const ShownRecording recording(8);
+  const auto request = requestFor("chessboard:9x6:0.025");
+  const auto source = recording.open();
+  const auto seen = findBoards(recording.project, *source, request);
+  ASSERT_TRUE(seen) << sentence(seen.error());
+  ASSERT_TRUE(seen->hasOnlyOtherBoard());
+  EXPECT_EQ(boardText(seen->otherBoard->board), kRight);
+  for (const BoardGoal& goal : {BoardGoal{true, true}, BoardGoal{false, true}}) {
+    const auto outcome = calibrateFromBoards(recording.project, *seen, request, goal);
+    ASSERT_FALSE(outcome);
+    EXPECT_EQ(outcome.error().code, ErrorCode::NotFound);
+    EXPECT_EQ(outcome.error().field, "chessboard:9x6:0.025");
+    EXPECT_NE(outcome.error().detail.find(std::string("--board ") + kRight), std::string::npos)
+        << outcome.error().detail;
+  }
+}
+
+TEST(BoardSearch, ALongRecordingIsNotSearchedForTheWrongBoard) {
+  const ShownRecording recording(40);
+  auto request = requestFor("chessboard:9x6:0.025");
+  const auto source = recording.open();
+  const auto first = findBoards(recording.project, *source, request);
+  ASSERT_TRUE(first) << sentence(first.error());
+  EXPECT_TRUE(first->hasOnlyOtherBoard());
+  EXPECT_FALSE(first->searchedAll);
+  EXPECT_EQ(first->cameras[0].searched, kFramesToLookAt);
+  request.lookFirst = false;
+  const auto all = findBoards(recording.project, *source, request);
+  ASSERT_TRUE(all) << sentence(all.error());
+  EXPECT_TRUE(all->hasOnlyOtherBoard());
+  EXPECT_TRUE(all->searchedAll);
+  EXPECT_EQ(all->cameras[0].searched, 40);
+}
+
+TEST(BoardSearch, TheRightBoardIsSearchedForInAllFrames) {
+  const ShownRecording recording(40);
+  auto request = requestFor(kShown);
+  const auto source = recording.open();
+  double last = -1.0;
+  const auto seen =
+      findBoards(recording.project, *source, request, [&](CalibrationStage, double part) {
+        EXPECT_GE(part, last);
+        last = part;
+        return true;
+      });
+  ASSERT_TRUE(seen);
+  EXPECT_FALSE(seen->otherBoard);
+  EXPECT_EQ(seen->cameras[1].searched, 40);
+  request.lookFirst = false;
+  const auto again = findBoards(recording.project, *source, request);
+  ASSERT_TRUE(again);
+  ASSERT_EQ(again->cameras[0].views.size(), seen->cameras[0].views.size());
+  EXPECT_EQ(again->cameras[0].views.back().detection.pixels,
+            seen->cameras[0].views.back().detection.pixels);
+}
+
+TEST(BoardSearch, AMirroredCameraIsNamed) {
+  const ShownRecording recording(8, true);
+  const auto request = requestFor(kShown);
+  const auto source = recording.open();
+  const auto seen = findBoards(recording.project, *source, request);
+  ASSERT_TRUE(seen);
+  EXPECT_FALSE(seen->otherBoard);
+  EXPECT_FALSE(seen->cameras[0].otherBoard);
+  ASSERT_TRUE(seen->cameras[1].otherBoard);
+  EXPECT_TRUE(seen->cameras[1].otherBoard->mirrored);
+  const auto lenses = intrinsicsFromBoards(*seen, request);
+  ASSERT_TRUE(lenses) << sentence(lenses.error());
+  ASSERT_EQ(lenses->kept.size(), 1U);
+  EXPECT_NE(lenses->kept[0].detail.find("mirror"), std::string::npos) << lenses->kept[0].detail;
+  const auto poses = extrinsicsFromBoards(recording.project, *seen, request);
+  ASSERT_FALSE(poses);
+  EXPECT_NE(poses.error().detail.find("mirror"), std::string::npos) << poses.error().detail;
+}
+
+TEST(BoardSearch, ProposalsForARecordingAndForOneTime) {
+  const ShownRecording recording(8);
+  const auto source = recording.open();
+  const BoardDescription requested = boardOf("chessboard:9x6:0.025");
+  const auto boards = proposeBoards(*source, requested);
+  ASSERT_TRUE(boards) << sentence(boards.error());
+  EXPECT_EQ(boardText(boards->front().board), kRight);
+  EXPECT_EQ(boards->front().searched, 16);
+  ASSERT_TRUE(source->seek(3));
+  const auto frames = source->next();
+  ASSERT_TRUE(frames && *frames);
+  const auto now = proposeBoards(**frames, requested);
+  ASSERT_TRUE(now) << sentence(now.error());
+  EXPECT_EQ(boardText(now->front().board), kRight);
+}
+
+TEST(BoardSearch, NoBoardIsNotFound) {
+  FrameSet nothing;
+  nothing.frames = {std::make_shared<const Frame>(
+                        Frame{0, {}, cv::Mat(240, 320, CV_8UC3, cv::Scalar(90, 90, 90))}),
+                    nullptr};
+  const auto boards = proposeBoards(nothing, boardOf("chessboard:9x6:0.025"));
+  ASSERT_FALSE(boards);
+  EXPECT_EQ(boards.error().code, ErrorCode::NotFound);
+  EXPECT_EQ(boards.error().detail, "1 image searched");
+  const auto none = proposeBoards(std::vector<std::filesystem::path>{"no-such.png"},
+                                  boardOf("chessboard:9x6:0.025"));
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.error().code, ErrorCode::FileMissing);
+}
+
+TEST(BoardSearch, ACameraWithoutViewsHasNoErrorInTheReport) {
+  BoardReport report;
+  report.title = "Poses";
+  report.board = boardOf(kShown);
+  report.cameras.emplace_back().name = "door";
+  const std::string page = htmlText(report);
+  EXPECT_NE(page.find("never saw the board"), std::string::npos);
+  EXPECT_EQ(page.find("0.0000 px"), std::string::npos);
+}
+
+} // namespace
+} // namespace dewpoint::tests
