@@ -961,6 +961,30 @@
         <source>The accuracy cannot be estimated: the board was too rarely seen by two cameras at once.</source>
         <translation>Die Genauigkeit lässt sich nicht schätzen: Zu selten sahen zwei Kameras die Tafel zugleich.</translation>
     </message>
+    <message>
+        <source>a chessboard with %1 × %2 inner corners</source>
+        <translation>ein Schachbrett mit %1 × %2 inneren Ecken</translation>
+    </message>
+    <message>
+        <source>a ChArUco board with %1 × %2 squares, %3</source>
+        <translation>eine ChArUco-Tafel mit %1 × %2 Feldern, %3</translation>
+    </message>
+    <message>
+        <source>legacy layout</source>
+        <translation>altes Layout</translation>
+    </message>
+    <message>
+        <source>black and white exchanged</source>
+        <translation>Schwarz und Weiß vertauscht</translation>
+    </message>
+    <message>
+        <source>%1 of %2 images searched show %3, but mirrored: change the mirroring of these cameras. Use this board?</source>
+        <translation>%1 von %2 durchsuchten Bildern zeigen %3, aber gespiegelt: Ändern Sie die Spiegelung dieser Kameras. Diese Tafel verwenden?</translation>
+    </message>
+    <message>
+        <source>%1 of %2 images searched show %3. Use this board?</source>
+        <translation>%1 von %2 durchsuchten Bildern zeigen: %3. Diese Tafel verwenden?</translation>
+    </message>
 </context>
 <context>
     <name>CalibrationFiles</name>
@@ -3264,6 +3288,26 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <source>Saved %1.</source>
         <translation>%1 gespeichert.</translation>
     </message>
+    <message>
+        <source>Find board</source>
+        <translation>Tafel suchen</translation>
+    </message>
+    <message>
+        <source>Find out which board the images show: its kind, squares and dictionary. Sizes in millimeters must be measured</source>
+        <translation>Feststellen, welche Tafel die Bilder zeigen: Art, Felder und Wörterbuch. Längen in Millimetern müssen gemessen werden</translation>
+    </message>
+    <message>
+        <source>Use this board</source>
+        <translation>Diese Tafel verwenden</translation>
+    </message>
+    <message>
+        <source>Search all frames</source>
+        <translation>Alle Bilder durchsuchen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 images searched show the board as it is described.</source>
+        <translation>%1 von %2 durchsuchten Bildern zeigen die Tafel so, wie sie beschrieben ist.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::BoardCalibrator</name>
@@ -3278,6 +3322,10 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
     <message>
         <source>Calibrate with a board</source>
         <translation>Mit einer Tafel kalibrieren</translation>
+    </message>
+    <message>
+        <source>No board was found. Show the whole board, sharp and evenly lit.</source>
+        <translation>Keine Tafel gefunden. Zeigen Sie die ganze Tafel, scharf und gleichmäßig beleuchtet.</translation>
     </message>
 </context>
 <context>

@@ -961,6 +961,30 @@
         <source>The accuracy cannot be estimated: the board was too rarely seen by two cameras at once.</source>
         <translation>No se puede estimar la precisión: muy pocas veces vieron dos cámaras el tablero a la vez.</translation>
     </message>
+    <message>
+        <source>a chessboard with %1 × %2 inner corners</source>
+        <translation>un tablero de ajedrez con %1 × %2 esquinas interiores</translation>
+    </message>
+    <message>
+        <source>a ChArUco board with %1 × %2 squares, %3</source>
+        <translation>un tablero ChArUco con %1 × %2 casillas, %3</translation>
+    </message>
+    <message>
+        <source>legacy layout</source>
+        <translation>disposición antigua</translation>
+    </message>
+    <message>
+        <source>black and white exchanged</source>
+        <translation>blanco y negro intercambiados</translation>
+    </message>
+    <message>
+        <source>%1 of %2 images searched show %3, but mirrored: change the mirroring of these cameras. Use this board?</source>
+        <translation>%1 de %2 imágenes examinadas muestran %3, pero reflejado: cambie el reflejo de estas cámaras. ¿Usar este tablero?</translation>
+    </message>
+    <message>
+        <source>%1 of %2 images searched show %3. Use this board?</source>
+        <translation>%1 de %2 imágenes examinadas muestran %3. ¿Usar este tablero?</translation>
+    </message>
 </context>
 <context>
     <name>CalibrationFiles</name>
@@ -3264,6 +3288,26 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <source>Saved %1.</source>
         <translation>Se guardó %1.</translation>
     </message>
+    <message>
+        <source>Find board</source>
+        <translation>Buscar tablero</translation>
+    </message>
+    <message>
+        <source>Find out which board the images show: its kind, squares and dictionary. Sizes in millimeters must be measured</source>
+        <translation>Averiguar qué tablero muestran las imágenes: tipo, casillas y diccionario. Los tamaños en milímetros hay que medirlos</translation>
+    </message>
+    <message>
+        <source>Use this board</source>
+        <translation>Usar este tablero</translation>
+    </message>
+    <message>
+        <source>Search all frames</source>
+        <translation>Buscar en todos los fotogramas</translation>
+    </message>
+    <message>
+        <source>%1 of %2 images searched show the board as it is described.</source>
+        <translation>%1 de %2 imágenes examinadas muestran el tablero tal como está descrito.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::BoardCalibrator</name>
@@ -3278,6 +3322,10 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
     <message>
         <source>Calibrate with a board</source>
         <translation>Calibrar con un tablero</translation>
+    </message>
+    <message>
+        <source>No board was found. Show the whole board, sharp and evenly lit.</source>
+        <translation>No se encontró ningún tablero. Muestre el tablero entero, nítido y con iluminación uniforme.</translation>
     </message>
 </context>
 <context>

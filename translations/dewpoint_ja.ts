@@ -961,6 +961,30 @@
         <source>The accuracy cannot be estimated: the board was too rarely seen by two cameras at once.</source>
         <translation>精度を見積もれません。2台のカメラが同時にボードを見た回数が少なすぎます。</translation>
     </message>
+    <message>
+        <source>a chessboard with %1 × %2 inner corners</source>
+        <translation>内側の角が%1 × %2のチェスボード</translation>
+    </message>
+    <message>
+        <source>a ChArUco board with %1 × %2 squares, %3</source>
+        <translation>マス目が%1 × %2のChArUcoボード、%3</translation>
+    </message>
+    <message>
+        <source>legacy layout</source>
+        <translation>旧レイアウト</translation>
+    </message>
+    <message>
+        <source>black and white exchanged</source>
+        <translation>白黒反転</translation>
+    </message>
+    <message>
+        <source>%1 of %2 images searched show %3, but mirrored: change the mirroring of these cameras. Use this board?</source>
+        <translation>調べた%2枚の画像のうち%1枚に、%3が左右反転して写っています。これらのカメラのミラー設定を変更してください。このボードを使いますか？</translation>
+    </message>
+    <message>
+        <source>%1 of %2 images searched show %3. Use this board?</source>
+        <translation>調べた%2枚の画像のうち%1枚に、%3が写っています。このボードを使いますか？</translation>
+    </message>
 </context>
 <context>
     <name>CalibrationFiles</name>
@@ -3263,6 +3287,26 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <source>Saved %1.</source>
         <translation>%1 を保存しました。</translation>
     </message>
+    <message>
+        <source>Find board</source>
+        <translation>ボードを検出</translation>
+    </message>
+    <message>
+        <source>Find out which board the images show: its kind, squares and dictionary. Sizes in millimeters must be measured</source>
+        <translation>画像に写っているボードの種類、マス目の数、辞書を調べます。ミリメートル単位の寸法は測定が必要です</translation>
+    </message>
+    <message>
+        <source>Use this board</source>
+        <translation>このボードを使う</translation>
+    </message>
+    <message>
+        <source>Search all frames</source>
+        <translation>すべてのフレームを検索</translation>
+    </message>
+    <message>
+        <source>%1 of %2 images searched show the board as it is described.</source>
+        <translation>調べた%2枚の画像のうち%1枚に、設定どおりのボードが写っています。</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::BoardCalibrator</name>
@@ -3277,6 +3321,10 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     <message>
         <source>Calibrate with a board</source>
         <translation>ボードでキャリブレーション</translation>
+    </message>
+    <message>
+        <source>No board was found. Show the whole board, sharp and evenly lit.</source>
+        <translation>ボードが見つかりませんでした。ボード全体を、ピントを合わせて均一な照明で写してください。</translation>
     </message>
 </context>
 <context>
