@@ -17,7 +17,7 @@ namespace dewpoint::calibration {
 CalibrationFormat plainFormat();
 
 /// Returns whether a text has a rotation and a translation under the keys of the plain format.
-/// OpenCV's samples write none beside a camera matrix.
+/// Files from OpenCV's samples do not have these keys next to a camera matrix.
 bool hasPlainPose(const std::string& text);
 
 } // namespace dewpoint::calibration

@@ -26,7 +26,8 @@ struct RigMap {
 
 /// Summary of a map.
 struct RigMapSummary {
-  double within = 0.0; ///< fraction of the volume with a sigma of at most `limit` meters, 0 to 1
+  /// Fraction of the volume, 0 to 1, in which the sigma is at most the `limit` of summaryOf().
+  double within = 0.0;
   double tooFew = 0.0; ///< fraction of the volume seen by fewer than two cameras, 0 to 1
   /// Median sigma over the volume, meters; NaN if less than half of the volume has a sigma.
   double medianSigma = 0.0;
@@ -34,8 +35,8 @@ struct RigMapSummary {
 /// Summarizes a map. `limit` is the sigma that is good enough, in meters.
 RigMapSummary summaryOf(const RigMap& map, double limit);
 
-/// Returns the index of the cell that contains a position (world, meters), as used in RigMap's
-/// columns. Returns nothing outside the volume.
+/// Returns the index of the cell that contains a position (world, meters). It is an index in
+/// RigMap::sigmas and RigMap::counts. Returns nothing outside the volume.
 std::optional<std::size_t> cellAt(const VolumeGrid& grid, const Eigen::Vector3d& position);
 
 /// Divides a volume into about `cellCount` nearly cubic cells, at least one along each axis.
