@@ -15,7 +15,7 @@
 // cameras keep their positions relative to each other, except for a common scale factor.
 namespace dewpoint::calibration {
 
-/// Change that places the floor at z = 0, and how exactly its points lie in one plane.
+/// Change after which the floor is at z = 0, and how exactly its points lie in one plane.
 struct FloorChange {
   Similarity change;
   double rms = 0.0; ///< root mean square distance of the points to the plane, meters
@@ -61,8 +61,8 @@ Similarity movedBy(const Eigen::Vector3d& shift, double turn);
 /// nothing if they are upright now or if the cameras do not show which way is up. Calibrations of
 /// other tools often use the axes of the first camera, or have a z axis that points down.
 ///
-/// The mean of the images' upward directions decides. Cameras that look straight down, or that are
-/// mounted upside down under a ceiling, are left alone.
+/// The mean of the images' upward directions shows which way is up. Cameras that look straight
+/// down, or that are mounted upside down under a ceiling, are left alone.
 std::optional<Similarity> uprightTurn(const CameraRig& rig);
 
 } // namespace dewpoint::calibration
