@@ -25,7 +25,8 @@ struct CameraMotionState {
   /// Rotation relative to the reference images: the median of the last five checks, which take
   /// about one second.
   CameraRotation turn;
-  bool assessed = false; ///< true if the last image showed enough of the background
+  /// True if the last image that was checked showed enough of the background.
+  bool assessed = false;
   /// True from the report of a motion until the camera is back in its old pose or accept() is
   /// called.
   bool moved = false;

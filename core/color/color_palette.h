@@ -27,7 +27,8 @@ public:
   /// Returns the index of the closest palette color for each pixel: CV_8UC1 with the size of the
   /// image.
   const cv::Mat& labels() const { return labels_; }
-  /// Returns the counts spread over similar colors.
+  /// Returns a soft histogram: each entry is the sum of all `counts`, weighted by the similarity of
+  /// their colors to the color of this entry.
   Shares spreadOverSimilarColors(const Shares& counts) const;
 
 private:

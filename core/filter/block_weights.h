@@ -41,7 +41,8 @@ public:
   /// Returns the factor that converts the relative weights of a block to weights that sum to 1 over
   /// the set.
   double factor(std::int64_t block) const { return blocks_[std::size_t(block)].factor; }
-  /// Returns the sum of the relative weights for each stretch of the block.
+  /// Returns the sums of the relative weights of a block, one for each of its stretches (runs of
+  /// kStretch particles).
   const StretchSums& sums(std::int64_t block) const { return blocks_[std::size_t(block)].sums; }
 
 private:
