@@ -32,7 +32,7 @@ template <class Value, class Put>
                                                      const Put& put) {
   StretchSums sums{};
   double* sum = sums.data();
-  const auto advance = [&](std::int64_t stretches, std::int64_t begin, std::int64_t end)
+  const auto addElements = [&](std::int64_t stretches, std::int64_t begin, std::int64_t end)
       __attribute__((always_inline)) {
     for (std::int64_t i = begin; i < end; ++i) {
       for (std::int64_t k = 0; k < stretches; ++k) {
@@ -44,12 +44,12 @@ template <class Value, class Put>
   const std::int64_t whole = count / kStretch;
   const std::int64_t rest = count % kStretch;
   if (whole == kLanes) {
-    advance(kLanes, 0, kStretch);
+    addElements(kLanes, 0, kStretch);
   } else if (whole == kLanes - 1) {
-    advance(kLanes, 0, rest);
-    advance(kLanes - 1, rest, kStretch);
+    addElements(kLanes, 0, rest);
+    addElements(kLanes - 1, rest, kStretch);
   } else {
-    advance(whole, 0, kStretch);
+    addElements(whole, 0, kStretch);
     for (std::int64_t i = 0; i < rest; ++i) {
       sum[whole] += double{values[whole * kStretch + i]};
       put(whole * kStretch + i, sum[whole]);
