@@ -70,7 +70,7 @@ private:
   };
   struct WatchedCamera {
     Camera camera;
-    std::vector<TrackedPatch> pieces;
+    std::vector<TrackedPatch> patches;
     std::deque<Eigen::Vector3d> turns; ///< results of the last checks
     double due = 0.0;                  ///< time of the next check, seconds
     double learned = 0.0;              ///< time of the last search for new patches, seconds
