@@ -39,7 +39,7 @@ enum class ColorWord : std::uint8_t {
 /// Returns the common name of a color.
 ColorWord colorWord(const BgrColor& color);
 
-/// Region outside the target that also matches its color: a distractor.
+/// Region of an image that is not the target but matches its color: a distractor.
 struct DistractorRegion {
   int camera = 0;
   cv::Rect box;
@@ -81,8 +81,8 @@ struct ColorAssessment {
   /// while missesTarget() is false.
   std::optional<double> backgroundShareOfFullRange;
   std::vector<DistractorRegion> distractors; ///< largest first, at most kMostDistractors
-  /// Number of objects in one image with the target's color and about its size, including the
-  /// target.
+  /// Number of objects that have the target's color and about its size, including the target; for
+  /// the image with the most such objects.
   int similarObjectCount = 1;
   /// True if, of several samples, at least one hardly matches.
   bool sampleLeftOut = false;

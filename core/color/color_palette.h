@@ -11,8 +11,8 @@
 namespace dewpoint::color {
 
 /// Dominant colors of an image, and their similarity to each other when shading is mostly ignored.
-/// Colors are compared in CIE L*a*b* with half the weight for lightness. Similarity is a Gaussian
-/// of their distance. The same image always produces the same palette.
+/// Colors are compared in CIE L*a*b* with half the weight for lightness. The similarity of two
+/// colors is a Gaussian of their distance. The same image always produces the same palette.
 class ColorPalette {
 public:
   /// Number of colors in the palette.

@@ -9,7 +9,7 @@
 
 namespace dewpoint::filter {
 
-/// Weighted mean and scatter of a group of particles. The moments of several groups are combined
+/// Weighted mean and scatter of a group of particles. The values of several groups are combined
 /// with the formulas of Chan, Golub and LeVeque (1983). These formulas keep the digits that a sum
 /// of squares about a distant origin would lose.
 struct Moments {

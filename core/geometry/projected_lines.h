@@ -25,7 +25,7 @@ std::array<std::pair<Eigen::Vector3d, Eigen::Vector3d>, 12> edgesOf(const WorldB
 /// such parts lie between visible parts of the line, the result has several pieces.
 std::vector<ImageLine> projectedLine(const Projector& projector, const Eigen::Vector3d& from,
                                      const Eigen::Vector3d& to);
-/// Projects all edges of a box in the same way.
+/// Projects all edges of a box as projectedLine() does.
 std::vector<ImageLine> projectedEdges(const Projector& projector, const WorldBox& box);
 /// Projects a ray up to 1000 m from its origin: the epipolar line of the pixel from which the ray
 /// comes.

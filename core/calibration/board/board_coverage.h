@@ -33,10 +33,10 @@ struct BoardCoverage {
       corners{};                   ///< number of corners seen in each region, row by row
   std::array<int, kTilts> tilts{}; ///< number of views at each BoardTilt
 
-  /// Returns the index of the region that contains a pixel, for an image of the given size
-  /// (pixels).
+  /// Returns the index of the region that contains a pixel, in an image of `width` x `height`
+  /// pixels.
   static int regionOf(const Eigen::Vector2d& pixel, int width, int height);
-  /// Adds a view with corners at `pixels`, in an image of the given size (pixels).
+  /// Adds a view with corners at `pixels`, in an image of `width` x `height` pixels.
   void add(const std::vector<Eigen::Vector2d>& pixels, BoardTilt tilt, int width, int height);
   /// Returns the fraction of regions in which a corner was seen, 0 to 1.
   double coveredFraction() const;

@@ -25,7 +25,7 @@ enum class GuidanceAdvice {
 struct GuidanceSettings {
   /// Speed below which the board counts as still, as a fraction of the image width per second.
   double stillPerSecond = 0.05;
-  double holdSeconds = 0.5; ///< time the board must be still before the view is captured
+  double holdSeconds = 0.5; ///< time for which the board must be still before the view is captured
   double softEdgeFraction =
       0.008; ///< edges wider than this fraction of the image width count as soft
   double nearAreaFraction =

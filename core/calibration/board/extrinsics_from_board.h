@@ -40,8 +40,8 @@ struct BoardPose {
 
 /// How well one camera fits the result.
 struct CameraFit {
-  double rmsPx =
-      0.0; ///< root mean square distance of the corners used from their projections, pixels
+  /// Root mean square distance between the corners used and their projections, pixels.
+  double rmsPx = 0.0;
   std::vector<ViewFit> views;
   BoardCoverage coverage;
   /// Standard deviation of the camera position relative to the first camera, meters.

@@ -17,7 +17,7 @@ public:
   struct Settings {
     double stillPerSecond =
         0.05; ///< speed below which the board counts as still, in image widths per second
-    double holdSeconds = 0.5; ///< time the board must be still before an instant is captured
+    double holdSeconds = 0.5; ///< time for which the board must be still before it is captured
     /// Required number of instants at which both cameras see the board, for each pair in the chain
     /// that connects the cameras.
     int instantsPerPair = 8;

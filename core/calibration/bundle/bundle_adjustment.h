@@ -27,11 +27,12 @@ struct PosePrior {
   double centerSigma = 0.01;   ///< meters, along each world axis
 };
 
-/// Camera in a bundle problem: its start values, and which of its parameters may change.
+/// Camera in a bundle problem: its start values, and which of its parameters may change
+/// (`...Free`).
 struct BundleCamera {
   Camera camera;
   bool poseFixed = false;
-  bool focalFree = false;                  ///< both focal lengths, keeping their ratio
+  bool focalFree = false;                  ///< both focal lengths together, keeping their ratio
   bool aspectFree = false;                 ///< the ratio of the focal lengths
   bool centerFree = false;                 ///< the principal point
   std::array<bool, 8> distortionFree = {}; ///< in the order of the camera's lens model

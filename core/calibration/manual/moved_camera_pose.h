@@ -32,9 +32,10 @@ struct CameraMotionPrior {
 struct MovedCameraPose {
   Camera camera;
   int used = 0; ///< number of sightings that agree with the new pose within three sigma
-  double pixelsBefore = 0.0; ///< median distance of all sightings from their projections with the
-                             ///< old pose; 0 without sightings
-  double pixelsAfter = 0.0;  ///< median distance with the new pose
+  /// Median distance between the pixels of all sightings and the projections with the old pose; 0
+  /// if there are no sightings.
+  double pixelsBefore = 0.0;
+  double pixelsAfter = 0.0; ///< the same with the new pose
   Eigen::Vector3d angleSigma =
       Eigen::Vector3d::Zero(); ///< standard deviation of the rotation, radians, camera axes
   Eigen::Vector3d shiftSigma =

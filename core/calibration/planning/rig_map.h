@@ -44,9 +44,9 @@ VolumeGrid gridOver(const Eigen::AlignedBox3d& volume, std::size_t cellCount);
 
 /// Returns the room that a rig is designed for, as far as the project defines it: the area of the
 /// reference grid, extending upwards from its floor. A floor grid has no height, so the room
-/// extends up to the highest camera, but at most as high as the floor is long and at least a
-/// quarter of that. A wall grid has no depth, so the room extends towards the cameras by the length
-/// of the wall.
+/// extends up to the highest camera. This height is at least a quarter of the length of the floor,
+/// and at most its whole length. A wall grid has no depth, so the room extends towards the cameras
+/// by the length of the wall.
 Eigen::AlignedBox3d roomVolume(const CameraRig& rig, const ReferenceGrid& grid);
 
 /// Number of cells in a displayed map. Displayed fractions are also computed from these cells. A

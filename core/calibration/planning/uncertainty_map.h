@@ -77,8 +77,8 @@ public:
   std::span<const float> layer(int z) const;
   /// Returns the layer that contains a height (meters), or nothing outside the volume.
   std::optional<int> layerAt(double height) const;
-  /// Returns the fraction of cells (0 to 1) seen by at least two cameras whose largest sigma is at
-  /// most `sigma` meters.
+  /// Returns the fraction of all cells (0 to 1) that at least two cameras see and for which
+  /// largestSigmas() is at most `sigma` meters.
   double fractionWithin(double sigma) const;
 
 private:

@@ -10,10 +10,11 @@
 
 namespace dewpoint::calibration {
 
-/// Returns the accuracy of poses estimated from a board (assessCalibration()). The scale is as
-/// accurate as a ruler along the board's longer side, 0.2 mm. If the board lay on the floor at
-/// `worldInstant`, the accuracy of the upward direction is derived from the corner noise at that
-/// instant and a floor (or board) that is flat to 0.5 mm. Errors: those of assessCalibration().
+/// Returns the accuracy of poses estimated from a board (assessCalibration()). The error of the
+/// scale is that of measuring the longer side of the board with a ruler: 0.2 mm. If the board lay
+/// on the floor at `worldInstant`, the accuracy of the upward direction is derived from the noise
+/// of the corners at that instant, assuming that the floor and the board are flat to 0.5 mm.
+/// Errors: those of assessCalibration().
 Result<CalibrationAccuracy> assessBoard(const ExtrinsicsResult& result,
                                         const BoardDescription& board,
                                         std::optional<std::int64_t> worldInstant);

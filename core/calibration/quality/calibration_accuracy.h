@@ -11,7 +11,7 @@
 
 namespace dewpoint::calibration {
 
-/// Prior knowledge about a calibration that is not part of its adjustment.
+/// Knowledge about the accuracy of a calibration that is not part of its adjustment.
 struct AccuracyPriors {
   double scaleSigma = 0.0; ///< relative standard deviation of the scale; 0: exact, or unknown
   bool scaleKnown =
@@ -65,7 +65,7 @@ Result<CalibrationAccuracy> assessCalibration(const BundleProblem& problem,
                                               const BundleResult& result,
                                               const AccuracyPriors& known = {});
 
-/// Assesses the accuracy of a calibration by wand. `floorTimes` are those of its WandProblem.
+/// Assesses the accuracy of a calibration by wand. `floorTimes`: see WandProblem::floorTimes.
 Result<CalibrationAccuracy> assessWand(const WandResult& result,
                                        const std::vector<double>& floorTimes);
 

@@ -60,7 +60,7 @@ using PointPositions = std::vector<std::vector<std::optional<Eigen::Vector3d>>>;
 PointPositions triangulated(const CameraRig& rig, const ImagePoints& imagePoints,
                             const std::vector<bool>& use);
 
-/// Point with known position, and its pixel in the image of one camera.
+/// Point with known position, and the pixel at which one camera sees it.
 struct PointCorrespondence {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();

@@ -34,8 +34,7 @@ struct FaultReport {
 /// identified and are not searched for.
 FaultReport findFaults(const FaultSearchInput& question);
 
-/// Searches for faults in the observations of a wand. Errors: those of calibrateFromWand()
-/// regarding its views.
+/// Searches for faults in the observations of a wand. Errors: those of checkViews().
 Result<FaultReport> findWandFaults(const WandProblem& problem);
 
 } // namespace dewpoint::calibration

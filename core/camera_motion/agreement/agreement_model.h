@@ -89,7 +89,7 @@ public:
   /// errors. Returns nothing if there are only a few such regions.
   std::optional<double> sizeRatio(const std::vector<CameraError>& errors) const;
 
-  /// Returns the usual time between images, in seconds.
+  /// Returns the median time between successive images of a camera, in seconds.
   double interval() const { return interval_; }
   std::size_t cameraCount() const { return cameras_.size(); }
   /// Returns the camera pairs, in the order of AgreementFit::pairLogLikelihoods.
@@ -145,7 +145,7 @@ private:
   std::vector<double> focals_;            ///< focal lengths, pixels
   std::vector<Pose> cameras_;
   double interval_ = 0.0;
-  Views views_; ///< views of the cameras, each with its own calibration
+  Views views_; ///< images and regions of all cameras, each with its own calibration
 };
 
 } // namespace dewpoint::camera_motion
