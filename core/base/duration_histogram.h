@@ -8,17 +8,19 @@
 
 namespace dewpoint::base {
 
-/// Histogram that holds any number of durations in a fixed amount of memory. Quantiles are accurate
-/// to half a percent. Buckets grow by one percent from 1 ns to 20 minutes. Durations outside that
-/// range fall into the first or last bucket. The longest duration is exact.
+/// Histogram that holds any number of durations in a fixed amount of memory. Each bucket is one
+/// percent wider than the previous one, so quantiles are accurate to half a percent. The buckets
+/// cover 1 ns to 20 minutes. Longer and shorter durations are counted in the last and first bucket.
+/// The longest duration is stored exactly.
 class DurationHistogram {
 public:
   /// Adds a duration in seconds. Negative durations and NaN are not counted.
   void add(double seconds);
   std::int64_t count() const { return count_; }
-  /// Returns the duration in seconds that the given fraction (0 to 1) of all durations does not
-  /// exceed. Returns 0 if the histogram is empty.
+  /// Returns the quantile `share` (0 to 1) of the durations, in seconds: the duration that this
+  /// fraction of all durations does not exceed. Returns 0 if the histogram is empty.
   double quantile(double share) const;
+  /// Returns the longest duration in seconds, or 0 if the histogram is empty.
   double longest() const { return longest_; }
 
 private:

@@ -25,8 +25,9 @@ template <std::size_t Count>
   return sum;
 }
 
-/// Returns the natural logarithm of a positive normal number. x = 2^k m with m between sqrt(1/2)
-/// and sqrt(2). The series log m = 2 artanh((m - 1) / (m + 1)) is truncated below 1e-17.
+/// Returns the natural logarithm of x, which must be positive and normal. Method: x = 2^k m with m
+/// between sqrt(1/2) and sqrt(2), and the series of log m = 2 artanh((m - 1) / (m + 1)). The
+/// omitted terms of the series are below 1e-17.
 [[gnu::always_inline]] inline double logarithm(double x) {
   constexpr std::array<double, 11> kArtanh{1.0,        1.0 / 3.0,  1.0 / 5.0,  1.0 / 7.0,
                                            1.0 / 9.0,  1.0 / 11.0, 1.0 / 13.0, 1.0 / 15.0,
@@ -50,9 +51,10 @@ struct CosineSine {
   double sine;
 };
 
-/// Returns the cosine and sine of the angle turn / 2^32 of a full turn. The nearest multiple of a
-/// quarter turn is subtracted exactly, using integers. The remainder is at most an eighth of a
-/// turn, for which the Taylor series are truncated below 1e-16.
+/// Returns the cosine and sine of an angle, which is given as the fraction turn / 2^32 of a full
+/// turn. The nearest multiple of a quarter turn is subtracted exactly, using integers. The
+/// remainder is at most an eighth of a turn. For such an angle, the omitted terms of the Taylor
+/// series are below 1e-16.
 [[gnu::always_inline]] inline CosineSine cosineSine(std::uint32_t turn) {
   constexpr std::array<double, 9> kSine{1.0,
                                         -1.0 / 6.0,
@@ -86,8 +88,9 @@ struct CosineSine {
   return {cosineSign * first, sineSign * second};
 }
 
-/// Returns e^x for x <= 0. Returns 0 below -700, for minus infinity and for NaN. x = k ln 2 + r
-/// with |r| <= ln 2 / 2, for which the Taylor series is truncated below 1e-17.
+/// Returns e^x for x <= 0. Returns 0 for x below -700, including minus infinity, and for NaN.
+/// Method: x = k ln 2 + r with |r| <= ln 2 / 2, and the Taylor series for e^r. The omitted terms of
+/// the series are below 1e-17.
 [[gnu::always_inline]] inline double exponential(double x) {
   constexpr std::array<double, 14> kExp{1.0,
                                         1.0,

@@ -10,9 +10,9 @@
 #include <numbers>
 
 /// The functions of elementary.h in single precision, for generating millions of random numbers.
-/// Numbers have half the size and the series have half the terms, so vector units process four
-/// times as many per second. Errors are a few units in the last place, and every processor produces
-/// the same bits.
+/// Numbers have half the size, and the series have half the terms. Vector units therefore process
+/// four times as many numbers per second. Errors are a few units in the last place, and every
+/// processor produces the same bits.
 namespace dewpoint::base {
 
 /// Evaluates the polynomial c[0] + c[1] x + c[2] x^2 + ...

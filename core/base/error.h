@@ -10,8 +10,8 @@
 
 namespace dewpoint::base {
 
-/// Kind of failure, as far as callers need to distinguish them. Each code has its own phrase
-/// (phrase()), which the user interface translates.
+/// Kinds of failure that callers need to distinguish. Each code has its own phrase (see phrase()),
+/// which the user interface translates.
 enum class ErrorCode {
   FileMissing,
   FileUnreadable,
@@ -50,12 +50,12 @@ inline tl::unexpected<Error> failure(ErrorCode code, std::string file, std::stri
   return tl::make_unexpected(Error{code, std::move(file), std::move(field), std::move(detail)});
 }
 
-/// Returns the plain English phrase for a code, without file, field or detail: "the file does not
-/// exist".
+/// Returns the plain English phrase for a code, without file, field or detail, for example "the
+/// file does not exist".
 const char* phrase(ErrorCode code);
 
-/// Returns the error as one sentence for the user: "project.toml: camera 1.video: the file does not
-/// exist (a.mkv)".
+/// Returns the error as one sentence for the user, for example "project.toml: camera 1.video: the
+/// file does not exist (a.mkv)".
 std::string sentence(const Error& error);
 
 } // namespace dewpoint::base

@@ -8,7 +8,7 @@
 
 namespace dewpoint::base {
 
-/// Severity of a finding, in ascending order.
+/// Severity of a finding (a result of a check), in ascending order.
 enum class FindingLevel {
   Ok,     ///< no problem
   Note,   ///< works, but may not be what you want
@@ -28,8 +28,8 @@ constexpr const char* levelName(FindingLevel level) {
   return "problem";
 }
 
-/// Returns the most severe level among `found`, or Ok if it is empty. `level` is the member that
-/// holds the level of an element.
+/// Returns the most severe level among the elements of `found`, or Ok if there are no elements.
+/// `level` is a pointer to the member of an element that holds its level.
 template <class Range, class Level> FindingLevel worstLevel(const Range& found, Level level) {
   FindingLevel worst = FindingLevel::Ok;
   for (const auto& one : found) {

@@ -5,12 +5,12 @@
 
 namespace dewpoint::base {
 
-/// Width of the vector instructions that a kernel may use. Every processor supports the baseline of
-/// its architecture. On x86-64, the other two are 256 and 512 bits wide.
+/// Vector instructions that a kernel may use. Baseline: those that every processor of the
+/// architecture supports. Avx2 and Avx512 exist only on x86-64, and are 256 and 512 bits wide.
 enum class InstructionSet { Baseline, Avx2, Avx512 };
 
-/// Returns the widest instruction set of this processor, or a lower limit set by a test or
-/// benchmark.
+/// Returns the widest instruction set that this processor supports, or the limit that an
+/// InstructionSetLimit sets, whichever is lower.
 InstructionSet instructionSet();
 
 /// Limits kernels to an instruction set for the lifetime of this object. Tests and benchmarks use

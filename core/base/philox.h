@@ -8,17 +8,18 @@
 
 namespace dewpoint::base {
 
-/// Philox4x32-10 (Salmon et al., "Parallel random numbers: as easy as 1, 2, 3", SC 2011). Generates
-/// four random words that depend only on the counter and the key. Threads can draw any number in
-/// any order and always get the same value.
+/// Random number generator Philox4x32-10 (Salmon et al., "Parallel random numbers: as easy as 1, 2,
+/// 3", SC 2011). Computes four random words from a counter and a key, and from nothing else. The
+/// words therefore do not depend on which thread computes them, or in which order.
 struct Philox {
   using Counter = std::array<std::uint32_t, 4>;
   using Key = std::array<std::uint32_t, 2>;
   static constexpr int kRounds = 10;
 
-  /// Replaces the four words of a counter with four random words. A word may be stored in 64 bits
-  /// with its upper half zero; then the products need no wider lanes, which suits vector units with
-  /// 64-bit multiplication. On return, only the lower halves are valid.
+  /// Replaces the four words `c0` to `c3` of a counter with four random words. `Word` may be a
+  /// 64-bit type in which the upper half of each word is zero. Each product then has the size of a
+  /// `Word`, which suits vector units with 64-bit multiplication. On return, only the lower halves
+  /// are valid.
   template <class Word, int Round = 0>
   [[gnu::always_inline]] static inline void mix(Word& c0, Word& c1, Word& c2, Word& c3,
                                                 std::uint32_t key0, std::uint32_t key1) {

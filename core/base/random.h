@@ -48,14 +48,16 @@ public:
   /// Returns four independent exponentially distributed numbers with mean 1, in single precision.
   std::array<float, 4> exponential4(std::uint32_t index) const;
 
-  /// Writes normal3(i) for `count` elements, starting at `firstIndex`, into three columns, which
-  /// must not overlap.
+  /// Writes normal3(i) for `count` elements i, starting with `firstIndex`, into three columns. The
+  /// columns must not overlap.
   void fillNormal3(std::uint32_t firstIndex, std::int64_t count,
                    const std::array<double*, 3>& columns) const;
-  /// Writes normal4(i, block) for `count` elements into four columns, which must not overlap.
+  /// Writes normal4(i, block) for `count` elements i, starting with `firstIndex`, into four
+  /// columns. The columns must not overlap.
   void fillNormal4(std::uint32_t firstIndex, std::uint32_t block, std::int64_t count,
                    const std::array<double*, 4>& columns) const;
-  /// Writes exponential4(i) for `count` elements into four columns, which must not overlap.
+  /// Writes exponential4(i) for `count` elements i, starting with `firstIndex`, into four columns.
+  /// The columns must not overlap.
   void fillExponential4(std::uint32_t firstIndex, std::int64_t count,
                         const std::array<float*, 4>& columns) const;
 

@@ -20,8 +20,8 @@ double upperMedianInPlace(std::span<double> values);
 /// Returns 0 if there are no values.
 double median(std::vector<double> values);
 
-/// Returns a quantile of values in ascending order (at least one), linearly interpolated between
-/// order statistics. `fraction` is in [0, 1].
+/// Returns the quantile `fraction` (0 to 1) of at least one value, interpolated linearly between
+/// neighboring values. `sorted` contains the values in ascending order.
 double quantile(const std::vector<double>& sorted, double fraction);
 
 } // namespace dewpoint::base

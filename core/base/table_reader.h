@@ -27,9 +27,10 @@ inline std::optional<double> tomlNumber(const toml::node& node) {
   return real != nullptr ? std::optional(real->get()) : std::nullopt;
 }
 
-/// Reads the known keys of a TOML table and keeps the first error, with its line. Keys that were
-/// never requested are reported as errors because they are typing mistakes. An absent key leaves
-/// the value unchanged; use require() for mandatory keys.
+/// Reads the known keys of a TOML table and keeps the first error, with its line. A key that is in
+/// the table but was never requested is an error, because it is probably a typing mistake. If a
+/// requested key is absent, the value stays unchanged; use require() for mandatory keys. Errors
+/// name the file and, as the field, `prefix` followed by the key.
 class TableReader {
 public:
   TableReader(const toml::table& table, std::string file, std::string prefix)
@@ -113,7 +114,9 @@ public:
     }
   }
 
-  /// Reads an array of exactly `count` finite numbers into `values`. Returns whether it succeeded.
+  /// Reads an array of exactly `count` finite numbers between `low` and `high`, inclusive, into
+  /// `values`. Returns true on success. Returns false, without an error, if the key is absent. Any
+  /// other value is an error, and false is returned.
   bool numbers(const char* key, double* values, std::size_t count, double low = -1e6,
                double high = 1e6) {
     const toml::node* node = find(key);
@@ -135,8 +138,8 @@ public:
     return true;
   }
 
-  /// Returns the tables in an array of tables; empty if the key is absent. More than `most` tables
-  /// are an error.
+  /// Returns the tables in an array of tables; empty if the key is absent. An array of more than
+  /// `most` tables is an error.
   std::vector<const toml::table*> tables(const char* key,
                                          std::size_t most = std::size_t{1} << 20U) {
     std::vector<const toml::table*> result;
@@ -181,7 +184,9 @@ public:
     error_ = Error{code, file_, prefix_ + key, std::move(detail)};
   }
 
-  /// Returns the first error. If there is none, reports the first key that was never requested.
+  /// Returns the error to report after all keys were read, or nothing. This is the first recorded
+  /// error. If there is none, it is an error for the first key that was never requested. Such an
+  /// unknown key also replaces a recorded MissingKey error.
   std::optional<Error> finish() {
     for (const auto& [key, node] : table_) {
       if (std::ranges::find(known_, key.str()) == known_.end()) {

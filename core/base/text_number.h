@@ -11,8 +11,8 @@
 namespace dewpoint::base {
 
 /// Parses an entire text as a number with a decimal point, regardless of the locale. Returns
-/// nothing if any part is not numeric (such as a leading space or plus sign) or the number is out
-/// of range for the type. Floating-point types also accept infinity and NaN.
+/// nothing if any part of the text is not numeric (such as a leading space or plus sign), or if the
+/// number is out of range for the type. Floating-point types also accept infinity and NaN.
 template <class Number> std::optional<Number> toNumber(std::string_view text) {
   Number number{};
   const char* const end = text.data() + text.size();

@@ -8,8 +8,8 @@
 
 namespace dewpoint::base {
 
-/// Returns the number of threads for the filter when `wanted` are requested. 0 means all hardware
-/// threads except one, which is left for the cameras and the user interface.
+/// Returns the number of threads for the filter: `wanted`, or, if `wanted` is 0, the number of
+/// hardware threads minus one. One hardware thread is left for the cameras and the user interface.
 int filterThreadCount(int wanted);
 
 /// Returns the number of threads for `tasks` independent tasks: one per task, but at least 1 and at

@@ -8,7 +8,9 @@ namespace dewpoint::base {
 /// Priority of a thread relative to other threads on the same processor.
 enum class ThreadPriority {
   Prompt, ///< the normal behavior: runs as soon as it wakes up
-  Patient ///< waits until a running thread pauses or its time slice ends; new threads inherit it
+  /// When it wakes up, waits until the running thread pauses or its time slice ends; threads that a
+  /// patient thread starts are patient, too.
+  Patient
 };
 
 /// Sets the priority of the calling thread (Linux only; elsewhere, or without permission, it has no

@@ -9,8 +9,8 @@
 
 namespace dewpoint::base {
 
-/// Fixed number of threads that share loops over independent elements. As long as results do not
-/// depend on how a range is split, they do not depend on the number of threads either.
+/// Fixed number of threads that share loops over independent elements. If a result does not depend
+/// on how a range is split, it does not depend on the number of threads either.
 class ThreadTeam {
 public:
   /// Starts the threads. `threadCount` includes the calling thread, so 1 starts none.

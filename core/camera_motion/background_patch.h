@@ -11,9 +11,9 @@
 
 namespace dewpoint::camera_motion {
 
-/// Small patch of the background that can be located in later images with subpixel accuracy,
-/// independent of lighting. Gray levels are used relative to the mean and contrast within the
-/// patch.
+/// Small patch of the background that can be located in later images with subpixel accuracy. Before
+/// patches are compared, their gray levels are normalized to the same mean and contrast, so that
+/// changes in lighting have no effect.
 class BackgroundPatch {
 public:
   static constexpr int kSide = 19; ///< pixels
@@ -28,17 +28,19 @@ public:
     Eigen::Vector2d shift = Eigen::Vector2d::Zero(); ///< displacement from center(), pixels
     double correlation = 0.0;                        ///< normalized correlation, -1 to 1
   };
-  /// Locates the patch in an image, near `guess` (pixels from center()). Uses inverse compositional
-  /// alignment (Baker and Matthews 2004, "Lucas-Kanade 20 years on") of a shift, normalized for
-  /// mean and contrast. Returns nothing if the search diverges or leaves the image.
+  /// Locates the patch in an image. The search starts at the displacement `guess` (pixels from
+  /// center()). Method: inverse compositional alignment (Baker and Matthews 2004, "Lucas-Kanade 20
+  /// years on") of a shift, with normalized mean and contrast. Returns nothing if the search
+  /// diverges, ends more than 6 pixels from `guess`, or leaves the image.
   std::optional<Match> find(const cv::Mat& image, const Eigen::Vector2d& guess) const;
 
   const cv::Point& center() const { return center_; }
-  /// Returns how well the patch can be located: the smaller eigenvalue of the summed squared
-  /// gradients, in squared gray levels.
+  /// Returns how well the patch can be located. For each pixel, the product of the gray-level
+  /// gradient and its transpose is a 2 x 2 matrix. The result is the smaller eigenvalue of the sum
+  /// of these matrices over the patch, in squared gray levels per px².
   double structure() const { return structure_; }
-  /// Returns the covariance of a measured shift due to image noise, in square pixels. It is large
-  /// along an edge.
+  /// Returns the covariance of a measured shift due to image noise, in square pixels. If the patch
+  /// shows only an edge, the variance along this edge is large.
   const Eigen::Matrix2d& shiftCovariance() const { return shiftCovariance_; }
 
 private:

@@ -19,15 +19,15 @@ constexpr std::size_t kChecks = 5;             // whose median counts
 constexpr double kMovedAngle = 0.05 * kDegree; // half of what must be reported
 constexpr double kBack = 0.03 * kDegree;       // below it the camera stands as before
 constexpr double kSignificant = 6.0;           // standard errors
-/// Pieces that must agree on a rotation.
-constexpr int kFewestPieces = 6;
-constexpr int kGridColumns = 8; // at most one piece in each part of the image
+/// Patches that must agree on a rotation.
+constexpr int kFewestPatches = 6;
+constexpr int kGridColumns = 8; // at most one patch in each part of the image
 constexpr int kGridRows = 6;
 constexpr int kParts = kGridColumns * kGridRows;
 constexpr int kPartsAtOnce = 4;       // so that no check takes long
 constexpr double kAlike = 0.7;        // normalized correlation
 constexpr double kForgetAfter = 30.0; // seconds without being seen
-constexpr double kLearnEvery = 2.0;   // seconds, while pieces are missing
+constexpr double kLearnEvery = 2.0;   // seconds, while patches are missing
 constexpr int kThumbnail = 4;         // pixels of the image in one of the thumbnail
 /// Response of phase correlation, at least.
 constexpr double kThumbnailResponse = 0.15;
@@ -55,9 +55,9 @@ cv::Mat thumbnailOf(const cv::Mat& image) {
   return result;
 }
 
-/// The piece of most structure in one part of the image, among a few places.
-std::optional<BackgroundPatch> bestPiece(const cv::Mat& image, const cv::Rect& part) {
-  /// Along each side of a part, at which pieces are tried.
+/// The patch of most structure in one part of the image, among a few places.
+std::optional<BackgroundPatch> bestPatch(const cv::Mat& image, const cv::Rect& part) {
+  /// Along each side of a part, at which patches are tried.
   constexpr int kSamples = 5;
   std::optional<BackgroundPatch> best;
   for (int i = 0; i < kSamples * kSamples; ++i) {
@@ -107,7 +107,7 @@ void CameraMotionDetector::watch(const FrameSet& frames) {
       continue;
     }
     // The first time at once; then one camera after the other, so that no frame pays for all.
-    const bool first = watched_[k].pieces.empty();
+    const bool first = watched_[k].patches.empty();
     const double stagger = first ? kInterval * double(k) / double(watched_.size()) : 0.0;
     watched_[k].due = time + kInterval + stagger;
     check(k, *frame, frames);
@@ -122,18 +122,18 @@ void CameraMotionDetector::learn(WatchedCamera& watched, const cv::Mat& image, d
   for (int tried = 0; tried < kParts && parts > 0; ++tried) {
     const int part = std::exchange(watched.nextPart, (watched.nextPart + 1) % kParts);
     const cv::Rect cell(part % kGridColumns * width, part / kGridColumns * height, width, height);
-    if (std::ranges::any_of(watched.pieces, [&](const TrackedPatch& piece) {
-          return cell.contains(piece.patch.center());
+    if (std::ranges::any_of(watched.patches, [&](const TrackedPatch& tracked) {
+          return cell.contains(tracked.patch.center());
         })) {
       continue;
     }
     --parts;
-    auto patch = bestPiece(image, cell);
+    auto patch = bestPatch(image, cell);
     const auto byTurn = patch ? rotationJacobian(watched.camera, Eigen::Vector2d(patch->center().x,
                                                                                  patch->center().y))
                               : std::nullopt;
     if (byTurn) {
-      watched.pieces.push_back({std::move(*patch), *byTurn, turn, time});
+      watched.patches.push_back({std::move(*patch), *byTurn, turn, time});
     }
   }
 }
@@ -143,18 +143,18 @@ std::optional<CameraRotation> CameraMotionDetector::measure(WatchedCamera& watch
                                                             const Eigen::Vector3d& guess) {
   std::vector<BackgroundShift> shifts;
   std::vector<TrackedPatch*> found;
-  for (TrackedPatch& piece : watched.pieces) {
-    const auto match = piece.patch.find(image, piece.byTurn * (guess - piece.initialTurn));
+  for (TrackedPatch& tracked : watched.patches) {
+    const auto match = tracked.patch.find(image, tracked.byTurn * (guess - tracked.initialTurn));
     if (match && match->correlation > kAlike) {
-      shifts.push_back({match->shift + piece.byTurn * piece.initialTurn, piece.byTurn,
-                        piece.patch.shiftCovariance()});
-      found.push_back(&piece);
+      shifts.push_back({match->shift + tracked.byTurn * tracked.initialTurn, tracked.byTurn,
+                        tracked.patch.shiftCovariance()});
+      found.push_back(&tracked);
     }
   }
   const auto turn = fitRotation(shifts);
   // Fewer than half of what is known: rather something that covers and moves with its own pattern.
-  if (!turn || turn->used < kFewestPieces || 2 * std::size_t(turn->used) < shifts.size() ||
-      3 * std::size_t(turn->used) < watched.pieces.size()) {
+  if (!turn || turn->used < kFewestPatches || 2 * std::size_t(turn->used) < shifts.size() ||
+      3 * std::size_t(turn->used) < watched.patches.size()) {
     return std::nullopt;
   }
   for (std::size_t i = 0; i < found.size(); ++i) {
@@ -199,11 +199,11 @@ void CameraMotionDetector::check(std::size_t camera, const Frame& frame, const F
   const Eigen::Vector3d guess =
       watched.turns.empty() ? Eigen::Vector3d::Zero() : watched.turns.back();
   auto turn = measure(watched, frame.image, time, guess);
-  if (!turn && watched.pieces.size() >= std::size_t(kFewestPieces)) {
+  if (!turn && watched.patches.size() >= std::size_t(kFewestPatches)) {
     if (const auto large = estimateLargeRotation(watched, frame.image)) {
       turn = measure(watched, frame.image, time, *large);
-      // Something large that moves has a shift of its own: most of the pieces must agree.
-      if (turn && 2 * std::size_t(turn->used) < watched.pieces.size()) {
+      // Something large that moves has a shift of its own: most of the patches must agree.
+      if (turn && 2 * std::size_t(turn->used) < watched.patches.size()) {
         turn.reset();
       }
     }
@@ -213,8 +213,9 @@ void CameraMotionDetector::check(std::size_t camera, const Frame& frame, const F
     assess(camera, *turn, frames);
   }
   if (turn && time - watched.learned > kLearnEvery) {
-    std::erase_if(watched.pieces,
-                  [&](const TrackedPatch& piece) { return time - piece.lastSeen > kForgetAfter; });
+    std::erase_if(watched.patches, [&](const TrackedPatch& tracked) {
+      return time - tracked.lastSeen > kForgetAfter;
+    });
     learn(watched, frame.image, time, watched.state.turn.turn, kPartsAtOnce);
   }
 }

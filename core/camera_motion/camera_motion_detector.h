@@ -12,70 +12,74 @@
 
 namespace dewpoint::camera_motion {
 
-/// Report that a camera has moved since it was calibrated.
+/// Report that a camera was moved after its calibration.
 struct CameraMotionEvent {
   std::size_t camera = 0;
   std::int64_t frame = 0; ///< frame in which the motion became certain
   TimeStamp time{};
-  CameraRotation turn; ///< rotation relative to the reference, as known at that time
+  CameraRotation turn; ///< rotation relative to the reference images, as known at that time
 };
 
 /// Current state of one camera.
 struct CameraMotionState {
-  CameraRotation
-      turn; ///< rotation relative to the reference: the median over about the last second
-  bool assessed = false; ///< true if the last image showed enough of the background
-  bool moved =
-      false; ///< true once reported; stays true until the camera is back or accept() is called
+  /// Rotation relative to the reference images: the median of the last five checks, which take
+  /// about one second.
+  CameraRotation turn;
+  /// True if the last image that was checked showed enough of the background.
+  bool assessed = false;
+  /// True from the report of a motion until the camera is back in its old pose or accept() is
+  /// called.
+  bool moved = false;
 };
 
-/// Detects camera motion during tracking. A few times per second, patches of the background are
-/// located in each camera's images, and the camera rotation that most of them agree on is fitted.
-/// Moving objects, shadows and occluded patches do not agree and are ignored. A rotation by more
-/// than 0.05 degrees in half of the last checks is an event. A rotation of 0.1 degrees is reported
-/// within about a second.
+/// Detects camera motion during tracking. A few times per second, each camera is checked: patches
+/// of the background are located in its image, and the camera rotation on which most patches agree
+/// is fitted. Moving objects, shadows and occluded patches do not agree and are ignored. A motion
+/// is reported if the median rotation of the last five checks is more than 0.05 degrees and clearly
+/// larger than its standard error. A rotation of 0.1 degrees is reported within about a second.
 ///
-/// The first images received are the reference; they are assumed to match the calibration. Objects
-/// that do not move for a long time gradually become part of the background. A camera whose image
-/// has hardly any structure cannot be monitored (CameraMotionState::assessed).
+/// The first images received are the reference images; they are assumed to match the calibration.
+/// Objects that do not move for a long time gradually become part of the background. A camera whose
+/// image has hardly any structure cannot be monitored (CameraMotionState::assessed).
 class CameraMotionDetector {
 public:
   explicit CameraMotionDetector(const CameraRig& rig);
 
-  /// Checks the cameras that are due at the time of the frame set. Frame sets older than the
-  /// previous one are ignored.
+  /// Checks the cameras whose next check is due at the time of the frame set. Frame sets that are
+  /// not later than the previous one are ignored.
   void watch(const FrameSet& frames);
 
-  /// Returns all events since the start.
+  /// Returns all motions reported since the start or the last restart().
   const std::vector<CameraMotionEvent>& events() const { return events_; }
   /// Returns the current state of a camera.
   const CameraMotionState& camera(std::size_t camera) const { return watched_[camera].state; }
   std::size_t cameraCount() const { return watched_.size(); }
 
-  /// Accepts the current pose `now` of a camera. Its next images become the reference.
+  /// Accepts `now` as the current pose of a camera. The next images of this camera become its
+  /// reference images.
   void accept(std::size_t camera, const Camera& now);
-  /// Makes the next images of all cameras the reference and discards the events.
+  /// Makes the next images of all cameras the reference images, and discards the events.
   void restart();
 
 private:
   struct TrackedPatch {
     BackgroundPatch patch;
     Eigen::Matrix<double, 2, 3> byTurn;
-    Eigen::Vector3d initialTurn; ///< rotation of the camera when the piece was learned
+    Eigen::Vector3d initialTurn; ///< rotation of the camera when the patch was learned
     double lastSeen = 0.0;       ///< seconds
   };
   struct WatchedCamera {
     Camera camera;
-    std::vector<TrackedPatch> pieces;
+    std::vector<TrackedPatch> patches;
     std::deque<Eigen::Vector3d> turns; ///< results of the last checks
     double due = 0.0;                  ///< time of the next check, seconds
-    double learned = 0.0;              ///< time of the last search for pieces, seconds
-    int nextPart = 0;                  ///< part of the image to be searched for a piece next
+    double learned = 0.0;              ///< time of the last search for new patches, seconds
+    int nextPart = 0;                  ///< part of the image in which a patch is searched for next
     cv::Mat thumbnail;                 ///< thumbnail of the reference image, for large motions
     CameraMotionState state;
   };
   void check(std::size_t camera, const Frame& frame, const FrameSet& frames);
-  /// Searches the next `parts` image parts without pieces for new pieces.
+  /// Searches for new patches in the next `parts` parts of the image that have no patch.
   static void learn(WatchedCamera& watched, const cv::Mat& image, double time,
                     const Eigen::Vector3d& turn, int parts);
   static std::optional<CameraRotation> measure(WatchedCamera& watched, const cv::Mat& image,

@@ -8,33 +8,33 @@
 
 namespace dewpoint::camera_motion {
 
-/// Displacement of a background patch in the image, and its dependence on a camera rotation.
+/// Displacement of a background patch in the image, and how it depends on a camera rotation.
 struct BackgroundShift {
   Eigen::Vector2d shift = Eigen::Vector2d::Zero(); ///< pixels
-  Eigen::Matrix<double, 2, 3> byTurn =
-      Eigen::Matrix<double, 2,
-                    3>::Zero(); ///< derivative of `shift` by the rotation, pixels per radian
+  /// Derivative of `shift` with respect to CameraRotation::turn, pixels per radian.
+  Eigen::Matrix<double, 2, 3> byTurn = Eigen::Matrix<double, 2, 3>::Zero();
   Eigen::Matrix2d covariance =
       Eigen::Matrix2d::Zero(); ///< covariance of `shift` due to image noise, px²
 };
 
-/// Small rotation of a camera about its center: the new cameraFromWorld is (1 + [turn]x) times the
-/// old one.
+/// Small rotation of a camera about its center. To first order, the new cameraFromWorld is (I +
+/// [turn]x) times the old one, where [turn]x is the cross-product matrix of `turn`.
 struct CameraRotation {
   Eigen::Vector3d turn = Eigen::Vector3d::Zero(); ///< radians, camera axes
   double sigma = 0.0;        ///< standard error of the least certain component of `turn`, radians
-  double significance = 0.0; ///< size of the rotation in standard errors
+  double significance = 0.0; ///< angle of the rotation, measured in its standard error
   int used = 0;              ///< number of shifts that agree with the rotation
 };
 
-/// Returns the derivative d(pixel) / d(turn) at a pixel, in pixels per radian. Returns nothing
-/// where the lens model has no direction for the pixel.
+/// Returns the derivative of an image position with respect to CameraRotation::turn, for a point
+/// seen at `pixel`. Unit: pixels per radian. Returns nothing if the lens model has no direction for
+/// the pixel.
 std::optional<Eigen::Matrix<double, 2, 3>> rotationJacobian(const Camera& camera,
                                                             const Eigen::Vector2d& pixel);
 
-/// Fits the rotation that most shifts agree on, using least squares with Tukey's biweight, scaled
-/// by the median of the residuals. Returns nothing if there are fewer than four shifts or if fewer
-/// than four agree.
+/// Fits the rotation on which most shifts agree. Method: least squares with Tukey's biweight, whose
+/// width is proportional to the median residual. Returns nothing if there are fewer than four
+/// shifts, or if fewer than four agree.
 std::optional<CameraRotation> fitRotation(const std::vector<BackgroundShift>& shifts);
 
 } // namespace dewpoint::camera_motion

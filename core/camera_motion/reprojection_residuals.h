@@ -14,49 +14,56 @@
 
 namespace dewpoint::camera_motion {
 
-/// Target as seen by one camera, compared with its position from the other cameras.
+/// One sighting of a target by one camera, compared with the position of the target according to
+/// the other cameras.
 struct ReprojectionResidual {
   double time = 0.0; ///< seconds
-  Eigen::Vector3d world =
-      Eigen::Vector3d::Zero(); ///< position derived from the other cameras alone; meters
+  /// Position of the target according to the other cameras alone (in a rig of two cameras: the
+  /// estimate of the tracker), meters.
+  Eigen::Vector3d world = Eigen::Vector3d::Zero();
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero(); ///< center of the target in the image
   Eigen::Vector2d residual =
-      Eigen::Vector2d::Zero();     ///< `pixel` minus the projection of `world`, pixels
-  double othersDisagreement = 0.0; ///< disagreement among the other cameras about `world`, pixels
+      Eigen::Vector2d::Zero(); ///< `pixel` minus the projection of `world`, pixels
+  /// Largest distance, among the other cameras, between the center of the target in the image and
+  /// the projection of `world`, pixels.
+  double othersDisagreement = 0.0;
 };
 
-/// Returns the centroid (pixels) of the pixels in the target's color around its expected position
-/// in an image (CV_8UC3). Returns nothing if the number of pixels differs too much from the area of
-/// the target's outline, or if they reach the edge of the search region. In those cases, the target
-/// is partly hidden or another object has its color.
+/// Returns the centroid (pixels) of those pixels around the expected outline in an image (CV_8UC3)
+/// that have the target's color. Returns nothing if the number of these pixels differs too much
+/// from the area of the outline, or if some of them lie at the edge of the search region: in both
+/// cases, the target is partly hidden, or another object has its color. Also returns nothing if the
+/// search region exceeds the image, or if the radius of the outline is less than 2 pixels.
 std::optional<Eigen::Vector2d> colorCentroid(const cv::Mat& image, const ColorRanges& color,
                                              const SphereImage& expected);
 
-/// Collects, for each camera, the disagreement between its view of tracked targets and that of the
-/// other cameras. If a camera was moved, its sightings share a common residual, and the other
-/// cameras still agree with each other without it. For a camera that was not moved, the others do
-/// not agree.
+/// Collects how far the sightings of each camera deviate from those of the other cameras. If a
+/// camera was moved, all its sightings have about the same residual, and the other cameras still
+/// agree among themselves. From the viewpoint of a camera that was not moved, the other cameras do
+/// not agree, because the moved camera is one of them.
 class ReprojectionResiduals {
 public:
-  static constexpr std::size_t kMost = 300; ///< maximum number per camera; the newest are kept
+  /// Maximum number of sightings per camera; the newest are kept.
+  static constexpr std::size_t kMost = 300;
   explicit ReprojectionResiduals(const CameraRig& rig);
 
-  /// Adds the targets after the iterations for a frame. Targets without a valid estimate, or
-  /// without a radius, are ignored. A position requires three cameras. In a rig of only two, two
-  /// are enough, and each camera is compared with the estimate itself.
+  /// Adds the sightings of a frame, after the tracker has processed this frame. Targets without a
+  /// valid estimate, or without a radius, are ignored. In a rig of three or more cameras, a
+  /// sighting needs at least two other cameras that see the target. In a rig of two cameras, each
+  /// camera is compared with the estimate itself.
   void add(const FrameSet& frames, const std::vector<Target>& targets,
            const std::vector<SphereEstimate>& estimates);
   /// Returns the sightings of a camera, oldest first.
   const std::deque<ReprojectionResidual>& sightings(std::size_t camera) const {
     return sightings_[camera];
   }
-  /// Component-wise medians over the sightings of a camera.
+  /// Medians over the sightings of a camera.
   struct Summary {
-    Eigen::Vector2d residual = Eigen::Vector2d::Zero(); ///< per component, pixels
+    Eigen::Vector2d residual = Eigen::Vector2d::Zero(); ///< median of each component, pixels
     double othersDisagreement = 0.0;                    ///< pixels
   };
-  /// Returns a summary of a camera's sightings since a time (seconds). Returns nothing if there are
-  /// fewer than `fewest` sightings.
+  /// Returns a summary of the sightings of a camera at or after `since` (seconds). Returns nothing
+  /// if there are fewer than `fewest` such sightings.
   std::optional<Summary> summary(std::size_t camera, double since, std::size_t fewest) const;
   /// Discards all sightings.
   void restart();

@@ -8,8 +8,8 @@
 
 namespace dewpoint::capture {
 
-/// Capture time of each image from a camera, in image order, ascending. In seconds, by a clock
-/// shared by all cameras in the recording.
+/// Capture times of the images of one camera, in seconds, in image order and ascending. The clock
+/// is the same for all cameras in the recording.
 using CaptureTimes = std::vector<double>;
 
 /// Returns the names by which a table of times may identify a camera: its name, and the number at

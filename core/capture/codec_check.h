@@ -17,7 +17,7 @@ struct CodecOutcome {
   bool isNeeded = false;
   bool isLossless = false;
   std::string problem = {}; ///< what went wrong; empty if there was no problem
-  bool isMissing = false;   ///< this computer cannot write it, so reading was not tested
+  bool isMissing = false; ///< true if this computer cannot write it, so that reading was not tested
   double difference =
       0.0; ///< mean absolute difference between written and read images, in gray levels
 };

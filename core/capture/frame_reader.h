@@ -22,11 +22,11 @@ public:
   /// Returns the frame rate of the recording in frames per second, or 0 if the recording does not
   /// specify it.
   virtual double framesPerSecond() const { return 0; }
-  /// Reads image number `frame`. Returns an empty image at a regular end. The caller owns the
-  /// pixels. Fast if the numbers increase one by one.
+  /// Reads image number `frame`. Returns an empty image after the last image of the recording. The
+  /// caller owns the pixels. Reading is fast if the numbers increase one by one.
   virtual Result<cv::Mat> read(std::int64_t frame) = 0;
-  /// Returns the position of each image in the complete sequence, from 0, ascending. Empty if no
-  /// image is missing.
+  /// Returns the position of each image in the sequence that includes the missing images:
+  /// ascending, from 0. Empty if no image is missing.
   virtual std::vector<std::int64_t> sequenceNumbers() const { return {}; }
   /// Returns the file that contains an image, for error messages.
   virtual std::string fileOf(std::int64_t frame) const = 0;

@@ -19,13 +19,13 @@ inline constexpr double kDefaultFramesPerSecond = 30;
 class FrameSetSource {
 public:
   virtual ~FrameSetSource() = default;
-  /// Returns the number of frames in the recording (in its shortest camera), or nothing for a live
-  /// source.
+  /// Returns the number of frames in the recording (that of its shortest camera), or nothing for a
+  /// live source.
   virtual std::optional<std::int64_t> frameCount() const = 0;
   /// Returns the frame rate in frames per second.
   virtual double framesPerSecond() const = 0;
   bool isLive() const { return !frameCount().has_value(); }
-  /// Returns the next frame set, or null at the regular end. A live source waits at most about 100
+  /// Returns the next frame set, or null after the last one. A live source waits at most about 100
   /// ms. If no frame arrives in that time, it returns a set in which every frame is null.
   virtual Result<FrameSetPtr> next() = 0;
   /// Makes `frame` the next frame set to be read. Ignored by live sources.

@@ -17,7 +17,8 @@ struct LiveCamera {
   int width = 0;         ///< expected after the rotation, pixels; 0: width of the first image
   int height = 0;        ///< expected after the rotation, pixels; 0: height of the first image
   bool mirrored = false; ///< left and right are swapped after the rotation
-  double delay = 0.0;    ///< extra time from scene to grab, relative to other cameras; seconds
+  /// Time from the scene to the arrival of the image, in excess of that of other cameras; seconds.
+  double delay = 0.0;
 };
 
 } // namespace dewpoint::capture

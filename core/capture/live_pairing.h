@@ -12,19 +12,18 @@ namespace dewpoint::capture {
 
 /// Groups frames of live cameras by capture time, for cameras with any frame rates and delays.
 ///
-/// A group starts with the oldest waiting frame. From every other camera, it includes the frame
-/// captured no later than three quarters of the shortest frame interval after the first one. The
-/// group is complete when no camera can add to it: each camera has a frame in the group, has a
-/// later frame, is not expected to send one in time, or is overdue. A slow camera is missing from
-/// most groups and does not delay a fast one. If the caller is slow and groups accumulate, the
+/// A group starts with the oldest waiting frame. It includes the oldest waiting frame of every
+/// other camera if that was captured within three quarters of the shortest frame interval after the
+/// first one. The group is complete when each camera has a frame in the group, has sent a later
+/// frame, is not expected to send a frame in time, or is overdue. A slow camera is missing from
+/// most groups, and does not delay a fast one. If the caller is slow and groups accumulate, the
 /// oldest are dropped.
 ///
 /// All times are capture times: seconds by the clock of the live session, minus the camera's delay.
 /// Not thread safe.
 class LivePairing {
 public:
-  /// `delays`: for each camera, the time from the scene shown in an image to the arrival of that
-  /// image.
+  /// `delays`: for each camera, the time from the capture of an image to its arrival.
   explicit LivePairing(const std::vector<TimeStamp>& delays);
 
   /// Sets whether a camera is expected to deliver frames, and its frame interval (0 if unknown).
@@ -35,8 +34,8 @@ public:
   /// Removes and returns the next group, one frame per camera (null where missing). Returns nothing
   /// if no group is complete at time `now` of the session's clock.
   std::optional<std::vector<FramePtr>> take(TimeStamp now);
-  /// Returns the latest time, by the session's clock, at which the waiting group will be complete;
-  /// nothing if no frame is waiting.
+  /// Returns the time, by the session's clock, at which the waiting group will be complete at the
+  /// latest. Returns nothing if no frame is waiting.
   std::optional<TimeStamp> due() const;
   /// Returns the number of frames that were not in any group, or whose group was dropped.
   std::int64_t dropped() const { return dropped_; }

@@ -11,15 +11,18 @@
 
 namespace dewpoint::capture {
 
-/// Returns the number at the end of a name ("cam_07": 7), or nothing if there is none or it has
+/// Returns the number at the end of a name (7 for "cam_07"), or nothing if there is none or it has
 /// more than 18 digits.
 std::optional<std::int64_t> numberAtEnd(std::string_view name);
 
-/// Returns the position of each file in a sequence of numbered files with gaps, starting at 0 for
-/// the first file. The number is at the end of the file name, before the extension. Numbers may
-/// increase by any constant step, and a gap is a whole number of steps. Returns an empty list if no
-/// file is missing or the names do not form such a sequence: names with different prefixes, numbers
-/// that are times, or fewer existing than missing files.
+/// Returns the position of each file in a sequence of numbered files with gaps. The first file has
+/// position 0. The number is at the end of the file name, before the extension. Numbers may
+/// increase by any constant step; where files are missing, they increase by a multiple of this
+/// step.
+///
+/// Returns an empty list if no file is missing, or if the names do not form such a sequence: fewer
+/// than three files, different prefixes, numbers without a common step (such as times), or at least
+/// as many missing as existing files.
 std::vector<std::int64_t> sequenceNumbersOf(const std::vector<std::string>& files);
 
 } // namespace dewpoint::capture

@@ -10,19 +10,20 @@
 
 namespace dewpoint::capture {
 
-/// Largest relative difference between two frame rates that are the same rate rounded differently.
-/// A judgment.
+/// Largest relative difference between two frame rates that count as the same rate, rounded
+/// differently. A judgment.
 inline constexpr double kRateTolerance = 0.01;
 
 /// Opens synchronized recordings.
 ///
-/// Frame k of every camera is at the same time, k / rate seconds after the first frame. With tables
-/// of capture times, it is the image closest to that time (CaptureSchedule). For a camera with a
-/// delay, the image closest in time is used, with its own capture time. The camera has no image
-/// before its first or after its last one. It also has no image where a numbered image is missing
-/// from a folder, which is reported as a notice. If `framesPerSecond` is 0, the rate is determined
-/// from the capture times, or else from the first video, or else is 30. Seeking is frame-accurate.
-/// If cameras differ in length, the frame count is that of the shortest, and one notice reports it.
+/// Frame k of every camera is at the same time, k / rate seconds after the first frame. If a camera
+/// has a delay or a table of capture times, the image closest to that time is used, with its own
+/// capture time (CaptureSchedule). A camera has no image at times before its first or after its
+/// last image. It also has no image where a numbered image is missing from a folder, which is
+/// reported as a notice. If `framesPerSecond` is 0, the rate is computed from the capture times. If
+/// there are none, it is the rate of the first video, or 30 if there is no video. Seeking is
+/// frame-accurate. If cameras differ in length, the frame count is that of the shortest, and one
+/// notice reports it.
 Result<std::unique_ptr<FrameSetSource>> openRecording(const std::vector<RecordedCamera>& cameras,
                                                       double framesPerSecond);
 

@@ -11,16 +11,16 @@ namespace dewpoint::color {
 
 /// Tolerance in gray levels for sensor noise. A pixel is treated as background if each channel
 /// differs from the background image by at most this tolerance plus an eighth of the channel's
-/// usual value. The additional eighth covers small changes in lighting.
+/// value in the background image. The additional eighth covers small changes in lighting.
 inline constexpr int kBackgroundTolerance = 14;
 inline constexpr int kBackgroundToleranceShift = 3;
 
-/// Returns the images (CV_8UC3) with background pixels that match the ranges replaced by black,
-/// which no range matches. A pixel is background if it hardly differs from the background image
-/// (kBackgroundTolerance). Trackers that use background images therefore do not mistake these
-/// pixels for a target. `backgroundImages` contains the background images in the same order. If one
-/// is empty or has a different size, the image is left unchanged. An image without such pixels
-/// shares its memory with the result.
+/// Returns the images (CV_8UC3) after replacing some background pixels by black, which no range
+/// matches: those whose color matches `ranges`. Trackers that use background images therefore do
+/// not mistake these pixels for a target. A pixel is background if it hardly differs from the
+/// background image (kBackgroundTolerance). `backgroundImages` has the same order as `images`. If a
+/// background image is empty or has a different size, the image is left unchanged. An image without
+/// pixels to replace shares its memory with the result.
 std::vector<cv::Mat> withoutBackgroundColors(const ColorRanges& ranges,
                                              const std::vector<cv::Mat>& images,
                                              const std::vector<cv::Mat>& backgroundImages);

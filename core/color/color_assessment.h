@@ -39,7 +39,7 @@ enum class ColorWord : std::uint8_t {
 /// Returns the common name of a color.
 ColorWord colorWord(const BgrColor& color);
 
-/// Region outside the target that also matches its color: a distractor.
+/// Region of an image that is not the target but matches its color: a distractor.
 struct DistractorRegion {
   int camera = 0;
   cv::Rect box;
@@ -71,20 +71,20 @@ struct ColorAssessment {
   /// False if there are no samples. In that case only backgroundShare is known, as a fraction of
   /// all pixels.
   bool targetKnown = true;
-  /// F1 score of the range, 0 to 1: 2 precision recall / (precision + recall). The samples
+  /// F1 score of the range, 0 to 1: 2 * precision * recall / (precision + recall). The samples
   /// represent the target, and the rest of the images represents the background.
   double separability = 0.0;
   double targetShare = 0.0;     ///< fraction of the sampled colors that match, 0 to 1
   double backgroundShare = 0.0; ///< fraction of the other pixels that match as well, 0 to 1
-  /// backgroundShare of a range that covers the whole target. If little of the target matches, this
-  /// shows the reason: covering more of the target would match too much background. Empty while
-  /// missesTarget() is false.
+  /// backgroundShare of a range that covers the whole target. It explains why little of the target
+  /// matches: a range that covers more of the target would match too much of the background. Empty
+  /// while missesTarget() is false.
   std::optional<double> backgroundShareOfFullRange;
   std::vector<DistractorRegion> distractors; ///< largest first, at most kMostDistractors
-  /// Number of objects in one image with the target's color and about its size, including the
-  /// target.
+  /// Number of objects that have the target's color and about its size, including the target; for
+  /// the image with the most such objects.
   int similarObjectCount = 1;
-  /// True if at least one sample hardly matches the range found for all samples.
+  /// True if, of several samples, at least one hardly matches.
   bool sampleLeftOut = false;
   Suggestion suggestion = Suggestion::None;
 

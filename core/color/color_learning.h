@@ -26,10 +26,10 @@ struct LearnedColor {
 /// Learns the range of hue, saturation and intensity with the highest F1 score between the sampled
 /// colors and the rest of the images (one image per camera in the project, empty where there is
 /// none). The sampled colors are also used slightly lighter, darker and paler, as they will appear
-/// in other positions in the room. An excluded sample counts as background, with a weight equal to
-/// the size of the target. If the samples have several colors, each color gets its own range,
-/// provided that this separates much better than one range for all. Error: BadValue if no sample
-/// shows the target.
+/// in other positions in the room. An excluded sample counts as background, with the same weight as
+/// the target. If the samples have several colors, each color gets its own range, provided that
+/// this separates much better than one range for all. Error: BadValue if no sample shows the
+/// target.
 Result<LearnedColor> learnColor(const std::vector<ColorSample>& samples,
                                 const std::vector<cv::Mat>& images);
 
@@ -37,9 +37,9 @@ Result<LearnedColor> learnColor(const std::vector<ColorSample>& samples,
 ColorAssessment assessColor(const ColorRanges& ranges, const std::vector<ColorSample>& samples,
                             const std::vector<cv::Mat>& images);
 
-/// Same as learnColor(), for trackers that use background images. The background images are in the
-/// order of the images (withoutBackgroundColors()). Pixels marked in `undecided` (colorEvidence())
-/// are ignored.
+/// Same as learnColor(), for trackers that use background images. `backgroundImages` has the same
+/// order as `images`; see withoutBackgroundColors(). Pixels that are marked in `undecided` are
+/// ignored; see colorEvidence().
 Result<LearnedColor> learnColorWithBackground(const std::vector<ColorSample>& samples,
                                               const std::vector<cv::Mat>& images,
                                               const std::vector<cv::Mat>& backgroundImages,

@@ -11,8 +11,8 @@
 namespace dewpoint::color {
 
 /// Dominant colors of an image, and their similarity to each other when shading is mostly ignored.
-/// Colors are compared in CIE L*a*b* with half the weight for lightness. Similarity is a Gaussian
-/// of their distance. The same image always produces the same palette.
+/// Colors are compared in CIE L*a*b* with half the weight for lightness. The similarity of two
+/// colors is a Gaussian of their distance. The same image always produces the same palette.
 class ColorPalette {
 public:
   /// Number of colors in the palette.
@@ -27,7 +27,8 @@ public:
   /// Returns the index of the closest palette color for each pixel: CV_8UC1 with the size of the
   /// image.
   const cv::Mat& labels() const { return labels_; }
-  /// Returns the counts spread over similar colors.
+  /// Returns a soft histogram: each entry is the sum of all `counts`, weighted by the similarity of
+  /// their colors to the color of this entry.
   Shares spreadOverSimilarColors(const Shares& counts) const;
 
 private:

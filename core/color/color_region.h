@@ -19,26 +19,26 @@ double colorDistance(const BgrColor& one, const BgrColor& other);
 
 /// Segments the object at a pixel. Returns CV_8UC1 with the size of the image, 255 on the object.
 ///
-/// Regions around the pixel are grown for all tolerances in one pass, by the smallest colorDistance
-/// that has to be crossed to reach a pixel (a flood from the click). These regions are nested. The
-/// function selects the one whose outline has the strongest edge compared with the differences
-/// inside it (Fisher's criterion), is not ragged, and whose overall color is close to the clicked
-/// one. As with maximally stable regions (Matas et al., BMVC 2002), no tolerance has to be chosen.
-/// The click is then corrected: the region's median color replaces that of the pixel. Highlights
-/// inside the region are filled.
+/// Regions around the pixel are grown for all tolerances in one pass, by the smallest
+/// colorDistance() that has to be crossed on a path from the click to each pixel. These regions are
+/// nested. The function selects the one whose outline has the strongest edge compared with the
+/// differences inside it (Fisher's criterion), is not ragged, and whose overall color is close to
+/// the clicked one. As with maximally stable regions (Matas et al., BMVC 2002), no tolerance has to
+/// be chosen. The region is then grown again, with its median color in place of the color of the
+/// clicked pixel. Highlights inside the region are filled.
 ///
 /// `within` limits the region (a dragged box; if nothing in it has a clear outline, the region is
 /// the box itself). If empty, the whole image is used.
 cv::Mat growRegion(const cv::Mat& bgr, cv::Point click, cv::Rect within = {});
 
-/// Minimum fraction of a dragged box that an object must fill. With less, the region is the box
-/// itself. A judgment.
+/// Minimum fraction of a dragged box that an object must fill. If it fills less, the region is the
+/// box itself. A judgment.
 inline constexpr double kMinBoxFill = 0.35;
 
-/// Returns the region of a sample in an image, as grown by takeSample(). A box may have no clear
-/// outline in it, for instance if it contains part of a larger object. Then the region is grown
-/// from the center of the box and cut off at the box, if this fills more than a third of the box.
-/// Otherwise the region is the whole box.
+/// Returns the region of a sample in an image, as grown by takeSample(). If a box contains no clear
+/// outline, for instance because it shows part of a larger object, the region is grown from the
+/// center of the box and cut off at the box. This region is used if it fills at least kMinBoxFill
+/// of the box. Otherwise the region is the whole box.
 cv::Mat regionOfSample(const cv::Mat& bgr, const ColorSample& sample);
 
 /// Returns the colors of the pixels where the mask (CV_8UC1, same size as the image) is not 0, row

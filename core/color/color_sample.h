@@ -23,9 +23,11 @@ using BgrColor = std::array<std::uint8_t, 3>;
 struct ColorSample {
   static constexpr std::size_t kMostColors = 256;
 
-  bool excluded = false; ///< true if it shows an object that is not the target
-  bool found = false; ///< found through the camera geometry from a click in another camera's image
-  int camera = 0;     ///< camera index in project order
+  bool excluded = false; ///< true if the sample shows an object that is not the target
+  /// True if the sample was not clicked, but found by the camera geometry from a click in the image
+  /// of another camera.
+  bool found = false;
+  int camera = 0; ///< camera index in project order
   std::int64_t frame = 0;
   double x = 0.0; ///< position of the click, or of the box's upper left corner; pixels
   double y = 0.0;

@@ -11,8 +11,8 @@
 namespace dewpoint::color {
 
 /// Tolerance of inclusive bounds, in degrees for hue and as a fraction for saturation and
-/// intensity. It prevents rounding from deciding whether a color exactly on a bound matches. It is
-/// much smaller than the distance between any two 8-bit colors.
+/// intensity. Because of it, a color exactly on a bound always matches, regardless of rounding. It
+/// is much smaller than the distance between any two 8-bit colors.
 inline constexpr double kBoundSlack = 1e-10;
 
 /// Color in the HSI model of Gonzalez & Woods, Digital Image Processing, section 6.2 (RGB to HSI).
@@ -32,8 +32,8 @@ inline double radiansToHueDegrees(double radians) {
 /// reference for testing ColorClassifier.
 Hsi hsiFromBgr(std::uint8_t b, std::uint8_t g, std::uint8_t r);
 
-/// Inverse of hsiFromBgr(). Returns blue, green and red in gray levels, not rounded. Values above
-/// 255 do not correspond to any 8-bit color.
+/// Inverse of hsiFromBgr(). Returns blue, green and red in gray levels, not rounded. If a value is
+/// above 255, no 8-bit color corresponds to `color`.
 std::array<double, 3> bgrFromHsi(const Hsi& color);
 
 /// Returns whether the color lies in the range. Black never matches. Gray matches only ranges that

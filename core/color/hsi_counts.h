@@ -11,7 +11,7 @@
 
 namespace dewpoint::color {
 
-/// Group of similar colors with its total weight.
+/// Mean color of a group of similar colors, and the total weight of the group.
 struct WeightedHsiColor {
   Hsi color;
   double weight = 0.0;

@@ -9,10 +9,10 @@ namespace dewpoint::color {
 
 /// Tests whether y > slope * x for small integers x and y, using 16-bit products:
 ///   scale * y > floor(factor * x / 65536).
-/// All slopes between two neighboring fractions y/x of these integers produce the same results. The
-/// fractions are more than 1 / (65536 scale) apart, so the slope can be replaced with one of the
-/// two nearest multiples of that step. When a line is created, the results are checked to be the
-/// same for every x.
+/// All slopes between two neighboring fractions y / x of these integers produce the same results.
+/// The fractions are more than 1 / (65536 * scale) apart. The slope can therefore be replaced with
+/// one of the two nearest multiples of this step. When a line is created, the results are checked
+/// to be the same for every x.
 template <class Factor> struct IntegerLine {
   Factor factor = 0; ///< slope * scale * 65536, 16 bits
   std::uint16_t scale = 1;

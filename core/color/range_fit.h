@@ -9,27 +9,27 @@
 
 namespace dewpoint::color {
 
-/// How much of two sets of colors is matched by one or more ranges.
+/// How much of the target colors and of the other colors is matched by one or more ranges.
 struct RangeScore {
   double target = 0.0; ///< weight of the matching target colors
-  double rest = 0.0;   ///< weight of the other matching colors
-  double f1 = 0.0;     ///< 2 target / (all of the target + target + rest)
+  double rest = 0.0;   ///< weight of the matching other colors
+  double f1 = 0.0; ///< F1 score, 0 to 1: 2 * target / (weight of all target colors + target + rest)
 };
 /// Returns the score of ranges for the colors of the target and the other colors (`rest`).
 RangeScore scoreRange(const ColorRanges& ranges, const std::vector<WeightedHsiColor>& target,
                       const std::vector<WeightedHsiColor>& rest);
 
-/// Fits the range with the highest F1 score by coordinate ascent. With two of hue, saturation and
-/// intensity held fixed, the best interval of the third is found exactly (on whole degrees and
-/// hundredths). This is repeated in turn until nothing improves, starting from several quantile
-/// boxes of the target colors. Weights are in pixels for both sets. The target needs at least one
-/// color that is not black.
+/// Fits the range with the highest F1 score by coordinate ascent. In each step, two of hue,
+/// saturation and intensity are held fixed, and the best interval of the third is found exactly (on
+/// whole degrees or hundredths). The steps are repeated until nothing improves. The ascent starts
+/// from several boxes of quantiles of the target colors, and the best result is used. The weights
+/// of both sets are in pixels. At least one target color must not be black.
 ColorRange fitRange(const std::vector<WeightedHsiColor>& target,
                     const std::vector<WeightedHsiColor>& rest);
 
-/// Returns the range with the narrowest hue interval that has the same score. On the hue circle, at
-/// least two intervals contain the same colors, one of which spans the widest gap between these
-/// colors. fitRange() may choose that one if neither the target nor the rest has a hue in the gap.
+/// Returns the range with the narrowest hue interval that has the same score. Several intervals on
+/// the hue circle may contain the same colors. One of them may span a wide gap in which neither the
+/// target nor the rest has a hue, and fitRange() may have chosen it.
 ColorRange withNarrowestHue(const ColorRange& range, const std::vector<WeightedHsiColor>& target,
                             const std::vector<WeightedHsiColor>& rest);
 

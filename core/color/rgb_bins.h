@@ -27,9 +27,9 @@ inline std::uint16_t fineRgbBin(std::uint8_t blue, std::uint8_t green, std::uint
   return static_cast<std::uint16_t>(((red >> 4) << 8) | ((green >> 4) << 4) | (blue >> 4));
 }
 
-/// Writes the bins of the pixels in `part` of an image (CV_8UC3) to the same part of `bins`. If
-/// needed, `bins` is reallocated as CV_16UC1 with the size of the image. Pixels outside `part` are
-/// unchanged.
+/// Writes the bins of the pixels in the rectangle `part` of an image (CV_8UC3) to the same
+/// rectangle of `bins`. If needed, `bins` is reallocated as CV_16UC1 with the size of the image.
+/// Pixels outside `part` are unchanged.
 void findRgbBins(const cv::Mat& bgr, const cv::Rect& part, cv::Mat& bins);
 
 } // namespace dewpoint::color

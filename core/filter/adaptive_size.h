@@ -9,10 +9,10 @@
 
 namespace dewpoint::filter {
 
-/// Returns the number of particles with which the Kullback-Leibler distance between the sampled and
-/// the true distribution over `occupiedBins` bins stays below `error` at 99 % confidence. The
-/// result is at least 1. Method: KLD-sampling (Fox 2003, equation 13) with the Wilson-Hilferty
-/// approximation.
+/// Returns the number of particles that is needed for a distribution over `occupiedBins` bins. With
+/// this number, the Kullback-Leibler distance between the sampled and the true distribution stays
+/// below `error` at 99 % confidence. The result is at least 1. Method: KLD-sampling (Fox 2003,
+/// equation 13) with the Wilson-Hilferty approximation.
 Eigen::Index kldSampleSize(std::int64_t occupiedBins, double error);
 
 /// Returns the number of cubes with edges of `binSize` meters that contain at least one particle.

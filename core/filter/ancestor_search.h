@@ -21,15 +21,16 @@ public:
   /// `found` and returns their number. Blocks must be requested in ascending order.
   std::int64_t ancestors(std::int64_t block, std::int32_t* found);
 
-  /// Number of draws in a tile. All draws of a tile are compared with one cumulative weight at a
-  /// time.
+  /// Number of draws in a tile. All draws of a tile are compared with the same cumulative weight at
+  /// the same time.
   static constexpr int kTile = 16;
   /// Progress of the search within one tile.
   struct Position {
-    std::int64_t firstDraw = 0;             ///< first draw of the tile, counted within its block
-    std::int64_t particle = 0;              ///< next particle to compare with
-    std::int64_t base = 0;                  ///< number of particles before all draws of the tile
-    std::array<std::int64_t, kTile> rank{}; ///< number of additional particles before each draw
+    std::int64_t firstDraw = 0; ///< first draw of the tile, counted within its block
+    std::int64_t particle = 0;  ///< next particle to compare with
+    std::int64_t base = 0;      ///< number of particles that lie before all draws of the tile
+    /// Number of particles, in addition to `base`, that lie before each draw.
+    std::array<std::int64_t, kTile> rank{};
   };
 
 private:

@@ -20,12 +20,12 @@ struct Assignment {
 };
 
 /// Assigns rows of `cost` to columns at minimum total cost; each row and each column is used at
-/// most once. The matrix may have any shape and any sign, and it may be empty. A pair whose cost is
-/// not finite is forbidden. The number of pairs is maximized first, then their total cost is
-/// minimized. Equal inputs give equal results, even when there are ties. Method: shortest
+/// most once. The matrix may have any shape and may be empty; costs may be negative. A pair whose
+/// cost is not finite is forbidden. The number of pairs is maximized first, then their total cost
+/// is minimized. Equal inputs give equal results, even when there are ties. Method: shortest
 /// augmenting paths (Jonker & Volgenant 1987, in the rectangular form of Crouse 2016, "On
-/// implementing 2D rectangular assignment algorithms"), at most s²l steps for a shorter side s and
-/// a longer side l.
+/// implementing 2D rectangular assignment algorithms"), at most s² l steps, where s is the shorter
+/// and l the longer side of the matrix.
 Assignment assignMinimumCost(const Eigen::MatrixXd& cost);
 
 } // namespace dewpoint::filter

@@ -8,7 +8,8 @@
 
 namespace dewpoint::filter {
 
-/// Number of particles summed together. Their columns fit into the first-level cache.
+/// Number of particles in a block. A block is processed as a whole; its columns fit into the
+/// first-level cache.
 inline constexpr std::int64_t kSumBlock = 1024;
 
 /// Number of partial sums in sumInLanes(); element i belongs to partial sum i mod kSumLanes. The

@@ -20,8 +20,8 @@ public:
   /// Sets the number of particles. Their weights are undefined until they are set.
   void resize(std::int64_t count);
   /// Sets the weights of the block that begins at particle `begin` from its `length` log weights. A
-  /// log weight that is not finite becomes weight zero. Different blocks may be set at the same
-  /// time.
+  /// log weight that is not finite becomes weight zero. Different threads may set different blocks
+  /// at the same time.
   void setBlock(std::int64_t begin, std::int64_t length, const double* logWeights);
   /// Normalizes the weights so that they sum to 1. Call it after all blocks have been set. If no
   /// log weight was finite, all weights become equal and the function returns false.
@@ -41,7 +41,8 @@ public:
   /// Returns the factor that converts the relative weights of a block to weights that sum to 1 over
   /// the set.
   double factor(std::int64_t block) const { return blocks_[std::size_t(block)].factor; }
-  /// Returns the sum of the relative weights for each stretch of the block.
+  /// Returns the sums of the relative weights of a block, one for each of its stretches (runs of
+  /// kStretch particles).
   const StretchSums& sums(std::int64_t block) const { return blocks_[std::size_t(block)].sums; }
 
 private:

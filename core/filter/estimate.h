@@ -15,7 +15,8 @@ struct StateEstimate {
   Eigen::Index bestIndex =
       0; ///< particle with the highest weight (MAP); the first one if there are ties
   double effectiveSampleSize = 0.0; ///< 1 / sum of squared weights
-  bool degenerate = false; ///< no finite log weight, so all particles were weighted equally
+  /// True if no log weight was finite, so that all particles were weighted equally.
+  bool degenerate = false;
 };
 
 /// Computes the estimate for a whole set from its `Moments`. The weights of the set must sum to 1.

@@ -19,9 +19,9 @@ using Gaussian3 = Gaussian<3>;
 /// Normal distribution of position and velocity: x y z vx vy vz.
 using Gaussian6 = Gaussian<6>;
 
-/// Replaces the position of a state by the posterior `position`. The velocity is updated according
-/// to its correlation with the position. This is the Kalman update, written for the posterior of
-/// the observed part.
+/// Replaces the position of a state by its posterior distribution `position`, and updates the
+/// velocity according to its correlation with the position. This is the Kalman update, written in
+/// terms of the posterior of the observed part.
 void conditionOnPosition(Gaussian6& state, const Gaussian3& position);
 
 } // namespace dewpoint::filter

@@ -38,8 +38,8 @@ concept ObservationModel = requires(const O& model, ConstStateRows rows,
 
 /// Picks `count` particles with replacement, so that particle i is picked count * weights[i] times
 /// on average. The weights are linear and sum to 1. `ancestors` is resized to `count`. A resampler
-/// may instead take BlockWeights, and a ThreadTeam before `ancestors`. The particle filter then
-/// passes its weights and its thread team.
+/// may also have a second version, which takes BlockWeights as the weights, and a ThreadTeam as an
+/// additional argument before `ancestors`. The particle filter then calls this version.
 template <class R>
 concept Resampler = requires(const R& resampler, const Eigen::ArrayXd& weights, Eigen::Index count,
                              const RandomStream& stream, Ancestors& ancestors) {

@@ -9,9 +9,9 @@
 
 namespace dewpoint::filter {
 
-/// Weighted mean and scatter of some particles. Blocks are combined with the formulas of Chan,
-/// Golub and LeVeque (1983). These formulas keep the digits that a sum of squares about a distant
-/// origin would lose.
+/// Weighted mean and scatter of a group of particles. The values of several groups are combined
+/// with the formulas of Chan, Golub and LeVeque (1983). These formulas keep the digits that a sum
+/// of squares about a distant origin would lose.
 struct Moments {
   double weight = 0.0;           ///< sum of the weights
   double squares = 0.0;          ///< sum of the squared weights

@@ -28,9 +28,9 @@ struct RandomKey {
 
   RandomStream stream(RandomPurpose purpose) const { return {seed, frame, iteration, purpose}; }
 
-  /// Returns the random stream of one of up to 4096 parts (numbered from 0) that draw numbers for
-  /// the same purpose in the same iteration. Within 2^20 iterations of a frame, no two parts share
-  /// a stream.
+  /// Returns the random stream of one part of a computation. In each iteration, up to 4096 parts
+  /// (numbered from 0) may draw numbers for the same purpose. Within 2^20 iterations of a frame, no
+  /// two parts share a stream.
   RandomStream streamOfPart(RandomPurpose purpose, std::uint32_t part) const {
     // The part number is stored between the low and the high bits of the iteration.
     return {seed, frame, (iteration & 0xFFU) | (part << 8U) | (iteration >> 8U) << 20U, purpose};
@@ -43,8 +43,8 @@ struct RandomKey {
 ///
 /// With many particles, memory access takes most of the time, so each state is written once per
 /// iteration. Resampling only lists ancestors. The next iteration copies the states of these
-/// ancestors, moves them, weighs them and sums them up block by block, while a block is in the
-/// cache.
+/// ancestors, moves them, weighs them and sums them up, block by block, so that all these steps
+/// find the block in the cache.
 class ParticleFilter {
 public:
   /// Restarts with the given states, which get equal weights. At least one state is required.
@@ -86,7 +86,8 @@ public:
   Eigen::ArrayXXd next() const { return states_(ancestors_, Eigen::all); }
 
 private:
-  /// Predicts, weighs and computes mean and scatter block by block, while a block is in the cache.
+  /// Predicts and weighs the particles, and computes their mean and scatter. All this is done block
+  /// by block, while a block is in the cache.
   template <Proposal P, ObservationModel O>
   void weigh(const P& proposal, const O& observation, const RandomStream& stream,
              ThreadTeam& team) {

@@ -10,12 +10,13 @@
 
 namespace dewpoint::filter {
 
-/// Number of elements in a stretch. Cumulative sums are taken in order within a stretch, and the
-/// sum of all earlier stretches is added afterwards. The results are therefore bit-identical for
-/// any number of threads and on any processor.
+/// Number of elements in a stretch. A stretch is a run of consecutive elements, with fixed borders.
+/// Cumulative sums are taken in order within a stretch, and the sum of all earlier stretches is
+/// added afterwards. The results are therefore bit-identical for any number of threads and on any
+/// processor.
 inline constexpr std::int64_t kStretch = 256;
-/// Number of stretches summed in parallel. Each addition waits for the previous addition in its
-/// stretch, but not for additions in other stretches.
+/// Number of stretches that are summed at the same time. Each addition has to wait for the previous
+/// addition in its stretch, but not for additions in other stretches.
 inline constexpr std::int64_t kLanes = 4;
 /// Number of elements in a block of stretches.
 inline constexpr std::int64_t kPrefixBlock = kStretch * kLanes;
@@ -23,15 +24,15 @@ inline constexpr std::int64_t kPrefixBlock = kStretch * kLanes;
 /// Sums of the stretches of a block, one per stretch.
 using StretchSums = std::array<double, kLanes>;
 
-/// Computes the running sums of each stretch of a block of `count` <= kPrefixBlock values. Each
-/// running sum is passed to put(index, sum). Returns the total of each stretch, which is zero for
-/// an empty stretch.
+/// Computes the running sums within each stretch of a block of `count` <= kPrefixBlock values, and
+/// calls put(index, sum) for each of them. Returns the total of each stretch, which is zero for an
+/// empty stretch.
 template <class Value, class Put>
 [[gnu::always_inline]] inline StretchSums prefixSums(const Value* values, std::int64_t count,
                                                      const Put& put) {
   StretchSums sums{};
   double* sum = sums.data();
-  const auto advance = [&](std::int64_t stretches, std::int64_t begin, std::int64_t end)
+  const auto addElements = [&](std::int64_t stretches, std::int64_t begin, std::int64_t end)
       __attribute__((always_inline)) {
     for (std::int64_t i = begin; i < end; ++i) {
       for (std::int64_t k = 0; k < stretches; ++k) {
@@ -43,12 +44,12 @@ template <class Value, class Put>
   const std::int64_t whole = count / kStretch;
   const std::int64_t rest = count % kStretch;
   if (whole == kLanes) {
-    advance(kLanes, 0, kStretch);
+    addElements(kLanes, 0, kStretch);
   } else if (whole == kLanes - 1) {
-    advance(kLanes, 0, rest);
-    advance(kLanes - 1, rest, kStretch);
+    addElements(kLanes, 0, rest);
+    addElements(kLanes - 1, rest, kStretch);
   } else {
-    advance(whole, 0, kStretch);
+    addElements(whole, 0, kStretch);
     for (std::int64_t i = 0; i < rest; ++i) {
       sum[whole] += double{values[whole * kStretch + i]};
       put(whole * kStretch + i, sum[whole]);

@@ -9,14 +9,14 @@
 
 namespace dewpoint::filter {
 
-/// Independent uniform draws from [0, total), generated in ascending order without sorting. When
-/// sorted, n such draws are distributed like the partial sums of n + 1 independent exponential
-/// spacings, divided by the sum of all spacings (Devroye 1986, "Non-Uniform Random Variate
-/// Generation", section V.3.1).
+/// Independent uniform draws from [0, total), generated in ascending order without sorting. The
+/// method: n sorted draws are distributed like the first n partial sums of n + 1 independent
+/// exponential spacings, divided by the sum of all spacings and multiplied by `total` (Devroye
+/// 1986, "Non-Uniform Random Variate Generation", section V.3.1).
 ///
-/// The spacings are grouped in blocks of kBlock. The sum of a block's spacings is independent of
-/// their ratios. It is therefore drawn first, from its gamma distribution, and each block can be
-/// generated without the ones before it.
+/// The spacings are grouped in blocks of kBlock. The sum of the spacings in a block is independent
+/// of their ratios. The sums of all blocks are therefore drawn first, from their gamma
+/// distributions. After that, each block can be generated without the blocks before it.
 class SortedDraws {
 public:
   static constexpr std::int64_t kBlock = kPrefixBlock;
@@ -26,7 +26,8 @@ public:
 
   std::int64_t count() const { return count_; }
   std::int64_t blockCount() const { return (count_ + kBlock - 1) / kBlock; }
-  /// Writes the draws from kBlock * block on and returns their number, at most kBlock.
+  /// Writes the draws of a block, beginning with draw kBlock * block, and returns their number, at
+  /// most kBlock.
   std::int64_t write(std::int64_t block, double* draws) const;
 
 private:

@@ -11,9 +11,9 @@
 namespace dewpoint::filter {
 
 /// Systematic resampling (Kitagawa 1996; Arulampalam et al. 2002, algorithm 2): one uniform draw,
-/// followed by equal steps through the cumulative weights. The method is unbiased. Each particle is
-/// picked as often as expected, rounded up or down to a whole number. The weights need not sum to
-/// 1, but at least one must be positive.
+/// followed by equal steps through the cumulative weights. The method is unbiased. The number of
+/// times that a particle is picked is its expected number, rounded up or down. The weights need not
+/// sum to 1, but at least one must be positive.
 struct SystematicResampling {
   void ancestors(const Eigen::ArrayXd& weights, Eigen::Index count, const RandomStream& stream,
                  Ancestors& picked) const {

@@ -47,12 +47,13 @@ struct Camera {
 /// All cameras of a project, in a fixed order.
 using CameraRig = std::vector<Camera>;
 
-/// Returns the same camera moved to the world origin, with its axes along the world axes.
+/// Returns the camera with its pose replaced by the identity: it is at the world origin, with its
+/// axes along the world axes.
 Camera withoutPose(Camera camera);
 
 /// Returns the pose (camera from world) of a camera at `position` that looks at `target`. The
-/// image's up direction is along `up`. The camera is then rotated by `roll` radians about its
-/// optical axis. All vectors are in the world frame, meters.
+/// upward direction of the image is as close to `up` as possible. The camera is then rotated by
+/// `roll` radians about its optical axis. All vectors are in the world frame, meters.
 Eigen::Isometry3d lookAt(const Eigen::Vector3d& position, const Eigen::Vector3d& target,
                          const Eigen::Vector3d& up = Eigen::Vector3d::UnitZ(), double roll = 0.0);
 

@@ -13,14 +13,15 @@ namespace dewpoint::geometry {
 /// function. The window shows a translation of the same name.
 std::string defaultCameraName(std::size_t index);
 
-/// Returns the camera name used in messages, or the camera number if the camera has no name.
+/// Returns the name of a camera for messages, or its default name if the camera has no name.
 std::string nameOrNumber(const Camera& camera, std::size_t index);
 
-/// Returns the first default name, counting from the rig's size, that no camera of the rig has.
+/// Returns the first default name that no camera of the rig has, starting with that for the next
+/// camera (index = size of the rig).
 std::string unusedCameraName(const CameraRig& rig);
 
-/// Returns the first unused name, counting from number `first`. `nameOf` returns the name for a
-/// number.
+/// Returns the first name that no camera of the rig has. Tries nameOf(first), nameOf(first + 1),
+/// ...
 std::string unusedCameraName(const CameraRig& rig, std::size_t first,
                              const std::function<std::string(std::size_t)>& nameOf);
 

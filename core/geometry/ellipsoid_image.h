@@ -13,8 +13,9 @@ namespace dewpoint::geometry {
 /// Solid ellipsoid in the world frame.
 struct Ellipsoid {
   Eigen::Vector3d center = Eigen::Vector3d::Zero(); ///< meters
-  /// Extent (m²): a symmetric matrix whose eigenvalues are the squared semi-axes and whose
-  /// eigenvectors are their directions. The covariance of the points inside is one fifth of it.
+  /// Extent (m²): a symmetric matrix whose eigenvalues are the squares of the semi-axes and whose
+  /// eigenvectors are the directions of the axes. The covariance of the points inside is one fifth
+  /// of it.
   Eigen::Matrix3d extent = Eigen::Matrix3d::Zero();
 
   /// Returns the radius of a ball with the same volume, meters.
@@ -27,14 +28,14 @@ Eigen::Matrix3d ballExtent(double radius);
 /// Outline of an ellipsoid in an image.
 struct EllipseImage {
   Eigen::Vector2d center = Eigen::Vector2d::Zero(); ///< pixels
-  /// Extent (px²): a symmetric matrix whose eigenvalues are the squared semi-axes. The covariance
-  /// of the pixels inside is one quarter of it.
+  /// Extent (px²): a symmetric matrix whose eigenvalues are the squares of the semi-axes. The
+  /// covariance of the pixels inside is one quarter of it.
   Eigen::Matrix2d extent = Eigen::Matrix2d::Zero();
 
   /// Returns the enclosed area, px².
   double area() const;
-  /// Returns the squared distance of a pixel from the center, measured in semi-axes. It is at most
-  /// 1 inside the ellipse.
+  /// Returns the squared distance of a pixel from the center, where the distance along each axis is
+  /// measured in units of its semi-axis. The result is at most 1 inside the ellipse.
   double squaredDistance(const Eigen::Vector2d& pixel) const;
 };
 

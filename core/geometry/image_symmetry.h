@@ -9,8 +9,9 @@
 
 namespace dewpoint::geometry {
 
-/// One of the eight orientations of an image: rotated clockwise by 0, 90, 180 or 270 degrees, then
-/// optionally mirrored left to right. A camera's source settings store the same two values.
+/// Symmetry operation: one of the eight ways to rotate and mirror an image. The image is rotated
+/// clockwise by 0, 90, 180 or 270 degrees, then optionally mirrored left to right. A camera's
+/// source settings store the same two values.
 struct ImageSymmetry {
   int rotateDegrees = 0;
   bool mirrored = false;
@@ -18,17 +19,18 @@ struct ImageSymmetry {
   bool operator==(const ImageSymmetry&) const = default;
 };
 
-/// Returns all orientations: identity first, then the rotations, then the mirrored orientations.
+/// Returns all eight symmetries: first the identity, then the rotations, then those with mirroring.
 const std::array<ImageSymmetry, 8>& imageSymmetries();
 
-/// Returns the position of a pixel after an image of this size (pixels) is transformed. Pixel
-/// centers are at integer coordinates.
+/// Returns the position of a pixel after `symmetry` is applied to an image of `width` x `height`
+/// pixels. Pixel centers are at integer coordinates.
 Eigen::Vector2d transformed(const ImageSymmetry& symmetry, const Eigen::Vector2d& pixel, int width,
                             int height);
 
-/// Returns the same camera after its images are transformed: new intrinsics and distortion
-/// coefficients. A rotation also rotates the pose, so that every world point moves with its pixel.
-/// No pose can describe a mirrored image, so mirroring leaves the pose unchanged.
+/// Returns the same camera after `symmetry` is applied to its images: with new intrinsics and
+/// distortion coefficients. A rotation also rotates the pose, so that every world point moves
+/// together with the image content. No pose can describe a mirrored image, so mirroring leaves the
+/// pose unchanged.
 Camera transformed(const ImageSymmetry& symmetry, const Camera& camera);
 
 /// Returns the symmetry that equals `first` followed by `second`.

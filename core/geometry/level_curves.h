@@ -26,9 +26,9 @@ using LevelCurve = std::vector<Eigen::Vector2d>;
 /// mean of the four corners determines how a saddle is cut.
 std::vector<LevelCurve> levelCurves(const GroundGrid& grid, double level);
 
-/// Returns the level above which the values add up to the fraction `probability` of the sum of all
-/// values. The level curve is the border of the smallest region with that probability. 0 if the sum
-/// is zero.
+/// Returns the level for which the values above it add up to the fraction `probability` of the sum
+/// of all values. The curve at this level is the border of the smallest region with this
+/// probability. Returns 0 if the sum is zero.
 double levelForProbability(const GroundGrid& grid, double probability);
 
 } // namespace dewpoint::geometry

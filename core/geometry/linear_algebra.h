@@ -29,15 +29,15 @@ SymmetricEigen symmetricEigen(const Eigen::MatrixXd& matrix);
 /// Solves matrix x = right for a positive or negative semidefinite matrix, by LDLT.
 Eigen::MatrixXd solveSymmetric(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right);
 
-/// Returns the inverse of a symmetric positive definite matrix, by Cholesky decomposition. Nothing
-/// for any other matrix.
+/// Returns the inverse of a symmetric positive definite matrix, by Cholesky decomposition. Returns
+/// nothing for any other matrix.
 std::optional<Eigen::MatrixXd> inversePositiveDefinite(const Eigen::MatrixXd& matrix);
 
 /// Singular value decomposition by Jacobi rotations.
 class SingularValues {
 public:
-  /// Set of singular vectors to compute. `Thin` and `Full` allow solve(); `Full` gives all columns
-  /// of V, with those of the null space last.
+  /// Singular vectors to compute. solve() requires `Thin` or `Full`. With `Full`, matrixV() has all
+  /// columns, with those of the null space last.
   enum class Vectors { None, Thin, Full };
 
   SingularValues(const Eigen::MatrixXd& matrix, Vectors vectors);

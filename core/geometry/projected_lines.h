@@ -21,11 +21,11 @@ using ImageLine = std::vector<Eigen::Vector2d>;
 std::array<std::pair<Eigen::Vector3d, Eigen::Vector3d>, 12> edgesOf(const WorldBox& box);
 
 /// Projects the straight line between two world points (meters). Parts behind the camera, beyond
-/// the fold-back of the lens (Projector::project), or more than 10,000 pixels away are left out.
-/// The result has several pieces if the line leaves the visible part and returns.
+/// the fold-back of the lens (Projector::project), or more than 10,000 pixels away are left out. If
+/// such parts lie between visible parts of the line, the result has several pieces.
 std::vector<ImageLine> projectedLine(const Projector& projector, const Eigen::Vector3d& from,
                                      const Eigen::Vector3d& to);
-/// Projects all edges of a box in the same way.
+/// Projects all edges of a box as projectedLine() does.
 std::vector<ImageLine> projectedEdges(const Projector& projector, const WorldBox& box);
 /// Projects a ray up to 1000 m from its origin: the epipolar line of the pixel from which the ray
 /// comes.

@@ -11,7 +11,7 @@
 
 namespace dewpoint::geometry {
 
-/// Half-line in the world frame: `origin` in meters, `direction` of length 1.
+/// Half-line in the world frame: `origin` is in meters, and `direction` has length 1.
 struct Ray {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
@@ -25,8 +25,8 @@ public:
 
   /// Returns the unit direction, in the world frame, of the pixel (column, row), which may lie
   /// outside the image. Lens distortion is inverted by Newton's method on Projector's model, to
-  /// 1e-9 px. Returns nothing if the model has no such direction (beyond its fold-back) or the
-  /// pixel is not finite.
+  /// 1e-9 px. Returns nothing if the lens model has no direction for the pixel, because the pixel
+  /// is beyond its fold-back, or if the pixel is not finite.
   std::optional<Eigen::Vector3d> worldDirection(const Eigen::Vector2d& pixel) const;
 
   /// Returns the same direction as a ray from the camera's center.
@@ -48,9 +48,10 @@ private:
 };
 
 /// Returns the point (world, meters) with the smallest sum of squared distances to the lines of the
-/// rays. It solves the normal equations sum (I - d d') X = sum (I - d d') o. For two rays, Hartley
-/// & Zisserman call this the midpoint method. Returns nothing for fewer than two rays, for rays
-/// within about 0.1 degrees of parallel, or if the point lies behind the origin of a ray.
+/// rays. It solves the normal equations sum (I - d d') X = sum (I - d d') o, where o is the origin
+/// and d the direction of each ray. For two rays, Hartley & Zisserman call this the midpoint
+/// method. Returns nothing for fewer than two rays, for rays within about 0.1 degrees of parallel,
+/// or if the point lies behind the origin of a ray.
 std::optional<Eigen::Vector3d> nearestPoint(const std::vector<Ray>& rays);
 
 /// Returns the distance of a point to the ray in meters. If the point lies behind the origin, this

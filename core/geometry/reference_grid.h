@@ -45,7 +45,7 @@ inline constexpr int kMostGridLines = 200;
 /// `origin`).
 Status checkGrid(const ReferenceGrid& grid);
 
-/// Role of a line or text in a grid. It determines the color and width.
+/// Role of a line or text in a grid. It determines the color and line width for drawing.
 enum class GridRole { Line, Border, AxisX, AxisY, AxisZ };
 
 /// Straight line of a grid. World frame, meters.

@@ -9,8 +9,8 @@
 namespace dewpoint::geometry {
 
 /// Returns the point at which a rig is aimed: the point nearest to all optical axes (world,
-/// meters). For a single camera or parallel axes, it is two meters in front of the cameras. If no
-/// camera has a pose, it is the origin.
+/// meters). If the axes do not determine the distance (a single camera, or parallel axes), the
+/// point is two meters in front of the cameras. If no camera has a pose, it is the origin.
 Eigen::Vector3d rigAimPoint(const CameraRig& rig);
 
 /// Returns a box (world, meters) around the cameras and the point at which they are aimed. Empty if

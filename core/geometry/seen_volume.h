@@ -9,24 +9,25 @@
 
 namespace dewpoint::geometry {
 
-/// Assumed range of a single camera, meters, used when the rig itself implies no distance. Chosen
-/// to be about the size of a room.
+/// Distance up to which cameras are assumed to see if all of them are at one position, meters.
+/// Chosen to be about the size of a room.
 inline constexpr double kSingleCameraRange = 4.0;
 
-/// Returns the bounding box of the volume that at least `cameras` cameras of a rig see. World
-/// frame, meters. Each camera is assumed to see up to 1.5 times the distance at which its optical
-/// axis meets those of the others (the median), and at most 20 times the largest distance between
-/// two cameras. If the cameras imply no distance, the limit is kSingleCameraRange. Cameras without
-/// an image size or a focal length do not count. Nothing if no volume is seen by that number of
-/// cameras.
+/// Returns the bounding box of the volume that at least `cameras` cameras of a rig see (world
+/// frame, meters). Returns nothing if there is no such volume. Cameras without an image size or a
+/// focal length do not count.
 ///
-/// The box is computed from sample points on a lattice of each camera's rays. The spacing is a
-/// tenth of the width of the view and 3 % of its depth. The computation takes a few milliseconds
-/// for eight cameras.
+/// Each camera is assumed to see up to a limited distance. The limit is 1.5 times the median of the
+/// distances at which its optical axis meets those of the other cameras. It is never more than 20
+/// times the largest distance between two cameras, or kSingleCameraRange if that distance is 0.
+///
+/// The box is computed from sample points on a lattice of each camera's rays. Their spacing is a
+/// tenth of the width of the camera's view, and 3 % of its depth. The computation takes a few
+/// milliseconds for eight cameras.
 std::optional<WorldBox> commonVolume(const CameraRig& rig, std::size_t cameras);
 
-/// Returns the volume seen by at least two cameras, or by one camera if no two cameras see a common
-/// volume. Nothing if no camera counts.
+/// Returns the bounding box of the volume that at least two cameras see, or, if there is none, of
+/// the volume that at least one camera sees. Returns nothing if no camera counts.
 std::optional<WorldBox> seenVolume(const CameraRig& rig);
 
 } // namespace dewpoint::geometry

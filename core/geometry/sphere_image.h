@@ -10,7 +10,7 @@
 
 namespace dewpoint::geometry {
 
-/// Outline of a sphere in an image, pixels. The true outline is an ellipse; this is the circle with
+/// Outline of a sphere in an image, pixels. The true outline is an ellipse. This is the circle with
 /// the same center and area.
 struct SphereImage {
   Eigen::Vector2d center = Eigen::Vector2d::Zero();
@@ -18,18 +18,19 @@ struct SphereImage {
 };
 
 /// Projects spheres into one camera. The center of the outline is not the projection of the
-/// sphere's center. Perspective moves it away from the optical axis, by half a pixel or more for a
-/// near ball.
+/// sphere's center. Perspective moves the center of the outline away from the optical axis, by half
+/// a pixel or more for a near ball.
 class SphereProjector {
 public:
   explicit SphereProjector(const Camera& camera);
 
-  /// Returns the outline of a sphere with `radius` meters around `centerWorld` (meters, world
-  /// frame). It may lie outside the image. Returns nothing if the sphere reaches behind the camera
-  /// or beyond the valid range of the lens model.
+  /// Returns the outline of a sphere whose center is `centerWorld` (world frame) and whose radius
+  /// is `radius`, both in meters. It may lie outside the image. Returns nothing if the sphere
+  /// reaches behind the camera or beyond the valid range of the lens model.
   std::optional<SphereImage> project(const Eigen::Vector3d& centerWorld, double radius) const;
 
-  /// Returns the distance in front of the camera along its optical axis, meters.
+  /// Returns the distance of a point in front of the camera, measured along the optical axis,
+  /// meters.
   double depth(const Eigen::Vector3d& pointWorld) const {
     return (pointWorld - cameraCenter_).dot(axis_);
   }

@@ -13,8 +13,9 @@ namespace dewpoint::calibration {
 /// Description of a calibration board. The board's coordinate frame is in meters, as seen on the
 /// printed page: x points right along the columns, y down along the rows, z into the board. The
 /// origin of a chessboard is its first inner corner. The origin of a ChArUco board is the upper
-/// left corner of its first square, as in OpenCV. The first square, upper left, is black (white on
-/// a legacy ChArUco board with an even number of rows).
+/// left corner of its first square, as in OpenCV. The first square is the upper left one. It is
+/// black, except on a legacy ChArUco board with an even number of rows, where it is white. An
+/// inverted board has these colors exchanged.
 struct BoardDescription {
   enum class Kind { Chessboard, Charuco };
 
@@ -24,8 +25,9 @@ struct BoardDescription {
   double squareSize = 0.025; ///< side of a square, meters
   double markerSize = 0.0;   ///< side of a marker, meters; ChArUco only
   std::string dictionary;    ///< OpenCV name such as "DICT_4X4_50"; ChArUco only
-  bool legacy = false;   ///< true for ChArUco boards with even rows made by OpenCV before 4.6: the
-                         ///< first square is white
+  /// True for ChArUco boards with an even number of rows that were made by OpenCV before 4.6: the
+  /// first square is white.
+  bool legacy = false;
   bool inverted = false; ///< printed with black and white exchanged
 
   /// Returns the number of inner corners in a row. The next two functions return the number in a

@@ -8,7 +8,7 @@
 
 namespace dewpoint::calibration {
 
-/// A view of the board, with the board pose relative to the camera.
+/// View of the board, with the pose of the board relative to the camera.
 struct PosedView {
   std::size_t camera = 0;
   const BoardView* view = nullptr;
@@ -21,19 +21,21 @@ struct PosedView {
 /// Start values for bundle adjustment.
 struct BoardChain {
   std::vector<Eigen::Isometry3d> cameraFromFirst;
-  std::map<std::int64_t, Eigen::Isometry3d>
-      firstFromBoard; ///< board poses in the frame of the first camera, by instant
+  /// Board poses in the frame of the first camera, by BoardView::instant.
+  std::map<std::int64_t, Eigen::Isometry3d> firstFromBoard;
   std::vector<PosedView> views;
   std::vector<std::vector<ViewFit>> leftOut; ///< views without a pose, per camera
   std::vector<std::string> notices;
 };
 
-/// Computes the pose of the board in each view, and the relative poses of the cameras from pairs.
-/// Undetermined names the cameras that are not connected to the first one.
+/// Computes the pose of the board in each view. From the views that two cameras have at the same
+/// instants, computes the relative pose of these cameras. The pairs with the most agreeing instants
+/// connect all cameras with the first one. Error: Undetermined, which names the cameras that cannot
+/// be connected.
 Result<BoardChain> chainCameras(const ExtrinsicsRequest& request);
 
-/// Returns `view` with the board rotated by a number of quarter turns, and with the corresponding
-/// pose.
+/// Returns the same view of a board that is rotated about its normal by `quarterTurns` quarter
+/// turns: with renumbered corners and the corresponding pose.
 PosedView rotatedView(const BoardDescription& board, const Camera& camera, const PosedView& view,
                       int quarterTurns);
 

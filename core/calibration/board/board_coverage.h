@@ -17,13 +17,13 @@ enum class BoardTilt { Flat, LeftNear, RightNear, TopNear, BottomNear };
 /// component.
 BoardTilt tiltOf(const Eigen::Isometry3d& cameraFromBoard);
 
-/// Returns the angle between the board's normal and the direction from the camera to the board
-/// center `middle`; radians.
+/// Returns the angle between the board's normal and the direction from the camera to the center of
+/// the board, in radians. `middle` is this center in the board frame.
 double tiltAngle(const Eigen::Isometry3d& cameraFromBoard, const Eigen::Vector3d& middle);
 
 /// Image regions in which corners were seen, and tilts at which the board was seen. A calibration
-/// has no information about regions without corners. Without tilt, it cannot separate focal length
-/// and distance.
+/// has no information about regions without corners. Without views at a tilt, it cannot separate
+/// the focal length from the distance of the board.
 struct BoardCoverage {
   static constexpr int kColumns = 6;
   static constexpr int kRows = 4;
@@ -33,10 +33,10 @@ struct BoardCoverage {
       corners{};                   ///< number of corners seen in each region, row by row
   std::array<int, kTilts> tilts{}; ///< number of views at each BoardTilt
 
-  /// Returns the index of the region that contains a pixel, for an image of the given size
-  /// (pixels).
+  /// Returns the index of the region that contains a pixel, in an image of `width` x `height`
+  /// pixels.
   static int regionOf(const Eigen::Vector2d& pixel, int width, int height);
-  /// Adds a view with corners at `pixels`, in an image of the given size (pixels).
+  /// Adds a view with corners at `pixels`, in an image of `width` x `height` pixels.
   void add(const std::vector<Eigen::Vector2d>& pixels, BoardTilt tilt, int width, int height);
   /// Returns the fraction of regions in which a corner was seen, 0 to 1.
   double coveredFraction() const;

@@ -24,10 +24,11 @@ struct BoardDetection {
 
 /// How much time to spend on a detection.
 enum class DetectionEffort {
-  Live,   ///< searches for the board in a reduced image; for live images
-  Sample, ///< chessboards with the settings of OpenCV's calibration sample (11 px, 30 steps, 0.1
-          ///< px), for comparable numbers; ChArUco boards as Exact
-  Exact   ///< tries harder to find the board; takes up to a second per image
+  Live, ///< searches for the board in a reduced image; for live images
+  /// For chessboards, the settings of OpenCV's calibration sample (11 px, 30 steps, 0.1 px), so
+  /// that results are comparable with it; for ChArUco boards, the same as Exact.
+  Sample,
+  Exact ///< tries harder to find the board; takes up to a second per image
 };
 
 /// Finds the corners of a board. Chessboards must be completely visible; ChArUco boards may be

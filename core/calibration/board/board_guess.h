@@ -13,40 +13,44 @@ namespace dewpoint::calibration {
 
 /// Board that a few images show, found without knowing what to look for.
 struct BoardGuess {
-  /// The board. Its square size and, on a chessboard, `inverted` cannot be seen and are those of
-  /// the requested board.
+  /// The board. The square size cannot be seen in images and is that of the requested board. The
+  /// same applies to `inverted` on a chessboard.
   BoardDescription board;
-  bool mirrored = false; ///< the images are mirrored left to right: no description helps
-  int searched = 0;      ///< number of images that were searched
-  int images = 0;        ///< number of them in which a BoardDetector finds the board
-  int corners = 0;       ///< number of corners that it finds in them
+  /// True if the images are mirrored left to right; then no description makes the board detectable.
+  bool mirrored = false;
+  int searched = 0; ///< number of images that were searched
+  int images = 0;   ///< number of searched images in which a BoardDetector finds the board
+  int corners = 0;  ///< total number of corners found in these images
 };
 
-/// Returns an image (CV_8UC1 or CV_8UC3, BGR) as guessBoards() uses it: gray, and reduced to a
-/// width of at most 1280 pixels. Images that are kept for it take less memory so.
+/// Returns an image (CV_8UC1 or CV_8UC3, BGR) in the form that guessBoards() uses: gray, and
+/// reduced to a width of at most 1280 pixels. To save memory, callers can keep images in this form.
 cv::Mat imageForGuess(const cv::Mat& image);
 
-/// Finds out which boards images show: chessboards of any size, and ChArUco boards of any size and
-/// dictionary, with at least four visible markers, also legacy, inverted, or in mirrored images.
-/// `images`: CV_8UC1 or CV_8UC3 (BGR), of any cameras. Each board is confirmed with a
-/// BoardDetector. The most likely board comes first: the one with the most corners. A dictionary is
-/// the smallest one of its kind that has enough markers, unless `requested` names a larger one. The
-/// marker size follows from the images, to a twentieth of a square. Deterministic; takes about 0.3
-/// s an image. Returns an empty list if there is no board, or Canceled.
+/// Finds out which boards are shown in images: chessboards of any size, and ChArUco boards of any
+/// size and dictionary with at least four visible markers. Boards may be legacy or inverted, and
+/// images may be mirrored. `images`: CV_8UC1 or CV_8UC3 (BGR), of any cameras. Each board is
+/// confirmed with a BoardDetector. The board with the most corners comes first, because it is the
+/// most likely one. The dictionary of a ChArUco board is the smallest one of its kind that has
+/// enough markers, unless `requested` names a larger one. The marker size is measured in the
+/// images, to a twentieth of a square. Deterministic; takes about 0.3 s per image. Returns an empty
+/// list if there is no board. Error: Canceled.
 Result<std::vector<BoardGuess>> guessBoards(const std::vector<cv::Mat>& images,
                                             const BoardDescription& requested,
                                             const CalibrationProgress& progress = {});
 
-/// Returns whether a BoardDetector finds the same corners with both descriptions. Sizes, the
-/// numbers of markers in the dictionaries and half turns do not matter.
+/// Returns whether a BoardDetector finds the same corners with both descriptions. The boards may
+/// still differ in their sizes, in the numbers of markers in their dictionaries, and by a half
+/// turn.
 bool isSameBoard(const BoardDescription& one, const BoardDescription& other);
 
-/// Returns the description in words: "ChArUco board of 4 x 5 squares, DICT_4X4_50, black and white
-/// exchanged, mirrored".
+/// Returns the description in words, for example "ChArUco board of 4 x 5 squares, DICT_4X4_50,
+/// black and white exchanged, mirrored".
 std::string guessText(const BoardGuess& guess);
 
-/// Returns a sentence with what to do: "3 of 20 images seem to show another board, a ChArUco board
-/// of ...: use --board charuco:4x5:0.054:0.0405:DICT_4X4_50:inverted". Without a period.
+/// Returns a sentence that tells the user what to do, without a period at its end. Example: "3 of
+/// 20 images seem to show another board, a ChArUco board of ...: use --board
+/// charuco:4x5:0.054:0.0405:DICT_4X4_50:inverted".
 std::string proposalText(const BoardGuess& guess);
 
 } // namespace dewpoint::calibration

@@ -10,10 +10,11 @@ namespace dewpoint::calibration {
 
 /// Instruction for the user who shows the board.
 enum class GuidanceAdvice {
-  ShowBoard,  ///< no board is detected
-  MoveTo,     ///< move the board to the image region GuidanceState::region
-  TiltTo,     ///< tilt the board so that the side GuidanceState::tilt is nearer, preferably in that
-              ///< region
+  ShowBoard, ///< no board is detected
+  MoveTo,    ///< move the board to the image region GuidanceState::region
+  /// Tilt the board so that the side GuidanceState::tilt is nearer, preferably with the board in
+  /// GuidanceState::region.
+  TiltTo,
   ComeNearer, ///< bring the board closer: it is small in the image
   HoldStill,  ///< hold still: this view is useful
   Sharpen,    ///< the board is held still, but its edges are soft: focus, or add light
@@ -24,16 +25,15 @@ enum class GuidanceAdvice {
 struct GuidanceSettings {
   /// Speed below which the board counts as still, as a fraction of the image width per second.
   double stillPerSecond = 0.05;
-  double holdSeconds = 0.5; ///< time the board must be still before the view is captured
+  double holdSeconds = 0.5; ///< time for which the board must be still before the view is captured
   double softEdgeFraction =
       0.008; ///< edges wider than this fraction of the image width count as soft
   double nearAreaFraction =
       0.25; ///< fraction of the image area that the board should fill in at least one view
   int minViews = 10;
   int maxViews = 60; ///< maximum number of views; the guidance then ends, whatever the accuracy
-  double requestedProjectionPx =
-      0.3; ///< the guidance ends when IntrinsicsResult::worstProjectionPx reaches this value;
-           ///< pixels
+  /// The guidance ends when IntrinsicsResult::worstProjectionPx is at most this value, pixels.
+  double requestedProjectionPx = 0.3;
 };
 
 /// State of the guidance after processing an image.
@@ -50,17 +50,19 @@ struct GuidanceState {
 
 /// Guides the user in showing a board to one camera. It handles no images, has no threads and no
 /// clock. From the detections in a live stream, it determines what to show next. It captures a view
-/// automatically when the board is still, sharp and adds information. It ends when the calibration
-/// from the views is accurate enough; that calibration is computed elsewhere and passed to learn().
+/// automatically when the board is still and sharp, and has a new position or tilt. It ends when a
+/// calibration from the captured views is accurate enough. The caller computes this calibration and
+/// passes it to learn().
 class BoardGuidance {
 public:
   BoardGuidance(const BoardDescription& board, int width, int height,
                 GuidanceSettings settings = GuidanceSettings());
 
-  /// Processes the next detection. `seconds` is the time since any fixed point in time; it must
-  /// ascend.
+  /// Processes the next detection. `seconds` is the time of the image by any clock. It must be
+  /// later than in the previous call.
   GuidanceState step(double seconds, const std::optional<BoardDetection>& detection);
-  /// Captures the latest image as it is, at the user's request, if it shows the board.
+  /// Captures the latest view as it is, at the user's request. Does nothing if the latest image
+  /// does not show the board.
   GuidanceState captureNow();
   /// Accepts a calibration computed from the views so far. It improves the estimated poses and
   /// shows whether the accuracy is sufficient.

@@ -20,7 +20,9 @@ public:
   struct Rectangle {
     double left, top, width, height;
   };
-  /// Returns all dark rectangles, which do not overlap. `inverted` is applied within the squares.
+  /// Returns all dark rectangles, which do not overlap. On an inverted board, these are the squares
+  /// and marker cells that are dark after black and white are exchanged; the page around the
+  /// squares is not included.
   std::vector<Rectangle> darkRectangles() const;
   /// Returns whether a point in the board frame (meters) is dark. Everything outside the squares is
   /// white (black on an inverted board).

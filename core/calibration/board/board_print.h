@@ -24,9 +24,9 @@ const std::vector<Paper>& papers();
 Result<Paper> paperNamed(const std::string& name, const std::string& field = "--paper");
 
 /// Writes the board at its true size to a one-page PDF. The page includes a scale bar for checking
-/// the print with a ruler, and the board description that parseBoard() reads. Its orientation is
-/// portrait or landscape, whichever fits. Errors: BadValue if the board does not fit on the paper
-/// (with the largest square size that would), FileUnwritable.
+/// the print with a ruler, and the board description that parseBoard() reads. The page has portrait
+/// or landscape format, whichever fits. Errors: BadValue if the board does not fit on the paper
+/// (the message contains the largest square size that fits), FileUnwritable.
 Status printBoard(const BoardDescription& board, const Paper& paper,
                   const std::filesystem::path& file);
 

@@ -13,8 +13,8 @@ namespace dewpoint::calibration {
 /// Chessboard-like grid in an image.
 struct ChessboardSuggestion {
   cv::Size size; ///< number of inner corners; width >= height
-  /// isWholeChessboard(). If false, the grid may be a part of a board, continue beside it, or be
-  /// something else.
+  /// Result of isWholeChessboard(). If false, the grid may be only part of a board, may continue
+  /// beyond the detected corners, or may not be a chessboard at all.
   bool whole = false;
 };
 
@@ -22,8 +22,8 @@ struct ChessboardSuggestion {
 std::optional<ChessboardSuggestion> suggestChessboard(const cv::Mat& gray);
 
 /// Returns whether dark and bright squares alternate over the whole detected chessboard, including
-/// the squares around its inner corners, and do not go on beyond them. `detection`: all corners of
-/// `board`, in an image (CV_8UC1).
+/// the squares around its inner corners, and do not continue beyond them. `detection` contains all
+/// corners of `board`, in an image (CV_8UC1).
 bool isWholeChessboard(const cv::Mat& gray, const BoardDescription& board,
                        const BoardDetection& detection);
 

@@ -23,8 +23,8 @@ double smallestSpacing(const std::vector<cv::Point2f>& grid, int columns);
 
 /// Returns the median width, in pixels, of the edges between neighboring corners of a detection; 0
 /// if nothing could be measured. The width of an edge is the contrast across it divided by its
-/// steepest slope. `reach` is the distance on both sides of an edge within which the page is plain,
-/// in squares.
+/// steepest slope. `reach` is the distance, in squares, to which both sides of an edge show nothing
+/// but plain black or white.
 double edgeWidth(const cv::Mat& gray, const BoardDescription& board,
                  const BoardDetection& detection, double reach);
 

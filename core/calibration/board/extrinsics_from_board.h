@@ -12,27 +12,27 @@
 
 namespace dewpoint::calibration {
 
-/// A camera with known intrinsics, and its views of the board.
+/// Camera with known intrinsics, and its views of the board.
 struct BoardCamera {
   Camera camera; ///< its name is used in errors; its pose matters only if it defines the world
-  std::vector<BoardView>
-      views; ///< images taken at the same time by different cameras have the same instant
+  /// Views of different cameras that were taken at the same time have the same BoardView::instant.
+  std::vector<BoardView> views;
 };
 
 /// Input of calibrateExtrinsics().
 struct ExtrinsicsRequest {
   BoardDescription board;
   std::vector<BoardCamera> cameras;
-  /// Instant at which the board has the pose `worldFromBoard`, which defines the world. If empty,
-  /// the first camera keeps its pose.
+  /// Instant (BoardView::instant) at which the board has the pose `worldFromBoard`. This defines
+  /// the world. If empty, the first camera keeps its pose, which defines the world.
   std::optional<std::int64_t> worldInstant;
   Eigen::Isometry3d worldFromBoard = worldFromFlatBoard();
-  /// True to adjust the intrinsics as well: the distortion coefficients that are not zero, and a
-  /// single focal length if both are equal.
+  /// True to adjust the intrinsics as well: the focal lengths (a single one if both are equal), the
+  /// principal point, and the distortion coefficients that are not zero.
   bool refineIntrinsics = false;
 };
 
-/// Pose of the board at one instant.
+/// Pose of the board at one instant (BoardView::instant).
 struct BoardPose {
   std::int64_t instant = 0;
   Eigen::Isometry3d worldFromBoard = Eigen::Isometry3d::Identity();
@@ -40,8 +40,8 @@ struct BoardPose {
 
 /// How well one camera fits the result.
 struct CameraFit {
-  double rmsPx =
-      0.0; ///< root mean square distance of the corners used from their projections, pixels
+  /// Root mean square distance between the corners used and their projections, pixels.
+  double rmsPx = 0.0;
   std::vector<ViewFit> views;
   BoardCoverage coverage;
   /// Standard deviation of the camera position relative to the first camera, meters.
@@ -55,23 +55,27 @@ struct ExtrinsicsResult {
   std::vector<CameraFit> fits;
   std::vector<BoardPose> boardPoses; ///< in order of instants
   double rmsPx = 0.0;
-  BundleCovariance covariance; ///< covariance of the camera poses, scaled by the residuals
+  /// Covariance of the camera poses, scaled to the residuals that were found.
+  BundleCovariance covariance;
   int iterations = 0;
   std::vector<std::string> notices; ///< messages for the user
   BundleProblem problem;            ///< last adjusted problem, in the world frame of the result
-  BundleResult bundle; ///< solution of `problem`; its covariance assumes the given pixel sigmas
+  /// Solution of `problem`; its covariance is not scaled to the residuals, but assumes the pixel
+  /// sigmas of `problem`.
+  BundleResult bundle;
   std::vector<DetectedFault> faults = {}; ///< filled by findBoardFaults()
 };
 
 /// Estimates the poses of all cameras from a board that several of them see at the same instants.
 ///
-/// The pose of the board is computed in each view (cv::solvePnP). Poses are chained from camera to
-/// camera through the pairs that agree best, followed by bundle adjustment of all cameras and
-/// boards (adjustBundle). A symmetric chessboard is rotated so that pairs of cameras agree. Views
-/// that fit badly are left out and named in the result.
+/// First, the pose of the board is computed in each view (cv::solvePnP). Then the pairs of cameras
+/// that agree best form a chain that connects all cameras. Finally, all cameras and boards are
+/// refined by bundle adjustment (adjustBundle). A symmetric chessboard is rotated so that pairs of
+/// cameras agree. Views that fit badly are left out and named in the result.
 ///
-/// Errors: Undetermined names the cameras that share no instant with the others, or an instant at
-/// which the board was not seen; Canceled if canceled; and those of adjustBundle().
+/// Errors: NotFound if there is no camera; Undetermined, which names the cameras that share no
+/// instant with the others, or `worldInstant` if the board was not seen then; Canceled; and those
+/// of adjustBundle().
 Result<ExtrinsicsResult> calibrateExtrinsics(const ExtrinsicsRequest& request,
                                              const CalibrationProgress& progress = {});
 

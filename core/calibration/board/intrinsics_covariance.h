@@ -32,15 +32,16 @@ private:
 
 /// Returns the covariance of a camera's intrinsics estimated from views together with the board
 /// pose in each view. It is the inverse of the normal matrix with the poses eliminated (Triggs et
-/// al. 2000, section 6.1), times the variance of the residuals. Empty if the views do not determine
-/// the intrinsics.
+/// al. 2000, section 6.1), times the variance of the residuals. Returns an empty matrix if the
+/// views do not determine the intrinsics.
 Eigen::MatrixXd intrinsicsCovariance(const BoardDescription& board, const Camera& camera,
                                      const IntrinsicsParameters& parameters,
                                      const std::vector<ViewFit>& views);
 
-/// Returns the standard deviation, in pixels, of the projection of a ray: the largest of 9x9 points
-/// across the image. Errors that a camera rotation would compensate for are excluded, because poses
-/// are estimated later (following mrcal's projection uncertainty).
+/// Returns the standard deviation, in pixels, with which a ray is projected. It is computed at 9 x
+/// 9 points across the image, and the largest one is returned. Errors for which a rotation of the
+/// camera could compensate are excluded, because poses are estimated later (following mrcal's
+/// projection uncertainty).
 double projectionSigma(const Camera& camera, const IntrinsicsParameters& parameters,
                        const Eigen::MatrixXd& covariance);
 

@@ -12,7 +12,7 @@
 
 namespace dewpoint::calibration {
 
-/// Lens parameters to be estimated.
+/// Lens model whose parameters are estimated.
 enum class IntrinsicsModel {
   FiveCoefficients,  ///< pinhole with k1 k2 p1 p2 k3
   EightCoefficients, ///< pinhole, with the rational coefficients k4 k5 k6 in addition, for
@@ -59,10 +59,11 @@ struct IntrinsicsResult {
 };
 
 /// Estimates intrinsics from images of a board with Zhang's method (2000), using OpenCV's
-/// cv::calibrateCamera or cv::fisheye on all views together. Views that fit badly (an error above
-/// five times the median and above 0.25 % of the image diagonal) are left out and named. Errors:
-/// Undetermined if fewer than three views remain; Canceled if canceled; BadValue if the views do
-/// not determine a camera, or if nothing fits, for instance because the number of corners is wrong.
+/// cv::calibrateCamera or cv::fisheye on all views together. Views that fit badly are left out and
+/// named: those whose error is above five times the median error and above 0.25 % of the image
+/// diagonal. Errors: Undetermined if fewer than three views remain; Canceled if canceled; BadValue
+/// if the views do not determine a camera, or if nothing fits, for instance because the number of
+/// corners is wrong.
 Result<IntrinsicsResult> calibrateIntrinsics(const IntrinsicsRequest& request,
                                              const CalibrationProgress& progress = {});
 

@@ -12,15 +12,17 @@ struct MarkerGrid {
   int columns = 0;         ///< squares in a row
   int rows = 0;            ///< squares in a column, as far down as a marker was seen
   bool whiteFirst = false; ///< the first square is white and contains marker 0
-  double markerPart = 0.0; ///< side of a marker as a part of the side of a square
+  double markerPart = 0.0; ///< side of a marker as a fraction of the side of a square
   int images = 0;          ///< number of images that show the arrangement
-  int markers = 0;         ///< number of markers in these images at their places
+  int markers = 0;         ///< number of markers that are at their places in these images
 };
 
-/// Finds the arrangements of squares that put the markers read in images (one list per image, from
-/// readMarkersInAnyCode()) where they were seen. It is the best one; more, if several are equally
-/// good because too few rows were seen. In an image at least four markers must be at their places,
-/// with sides along the grid. Empty if the markers are those of no ChArUco board.
+/// Finds the arrangement of squares in which the markers have the positions where they were seen.
+/// `images` contains the markers that readMarkersInAnyCode() read in each image. Returns the best
+/// arrangement. Returns up to three arrangements if they are equally good, because too few rows
+/// were seen. An image supports an arrangement if at least four markers are at their places in it,
+/// with sides along the grid. Returns an empty list if the markers are not those of a ChArUco
+/// board.
 std::vector<MarkerGrid> findMarkerGrids(const std::vector<std::vector<ReadMarker>>& images);
 
 } // namespace dewpoint::calibration

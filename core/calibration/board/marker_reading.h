@@ -16,11 +16,11 @@ namespace dewpoint::calibration {
 struct ReadMarker {
   int id = 0; ///< number in its dictionary
   /// Corners in pixels (pixel centers are at integers), clockwise from the marker's own upper left
-  /// corner. For a mirrored reading they are those in the mirrored image.
+  /// corner. If MarkerReading::mirrored is true, they are positions in the mirrored image.
   std::array<cv::Point2f, 4> corners;
 };
 
-/// How markers have to be read: with which code, and in which version of the image.
+/// How markers were read: with which code, and in which version of the image.
 struct MarkerReading {
   int code = 0;          ///< index in markerCodes()
   bool inverted = false; ///< black and white are exchanged
@@ -29,15 +29,17 @@ struct MarkerReading {
   auto operator<=>(const MarkerReading&) const = default;
 };
 
-/// Returns the largest dictionary of each code. The smaller dictionaries of the same number of
-/// cells (DICT_4X4_50, DICT_4X4_100, ...) begin with the same markers.
+/// Returns the names of the largest dictionaries, one for each code. A code consists of the
+/// dictionaries with the same number of cells (DICT_4X4_50, DICT_4X4_100, ...); the smaller ones
+/// begin with the same markers.
 const std::vector<std::string>& markerCodes();
 
-/// Reads all markers in an image (CV_8UC1) in every code, as they are, with black and white
-/// exchanged (if too few are found as they are), and in the mirrored image. Only markers without
-/// any wrong cell count. A reading contains each marker once, in ascending order of its number;
-/// markers seen at two places are left out. Readings without markers are missing. Random patterns
-/// are sometimes read as markers: what their positions have in common tells whether they are real.
+/// Reads all markers in an image (CV_8UC1), in every code. The image is read as it is, with black
+/// and white exchanged if too few markers are found, and mirrored. A marker counts only if none of
+/// its cells is wrong. The result contains the markers of each reading, in ascending order of their
+/// numbers. A marker that is seen at two places is left out, as are readings without markers.
+/// Random patterns are sometimes read as markers. Only the arrangement of the markers shows whether
+/// they are real; see findMarkerGrids().
 std::map<MarkerReading, std::vector<ReadMarker>> readMarkersInAnyCode(const cv::Mat& gray);
 
 } // namespace dewpoint::calibration

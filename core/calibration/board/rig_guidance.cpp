@@ -78,7 +78,7 @@ bool RigGuidance::areSeenByTwo() const {
   return std::ranges::count_if(last_, [](const auto& d) { return d.has_value(); }) >= 2;
 }
 
-void RigGuidance::take(State& state) {
+void RigGuidance::capture(State& state) {
   for (std::size_t k = 0; k < widths_.size(); ++k) {
     if (!last_[k]) {
       continue;
@@ -103,7 +103,7 @@ RigGuidance::State RigGuidance::state() const {
 RigGuidance::State RigGuidance::captureNow() {
   State taken;
   if (areSeenByTwo()) {
-    take(taken);
+    capture(taken);
   }
   State now = state();
   now.captured = taken.captured;
@@ -125,7 +125,7 @@ RigGuidance::State RigGuidance::step(double seconds,
     state.holdProgress = std::clamp((seconds - stillSince_) / settings_.holdSeconds, 0.0, 1.0);
   }
   if (state.holdProgress >= 1.0) {
-    take(state);
+    capture(state);
   }
   state.instants = instants_;
   suggest(state);

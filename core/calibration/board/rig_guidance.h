@@ -10,16 +10,19 @@
 namespace dewpoint::calibration {
 
 /// Guides the user in showing a board to several cameras simultaneously, to determine their poses.
+/// It captures the board at a number of instants. At each instant, all cameras that see the board
+/// get a view.
 class RigGuidance {
 public:
   struct Settings {
     double stillPerSecond =
         0.05; ///< speed below which the board counts as still, in image widths per second
-    double holdSeconds = 0.5; ///< time the board must be still before an instant is captured
-    int instantsPerPair =
-        8; ///< required number of instants for each pair in the chain that connects the cameras
-    double minDistanceFraction =
-        0.1; ///< minimum distance between captured positions, as a fraction of the image width
+    double holdSeconds = 0.5; ///< time for which the board must be still before it is captured
+    /// Required number of instants at which both cameras see the board, for each pair in the chain
+    /// that connects the cameras.
+    int instantsPerPair = 8;
+    /// Minimum distance between captured positions of the board, as a fraction of the image width.
+    double minDistanceFraction = 0.1;
   };
   struct State {
     int instants = 0;
@@ -33,13 +36,13 @@ public:
 
   RigGuidance(std::vector<int> imageWidths, const Settings& settings);
 
-  /// Processes the current detections of all cameras. Views captured together get the same instant
-  /// number.
+  /// Processes the current detections of all cameras. `seconds` is their time by any clock. Views
+  /// that are captured together get the same BoardView::instant.
   State step(double seconds, const std::vector<std::optional<BoardDetection>>& detections);
-  /// Captures the latest detections as they are, at the user's request, if two cameras saw the
-  /// board.
+  /// Captures the latest detections as they are, at the user's request. Does nothing if fewer than
+  /// two cameras saw the board.
   State captureNow();
-  /// Increases the required number of instants for each pair that connects the cameras.
+  /// Increases Settings::instantsPerPair by `instants`.
   void requireMore(int instants);
   /// Returns the current state without new detections.
   State state() const;
@@ -52,7 +55,7 @@ private:
   bool isStill(double seconds, const std::vector<std::optional<BoardDetection>>& detections);
   bool isNew(const std::vector<std::optional<BoardDetection>>& detections) const;
   bool areSeenByTwo() const;
-  void take(State& state);
+  void capture(State& state);
   void suggest(State& state) const;
 
   std::vector<int> widths_;

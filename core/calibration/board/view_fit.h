@@ -13,8 +13,10 @@ namespace dewpoint::calibration {
 
 /// Board as seen in one image of one camera.
 struct BoardView {
-  std::string name;         ///< file or frame name that tells the user which image it is
-  std::int64_t instant = 0; ///< images with the same instant show the board in the same pose
+  std::string name; ///< file or frame name that tells the user which image it is
+  /// Number of the time at which the image was taken; images with the same instant show the board
+  /// in the same pose.
+  std::int64_t instant = 0;
   BoardDetection detection;
 };
 
@@ -33,15 +35,15 @@ struct ViewFit {
   std::vector<Eigen::Vector2d> residuals; ///< measured minus projected, pixels
 };
 
-/// Computes how well a view fits a camera (whose own pose is not used) and a board pose relative to
-/// it.
+/// Computes how well a view fits a camera and a pose of the board relative to it. The camera's own
+/// pose is not used.
 ViewFit fitView(const BoardDescription& board, const BoardView& view, const Camera& camera,
                 const Eigen::Isometry3d& cameraFromBoard);
 
-/// Returns an entry for a view that is not used, with the reason.
+/// Returns the entry for a view that is not used, with the reason.
 ViewFit leftOutView(const BoardView& view, std::string reason);
 
-/// Returns the median RMS error of the views, pixels; 0 without views.
+/// Returns the median RMS error of the views, pixels; 0 if there are no views.
 double medianRms(const std::vector<ViewFit>& fits);
 
 /// Returns the largest acceptable error of a view in pixels: five times the median error `median`,

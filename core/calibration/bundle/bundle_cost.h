@@ -25,8 +25,8 @@ std::array<double, kLensSize> lensBlock(const Camera& camera);
 /// Writes a lens block back into a camera.
 void setLens(const std::array<double, kLensSize>& block, Camera& camera);
 
-/// Returns the rotation matrix exp(turn). Uses rotationFromVector(), or its first-order
-/// approximation where that is exact to rounding. Consistent with turnDerivative().
+/// Returns the rotation matrix exp(turn). Uses rotationFromVector(), or the first-order
+/// approximation where the latter is exact to rounding. Consistent with turnDerivative().
 Eigen::Matrix3d rotationFromTurn(const Eigen::Vector3d& turn);
 /// Returns d(exp(turn) y)/d(turn) = -[exp(turn) y]x J(turn), with J the left Jacobian of SO(3)
 /// (Barfoot, State Estimation for Robotics, eq. 7.77).
@@ -40,19 +40,20 @@ struct PixelCostSetup {
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
   double sigma = 1.0;
   double outlineShift = 0.0;
-  /// Board rotation to which the board's rotation block is relative, for a point on a board;
-  /// nothing for a free point.
+  /// For a point on a board: the rotation to which the rotation block of the board is relative.
+  /// Nothing for a free point.
   std::optional<Eigen::Matrix3d> boardRotation;
   Eigen::Vector3d boardPoint = Eigen::Vector3d::Zero();
-  int stateSize = 3;   ///< size of a state block: 3 for a point, 6 for a stick or board
-  int pointOffset = 0; ///< index in the state block at which the free point starts
-  double time = 0.0;   ///< time of the image without the camera's offset, seconds
+  int stateSize = 3; ///< size of a state block: 3 for a point, 6 for a stick or board
+  /// Index in the state block at which the coordinates of the free point start.
+  int pointOffset = 0;
+  double time = 0.0; ///< time of the image without the camera's offset, seconds
   std::vector<double>
       knots; ///< times of the states between which a free point is interpolated, seconds
 };
 
 /// Residual of an observation, (predicted - observed) / sigma. Parameter blocks: pose, lens, time
-/// offset, then one state per knot.
+/// offset, then one state per knot. Without knots, the last block is the observation's own state.
 class PixelCost final : public ceres::CostFunction {
 public:
   explicit PixelCost(PixelCostSetup setup);
@@ -64,7 +65,7 @@ private:
 };
 
 /// Residual of a stick, (distance between its ends - length) / sigma. Its only parameter block
-/// contains both ends.
+/// contains the positions of both ends.
 class StickCost final : public ceres::SizedCostFunction<1, 6> {
 public:
   StickCost(double length, double sigma) : length_(length), sigma_(sigma) {}

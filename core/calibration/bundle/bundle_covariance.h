@@ -42,14 +42,15 @@ struct CameraColumn {
   CameraQuantity quantity = CameraQuantity::TurnX;
 };
 
-/// Returns the name of a parameter: "turn x", "focal", "k1" ...
+/// Returns the name of a parameter, such as "turn x", "focal" or "k1".
 std::string quantityName(CameraQuantity quantity);
 
 /// Joint covariance of all free camera parameters, with the bodies eliminated.
 ///
-/// If nothing fixes the world, its pose (6 degrees of freedom) and its size (1) have no error by
-/// convention: the covariance is the pseudoinverse, in units of the precision of each column. It
-/// can then be used to compute quantities that do not depend on the choice of the world.
+/// If nothing fixes the pose of the world (6 degrees of freedom) or its size (1), these have no
+/// error by convention. The covariance is then a pseudoinverse of the information matrix, after
+/// each column was scaled by its own precision. Such a covariance is valid only for quantities that
+/// do not depend on the choice of the world.
 struct BundleCovariance {
   std::vector<CameraColumn> columns;
   Eigen::MatrixXd matrix;
@@ -57,14 +58,15 @@ struct BundleCovariance {
 };
 
 /// Returns the standard deviation of a camera's position in meters, or of its orientation in
-/// radians: the root of the summed variances of the three numbers. 0 if the camera is not free.
+/// radians: the square root of the summed variances of the three coordinates or rotation
+/// components. 0 if the camera is not free.
 double centerSigma(const BundleCovariance& covariance, std::size_t camera);
 double rotationSigma(const BundleCovariance& covariance, std::size_t camera);
 
-/// Computes the covariance of the first `cameraColumns` parameters from the Jacobian of the
-/// weighted residuals (rows) with respect to all parameters. It is the inverse of the Schur
-/// complement without its `gaugeFreedoms` weakest directions. Returns nothing if further directions
-/// are undetermined.
+/// Computes the covariance of the first `cameraColumns` parameters. `jacobian` contains the
+/// derivatives of the weighted residuals (rows) with respect to all parameters (columns). The
+/// result is the inverse of the Schur complement, without the `gaugeFreedoms` directions about
+/// which it contains the least information. Returns nothing if further directions are undetermined.
 std::optional<Eigen::MatrixXd> reducedCovariance(const Eigen::SparseMatrix<double>& jacobian,
                                                  Eigen::Index cameraColumns, int gaugeFreedoms);
 

@@ -14,7 +14,7 @@
 namespace dewpoint::calibration {
 
 /// Bundle problem in the form used by the solver: its parameters, and the costs computed from them.
-/// It must not be moved because the solver has pointers into it.
+/// An object must not be moved, because the solver keeps pointers into it.
 class BundleModel {
 public:
   /// Parameters of a camera; see PixelCost.
@@ -50,8 +50,8 @@ public:
   std::vector<ceres::CostFunction*>
       costs;            ///< one per observation; null if the observation is not used
   std::size_t used = 0; ///< number of observations used
-  std::map<double, std::unique_ptr<ceres::LossFunction>>
-      losses; ///< loss functions by sigma of the observations
+  /// Loss functions, by BundleObservation::sigma.
+  std::map<double, std::unique_ptr<ceres::LossFunction>> losses;
   ceres::Problem solver;
 
 private:

@@ -15,15 +15,16 @@ struct BundleStart {
   std::vector<bool> stateUsed;
   std::vector<bool> observationUsed;
   /// For each observation, the states (of the same body, ascending in time) between which its point
-  /// is interpolated. Empty if the image was taken at the time of its own state.
+  /// is interpolated. Empty if the point is not interpolated, because the image was taken at the
+  /// time of the observation's state.
   std::vector<std::vector<std::size_t>> knots;
   bool moving = false; ///< true if any observation is interpolated between states
 };
 
-/// Triangulates bodies without start values and drops observations that contain no information.
-/// Those are points seen by only one camera, boards with fewer than four points, and images between
-/// instants whose neighbors are missing. Errors: numbers that are not finite, indices out of range,
-/// a camera with too few observations.
+/// Triangulates bodies without start values, and drops observations that contain no information.
+/// These are points seen by only one camera, boards with fewer than four observed points, and
+/// images that were taken between states if neighboring states are missing. Errors: numbers that
+/// are not finite, indices out of range, a camera with too few observations.
 Result<BundleStart> initializeBundle(const BundleProblem& problem);
 
 } // namespace dewpoint::calibration

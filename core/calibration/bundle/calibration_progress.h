@@ -18,8 +18,8 @@ enum class CalibrationStage {
 };
 
 /// Callback for the progress of a computation: the current stage and the completed fraction of it,
-/// 0 to 1. The computation continues while it returns true; after false it ends with canceled().
-/// May be empty.
+/// 0 to 1. If it returns false, the computation ends with the error canceled(). The callback may be
+/// empty.
 using CalibrationProgress = std::function<bool(CalibrationStage stage, double part)>;
 
 /// Reports progress; returns false if the computation must stop.

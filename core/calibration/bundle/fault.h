@@ -30,18 +30,20 @@ enum class CalibrationFault {
 struct DetectedFault {
   CalibrationFault fault = CalibrationFault::CamerasSwapped;
   std::vector<std::size_t> cameras = {}; ///< affected cameras; empty: all cameras, or none
-  /// Size of the fault: delay in frames, time of a camera motion in seconds, ratio of focal lengths
-  /// or sizes (given over found length), number of columns found, or pixels. 0 if the fault has no
-  /// size.
+  /// Size of the fault. Its meaning depends on the fault: delay in frames, time of a camera motion
+  /// in seconds, ratio of the given to the found focal length or size, number of columns found, or
+  /// a distance in pixels. 0 if the fault has no size.
   double value = 0.0;
-  double gain = 0.0;         ///< gain in log likelihood; 0 if it is not derived from residuals
-  std::string sentence = {}; ///< likely cause, and what you can do
+  /// Log likelihood of the observations with this fault, minus that without any fault; 0 if the
+  /// fault was not found by its residuals.
+  double gain = 0.0;
+  std::string sentence = {}; ///< likely cause, and advice for the user
 };
 
-/// Returns the stable name of a fault: "mirrored-board" ...
+/// Returns the name of a fault as used in files, which never changes, for example "mirrored-board".
 const char* faultName(CalibrationFault fault);
 
-/// Returns a sentence with cause and advice that refers to cameras by name.
+/// Returns a sentence about a fault: the likely cause, and advice. It refers to cameras by name.
 std::string faultDescription(const DetectedFault& fault,
                              const std::vector<std::string>& cameraNames);
 

@@ -11,43 +11,47 @@
 
 namespace dewpoint::calibration {
 
-/// How images differ from those that a camera was calibrated with, when their size differs.
+/// How the images of a camera were made from images of the size for which it was calibrated.
 enum class SizeFit {
-  Crop,      ///< equal margins were cut off, or added, on opposite sides
-  Trim,      ///< rows below and columns at the right were cut off, or added (1088 rows are 1080)
+  Crop, ///< equal margins were cut off, or added, on opposite sides
+  /// Rows at the bottom and columns at the right were cut off, or added (for example, 1088 rows cut
+  /// to 1080).
+  Trim,
   Scale,     ///< the whole image was resampled to another size
   Rotate90,  ///< the image was rotated clockwise
   Rotate270, ///< the image was rotated counterclockwise
 };
 
-/// Names of cameras in a file, by the names that they get.
+/// Renaming of cameras: new name -> name in the file.
 using CameraRenaming = std::map<std::string, std::string>;
 
-/// What the user says about a calibration that does not fit.
+/// Instructions of the user for a calibration whose camera names or image sizes do not fit.
 struct CalibrationAdaptation {
   CameraRenaming names;
   std::optional<SizeFit> fit; ///< for cameras whose images have another size
 };
 
-/// Returns the value of a name on the command line: crop, trim, scale, rotate-90 or rotate-270.
+/// Parses a value of the command line: crop, trim, scale, rotate-90 or rotate-270. Returns nothing
+/// for any other text.
 std::optional<SizeFit> parseSizeFit(const std::string& text);
 
-/// Returns the camera for images of `width` x `height` pixels that differ from the calibrated ones
-/// as `fit` says. Every world point moves with its pixel: a rotation also changes the pose. Pixel
-/// centers are at integer coordinates, so that scaling by s maps column u to s (u + 1/2) - 1/2.
-/// Mismatch if a rotated image would have another size, or if the principal point would be outside
-/// the image.
+/// Returns the camera for images of `width` x `height` pixels that were made from images of the
+/// calibrated size in the way `fit`. Every world point moves together with the image content. A
+/// rotation of the image therefore also rotates the pose. Pixel centers are at integer coordinates,
+/// so scaling by s maps column u to s (u + 1/2) - 1/2. Error: Mismatch if a rotated image would
+/// have another size, or if the principal point would be outside the image.
 Result<Camera> fittedToSize(const Camera& camera, int width, int height, SizeFit fit);
 
-/// Returns a sentence like "left: cropped from 1920 x 1088 to 1920 x 1080 pixels.".
+/// Returns a sentence such as "left: cropped from 1920 x 1088 to 1920 x 1080 pixels.".
 std::string sizeFitSentence(const Camera& before, const Camera& after, SizeFit fit);
 
-/// Parses texts like "left=camera 1", where `left` is the name that the file's "camera 1" gets.
-/// Errors name --map.
+/// Parses texts such as "left=camera 1", where "left" is the new name of the camera that is called
+/// "camera 1" in the file. Errors name --map.
 Result<CameraRenaming> parseCameraRenaming(const std::vector<std::string>& texts);
 
-/// Gives the cameras read from `file` their new names; the others keep theirs. NotFound lists the
-/// names in the file if one of them is missing there; BadValue if two cameras would have one name.
+/// Gives the cameras that were read from `file` their new names. Cameras without a new name keep
+/// theirs. Errors: NotFound, with a list of the names in the file, if it lacks one of the cameras;
+/// BadValue if two cameras would have the same name.
 Status renameCameras(CameraRig& rig, const CameraRenaming& names, const std::string& file);
 
 /// Returns the names in quotes, separated by commas.

@@ -12,7 +12,7 @@
 
 namespace dewpoint::calibration {
 
-/// File and its content.
+/// Path of a file, and the content of this file.
 struct CalibrationText {
   std::filesystem::path file;
   std::string text;
@@ -24,7 +24,8 @@ struct CalibrationHints {
   std::optional<double> unit;             ///< meters per unit of length in the file
   std::optional<LensModel> lens;          ///< lens model if there are four coefficients
   std::optional<std::array<int, 2>> size; ///< image width and height, pixels
-  /// Direction of the poses in the file. If specified, it is not checked.
+  /// True if the poses in the file are world-from-camera, false if they are camera-from-world. If
+  /// specified, the plausibility of the poses is not checked.
   std::optional<bool> posesAreWorldFromCamera;
 };
 
@@ -35,13 +36,14 @@ struct ParsedCalibration {
   std::string format;         ///< format name
   std::optional<double> unit; ///< meters per unit of length, if specified in the file
   bool hasPoses = true;       ///< false: intrinsics only, and every pose is the identity
-  std::vector<std::string>
-      decisions; ///< complete sentences about units, directions, axes, and omitted data
+  /// Complete sentences about how units, directions and axes were interpreted, and which data was
+  /// omitted.
+  std::vector<std::string> decisions;
 };
 
 /// Lens models that a format can represent.
 struct LensSupport {
-  int pinholeCoefficients = 8; ///< 4: k1 k2 p1 p2; 5: k3 in addition; 8: k4 k5 k6 in addition
+  int pinholeCoefficients = 8; ///< 4 (k1 k2 p1 p2), 5 (also k3) or 8 (also k4 k5 k6)
   bool fisheye = false;        ///< true if it also has the four coefficients of LensModel::Fisheye
 };
 
@@ -68,14 +70,16 @@ struct CalibrationFormat {
   const char* contents = ""; ///< content and structure, in one sentence
   FileLayout layout = FileLayout::OneFile;
   LensSupport lenses;
-  bool sharesKeys = false;         ///< true for TOML dialects that only the user can tell apart
-  bool isFallback = false;         ///< true if a file of another format may look like it, too
+  /// True for a TOML dialect whose files do not differ from those of another one, so that only the
+  /// user knows which it is.
+  bool sharesKeys = false;
+  /// True if recognize() may also accept files of other formats, which then take precedence.
+  bool isFallback = false;
   bool firstCameraIsWorld = false; ///< true if poses are always relative to the first camera
   std::optional<double> unit;      ///< meters per unit, if defined by the format's documentation
   double defaultUnit = 1.0; ///< unit used for writing unless another one is requested, meters
-  /// Returns the reason for recognizing this format in the content of a file, or an empty string if
-  /// it is not this format. Only examines the text, so that a broken file is still recognized and
-  /// its own error is reported.
+  /// Returns why the content of a file is in this format, or an empty string if it is not. Only
+  /// examines the text, so that a broken file is still recognized and its own error is reported.
   std::string (*recognize)(const CalibrationText& source) = nullptr;
   Result<ParsedCalibration> (*read)(const CalibrationText& source,
                                     const CalibrationHints& hints) = nullptr;

@@ -9,8 +9,8 @@
 
 namespace dewpoint::calibration {
 
-/// Largest plausible distance between cameras in a room, in meters. A larger rig is assumed to be
-/// in another unit. Origin not recorded.
+/// Largest plausible distance between cameras in a room, in meters. If cameras are farther apart,
+/// the rig is assumed to be in another unit than meters. Origin not recorded.
 inline constexpr double kMaxCameraSpread = 100.0;
 
 /// Returns the largest distance between two cameras, or of a single camera from the origin, in the
@@ -20,8 +20,9 @@ double cameraSpread(const CameraRig& rig);
 /// Returns the likely unit of a rig with this spread: "mm" or "m".
 const char* likelyUnit(double spread);
 
-/// Returns the pairs of cameras, lower index first, that have the same position and rotation. Two
-/// calibrations of one camera differ by more; copies differ by nothing but rounding.
+/// Returns the pairs of cameras that have the same position and rotation up to rounding, as copies
+/// of one camera have. Two calibrations of the same camera differ by more. The lower index comes
+/// first.
 std::vector<std::array<std::size_t, 2>> camerasOfOnePose(const CameraRig& rig);
 
 /// Returns the rig with all poses inverted.
@@ -30,7 +31,7 @@ CameraRig withInvertedPoses(CameraRig rig);
 /// Checks a rig in meters for implausible properties. Returns an error with the likely cause of the
 /// first one found:
 /// - a principal point outside the image: matrix and image size are for different resolutions;
-/// - cameras more than 100 m or less than 2 cm apart: another unit;
+/// - cameras more than 100 m or less than 2 cm apart: the lengths are in another unit;
 /// - implausible poses whose inverses form a room that all cameras look into: camera-from-world and
 ///   world-from-camera are exchanged.
 ///

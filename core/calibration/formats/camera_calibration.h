@@ -19,14 +19,15 @@ namespace dewpoint::calibration {
 ///   world.
 ///
 /// This program adds the key `unit`, the number of meters in one unit of `translation` (default 1).
-/// `name` is optional. Errors name `file` and `prefix` + key: not finite, focal length not
-/// positive, not a rotation, ... Unknown keys are errors, except those in `ignoredKeys`.
+/// `name` is optional. Errors name `file`, and `prefix` followed by the key. Examples: a number
+/// that is not finite, a focal length that is not positive, a matrix that is not a rotation.
+/// Unknown keys are errors, except those in `ignoredKeys`.
 Result<Camera> cameraFromToml(const toml::table& table, const std::string& file,
                               const std::string& prefix,
                               std::initializer_list<const char*> ignoredKeys = {});
 
-/// Form in which a rotation is written. The matrix is restored bit by bit when read. The Rodrigues
-/// vector (radians) is the form that other tools read.
+/// Form in which a rotation is written. A matrix is read back with exactly the same bits. The
+/// Rodrigues vector (radians) is the form that other tools read.
 enum class RotationForm { Matrix, Vector };
 
 /// Returns a camera as lines of text with the keys of cameraFromToml() and numbers in full

@@ -22,7 +22,7 @@ struct CameraParts {
   Eigen::Vector3d translation = Eigen::Vector3d::Zero();
 };
 
-/// Names of these parts in the file, used as the field in errors.
+/// Names of the parts of a camera in the file. They are used as the field in errors.
 struct CameraPartNames {
   std::string size;
   std::string matrix;
@@ -42,8 +42,9 @@ Result<Camera> checkedCamera(const CameraParts& parts, const std::string& file,
 Eigen::Matrix3d matrixOf(const Intrinsics& intrinsics);
 Eigen::Matrix3d matrixOf(double focalX, double focalY, double centerX, double centerY);
 
-/// Returns the distortion coefficients as the shortest possible list: 4 for a fisheye lens,
-/// otherwise the smallest of 4, 5 and 8 (at least `fewest`) that omits only zeros.
+/// Returns the distortion coefficients as the shortest possible list. For a fisheye lens, these are
+/// 4. For any other lens, these are the first 4, 5 or 8 coefficients, but at least `fewest`, so
+/// that only zeros are omitted.
 std::vector<double> coefficientsOf(const Camera& camera, int fewest);
 
 } // namespace dewpoint::calibration

@@ -25,7 +25,8 @@ struct CameraDifference {
   bool refitted =
       false; ///< true if the lens was fitted again because the format lacks some coefficients
   double largestPixels = 0.0; ///< largest distance between projections of the same point, pixels
-  int lostDirections = 0;     ///< number of the 9 x 9 directions that the written camera cannot see
+  /// Number of the 9 x 9 compared directions that the written camera cannot see.
+  int lostDirections = 0;
 };
 
 /// Decisions made in a conversion, and its accuracy.
@@ -39,9 +40,9 @@ struct CalibrationConversion {
   std::vector<std::filesystem::path> written;
 };
 
-/// Returns the largest distance, in pixels, between the projections of the same points by two
-/// cameras. The points are at 9 x 9 pixels across the image, at 0.3, 1, 3 and 10 m in front of
-/// `camera`. `otherFromWorld` maps the world of `camera` to that of `other`.
+/// Compares the projections of the same points by two cameras. The points are at 9 x 9 pixels
+/// across the image, at 0.3, 1, 3 and 10 m in front of `camera`. `otherFromWorld` maps the world of
+/// `camera` to that of `other`.
 CameraDifference difference(const Camera& camera, const Camera& other,
                             const Eigen::Isometry3d& otherFromWorld);
 
@@ -58,8 +59,8 @@ struct CalibrationChanges {
   std::optional<std::array<int, 2>> size;
 };
 
-/// Calls readCalibration(), renames the cameras and fits them to another image size if requested,
-/// then calls writeCalibration().
+/// Calls readCalibration(). If requested, renames the cameras and fits them to another image size.
+/// Then calls writeCalibration().
 Result<CalibrationConversion> convertCalibration(const std::filesystem::path& in,
                                                  const CalibrationHints& hints,
                                                  const CalibrationOutput& target,

@@ -15,7 +15,7 @@ namespace dewpoint::calibration {
 std::string matrixNode(const std::string& indent, const std::string& key,
                        const Eigen::MatrixXd& matrix);
 
-/// Returns a matrix with the values as its only row.
+/// Returns `values` as a matrix with a single row.
 Eigen::MatrixXd rowMatrix(const std::vector<double>& values);
 
 } // namespace dewpoint::calibration

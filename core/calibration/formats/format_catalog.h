@@ -15,13 +15,13 @@ const std::vector<CalibrationFormat>& calibrationFormats();
 /// Returns the format with a name. NotFound lists the valid names.
 Result<const CalibrationFormat*> calibrationFormat(const std::string& name);
 
-/// Format recognized from the content of a file, with a sentence that gives the reason. If several
-/// formats are possible, or none is, the error explains why.
+/// Format recognized from the content of a file, with a sentence that gives the reason.
 struct RecognizedFormat {
   const CalibrationFormat* format = nullptr;
   std::string reason;
 };
-/// Recognizes the format of a file from its content.
+/// Recognizes the format of a file from its content. If several formats are possible, or none is,
+/// the error explains why.
 Result<RecognizedFormat> recognizeFormat(const CalibrationText& source);
 
 } // namespace dewpoint::calibration

@@ -9,20 +9,22 @@ namespace dewpoint::calibration {
 struct LensRefit {
   Camera camera;
   bool refitted = false; ///< false if the format can represent the lens as it is
-  double largestPixels =
-      0.0; ///< largest error over the sampled image, pixels; infinite if a direction has no pixel
+  /// Largest error over the sampled pixels of the image; infinite if the new lens has no pixel for
+  /// one of the directions.
+  double largestPixels = 0.0;
   double rootMeanSquarePixels = 0.0;
 };
 
-/// Returns whether the format's coefficients can represent this lens exactly.
+/// Returns whether a format with the lens models `range` can represent the lens of this camera
+/// exactly.
 bool fits(const Camera& camera, const LensSupport& range);
 
 /// Fits a camera's lens to the coefficients of a format. If the format can represent the lens
-/// exactly, returns the camera unchanged. Otherwise finds the focal lengths, principal point and
-/// coefficients of `range` that project the same directions to nearly the same pixels: least
-/// squares over 33 x 33 pixels in the image (Levenberg-Marquardt). The pose is unchanged. A fisheye
-/// lens becomes a pinhole lens if the range has no fisheye model; pixels 85 degrees or more off its
-/// axis are then ignored.
+/// exactly, returns the camera unchanged. Otherwise fits the focal lengths, the principal point and
+/// the coefficients that `range` allows, so that the same directions are projected to nearly the
+/// same pixels. Method: least squares over 33 x 33 pixels in the image (Levenberg-Marquardt). The
+/// pose is unchanged. A fisheye lens becomes a pinhole lens if `range` has no fisheye model; pixels
+/// at 85 degrees or more from the optical axis are then ignored.
 LensRefit refitLens(const Camera& camera, const LensSupport& range);
 
 } // namespace dewpoint::calibration

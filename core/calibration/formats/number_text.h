@@ -12,9 +12,9 @@
 
 namespace dewpoint::calibration {
 
-/// Returns the text of a number, which reads back as the same bits. It always has a decimal point,
-/// because some YAML readers take "1e-05" for a string, and some TOML readers reject arrays that
-/// mix "0" and "0.5".
+/// Returns the text of a number. Reading it yields exactly the same bits. The text always has a
+/// decimal point, because some YAML readers take "1e-05" for a string, and some TOML readers reject
+/// arrays that mix "0" and "0.5".
 std::string numberText(double value);
 
 /// Returns the text of a list on one line: "[1.0, 2.0, 3.0]".

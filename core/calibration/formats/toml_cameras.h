@@ -11,9 +11,10 @@ namespace dewpoint::calibration {
 /// Tools that write one TOML table per camera with the keys of cameraFromToml().
 enum class TomlDialect {
   None,
-  Dewpoint, ///< `unit` in the metadata or a camera, or none of the features listed below
-  Anipose,  ///< `[metadata]` with `adjusted`
-  Pose2Sim  ///< as Anipose, with `fisheye = false` and four coefficients for every camera
+  /// `unit` in the metadata or in a camera, or none of the features of the other dialects.
+  Dewpoint,
+  Anipose, ///< `[metadata]` with `adjusted`
+  Pose2Sim ///< as Anipose, with `fisheye = false` and four coefficients for every camera
 };
 
 /// Returns the tool that wrote a file; None if the file has no camera table or is not TOML.

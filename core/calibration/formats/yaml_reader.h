@@ -26,8 +26,8 @@ public:
   YamlReader(const YAML::Node& node, std::string file, std::string prefix = "");
 
   bool has(const char* key) const;
-  /// Returns a reader for the mapping under a key. If there is none, the reader is empty and an
-  /// error is recorded.
+  /// Returns a reader for the mapping under a key. If there is no such mapping, an error is
+  /// recorded and the returned reader is empty.
   YamlReader child(const std::string& key) const;
 
   /// Returns the keys of the mapping, in file order.
@@ -37,9 +37,9 @@ public:
   std::string text(const char* key, const std::string& unless = "") const;
   /// Returns the number under a key. An absent key, or a value that is not a number, is an error.
   double number(const char* key) const;
-  /// Returns the numbers in a sequence, in nested sequences (row by row), or under `data` in a
-  /// matrix. Their count must be one of `counts`, unless `counts` is empty; otherwise it is an
-  /// error.
+  /// Returns the numbers under a key: a sequence, nested sequences (row by row), or the sequence
+  /// under `data` in an OpenCV matrix. It is an error if their count is none of `counts`, unless
+  /// `counts` is empty.
   std::vector<double> numbers(const char* key, std::initializer_list<std::size_t> counts) const;
   /// Returns a matrix of the given size, read row by row.
   Eigen::MatrixXd matrix(const char* key, int rows, int columns) const;

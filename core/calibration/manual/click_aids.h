@@ -10,9 +10,9 @@
 
 namespace dewpoint::calibration {
 
-/// Finds the corner closest to a click within `reach` pixels, refined to a fraction of a pixel
-/// (cv::cornerSubPix; Förstner and Gülch 1987). Returns nothing if there is no corner. `image`:
-/// CV_8UC3 or CV_8UC1; pixel centers are at integers.
+/// Finds the corner that is closest to a click and at most `reach` pixels away, and refines its
+/// position to a fraction of a pixel (cv::cornerSubPix; Förstner and Gülch 1987). Returns nothing
+/// if there is no corner. `image`: CV_8UC3 or CV_8UC1; pixel centers are at integers.
 std::optional<Eigen::Vector2d> snapToCorner(const cv::Mat& image, const Eigen::Vector2d& click,
                                             double reach);
 

@@ -8,7 +8,7 @@
 
 namespace dewpoint::calibration {
 
-/// Coordinate frame along whose axes a camera is moved, and about whose axes it is rotated.
+/// Coordinate frame whose axes are used to move and rotate a camera.
 enum class NudgeFrame {
   Camera, ///< x right, y down, z forward
   World   ///< as in the project, with z up
@@ -54,7 +54,8 @@ ReferenceGrid gridFor(const CameraRig& rig);
 /// Returns the horizontal field of view of the lens without distortion, in radians: 2 atan(w / 2f),
 /// or w / f for a fisheye.
 double fieldOfView(const Camera& camera);
-/// Returns the horizontal focal length (pixels) for a field of view (radians).
+/// Returns the horizontal focal length (pixels) at which the lens of the camera has a horizontal
+/// field of view (radians).
 double focalLengthOf(const Camera& camera, double fieldOfView);
 /// Returns the camera with another horizontal focal length (pixels). The ratio of the focal lengths
 /// is unchanged.

@@ -58,9 +58,10 @@ enum class PoseStatus {
 
 /// Proposal to treat a camera's images as rotated or mirrored, because that explains its clicks.
 struct SymmetryProposal {
-  ImageSymmetry symmetry;     ///< symmetry to be applied to the current images
-  double rmsPx = 0.0;         ///< reprojection error with the symmetry applied, pixels
-  bool byUprightness = false; ///< the fit is no better, but the camera becomes upright
+  ImageSymmetry symmetry; ///< symmetry to be applied to the current images
+  double rmsPx = 0.0;     ///< reprojection error with the symmetry applied, pixels
+  /// True if the clicks do not fit better, but the camera becomes upright.
+  bool byUprightness = false;
 };
 
 /// Result of solveFromPoints() for one camera.
@@ -79,9 +80,12 @@ struct PointSolution {
   std::vector<ClickResidual>
       residuals; ///< residuals for the solved rig, relative to the points as entered
   double rmsPx = 0.0;
-  std::optional<int> worst;  ///< index of the point with the largest residual
-  bool isWorstWrong = false; ///< true if everything else fits without this point, so that it was
-                             ///< entered or clicked incorrectly
+  /// Index of the point that is wrong, if `isWorstWrong`; otherwise of the point with the largest
+  /// residual.
+  std::optional<int> worst;
+  /// True if all other points fit when this point is left out, so that it was entered or clicked
+  /// incorrectly.
+  bool isWorstWrong = false;
 
   bool anySolved() const;
 };
@@ -99,9 +103,10 @@ struct PointSettings {
 ///
 /// Each camera is solved by perspective-n-point (SQPnP, Terzakis and Lourakis 2020; for coplanar
 /// points IPPE, Collins and Bartoli 2014) and least squares. Then the poses and points of all
-/// cameras are refined together (Ceres), with each point held near its measured position. Cameras
-/// whose status is not None keep their pose, except for Ambiguous, where the better of the two
-/// poses is used. If a camera's images fit only when rotated or mirrored, the result proposes that.
+/// cameras are refined together (Ceres), with each point held near its measured position. A camera
+/// keeps its pose if its status is not None, with one exception: if the status is Ambiguous, the
+/// better of the two poses is used. If the images of a camera fit only after they are rotated or
+/// mirrored, the result contains a proposal to do this.
 PointSolution solveFromPoints(const CameraRig& rig, const std::vector<MeasuredPoint>& points,
                               const PointSettings& settings = {});
 

@@ -10,46 +10,51 @@
 
 namespace dewpoint::calibration {
 
-/// Point whose position is known from the other cameras, and its pixel in the camera that was
-/// moved.
+/// Point whose position is known from the other cameras, and the pixel at which the moved camera
+/// sees it.
 struct PointSighting {
   Eigen::Vector3d world = Eigen::Vector3d::Zero(); ///< position, meters
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
-  double sigmaPixels = 1.0; ///< standard deviation of `pixel` and the projected point combined
+  /// Standard deviation of the difference between `pixel` and the projection of `world`, per axis.
+  double sigmaPixels = 1.0;
 };
 
-/// Prior knowledge of a camera motion, before the points are used.
+/// Knowledge about a camera motion before the sightings are used.
 struct CameraMotionPrior {
-  Eigen::Vector3d turn =
-      Eigen::Vector3d::Zero(); ///< measured rotation, as in CameraRotation; radians
-  double rotationSigma =
-      2e-4; ///< standard deviation of the rotation, which is measured from the background; radians
+  /// Rotation measured from the background, as in CameraRotation; radians.
+  Eigen::Vector3d turn = Eigen::Vector3d::Zero();
+  /// Standard deviation of `turn`, radians.
+  double rotationSigma = 2e-4;
   double shiftSigma = 0.01; ///< standard deviation of a possible displacement of the camera; meters
 };
 
 /// New pose of a camera that was moved.
 struct MovedCameraPose {
   Camera camera;
-  int used = 0;              ///< number of sightings that agree within three sigma
-  double pixelsBefore = 0.0; ///< median distance of all sightings from their projections with the
-                             ///< old pose; 0 without sightings
-  double pixelsAfter = 0.0;  ///< median distance with the new pose
+  int used = 0; ///< number of sightings that agree with the new pose within three sigma
+  /// Median distance between the pixels of all sightings and the projections with the old pose; 0
+  /// if there are no sightings.
+  double pixelsBefore = 0.0;
+  double pixelsAfter = 0.0; ///< the same with the new pose
   Eigen::Vector3d angleSigma =
       Eigen::Vector3d::Zero(); ///< standard deviation of the rotation, radians, camera axes
   Eigen::Vector3d shiftSigma =
       Eigen::Vector3d::Zero(); ///< standard deviation of the position, meters, camera axes
 };
 
-/// Returns the camera rotated about its center. To first order, this is (1 + [turn]x)
-/// cameraFromWorld; the rotation used is exact.
+/// Returns the camera rotated about its center by the rotation vector `turn` (radians, camera
+/// axes). The rotation is exact. To first order, the new cameraFromWorld is (I + [turn]x) times the
+/// old one.
 Camera rotatedCamera(const Camera& camera, const Eigen::Vector3d& turn);
 
-/// Estimates the pose of one camera that was moved, while all other cameras and its intrinsics stay
+/// Estimates the new pose of one camera that was moved. Its intrinsics and all other cameras stay
 /// fixed. Least squares (Ceres) over the six pose parameters, from the sightings (Huber loss at two
-/// sigma) and the prior. A displaced camera also appears to rotate relative to its background, by
-/// displacement over distance. The prior's rotation is therefore assumed to be known to within
-/// rotationSigma and shiftSigma at 3 m combined. Without sightings, the result is the old camera,
-/// rotated. Error: Mismatch if the sightings contradict the result (fewer than half agree).
+/// sigma) and the prior.
+///
+/// A displacement of the camera looks like a rotation by displacement / distance of the background,
+/// which is assumed to be 3 m away. The standard deviation of the prior's rotation is therefore
+/// hypot(rotationSigma, shiftSigma / 3 m). Without sightings, the result is the old pose, rotated
+/// by `prior.turn`. Error: Mismatch if fewer than half of the sightings agree with the result.
 Result<MovedCameraPose> estimateMovedPose(const Camera& camera, const CameraMotionPrior& prior,
                                           std::span<const PointSighting> sightings);
 

@@ -11,14 +11,16 @@ namespace dewpoint::calibration {
 /// How a camera moves while the user drags a world point through its image.
 enum class DragMode {
   Turn, ///< keeps its position and rotates
-  Slide ///< keeps its orientation and moves sideways
+  Slide ///< keeps its orientation and moves parallel to its image
 };
 
 /// Reason why a drag could not continue.
 enum class DragLimit {
   None,
   OutOfSight, ///< a point would be behind the camera, or outside the range of its lens model
-  OneRay, ///< the held points are insufficient: they lie on one ray or line with the dragged point
+  /// The held points do not determine the motion, because they lie on one ray or line with the
+  /// dragged point.
+  OneRay,
   OutOfReach, ///< no pose near the current one shows the points at these pixels
   Fixed       ///< three held points determine the pose: only the focal length could still change
 };
@@ -26,7 +28,8 @@ enum class DragLimit {
 /// Settings of a drag.
 struct DragSettings {
   DragMode mode = DragMode::Turn;
-  /// True if the focal length changes, and the pose with it, while three points are held.
+  /// True if the focal length may change, together with the pose, while three points are held. If
+  /// false, such a drag stops with DragLimit::Fixed.
   bool focalMayChange = false;
 };
 
@@ -34,16 +37,17 @@ struct DragSettings {
 struct Drag {
   Camera camera;                     ///< camera at the end of the drag
   DragLimit limit = DragLimit::None; ///< reason why the drag stopped early
-  double miss = 0.0; ///< distance between the dragged point and its target pixel, in pixels
+  double miss = 0.0; ///< distance between the pixel of the dragged point and its target pixel
 };
 
 /// Maximum number of points held during a drag.
 inline constexpr int kMaxHeldPoints = 3;
 
-/// Moves a camera so that `dragged.world` is seen at `dragged.pixel` while the held points stay at
-/// their pixels (to 1e-6 px). What changes depends on the number of held points:
-/// - 0: the smallest rotation about the camera center; in slide mode, the motion perpendicular to
-///   the line of sight;
+/// Moves a camera so that `dragged.world` is seen at `dragged.pixel`, while the held points stay
+/// within 1e-6 px of where the camera sees them now. (The pixels in `held` are not used.) What
+/// changes depends on the number of held points:
+/// - 0: the smallest rotation about the camera center; in slide mode, a motion parallel to the
+///   image;
 /// - 1: the camera rolls about the ray of the held point and moves along it; in slide mode, the
 ///   smallest change of pose that meets the conditions;
 /// - 2: the pose that meets the conditions (three points allow finitely many poses; this is the one
@@ -52,8 +56,8 @@ inline constexpr int kMaxHeldPoints = 3;
 ///
 /// `camera` is the camera at the start of the drag, so that dragging back to the start changes
 /// nothing. The path is followed in steps of a few pixels. If it ends early, the last valid pose is
-/// returned with the reason. The "smallest change" minimizes the sum of squares of rotation
-/// (radians) and displacement (in units of the mean distance of the points).
+/// returned with the reason. The "smallest change" has the smallest sum of squares of its rotation
+/// (radians) and its displacement (in units of the mean distance of the points).
 Drag dragPoint(const Camera& camera, const std::vector<ImageAnchor>& held,
                const ImageAnchor& dragged, const DragSettings& settings);
 

@@ -18,21 +18,25 @@ struct PointPose {
 PointPose poseFromPoints(const Camera& camera, const std::vector<ImageAnchor>& anchors,
                          bool estimateFocal);
 
-/// Which way up a world is, as far as the pose of a camera tells.
+/// Whether the z axis of the world points up, as far as the pose of a camera shows.
 enum class WorldSide {
   Unknown, ///< the points fit badly, or the camera looks steeply down or up
   Upright, ///< no sign that z points down
-  Inverted ///< the image is upside down in this world, and all points lie above the camera
+  /// The image is upside down with respect to this world, and all points lie above the camera.
+  Inverted
 };
 
-/// Returns which way up the world is for `found`, the result of poseFromPoints() for these anchors.
-/// A camera with an upright image is WorldSide::Inverted where z points down.
+/// Returns whether the z axis of the world points up, according to `found`, the result of
+/// poseFromPoints() for these anchors. If z points down, a camera with an upright image is
+/// WorldSide::Inverted.
 WorldSide worldSideOf(const PointPose& found, const std::vector<ImageAnchor>& anchors);
 
 /// Checks whether the images of a camera are rotated or mirrored. `found` is the result of
-/// poseFromPoints() for the current images. A mirrored or rotated image is proposed if it fits and
-/// the current one does not. A rotated image is also proposed if both fit but the camera is upright
-/// only with the rotation.
+/// poseFromPoints() for the current images. An image that is rotated or mirrored further is
+/// proposed if it fits and the current one does not. If both fit, a rotated image is proposed if
+/// the camera is upright only with the rotation. If both fit and all points lie in a horizontal
+/// plane, a rotated or mirrored image is also proposed if the camera is below this plane without
+/// it.
 std::optional<SymmetryProposal> proposeSymmetry(const Camera& camera,
                                                 const std::vector<ImageAnchor>& anchors,
                                                 const PointPose& found);

@@ -21,8 +21,9 @@ struct ImageAnchor {
 /// displacement along them (in units of PoseChange's depth), and the logarithm of a zoom factor.
 using ChangeVector = Eigen::Matrix<double, 7, 1>;
 
-/// Changes of a camera near its current pose, and their effect on the pixels of points. A point at
-/// p in the camera frame moves to R p + depth * shift.
+/// Changes of a camera near its current pose, and their effect on the pixels of points. A change
+/// with the rotation R and the displacement `shift` moves a point p in the camera frame to R p +
+/// depth * shift.
 class PoseChange {
 public:
   /// `depth`: unit of displacements in meters, chosen so that rotations and displacements of equal
@@ -34,8 +35,8 @@ public:
   /// Returns the pixel of a world point after a change, or nothing if the camera does not see it.
   std::optional<Eigen::Vector2d> pixel(const ChangeVector& change,
                                        const Eigen::Vector3d& world) const;
-  /// Returns the differences between the projected and the given pixels of the points, two rows per
-  /// point. Returns nothing if a point is not visible.
+  /// Returns the residuals after a change: the projections of the points minus the given pixels,
+  /// two rows per point. Returns nothing if a point is not visible.
   std::optional<Eigen::VectorXd> residuals(const ChangeVector& change,
                                            const std::vector<ImageAnchor>& anchors) const;
   /// Returns the derivatives of the residuals, in pixels per unit of change (central differences).
@@ -53,7 +54,8 @@ private:
 /// Returns the mean distance of the points from the camera, meters; at least 1 cm.
 double meanDistance(const Camera& camera, const std::vector<ImageAnchor>& anchors);
 
-/// Returns the root mean square length of `residuals` over points (two rows per point).
+/// Returns the root mean square residual of a point. `residuals` contains two rows per point, as
+/// from PoseChange::residuals().
 double rmsOfPoints(const Eigen::VectorXd& residuals);
 
 /// Refines the pose of `camera` and, if `estimateFocal`, its focal length by least squares (Ceres).

@@ -16,20 +16,22 @@ namespace dewpoint::calibration {
 Camera idealCamera(const std::string& name, int width, int height, double fieldOfView);
 
 /// Places the camera in the upper corner of the volume that is farthest from all cameras in the
-/// rig, looking at the center of the volume. This is the start pose of a planned camera. Among
-/// equally distant corners, the first in Eigen's order is used.
+/// rig, looking at the center of the volume. This is the start pose of a planned camera. If several
+/// corners are equally distant, the first one in Eigen's order of corners is used.
 Camera placedInFarthestCorner(Camera camera, const CameraRig& rig,
                               const Eigen::AlignedBox3d& volume);
 
 /// Settings of placeCamera().
 struct PlacementSettings {
-  Eigen::AlignedBox3d volume;  ///< volume to measure in; world frame, meters
-  double wallDistance = 0.0;   ///< distance of walls and ceiling outwards from the volume, meters
-  double pixelSigma = 0.5;     ///< standard deviation of a sighting, pixels
-  double goodSigma = 0.005;    ///< standard deviation of a position that is good enough, meters
+  Eigen::AlignedBox3d volume; ///< volume to measure in; world frame, meters
+  /// Distance by which the walls and the ceiling lie outside the volume, meters.
+  double wallDistance = 0.0;
+  double pixelSigma = 0.5; ///< standard deviation of an image measurement, pixels
+  /// Largest standard deviation with which a position counts as good enough, meters.
+  double goodSigma = 0.005;
   std::size_t cellCount = 900; ///< number of cells into which the volume is divided for the search
-  /// Number of cells used to compute the reported numbers; 0: the same cells as for the search. Use
-  /// the cells of a displayed map to make the numbers agree with that map.
+  /// Number of cells used to compute the reported fractions; 0: the same cells as for the search.
+  /// With the number of cells of a displayed map, the fractions agree with that map.
   std::size_t reportedCells = 0;
 };
 
@@ -43,11 +45,12 @@ struct Placement {
 
 /// Finds the best pose for an additional camera: on one of the four walls (in the upper half) or on
 /// the ceiling of the volume, looking into it. The score of a pose is the mean of 1 / (1 + (sigma /
-/// goodSigma)²) over the volume, plus a small amount for everything that is visible, which decides
-/// for the first camera. All poses on a coarse grid, aimed at the center and at four points around
-/// it, are compared. The best one is then moved and rotated in decreasing steps as long as it
-/// improves. The same input produces the same pose. Errors: BadValue for a volume without extent or
-/// a lens without focal length; Canceled.
+/// goodSigma)²) over the volume, plus a small amount for each part that is visible. This amount
+/// decides where the first camera is placed, because a single camera does not measure positions.
+/// All poses on a coarse grid, aimed at the center and at four points around it, are compared. The
+/// best one is then moved and rotated in decreasing steps as long as it improves. The same input
+/// produces the same pose. Errors: BadValue for a volume without extent or a lens without focal
+/// length; Canceled.
 Result<Placement> placeCamera(const CameraRig& rig, const Camera& lens,
                               const PlacementSettings& settings,
                               const CalibrationProgress& progress = {});

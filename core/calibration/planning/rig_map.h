@@ -26,7 +26,8 @@ struct RigMap {
 
 /// Summary of a map.
 struct RigMapSummary {
-  double within = 0.0; ///< fraction of the volume with a sigma of at most `limit` meters, 0 to 1
+  /// Fraction of the volume, 0 to 1, in which the sigma is at most the `limit` of summaryOf().
+  double within = 0.0;
   double tooFew = 0.0; ///< fraction of the volume seen by fewer than two cameras, 0 to 1
   /// Median sigma over the volume, meters; NaN if less than half of the volume has a sigma.
   double medianSigma = 0.0;
@@ -34,8 +35,8 @@ struct RigMapSummary {
 /// Summarizes a map. `limit` is the sigma that is good enough, in meters.
 RigMapSummary summaryOf(const RigMap& map, double limit);
 
-/// Returns the index of the cell that contains a position (world, meters), as used in RigMap's
-/// columns. Returns nothing outside the volume.
+/// Returns the index of the cell that contains a position (world, meters). It is an index in
+/// RigMap::sigmas and RigMap::counts. Returns nothing outside the volume.
 std::optional<std::size_t> cellAt(const VolumeGrid& grid, const Eigen::Vector3d& position);
 
 /// Divides a volume into about `cellCount` nearly cubic cells, at least one along each axis.
@@ -43,9 +44,9 @@ VolumeGrid gridOver(const Eigen::AlignedBox3d& volume, std::size_t cellCount);
 
 /// Returns the room that a rig is designed for, as far as the project defines it: the area of the
 /// reference grid, extending upwards from its floor. A floor grid has no height, so the room
-/// extends up to the highest camera, but at most as high as the floor is long and at least a
-/// quarter of that. A wall grid has no depth, so the room extends towards the cameras by the length
-/// of the wall.
+/// extends up to the highest camera. This height is at least a quarter of the length of the floor,
+/// and at most its whole length. A wall grid has no depth, so the room extends towards the cameras
+/// by the length of the wall.
 Eigen::AlignedBox3d roomVolume(const CameraRig& rig, const ReferenceGrid& grid);
 
 /// Number of cells in a displayed map. Displayed fractions are also computed from these cells. A

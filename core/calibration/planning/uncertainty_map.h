@@ -33,8 +33,10 @@ struct VolumeGrid {
   bool operator==(const VolumeGrid&) const = default;
 };
 
-/// Covariance of a camera's pose error (w, s) about the camera's center: rotation in camera axes
-/// (rad), then displacement in camera axes (m). The true cameraFromWorld is (1 + [w]x) R, t + s.
+/// Covariance of the error (w, s) of a camera's pose: w is a rotation vector in camera axes (rad)
+/// about the camera's center, and s is a displacement in camera axes (m). If the estimated
+/// cameraFromWorld has the rotation R and the translation t, the true one has the rotation (I +
+/// [w]x) R and the translation t + s.
 using PoseCovariance = Eigen::Matrix<double, 6, 6>;
 
 /// Returns the pose covariance of a camera whose direction has the standard deviation `angle` (rad)
@@ -56,7 +58,7 @@ public:
 
   /// Sets all cameras. `covariances` is empty for exact poses, or has one entry per camera.
   void setRig(const CameraRig& rig, std::span<const PoseCovariance> covariances = {});
-  /// Replaces a camera in the rig, or adds the next one.
+  /// Replaces a camera in the rig. If `camera` is the number of cameras, adds a camera.
   void setCamera(std::size_t camera, const Camera& moved,
                  const PoseCovariance& covariance = PoseCovariance::Zero());
 
@@ -75,8 +77,8 @@ public:
   std::span<const float> layer(int z) const;
   /// Returns the layer that contains a height (meters), or nothing outside the volume.
   std::optional<int> layerAt(double height) const;
-  /// Returns the fraction of cells (0 to 1) seen by at least two cameras whose largest sigma is at
-  /// most `sigma` meters.
+  /// Returns the fraction of all cells (0 to 1) that at least two cameras see and for which
+  /// largestSigmas() is at most `sigma` meters.
   double fractionWithin(double sigma) const;
 
 private:

@@ -10,18 +10,20 @@
 
 namespace dewpoint::calibration {
 
-/// Returns the accuracy of poses estimated from a board (assessCalibration()). The scale is as
-/// accurate as a ruler along the board's longer side, 0.2 mm. If the board lay on the floor at
-/// `worldInstant`, the accuracy of the upward direction is derived from the corner noise at that
-/// instant and a floor (or board) that is flat to 0.5 mm. Errors: those of assessCalibration().
+/// Returns the accuracy of poses estimated from a board (assessCalibration()). The error of the
+/// scale is that of measuring the longer side of the board with a ruler: 0.2 mm. If the board lay
+/// on the floor at `worldInstant`, the accuracy of the upward direction is derived from the noise
+/// of the corners at that instant, assuming that the floor and the board are flat to 0.5 mm.
+/// Errors: those of assessCalibration().
 Result<CalibrationAccuracy> assessBoard(const ExtrinsicsResult& result,
                                         const BoardDescription& board,
                                         std::optional<std::int64_t> worldInstant);
 
-/// Searches for faults in the views of the board (findFaults()). Cameras in the request have the
-/// poses from before the calibration. If the views do not fit that rig at all, or it is not a valid
-/// rig, its poses are treated as unknown. Then `result` (null if there is none) is used instead,
-/// and lengths cannot be checked. If fewer than two cameras have views, no search takes place.
+/// Searches for faults in the views of the board (findFaults()). The cameras in `request` have the
+/// poses from before the calibration. If these poses do not form a valid rig, or if the views do
+/// not fit them at all, they are treated as unknown. The search then uses the poses of `result`
+/// instead, and cannot check lengths. `result` may be null if there is none. No search takes place
+/// if fewer than two cameras have views, or if the board is symmetric and there is no result.
 FaultReport findBoardFaults(const ExtrinsicsRequest& request, double framesPerSecond,
                             const ExtrinsicsResult* result);
 

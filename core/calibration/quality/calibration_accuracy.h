@@ -11,7 +11,7 @@
 
 namespace dewpoint::calibration {
 
-/// Prior knowledge about a calibration that is not part of its adjustment.
+/// Knowledge about the accuracy of a calibration that is not part of its adjustment.
 struct AccuracyPriors {
   double scaleSigma = 0.0; ///< relative standard deviation of the scale; 0: exact, or unknown
   bool scaleKnown =
@@ -23,45 +23,54 @@ struct AccuracyPriors {
 /// Accuracy of a calibration. Errors are computed after the best-fitting rigid motion, so they do
 /// not depend on the position of the origin.
 struct CalibrationAccuracy {
-  /// Error that is not exceeded at 95 % of the positions where the target was, meters.
+  /// Error that 95 % of the measured positions do not exceed, for a target that is where it was
+  /// during the calibration; meters.
   double position95 = 0.0;
-  double cameras95 = 0.0; ///< part of position95 that is not reduced by averaging images, meters
+  /// Part of position95 that is caused by errors of the cameras, so that averaging images does not
+  /// reduce it; meters.
+  double cameras95 = 0.0;
   std::optional<double> scale95; ///< relative error of the scale, 95 %
   std::optional<double> up95;    ///< error of the upward direction, radians, 95 %
-  /// Ratio between the actual change of the cameras when some instants are left out and the change
-  /// predicted by their covariance. The covariance is increased accordingly. 1: the covariance was
-  /// not changed.
+  /// Factor by which the standard deviations of the cameras were increased, because the
+  /// cross-validation showed larger errors than the covariance predicts. 1: they were not
+  /// increased.
   double modelFactor = 1.0;
-  double heldOutPx = 0.0;   ///< root mean square reprojection error in left-out instants, pixels
-  std::size_t heldOut = 0;  ///< number of image points in left-out instants
-  double changeRatio = 0.0; ///< measured ratio from which modelFactor is derived
+  /// Root mean square reprojection error of the image points left out in the cross-validation,
+  /// pixels.
+  double heldOutPx = 0.0;
+  std::size_t heldOut = 0; ///< number of image points left out in the cross-validation
+  /// Ratio of the errors in the cross-validation to the predicted ones; becomes modelFactor if it
+  /// is clearly above 1; 0 if it is unknown.
+  double changeRatio = 0.0;
 };
 
-/// Assesses the accuracy of an adjustment from its outcome (problem and result in the world frame
-/// of the result).
+/// Assesses the accuracy of an adjustment. `problem` and `result` are in the world frame of the
+/// result.
 ///
-/// The covariance of the cameras is propagated to first order to positions spread over the observed
-/// ones (Hartley & Zisserman, Multiple View Geometry, 5.2), without their common rigid motion. Then
-/// the noise from one image of the target is added, and the 95 % values are determined from 200
-/// draws.
+/// The covariance of the cameras is propagated to first order to positions (Hartley & Zisserman,
+/// Multiple View Geometry, 5.2). These positions are spread over those where the target was
+/// observed. A common rigid motion of all positions is not an error. Then the image noise of a
+/// single measurement is added, and the 95 % values are determined from 200 draws.
 ///
-/// For cross-validation, the instants are divided into 20 stretches, and each fifth of these is
-/// left out in turn. The left-out image points are compared with cameras calibrated without them.
-/// The spread of the five solutions (jackknife over stretches, Efron & Stein 1981) is the empirical
-/// error. If it is clearly larger than predicted, the errors are not independent as assumed, and
-/// the prediction is increased to match it.
+/// For cross-validation, the states are divided into 20 groups of neighboring states. The cameras
+/// are calibrated five times, each time without another four of the groups. The left-out image
+/// points are compared with the cameras calibrated without them. The spread of the five solutions
+/// (jackknife over groups, Efron & Stein 1981) is the empirical error. If it is clearly larger than
+/// the predicted error, the errors are not independent as assumed. The predicted error is then
+/// increased to the empirical error.
 ///
-/// Errors: those of adjustBundle(), and Undetermined without free cameras or observed positions.
+/// Error: Undetermined if no camera was free, or if two cameras saw the target at fewer than four
+/// positions.
 Result<CalibrationAccuracy> assessCalibration(const BundleProblem& problem,
                                               const BundleResult& result,
                                               const AccuracyPriors& known = {});
 
-/// Assesses the accuracy of a calibration by wand. `floorTimes` are those of its WandProblem.
+/// Assesses the accuracy of a calibration by wand. `floorTimes`: see WandProblem::floorTimes.
 Result<CalibrationAccuracy> assessWand(const WandResult& result,
                                        const std::vector<double>& floorTimes);
 
-/// Returns a sentence about the accuracy: "In this volume +-3.1 mm (95 %), scale +-0.10 %, up
-/// +-0.20 degrees."
+/// Returns a sentence about the accuracy, for example "In this volume +-3.1 mm (95 %), scale +-0.10
+/// %, up +-0.20 degrees."
 std::string accuracySummary(const CalibrationAccuracy& accuracy);
 
 } // namespace dewpoint::calibration

@@ -8,8 +8,8 @@
 
 namespace dewpoint::calibration {
 
-/// Finds faults common to all cameras, based on the joint fit of all: image points that are off by
-/// half a pixel.
+/// Finds a fault that is common to all cameras: image points that are half a pixel off. `fit` is
+/// the joint fit of all cameras.
 std::optional<DetectedFault> findCommonFault(const FaultSearchInput& question,
                                              const ImagePoints& imagePoints, const PointFit& fit);
 

@@ -8,12 +8,13 @@
 
 namespace dewpoint::calibration {
 
-/// Finds errors in the entered lengths, board and floor, using the point positions triangulated by
-/// all cameras.
+/// Finds errors in the entered lengths, in the board and in the floor. `positions`: positions of
+/// the points, triangulated by all cameras of `rig`.
 std::vector<DetectedFault> findBodyFaults(const FaultSearchInput& question,
                                           const PointPositions& positions, const CameraRig& rig);
 
-/// Returns the relative standard deviation of the initial rig's size.
+/// Returns the relative standard deviation of the size of a rig whose poses have the standard
+/// deviations `sigma`.
 double sizeSigma(const CameraRig& rig, const InitialRigSigma& sigma);
 
 } // namespace dewpoint::calibration

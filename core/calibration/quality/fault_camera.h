@@ -9,13 +9,14 @@
 
 namespace dewpoint::calibration {
 
-/// Camera that is left out of the fit, and the points as seen by the other cameras.
+/// Camera that was left out of a fit because it may have a fault, and the points as seen by the
+/// other cameras.
 struct Suspect {
   std::size_t camera = 0;
   const ImagePoints* imagePoints = nullptr;
   const PointPositions* positions = nullptr; ///< points triangulated by the other cameras
-  double sigmaPx =
-      1.0; ///< standard deviation of the image points explained by the other cameras, pixels
+  /// Standard deviation of the image points in the fit of the other cameras, pixels.
+  double sigmaPx = 1.0;
 };
 
 /// Finds the fault that best explains a suspect. Returns it only if it explains the suspect clearly

@@ -11,18 +11,19 @@
 
 namespace dewpoint::calibration {
 
-/// Image point of a camera, with the index of the point and the instant.
+/// Image of a point of a body in one camera.
 struct ImagePoint {
   std::size_t instant = 0; ///< index of the state
   std::size_t id = 0;      ///< index of the point on the body
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
 };
 
-/// Image points of all cameras without the bodies. No lengths are assumed.
+/// Image points of all cameras. The lengths of the bodies are left out, so that a wrong length has
+/// no effect.
 struct ImagePoints {
-  std::vector<double> times; ///< time of each instant, seconds
+  std::vector<double> times; ///< time of each state, seconds
   std::vector<std::vector<ImagePoint>> perCamera;
-  std::size_t ids = 1; ///< largest number of points per instant
+  std::size_t ids = 1; ///< largest number of points per state
 };
 /// Returns the image points of a bundle problem.
 ImagePoints imagePointsOf(const BundleProblem& problem);
@@ -33,7 +34,7 @@ struct InitialRigSigma {
   double position = 0.12; ///< meters
 };
 
-/// Rig that explains points with unknown positions.
+/// Poses of cameras, fitted to the images of points whose positions are unknown.
 struct PointFit {
   CameraRig rig;
   double sigmaPx = 0.0; ///< robust standard deviation of an image point per axis, corrected for the
@@ -42,24 +43,24 @@ struct PointFit {
   std::size_t points = 0;
 };
 
-/// Estimates the poses of the cameras selected by `use` from up to 240 points that at least two of
-/// them see, and if `centersFree`, also their principal points. The solution is near the initial
-/// rig: if a camera ends up far from its initial pose, its residuals count as outliers. Returns
-/// nothing if there is no solution.
+/// Estimates the poses of the cameras selected by `use`, from up to 240 points that at least two of
+/// these cameras see. If `centersFree`, also estimates their principal points. A solution that is
+/// far from the initial rig does not count as an explanation: if any camera ends up far from its
+/// initial pose, all residuals are set to a large value. Returns nothing if there is no solution.
 std::optional<PointFit> estimateStructureAndPoses(const CameraRig& initialRig,
                                                   const ImagePoints& imagePoints,
                                                   const std::vector<bool>& use,
                                                   const InitialRigSigma& sigma,
                                                   bool centersFree = false);
 
-/// Point positions (world, meters) triangulated by the cameras selected by `use`, indexed by
-/// instant, then id.
+/// Point positions (world, meters) triangulated by the cameras selected by `use`, indexed by state,
+/// then by ImagePoint::id.
 using PointPositions = std::vector<std::vector<std::optional<Eigen::Vector3d>>>;
 /// Triangulates the image points with the cameras selected by `use`.
 PointPositions triangulated(const CameraRig& rig, const ImagePoints& imagePoints,
                             const std::vector<bool>& use);
 
-/// Point with known position, and its pixel in the image of one camera.
+/// Point with known position, and the pixel at which one camera sees it.
 struct PointCorrespondence {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
@@ -69,11 +70,13 @@ struct PointCorrespondence {
 /// Pose (and focal length) of one camera estimated from points with known positions (resection).
 struct CameraResection {
   Camera camera;
-  std::vector<double>
-      squares; ///< squared residuals per axis, pixels²; large for points outside the camera's view
+  /// Squared residuals per axis, pixels²; set to a large value for points that the camera cannot
+  /// see, or for all points if the pose is far from the initial one.
+  std::vector<double> squares;
 };
 /// Estimates the pose of one camera near `initial` from points with known positions and, if
-/// `focalFree`, its focal length.
+/// `focalFree`, its focal length. `quick`: uses fewer iterations, for a start value that is already
+/// close. Returns nothing if there is no solution.
 std::optional<CameraResection> fitCamera(const Camera& initial,
                                          const std::vector<PointCorrespondence>& correspondences,
                                          const InitialRigSigma& sigma, bool focalFree,

@@ -16,24 +16,25 @@ struct FaultReport {
       0.0; ///< standard deviation of an image point per axis, from the cameras that agree; pixels
 };
 
-/// Searches for the faults in CalibrationFault by solving again under each hypothesis.
+/// Searches for the faults listed in CalibrationFault. For each possible fault (hypothesis), the
+/// poses are estimated again under the assumption that the fault is present.
 ///
 /// Point positions are free, and no lengths are assumed, so that a wrong length cannot hide other
-/// faults. Each camera in turn is left out. If the others agree, the left-out camera is explained
-/// from their points by one of these hypotheses: unchanged, flipped, with another focal length,
-/// with lens data for another resolution, with another pose from some time on, or shifted in time.
-/// Pairs of cameras are also exchanged, and everything is solved again.
+/// faults. Each camera in turn is left out. If the other cameras agree, their points show which
+/// hypothesis best explains the images of the left-out camera: no fault, flipped images, another
+/// focal length, lens data for another resolution, another pose from some time on, or a shift in
+/// time. In addition, each pair of cameras is exchanged, and all poses are estimated again.
 ///
-/// A hypothesis is reported if it gains more than 30 in log likelihood (Student's t, 4 degrees of
-/// freedom) and 0.1 per measured number, and explains the images nearly as well as the cameras that
-/// agree explain theirs. If several qualify, the best one is reported. If no camera is reported,
-/// three more faults are tested: half-pixel shifts of all cameras, lengths relative to the size of
-/// the initial rig, and the board's side and columns. With only two cameras, faults of a single
-/// camera cannot be identified and are not searched for.
+/// A hypothesis must increase the log likelihood (Student's t, 4 degrees of freedom) by more than
+/// 30, and by more than 0.1 per measured coordinate. It must also explain the images nearly as well
+/// as those of the cameras that agree are explained. If several hypotheses fulfill this, the best
+/// one is reported. If no camera is reported, three more faults are tested: half-pixel shifts of
+/// all cameras, lengths relative to the size of the initial rig, and a board that is mirrored or
+/// has another number of columns. With only two cameras, faults of a single camera cannot be
+/// identified and are not searched for.
 FaultReport findFaults(const FaultSearchInput& question);
 
-/// Searches for faults in the observations of a wand. Errors: those of calibrateFromWand()
-/// regarding its views.
+/// Searches for faults in the observations of a wand. Errors: those of checkViews().
 Result<FaultReport> findWandFaults(const WandProblem& problem);
 
 } // namespace dewpoint::calibration

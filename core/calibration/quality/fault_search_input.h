@@ -15,7 +15,7 @@ namespace dewpoint::calibration {
 /// about one or two cameras. Origin not recorded.
 inline constexpr double kMinGain = 30.0;
 
-/// Observations and entered data, before anything was solved or dropped.
+/// Observations and entered data, from before anything was estimated or left out.
 struct FaultSearchInput {
   /// Cameras: the initial rig with the given intrinsics. Bodies: as entered. A board state that is
   /// fixed represents the floor (or a wall) that defines the world.

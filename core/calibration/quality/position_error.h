@@ -12,27 +12,31 @@ namespace dewpoint::calibration {
 /// First-order propagation of camera errors to triangulated positions.
 struct PositionErrors {
   std::vector<Eigen::Vector3d> positions; ///< triangulated positions, meters
-  Eigen::MatrixXd
-      fromCameras; ///< Jacobian: 3 times the number of positions x columns of the covariance
-  std::vector<Eigen::Matrix3d> noise; ///< covariance of one measurement for a pixel sigma of 1
+  /// Derivatives of the positions (3 rows for each) with respect to the camera parameters (columns
+  /// as in the covariance of the result).
+  Eigen::MatrixXd fromCameras;
+  /// Covariance of each position when it is triangulated from one image per camera in which a pixel
+  /// has the standard deviation 1.
+  std::vector<Eigen::Matrix3d> noise;
 };
 
-/// Propagates camera errors to up to `most` positions, spread over those in the result. Positions
-/// seen by fewer than two cameras are left out. Time offsets have no effect because the target is
-/// assumed to be at rest.
+/// Propagates camera errors to up to `most` positions, which are spread over the positions of the
+/// target in the result. Positions seen by fewer than two cameras are left out. Time offsets have
+/// no effect, because the target is assumed to be at rest.
 PositionErrors propagateToPositions(const BundleProblem& problem, const BundleResult& result,
                                     std::size_t most);
 
-/// Removes the common rigid motion from stacked position errors, column by column. With `sizeToo`,
-/// also removes the common change of size.
+/// Removes the common rigid motion from errors of positions. `errors` has three rows per position,
+/// and each column is a separate set of errors. With `sizeToo`, also removes the common change of
+/// size.
 Eigen::MatrixXd removeRigidMotion(const std::vector<Eigen::Vector3d>& positions,
                                   const Eigen::MatrixXd& errors, bool sizeToo);
 
-/// Returns the relative change of size in stacked position errors, column by column.
+/// Returns the relative change of size for each column of `errors`, as in removeRigidMotion().
 Eigen::RowVectorXd sizeChange(const std::vector<Eigen::Vector3d>& positions,
                               const Eigen::MatrixXd& errors);
 
-/// Returns the difference `to` minus `from` between the camera parameters in the given columns
+/// Returns the camera parameters of `to` minus those of `from`, in the order of `columns`
 /// (rotations, centers, intrinsics, offsets).
 Eigen::VectorXd cameraDifference(const std::vector<CameraColumn>& columns, const BundleResult& from,
                                  const BundleResult& to);

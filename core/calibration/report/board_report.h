@@ -41,8 +41,9 @@ BoardReport::CameraPart reportPart(const std::string& name, const IntrinsicsResu
 /// Returns the report about the poses of all cameras.
 BoardReport reportOf(const BoardDescription& board, const ExtrinsicsResult& result);
 
-/// Returns the report as a self-contained HTML page. For each camera, it shows results, residual
-/// arrows, coverage and errors per image. It also shows the cameras and boards in space.
+/// Returns the report as a self-contained HTML page. For each camera, the page shows results,
+/// residual arrows, coverage and the errors of all images. It also shows the cameras and the board
+/// poses in space.
 std::string htmlText(const BoardReport& report);
 /// Returns several reports on one page, one below the other. `reports` must not be empty.
 std::string htmlText(const std::vector<BoardReport>& reports);

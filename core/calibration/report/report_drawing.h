@@ -18,7 +18,7 @@ inline constexpr double kDrawingWidth = 460.0;
 
 inline constexpr const char* kPageEnd = "</body></html>\n";
 
-/// Observed image point, and its distance from the projection.
+/// Observed image point, and its displacement from the projection.
 struct ImageResidual {
   Eigen::Vector2d pixel;    ///< measured position
   Eigen::Vector2d residual; ///< measured minus projected, pixels

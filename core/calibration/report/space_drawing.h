@@ -17,8 +17,8 @@ struct SpaceLine {
   std::vector<Eigen::Vector3d> points;
 };
 
-/// Returns an SVG with two views of cameras and lines in space: obliquely from above (with this
-/// label), and from directly above.
+/// Returns an SVG with two views of cameras and lines in space: one obliquely from above, and one
+/// from directly above. `label` is the title of the first view.
 std::string spaceDrawing(const CameraRig& cameras, const std::vector<SpaceLine>& lines,
                          const char* label);
 

@@ -5,15 +5,17 @@
 
 namespace dewpoint::calibration {
 
-/// Checks that there are at least two cameras, each with valid views. Errors name the camera.
+/// Checks that there are at least two cameras, each with at least one view, and that all views are
+/// valid. Errors name the camera.
 Status checkViews(const WandProblem& problem);
 
-/// Creates a bundle problem from the views and the initial cameras. Views at the same time (within
-/// half the usual interval between views) become observations of one state.
+/// Creates a bundle problem from the views and the initial cameras. Views whose times differ by at
+/// most half the usual interval between views become observations of one state.
 Result<BundleProblem> wandBundle(const WandProblem& problem);
 
-/// Reduces a problem to at most `most` states and their observations, by keeping every k-th state.
-/// Where states are followed in time, keeps every k-th run of neighbors instead.
+/// Reduces a problem to at most `most` states and their observations. The states kept are evenly
+/// spread. With `inRuns`, runs of 30 neighboring states are kept or removed as a whole, so that
+/// positions can still be interpolated between neighboring states.
 BundleProblem thinned(const BundleProblem& problem, int most, bool inRuns);
 
 /// Sets the outlineShift of every observation based on the current cameras and states. `ballRadius`
@@ -22,12 +24,12 @@ void updateOutlineShifts(const std::array<double, 2>& ballRadius, const BundleRe
                          BundleProblem& problem);
 
 /// Drops the worst observation of each state if its residual exceeds `limit` pixels. Returns the
-/// number of dropped observations; `dropped` counts them per camera.
+/// number of dropped observations, and adds the number for each camera to `dropped`.
 std::size_t dropWorstObservations(const BundleResult& now, double limit, BundleProblem& problem,
                                   std::vector<std::size_t>& dropped);
 
-/// Returns the median length of the residuals of used observations in pixels, for one camera or for
-/// all.
+/// Returns the median length of the residuals of used observations in pixels, for one camera, or
+/// for all if `camera` is -1.
 double medianResidual(const BundleProblem& problem, const BundleResult& now, int camera = -1);
 
 } // namespace dewpoint::calibration

@@ -24,7 +24,7 @@ struct MarkerObservation {
 
 /// How the scale of the result is determined.
 enum class WandScale {
-  InitialRig, ///< from the initial rig: the scale is only as accurate as this rig
+  InitialRig, ///< from the initial rig; the scale is then only as accurate as that rig
   Stick,      ///< from the known length of the stick
   Distance,   ///< from the distance between two touched positions
   Diameter    ///< from the apparent radius of the ball, measured to about 0.05 px
@@ -56,7 +56,8 @@ struct WandProblem {
   double initialPositionError = 0.12; ///< expected error of the initial rig's positions, meters
   int starts = 6;         ///< number of starts: the initial rig and perturbed copies of it
   std::uint64_t seed = 1; ///< random seed for the perturbations
-  int maxInstants = 900;  ///< maximum number of instants used, spread evenly over the recording
+  /// Maximum number of wand positions used, spread evenly over the recording.
+  int maxInstants = 900;
 };
 
 /// Quality of the solution obtained from one start.
@@ -70,7 +71,7 @@ struct FreeFall {
   double gravity =
       0.0; ///< measured acceleration, meters per second squared; 9.81 if the scale is correct
   double sigma = 0.0;       ///< standard deviation of `gravity`
-  std::size_t instants = 0; ///< number of instants used
+  std::size_t instants = 0; ///< number of positions used
 };
 
 /// Output of calibrateFromWand().
@@ -97,19 +98,21 @@ struct WandResult {
   std::vector<DetectedFault> faults = {}; ///< filled by findWandFaults()
 };
 
-/// Progress of the computation. The callback returns false to stop the computation.
+/// Progress of a calibration by wand.
 struct WandProgress {
   int step = 0;
   int steps = 0;
   double rms = 0.0; ///< RMS of the residuals, pixels
 };
+/// Callback for progress. It returns false to stop the computation.
 using WandCallback = std::function<bool(const WandProgress&)>;
 
 /// Calibrates the poses of all cameras from a wand (a waved ball or stick), starting from an
 /// initial rig. Optionally also calibrates focal lengths, k1 and time offsets. Uses bundle
 /// adjustment with robust losses that are narrowed in steps, from several starts. Views that no
-/// solution explains are dropped, one per instant and round. The world stays aligned with the
-/// initial rig unless floor touches or a fall define the upward direction. Deterministic.
+/// solution explains are dropped, at most one for each position of the wand per round. The world
+/// stays aligned with the initial rig unless floor touches or a fall define the upward direction.
+/// Deterministic.
 ///
 /// Errors: too few views of a camera (named), cameras that are not connected by common views,
 /// touches at times when the ball was not seen by two cameras, and Canceled.

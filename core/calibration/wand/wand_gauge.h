@@ -8,31 +8,33 @@
 
 namespace dewpoint::calibration {
 
-/// Returns the similarity that maps the positions and axes of one rig's cameras to those of another
-/// rig.
+/// Returns the similarity that best maps the positions and axes of the cameras in `from` to those
+/// in `to`. Its scale is 1 unless `sized` is set.
 Similarity fitRigSimilarity(const CameraRig& from, const CameraRig& to, bool sized);
 
 /// Transforms the cameras, states and covariance of a result to another world frame.
 void moveWorld(const Similarity& change, BundleResult& result);
 
-/// Returns the mean position of ball `ball` within a tenth of a second of `time`, or nothing if the
-/// ball was not seen.
+/// Returns the mean position of ball `ball` within a tenth of a second of `time`, or nothing if its
+/// position is unknown in that time.
 std::optional<Eigen::Vector3d> ballPositionAt(const BundleResult& now, double time,
                                               std::size_t ball = 0);
 
-/// Scale factor determined from the scale source of the problem, with its relative standard
-/// deviation. The factor is 1 for the stick (the adjustment already uses its length) and for the
-/// initial rig.
+/// Scale factor for a solution, with its relative standard deviation. The factor is 1 for
+/// WandScale::Stick, because the adjustment already uses the length of the stick, and for
+/// WandScale::InitialRig.
 struct ScaleEstimate {
   double factor = 1.0;
   double sigma = 0.0;
 };
-/// Determines the scale factor of a solution from the scale source of the problem.
+/// Determines the scale factor of a solution in the way given by WandProblem::scale.
 Result<ScaleEstimate> estimateScale(const WandProblem& problem, const BundleProblem& bundle,
                                     const BundleResult& now);
 
-/// Returns the change of the world frame (already metric) based on the floor touches or the fall;
-/// the identity if there are neither. Stores its findings in `result`.
+/// Returns the change of the world frame after which z points up, according to the floor touches or
+/// the fall. If there are floor touches, the floor is then at z = 0. If there is neither, returns
+/// the identity. The scale of `now` must already be correct. Stores the accuracy of the floor and
+/// of the fall in `result`.
 Result<Similarity> uprightWorld(const WandProblem& problem, const BundleResult& now,
                                 WandResult& result);
 

@@ -22,16 +22,19 @@ struct CameraError {
   double delay = 0.0;
 };
 
-/// Hypothesis about a rig, under which the sightings are explained.
+/// Assumption about what is wrong with a rig. AgreementModel::fit() computes how well the
+/// assumption explains the sightings.
 struct AgreementHypothesis {
   /// For each camera, the index of the camera whose calibration it uses. If empty, each camera uses
-  /// its own.
+  /// its own calibration.
   std::vector<std::size_t> calibrations = {};
-  /// Camera whose rotation or delay is free within wide limits, rather than the limits that are
-  /// usual for calibrations.
+  /// Camera that may point in a wrong direction. The standard deviation of its rotation error is 3
+  /// degrees, instead of the 0.2 degrees that are usual for calibrations.
   std::optional<std::size_t> freeTurn = {};
+  /// Camera whose images may be delayed. The standard deviation of its delay is 0.25 s, instead of
+  /// the 0.3 image intervals that are usual for cameras without synchronization.
   std::optional<std::size_t> freeDelay = {};
-  /// Start value for the delay search, in seconds.
+  /// Start value for the delay of `freeDelay`, in seconds.
   double initialDelay = 0.0;
 };
 
@@ -43,34 +46,36 @@ struct AgreementFit {
   double logEvidence = 0.0;
   double logLikelihood = 0.0; ///< log likelihood at `errors`
   double logPrior = 0.0;      ///< log prior of `errors`, relative to no errors
-  double count = 0.0;         ///< number of sightings compared, as a sum of their weights
+  /// Number of comparisons of a sighting with another camera, as a sum of their weights.
+  double count = 0.0;
   /// Log likelihoods and counts per camera pair, in the order of AgreementModel::pairs().
   std::vector<double> pairLogLikelihoods = {};
   std::vector<double> pairCounts = {};
 
-  /// Mean log likelihood per sighting of the camera that agrees least with the others; 0 if nothing
-  /// was compared.
+  /// Mean log likelihood per comparison for the camera that agrees least with the others; 0 if
+  /// nothing was compared.
   double leastMean = 0.0;
 };
 
 /// Likelihood of the colored regions seen by several cameras, when it is unknown which region shows
 /// which object.
 ///
-/// Each sighting that counts is compared with the regions that each other camera saw at the same
-/// time. At most one of them belongs to the same object. Its ray must pass close to the ray of the
-/// sighting, in front of both cameras, and its size must match. Rays are compared by the sine of
-/// the angle between one ray and the epipolar plane of the other (first-order "Sampson" error,
-/// normalized by the uncertainty of both centers), so that the unit of the rig does not matter.
+/// Each sighting that counts (RegionSighting::counts) is compared with the regions that each other
+/// camera saw at the same time. At most one of these regions shows the same object. The ray to this
+/// region must pass close to the ray of the sighting, in front of both cameras, and the sizes must
+/// match. Rays are compared by the sine of the angle between one ray and the epipolar plane of the
+/// other (first-order "Sampson" error, normalized by the uncertainty of both centers), so that the
+/// unit of the rig does not matter.
 ///
-/// Each camera may have the errors usual for calibrations and clocks, and an error caused by the
-/// shapes of its regions, which looks like a rotation. These errors are fitted (expectation
-/// maximization over the assignment, Gauss-Newton steps) and integrated out with Laplace's
-/// approximation.
+/// Each camera may have the errors that are usual for calibrations and clocks. In addition, it may
+/// have an error that is caused by the shapes of its regions and looks like a rotation. All these
+/// errors are fitted (expectation maximization over the assignment, Gauss-Newton steps) and
+/// integrated out with Laplace's approximation.
 class AgreementModel {
 public:
   /// `histories[color][camera]` has as many cameras as the rig, and must outlive the model. `radii`
-  /// contains the target radius for each color in meters; 0 if unknown, or for targets of any
-  /// shape.
+  /// contains, for each color, the radius of the targets in meters, or 0 if it is unknown or the
+  /// targets are not balls.
   AgreementModel(const CameraRig& rig, const std::vector<std::vector<SightingHistory>>& histories,
                  std::vector<double> radii);
 
@@ -80,17 +85,18 @@ public:
   /// pairs that include the camera.
   double roughLogLikelihood(std::size_t camera, double delay) const;
 
-  /// Returns the median ratio of measured to known size over the regions that agree under these
-  /// errors. Returns nothing if there are only a few.
+  /// Returns the median ratio of measured to known radius over the regions that match under these
+  /// errors. Returns nothing if there are only a few such regions.
   std::optional<double> sizeRatio(const std::vector<CameraError>& errors) const;
 
-  /// Returns the usual time between images, in seconds.
+  /// Returns the median time between successive images of a camera, in seconds.
   double interval() const { return interval_; }
   std::size_t cameraCount() const { return cameras_.size(); }
   /// Returns the camera pairs, in the order of AgreementFit::pairLogLikelihoods.
   std::vector<std::pair<std::size_t, std::size_t>> pairs() const;
 
 private:
+  /// Regions of one color in one image, and the time of that image in seconds.
   struct Instant {
     double time;
     std::vector<SeenRegion> seen;
@@ -103,23 +109,31 @@ private:
   };
   struct Sums;
 
-  /// Returns the regions of one color in a camera, with rays computed using the calibration of
-  /// camera `calibration`.
+  /// Returns the images of a camera with the regions of one color. The rays to the regions are
+  /// computed with the calibration of the camera `calibration`.
   std::vector<Instant> instantsOf(std::size_t color, std::size_t camera,
                                   std::size_t calibration) const;
-  /// Returns the regions of all colors and cameras, using the given calibration for each camera.
+  /// Returns the images and regions of all colors and cameras. Camera k uses the calibration of
+  /// camera `calibrations[k]`.
   Views viewsWith(const std::vector<std::size_t>& calibrations) const;
-  /// Returns the inverse prior variances of the unknown errors of all cameras.
+  /// Returns the inverse prior variances of the errors of all cameras: three rotations and a delay
+  /// for each.
   Eigen::VectorXd priorInformation(const AgreementHypothesis& hypothesis, const Views& views) const;
-  /// Returns the likelihood at given errors for each pair of cameras. Adds to the normal equations
-  /// at that point.
+  /// Computes the log likelihoods of all pairs of cameras at the errors `unknowns`, and adds the
+  /// normal equations at these errors to `sums`. `widening` is an additional uncertainty of all
+  /// directions, in radians.
   AgreementFit evaluate(const Views& views, const std::vector<Pose>& poses,
                         const Eigen::VectorXd& unknowns, double widening, Sums& sums) const;
   void summarizePairs(AgreementFit& fit) const;
-  /// Returns the usual bias of a camera's sightings that count.
+  /// Returns the median SeenRegion::bias over the sightings of a camera that count.
   static double biasOf(const Views& views, std::size_t camera);
+  /// Returns the entry closest in time, or null if none is within `within` seconds of `time`.
   static const Instant* nearest(const std::vector<Instant>& instants, double time, double within);
-  /// Calls f(a, b, color, weight, share, matches) for each comparison.
+  /// Calls visit(a, b, color, seen, other, rotations, matches, likelihood) for each comparison of a
+  /// region `seen`, which counts in camera `a`, with the image `other` of camera `b`. `rotations`
+  /// contains the world-from-camera rotations with the errors applied. `matches` has one entry per
+  /// region in `other`; its density is the probability that this region shows the same object. With
+  /// `only`, only pairs that include this camera are compared.
   template <class Visit>
   void compare(const Views& views, const std::vector<Pose>& poses,
                const std::vector<CameraError>& errors, double widening,
@@ -131,7 +145,7 @@ private:
   std::vector<double> focals_;            ///< focal lengths, pixels
   std::vector<Pose> cameras_;
   double interval_ = 0.0;
-  Views views_; ///< views of the cameras, each with its own calibration
+  Views views_; ///< images and regions of all cameras, each with its own calibration
 };
 
 } // namespace dewpoint::camera_motion

@@ -16,10 +16,10 @@ class AgreementModel;
 struct AgreementFit;
 
 /// Monitors whether the cameras of a rig agree about the positions of objects, and names the most
-/// likely reason if they do not. It checks the rig itself immediately (checkRig()). Then it
-/// compares where the cameras see moving regions in the targets' colors, whether or not a target is
-/// tracked. A few seconds of motion are enough. Regions at rest are not used because they may be
-/// different objects in different images.
+/// likely reason if they do not. It checks the rig itself immediately (checkRig()). During
+/// tracking, it compares where the cameras see moving regions in the targets' colors, whether or
+/// not a target is tracked. A few seconds of motion are enough. Regions at rest are not used,
+/// because cameras may see different objects at rest in the same color.
 class CameraAgreement {
 public:
   explicit CameraAgreement(const CameraRig& rig);
@@ -27,8 +27,8 @@ public:
   /// Adds the next images. Images older than the previous ones are ignored.
   void watch(const FrameSet& frames, const std::vector<Target>& targets);
 
-  /// Faults found so far: first the faults of the rig itself, then at most one fault derived from
-  /// the images. The latter is removed when the images agree again.
+  /// Returns the faults found so far: first the faults of the rig itself, then at most one fault
+  /// derived from the images. The latter is removed when the cameras agree again.
   const std::vector<CameraDisagreement>& found() const { return found_; }
 
   /// Discards all sightings.
@@ -41,7 +41,7 @@ private:
   void check(double time);
   void onGoodFit(const AgreementModel& model, const AgreementFit& asDeclared, double time);
   void onDoubtfulFit(const AgreementModel& model, const AgreementFit& asDeclared, double time);
-  /// Sets whether the rig is checked only occasionally from now on.
+  /// Sets whether the images are checked only occasionally from now on.
   void setSparseChecking(bool sparse);
   void report(const std::optional<CameraDisagreement>& seen);
 
@@ -53,11 +53,12 @@ private:
   std::vector<std::vector<SightingHistory>> histories_; ///< [color][camera]
   std::vector<double> lastTimes_; ///< time of the last image of each camera, seconds
   double due_ = 0.0;              ///< time of the next check, seconds
-  double wait_ = 0.0;             ///< interval from that check to the next one, seconds
+  double wait_ = 0.0; ///< interval between checks, seconds; not used while `sparse_` is true
   std::optional<double>
       badSince_; ///< since when the rig has explained hardly any sightings, seconds
   std::optional<double>
       unclearSince_; ///< since when the rig has explained only some sightings, seconds
+  /// Since when the rig has explained the sightings well, seconds.
   std::optional<double> goodSince_;
   bool sparse_ = false; ///< true if the rig has been confirmed and is checked only occasionally
   std::optional<CameraDisagreement> suspected_; ///< fault suspected by the last check

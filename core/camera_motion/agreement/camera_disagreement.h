@@ -20,7 +20,7 @@ enum class CameraFault {
   Unknown,  ///< none of the faults above explains the disagreement
 };
 
-/// Fault of a rig: the most likely reason for a disagreement, and the correction for it.
+/// Fault of a rig: the most likely reason why its cameras disagree, and the correction.
 struct CameraDisagreement {
   CameraFault fault = CameraFault::Unknown;
   /// Affected cameras. Swapped: both cameras, or two pairs if either may be the swapped one.
@@ -28,15 +28,17 @@ struct CameraDisagreement {
   /// rotated. Unit: none. Unknown: the camera that disagrees most, or both cameras of a two-camera
   /// rig.
   std::vector<std::size_t> cameras = {};
-  double delay = 0.0; ///< for Late: delay in excess of the known one, seconds; negative: early
-  /// For Rotated: the correction for each of `cameras` (radians, camera axes). The new
-  /// cameraFromWorld is exp([turn]x) times the old one.
+  /// For Late: delay in addition to the known delay, seconds; negative if the images are early.
+  double delay = 0.0;
+  /// For Rotated: the correction for each of `cameras`, as a rotation vector (radians, camera
+  /// axes). The new cameraFromWorld is exp([turn]x) times the old one.
   std::vector<Eigen::Vector3d> turns = {};
   double scale = 1.0; ///< for Unit: meters per unit of the calibration
   /// Log odds (natural logarithm) of this fault against no fault; 0 where it is certain.
   double logOdds = 0.0;
 
-  /// Returns whether both have the same fault and cameras, regardless of the numbers.
+  /// Returns whether both have the same kind of fault and the same cameras, regardless of the
+  /// numbers.
   bool isSameAs(const CameraDisagreement& other) const {
     return fault == other.fault && cameras == other.cameras;
   }

@@ -15,25 +15,27 @@ struct SeenRegion {
   double radius;
   double sigma; ///< standard deviation of the center, per axis
   double bias;  ///< part of `sigma` that is constant while the object moves
-  bool counts;  ///< true if it counts as evidence (RegionSighting)
+  bool counts;  ///< RegionSighting::counts
 };
 
-/// How well a region in one camera and a region in another camera match as views of the same
-/// object.
+/// How well a region in the image of one camera and a region in the image of another camera match,
+/// as views of the same object.
 struct RegionMatch {
   double density = 0.0;  ///< likelihood relative to that of unrelated regions
   double residual = 0.0; ///< distance between the two rays, in standard deviations
-  Eigen::Vector3d byU = Eigen::Vector3d::Zero(); ///< derivatives of `residual` with respect to the
-                                                 ///< directions `u` and `v`
+  /// Derivative of `residual` with respect to the direction `u`.
+  Eigen::Vector3d byU = Eigen::Vector3d::Zero();
+  /// Derivative of `residual` with respect to the direction `v`.
   Eigen::Vector3d byV = Eigen::Vector3d::Zero();
   double size =
       0.0; ///< radius of the object seen by both cameras, in the unit of `apart`; 0: unknown
 };
 
-/// Compares region `a` with region `b`. `a` is seen along the unit vector `u` (world axes), and `b`
-/// along `v` by a camera displaced by `apart` (not zero) from the first one. `field` is the angular
-/// height of the second camera's image, and `widening` an additional uncertainty of the directions,
-/// both in radians.
+/// Compares region `a` in one camera with region `b` in another. `a` is seen along the unit vector
+/// `u`, and `b` along the unit vector `v`. `apart` is the vector from the first to the second
+/// camera; it must not be zero. All three are in world axes. `field` is the angular height of the
+/// second camera's image. `widening` is an additional uncertainty of both directions. Both are in
+/// radians.
 RegionMatch matchRegions(const SeenRegion& a, const Eigen::Vector3d& u, const SeenRegion& b,
                          const Eigen::Vector3d& v, const Eigen::Vector3d& apart, double widening,
                          double field);

@@ -8,12 +8,14 @@
 
 namespace dewpoint::camera_motion {
 
-/// Checks a rig before any images are available. Finds cameras that are farther apart than a room,
-/// whose positions must be in another unit, and cameras with the same pose.
+/// Checks a rig before any images are available, and returns the faults found. Cameras that are
+/// farther apart than a room is large have positions in a wrong unit (CameraFault::Unit). Cameras
+/// may also have the same pose (CameraFault::SamePose).
 std::vector<CameraDisagreement> checkRig(const CameraRig& rig);
 
-/// Returns the likely unit, in meters, of a calibration whose lengths are too large by about this
-/// factor: a millimeter, a centimeter or an inch. Returns 0 if the factor is close to none of them.
+/// Returns the likely unit of a calibration, in meters: a millimeter, a centimeter or an inch.
+/// `ratio` is the factor by which the lengths of the calibration, taken as meters, are too large.
+/// Returns 0 if `ratio` is close to none of these units.
 double unitFromRatio(double ratio);
 
 } // namespace dewpoint::camera_motion

@@ -19,13 +19,14 @@ struct RegionSighting {
   /// Direction to the center (unit vector in camera axes), and its rate of change per second.
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
   Eigen::Vector3d directionRate = Eigen::Vector3d::Zero();
-  int track = 0; ///< track number, the same in all images in which the region is tracked
-  /// True if the region has moved by its own radius since its track last counted. Therefore,
-  /// regions at rest never count, and an error in a region that hardly moves counts once.
+  int track = 0; ///< number of the track: the same in all images in which this region is tracked
+  /// True if the sighting counts as evidence: since the track last counted or began, the region has
+  /// moved by at least its own radius. A region at rest therefore never counts. An error in a
+  /// region that hardly moves counts once, and not again in each image.
   bool counts = false;
 };
 
-/// All sightings in one image.
+/// All sightings of one color in one image.
 struct SightingImage {
   double time = 0.0; ///< seconds
   std::vector<RegionSighting> regions;
@@ -49,7 +50,7 @@ public:
   const std::deque<SightingImage>& images() const { return images_; }
 
 private:
-  /// Position at which a track last counted, or at which it began.
+  /// Position of a region when its track last counted, or when the track began.
   struct CountedPosition {
     int track;
     Eigen::Vector2d center;

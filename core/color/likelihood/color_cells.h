@@ -11,11 +11,11 @@ namespace dewpoint::color {
 
 /// Number of color cells per channel. 32 x 32 x 32 cells of 8 gray levels per channel cover all
 /// colors. Gray levels are approximately proportional to the square root of the light, and so is
-/// its noise. Therefore, equal steps of gray levels correspond to about the same number of standard
+/// the noise of the light. Therefore, a step of one gray level is about the same number of standard
 /// deviations everywhere. Cells of equal hue and saturation, in contrast, would be finer than the
-/// noise in dark colors and unnecessarily coarse in bright ones. 8 levels are about the width of
-/// the noise (3 levels, and compression, on both sides), and a table with one byte per cell fits
-/// into the first-level cache.
+/// noise in dark colors, and unnecessarily coarse in bright colors. A cell is about as wide as the
+/// noise, which consists of sensor noise (3 levels to either side) and compression. A table with
+/// one byte per cell fits into the first-level cache.
 inline constexpr std::size_t kColorCellsPerChannel = 32;
 inline constexpr std::size_t kColorCellCount = 32768;
 inline constexpr double kColorCellLevels = 8.0; ///< gray levels per cell and channel

@@ -17,8 +17,8 @@ namespace dewpoint::color {
 /// The result is then smoothed equally in all directions by the noise of sensor and compression.
 class ColorDensity {
 public:
-  /// Computes the density of weighted colors. `otherLight`, 0 to 1: fraction of each color's weight
-  /// that is spread as in other light.
+  /// Computes the density of weighted colors. `otherLight`: fraction of each color's weight that is
+  /// spread as by changes in lighting, 0 to 1.
   ColorDensity(const std::vector<WeightedBgrColor>& colors, double otherLight);
 
   /// Returns the density in a cell, relative to colors spread evenly over all cells, so that the

@@ -15,8 +15,8 @@ namespace dewpoint::color {
 /// TargetColorModel. Immutable; copies share the table.
 class ColorLikelihood {
 public:
-  /// Step size of table entries, in nats. It is a power of two and finer than the accuracy of any
-  /// table.
+  /// Step size of table entries, in nats. It is a power of two, and smaller than the error of any
+  /// learned table.
   static constexpr double kStep = 1.0 / 16.0;
   /// Largest absolute log ratio of a color, in steps. 72 steps are 4.5 nats, ln(0.9 / 0.01): nine
   /// in ten target pixels have the target's color, as does one in a hundred of the other pixels by

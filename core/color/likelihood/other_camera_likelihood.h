@@ -14,19 +14,22 @@ namespace dewpoint::color {
 
 /// Learns the color likelihood of a camera without samples from the target colors in another
 /// camera. Cameras differ in exposure and white balance, and see different sides of an object in
-/// different light. The target colors are spread to account for this. Colors of many pixels in the
-/// image count against the target, so that rare colors count most.
+/// different light. The target colors are spread to account for this. A color that many pixels of
+/// the image have counts against the target. Colors that are rare in the image are therefore the
+/// best evidence of the target.
 class OtherCameraLikelihood {
 public:
   /// `target`: at least one color.
   explicit OtherCameraLikelihood(const std::vector<BgrColor>& target);
 
   /// Returns the table for a camera, based on the pixels of its image (CV_8UC3). `near` (CV_8UC1 of
-  /// the same size) is 255 where the target may be. Pixels elsewhere cannot be confused with the
-  /// target, and count a fifth. The pixels of a large target count against the target itself.
+  /// the same size) is 255 where the target may be. All other pixels cannot be confused with the
+  /// target, and count only a fifth. Because all pixels of the image count against the target,
+  /// including its own, a large target gets lower values.
   ColorLikelihood likelihoodForImage(const cv::Mat& bgr, const cv::Mat& near) const;
-  /// Returns the mean log ratio (nats) of the pixels in `region` (CV_8UC1 with the size of the
-  /// image, 255 inside), with all other pixels as the rest.
+  /// Returns the mean log ratio (nats) of the pixels in `region`, computed as if `region` were the
+  /// target and all other pixels the rest. `region` is CV_8UC1 with the size of the image, 255
+  /// inside.
   double meanLogRatio(const cv::Mat& bgr, const cv::Mat& near, const cv::Mat& region) const;
 
 private:

@@ -14,7 +14,8 @@ struct ColorEvidence;
 
 /// Color response of a camera relative to the reference camera. The response consists of factors
 /// for the gray levels, each > 0, that result from exposure (equal for all channels) and white
-/// balance. If gray levels are a power of the light, a gain in light is also a gain in gray levels.
+/// balance. If gray levels are a power of the light, a constant factor of the light is also a
+/// constant factor of the gray levels.
 struct ColorGain {
   double blue = 1.0;
   double green = 1.0;
@@ -25,16 +26,17 @@ struct ColorGain {
 
 /// Color model of a target, common to all cameras and expressed in the colors of the reference
 /// camera. It consists of the observed colors and the HSI range that the user sees and edits. The
-/// range is the prior, which decides about colors that were never seen. The range widened by
-/// margins is the limit beyond which no color counts as the target.
+/// range is the prior, which determines the values for colors that were never seen. The range
+/// widened by margins is the limit: no color outside it counts as the target.
 ///
 /// The table for a camera, per color cell, is
 ///   (1 - w) prior + w ln((t + u exp(prior / 2)) / (k r + u exp(-prior / 2))),   w = n / (n + 20).
 /// Here t and r are the densities of the colors of the target and of the rest (ColorDensity,
 /// relative to colors spread evenly), u is kUnseenDensity, and k is restPerTarget. n is the number
-/// of pixels of the target or of the rest, whichever is smaller (if one of them has none, the
-/// number of the other). With few pixels, the result is close to the prior. Colors that were never
-/// seen have the prior. Colors that are k times as dense in the target as in the rest have about 0.
+/// of pixels of the target or of the rest, whichever is smaller. If one of them has no pixels, n is
+/// the number of the other. With few pixels, the result is close to the prior. Colors that were
+/// never seen have the prior. The value is about 0 for colors that are k times as dense in the
+/// target as in the rest.
 class TargetColorModel {
 public:
   // The constants below are judgments, not measurements.
@@ -42,7 +44,7 @@ public:
   /// Prior log ratio of a color inside the range, in nats. Colors outside have the negative of this
   /// value.
   static constexpr double kPrior = 1.0;
-  /// Number of evidence pixels that count as much as the prior.
+  /// Number of observed pixels that count as much as the prior.
   static constexpr double kPriorPixels = 20.0;
   /// Density below which a color counts as never seen, relative to colors spread evenly over all
   /// cells.
@@ -66,11 +68,11 @@ public:
 
   /// Returns the table for a camera with this gain that shows the target in front of `rest` (the
   /// colors in the camera's own images; weights are in pixels). `restPerTarget` > 0 is the number
-  /// of pixels of the rest that compete with one target pixel. With 1, the table is a likelihood
-  /// ratio, for callers that know the probability of a target at a position from another source.
-  /// With pixelRatio(), the log ratio is 0 for colors with as many pixels in the target as in the
-  /// rest, consistent with the weights in fitRange(). This is intended for callers that segment
-  /// whole images.
+  /// of pixels of the rest that compete with one target pixel. If it is 1, the table is a
+  /// likelihood ratio, for callers that know the probability of a target at a position from another
+  /// source. If it is pixelRatio(), the log ratio is 0 for colors with as many pixels in the target
+  /// as in the rest, consistent with the weights in fitRange(). The latter is intended for callers
+  /// that segment whole images.
   ColorLikelihood likelihoodForCamera(const ColorGain& gain,
                                       const std::vector<WeightedHsiColor>& rest,
                                       double restPerTarget = 1.0) const;
