@@ -7,7 +7,7 @@
 namespace dewpoint::experiment {
 
 /// OpenCV's CSRT (Lukežič et al. 2017) with default parameters, applied to the camera image. It
-/// does not use the color mask. The reported position is the box center. The follower is lost when
+/// does not use the color mask. The reported position is the box center. It loses the target when
 /// CSRT reports a failure, or when the box center is outside the image.
 class CsrtFollower final : public CameraFollower {
 public:

@@ -21,9 +21,9 @@ struct KalmanSetup {
       0.5; ///< time without a measurement after which the target counts as lost, seconds
 };
 
-/// Constant-velocity Kalman filter on positions with known covariance (Bar-Shalom, Li & Kirubarajan
-/// 2001, section 6.3.2: white-noise acceleration, piecewise constant). World frame, meters and
-/// seconds.
+/// Kalman filter with a constant-velocity motion model. It filters measured positions whose
+/// covariance is known (Bar-Shalom, Li & Kirubarajan 2001, section 6.3.2: white-noise acceleration,
+/// piecewise constant). World frame, meters and seconds.
 class PositionKalmanFilter {
 public:
   explicit PositionKalmanFilter(const KalmanSetup& setup = {}) : setup_(setup) {}

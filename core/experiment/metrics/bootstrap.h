@@ -15,7 +15,8 @@ using Statistic = std::function<double(const std::vector<double>& sorted)>;
 
 double meanOf(const std::vector<double>& sorted);
 double medianOf(const std::vector<double>& sorted);
-double p95Of(const std::vector<double>& sorted); ///< linear between order statistics
+/// Returns the 95th percentile, interpolated linearly between order statistics.
+double p95Of(const std::vector<double>& sorted);
 
 /// Number of resamples, confidence level and seed of a bootstrap.
 struct BootstrapSetup {

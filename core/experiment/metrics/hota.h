@@ -12,9 +12,9 @@ namespace dewpoint::experiment {
 /// Number of similarity thresholds (0.05, 0.10, ..., 0.95).
 inline constexpr int kHotaThresholdCount = 19;
 
-/// Higher order tracking accuracy at one threshold (Luiten et al. 2021). Undefined values are NaN.
-/// Without true targets and estimates, these are all values except LocA. Without matches, LocA is
-/// undefined.
+/// Higher order tracking accuracy at one threshold (Luiten et al. 2021). Undefined scores are NaN.
+/// If there are neither true targets nor estimates, all scores are undefined. If there are no
+/// matches, LocA is undefined.
 struct HotaAtThreshold {
   double threshold = 0.0; ///< alpha, the minimum similarity of a match
   std::int64_t matches = 0;
@@ -36,9 +36,10 @@ struct Hota {
   double hota = 0.0;
 };
 
-/// Computes HOTA. The similarity of a pair is 1 - distance / gate, at least 0; `gate` is in meters.
-/// Frames are matched as in the authors' TrackEval, once for all thresholds. The matching maximizes
-/// the sum of similarity times the alignment of the two identities over the whole sequence.
+/// Computes HOTA. The similarity of a pair is max(0, 1 - distance / gate); `gate` is in meters.
+/// Frames are matched as in the authors' TrackEval, once for all thresholds. The matching of a
+/// frame maximizes a sum over its pairs. The term of a pair is its similarity times the alignment
+/// of its two identities, which measures how well they agree over the whole sequence.
 Hota hota(std::span<const TrackFrame> frames, double gate);
 
 } // namespace dewpoint::experiment

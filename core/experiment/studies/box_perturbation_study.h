@@ -38,12 +38,15 @@ struct BoxPerturbationRow {
   BoxMetrics metrics; ///< against the true boxes
   double worstPrecision = 1.0;
   bool reportsConfidence =
-      false; ///< the remaining fields are known, because the method reports its confidence
-  double similarityOn = 0.0;  ///< mean similarity with the center within the radius
-  double similarityOff = 0.0; ///< mean similarity with the center outside the radius; frames in
-                              ///< which it reports the target hidden count as 0
-  double confidentlyWrong =
-      0.0; ///< fraction of all frames off the target with a similarity above 0.9
+      false; ///< true if the method reports its confidence; only then are the following fields set
+  /// Mean reported similarity in frames in which the center is within the clip's radius.
+  double similarityOn = 0.0;
+  /// Mean reported similarity in frames in which the center is outside the clip's radius; it counts
+  /// as 0 if the method reports the target as hidden.
+  double similarityOff = 0.0;
+  /// Fraction of the frames with a reported confidence in which the center is outside the clip's
+  /// radius although the similarity is above 0.9.
+  double confidentlyWrong = 0.0;
 };
 
 /// Returns the default methods of the comparison.

@@ -8,7 +8,7 @@
 
 namespace dewpoint::experiment {
 
-/// Agreement of a motion mask with the people in an image.
+/// Agreement of a motion mask with the visible people in an image.
 struct MaskQuality {
   int regions = 0; ///< number of connected regions (8 neighbors) of at least kMinRegionArea pixels
   double recall = 0.0; ///< fraction of the people's pixels that are in the mask; 1 without people

@@ -22,7 +22,7 @@ struct SuiteResult {
 /// A target is declared present if its estimate is valid or its existence probability is above one
 /// half. If several targets have the same color, a method may name them in any order. Estimates are
 /// assigned to targets of the same color once for the whole run, such that as many frames as
-/// possible are followed. Deviations from this assignment count as errors.
+/// possible are followed. Estimates that later follow another target count as errors.
 class SuiteRecorder {
 public:
   /// Creates a recorder for a run, which must outlive it.

@@ -16,18 +16,19 @@ struct CameraTiming {
   double jitter = 0.0;      ///< standard deviation of the time stamps, seconds
   double dropShare = 0.0;   ///< fraction of frames that do not arrive
   double doubleShare = 0.0; ///< fraction of frames that repeat the previous image
-  /// Frames [freezeBegin, freezeEnd) repeat the last image before them, with new time stamps.
+  /// Frames in the range [freezeBegin, freezeEnd) repeat the last image before this range, with new
+  /// time stamps.
   std::int64_t freezeBegin = 0;
   std::int64_t freezeEnd = 0;
 };
 
-/// Frame as it arrives: the image it shows and the error of its time stamp.
+/// Frame as it arrives: the image that it shows, and the error of its time stamp.
 struct FrameDelivery {
   std::int64_t shown = 0;  ///< number of the frame whose image arrives
   double stampError = 0.0; ///< seconds
 };
 
-/// Returns the delivery of frame `frame` of a camera, or nothing if the frame is dropped. This is a
+/// Returns how frame `frame` of a camera arrives, or nothing if the frame is dropped. This is a
 /// pure function. `chances` is the camera's random stream for the frame. Frame 0 always arrives
 /// without faults.
 std::optional<FrameDelivery> deliveryOf(const CameraTiming& timing, std::int64_t frame,

@@ -28,8 +28,8 @@ public:
   CrowdMotion(const CrowdStart& start, const Eigen::AlignedBox3d& region, double radius,
               double seconds);
 
-  /// Returns the position of a ball. Before the start, it is the first position; after the end, it
-  /// is the last.
+  /// Returns the position of a ball at a time in seconds (world, meters). Before the start, this is
+  /// the first position; after the end, it is the last position.
   Eigen::Vector3d position(std::size_t ball, double time) const;
 
 private:

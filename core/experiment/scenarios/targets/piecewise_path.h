@@ -16,11 +16,11 @@ class PiecewisePath {
 public:
   explicit PiecewisePath(const Eigen::Vector3d& start) : position_(start) {}
 
-  /// Continues with this acceleration, m/s².
+  /// Appends a piece of `seconds` with a constant acceleration (m/s²).
   void accelerate(const Eigen::Vector3d& acceleration, double seconds);
-  /// Stops immediately and stays at rest.
+  /// Appends a piece of `seconds` at rest. The body stops immediately.
   void rest(double seconds);
-  /// Continues with another velocity (m/s), as after a push or a bounce.
+  /// Sets the velocity (m/s) at the current end of the path, as after a push or a bounce.
   void setVelocity(const Eigen::Vector3d& velocity) { velocity_ = velocity; }
 
   /// Returns the position, velocity or time at the current end of the path.
@@ -28,8 +28,8 @@ public:
   const Eigen::Vector3d& velocity() const { return velocity_; }
   double end() const { return end_; }
 
-  /// Returns the position at a time. Before the start, it is the first position; after the end, it
-  /// is the last.
+  /// Returns the position at a time. Before the start, this is the first position; after the end,
+  /// it is the last position.
   Eigen::Vector3d operator()(double time) const;
 
 private:
