@@ -33,18 +33,18 @@ public:
   /// Sets the current image (CV_8UC3, blue green red) of a camera; an empty image means that there
   /// is none.
   void setImage(std::size_t camera, const cv::Mat& image);
-  /// Chooses how windows are counted: individually, or from counts over the whole image if that is
-  /// faster. Both give the same result. `windowCount` is the expected number of windows on the
-  /// current images (particles of all iterations). Must not be called while other threads use the
-  /// model.
+  /// Chooses the faster way to count the matching pixels of windows: individually for each window,
+  /// or with counts that are computed once for the whole image. Both give the same result.
+  /// `windowCount` is the expected number of windows on the current images (particles of all
+  /// iterations). Must not be called while other threads use the model.
   void prepare(std::int64_t windowCount);
 
   /// Adds the log likelihood of each state.
   void addLogLikelihood(ConstStateRows rows, LogWeightSegment logLikelihood) const;
 
   /// Returns the number of matching pixels, 0 to 25, in the window around the projection of a world
-  /// point (meters). Nothing if the point is outside the image or behind the camera, or if the
-  /// camera has no image.
+  /// point (meters). Returns nothing if the point is outside the image or behind the camera, or if
+  /// the camera has no image.
   std::optional<int> matchCount(std::size_t camera, const Eigen::Vector3d& pointWorld) const;
 
 private:

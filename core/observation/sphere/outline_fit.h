@@ -14,8 +14,9 @@ namespace dewpoint::observation {
 /// Input of an outline fit from one camera.
 struct OutlineView {
   const SphereProjector* projector = nullptr;
-  LabelImage* labels =
-      nullptr; ///< additional labels are computed as needed; empty: the camera is not used
+  /// Labels of the camera's image; further labels are computed as needed; if they are empty, the
+  /// camera is not used.
+  LabelImage* labels = nullptr;
   /// Displacement of the sphere (meters, world) between the frame time and this camera's exposure:
   /// its velocity times the time difference.
   Eigen::Vector3d offset = Eigen::Vector3d::Zero();
@@ -28,14 +29,14 @@ struct OutlineFit {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); ///< covariance of the center, m²
   double logRadiusVariance = 0.0;                       ///< variance of log(radius)
   std::vector<int> edges; ///< number of spokes on which the outline was found, per camera
-  bool found = false;     ///< enough of the outline was seen; otherwise no other field is valid
+  bool found = false; ///< true if enough of the outline was seen; otherwise no other field is valid
   /// Disagreement between the cameras: the sum over the cameras of the squared Mahalanobis distance
   /// between the position from that camera alone and the position from all cameras. Its mean is
   /// `degreesOfFreedom` if the edge errors are as assumed. It is much larger if a camera was moved.
   double disagreement = 0.0;
   int degreesOfFreedom = 0; ///< 0 if only one camera sees the outline
-  /// Deviation of the outline from its expected size: the sum over the cameras of the squared
-  /// common edge offset, divided by its variance.
+  /// Deviation of the outline from its expected size. For each camera, it contains the offset that
+  /// is common to all edges, squared and divided by its variance; it is the sum over the cameras.
   double sizeMisfit = 0.0;
 };
 
@@ -54,12 +55,13 @@ enum class OutlineReach {
   Far,  ///< more than a radius at first, reduced step by step; for a rough start
 };
 
-/// Fits a sphere to the edges of the target color along spokes from its expected center, jointly in
-/// all cameras. Method: Gauss-Newton over center (and radius) with Tukey's weights. Parts of the
-/// outline that are hidden, or that touch another object of the same color, are thus left out and
-/// do not bias the fit. The edge of the color is shifted by an unknown amount that is common to all
-/// edges in a camera (anti-aliasing, shading). This shift is also estimated, so the image size
-/// determines the depth only weakly.
+/// Fits a sphere jointly to its outlines in all cameras. The edges of the target color are found
+/// along spokes, which are rays in the image from the expected center. The center (and the radius,
+/// unless it is known) is fitted by Gauss-Newton steps with Tukey's weights. Edges where the
+/// outline is hidden, or where it touches another object of the same color, get no weight and do
+/// not bias the fit. Because of anti-aliasing and shading, all edges in a camera are shifted by an
+/// unknown common amount. This shift is also estimated, so the size of the outline determines the
+/// depth only weakly.
 OutlineFit fitOutline(const std::vector<OutlineView>& views, const OutlinePrior& prior,
                       OutlineReach reach = OutlineReach::Far);
 

@@ -12,8 +12,8 @@
 namespace dewpoint::observation {
 
 /// Number of matching pixels in the 5x5 window around every pixel of an image, 0 to 25. Pixels
-/// outside the image do not match. It is built once per frame; each particle then requires a single
-/// lookup.
+/// outside the image do not match. The counts are computed once per frame. Each particle then
+/// requires a single look-up.
 class WindowCounts {
 public:
   static constexpr int kRadius = 2;
