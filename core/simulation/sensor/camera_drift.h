@@ -8,8 +8,8 @@
 
 namespace dewpoint::simulation {
 
-/// Slow rotation of a camera about its center, as on a mount that warms up. It starts from zero at
-/// time 0 and approaches `rotation` with the time constant `settleSeconds`.
+/// Slow rotation of a camera about its center, as on a mount that warms up. The rotation is zero at
+/// time 0 and approaches `rotation` exponentially, with the time constant `settleSeconds`.
 struct CameraDrift {
   /// Rotation as axis times angle in the world frame, radians. The rotated camera sees a direction
   /// d at the pixel where the camera at rest would see the rotated direction.
