@@ -10,8 +10,8 @@
 
 namespace dewpoint::trajectory {
 
-/// One target of a trajectory as columns, with one row per row of TrajectoryColumns. If the target
-/// has no sample in a frame, floating-point values are NaN and all others are 0.
+/// One target of a trajectory as columns, with one row per row of TrajectoryColumns. In a row
+/// without a sample of the target, floating-point values are NaN and all other values are 0.
 struct TargetColumns {
   std::string target;
   std::vector<double> positions;   ///< rows of x, y, z; meters, world frame

@@ -19,8 +19,8 @@ struct FigureTexts {
   std::string topView; ///< title of the top view: "from above"
 };
 
-/// Returns the project and method of a run, from the entries of its header; empty if there are
-/// none.
+/// Returns a title with the project and method of a run, taken from the header entries of its
+/// trajectory. The title is empty if there are no such entries.
 std::string figureTitle(const std::vector<std::pair<std::string, std::string>>& entries);
 
 /// A trajectory figure laid out on a page for printing: x, y and z over time with a band of two
