@@ -42,8 +42,8 @@ struct Bearing {
 /// Position on which bearings of at least two cameras agree. World frame, meters.
 struct TriangulatedPoint {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
-  /// Covariance (m²) that follows from the geometry alone, assuming an error of kCenterSigmaPx
-  /// across each ray.
+  /// Covariance (m²) of the position. It follows from the directions of the rays alone, assuming an
+  /// error of kCenterSigmaPx across each ray.
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   /// Largest residual of a bearing at the position, pixels; see residualPx().
   double residualPx = 0.0;

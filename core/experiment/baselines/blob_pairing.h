@@ -49,7 +49,7 @@ inline constexpr double kMaxSizeRatio = 2.0;
 /// Standard deviation of the logarithm of a blob's apparent radius. If half of a disk is hidden,
 /// this logarithm changes by 1.7 standard deviations.
 inline constexpr double kSizeSigma = 0.2;
-/// Cost for each camera that has an image and the position in view, but no blob there. It equals
+/// Cost for each camera that has an image and sees the position, but has no blob there. It equals
 /// the cost of a deviation by two standard deviations.
 inline constexpr double kMissingCost = 4.0;
 /// For an ExpectedPosition without a gate: squared Mahalanobis distance beyond which the cost of a

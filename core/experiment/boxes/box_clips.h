@@ -24,7 +24,7 @@ struct BoxClip {
   double radius = 20.0;
   bool exactBoxes = true; ///< false: the truth gives only centers, and its boxes have a fixed size
   std::function<Result<cv::Mat>(std::int64_t)>
-      image; ///< returns the image of a frame, counted from 0 (CV_8UC3)
+      image; ///< returns the image (CV_8UC3) of a frame; frames are counted from 0
 };
 
 /// Reads all images of a clip.

@@ -25,7 +25,7 @@ struct BootstrapSetup {
   std::uint64_t seed = 1;
 };
 
-/// Computes the percentile bootstrap interval of a statistic over the pooled values of all runs
+/// Computes a statistic of the pooled values of all runs, and its percentile bootstrap interval
 /// (Efron & Tibshirani 1993, chapter 13). Whole runs are drawn with replacement, because values
 /// within a run depend on each other (cluster bootstrap; Davison & Hinkley 1997, section 3.8). If
 /// the values are independent, pass each one as a separate run. Values must be finite; runs may be

@@ -29,9 +29,10 @@ inline constexpr double kChiSquared50ThreeDof = 2.365973884375;
 struct Consistency {
   std::int64_t samples = 0; ///< number of all samples
   std::int64_t unusable =
-      0;         ///< samples that are not finite, or whose covariance is not positive definite
+      0; ///< number of samples that are not finite, or whose covariance is not positive definite
   Interval nees; ///< mean NEES, with the bounds for a consistent filter, see consistency()
-  Eigen::Vector3d axisNees = Eigen::Vector3d::Zero(); ///< mean error² / variance per world axis
+  /// Mean of error² / variance for each world axis.
+  Eigen::Vector3d axisNees = Eigen::Vector3d::Zero();
   Interval axisBounds; ///< expected value (1) of each element of axisNees, with its bounds
   Proportion inside;   ///< truths in the 95 % ellipsoid; unusable samples count as outside
   Proportion inside50; ///< truths in the 50 % ellipsoid

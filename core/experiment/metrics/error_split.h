@@ -11,8 +11,8 @@
 
 namespace dewpoint::experiment {
 
-/// Components of position errors. World frame, meters. rmse² = |bias|² + spread², and for each view
-/// rmse² = alongRms² + acrossRms².
+/// Components of position errors. World frame, meters. rmse² = |bias|² + spread², and in `meanView`
+/// and each entry of `cameras`, rmse² = alongRms² + acrossRms².
 struct ErrorSplit {
   /// Number of finite errors; other errors are ignored. If 0, all values are NaN.
   std::int64_t count = 0;

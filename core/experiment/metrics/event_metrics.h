@@ -23,13 +23,13 @@ struct TargetFrame {
   /// True if the target can be seen. False if no method could see it (all cameras blind).
   bool visible = true;
 
-  /// Returns whether the target is declared present and its estimate is nearer to the truth than
-  /// `gate` (meters).
+  /// Returns whether the target is declared present and the distance between its estimate and the
+  /// truth is below `gate` (meters).
   bool isFollowed(double gate) const;
 };
 
-/// Pairs the truth of one identity with the estimates of another, frame by frame. All frames are
-/// marked as visible.
+/// Pairs, frame by frame, the true positions with identity `truthIdentity` and the estimates with
+/// identity `estimateIdentity`. All frames are marked as visible.
 std::vector<TargetFrame> targetFrames(std::span<const TrackFrame> frames, int truthIdentity,
                                       int estimateIdentity);
 

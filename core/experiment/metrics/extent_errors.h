@@ -26,8 +26,8 @@ struct ExtentSample {
 /// Errors relative to the target size. An error of 30 mm is large for a marble and small for a
 /// shirt.
 struct ExtentErrors {
-  /// Samples with an estimate within kNearFraction of the half extent. The total includes samples
-  /// in which the target is not declared present.
+  /// Number of samples with an estimate whose distance is at most kNearFraction of the half extent.
+  /// The total includes samples in which the target is not declared present.
   Proportion near;
   double centroid = 0.0; ///< median of distance / halfExtent; NaN without a finite value
   double size = 0.0;     ///< median of |estimatedRadius - radius| / radius; NaN without values

@@ -32,8 +32,8 @@ inline constexpr double kConfidentRadii = 3.0;
 /// NaN.
 double reportedRadius(const Eigen::Matrix3d& covariance);
 
-/// Returns whether the target is declared present but is absent, or is at least `gate` meters from
-/// the reported position.
+/// Returns whether the method is wrong: it declares the target present although the target is
+/// absent, or is at least `gate` meters from the reported position.
 bool isWrong(const ReportedBelief& belief, double gate);
 
 /// Returns whether the method is confidently wrong: P(exists) is above kConfidentProbability

@@ -36,7 +36,8 @@ public:
   /// Adds a claim of the paper, and our result `here`.
   void claim(const std::string& text, bool reproduced, const std::string& here);
   void claim(const std::string& text, ClaimOutcome outcome, const std::string& here);
-  /// Adds a requirement. `word` says whether it is met, and `good` determines the color.
+  /// Adds a requirement. `word` states whether the requirement is met, and `good` determines the
+  /// color of this word.
   void requirement(const std::string& word, bool good, const std::string& text);
   /// Adds plots side by side, each with a caption. `legend` contains the name of each style.
   void plots(const std::vector<std::pair<std::string, Plot>>& plots,

@@ -20,7 +20,8 @@
 
 namespace dewpoint::experiment {
 
-/// Event at a frame, used by metrics.
+/// Event in a run at a certain frame. Metrics use it, for example to measure how fast a target is
+/// found again.
 struct ScenarioEvent {
   enum class Kind {
     Jump,
@@ -63,8 +64,8 @@ struct ScenarioRun {
   Grade grade = Grade::Ideal;
   std::uint64_t seed = 0;
   CameraRig rig; ///< calibration that the method receives
-  /// True if methods know that calibration and time stamps are exact. Otherwise they use their
-  /// default assumptions.
+  /// True if methods know that calibration and time stamps are exact. Otherwise methods use their
+  /// default assumptions about the errors.
   bool exactSensing = false;
   /// True calibration of the cameras that rendered the images, valid until a camera is moved.
   CameraRig trueRig;

@@ -14,7 +14,7 @@ namespace dewpoint::experiment {
 
 /// Difference between a hand-drawn box and the true box.
 struct BoxPerturbation {
-  double scale = 1.0; ///< factor of width and height
+  double scale = 1.0; ///< factor for width and height
   double right = 0.0; ///< shift of the center, in true widths
   double down = 0.0;  ///< shift of the center, in true heights
 
@@ -28,8 +28,8 @@ struct BoxPerturbation {
 /// by 15 % to the left, to the right, up and down.
 std::vector<BoxPerturbation> boxPerturbations();
 
-/// Results of one method on one clip with first boxes of one size, unshifted and shifted. The
-/// values are means over all runs.
+/// Results of one method on one clip, started with first boxes of one size: one unshifted box and
+/// all shifted boxes. The values are means over all runs.
 struct BoxPerturbationRow {
   std::string clip;
   std::string method; ///< "histogram", "csrt"

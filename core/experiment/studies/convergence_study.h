@@ -17,14 +17,15 @@
 
 namespace dewpoint::experiment {
 
-/// Case of the study: positions of the ball, of the cloud's start and of the cameras (world,
-/// meters).
+/// Case of the study: the position of the ball, the initial position of the cloud, and the cameras.
+/// World frame, meters.
 struct ConvergenceCase {
   std::string name;
   Eigen::Vector3d ball;
   Eigen::Vector3d start;
-  Eigen::Vector3d startHalfSize =
-      Eigen::Vector3d::Zero(); ///< half sizes of the uniform start box; 0: a point
+  /// Half sizes of the box in which the particles start, uniformly distributed; 0: they start at
+  /// `start`.
+  Eigen::Vector3d startHalfSize = Eigen::Vector3d::Zero();
   int runs = 100;
   int iterations = 150;
   CameraRig cameras = simulation::demoRig();

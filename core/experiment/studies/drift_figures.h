@@ -18,7 +18,7 @@ std::vector<double> fractionStayingInCone(double slope, double depth, double mot
                                           const std::vector<double>& steps);
 
 // Functions that reproduce figures of Barrera et al. 2005, section III-B, on the simulated demo.
-// For FigureExperiment::run.
+// They are used as FigureExperiment::run.
 Status barreraFigure5(const ExperimentOptions& options);
 Status barreraDrift(const ExperimentOptions& options);
 Status barreraStarts(const ExperimentOptions& options);

@@ -51,12 +51,12 @@ std::vector<double> meanErrors(const DynamicsSetup& setup, int runs,
                                std::uint64_t firstSeed = kFirstTuningSeed);
 
 /// Returns the number of iterations, counted from `from`, until the error is below `bound` and
-/// stays there at least up to `end`. -1 if this does not happen.
+/// stays there at least up to `end`. Returns -1 if this does not happen.
 int iterationsUntilBelow(const std::vector<double>& errors, int from, int end, double bound);
 
 /// Returns the largest speed of a steadily moving object that a cloud can follow with an error
-/// below a quarter of a meter, in meters per iteration. It is found by bisection over 60 iterations
-/// and `runs` seeds.
+/// below a quarter of a meter, in meters per iteration. It is found by bisection; each speed is
+/// tested in runs of 60 iterations with `runs` seeds.
 double maxTrackableSpeed(DynamicsSetup setup, int runs, std::uint64_t firstSeed = kFirstTuningSeed);
 
 /// Returns the distance per iteration (meters) by which the cloud's mean moves toward a distant

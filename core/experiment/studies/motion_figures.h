@@ -22,7 +22,8 @@ inline constexpr int kMinRegionArea = 20;
 MaskQuality maskQuality(const cv::Mat& mask, const cv::Mat& people);
 
 /// Reproduces figures 1 (image, motion mask and motion likelihood image D) and 3 (motion masks over
-/// some frames) of Mohedano et al. 2009 in the simulated office. For FigureExperiment::run.
+/// some frames) of Mohedano et al. 2009 in the simulated office. It is used as
+/// FigureExperiment::run.
 Status mohedanoMotionFigures(const ExperimentOptions& options);
 
 } // namespace dewpoint::experiment

@@ -25,7 +25,9 @@ struct WandRecording {
   int jpegQuality = 0; ///< 1 to 100: images are compressed as JPEG; 0: no compression
 };
 
-/// Results of one calibration in the simulated hall. Lengths are in meters.
+/// Results of one calibration in the simulated hall. Lengths are in meters. `medianPx` is the
+/// median length of the residuals (pixels), and `views` is the number of ball images that were
+/// detected.
 struct WandTrial {
   std::uint64_t seed = 0;
   WandCase kind = WandCase::Near;
@@ -47,7 +49,7 @@ struct WandTrial {
 std::vector<WandTrial> studyWand(std::uint64_t seed, const WandRecording& recording,
                                  const std::function<bool(const WandTrial&)>& report);
 
-/// Returns the requirement of a case: the largest allowed value of `cameraRms` and `pointRms`,
+/// Returns the largest value of `cameraRms` and `pointRms` that the requirement of a case allows,
 /// meters. It is infinite if there is no requirement.
 double wandRmsLimit(WandCase kind);
 /// Returns the name of a case in reports.

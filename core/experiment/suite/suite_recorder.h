@@ -36,8 +36,8 @@ public:
 
 private:
   struct Samples;
-  /// Adds the measurements of one target, which is assigned to the method's estimate with index
-  /// `estimate`.
+  /// Adds the metrics of one target, to which the method's estimate with index `estimate` is
+  /// assigned.
   void addTarget(std::size_t target, std::size_t estimate, Samples& samples,
                  SuiteResult& result) const;
   /// Returns the target size in a frame, or null if the run does not contain it.

@@ -16,7 +16,7 @@ namespace dewpoint::experiment {
 /// Error limit in meters. A target counts as followed if it is declared present and its error is
 /// below this limit.
 inline constexpr double kFollowGate = 0.03;
-/// Gate for the multi-target metrics (cutoff of GOSPA, CLEAR MOT, HOTA), meters.
+/// Gate of CLEAR MOT and HOTA, and cutoff of GOSPA, meters.
 inline constexpr double kMatchGate = 0.1;
 /// Largest number of frames until convergence that counts as quick.
 inline constexpr double kQuickFrames = 5.0;

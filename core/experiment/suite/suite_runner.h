@@ -69,8 +69,8 @@ using SuiteSink = std::function<Status(const SuiteResult&)>;
 using SkipSink = std::function<Status(const SuiteJob&, const SkippedRun&)>;
 
 /// Runs the jobs on `threads` threads, each job on one thread. The number of threads does not
-/// affect the results, but it affects their order and the measured processor time. The function
-/// ends early and drops unfinished jobs when `stop` returns true or when the first error occurs.
+/// affect the results, except their order and the measured processor time. The function ends early
+/// and drops unfinished jobs when `stop` returns true or when the first error occurs.
 ///
 /// If a rendered scenario cannot create a run (ScenarioDeclaration::make returns Undetermined), the
 /// suite continues and `skip` receives the job. Without `skip`, this is an error like any other.

@@ -9,11 +9,11 @@
 namespace dewpoint::experiment::scenarios {
 
 /// Timing faults of a camera's frames. The time stamp of a frame is its arrival time minus the
-/// known delay. This struct describes the unknown part of the delay.
+/// known delay. All delays in this struct are in addition to the known delay.
 struct CameraTiming {
   double delay = 0.0;       ///< seconds from mid-exposure to the time stamp
   double clockDrift = 0.0;  ///< seconds by which the delay grows per second
-  double jitter = 0.0;      ///< standard deviation of the time stamps, seconds
+  double jitter = 0.0;      ///< standard deviation of the errors of the time stamps, seconds
   double dropShare = 0.0;   ///< fraction of frames that do not arrive
   double doubleShare = 0.0; ///< fraction of frames that repeat the previous image
   /// Frames in the range [freezeBegin, freezeEnd) repeat the last image before this range, with new

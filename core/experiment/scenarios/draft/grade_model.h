@@ -23,10 +23,10 @@ struct GradeModel {
   // Lens and sensor.
   Range psfSigmaPx;    ///< standard deviation of the lens blur, pixels
   Range fullWell;      ///< number of electrons at full scale, with the gain that the light requires
-  Range readElectrons; ///< standard deviation
+  Range readElectrons; ///< standard deviation of the read noise, electrons
   Range contrast;      ///< exponent applied to the tone curve
   Range sharpening;    ///< amount of the unsharp mask
-  Range sharpeningSigma; ///< pixels
+  Range sharpeningSigma; ///< standard deviation of the blur in the unsharp mask, pixels
   Range jpegQuality;
   Range vignette;           ///< fraction of light lost in the corners
   double sideFalloff = 0.0; ///< largest fraction of light gained or lost toward a border
@@ -37,7 +37,7 @@ struct GradeModel {
   Range firstStops;        ///< error of the exposure at frame 0, stops
   Range whiteBalanceStops; ///< constant error of blue and red, stops
   Range huntingStops;      ///< amplitude of the metering error, stops
-  Range huntingPeriod;     ///< seconds
+  Range huntingPeriod;     ///< period of the metering error, seconds
   Range loopSpeed;         ///< fraction of the error corrected per frame
   Range loopLag;           ///< number of frames from a measurement to its effect
 
@@ -49,14 +49,14 @@ struct GradeModel {
   Range coloredLamp;
   Range coloredKelvin;   ///< color temperature of the colored lamp, kelvin
   Range shadowDepth;     ///< fraction of the room lamp's light that the moving shadow blocks
-  Range shadowHalfWidth; ///< meters
-  Range shadowSpeed;     ///< m/s
+  Range shadowHalfWidth; ///< half width of the moving shadow, meters
+  Range shadowSpeed;     ///< speed of the moving shadow, m/s
   Range flickerDepth; ///< amplitude of the flicker (100 or 120 Hz) as a fraction of the mean light
 
   // Time.
   Range readoutSeconds; ///< time from the first to the last row of a rolling shutter
   Range delayFrames;    ///< unknown part of the delay, frames
-  Range jitterSeconds;  ///< standard deviation of the time stamps
+  Range jitterSeconds;  ///< standard deviation of the errors of the time stamps, seconds
   Range dropShare;
   Range doubleShare;
 

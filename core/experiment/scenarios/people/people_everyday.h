@@ -26,7 +26,7 @@ bool isSittingPossible(const PeopleScenario& scenario);
 /// from the beginning.
 void addStool(PeopleScenario& scenario, PeopleClothes clothes, RandomDraws& draws);
 
-/// Gives the first person a box and the second a bag.
+/// Gives the first person a box to carry, and the second person a bag.
 void addCarriedObjects(PeopleScenario& scenario, PeopleClothes clothes, RandomDraws& draws);
 
 /// Adds five to eight people who walk around for 12 s. Their paths may touch and cross.

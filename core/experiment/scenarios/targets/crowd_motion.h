@@ -18,9 +18,9 @@ struct CrowdStart {
   std::vector<Eigen::Vector3d> velocities; ///< one per position
 };
 
-/// Motion of equal, weightless balls that fly in a box. They bounce elastically off its walls and
-/// off each other when their centers are two radii apart. The motion is computed once, in 240 steps
-/// per second. Between steps, the balls move in straight lines.
+/// Motion of equal, weightless balls that fly in a box. The balls bounce elastically off the walls
+/// and off each other. Two balls touch when their centers are two radii apart. The motion is
+/// computed once, in 240 steps per second. Between steps, the balls move in straight lines.
 class CrowdMotion {
 public:
   /// Computes the motion for `seconds`. `region` bounds the ball centers. In `start`, the centers

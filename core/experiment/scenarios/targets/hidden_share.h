@@ -17,8 +17,8 @@ namespace dewpoint::experiment::scenarios {
 double hiddenShare(const Eigen::Vector3d& eye, const Eigen::Vector3d& center, double radius,
                    const std::vector<simulation::MovingPart>& parts);
 
-/// Returns the fraction of a ball's disk, 0 to 1, that has one of the parts in front of it or
-/// behind it.
+/// Returns the fraction of a ball's disk, 0 to 1, in front of which or behind which there is one of
+/// the parts, as seen from the viewpoint `eye`.
 double overlappedFraction(const Eigen::Vector3d& eye, const Eigen::Vector3d& center, double radius,
                           const std::vector<simulation::MovingPart>& parts);
 

@@ -46,12 +46,12 @@ private:
   double end_ = 0.0;
 };
 
-/// Adds a throw from rest to rest at `to`. A hand accelerates the ball, the ball flies freely for
-/// `flight` seconds, and a hand slows it down.
+/// Appends a throw that begins at rest and ends at rest at `to`. A hand accelerates the ball, the
+/// ball flies freely for `flight` seconds, and a hand slows it down.
 void addThrow(PiecewisePath& path, const Eigen::Vector3d& to, double flight);
 
-/// Adds a movement along a straight line, from rest to rest at `to`. It accelerates for the first
-/// half of the time.
+/// Appends a movement along a straight line that begins at rest and ends at rest at `to`. The body
+/// accelerates during the first half of the `seconds`, and slows down during the second half.
 void addCarry(PiecewisePath& path, const Eigen::Vector3d& to, double seconds);
 
 /// Properties of a ball that bounces on a level floor.
@@ -62,8 +62,8 @@ struct Bounce {
   double slide = 0.9; ///< fraction of the speed along the floor that is kept
 };
 
-/// Adds a fall with bounces, until the next bounce would be lower than a millimeter. The ball then
-/// lies still.
+/// Appends a fall with bounces, which ends when the next bounce would be lower than a millimeter.
+/// The ball then lies still.
 void addBounces(PiecewisePath& path, const Bounce& bounce);
 
 } // namespace dewpoint::experiment::scenarios

@@ -20,8 +20,8 @@ randomRoom(simulation::Furnishing furnishing, const CameraRig& rig, RandomDraws&
            const Eigen::Vector3d& targetColor = simulation::kDefaultBallColor);
 
 /// Draws up to three people who walk along two walls of a room with a desk, behind the cameras'
-/// volume, for a run of `seconds`. Some wear the target color. In the hall there are no people,
-/// because its volume extends to its walls.
+/// volume, for a run of `seconds`. Some of them wear the target color. Returns no people for the
+/// hall, because the volume of the targets extends to its walls.
 std::vector<simulation::Walker>
 randomPeople(simulation::Furnishing furnishing, double seconds, RandomDraws& draws,
              const Eigen::Vector3d& targetColor = simulation::kDefaultBallColor);
