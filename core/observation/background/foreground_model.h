@@ -12,7 +12,7 @@ namespace dewpoint::observation {
 
 /// Algorithm that finds the moving regions of an image.
 enum class BackgroundMethod {
-  Running, ///< one Gaussian per pixel: RunningBackground, fast
+  Running, ///< one Gaussian per pixel (RunningBackground); fast
   Mog2,    ///< OpenCV's mixture of Gaussians (Zivkovic 2004)
   Knn,     ///< OpenCV's K nearest neighbors (Zivkovic & van der Heijden 2006)
 };

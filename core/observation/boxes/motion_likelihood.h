@@ -24,8 +24,8 @@ struct ColorCue {
   /// Returns the log likelihood log p(H | h) p(S | s) of a pixel (BGR). A gray pixel has no hue.
   /// For such a pixel, p(H) is the mean over all hues: h_B + (1 - h_B) = 1.
   double logLikelihood(const unsigned char* bgr, double hue, double saturation) const;
-  /// Returns the smallest value of logLikelihood(): log(h_B s_B), for a color that does not match
-  /// at all.
+  /// Returns the smallest value of logLikelihood(), that of a color that does not match at all:
+  /// log(h_B s_B).
   double logFloor() const;
 };
 

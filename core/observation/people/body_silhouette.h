@@ -84,8 +84,8 @@ struct ScoreSums {
 /// piece may look like the background.
 double bodyScore(const ScoreSums& score, const BodySilhouette& silhouette, double floor);
 
-/// Returns the same score for the upper half of the body only, because legs are hidden more often
-/// than heads.
+/// Returns the score of the upper half of the body only, computed like bodyScore(). It is useful
+/// because legs are hidden more often than heads.
 double upperBodyScore(const ScoreSums& score, const BodySilhouette& silhouette, double floor);
 
 } // namespace dewpoint::observation

@@ -11,8 +11,8 @@
 
 namespace dewpoint::observation {
 
-/// Number of color bins for clothes: 8 x 8 chromaticity cells (fractions of red and green), times
-/// three intensity levels, plus one bin for all colors too dark to have a hue.
+/// Number of color bins for clothes: 8 x 8 chromaticity cells (fractions of red and green) for each
+/// of three intensity levels, and one bin for all colors that are too dark to have a hue.
 inline constexpr std::size_t kClothesBins = 8 * 8 * 3 + 1;
 /// Returns the bin of a pixel (BGR).
 std::size_t clothesBin(const std::uint8_t* bgr);

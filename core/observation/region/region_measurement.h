@@ -17,7 +17,7 @@ struct RegionMeasurement {
   std::optional<ColorRegion>
       region; ///< region assigned to the target; empty if the target is not seen
   /// Fraction of the expected outline's area, 0 to 1, in which the target color could be seen:
-  /// inside the image, and not behind something that may hide it.
+  /// inside the image, and not behind an object that may hide the target.
   double visible = 0.0;
   double matched = 0.0; ///< fraction of the visible part that has the target color, 0 to 1
   double ring = 0.0;    ///< fraction of a ring around the outline that has the target color, 0 to 1
@@ -43,7 +43,7 @@ RegionMeasurement measureRegion(LabelImage& labels, const EllipseImage& expected
 /// target fills. The largest ratio equals that of SphereEvidence, so that an image has the same
 /// influence for a target of any shape as for a ball.
 double regionEvidence(const RegionMeasurement& measurement, double fill);
-/// Returns the log likelihood ratio of an image that shows the whole target.
+/// Returns the value of regionEvidence() for an image that shows the whole target.
 double fullRegionEvidence();
 
 } // namespace dewpoint::observation

@@ -17,8 +17,8 @@ struct OutlineView {
   /// Labels of the camera's image; further labels are computed as needed; if they are empty, the
   /// camera is not used.
   LabelImage* labels = nullptr;
-  /// Displacement of the sphere (meters, world) between the frame time and this camera's exposure:
-  /// its velocity times the time difference.
+  /// Displacement of the sphere (meters, world) from the frame time to this camera's exposure: the
+  /// velocity of the sphere times the time difference.
   Eigen::Vector3d offset = Eigen::Vector3d::Zero();
 };
 
@@ -30,9 +30,10 @@ struct OutlineFit {
   double logRadiusVariance = 0.0;                       ///< variance of log(radius)
   std::vector<int> edges; ///< number of spokes on which the outline was found, per camera
   bool found = false; ///< true if enough of the outline was seen; otherwise no other field is valid
-  /// Disagreement between the cameras: the sum over the cameras of the squared Mahalanobis distance
-  /// between the position from that camera alone and the position from all cameras. Its mean is
-  /// `degreesOfFreedom` if the edge errors are as assumed. It is much larger if a camera was moved.
+  /// Disagreement between the cameras. For each camera, the position is also computed from this
+  /// camera alone; the squared Mahalanobis distances between these positions and `center` are
+  /// added. The mean of this sum is `degreesOfFreedom` if the edge errors are as assumed. The sum
+  /// is much larger if a camera was moved.
   double disagreement = 0.0;
   int degreesOfFreedom = 0; ///< 0 if only one camera sees the outline
   /// Deviation of the outline from its expected size. For each camera, it contains the offset that
@@ -51,8 +52,8 @@ struct OutlinePrior {
 
 /// Largest distance from the expected outline at which edges are sought.
 enum class OutlineReach {
-  Near, ///< up to half a radius; for a good prediction near other objects of the same color
-  Far,  ///< more than a radius at first, reduced step by step; for a rough start
+  Near, ///< up to half a radius; used with a good prediction near other objects of the same color
+  Far,  ///< more than a radius at first, reduced step by step; used with a rough start
 };
 
 /// Fits a sphere jointly to its outlines in all cameras. The edges of the target color are found

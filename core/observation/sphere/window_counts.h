@@ -24,7 +24,8 @@ public:
   void clear() { counts_.clear(); }
   bool empty() const { return counts_.empty(); }
 
-  /// Returns the counts row by row, followed by a zero for positions outside the image.
+  /// Returns the counts of all pixels, row by row, followed by a zero, which is used for positions
+  /// outside the image.
   const std::uint8_t* data() const { return counts_.data(); }
 
 private:
