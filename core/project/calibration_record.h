@@ -20,7 +20,8 @@ enum class CalibrationOrigin {
 /// Where the intrinsics of a camera come from.
 struct LensRecord {
   CalibrationOrigin origin = CalibrationOrigin::File;
-  /// Largest standard deviation of a projected ray across the image, pixels. Empty if unknown.
+  /// Standard deviation of a projected ray at the place in the image where it is largest, pixels.
+  /// Empty if unknown.
   std::optional<double> error;
   /// Intrinsics that the record describes: the two focal lengths and the principal point, pixels.
   std::array<double, 4> of{};

@@ -128,7 +128,7 @@ struct Project {
 /// Returns the parameters used to track a project; see tracking::effectiveParameters().
 ParameterValues effectiveParameters(const Project& project);
 
-/// Inserts a correction after the others for the same frame.
+/// Inserts a correction after the existing corrections for the same frame.
 void addPersonCorrection(Project& project, const PersonCorrection& person);
 /// Inserts a correction after the others for its frame, or replaces the correction for the same
 /// target and frame. A correction made by the user also removes corrections that were obtained by
