@@ -15,8 +15,8 @@
 
 namespace dewpoint::simulation {
 
-/// Returns four 320x240 cameras in the upper corners of the simulated office (7 x 7 x 2.7 m), 2.4 m
-/// high, looking at its center.
+/// Returns four 320x240 cameras in the upper corners of the simulated office (7 x 7 x 2.7 m). They
+/// are 2.4 m above the floor and look at the center of the office.
 CameraRig officeRig();
 
 /// Scene with people in the simulated office. It has shadows and furniture that partly hides

@@ -15,7 +15,7 @@ namespace dewpoint::simulation {
 /// overshoot.
 struct ControlLoop {
   double speed = 0.15;    ///< fraction of the error corrected per frame; 0: no control
-  int lagFrames = 2;      ///< frames from a measurement to its effect
+  int lagFrames = 2;      ///< number of frames from a measurement to its effect
   double deadband = 0.03; ///< errors below this value are not corrected; stops (factors of two)
   double limit = 1.5;     ///< limit of the correction in both directions, stops
 };
@@ -51,9 +51,10 @@ struct AutomaticGain {
   double levelStops = 0.0; ///< settled exposure relative to the nominal one, stops
   /// Amplitude of the metering error due to objects that come and go, stops.
   double huntingStops = 0.0;
-  double huntingPeriod = 4.0;                                  ///< seconds
-  double huntingPhase = 0.0;                                   ///< radians
-  Eigen::Vector2d whiteBalanceStops = Eigen::Vector2d::Zero(); ///< constant error of blue and red
+  double huntingPeriod = 4.0; ///< seconds
+  double huntingPhase = 0.0;  ///< radians
+  /// Constant error of blue and red, stops.
+  Eigen::Vector2d whiteBalanceStops = Eigen::Vector2d::Zero();
 };
 
 /// Returns the gains of a run, one entry per frame. `lightStops` contains, for each frame, the

@@ -29,8 +29,8 @@ cv::Mat linearImage(const cv::Mat& image);
 inline constexpr float kMaxLevel = 1020.0F;
 
 /// Performs the last steps of a camera: multiplies linear light (CV_32FC3) by the white balance
-/// gains (BGR), limits it to 1, and applies the tone curve and then the exponent `contrast` (1:
-/// only the tone curve). Returns CV_32FC3, 0 to 255.
+/// gains (BGR), limits it to 1, applies the tone curve, and applies the exponent `contrast` (no
+/// effect if it is 1). Returns the gray levels (CV_32FC3, 0 to 255).
 cv::Mat applyToneCurve(const cv::Mat& linear, const Eigen::Vector3d& whiteBalance, double contrast);
 
 } // namespace dewpoint::simulation
