@@ -72,8 +72,8 @@ public:
 
   /// Removes all rows, gaps and targets.
   void clear();
-  /// Replaces the samples from index `first` on, counted since the start. If it is 0, all samples
-  /// are replaced.
+  /// Replaces the samples from index `first` on, where indices count from the start of the run. If
+  /// `first` is 0, all samples are replaced.
   Change replaceFrom(std::size_t first, const std::vector<TrajectorySample>& samples);
   const std::vector<Row>& rows() const { return rows_; }
   /// Returns the gaps of all targets, ordered by first frame.

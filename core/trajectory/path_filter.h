@@ -14,10 +14,10 @@ namespace dewpoint::trajectory {
 
 /// Motion model of a path. The derivative of order `order` (2: acceleration, 3: jerk) is white
 /// noise with spectral density `strength`, the same along each axis (Bar-Shalom, Li and Kirubarajan
-/// 2001, section 6.2). The smoothed path is a spline of degree 2 order - 1 (Wahba 1990).
+/// 2001, section 6.2). The smoothed path is a spline of degree 2 * order - 1 (Wahba 1990).
 struct PathModel {
   int order = 2;            ///< order of the derivative, 2 to kMaxPathOrder
-  double strength = 1.0;    ///< spectral density: m² / s^(2 order - 1)
+  double strength = 1.0;    ///< spectral density, m² / s^(2 * order - 1)
   double noiseFactor = 1.0; ///< factor on the covariance of each measured position
 };
 /// Largest order of a path model.
@@ -47,9 +47,9 @@ double pathLogLikelihood(std::span<const PathPoint> path, const PathModel& model
 std::vector<double> normalizedInnovations(std::span<const PathPoint> path, const PathModel& model,
                                           double gate);
 
-/// Computes the same distances as normalizedInnovations(), one by one: calls `onInnovation(instant,
-/// distance)` for each instant with a measurement until it returns false. A search for the first
-/// outlier can therefore end early.
+/// Computes the same distances as normalizedInnovations(), one by one. It calls
+/// `onInnovation(instant, distance)` for each instant with a measurement, until a call returns
+/// false. A search for the first outlier can therefore end early.
 void forEachNormalizedInnovation(std::span<const PathPoint> path, const PathModel& model,
                                  double gate,
                                  const std::function<bool(std::size_t, double)>& onInnovation);

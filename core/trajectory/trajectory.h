@@ -28,8 +28,8 @@ struct TrajectorySample {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   double effectiveSampleSize = 0.0;
-  int cameras = 0;
-  bool valid = true;
+  int cameras = 0;   ///< number of cameras that show the target
+  bool valid = true; ///< true: the target is tracked, and its position is usable
   /// Measurement in this frame; empty: the target was not seen, or the measurement is not known.
   std::optional<PositionMeasurement> seen;
   double existenceProbability = 0.0;   ///< probability that the target exists; not stored in files

@@ -20,7 +20,7 @@ struct TargetColumns {
   std::vector<double> existence;   ///< existence probability; 0 for a trajectory from a file
   std::vector<double> effectiveSampleSize;
   std::vector<std::int32_t> cameras;   ///< number of cameras that show the target
-  std::vector<std::uint8_t> valid;     ///< 1: the target is confirmed by the cameras
+  std::vector<std::uint8_t> valid;     ///< 1: the target is tracked, and its position is usable
   std::vector<std::uint8_t> ambiguous; ///< 1: another object is about as likely to be the target
 };
 

@@ -27,7 +27,7 @@ struct ExportCell {
   /// Extent of a target that is not a ball; empty: a ball, or not known.
   std::optional<Eigen::Matrix3d> extent;
   double effectiveSampleSize = 0.0;
-  int cameras = 0;
+  int cameras = 0; ///< number of cameras that show the target
 };
 
 /// Contents of an export: one row per instant, one column per target.

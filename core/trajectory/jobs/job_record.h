@@ -40,7 +40,7 @@ struct JobIdentity {
   std::string command;   ///< command of dewpoint-cli: track, people
   std::string method;
   std::uint64_t seed = 0;
-  /// Parameters that differ from the method's defaults: "particles=200 kld_error=0"
+  /// Parameters that differ from the method's defaults, for example "particles=200 kld_error=0".
   std::string settings;
   std::string frames;  ///< range of frames: "0:60"; empty: all
   std::string version; ///< version of Dewpoint
