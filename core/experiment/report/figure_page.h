@@ -67,7 +67,7 @@ private:
   std::vector<std::pair<std::string, std::string>> files_; ///< name, bytes
 };
 
-/// Return plots with their legend, or an image with its caption, as HTML for a report page.
+/// Returns plots with their legend, or an image with its caption, as HTML for a report page.
 std::string plotsHtml(const std::vector<std::pair<std::string, Plot>>& plots,
                       const std::vector<std::pair<std::string, std::string>>& legend);
 std::string imageHtml(const std::string& file, const std::string& caption);

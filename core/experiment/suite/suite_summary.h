@@ -38,8 +38,8 @@ std::vector<SuiteCell> summarizeSuite(const SuiteResults& results,
 /// infinite values come last.
 std::vector<double> columnValues(std::span<const SuiteResult* const> runs,
                                  SuiteRow::Value SuiteRow::*figure);
-/// Return a quantile or the mean of columnValues(). They return NaN if there are no values. A
-/// quantile that would be interpolated toward an infinite value is infinite.
+/// Returns a quantile or the mean of columnValues(). Returns NaN if there are no values. A quantile
+/// that would be interpolated toward an infinite value is infinite.
 double quantileOf(std::span<const SuiteResult* const> runs, SuiteRow::Value SuiteRow::*figure,
                   double fraction);
 double meanOf(std::span<const SuiteResult* const> runs, SuiteRow::Value SuiteRow::*figure);

@@ -57,7 +57,7 @@ public:
   /// observations, it is treated as if the background image contained this color.
   void learn(const cv::Mat& image, const std::vector<ExcludedCircle>& hidden,
              bool noTargetElsewhere = false);
-  /// Discard what learn() with `noTargetElsewhere` has learned about target colors in the
+  /// Discards what learn() with `noTargetElsewhere` has learned about target colors in the
   /// background: everywhere, or inside a circle that did contain a target.
   void forgetFamiliarPixels();
   void forgetFamiliarPixels(const ExcludedCircle& circle);

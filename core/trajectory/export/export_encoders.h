@@ -35,7 +35,7 @@ EncodedFiles encodeJsonLines(const ExportTable& table, const std::string& name);
 /// Returns the header as lines that begin with `# `. It contains a description of the file, the
 /// units and axes, and ExportTable::entries.
 std::string commentHeader(const ExportTable& table);
-/// Format a number: lengths and times with nine significant digits, covariances with six.
+/// Formats a number: lengths and times with nine significant digits, covariances with six.
 std::string lengthText(double value);
 std::string timeText(double value);
 std::string covarianceText(double value);
