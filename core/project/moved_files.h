@@ -8,7 +8,7 @@
 
 namespace dewpoint::project {
 
-/// Present locations of files that have moved. The key is the absolute path named in the project.
+/// Present locations of files that have moved. The key is the absolute path that the project names.
 using MovedFiles = std::map<std::filesystem::path, std::filesystem::path>;
 
 } // namespace dewpoint::project

@@ -27,7 +27,7 @@ struct ProjectCamera {
   Camera camera;
   SourceKind source = SourceKind::Simulation;
   std::string location;  ///< absolute path of a video or image folder, device, or address
-  int rotateDegrees = 0; ///< images are rotated clockwise by 0, 90, 180 or 270 degrees before use
+  int rotateDegrees = 0; ///< clockwise rotation of the images before use: 0, 90, 180 or 270 degrees
   bool mirrored = false; ///< images are mirrored left to right after the rotation
   /// True if a simulated camera has its own calibration in the project, which replaces the
   /// calibration from the scene.
@@ -38,11 +38,11 @@ struct ProjectCamera {
   /// Absolute path of a table with the capture time of each image (recordings only). Empty if the
   /// images were taken at regular intervals.
   std::string times = {};
-  /// Image delay in seconds: each image shows the scene this long before its timestamp. In a
-  /// recording, the image closest in time is used. Methods that can use capture times correct for
-  /// the remaining difference.
+  /// Image delay in seconds: each image was captured this long before its time stamp. In a
+  /// recording, the image whose capture time is closest to that of the frame is used. Methods that
+  /// can use capture times correct for the remaining difference.
   double delay = 0.0;
-  /// Where its calibration comes from, as far as it is known.
+  /// Where the camera's calibration comes from, as far as is known.
   CameraRecord calibrated = {};
 
   /// Sets `adjusted` for a simulated camera, after its calibration was changed in the project. Does
@@ -105,7 +105,8 @@ struct Project {
   std::string name;
   std::string method{defaultMethod()};
   std::uint64_t seed = 1;
-  double framesPerSecond = 0.0; ///< frame rate of image folders; 0: rate of the source, or 30
+  /// Frame rate of image folders; 0: rate of the source, or 30 if the source has none.
+  double framesPerSecond = 0.0;
   ParameterValues parameters;
   std::vector<Target> targets;
   std::vector<ProjectCamera> cameras;
@@ -118,7 +119,7 @@ struct Project {
   std::vector<PersonCorrection> people;     ///< corrections for people, ordered by frame
   /// Corrections of target positions, ordered by frame.
   std::vector<PositionCorrection> corrections;
-  WorldRecord calibrated; ///< where floor and scale come from, as far as it is known
+  WorldRecord calibrated; ///< where the floor and the scale come from, as far as is known
   std::string layout;     ///< view layout saved by the window; empty: default layout
 
   bool operator==(const Project&) const = default;
@@ -127,12 +128,13 @@ struct Project {
 /// Returns the parameters used to track a project; see tracking::effectiveParameters().
 ParameterValues effectiveParameters(const Project& project);
 
-/// Inserts a correction after the others for the same frame.
+/// Inserts a correction after the existing corrections for the same frame.
 void addPersonCorrection(Project& project, const PersonCorrection& person);
 /// Inserts a correction after the others for its frame, or replaces the correction for the same
 /// target and frame. A correction made by the user also removes corrections that were obtained by
-/// tracking backward and no longer hold. They are those that started from the replaced correction,
-/// and earlier ones that were tracked backward across its frame.
+/// tracking backward and are no longer valid. These are the corrections that started from the
+/// replaced correction, and earlier corrections whose backward tracking passed through the frame of
+/// the new one.
 void addCorrection(Project& project, const PositionCorrection& correction);
 /// Removes a target's correction in a frame, and all corrections tracked backward from it.
 void removeCorrection(Project& project, std::int64_t frame, int target);

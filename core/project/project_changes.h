@@ -5,8 +5,8 @@
 
 namespace dewpoint::project {
 
-/// Differences between two project states that require an action. A field is true if that part of
-/// the project differs.
+/// Differences between two states of a project. A field is true if that part of the project
+/// differs.
 struct ProjectChanges {
   bool name = false;
   bool method = false;

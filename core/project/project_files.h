@@ -11,7 +11,8 @@ namespace dewpoint::project {
 
 /// A file or folder that a run of a project reads.
 struct ProjectFile {
-  /// Name as written in the project file: relative to its folder if the file is inside it.
+  /// Name as written in the project file: relative to the project's folder if the file is inside
+  /// this folder.
   std::string name;
   std::filesystem::path path; ///< absolute
 };
@@ -21,15 +22,16 @@ struct ProjectFile {
 /// depends on it.
 std::vector<ProjectFile> runInputFiles(const Project& project);
 
-/// Returns whether a new run would use the same images; false for live cameras.
+/// Returns whether another run would read the same images. The result is false for live cameras.
 bool isRepeatable(const Project& project);
 
 /// Returns the project as text, without parts that do not affect a run: markers, grid, measured
 /// points, truth and window layout.
 std::string runInputText(const Project& project);
 
-/// Returns the parameters that differ from the method's defaults, in declaration order, and the
-/// volume of interest, for example "particles=200 kld_error=0". Empty if there are none.
+/// Returns the parameters that differ from the method's defaults, in declaration order, followed by
+/// the volume of interest if there is one. Example: "particles=200 kld_error=0". The result is
+/// empty if there is neither.
 std::string nonDefaultSettings(const Project& project);
 
 } // namespace dewpoint::project

@@ -9,8 +9,8 @@
 
 namespace dewpoint::project {
 
-/// Converts the tables of an older project file to the present format, step by step, so that
-/// only one format has to be read. Formats:
+/// Converts the tables of a project file in an older format to the present format, step by step, so
+/// that the reader has to support only one format. Formats:
 /// 1: general keys, [parameters], [[target]], [[camera]];
 /// 2: as format 1, plus [[target.sample]], [[mark]] and [window]. Files of format 1 need no
 ///    conversion for these.

@@ -18,7 +18,8 @@ struct ProjectPaths {
   std::filesystem::path folder;
   MovedFiles moved;
 
-  /// Returns the absolute path of a file named in the project, or its present path if it has moved.
+  /// Returns the absolute path of a file that the project names, or its present location if the
+  /// file has moved.
   std::filesystem::path pathOf(const std::string& name) const;
 };
 

@@ -8,7 +8,7 @@
 
 namespace dewpoint::project {
 
-/// Reads the table [camera.calibrated] of a camera's table. `prefix` names the camera in errors.
+/// Reads [camera.calibrated] from the table of a camera. `prefix` names the camera in errors.
 CameraRecord readCameraRecord(TableReader& camera, const std::string& file,
                               const std::string& prefix);
 /// Returns the same table as TOML; empty if there is no record.

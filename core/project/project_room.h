@@ -9,7 +9,7 @@ namespace dewpoint::project {
 /// Reads the entries about the room from the project file: [volume_of_interest], [grid] and
 /// [[point]].
 void readRoom(TableReader& reader, const std::string& file, Project& project);
-/// Returns the same entries as TOML.
+/// Returns these entries as TOML.
 std::string roomText(const Project& project);
 /// Checks that the volume of interest is not empty, that the grid can be drawn, and that points
 /// have finite positions and at most one click in each existing camera.

@@ -10,9 +10,9 @@
 
 namespace dewpoint::trajectory {
 
-/// One line of a CSV table for the clipboard; the destructor ends the line. Numbers have a decimal
-/// point in every locale and nine significant digits, at least two more than any view shows. A
-/// value that is not a number becomes an empty cell.
+/// One line of a CSV table for the clipboard; the destructor ends the line. Floating-point numbers
+/// have a decimal point in every locale, and nine significant digits, which is at least two more
+/// than any view in the window shows. A value that is not a number becomes an empty cell.
 class CsvLine {
 public:
   explicit CsvLine(std::string& text) : text_(text) {}
@@ -25,7 +25,7 @@ public:
   }
   /// Appends a number with nine significant digits.
   CsvLine& put(double number);
-  /// Appends a number with the digits of single precision.
+  /// Appends a number with as many digits as single precision requires.
   CsvLine& put(float number);
   /// Appends a string, quoted where RFC 4180 requires it.
   CsvLine& put(std::string_view word);

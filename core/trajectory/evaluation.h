@@ -48,8 +48,8 @@ inline constexpr double kDefaultGate = 0.03;
 /// Compares each target of `estimate` with the ground truth of the same name, or with the only
 /// target in `truth` if there is just one. Targets without ground truth are omitted. Frames are
 /// matched by number, or by time within half a frame if one trajectory has no frame numbers. Only
-/// ground truth between the first and the last estimate counts. Returns NotFound if no target has
-/// ground truth, and Mismatch if there is no common frame.
+/// ground truth between the first and the last estimate is compared. Returns NotFound if no target
+/// has ground truth, and Mismatch if there is no common frame.
 Result<std::vector<Evaluation>> evaluate(const Trajectory& estimate, const Trajectory& truth,
                                          double gate = kDefaultGate);
 

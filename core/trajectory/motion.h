@@ -14,15 +14,16 @@
 
 namespace dewpoint::trajectory {
 
-/// Consecutive frames in which a target was not held, or for which there is no sample.
+/// Consecutive frames in which a target was not tracked: its sample is not valid or has no finite
+/// position, or there is no sample.
 struct TrajectoryGap {
   std::string target;
   std::int64_t firstFrame = 0;
   std::int64_t lastFrame = 0;
-  /// Time of the last held sample before the gap, in seconds. If there is none, time of the first
+  /// Time of the last usable sample before the gap, in seconds. If there is none, time of the first
   /// sample in the gap.
   double from = 0.0;
-  /// Time of the first held sample after the gap, in seconds. If there is none yet, time of the
+  /// Time of the first usable sample after the gap, in seconds. If there is none yet, time of the
   /// last sample in the gap.
   double to = 0.0;
 
@@ -32,10 +33,11 @@ struct TrajectoryGap {
 };
 
 /// Returns the velocity at one sample of a track (one target, ascending frames), in meters per
-/// second. It is the slope of the least-squares line through this sample and up to `reach` held
-/// samples on each side of it, none of them beyond a gap. At the center of 2 reach + 1 evenly
-/// spaced samples, it equals the derivative of Savitzky & Golay, Anal. Chem. 36 (1964), table of
-/// first derivatives, quadratic. Returns nothing if the sample is not held or has no held neighbor.
+/// second. A sample is usable if it is valid and has a finite position. The velocity is the slope
+/// of the least-squares line through this sample and up to `reach` usable samples on each side of
+/// it. Samples beyond a gap are not used. At the center of 2 reach + 1 evenly spaced samples, it
+/// equals the derivative of Savitzky & Golay, Anal. Chem. 36 (1964), table of first derivatives,
+/// quadratic. Returns nothing if the sample is not usable or has no usable neighbor.
 std::optional<Eigen::Vector3d> velocityAt(std::span<const TrajectorySample> track,
                                           std::size_t index, std::size_t reach = 2);
 
@@ -43,10 +45,11 @@ std::optional<Eigen::Vector3d> velocityAt(std::span<const TrajectorySample> trac
 /// meters.
 double sigmaOf(const TrajectorySample& sample, int axis);
 
-/// Largest number of frames that live cameras may skip without interrupting the track.
+/// Largest difference between the numbers of two successive frames of a track that does not
+/// interrupt the track. Live cameras may skip frames.
 inline constexpr std::int64_t kMaxSkippedFrames = 8;
-/// Returns whether two frames of a track are so far apart that no line is drawn between them
-/// because the frames in between were never tracked.
+/// Returns whether two successive frames of a track are so far apart that no line is drawn between
+/// them. The frames in between were then never tracked.
 inline bool isInterrupted(std::int64_t frame, std::int64_t next) {
   return next - frame > kMaxSkippedFrames;
 }
@@ -69,11 +72,11 @@ public:
 
   /// Removes all rows, gaps and targets.
   void clear();
-  /// Replaces the samples from index `first` on, counted since the start. If it is 0, all samples
-  /// are replaced.
+  /// Replaces the samples from index `first` on, where indices count from the start of the run. If
+  /// `first` is 0, all samples are replaced.
   Change replaceFrom(std::size_t first, const std::vector<TrajectorySample>& samples);
   const std::vector<Row>& rows() const { return rows_; }
-  /// Returns the gaps, grouped by target and ordered by start.
+  /// Returns the gaps of all targets, ordered by first frame.
   std::vector<TrajectoryGap> gaps() const;
 
 private:

@@ -14,10 +14,10 @@ namespace dewpoint::trajectory {
 
 /// Motion model of a path. The derivative of order `order` (2: acceleration, 3: jerk) is white
 /// noise with spectral density `strength`, the same along each axis (Bar-Shalom, Li and Kirubarajan
-/// 2001, section 6.2). The smoothed path is a spline of degree 2 order - 1 (Wahba 1990).
+/// 2001, section 6.2). The smoothed path is a spline of degree 2 * order - 1 (Wahba 1990).
 struct PathModel {
   int order = 2;            ///< order of the derivative, 2 to kMaxPathOrder
-  double strength = 1.0;    ///< spectral density: m² / s^(2 order - 1)
+  double strength = 1.0;    ///< spectral density, m² / s^(2 * order - 1)
   double noiseFactor = 1.0; ///< factor on the covariance of each measured position
 };
 /// Largest order of a path model.
@@ -35,33 +35,34 @@ struct PathEstimate {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
 };
 
-/// Returns the log likelihood of all measured positions, each given the preceding ones. Squared
-/// distances are limited to `gate` (standard deviations squared), so that one wrong measurement
-/// does not dominate. The first five only initialize the path.
+/// Returns the log likelihood of the measured positions. It is the sum of the log likelihoods of
+/// each position given the preceding ones. Squared Mahalanobis distances are limited to `gate`, so
+/// that one wrong measurement does not dominate. The first five measurements only initialize the
+/// path and are not included.
 double pathLogLikelihood(std::span<const PathPoint> path, const PathModel& model, double gate);
 
 /// Returns the squared Mahalanobis distance of each measured position from its prediction by the
-/// preceding ones. Measurements beyond `gate` are not used further. The distance is zero at
-/// instants without a measurement and for the first measurements.
+/// preceding ones. A measurement whose squared distance exceeds `gate` is not used to predict later
+/// ones. The distance is zero at instants without a measurement and for the first measurements.
 std::vector<double> normalizedInnovations(std::span<const PathPoint> path, const PathModel& model,
                                           double gate);
 
-/// Computes the same distances as normalizedInnovations(), one by one: calls `onInnovation(instant,
-/// distance)` for each instant with a measurement until it returns false. A search for the first
-/// outlier can therefore end early.
+/// Computes the same distances as normalizedInnovations(), one by one. It calls
+/// `onInnovation(instant, distance)` for each instant with a measurement, until a call returns
+/// false. A search for the first outlier can therefore end early.
 void forEachNormalizedInnovation(std::span<const PathPoint> path, const PathModel& model,
                                  double gate,
                                  const std::function<bool(std::size_t, double)>& onInnovation);
 
-/// Returns the estimate at each instant from all measurements before and after it, with the
-/// smoother of Rauch, Tung and Striebel (1965). The first instant must have a measurement; instants
-/// after the last one are predictions. `shouldContinue`, if given, is called from time to time;
-/// after it has returned false, the estimates are not usable.
+/// Returns the estimate at each instant, computed from all measurements before, at and after this
+/// instant with the smoother of Rauch, Tung and Striebel (1965). The first instant must have a
+/// measurement. Estimates after the last measurement are predictions. `shouldContinue`, if given,
+/// is called from time to time; after it has returned false, the estimates are not usable.
 std::vector<PathEstimate> smoothPath(std::span<const PathPoint> path, const PathModel& model,
                                      const std::function<bool()>& shouldContinue = {});
 
-/// Returns the covariance that an error shared by all measurements adds to the smoothed positions,
-/// in m², at each instant. The error of a measurement with covariance C is C^(1/2) u, with the same
+/// Returns, for each instant, the covariance (m²) that an error shared by all measurements adds to
+/// the smoothed position. The error of a measurement with covariance C is C^(1/2) u, with the same
 /// normal vector u for all. Such an error does not average out, and the smoother does not model it
 /// (a "consider" parameter; Bierman 1977, chapter VIII). `shouldContinue` has the same meaning as
 /// in smoothPath().

@@ -30,19 +30,20 @@ PathModel fitPathModel(std::span<const std::vector<PathPoint>> paths,
 /// and after it, and has the corresponding covariance.
 ///
 /// Live estimates depend only on the past, and errors of neighboring estimates are correlated.
-/// Smoothing therefore uses the independent measurement of each frame (`seen`) exactly once. If a
-/// file has no `seen`, the errors of valid estimates are treated as independent. Between two
-/// measurements, the ellipsoid grows and shrinks again. A frame without a measurement becomes
-/// `valid` if its standard deviation is below 0.1 m.
+/// Smoothing therefore uses the independent measurement of each frame (`seen`) exactly once. If the
+/// trajectory was read from a file without `seen`, the valid estimates are used as measurements,
+/// and their errors are treated as independent. Between two measurements, the uncertainty increases
+/// and then decreases again. A frame without a measurement becomes `valid` if its standard
+/// deviation is below 0.1 m.
 ///
 /// If the measurements scatter less than their covariance predicts, the difference is attributed to
 /// an error that all measurements share, for example because of light from one side or a slightly
 /// wrong calibration. This error remains in the covariance, since smoothing cannot remove it.
 ///
-/// A few measurements after a gap are discarded as wrong if they agree neither with those before
-/// nor with those after them. Estimates before the first measurement, and those of targets with
-/// fewer than five measurements, are left unchanged. All estimates are left unchanged if `progress`
-/// ended the smoothing.
+/// Measurements after a gap are discarded as wrong if there are only a few of them and they agree
+/// neither with the earlier nor with the later measurements. Estimates before the first
+/// measurement, and those of targets with fewer than five measurements, are left unchanged. All
+/// estimates are left unchanged if `progress` ended the smoothing.
 Trajectory smoothed(const Trajectory& live, const SmootherOptions& options = {});
 
 } // namespace dewpoint::trajectory

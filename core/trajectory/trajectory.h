@@ -13,8 +13,8 @@
 
 namespace dewpoint::trajectory {
 
-/// Position measured from the images of one frame alone, without a prediction. Its errors are
-/// independent of those in other frames. World frame, meters; covariance in m².
+/// Position measured from the images of one frame alone, without a prediction. The errors of
+/// measurements in different frames are independent. World frame, meters; covariance in m².
 struct PositionMeasurement {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
@@ -28,9 +28,10 @@ struct TrajectorySample {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   double effectiveSampleSize = 0.0;
-  int cameras = 0;
-  bool valid = true;
-  std::optional<PositionMeasurement> seen; ///< empty: not seen in this frame, or not known
+  int cameras = 0;   ///< number of cameras that show the target
+  bool valid = true; ///< true: the target is tracked, and its position is usable
+  /// Measurement in this frame; empty: the target was not seen, or the measurement is not known.
+  std::optional<PositionMeasurement> seen;
   double existenceProbability = 0.0;   ///< probability that the target exists; not stored in files
   std::optional<Eigen::Vector3d> best; ///< particle of highest weight (MAP); empty: not known
   bool corrected = false;              ///< the user corrected the position in this frame
@@ -41,8 +42,8 @@ struct TrajectorySample {
   std::optional<Eigen::Matrix3d> extent;
 };
 
-/// Position and optical axis of a camera in the world frame, used to split an error along and
-/// across the axis.
+/// Position and optical axis of a camera in the world frame. They are used to split an error into
+/// its components along and across the axis.
 struct TrajectoryCamera {
   std::string name;
   Eigen::Vector3d center = Eigen::Vector3d::Zero();

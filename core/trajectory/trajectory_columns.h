@@ -10,8 +10,8 @@
 
 namespace dewpoint::trajectory {
 
-/// One target of a trajectory as columns, with one row per row of TrajectoryColumns. If the target
-/// has no sample in a frame, floating-point values are NaN and all others are 0.
+/// One target of a trajectory as columns, with one row per row of TrajectoryColumns. In a row
+/// without a sample of the target, floating-point values are NaN and all other values are 0.
 struct TargetColumns {
   std::string target;
   std::vector<double> positions;   ///< rows of x, y, z; meters, world frame
@@ -20,7 +20,7 @@ struct TargetColumns {
   std::vector<double> existence;   ///< existence probability; 0 for a trajectory from a file
   std::vector<double> effectiveSampleSize;
   std::vector<std::int32_t> cameras;   ///< number of cameras that show the target
-  std::vector<std::uint8_t> valid;     ///< 1: the target is confirmed by the cameras
+  std::vector<std::uint8_t> valid;     ///< 1: the target is tracked, and its position is usable
   std::vector<std::uint8_t> ambiguous; ///< 1: another object is about as likely to be the target
 };
 

@@ -7,13 +7,14 @@
 
 namespace dewpoint::trajectory {
 
-/// Returns the trajectory with its positions multiplied by `unit`: meters, if its numbers were in
-/// units of `unit` meters. Covariances and extents are scaled with them.
+/// Converts a trajectory to meters. `unit` is the length unit of its numbers in meters, for example
+/// 0.001 for millimeters. Positions are multiplied by `unit`, and covariances and extents by its
+/// square.
 Trajectory inMeters(Trajectory trajectory, double unit);
 
-/// Returns the unit, in meters, that the truth is probably in: a millimeter or a centimeter. Its
-/// center and spread then lie where those of the estimate are. Returns nothing if the truth fits as
-/// it is, or fits in neither unit.
+/// Returns the length unit (in meters) of the truth if it is probably a millimeter or a centimeter.
+/// In this unit, the center and spread of the true positions agree with those of the estimate.
+/// Returns nothing if the truth agrees with the estimate in meters, or in none of these units.
 std::optional<double> likelyTruthUnit(const Trajectory& estimate, const Trajectory& truth);
 
 } // namespace dewpoint::trajectory

@@ -13,7 +13,7 @@
 
 namespace dewpoint::experiment {
 
-/// Connected region of matching pixels.
+/// Connected region of pixels that have the target's color, in the image of one camera.
 struct Blob {
   Eigen::Vector2d center = Eigen::Vector2d::Zero(); ///< center of mass, pixels (column, row)
   int area = 0;                                     ///< area, pixels
@@ -25,12 +25,12 @@ struct Blob {
 /// Minimum region area (pixels). Smaller regions are noise.
 inline constexpr int kMinBlobArea = 4;
 
-/// Finds the 8-connected regions of a mask (CV_8UC1, nonzero where it matches) of at least
-/// kMinBlobArea pixels, largest first. Regions of equal size are ordered from top to bottom, then
-/// from left to right.
+/// Finds the 8-connected regions of nonzero pixels in `mask` (CV_8UC1, nonzero where the color
+/// matches). Regions smaller than kMinBlobArea are left out. The largest region comes first;
+/// regions of equal area are ordered from top to bottom, then from left to right.
 std::vector<Blob> findBlobs(const cv::Mat& mask);
 
-/// Ray along which a camera sees a blob.
+/// Ray along which a camera sees the center of a blob.
 struct Bearing {
   std::size_t camera = 0;
   std::size_t blob = 0; ///< index among the camera's blobs
@@ -42,22 +42,25 @@ struct Bearing {
 /// Position on which bearings of at least two cameras agree. World frame, meters.
 struct TriangulatedPoint {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
-  /// Covariance (m²) that follows from the geometry alone, assuming an error of kCenterSigmaPx
-  /// across each ray.
+  /// Covariance (m²) of the position. It follows from the directions of the rays alone, assuming an
+  /// error of kCenterSigmaPx across each ray.
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  double residualPx = 0.0; ///< largest distance of a ray from the position, in pixels of its camera
+  /// Largest residual of a bearing at the position, pixels; see residualPx().
+  double residualPx = 0.0;
   std::vector<Bearing> bearings;
 };
 
-/// Standard deviation of a blob center, pixels per axis. The baselines compute their covariances
-/// from it.
+/// Standard deviation of the error of a blob's center along each image axis, pixels. The baselines
+/// compute their covariances from it.
 inline constexpr double kCenterSigmaPx = 0.5;
 
-/// Returns the distance between a bearing's ray and a point (world, meters), in pixels of its
-/// camera.
+/// Returns the distance between a bearing's ray and a point (world, meters), converted to pixels in
+/// the image of the bearing's camera.
 double residualPx(const Bearing& bearing, const Eigen::Vector3d& point);
 
-/// Intersects bearings by least squares. Returns nothing if nearestPoint() returns nothing.
+/// Computes the point that is nearest to the rays of all bearings, by least squares
+/// (nearestPoint()). Returns nothing if nearestPoint() finds no such point, for example because the
+/// rays are parallel.
 std::optional<TriangulatedPoint> triangulate(std::vector<Bearing> bearings);
 
 } // namespace dewpoint::experiment

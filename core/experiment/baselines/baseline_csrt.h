@@ -7,8 +7,8 @@
 namespace dewpoint::experiment {
 
 /// OpenCV's CSRT (Lukežič et al. 2017) with default parameters, applied to the camera image. It
-/// does not use the color mask. The reported position is the box center. The follower is lost when
-/// CSRT reports a failure, or when the box center is outside the image.
+/// does not use the color mask. The reported position is the box center. The follower loses the
+/// target when CSRT reports a failure, or when the box center is outside the image.
 class CsrtFollower final : public CameraFollower {
 public:
   bool start(const CameraImages& images, const cv::Rect& box) override;

@@ -13,7 +13,7 @@ struct KalmanSetup {
       6.0; ///< standard deviation of the acceleration between two frames, m/s² per axis
   double startSpeedSigma = 1.0; ///< standard deviation of the initial velocity, m/s per axis
   /// Largest squared Mahalanobis distance at which a measurement is accepted: the 99.9 % quantile
-  /// of chi-square with 3 degrees of freedom.
+  /// of the chi-square distribution with 3 degrees of freedom.
   double gate = 16.266;
   int restartAfter =
       3; ///< number of successive measurements outside the gate after which the filter restarts
@@ -21,9 +21,9 @@ struct KalmanSetup {
       0.5; ///< time without a measurement after which the target counts as lost, seconds
 };
 
-/// Constant-velocity Kalman filter on positions with known covariance (Bar-Shalom, Li & Kirubarajan
-/// 2001, section 6.3.2: white-noise acceleration, piecewise constant). World frame, meters and
-/// seconds.
+/// Kalman filter with a constant-velocity motion model. It filters measured positions whose
+/// covariance is known (Bar-Shalom, Li & Kirubarajan 2001, section 6.3.2: white-noise acceleration,
+/// piecewise constant). World frame, meters and seconds.
 class PositionKalmanFilter {
 public:
   explicit PositionKalmanFilter(const KalmanSetup& setup = {}) : setup_(setup) {}
@@ -32,8 +32,8 @@ public:
   void reset() { *this = PositionKalmanFilter(setup_); }
   /// Predicts the state `seconds` later.
   void predict(double seconds);
-  /// Updates the state with a measurement (m, m²), unless it is outside the gate. The first
-  /// measurement starts the filter.
+  /// Updates the state with a measured position (m) and its covariance (m²), unless the position is
+  /// outside the gate. The first measurement starts the filter.
   void update(const Eigen::Vector3d& position, const Eigen::Matrix3d& covariance);
 
   bool started() const { return started_; }

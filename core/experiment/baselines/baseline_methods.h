@@ -10,14 +10,14 @@
 
 namespace dewpoint::experiment {
 
-/// Returns the names of all suite methods in table order. First come the methods that a project can
-/// choose, beginning with ours and its smoothed variant. Then come `triangulation`,
-/// `triangulation-kalman`, `camshift` and `csrt`.
+/// Returns the names of all methods that the accuracy suite compares, in the order of the report's
+/// tables. First come the methods that a project can choose, beginning with `dewpoint` and
+/// `dewpoint-smoothed`. Then come `triangulation`, `triangulation-kalman`, `camshift` and `csrt`.
 std::vector<std::string> suiteMethods();
 
-/// Creates the tracker for one of suiteMethods(). It receives only what a method may know about the
-/// run. For the smoothed method, this is the tracker whose estimates are smoothed. NotFound for any
-/// other name.
+/// Creates the tracker for one of suiteMethods(). The tracker receives only what a method may know
+/// about the run, not the truth. For `dewpoint-smoothed`, it is the tracker of `dewpoint`, whose
+/// estimates are smoothed after the run. Returns NotFound for any other name.
 Result<std::unique_ptr<Tracker>> makeSuiteTracker(const std::string& method,
                                                   const ScenarioRun& run);
 

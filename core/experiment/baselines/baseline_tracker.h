@@ -14,27 +14,32 @@ namespace dewpoint::experiment {
 
 /// Options that select a variant of the baseline.
 struct BaselineSetup {
-  /// Creates a follower for a target in a camera. If null, blobs are paired again in every frame.
+  /// Creates a follower for a target in a camera. If null, there are no followers, and blobs are
+  /// paired again in every frame.
   CameraFollowerFactory follower = nullptr;
-  bool kalman = false; ///< filter the triangulated positions; the filter's gate is used for pairing
+  /// True if a Kalman filter smooths the triangulated positions. Pairs of blobs outside its gate
+  /// are then used only if there are no others.
+  bool kalman = false;
 };
 
-/// Baseline methods. They locate each target in each camera's image by a color mask, and intersect
-/// the rays by least squares. They use no particles, and no appearance except the mask. A target is
-/// valid while two cameras see it or its Kalman filter predicts it. The method has no probability,
-/// so `existenceProbability` is 0 or 1.
+/// Tracker of the baseline methods. It locates each target in each camera's image by a color mask,
+/// and computes the point nearest to the rays by least squares. It uses no particles, and no
+/// appearance except the mask. The estimate of a target is valid while at least two cameras see the
+/// target or its Kalman filter predicts it. The tracker computes no probability, so
+/// `existenceProbability` is 0 or 1.
 ///
 /// At the start, the tracker knows the same as the other methods: colors, sizes, calibration and
-/// start volume. It pairs blobs of different cameras (blob_pairing.h). Each target takes the pair
-/// that looks most like it and is nearest to its expected position. At first, the expected position
-/// is in the start volume. Later, it is the last position or the Kalman filter's prediction.
-/// Targets with the same color and size share the blobs.
+/// start volume. It pairs blobs of different cameras (blob_pairing.h). Each target is assigned the
+/// pair that looks most like it and is nearest to its expected position. At first, the expected
+/// position is the center of the start volume. Later, it is the last position or the Kalman
+/// filter's prediction. Targets with the same color and size share the blobs.
 ///
-/// With followers, pairing only starts them: a follower begins with the bounding box of the blob in
-/// its camera. All followers of a target restart when fewer than two are left, or when their rays
-/// miss each other by more than the pairing allows. A camera without a follower gets one at the
-/// blob that fits the position from the others. The method is deterministic; seed and parameters
-/// have no effect.
+/// If BaselineSetup::follower is set, pairs of blobs are used only to start the followers. A
+/// follower starts with the bounding box of its camera's blob. All followers of a target restart
+/// when fewer than two are left, or when their rays miss each other by more than the pairing
+/// allows. If a camera has no follower, a new one starts at the blob that best fits the position
+/// computed from the other cameras. The tracker is deterministic; seed and parameters have no
+/// effect.
 class BaselineTracker final : public Tracker,
                               public TargetTracking,
                               public CameraCalibrated,

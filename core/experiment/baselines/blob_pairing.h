@@ -15,12 +15,12 @@ namespace dewpoint::experiment {
 /// Blobs of one color in one camera image.
 struct CameraBlobs {
   bool hasImage = false;
-  std::vector<Blob> blobs; ///< ordered as by findBlobs(); only the first ones are paired
+  std::vector<Blob> blobs; ///< ordered as by findBlobs(); only the largest ones are paired
 };
 
-/// Position on which blobs of several cameras agree. A high cost means that it looks unlike the
-/// target. The cost is the sum of the squared standardized deviations of residual and sizes, plus
-/// kMissingCost for each camera that should show the target but does not.
+/// Position on which blobs of several cameras agree. The higher the cost, the less the blobs look
+/// like the target. The cost is the sum of the squared standardized deviations of the residual and
+/// of the blob sizes, plus kMissingCost for each camera that should show the target but does not.
 struct PairedBlobs {
   TriangulatedPoint point;
   double cost = 0.0;
@@ -32,25 +32,28 @@ struct ExpectedPosition {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
   /// Squared Mahalanobis distance beyond which a position is accepted only if there is no other. If
-  /// empty, all positions are possible, and positions beyond kFarSquared are equally likely.
+  /// empty, every position is accepted, and all positions beyond kFarSquared have the same cost.
   std::optional<double> gate;
 };
 
-/// Largest distance between a blob's ray and the position, pixels.
+/// Largest accepted distance between a blob's ray and the triangulated position, pixels in the
+/// camera's image.
 inline constexpr double kMaxResidualPx = 4.0;
-/// The same limit for large blobs, in blob radii. The center of mass of a half-hidden ball is off
-/// by 0.42 radii.
+/// The same limit in blob radii. It applies to large blobs, for which it is larger than
+/// kMaxResidualPx. The center of mass of a half-hidden ball is off by 0.42 radii.
 inline constexpr double kMaxResidualRadii = 0.5;
-/// Largest ratio between apparent and expected size, in both directions. A ball that is three
-/// quarters hidden appears half as large.
+/// Largest accepted ratio between the apparent and the expected radius of a blob, and between the
+/// expected and the apparent radius. A ball of which three quarters are hidden appears to have half
+/// its radius.
 inline constexpr double kMaxSizeRatio = 2.0;
-/// Standard deviation of the logarithm of the apparent size. Hiding half of a disk shifts it by 1.7
-/// standard deviations.
+/// Standard deviation of the logarithm of a blob's apparent radius. If half of a disk is hidden,
+/// this logarithm changes by 1.7 standard deviations.
 inline constexpr double kSizeSigma = 0.2;
-/// Cost for each camera that has an image and the position in view, but no blob there. It equals
+/// Cost for each camera that has an image and sees the position, but has no blob there. It equals
 /// the cost of a deviation by two standard deviations.
 inline constexpr double kMissingCost = 4.0;
-/// Squared standardized distance beyond which an expectation without a gate has no effect.
+/// For an ExpectedPosition without a gate: squared Mahalanobis distance beyond which the cost of a
+/// position does not increase.
 inline constexpr double kFarSquared = 9.0;
 
 /// Finds blobs of different cameras that show the same object, by the distance of their rays and by
@@ -63,10 +66,11 @@ public:
   std::optional<Bearing> bearing(std::size_t camera, std::size_t blob, const Eigen::Vector2d& pixel,
                                  double radiusPx) const;
 
-  /// Finds every position on which at least two cameras agree: pairs of blobs, and pairs extended
-  /// by the nearest fitting blob of each additional camera. `radius` is the target radius in
-  /// meters. If it is unknown (0), the sizes must agree with each other. Only the largest 16 +
-  /// `targetCount` blobs of each camera are considered. `cameras` is in rig order.
+  /// Finds every position on which at least two cameras agree. The result contains each pair of
+  /// blobs that fit together, and the same pair extended by the nearest fitting blob of each
+  /// additional camera. `radius` is the target radius in meters. If it is 0 (unknown), the blob
+  /// sizes must agree with each other instead. Only the largest 16 + `targetCount` blobs of each
+  /// camera are considered. `cameras` is in rig order.
   std::vector<PairedBlobs> pair(const std::vector<CameraBlobs>& cameras, double radius,
                                 std::size_t targetCount) const;
 
@@ -94,13 +98,15 @@ private:
   std::vector<SphereProjector> projectors_;
 };
 
-/// Returns the largest residual of the bearings at a position, as a fraction of the allowed
-/// residual. It is at most 1 if the bearings agree.
+/// Returns the largest residual of the bearings at a position (world, meters), where each residual
+/// is divided by its limit. The limit is kMaxResidualPx, or kMaxResidualRadii for large blobs.
+/// Bearings agree if the result is at most 1.
 double relativeResidual(const std::vector<Bearing>& bearings, const Eigen::Vector3d& position);
 
-/// Assigns pairs to targets by the cost of the pair plus the cost of its distance from the expected
-/// position. The cheapest is assigned first, and each blob is used once. Targets without a pair get
-/// nothing.
+/// Assigns pairs to targets, and returns the position for each target. The cost of an assignment is
+/// the cost of the pair plus the squared Mahalanobis distance between the pair's position and the
+/// target's expected position. The assignment with the lowest cost is made first, and each blob is
+/// used once. The result is empty for a target without a pair.
 std::vector<std::optional<TriangulatedPoint>>
 assignPairs(const std::vector<PairedBlobs>& pairs, const std::vector<ExpectedPosition>& expected);
 

@@ -18,10 +18,10 @@ struct CameraImages {
   cv::Mat mask; ///< mask of the target's color, as from matchImage()
 };
 
-/// Target position found by a follower. Pixel centers are at integer coordinates.
+/// Target position found by a follower, in pixels. Pixel centers are at integer coordinates.
 struct FollowedPixel {
   Eigen::Vector2d center = Eigen::Vector2d::Zero(); ///< column, row
-  double radiusPx = 0.0;                            ///< approximate size of the followed object
+  double radiusPx = 0.0; ///< approximate radius of the followed object, pixels
 };
 
 /// Follows one target through the images of one camera, starting from a box. It uses neither the

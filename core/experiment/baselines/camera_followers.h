@@ -18,11 +18,13 @@ public:
   /// Removes all followers.
   void clear();
   bool hasFollower(std::size_t camera) const { return followers_[camera] != nullptr; }
-  /// Replaces the follower of this camera with a new one. If the new one cannot start there, the
+  /// Replaces the follower of this camera with a new one. If the new one cannot start in `box`, the
   /// camera has no follower.
   void start(std::size_t camera, const CameraImages& images, const cv::Rect& box);
   /// Returns the target position that each camera's follower finds in the next images, in rig
-  /// order. A follower that loses the target is removed. A follower without an image waits.
+  /// order. The entry of a camera is empty if it has no follower or no image, or if the follower
+  /// loses the target. A follower that loses the target is removed. A follower whose camera has no
+  /// image is kept for later frames.
   std::vector<std::optional<FollowedPixel>> step(const std::vector<CameraImages>& images);
 
 private:

@@ -8,10 +8,12 @@
 
 namespace dewpoint::experiment {
 
-/// Table name of the `dewpoint` method with smoothing after the run.
+/// Name, in the suite's tables, of the `dewpoint` method with estimates that are smoothed after the
+/// run.
 inline constexpr const char* kSmoothedMethod = "dewpoint-smoothed";
 
-/// Smooths the estimates of a whole run, indexed by frame and target (smoother.h).
+/// Returns the estimates of a whole run after smoothing (smoother.h). `live` and the result are
+/// indexed by frame, then by target.
 std::vector<std::vector<SphereEstimate>>
 smoothedEstimates(const std::vector<std::vector<SphereEstimate>>& live, double framesPerSecond);
 

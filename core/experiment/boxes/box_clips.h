@@ -20,10 +20,11 @@ struct BoxClip {
   std::string name;
   std::string sentence; ///< why the clip is difficult
   std::vector<ImageBox> truth;
-  double radius = 20.0;   ///< pixels; a center within this distance is a hit
-  bool exactBoxes = true; ///< false: only the centers are marked, and boxes have a fixed size
+  /// Largest distance between the found and the true center that counts as a hit, pixels.
+  double radius = 20.0;
+  bool exactBoxes = true; ///< false: the truth gives only centers, and its boxes have a fixed size
   std::function<Result<cv::Mat>(std::int64_t)>
-      image; ///< returns the image of a frame, counted from 0 (CV_8UC3)
+      image; ///< returns the image (CV_8UC3) of a frame; frames are counted from 0
 };
 
 /// Reads all images of a clip.
@@ -37,9 +38,9 @@ BoxClip clipOfScene(const Scene& scene, int camera);
 /// of 320 x 240 pixels with sensor noise.
 BoxClip simulatedBoxClip(std::uint64_t seed);
 
-/// Returns the clips found in a folder with `juggle1` (three balls, one clip each),
-/// `throws_pinkball` (one clip per ball) and `otb` (one folder per sequence, with
-/// groundtruth_rect.txt). An error names a file that cannot be read.
+/// Reads the clips in a folder. The folder may contain the subfolders `juggle1` (three balls, one
+/// clip each), `throws_pinkball` (one clip per ball) and `otb` (one folder per sequence, with
+/// groundtruth_rect.txt). If a file cannot be read, the error names it.
 Result<std::vector<BoxClip>> recordedBoxClips(const std::filesystem::path& folder);
 
 } // namespace dewpoint::experiment

@@ -33,7 +33,7 @@ public:
   virtual std::optional<BoxConfidence> confidence() const { return std::nullopt; }
 };
 
-/// Creates one of our methods that follow boxes, by name. It uses one thread.
+/// Creates one of Dewpoint's own methods that follow boxes, by name. It uses one thread.
 Result<std::unique_ptr<BoxFollower>> makeBoxFollower(const std::string& method, int particles,
                                                      std::uint64_t seed);
 
@@ -49,8 +49,8 @@ std::unique_ptr<BoxFollower> makeOpenCvFollower(const std::string& name);
 /// suffix "-box" ("csrt-box"), because the suite's "csrt" is a method that triangulates such boxes.
 const std::vector<std::string>& boxFollowerNames();
 
-/// Creates a follower by a name from boxFollowerNames(). `particles` and `seed` apply only to our
-/// methods. NotFound for any other name.
+/// Creates a follower by a name from boxFollowerNames(). `particles` and `seed` apply only to
+/// Dewpoint's own methods. Returns NotFound for any other name.
 Result<std::unique_ptr<BoxFollower>> makeFollower(const std::string& name, int particles,
                                                   std::uint64_t seed);
 

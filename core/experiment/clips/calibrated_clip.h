@@ -18,13 +18,13 @@ namespace dewpoint::experiment {
 
 /// Target of a clip, with the click or box from which its color is learned. If the sample marks
 /// only a part of a larger object, it also contains the radius. The `frame` field of the sample is
-/// the index of an instant.
+/// an index into CalibratedClip::instants.
 struct ClipTarget {
   std::string name;
   ColorSample click;
 };
 
-/// True position of a target. World frame of the clip's rig, meters.
+/// True position of a target at one instant. World frame of the clip's rig, meters.
 struct ClipPosition {
   std::int64_t instant = 0;
   std::size_t target = 0;
@@ -34,9 +34,8 @@ struct ClipPosition {
 /// Half the side length of the box in which the search starts, meters. The same value is used in
 /// rendered scenarios that start near the truth.
 inline constexpr double kClipStartHalfSize = 0.1;
-/// Largest distance (pixels) from all marks of a frame at which an estimate counts as on its
-/// target, unless the clip sets another value. It is about half the width of the bands in
-/// tapes2_limbs. Chosen from the range 5 to 30.
+/// Default of CalibratedClip::markGate. It is about half the width of the bands in tapes2_limbs.
+/// Chosen from the range of 5 to 30 pixels.
 inline constexpr double kClipMarkGatePx = 10.0;
 
 /// Recording of calibrated cameras with ground truth, and everything that a run on it needs.
@@ -47,28 +46,31 @@ struct CalibratedClip {
   std::vector<ClipInstant> instants;
   double framesPerSecond = 30.0;
   std::vector<ClipTarget> targets;
-  std::vector<ClipPosition> positions; ///< may be empty; then the marks are the truth
-  /// Marked centers. `frame` is the index of an instant. If empty, the marks are the projections of
-  /// the positions.
+  std::vector<ClipPosition> positions; ///< true positions; if empty, `marks` is the truth
+  /// Target centers marked in the images. The field `frame` of each mark is an index into
+  /// `instants`. If empty, the projections of `positions` are used as marks.
   std::vector<MarkedCenter> marks;
+  /// Largest distance in pixels between a mark and the projection of an estimate at which the
+  /// estimate counts as on its target.
   double markGate = kClipMarkGatePx;
-  /// Position of each target at which the search starts, meters. If not given, it is the first
-  /// entry in `positions`.
+  /// Initial position of each target, near which the search starts (world, meters). If empty, the
+  /// first entry of each target in `positions` is used.
   std::vector<Eigen::Vector3d> starts;
-  /// Half the side length of the boxes around the starts, meters. Larger if the starts are
-  /// uncertain.
+  /// Margin of the box in which the search starts, beyond the initial positions of all targets,
+  /// meters. Clips with uncertain initial positions set a larger value.
   double startHalfSize = kClipStartHalfSize;
 };
 
 /// Creates a run of a clip, with grade `Real`. The color of each target is learned from its one
-/// click. The search starts in a box around the targets' first positions, shifted by up to half of
-/// `startHalfSize` per axis. The seed determines this shift and the random numbers of the methods.
-/// The files are opened here. Mismatch if images and calibration have different sizes.
+/// click. The search starts in a box around the targets' initial positions, which is shifted by up
+/// to half of `startHalfSize` along each axis. The seed determines this shift and the random
+/// numbers of the methods. The files are opened here. Returns Mismatch if images and calibration
+/// have different sizes.
 Result<ScenarioRun> clipRun(const CalibratedClip& clip, std::uint64_t seed);
 
 /// Returns the point (world, meters) where the rays through a target's marks at one instant meet
-/// (nearestPoint()). Nothing for fewer than two marks, or if the rays do not meet in front of the
-/// cameras.
+/// (nearestPoint()). Returns nothing for fewer than two marks, or if the rays do not meet in front
+/// of the cameras.
 std::optional<Eigen::Vector3d> positionOfMarks(const CameraRig& rig,
                                                const std::vector<MarkedCenter>& marks,
                                                std::int64_t instant, std::size_t target);

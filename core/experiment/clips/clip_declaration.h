@@ -13,20 +13,20 @@ namespace dewpoint::experiment {
 
 /// Folders from which real clips are read.
 struct ClipFolders {
-  std::filesystem::path recordings; ///< one subfolder per recording; empty if there are none
+  std::filesystem::path recordings; ///< one subfolder per recording; empty path: no recordings
   std::filesystem::path truth; ///< folder bench/clips in the sources: truth made for this project
 };
 
 /// Origin of a clip's ground truth, which determines how independent the truth is of the methods.
 enum class TruthOrigin {
-  Board,    ///< corners of a printed board; no color, no tracker
+  Board,    ///< computed from the corners of a printed board, without using color or a tracker
   Marked,   ///< marked manually
   Segmented ///< segmented by target color; NOT independent of methods that use color
 };
 
 /// Use of a clip during the development of methods.
 enum class TunedOn {
-  No,     ///< as far as recorded, not viewed during development
+  No,     ///< not viewed during development, as far as is recorded
   Viewed, ///< viewed or used for tests; no constant is recorded as chosen on it
   Yes     ///< constants or defaults were chosen on it
 };

@@ -14,7 +14,7 @@ namespace dewpoint::experiment {
 
 /// One instant of a recording: its time and the frame of each camera.
 struct ClipInstant {
-  double time = 0.0;                ///< seconds on the recording's own clock
+  double time = 0.0;                ///< seconds, on the recording's own clock
   std::vector<std::int64_t> frames; ///< frame index in each camera's file, counted from 0
   std::vector<double> times;        ///< time of each camera's frame, seconds on the same clock
 };

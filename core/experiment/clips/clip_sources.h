@@ -13,7 +13,8 @@ namespace dewpoint::experiment {
 /// 0.03 m; see the same file.
 Result<CalibratedClip> handClip(const ClipFolders& folders);
 
-/// Loads the same clip, but the target is learned from a box around the hand instead of a click.
+/// Loads the same clip as handClip(), but the target is learned from a box around the hand instead
+/// of a click.
 Result<CalibratedClip> boxedHandClip(const ClipFolders& folders);
 
 /// Loads `tapes2_limbs`: three colored bands on a man's knee, ankle and wrist, two cameras. The
@@ -26,8 +27,9 @@ Result<CalibratedClip> bandsClip(const ClipFolders& folders);
 /// corners have no truth.
 Result<CalibratedClip> boardClip(const ClipFolders& folders);
 
-/// Assumed camera baseline of tapes2_limbs, meters. With this value, the distance between the knee
-/// and ankle bands (0.763 baselines) is 0.46 m. No length in that clip was measured in meters.
+/// Assumed distance between the two cameras of tapes2_limbs, meters. With this value, the distance
+/// between the knee and ankle bands (0.763 baselines) is 0.46 m. No length in that clip was
+/// measured in meters.
 inline constexpr double kBandBaseline = 0.6;
 
 /// Returns the clip with this name from recordedBoxClips(); NotFound if there is none.

@@ -12,14 +12,15 @@ namespace dewpoint::experiment {
 /// Small table of numbers from a CSV file. The file has a line with column names, followed by rows.
 /// Lines that begin with # are comments; cells are not quoted.
 struct ClipTable {
-  std::vector<std::vector<double>> rows; ///< columns in the requested order
+  /// Numbers of each row, with columns in the requested order.
+  std::vector<std::vector<double>> rows;
   std::vector<std::string>
       words; ///< cells of the word column, one per row; empty if no word column was requested
 };
 
-/// Reads the named columns of a file as numbers and `wordColumn`, if given, as text. Errors:
-/// FileMissing, FileUnreadable, MissingKey with the name of a missing column, or NotParsed with the
-/// line of a cell that is not a number or of a row that is too short.
+/// Reads `columns` of a file as numbers, and the column `wordColumn` as text unless its name is
+/// empty. Errors: FileMissing, FileUnreadable, MissingKey with the name of a missing column, or
+/// NotParsed with the line of a cell that is not a number or of a row that is too short.
 Result<ClipTable> readClipTable(const std::filesystem::path& file,
                                 const std::vector<std::string>& columns,
                                 const std::string& wordColumn = {});

@@ -22,8 +22,8 @@ struct RealScenarios {
   std::vector<SkippedClip> skipped;
 };
 
-/// Creates scenarios from the clips of a catalog (clipCatalog()) whose recordings are in the
-/// folders. A recording that exists but is broken is not skipped; its run reports an error.
+/// Creates scenarios from those clips of a catalog (clipCatalog()) whose recordings are in the
+/// folders. A clip whose recording exists but is broken is not skipped; its run reports an error.
 RealScenarios realScenarios(const ClipFolders& folders, std::span<const ClipDeclaration> catalog);
 
 /// Returns the description of a clip for a report: what it shows, how a target is learned, the

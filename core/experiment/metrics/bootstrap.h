@@ -15,7 +15,8 @@ using Statistic = std::function<double(const std::vector<double>& sorted)>;
 
 double meanOf(const std::vector<double>& sorted);
 double medianOf(const std::vector<double>& sorted);
-double p95Of(const std::vector<double>& sorted); ///< linear between order statistics
+/// Returns the 95th percentile, interpolated linearly between order statistics.
+double p95Of(const std::vector<double>& sorted);
 
 /// Number of resamples, confidence level and seed of a bootstrap.
 struct BootstrapSetup {
@@ -24,7 +25,7 @@ struct BootstrapSetup {
   std::uint64_t seed = 1;
 };
 
-/// Computes the percentile bootstrap interval of a statistic over the pooled values of all runs
+/// Computes a statistic of the pooled values of all runs, and its percentile bootstrap interval
 /// (Efron & Tibshirani 1993, chapter 13). Whole runs are drawn with replacement, because values
 /// within a run depend on each other (cluster bootstrap; Davison & Hinkley 1997, section 3.8). If
 /// the values are independent, pass each one as a separate run. Values must be finite; runs may be

@@ -10,16 +10,19 @@ namespace dewpoint::experiment {
 
 /// Accuracy of followed boxes over all frames after the first, whose box is given.
 struct BoxMetrics {
-  double rmse = 0.0;    ///< root mean square distance between the centers, pixels; after a follower
-                        ///< has given up, its last box counts
-  double success = 0.0; ///< area under the success curve (Wu, Lim and Yang 2013)
-  double precision = 0.0; ///< fraction of frames with the center within the radius
+  /// Root mean square distance between found and true centers, pixels; after a follower has given
+  /// up, its last box is used.
+  double rmse = 0.0;
+  /// Area under the success curve (Wu, Lim and Yang 2013), see measureBoxes().
+  double success = 0.0;
+  /// Fraction of frames in which the found center is within `radius` of the true center.
+  double precision = 0.0;
 };
 
-/// Compares the boxes found (nothing where a follower has given up) with the true boxes, one per
-/// frame from the first frame on. `radius` is in pixels. The success curve is the fraction of
-/// frames whose overlap is above a threshold, at 0, 0.05, ..., 1. Frames in which the follower has
-/// given up have an overlap of 0.
+/// Compares the boxes that a follower found with the true boxes. Both have one entry per frame,
+/// beginning with the first frame. An entry of `found` is empty where the follower has given up.
+/// `radius` is in pixels. The success curve is the fraction of frames whose overlap is above a
+/// threshold, at 0, 0.05, ..., 1. Frames in which the follower has given up have an overlap of 0.
 BoxMetrics measureBoxes(std::span<const std::optional<ImageBox>> found,
                         std::span<const ImageBox> truth, double radius);
 

@@ -8,8 +8,9 @@
 
 namespace dewpoint::experiment {
 
-/// CLEAR MOT counts of a sequence (Bernardin & Stiefelhagen 2008, section 2.1) with a gate on the
-/// distance in space, and the fragmentations of Milan et al. 2016 (MOT16).
+/// CLEAR MOT counts of a sequence (Bernardin & Stiefelhagen 2008, section 2.1), where a match is
+/// limited by a distance in space (the gate). Also counts fragmentations as defined by Milan et al.
+/// 2016 (MOT16).
 struct ClearMot {
   std::int64_t truths = 0; ///< number of true targets, summed over the frames
   std::int64_t matches = 0;
@@ -24,17 +25,18 @@ struct ClearMot {
   double distanceSum = 0.0; ///< sum over the matches, meters
 
   /// Returns the multiple object tracking accuracy (equation 2). It is at most 1 and may be
-  /// negative. NaN if there are no true targets.
+  /// negative. Returns NaN if there are no true targets.
   double mota() const;
   /// Returns the multiple object tracking precision (equation 1), the mean distance of the matches
-  /// in meters. NaN without matches.
+  /// in meters. Returns NaN if there are no matches.
   double motp() const;
 };
 
-/// Computes the counts. Frames must be in order. A match is kept while both points are present and
-/// no farther apart than `gate` (meters), even if another estimate is nearer. The remaining points
-/// are matched again, first to form as many pairs as possible and then to minimize the total
-/// distance. A true target keeps its last identity through gaps.
+/// Computes the counts. Frames must be in order. A match is kept in the next frame while both
+/// points are present and no farther apart than `gate` (meters), even if another estimate is
+/// nearer. The remaining points are matched again. Among the matchings with the largest number of
+/// pairs, the one with the smallest total distance is used. While a true target is not matched, the
+/// identity of its last match is remembered.
 ClearMot clearMot(std::span<const TrackFrame> frames, double gate);
 
 } // namespace dewpoint::experiment

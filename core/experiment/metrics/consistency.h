@@ -11,15 +11,16 @@
 
 namespace dewpoint::experiment {
 
-/// Position error and the covariance that the method reported for it. World frame; error in m,
-/// covariance in m².
+/// Error of an estimated position, and the covariance that the method reported for that position.
+/// World frame; error in m, covariance in m².
 struct StateError {
   Eigen::Vector3d error = Eigen::Vector3d::Zero(); ///< estimate minus truth
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
 };
 
-/// The 50 % counterpart of kChiSquared95ThreeDof. Half of the errors of a consistent estimate are
-/// within this bound.
+/// 50 % quantile of the chi-square distribution with three degrees of freedom, like
+/// kChiSquared95ThreeDof for 95 %. The NEES of a consistent estimate is within this bound in half
+/// of the cases.
 inline constexpr double kChiSquared50ThreeDof = 2.365973884375;
 
 /// Agreement of the reported covariances with the errors. NEES is the normalized estimation error
@@ -28,20 +29,23 @@ inline constexpr double kChiSquared50ThreeDof = 2.365973884375;
 struct Consistency {
   std::int64_t samples = 0; ///< number of all samples
   std::int64_t unusable =
-      0;         ///< samples that are not finite, or whose covariance is not positive definite
-  Interval nees; ///< mean NEES, with the bounds for a consistent filter (see below)
-  Eigen::Vector3d axisNees = Eigen::Vector3d::Zero(); ///< mean error² / variance per world axis
+      0; ///< number of samples that are not finite, or whose covariance is not positive definite
+  Interval nees; ///< mean NEES, with the bounds for a consistent filter, see consistency()
+  /// Mean of error² / variance for each world axis.
+  Eigen::Vector3d axisNees = Eigen::Vector3d::Zero();
   Interval axisBounds; ///< expected value (1) of each element of axisNees, with its bounds
   Proportion inside;   ///< truths in the 95 % ellipsoid; unusable samples count as outside
   Proportion inside50; ///< truths in the 50 % ellipsoid
 };
 
-/// Computes the consistency. The bounds are the two-sided chi-square bounds of the mean at `level`.
-/// They assume independent errors: use one sample per run, or treat them as a guide. Without usable
-/// samples, means are NaN and bounds are infinite.
+/// Computes the consistency. The bounds are the two-sided chi-square bounds of the mean at
+/// confidence `level`. They are valid for independent errors only. Pass one sample per run, or
+/// treat the bounds as a rough guide. Without usable samples, means are NaN and bounds are
+/// infinite.
 Consistency consistency(std::span<const StateError> errors, double level = 0.95);
 
-/// Returns the NEES of a sample, error^T covariance^-1 error. NaN if the sample is unusable.
+/// Returns the NEES of a sample, error^T covariance^-1 error. Returns NaN if the sample is
+/// unusable.
 double normalizedErrorSquared(const StateError& sample);
 
 } // namespace dewpoint::experiment

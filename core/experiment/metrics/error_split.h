@@ -11,16 +11,17 @@
 
 namespace dewpoint::experiment {
 
-/// Components of position errors. World frame, meters. rmse² = |bias|² + spread², and for each view
-/// rmse² = alongRms² + acrossRms².
+/// Components of position errors. World frame, meters. rmse² = |bias|² + spread², and in `meanView`
+/// and each entry of `cameras`, rmse² = alongRms² + acrossRms².
 struct ErrorSplit {
-  std::int64_t count = 0; ///< finite errors; others are ignored. If 0, all values are NaN
-  ErrorSummary summary;   ///< rmse, median, p95, max, bias
-  double spread = 0.0;    ///< root mean squared distance from the mean error
-  /// Depth and lateral error, along and across the mean of the cameras' viewing directions. Nothing
-  /// if there is no camera, or if the directions cancel (cameras that face each other).
+  /// Number of finite errors; other errors are ignored. If 0, all values are NaN.
+  std::int64_t count = 0;
+  ErrorSummary summary; ///< rmse, median, p95, max, bias
+  double spread = 0.0;  ///< root mean squared distance from the mean error
+  /// Error along (depth) and across (lateral) the mean of the cameras' viewing directions. Empty if
+  /// there is no camera, or if the directions cancel (cameras that face each other).
   std::optional<CameraBias> meanView;
-  std::vector<CameraBias> cameras; ///< the same for each camera
+  std::vector<CameraBias> cameras; ///< error along and across the optical axis of each camera
 };
 
 /// Computes the components of errors (estimate minus truth).

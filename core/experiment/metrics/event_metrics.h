@@ -17,33 +17,36 @@ namespace dewpoint::experiment {
 /// Input of the event metrics for one target in one frame. World frame, meters.
 struct TargetFrame {
   std::int64_t frame = 0;
-  std::optional<Eigen::Vector3d> truth;    ///< nothing: the target is absent
-  std::optional<Eigen::Vector3d> estimate; ///< nothing: the method does not declare it present
+  std::optional<Eigen::Vector3d> truth; ///< empty: the target is absent
+  /// Empty: the method does not declare the target present.
+  std::optional<Eigen::Vector3d> estimate;
   /// True if the target can be seen. False if no method could see it (all cameras blind).
   bool visible = true;
 
-  /// Returns whether the target is declared present and its estimate is nearer to the truth than
-  /// `gate` (meters).
+  /// Returns whether the target is declared present and the distance between its estimate and the
+  /// truth is below `gate` (meters).
   bool isFollowed(double gate) const;
 };
 
-/// Pairs the truth of one identity with the estimates of another, frame by frame. All frames are
-/// marked as visible.
+/// Pairs, frame by frame, the true positions with identity `truthIdentity` and the estimates with
+/// identity `estimateIdentity`. All frames are marked as visible.
 std::vector<TargetFrame> targetFrames(std::span<const TrackFrame> frames, int truthIdentity,
                                       int estimateIdentity);
 
-/// Returns the number of frames before the first of kConvergedFrames successive followed frames. 0
-/// means that the target is followed from the start. Nothing if there is no such run.
+/// Returns the number of frames before the first kConvergedFrames successive frames in which the
+/// target is followed. 0 means that the target is followed from the start. Returns nothing if there
+/// are no such successive frames.
 std::optional<std::int64_t> framesToConverge(std::span<const TargetFrame> frames, double gate);
 
-/// Returns the same number, counted from frame `event` (a jump, or the first frame after a
-/// blackout).
+/// Returns the same number as framesToConverge(), but counted from frame `event` (a jump, or the
+/// first frame after a blackout).
 std::optional<std::int64_t> framesToReacquire(std::span<const TargetFrame> frames,
                                               std::int64_t event, double gate);
 
-/// Returns the number of frames, from frame `vanished` on (the first without the target), in which
-/// the method still declares the target present. 0 means that the method declares the loss
-/// immediately. Nothing if it does not do so before the target returns or the frames end.
+/// Returns the number of frames in which the method still declares the target present after it has
+/// vanished. They are counted from frame `vanished`, the first frame without the target. 0 means
+/// that the method declares the loss immediately. Returns nothing if the method does not declare
+/// the loss before the target returns or the frames end.
 std::optional<std::int64_t> framesToDeclareLoss(std::span<const TargetFrame> frames,
                                                 std::int64_t vanished);
 
@@ -51,8 +54,9 @@ std::optional<std::int64_t> framesToDeclareLoss(std::span<const TargetFrame> fra
 /// it is not followed (count).
 Proportion lostFrames(std::span<const TargetFrame> frames, double gate);
 
-/// Counts all frames (total) and the frames with an estimate that is not nearer than `gate`
-/// (meters) to any true target (count). Any estimate counts while no target is present.
+/// Counts all frames (total), and the frames in which an estimate has a distance of at least `gate`
+/// (meters) from every true target (count). In frames without a target, every estimate is such a
+/// false alarm.
 Proportion falseAlarmFrames(std::span<const TrackFrame> frames, double gate);
 
 } // namespace dewpoint::experiment

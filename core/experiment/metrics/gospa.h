@@ -26,7 +26,8 @@ struct Gospa {
   int falseCount = 0;
 };
 
-/// Averages over frames. The parts add up to rootMean^p, as in a single frame.
+/// Averages over frames. As in a single frame, the three contributions (localization, missed and
+/// falseTargets) add up to rootMean^p.
 struct GospaAverage {
   double mean = 0.0;     ///< mean distance, meters
   double rootMean = 0.0; ///< p-th root of the mean of distance^p, meters

@@ -12,16 +12,17 @@ namespace dewpoint::experiment {
 /// Number of similarity thresholds (0.05, 0.10, ..., 0.95).
 inline constexpr int kHotaThresholdCount = 19;
 
-/// Higher order tracking accuracy at one threshold (Luiten et al. 2021). Undefined values are NaN.
-/// Without true targets and estimates, these are all values except LocA. Without matches, LocA is
-/// undefined.
+/// Higher order tracking accuracy at one threshold (Luiten et al. 2021). Undefined scores are NaN.
+/// If there are neither true targets nor estimates, all scores are undefined. If there are no
+/// matches, LocA is undefined.
 struct HotaAtThreshold {
   double threshold = 0.0; ///< alpha, the minimum similarity of a match
   std::int64_t matches = 0;
   std::int64_t misses = 0;
   std::int64_t falsePositives = 0;
-  double detection = 0.0;    ///< DetA = TP / (TP + FN + FP)
-  double association = 0.0;  ///< AssA: mean over the TP of TPA / (TPA + FNA + FPA); 0 without TP
+  double detection = 0.0; ///< DetA = TP / (TP + FN + FP)
+  /// AssA: mean over the TP of TPA / (TPA + FNA + FPA); 0 if there are no TP.
+  double association = 0.0;
   double localization = 0.0; ///< LocA: mean similarity of the TP
   double hota = 0.0;         ///< sqrt(DetA * AssA)
 };
@@ -36,9 +37,10 @@ struct Hota {
   double hota = 0.0;
 };
 
-/// Computes HOTA. The similarity of a pair is 1 - distance / gate, at least 0; `gate` is in meters.
-/// Frames are matched as in the authors' TrackEval, once for all thresholds. The matching maximizes
-/// the sum of similarity times the alignment of the two identities over the whole sequence.
+/// Computes HOTA. The similarity of a pair is max(0, 1 - distance / gate); `gate` is in meters.
+/// Frames are matched as in the authors' TrackEval, once for all thresholds. The matching of a
+/// frame maximizes a sum over its pairs. The term of a pair is its similarity times the alignment
+/// of its two identities, which measures how well they agree over the whole sequence.
 Hota hota(std::span<const TrackFrame> frames, double gate);
 
 } // namespace dewpoint::experiment

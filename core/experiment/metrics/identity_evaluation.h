@@ -15,16 +15,17 @@
 
 namespace dewpoint::experiment {
 
-/// Options for comparing several targets whose names in estimate and truth are unrelated.
+/// Options for comparing several targets whose names in the estimate and in the truth are
+/// unrelated.
 struct IdentityComparison {
   double gate = 0.5;   ///< largest distance of a match, and the GOSPA cutoff, meters
-  bool ground = false; ///< compare positions on the floor, without z
+  bool ground = false; ///< true: positions are compared on the floor, without z
 };
 
-/// Converts the valid samples with a position, from a trajectory and the truth, to frames.
-/// Identities are numbered by target name in order of appearance. Frames are matched by number;
-/// frames that only one trajectory contains also count. Mismatch if a trajectory has no frame
-/// numbers, or if there is no common frame.
+/// Converts an estimated trajectory and the truth to frames. Only valid samples with a finite
+/// position are used. Each target name gets an identity number, in order of appearance. Frames are
+/// matched by frame number; frames that only one of the trajectories contains are included. Returns
+/// Mismatch if a trajectory has no frame numbers, or if there is no common frame.
 Result<std::vector<TrackFrame>> trackFrames(const Trajectory& estimate, const Trajectory& truth,
                                             const IdentityComparison& comparison);
 

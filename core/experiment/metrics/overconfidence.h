@@ -10,29 +10,30 @@
 
 namespace dewpoint::experiment {
 
-/// Report of a method about one target in one frame, and the truth. World frame; position in m,
+/// What a method reports about one target in one frame, and the truth. World frame; position in m,
 /// covariance in m².
 struct ReportedBelief {
   double probability = 0.0; ///< reported P(exists), in [0, 1]
   bool declared = false;    ///< the method declares the target present
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  std::optional<Eigen::Vector3d> truth; ///< nothing: the target is absent
+  std::optional<Eigen::Vector3d> truth; ///< empty: the target is absent
 };
 
 /// Reported P(exists) above which a method counts as confident.
 inline constexpr double kConfidentProbability = 0.95;
-/// Largest acceptable error of a confident estimate, in reported radii. Three was chosen: with a
-/// correct covariance, the error is larger in only 0.0006 % (round ellipsoid) to 0.27 % (one
-/// dominant axis) of the frames.
+/// Largest acceptable error of a confident estimate, as a multiple of reportedRadius(). Three was
+/// chosen because, with a correct covariance, the error exceeds this limit in few frames: from
+/// 0.0006 % of the frames for a round ellipsoid to 0.27 % for an ellipsoid with one dominant axis.
 inline constexpr double kConfidentRadii = 3.0;
 
-/// Returns the typical distance to the truth that a covariance implies: sqrt(trace), the root mean
-/// square length of the error, in meters. NaN if the trace is negative or NaN.
+/// Returns the typical distance to the truth that a covariance (m²) implies, in meters: the root
+/// mean square length of the error, which is sqrt(trace). Returns NaN if the trace is negative or
+/// NaN.
 double reportedRadius(const Eigen::Matrix3d& covariance);
 
-/// Returns whether the target is declared present but is absent, or is at least `gate` meters from
-/// the reported position.
+/// Returns whether the method is wrong: it declares the target present although the target is
+/// absent, or is at least `gate` meters from the reported position.
 bool isWrong(const ReportedBelief& belief, double gate);
 
 /// Returns whether the method is confidently wrong: P(exists) is above kConfidentProbability
@@ -40,8 +41,8 @@ bool isWrong(const ReportedBelief& belief, double gate);
 /// position. A position or covariance that is not finite also counts as wrong.
 bool isConfidentlyWrong(const ReportedBelief& belief);
 
-/// Number of cases in which a method is wrong, and in which it is confidently wrong. Each total
-/// counts all beliefs, including those in which the method reports nothing.
+/// Numbers of cases in which a method is wrong. Each total counts all beliefs, including those in
+/// which the method reports nothing.
 struct Overconfidence {
   Proportion wrong;              ///< isWrong()
   Proportion wrongWhenConfident; ///< isWrong() with P(exists) above kConfidentProbability

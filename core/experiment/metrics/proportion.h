@@ -7,7 +7,7 @@
 
 namespace dewpoint::experiment {
 
-/// Value with its confidence interval. All are NaN if there was nothing to measure.
+/// Value with its confidence interval. All fields are NaN if there was nothing to measure.
 struct Interval {
   double value = 0.0;
   double low = 0.0;
@@ -22,8 +22,8 @@ struct Proportion {
   double value() const; ///< returns count / total, in [0, 1]; NaN if `total` is 0
 };
 
-/// Returns the score interval for a proportion of independent trials (Wilson 1927). [0, 1] without
-/// trials.
+/// Returns the score interval for a proportion of independent trials (Wilson 1927). The interval is
+/// [0, 1] if there are no trials.
 Interval wilsonInterval(const Proportion& proportion, double level = 0.95);
 
 } // namespace dewpoint::experiment

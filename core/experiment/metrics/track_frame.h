@@ -10,14 +10,14 @@
 
 namespace dewpoint::experiment {
 
-/// True or estimated target position at one instant. World frame, meters.
+/// True or estimated position of one target in one frame. World frame, meters.
 struct TrackPoint {
   int identity = 0;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
 };
 
-/// Input of the multi-target metrics for one instant: the targets that are present, and those that
-/// the method declares present. Identities are unique within `truth`, nor within `estimates`; the
+/// Input of the multi-target metrics for one frame: the targets that are present, and those that
+/// the method declares present. Identities are unique within `truth` and within `estimates`; the
 /// two sets of identities are unrelated. An estimate whose position is not finite matches no true
 /// target but still counts as declared.
 struct TrackFrame {
@@ -27,8 +27,8 @@ struct TrackFrame {
   std::vector<TrackPoint> estimates;
 };
 
-/// Returns the distances in meters, with one row per true target and one column per estimate. A
-/// distance is infinite if either position is not finite.
+/// Returns the distances between true targets (rows) and estimates (columns), meters. A distance is
+/// infinite if either position is not finite.
 Eigen::MatrixXd distances(const TrackFrame& frame);
 
 } // namespace dewpoint::experiment

@@ -9,18 +9,21 @@
 
 namespace dewpoint::experiment {
 
-/// Assigns true targets to tracked targets that nothing but their positions tells apart, such as
-/// balls of one color: which of them has which name is a matter of chance. Each group in `alike`
-/// lists the names of such targets. Within a group, each tracked target gets the true one so that
-/// the sum of the median distances is smallest; one assignment holds for the whole trajectory, so
-/// that an exchange on the way still counts as an error. Frames are matched by number. Returns the
-/// true name for each tracked name whose true target has another name; empty if names fit.
+/// Assigns true targets to tracked targets that look the same, such as balls of one color. Which
+/// tracked target has which name is then a matter of chance, so they are assigned by position. Each
+/// group in `alike` lists the names of targets that look the same. Within a group, the assignment
+/// with the smallest sum of median distances is chosen. It applies to the whole trajectory, so two
+/// targets that are exchanged during the run still count as an error. Frames are matched by number.
+///
+/// The result maps the name of a tracked target to the name of its true target, where the two names
+/// differ. It is empty if all names agree. If not all targets of a group can be assigned, because
+/// one of them was never tracked or has no truth, the names of this group are kept.
 std::map<std::string, std::string>
 truthNamesByPosition(const Trajectory& estimate, const Trajectory& truth,
                      const std::vector<std::vector<std::string>>& alike);
 
-/// Returns the truth with the names of the tracked targets in place of its own, so that evaluate()
-/// compares them. `truthNames` is the result of truthNamesByPosition().
+/// Returns the truth with each target renamed to its tracked target, so that evaluate() compares
+/// the two. `truthNames` is the result of truthNamesByPosition().
 Trajectory namedAsTracked(Trajectory truth, const std::map<std::string, std::string>& truthNames);
 
 } // namespace dewpoint::experiment

@@ -9,7 +9,7 @@
 
 namespace dewpoint::experiment {
 
-/// Clothes of the simulated people.
+/// Clothes of the simulated people in a study.
 enum class StudyClothes { Both, Different, Similar };
 
 /// Options of an experiment.
@@ -20,9 +20,10 @@ struct ExperimentOptions {
   /// Receives the progress `part` (0 to 1). Returns false to stop the experiment.
   std::function<bool(double part)> progress = {};
   /// Folder with the recordings juggle1 and otb. Empty if there are no recordings. Used by
-  /// experiments that take recordings.
+  /// experiments with FigureExperiment::takesRecordings.
   std::filesystem::path recordings = {};
-  StudyClothes clothes = StudyClothes::Both; ///< used by experiments that take clothes
+  /// Used by experiments with FigureExperiment::takesClothes.
+  StudyClothes clothes = StudyClothes::Both;
   std::uint64_t firstSeed = kFirstReportingSeed;
 };
 

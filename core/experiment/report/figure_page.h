@@ -17,9 +17,9 @@ namespace dewpoint::experiment {
 /// the paper leaves open.
 enum class ClaimOutcome { Reproduced, InPart, NotReproduced };
 
-/// Returns the outcome for the claim that nothing converges, from the converged fraction for each
-/// start. The claim is reproduced if every fraction is below a tenth, and reproduced in part if
-/// some are.
+/// Returns the outcome for the claim that no run converges. `shares` contains, for each start, the
+/// fraction of runs that converged. The claim is reproduced if every fraction is below one tenth,
+/// and reproduced in part if only some fractions are.
 ClaimOutcome noConvergenceOutcome(const std::vector<double>& shares);
 
 /// Report of one experiment: a page with inline plots and separate image files, for light and dark
@@ -33,10 +33,11 @@ public:
   void heading(const std::string& text);
   /// Adds a paragraph of text.
   void paragraph(const std::string& text);
-  /// Adds a claim of the paper and our result.
+  /// Adds a claim of the paper, and our result `here`.
   void claim(const std::string& text, bool reproduced, const std::string& here);
   void claim(const std::string& text, ClaimOutcome outcome, const std::string& here);
-  /// Adds a requirement. `word` says whether it is met, and `good` determines the color.
+  /// Adds a requirement. `word` states whether the requirement is met, and `good` determines the
+  /// color of this word.
   void requirement(const std::string& word, bool good, const std::string& text);
   /// Adds plots side by side, each with a caption. `legend` contains the name of each style.
   void plots(const std::vector<std::pair<std::string, Plot>>& plots,
@@ -66,7 +67,7 @@ private:
   std::vector<std::pair<std::string, std::string>> files_; ///< name, bytes
 };
 
-/// Returns a part of a report page as HTML.
+/// Returns plots with their legend, or an image with its caption, as HTML for a report page.
 std::string plotsHtml(const std::vector<std::pair<std::string, Plot>>& plots,
                       const std::vector<std::pair<std::string, std::string>>& legend);
 std::string imageHtml(const std::string& file, const std::string& caption);

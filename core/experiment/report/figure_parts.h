@@ -25,13 +25,13 @@ bool reportProgress(const ExperimentOptions& options, double part);
 /// Creates a line through the values, at the x positions `first` + i * `step`.
 SvgSeries lineSeries(const std::string& style, const std::vector<double>& values,
                      double first = 0.0, double step = 1.0);
-/// Creates points without a line. Columns `across` and `up` of the rows are their x and y. `area`
-/// is the size of a point in square pixels.
+/// Creates points without a line, one per row. Column `across` contains x, and column `up` contains
+/// y. `area` is the area of a point in square pixels.
 SvgSeries pointSeries(const std::string& style, const Eigen::ArrayXXd& rows, Eigen::Index across,
                       Eigen::Index up, double area = 7.0);
 
-/// Sets the same axes on all given plots, with one scale for both directions, so that every point
-/// is visible. The axes cover at least `least` meters vertically.
+/// Sets the same axes on all plots, so that every point is visible. The horizontal and the vertical
+/// axis have the same scale. The vertical axis covers at least `least` meters.
 void setCommonAxes(std::initializer_list<Plot*> plots, double least = 0.5);
 
 } // namespace dewpoint::experiment

@@ -9,7 +9,8 @@
 namespace dewpoint::experiment {
 
 /// Creates a report folder and tries to write into it, so that a failure is detected before minutes
-/// of computation. FileUnwritable names the folder, or the report file if a folder has that name.
+/// of computation. Returns FileUnwritable, which names the folder, or the report file if a folder
+/// has its name.
 Status prepareReportFolder(const std::filesystem::path& folder,
                            const std::string& report = "report.html");
 

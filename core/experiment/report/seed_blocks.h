@@ -22,12 +22,12 @@ struct SeedBlock {
   std::string_view name; ///< "tuning"
   std::uint64_t first = 0;
   std::uint64_t last = 0;
-  std::string_view sentence; ///< when the results may be read
+  std::string_view sentence; ///< what the seeds are used for, and when their results may be read
 };
 
-/// First seed of studies whose results may be read at any time.
+/// First seed of tuning runs, whose results may be read at any time.
 inline constexpr std::uint64_t kFirstTuningSeed = 1;
-/// First seed of reported results, in the suite and in every study. If a result on these seeds
+/// First seed of reported results, in the suite and in every study. If a result with these seeds
 /// leads to a change in a method or in the tables, the block is used up. It then becomes part of
 /// the validation block, and the next thousand seeds of the reserve become the reporting block.
 inline constexpr std::uint64_t kFirstReportingSeed = 1006001;

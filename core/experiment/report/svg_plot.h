@@ -20,7 +20,7 @@ struct SvgAxis {
 /// Point of a line, in the units of the axes.
 struct SvgPoint {
   double x = 0.0;
-  double y = 0.0; ///< NaN interrupts the line here
+  double y = 0.0; ///< if NaN, the line is interrupted at this point
 };
 
 /// Line, optionally with a band around it or a disk on each point.
@@ -37,7 +37,7 @@ struct Plot {
   std::string title; ///< for screen readers
   SvgAxis x;
   SvgAxis y;
-  bool diagonal = false; ///< draw a guide from corner to corner
+  bool diagonal = false; ///< true: a diagonal line is drawn from corner to corner
   std::vector<SvgSeries> series;
 };
 

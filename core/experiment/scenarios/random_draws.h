@@ -20,8 +20,8 @@ inline constexpr double kFullTurn = 2.0 * std::numbers::pi; ///< radians
 class RandomDraws {
 public:
   explicit RandomDraws(const RandomStream& stream) : stream_(stream) {}
-  /// Starts the sequence for a seed and a name. Each name, such as a scenario name, has a separate
-  /// sequence.
+  /// Starts the sequence for a seed and a name. Each name, for example that of a scenario, has its
+  /// own sequence.
   RandomDraws(std::uint64_t seed, const std::string& name);
 
   double uniform(double low, double high);

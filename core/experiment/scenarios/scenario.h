@@ -20,7 +20,8 @@
 
 namespace dewpoint::experiment {
 
-/// Event at a frame, used by metrics.
+/// Event in a run at a certain frame. Metrics use it, for example to measure how fast a target is
+/// found again.
 struct ScenarioEvent {
   enum class Kind {
     Jump,
@@ -37,7 +38,7 @@ struct ScenarioEvent {
   };
   Kind kind = Kind::Jump;
   std::int64_t frame = 0;
-  int camera = -1; ///< affected camera; -1: all cameras, or no particular camera
+  int camera = -1; ///< index of the affected camera; -1: all cameras, or no particular camera
 };
 
 /// Target center in one image of a real clip, according to the clip's truth.
@@ -63,10 +64,11 @@ struct ScenarioRun {
   Grade grade = Grade::Ideal;
   std::uint64_t seed = 0;
   CameraRig rig; ///< calibration that the method receives
-  /// True if methods know that calibration and time stamps are exact. Otherwise they use their
-  /// default assumptions.
+  /// True if methods know that calibration and time stamps are exact. Otherwise methods use their
+  /// default assumptions about the errors.
   bool exactSensing = false;
-  CameraRig trueRig; ///< true cameras of the rendered images, until a camera is moved
+  /// True calibration of the cameras that rendered the images, valid until a camera is moved.
+  CameraRig trueRig;
   std::vector<Target> targets;
   /// Center of the volume in which the search starts, meters.
   Eigen::Vector3d startCenter = Eigen::Vector3d::Zero();
@@ -78,22 +80,23 @@ struct ScenarioRun {
   /// target.
   Trajectory truth;
   std::vector<TargetExtent> extents; ///< one per sample of `truth`, in the same order
-  /// Standard deviation of `truth` along each axis, meters. The comparison with estimates takes
-  /// this uncertainty into account.
+  /// Standard deviation of the errors of `truth` along each axis, meters. Comparisons with
+  /// estimates take this uncertainty into account.
   double truthSigma = 0.0;
   std::vector<ScenarioEvent> events;
   /// Frames with a known truth, ascending. Only these frames are evaluated. If empty, all frames
   /// are evaluated.
   std::vector<std::int64_t> measuredFrames;
-  /// Marks of real clips. A run with marks but without `truth` is evaluated in pixels only.
+  /// Marked target centers of real clips. A run with marks but without `truth` is evaluated in
+  /// pixels only.
   std::vector<MarkedCenter> marks;
-  /// Largest distance (pixels) of an estimate's projections from the marks at which the estimate
-  /// counts as on its target.
+  /// Limit in pixels for the distance between a mark and the projection of an estimate. In a frame
+  /// with marks, an estimate counts as on its target if all its projections are within this limit.
   double markGate = 0.0;
-  /// Number of objects in the images that fit the first target equally well, according to start,
-  /// color and size. If 1, the start determines which object is the target. If more, nothing
-  /// determines it at any time, and an honest probability that an estimate is the target is at most
-  /// 1 / equalCandidates.
+  /// Number of objects in the images that fit the first target equally well in start position,
+  /// color and size. If it is 1, the start position determines which object is the target. If it is
+  /// larger, nothing ever determines the target. The probability that a correct method reports for
+  /// an estimate is then at most 1 / equalCandidates.
   int equalCandidates = 1;
   /// Returns the images of frame k. This is a pure function, so all methods see identical images.
   std::function<FrameSetPtr(std::int64_t)> frames;
@@ -105,12 +108,13 @@ struct ScenarioDeclaration {
   std::string family;   ///< "S4"
   std::string sentence; ///< what happens in it
   int seeds = 20;       ///< default number of runs in a report
-  /// Creates the run for a seed and grade. Undetermined if the random draws allow no run, for
-  /// example if they find no position at which everything that must be visible is visible. The
+  /// Creates the run for a seed and grade. Returns Undetermined if the random draws allow no run,
+  /// for example if they find no position at which everything that must be visible is visible. The
   /// suite then skips this run. Any other error stops the suite.
   std::function<Result<ScenarioRun>(std::uint64_t seed, Grade grade)> make;
-  bool recorded = false; ///< true for real clips, which have only grade `Real`; the others have all
-                         ///< other grades
+  /// True for real clips, which exist in grade `Real` only; false for rendered scenarios, which
+  /// exist in all other grades.
+  bool recorded = false;
   /// Loads the images and true boxes of a scenario recorded by one camera, for methods that follow
   /// boxes. Used instead of `make`.
   std::function<Result<BoxClip>()> clip = nullptr;

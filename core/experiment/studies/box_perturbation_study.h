@@ -14,7 +14,7 @@ namespace dewpoint::experiment {
 
 /// Difference between a hand-drawn box and the true box.
 struct BoxPerturbation {
-  double scale = 1.0; ///< factor of width and height
+  double scale = 1.0; ///< factor for width and height
   double right = 0.0; ///< shift of the center, in true widths
   double down = 0.0;  ///< shift of the center, in true heights
 
@@ -28,8 +28,8 @@ struct BoxPerturbation {
 /// by 15 % to the left, to the right, up and down.
 std::vector<BoxPerturbation> boxPerturbations();
 
-/// Results of one method on one clip with first boxes of one size, unshifted and shifted. The
-/// values are means over all runs.
+/// Results of one method on one clip, started with first boxes of one size: one unshifted box and
+/// all shifted boxes. The values are means over all runs.
 struct BoxPerturbationRow {
   std::string clip;
   std::string method; ///< "histogram", "csrt"
@@ -38,12 +38,15 @@ struct BoxPerturbationRow {
   BoxMetrics metrics; ///< against the true boxes
   double worstPrecision = 1.0;
   bool reportsConfidence =
-      false; ///< the remaining fields are known, because the method reports its confidence
-  double similarityOn = 0.0;  ///< mean similarity with the center within the radius
-  double similarityOff = 0.0; ///< mean similarity with the center outside the radius; frames in
-                              ///< which it reports the target hidden count as 0
-  double confidentlyWrong =
-      0.0; ///< fraction of all frames off the target with a similarity above 0.9
+      false; ///< true if the method reports its confidence; only then are the following fields set
+  /// Mean reported similarity in frames in which the center is within the clip's radius.
+  double similarityOn = 0.0;
+  /// Mean reported similarity in frames in which the center is outside the clip's radius; it counts
+  /// as 0 if the method reports the target as hidden.
+  double similarityOff = 0.0;
+  /// Fraction of the frames with a reported confidence in which the center is outside the clip's
+  /// radius although the similarity is above 0.9.
+  double confidentlyWrong = 0.0;
 };
 
 /// Returns the default methods of the comparison.

@@ -9,10 +9,11 @@
 
 namespace dewpoint::experiment {
 
-/// Returns CSV with one row per case: name, ball, start and half size of the start box (m), first
-/// seed, runs, converged runs, and converged runs within 3 cm. For the converged runs, it also
-/// contains the median number of iterations, and the RMSE and bias along the optical axis (mm).
-/// These cells are empty if no run converged.
+/// Returns CSV with one row per case: name, ball position, start position and half size of the
+/// start box (m), first seed, number of runs, number of converged runs, and number of converged
+/// runs with an RMSE below 3 cm. For the converged runs, the row also contains the median number of
+/// iterations, the RMSE (mm), and the bias along the optical axis (mm). These cells are empty if no
+/// run converged.
 std::string convergenceCsv(const std::vector<ConvergenceResult>& results);
 
 /// Drift of the particle cloud with one camera, see measureDrift().

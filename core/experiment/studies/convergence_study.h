@@ -17,14 +17,15 @@
 
 namespace dewpoint::experiment {
 
-/// Case of the study: positions of the ball, of the cloud's start and of the cameras (world,
-/// meters).
+/// Case of the study: the position of the ball, the initial position of the cloud, and the cameras.
+/// World frame, meters.
 struct ConvergenceCase {
   std::string name;
   Eigen::Vector3d ball;
   Eigen::Vector3d start;
-  Eigen::Vector3d startHalfSize =
-      Eigen::Vector3d::Zero(); ///< half sizes of the uniform start box; 0: a point
+  /// Half sizes of the box in which the particles start, uniformly distributed; 0: they start at
+  /// `start`.
+  Eigen::Vector3d startHalfSize = Eigen::Vector3d::Zero();
   int runs = 100;
   int iterations = 150;
   CameraRig cameras = simulation::demoRig();
@@ -34,7 +35,7 @@ struct ConvergenceCase {
 
 /// Results of the `barrera` method for a case with `runs` seeds (from the first one on) and one
 /// iteration per frame. Convergence is determined from the cloud alone, see convergenceIteration().
-/// From then on, its distance to the ball is measured.
+/// From the converged iteration on, the distance between the cloud's mean and the ball is measured.
 struct ConvergenceResult {
   ConvergenceCase setup;
   int converged = 0; ///< number of runs whose cloud has converged at the end
@@ -48,7 +49,8 @@ struct ConvergenceResult {
 /// Returns the iteration (from 1) from which a cloud has converged. From then on, its spread (root
 /// mean square distance of the weighted particles to their mean, meters) is below sqrt(3) sigma_m.
 /// This is the spread that a single motion step gives to a point. A smaller spread means that the
-/// images add more information than the motion removes. Nothing if the last spread is larger.
+/// images add more information than the motion removes. Returns nothing if the last spread is not
+/// below this limit.
 std::optional<int> convergenceIteration(std::span<const double> spreads, double motionSigma);
 
 /// Returns the cases of Barrera et al. 2005, section III. Values that the paper does not give are
@@ -56,10 +58,10 @@ std::optional<int> convergenceIteration(std::span<const double> spreads, double 
 std::vector<ConvergenceCase> barreraConvergenceCases(int runs = 100,
                                                      std::uint64_t firstSeed = kFirstTuningSeed);
 
-/// Returns the case of the paper's figures 3 and 4: a bare desk, the ball 1.1 m from camera 1 and
-/// completely visible in both images, and the paper's start in camera 1's view. Camera 2 is aimed
-/// at the ball. Camera 1 is aimed between the ball and the start, which are 35 degrees apart in its
-/// view.
+/// Returns the case of the paper's figures 3 and 4: a bare desk, the ball, and the paper's start in
+/// the view of camera 1. The ball is 1.1 m from camera 1 and completely visible in both images.
+/// Camera 2 is aimed at the ball. Camera 1 is aimed between the ball and the start, which are 35
+/// degrees apart in its view.
 ConvergenceCase figure3Case(int runs = 100, std::uint64_t firstSeed = kFirstTuningSeed);
 
 /// Runs one case, in which the ball does not move.
@@ -72,13 +74,14 @@ using ConvergenceCallback =
 Status watchConvergence(const ConvergenceCase& setup, std::uint64_t seed,
                         const ConvergenceCallback& watch);
 
-/// Returns the distance that the mean has moved after each iteration, meters. See measureDrift().
+/// Returns the distance, in meters, by which the cloud's mean has moved away from camera 1 after
+/// each iteration. It is averaged over runs, see measureDrift().
 Result<std::vector<double>> driftCurve(int runs, int iterations,
                                        std::uint64_t firstSeed = kFirstTuningSeed);
 
-/// Measures the systematic drift (section III, figures 4 and 5): the distance in meters per
-/// iteration by which the cloud's mean moves away from camera 1 along its optical axis when only
-/// that camera is used. Mean over runs.
+/// Measures the systematic drift (section III, figures 4 and 5), averaged over runs. The drift is
+/// the distance, in meters per iteration, by which the cloud's mean moves away from camera 1 along
+/// the optical axis of this camera. No other camera is used.
 Result<double> measureDrift(int runs = 50, int iterations = 40,
                             std::uint64_t firstSeed = kFirstTuningSeed);
 

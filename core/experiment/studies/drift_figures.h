@@ -10,14 +10,15 @@ namespace dewpoint::experiment {
 
 /// Returns the fraction of particles that stay in a cone after one step, as sketched in figure 5 of
 /// Barrera et al. 2005. The particles are spread evenly over the cross-section of the cone at
-/// `depth` meters from its apex (radius `slope` times the depth). A step moves them by its length
-/// (meters) along the axis, away from the apex, and by N(0, motionSigma) sideways. The result has
-/// one value per entry in `steps`. Random numbers use a fixed seed.
+/// `depth` meters from its apex (radius `slope` times the depth). A step moves a particle away from
+/// the apex along the axis, and by N(0, motionSigma) meters sideways. `steps` contains the lengths
+/// along the axis (meters). The result has one value per entry in `steps`. Random numbers use a
+/// fixed seed.
 std::vector<double> fractionStayingInCone(double slope, double depth, double motionSigma,
                                           const std::vector<double>& steps);
 
 // Functions that reproduce figures of Barrera et al. 2005, section III-B, on the simulated demo.
-// For FigureExperiment::run.
+// They are used as FigureExperiment::run.
 Status barreraFigure5(const ExperimentOptions& options);
 Status barreraDrift(const ExperimentOptions& options);
 Status barreraStarts(const ExperimentOptions& options);

@@ -6,7 +6,7 @@
 
 namespace dewpoint::experiment {
 
-// Functions that reproduce figures of Barrera et al. 2005, section III-C. For
+// Functions that reproduce figures of Barrera et al. 2005, section III-C. They are used as
 // FigureExperiment::run.
 Status dynamicsFigure6(const ExperimentOptions& options);
 Status dynamicsFigure7(const ExperimentOptions& options);

@@ -12,8 +12,9 @@
 namespace dewpoint::experiment {
 
 /// Setup with an object that stands still and jumps to another position at one iteration (Barrera
-/// et al. 2005, section III-C). Meters. The paper specifies 2 m, iteration 30, 200 particles and
-/// sigma_m, but neither the start of the cloud nor the sigma of the observation.
+/// et al. 2005, section III-C). Meters. The paper specifies the jump of 2 m, iteration 30, 200
+/// particles and sigma_m. It specifies neither the start of the cloud nor the sigma of the
+/// observation.
 struct DynamicsSetup {
   int particles = 200;
   double motionSigma = 0.03;
@@ -25,21 +26,22 @@ struct DynamicsSetup {
   int iterations = 100;
 };
 
-/// Results of one such run of the `dynamics` method.
+/// Results of one run of the `dynamics` method with a DynamicsSetup.
 struct DynamicsRun {
   std::vector<double> errors; ///< error after each iteration, meters
   /// Root mean square distance of the particles from their mean after the prediction, meters. The
   /// particles are not weighted; `clouds` contains the same particles.
   std::vector<double> cloudSpreads;
-  /// The same distance after weighting by the observation: the spread of the belief. Far from the
-  /// object, one particle has all the weight, so the spread is almost zero.
+  /// The same distance after the particles are weighted by the observation: the spread of the
+  /// belief. While the cloud is far from the object, one particle has almost all the weight, so the
+  /// spread is almost zero.
   std::vector<double> beliefSpreads;
   std::vector<Eigen::ArrayXXd>
       clouds; ///< particles at the requested iterations, one row per particle: x y z
 };
 
-/// Runs one iteration per measurement. `instants` are the iterations (ascending) whose clouds are
-/// kept.
+/// Runs the `dynamics` method with one iteration per measurement. `instants` lists the iterations
+/// (ascending) whose particles are returned in `clouds`.
 DynamicsRun runDynamics(const DynamicsSetup& setup, std::uint64_t seed,
                         const std::vector<int>& instants = {});
 
@@ -49,17 +51,17 @@ std::vector<double> meanErrors(const DynamicsSetup& setup, int runs,
                                std::uint64_t firstSeed = kFirstTuningSeed);
 
 /// Returns the number of iterations, counted from `from`, until the error is below `bound` and
-/// stays there at least up to `end`. -1 if this does not happen.
+/// stays there at least up to `end`. Returns -1 if this does not happen.
 int iterationsUntilBelow(const std::vector<double>& errors, int from, int end, double bound);
 
 /// Returns the largest speed of a steadily moving object that a cloud can follow with an error
-/// below a quarter of a meter, in meters per iteration. It is found by bisection over 60 iterations
-/// and `runs` seeds.
+/// below a quarter of a meter, in meters per iteration. It is found by bisection; each speed is
+/// tested in runs of 60 iterations with `runs` seeds.
 double maxTrackableSpeed(DynamicsSetup setup, int runs, std::uint64_t firstSeed = kFirstTuningSeed);
 
-/// Returns the distance per iteration (meters) by which the mean moves toward a distant object.
-/// This is a mean over `runs` seeds. It is about the expected largest of N standard normals times
-/// sigma_m (2.75 sigma_m at N = 200), because only the nearest particle survives.
+/// Returns the distance per iteration (meters) by which the cloud's mean moves toward a distant
+/// object, averaged over `runs` seeds. It is about sigma_m times the expected maximum of N standard
+/// normal numbers (2.75 sigma_m for N = 200 particles), because only the nearest particle survives.
 double advanceTowardFarObject(DynamicsSetup setup, int runs,
                               std::uint64_t firstSeed = kFirstTuningSeed);
 

@@ -17,7 +17,8 @@ enum class ExperimentGroup { Barrera, Sugandi, Mohedano, People };
 /// paper.
 std::string_view experimentGroupTitle(ExperimentGroup group);
 
-/// Figure or table of a paper that one command reproduces, or one of our studies.
+/// Experiment that one command runs: it reproduces a figure or table of a paper, or it is one of
+/// Dewpoint's own studies.
 struct FigureExperiment {
   std::string_view name;     ///< name on the command line
   std::string_view title;    ///< name in menus and reports

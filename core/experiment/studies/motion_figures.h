@@ -8,7 +8,7 @@
 
 namespace dewpoint::experiment {
 
-/// Agreement of a motion mask with the people in an image.
+/// Agreement of a motion mask with the visible people in an image.
 struct MaskQuality {
   int regions = 0; ///< number of connected regions (8 neighbors) of at least kMinRegionArea pixels
   double recall = 0.0; ///< fraction of the people's pixels that are in the mask; 1 without people
@@ -22,7 +22,8 @@ inline constexpr int kMinRegionArea = 20;
 MaskQuality maskQuality(const cv::Mat& mask, const cv::Mat& people);
 
 /// Reproduces figures 1 (image, motion mask and motion likelihood image D) and 3 (motion masks over
-/// some frames) of Mohedano et al. 2009 in the simulated office. For FigureExperiment::run.
+/// some frames) of Mohedano et al. 2009 in the simulated office. It is used as
+/// FigureExperiment::run.
 Status mohedanoMotionFigures(const ExperimentOptions& options);
 
 } // namespace dewpoint::experiment

@@ -16,7 +16,8 @@ namespace dewpoint::experiment {
 /// Minimum number of visible pixels at which a camera counts as seeing a person. It is a quarter of
 /// a fully visible adult, who has 600 or more pixels.
 inline constexpr int kMinVisiblePixels = 150;
-/// Number of frames between two comparisons of silhouettes. Chosen to be a third of a second.
+/// Number of frames between two comparisons of silhouettes. Chosen to correspond to a third of a
+/// second.
 inline constexpr std::int64_t kSilhouetteInterval = 5;
 
 /// One instant of a scene with people: its images, and the people that the true cameras see at that
@@ -26,7 +27,8 @@ struct OfficeInstant {
   /// Number of cameras that see at least kMinVisiblePixels, per person.
   std::vector<int> camerasSeeing;
   std::vector<cv::Mat> who; ///< visible person at each pixel, per camera; see paintPeople()
-  /// Complete silhouettes, by camera and then by person. Empty at instants that are not compared.
+  /// Complete silhouettes, indexed by camera, then by person. Empty at instants at which
+  /// silhouettes are not compared.
   std::vector<std::vector<cv::Mat>> silhouettes;
 
   /// Returns the visible pixels of a person in a camera (CV_8UC1, nonzero where visible).

@@ -9,12 +9,12 @@
 
 namespace dewpoint::experiment {
 
-/// Computes fingerprints like suiteFingerprints(), for methods that find people. They cover the
-/// results for two people in similar clothes who cross paths (first tuning seed). An empty list
-/// means all methods.
+/// Computes fingerprints like suiteFingerprints(), for methods that find people. If `methods` is
+/// empty, all of them are used. A fingerprint covers the results for two people in similar clothes
+/// whose paths cross (first tuning seed).
 ///
 /// CLEAR MOT, HOTA, times, and the fractions of found people and of silhouettes are rounded to
-/// 0.001, lengths to 0.1 mm, and volumes to 0.0001 m³. NotFound for an unknown method.
+/// 0.001, lengths to 0.1 mm, and volumes to 0.0001 m³. Returns NotFound for an unknown method.
 Result<std::map<std::string, std::string>>
 peopleFingerprints(const std::vector<std::string>& methods);
 

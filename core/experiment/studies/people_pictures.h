@@ -15,21 +15,23 @@
 
 namespace dewpoint::experiment {
 
-/// Instant of a scenario that shows well what a method can do.
+/// Instant of a scenario at which an image shows well how a method performs.
 struct PeopleInstant {
   std::int64_t frame = 0;
   std::string words; ///< description, such as "nearest to each other, 3.4 s"
 };
 
-/// Returns the instants to show as images: before people meet, when most of them are present and
-/// they are closest to each other, and when identities are assessed. A scenario that does not
-/// compare identities between two instants has only the second one.
+/// Returns the instants to show as images. They are one instant before people meet, the instant at
+/// which most people are present and they are closest to each other, and the instant at which
+/// identities are assessed. If a scenario does not compare identities between two instants, only
+/// the second one is returned.
 std::vector<PeopleInstant> instantsToShow(const PeopleScenario& scenario);
 
 /// Draws an image (CV_8UC3) like figure 2 of Mohedano et al. 2009. It contains the images of all
 /// cameras, two per row, with the outlines of the 95 % volumes. It also contains the floor from
-/// above, with the level curves of each person's density and the person's identity. White crosses
-/// mark people (`truth`), and rings mark cameras.
+/// above, with the identity of each person and level curves of the probability density of the
+/// person's position. White crosses mark the true positions of people (`truth`), and rings mark
+/// cameras.
 cv::Mat drawPeopleImage(const PeopleFinding& people, const FrameSet& frames, const CameraRig& rig,
                         std::span<const TrackPoint> truth);
 

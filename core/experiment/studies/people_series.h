@@ -12,9 +12,9 @@
 
 namespace dewpoint::experiment {
 
-/// Studies many seeds, from setup.seed on, with each kind of clothes in turn. `progress` receives
-/// the number of finished scenes and the total number of scenes. If it returns false, the function
-/// returns the results so far.
+/// Runs studyPeople() for `seeds` seeds, from setup.seed on, with each kind of clothes in turn.
+/// `progress` receives the number of finished scenes and the total number of scenes. If it returns
+/// false, the function returns the results so far.
 Result<std::vector<PeopleTrial>>
 studyPeopleSeries(PeopleStudySetup setup, const std::vector<PeopleClothes>& clothes, int seeds,
                   const std::function<bool(std::int64_t done, std::int64_t all)>& progress);

@@ -41,7 +41,8 @@ struct PeopleTrial {
   double longestGhost = 0.0; ///< longest time that an estimate has no person nearby, seconds
   /// Longest time that a person seen by at least two cameras has no estimate, seconds.
   double longestMissed = 0.0;
-  double hullVolume = 0.0;           ///< m³, mean over people and frames
+  /// Volume that contains 95 % of a person (bodyHull()), m³; mean over people and frames.
+  double hullVolume = 0.0;
   double stepMs = 0.0;               ///< mean CPU time per frame with people, ms
   PersonResult everybody;            ///< results over all people in the scene
   std::vector<PersonResult> persons; ///< results per person, in scene order
@@ -64,13 +65,14 @@ struct PeopleStudySetup {
   bool pictures = false; ///< draw images of instantsToShow()
 };
 
-/// Checks the parameters. UnknownKey for a parameter that no method has, or BadValue for a value
-/// out of range. The error's `field` is the parameter's key.
+/// Checks the parameters. Returns UnknownKey for a parameter that no method has, or BadValue for a
+/// value out of range. The error's `field` is the parameter's key.
 Status checkPeopleParameters(const PeopleStudySetup& setup);
 
-/// Renders one scene in a grade and runs all methods on it with the calibration that they receive.
-/// Returns one trial per method. Positions and silhouettes are compared with the truth in the true
-/// cameras. Unknown scene, method or parameter names are errors.
+/// Renders one scene in a grade, runs all methods on it, and returns one trial per method. The
+/// methods use a calibration with errors, as in PeopleRecording::rig. Positions and silhouettes are
+/// compared with the truth, silhouettes in the images of the true cameras. Unknown scene, method or
+/// parameter names are errors.
 Result<std::vector<PeopleTrial>> studyPeople(const PeopleStudySetup& setup,
                                              simulation::ViewCache& views);
 

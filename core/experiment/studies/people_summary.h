@@ -19,15 +19,16 @@ struct PeopleSummary {
   int runs = 0;
   int kept = 0;
   int identitySwitches = 0;
-  double mota = 0.0; ///< mean, like the next three fields
+  double mota = 0.0; ///< mean over runs, like `hota` and `gospa`
   double hota = 0.0;
   double gospa = 0.0;         ///< meters
-  double motp = 0.0;          ///< meters; over runs with matches
+  double motp = 0.0;          ///< meters; mean over runs with matches
   double longestGhost = 0.0;  ///< seconds, worst run
   double longestMissed = 0.0; ///< seconds, worst run
   double hullVolume = 0.0;    ///< m³, mean
   double stepMs = 0.0;        ///< mean
-  /// Means of PeopleTrial::everybody over the runs that have these values, see PersonResult.
+  /// Means of these two fields in PeopleTrial::everybody, over the runs that have a value; see
+  /// PersonResult.
   double found = std::numeric_limits<double>::quiet_NaN();
   SilhouetteScores silhouette;
 };
@@ -48,7 +49,7 @@ std::string peoplePersonsCsv(const std::vector<PeopleTrial>& trials);
 /// - a description of the experiment and its table
 /// - the result for the paper's figure 4(a)
 /// - the requirements, and which of them are missed
-/// - results by height if some people are small
+/// - results by body height, if some people are small
 /// - the images of those trials that have any
 /// - the files runs.csv and people.csv
 FigurePage peopleReport(const std::string& scenario, const std::vector<PeopleTrial>& trials);

@@ -24,8 +24,9 @@ struct PersonResult {
   /// Fraction of frames with an estimate near the person, among the frames in which at least two
   /// cameras see the person. NaN without such frames.
   double found = std::numeric_limits<double>::quiet_NaN();
-  SilhouetteScores
-      silhouette; ///< scores of the 95 % volume, over cameras and instants with an estimate
+  /// Scores of the silhouette of the 95 % volume, averaged over cameras and instants with an
+  /// estimate.
+  SilhouetteScores silhouette;
   /// Mean absolute height error, meters. NaN if the method does not estimate the height.
   double heightError = std::numeric_limits<double>::quiet_NaN();
 };

@@ -14,7 +14,7 @@ namespace dewpoint::experiment {
 
 /// Returns a mask of the pixels whose centers are in a convex polygon: CV_8UC1 with the given
 /// `size`, 255 inside, otherwise 0. Corners are in pixels, clockwise or counterclockwise, and may
-/// be outside the image. With fewer than three corners, the mask is all zero.
+/// be outside the image. If there are fewer than three corners, the mask is zero everywhere.
 cv::Mat filledOutline(const std::vector<Eigen::Vector2d>& outline, cv::Size size);
 
 /// Overlap of an estimated silhouette with the true silhouette of a body in an image, in pixels.

@@ -7,9 +7,9 @@
 
 namespace dewpoint::experiment {
 
-/// Returns the studies of boxes and people as experiments: sugandi-rmse, and people-<scenario> for
-/// every scene with people. With their default settings, they take minutes. All their options are
-/// available on the command line.
+/// Returns the studies of boxes and people as experiments. They are sugandi-rmse, and
+/// people-<scenario> for every scenario with people. With default settings, each takes minutes.
+/// Only the command line offers all their options.
 std::span<const FigureExperiment> studyExperiments();
 
 } // namespace dewpoint::experiment

@@ -19,12 +19,12 @@ cv::Mat drawBoxFrames(const std::vector<cv::Mat>& images, const std::vector<Imag
                       const BoxStudyRow& few, const BoxStudyRow& many);
 
 /// Returns the plots of a clip as HTML: x, y and error of the centers over the frames, and the
-/// image of its frames.
+/// image from drawBoxFrames().
 std::string boxFiguresHtml(const BoxStudy& study, std::size_t clip);
-/// Returns the file name of the image that shows a clip's frames.
+/// Returns the file name of the image from drawBoxFrames() for a clip.
 std::string boxFramesFileName(std::size_t clip);
 /// Returns plots for a clip as HTML, like figure 1 of Sugandi et al. 2009: the color histograms of
-/// the given box and of the box found halfway through the clip.
+/// the first box, which was given to the method, and of the box found halfway through the clip.
 std::string boxHistogramsHtml(const BoxStudy& study, std::size_t clip);
 /// Returns CSV with one row per clip and bin. Bins that are empty in both histograms are omitted.
 std::string boxHistogramsCsv(const BoxStudy& study);

@@ -27,18 +27,18 @@ inline constexpr const char* kBoxReport = "sugandi-rmse.html";
 struct BoxStudyRow {
   std::string clip;
   std::string method; ///< display name: "sugandi, 100 particles", "csrt"
-  bool ours = false;  ///< one of our methods, otherwise OpenCV's
+  bool ours = false;  ///< true: one of Dewpoint's own methods; false: one of OpenCV's
   bool exactBoxes = true;
   int seeds = 1;
   BoxMetrics metrics;
   double worstPrecision = 0.0; ///< worst precision over the seeds
   double milliseconds = 0.0;   ///< time per frame with one thread, ms
-  /// Boxes for the first seed, one per frame from the frame with the given box on. Empty after the
-  /// method has given up.
+  /// Boxes for the first seed, one per frame, beginning with the first frame, whose box is given.
+  /// An entry is empty after the method has given up.
   std::vector<std::optional<ImageBox>> boxes;
 };
 
-/// Requirement, and whether it is met.
+/// Requirement of the study, and whether it is met.
 struct BoxRequirement {
   std::string sentence;
   bool reached = false;
@@ -49,9 +49,9 @@ struct BoxClipFigures {
   std::string clip;
   std::vector<ImageBox> truth;
   cv::Mat frames; ///< see drawBoxFrames()
-  /// Color histograms (boxHistogram()) of the given box, and of the box that `sugandi` with 300
-  /// particles found in a frame halfway through the clip. A histogram is empty if its box is
-  /// outside the image.
+  /// Color histograms (boxHistogram()). `reference` is that of the given box. `candidate` is that
+  /// of the box which `sugandi` with 300 particles found in `candidateFrame`, halfway through the
+  /// clip. A histogram is empty if its box is outside the image.
   std::vector<double> reference;
   std::vector<double> candidate;
   std::size_t candidateFrame = 0;
@@ -65,12 +65,12 @@ struct BoxStudy {
   std::vector<BoxPerturbationRow>
       perturbed; ///< results of studyPerturbedBoxes(); empty unless requested
   std::uint64_t firstSeed = kFirstTuningSeed;
-  int seeds = 1; ///< number of seeds for our methods
+  int seeds = 1; ///< number of seeds for Dewpoint's own methods
 };
 
 /// Follows every clip with `sugandi` (100 and 300 particles), `histogram` and OpenCV's four
-/// trackers. Our methods run with `seeds` seeds from `firstSeed` on. `report` receives each row
-/// when it is finished, and returns false to stop.
+/// trackers. Dewpoint's own methods run with `seeds` seeds from `firstSeed` on. `report` receives
+/// each row when it is finished, and returns false to stop.
 Result<BoxStudy> studyBoxes(const std::vector<BoxClip>& clips, int seeds,
                             const std::function<bool(const BoxStudyRow&)>& report,
                             std::uint64_t firstSeed = kFirstTuningSeed);

@@ -25,11 +25,13 @@ struct WandRecording {
   int jpegQuality = 0; ///< 1 to 100: images are compressed as JPEG; 0: no compression
 };
 
-/// Results of one calibration in the simulated hall. Lengths are in meters.
+/// Results of one calibration in the simulated hall. Lengths are in meters. `medianPx` is the
+/// median length of the residuals (pixels), and `views` is the number of ball images that were
+/// detected.
 struct WandTrial {
   std::uint64_t seed = 0;
   WandCase kind = WandCase::Near;
-  std::string failure;      ///< error message if the calibration failed
+  std::string failure;      ///< error message if the calibration failed; otherwise empty
   double cameraRms = 0.0;   ///< RMS error of the camera positions, after the best rigid alignment
   double pointRms = 0.0;    ///< RMS error of the ball positions, with the same alignment
   double scaleError = 0.0;  ///< relative scale error
@@ -40,15 +42,15 @@ struct WandTrial {
   bool passed = false; ///< the requirement of its case is met
 };
 
-/// Calibrates the hall's four VGA cameras from rendered images of a wand with two balls, detected
-/// with the color code of tracking: all cases for one seed. `report` receives each trial when it is
-/// finished, and returns false to stop. The recording has a duration of 30 seconds with
-/// `framesPerSecond` images per second.
+/// Runs all cases of the study for one seed. Each trial calibrates the four VGA cameras of the hall
+/// from rendered images of a wand with two balls (OneBall: one ball). The balls are detected by
+/// color, with the same code that tracking uses. The recording lasts 30 seconds. `report` receives
+/// each trial when it is finished, and returns false to stop.
 std::vector<WandTrial> studyWand(std::uint64_t seed, const WandRecording& recording,
                                  const std::function<bool(const WandTrial&)>& report);
 
-/// Returns the requirement of a case: the largest allowed RMS of cameras and points, meters.
-/// Infinite if there is no requirement.
+/// Returns the largest value of `cameraRms` and `pointRms` that the requirement of a case allows,
+/// meters. It is infinite if there is no requirement.
 double wandRmsLimit(WandCase kind);
 /// Returns the name of a case in reports.
 std::string wandCaseName(WandCase kind);

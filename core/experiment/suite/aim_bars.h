@@ -7,9 +7,10 @@
 
 namespace dewpoint::experiment {
 
-/// Returns the aims for the next version: belief metrics in every grade, by the median and by the
-/// worst scenario, and accuracy outside grade `ideal`. Their item numbers continue the numbering of
-/// the current requirements.
+/// Returns the requirements that are aims for the next version. They limit the belief metrics in
+/// every grade, both their median over the scenarios and their value in the worst scenario. They
+/// also limit the errors in all grades except `ideal`. Their item numbers continue those of the
+/// current requirements.
 std::vector<SuiteRequirement> aimRequirements();
 
 } // namespace dewpoint::experiment

@@ -14,7 +14,8 @@ namespace dewpoint::experiment {
 /// Runs from which a measure is computed.
 using MeasuredRuns = std::vector<const SuiteResult*>;
 
-/// Value of a measure. If a single scenario determines the value, it includes that scenario.
+/// Value of a measure. If a single scenario determines the value, `scenario` is its name; otherwise
+/// it is empty.
 struct RequirementValue {
   RequirementValue(double number) : value(number) {} // a plain value has no scenario
   RequirementValue(double number, std::string name) : value(number), scenario(std::move(name)) {}
@@ -22,25 +23,26 @@ struct RequirementValue {
   std::string scenario;
 };
 
-/// Computes the value from our runs. `others` are the runs of plain triangulation in the same
-/// scenarios and grade.
+/// Computes the value of a requirement from the runs of the `dewpoint` method (`ours`). `others`
+/// are the runs of plain triangulation in the same scenarios and grade.
 using RequirementMeasure =
     std::function<RequirementValue(const MeasuredRuns& ours, const MeasuredRuns& others)>;
 /// Column of runs.csv that a measure reads.
 using ResultColumn = SuiteRow::Value SuiteRow::*;
 
-/// Returns a measure: the quantile over the runs. `fraction` is in [0, 1].
+/// Returns a measure that computes a quantile of a column over the runs. `fraction` is in [0, 1].
 RequirementMeasure quantileOverRuns(ResultColumn figure, double fraction);
-/// Returns a measure: the value of the worst run.
+/// Returns a measure that computes the largest value of a column, that of the worst run.
 RequirementMeasure worstRun(ResultColumn figure);
-/// Returns a measure: the largest scenario median, where each median is taken over the runs of a
-/// scenario.
+/// Returns a measure that computes the median of a column over the runs of each scenario, and then
+/// the largest of these medians.
 RequirementMeasure worstMedian(ResultColumn figure);
-/// Returns a measure: the mean over all runs, times `factor`.
+/// Returns a measure that computes the mean of a column over all runs, times `factor`.
 RequirementMeasure meanOverRuns(ResultColumn figure, double factor = 1.0);
-/// Returns a measure: the percentage of runs whose value is at most `limit`.
+/// Returns a measure that computes the percentage of runs whose value in a column is at most
+/// `limit`.
 RequirementMeasure percentWithin(ResultColumn figure, double limit);
-/// Returns a measure: the number of runs in which the event never happened.
+/// Returns a measure that counts the runs in which the event of a column never happened.
 RequirementMeasure failureCount(ResultColumn figure);
 
 /// Computes the 95th percentile of all errors after convergence.
@@ -52,20 +54,21 @@ RequirementValue depthBias(const MeasuredRuns& ours, const MeasuredRuns& others)
 /// Computes the ratio of the median RMSE of our runs to the median RMSE of triangulation.
 RequirementValue rmseRatioToTriangulation(const MeasuredRuns& ours, const MeasuredRuns& others);
 
-/// Computes the ratio of the RMSE of our run to that of the other method's run with the same seed,
-/// over the frames in which both declare the target. Returns the median over the seeds. A method
-/// that gives up on difficult frames therefore gains nothing.
+/// Computes the median of a ratio over all runs: the RMSE of our run divided by the RMSE of the
+/// other run with the same scenario and seed. Each RMSE covers only the frames in which both
+/// methods declare the target present. A method therefore gains nothing by giving up in difficult
+/// frames.
 RequirementValue rmseRatioOnSharedFrames(const MeasuredRuns& ours, const MeasuredRuns& others);
-/// Computes the percentage of lost frames minus the percentage in the other run with the same seed.
-/// Returns the mean over the seeds.
+/// Computes the mean of a difference over all runs: the percentage of lost frames in our run minus
+/// that in the run of triangulation with the same scenario and seed.
 RequirementValue lostFramesOverTriangulation(const MeasuredRuns& ours, const MeasuredRuns& others);
 
-/// Returns a measure: the median of a belief metric over the scenarios.
+/// Returns a measure that computes the median of a belief metric over the scenarios.
 RequirementMeasure medianOverScenarios(const BeliefMetric& metric);
-/// Returns a measure: the value of a belief metric in the worst scenario.
+/// Returns a measure that computes the value of a belief metric in the worst scenario.
 RequirementMeasure worstOverScenarios(const BeliefMetric& metric);
-/// Returns a measure: the largest value that another measure has when it is computed for each
-/// scenario separately.
+/// Returns a measure that computes `measure` for each scenario separately, and then the largest of
+/// these values.
 RequirementMeasure maxOverScenarios(RequirementMeasure measure);
 
 } // namespace dewpoint::experiment

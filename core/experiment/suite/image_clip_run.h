@@ -14,14 +14,15 @@
 
 namespace dewpoint::experiment {
 
-/// Returns the methods that follow a box through the images of one camera, in table order:
-/// boxFollowerNames(), where our methods use 300 particles.
+/// Returns the methods that follow a box through the images of one camera, in table order. They are
+/// those of boxFollowerNames(). Dewpoint's own methods use 300 particles.
 const std::vector<std::string>& imageClipMethods();
 
 /// Follows a clip with the given images from its first true box, with the method and seed of `key`.
-/// Returns nothing if `stop` returns true. The result covers all frames after the first: RMS
-/// distance of the centers in pixels, frames to converge and lost frames (both with the clip's
-/// radius), and success. NotFound for a method that is not in imageClipMethods().
+/// Returns nothing if `stop` returns true. The result covers all frames after the first. It
+/// contains the RMS distance between found and true centers (pixels), the frames to converge, the
+/// lost frames, and the success (BoxMetrics). A frame counts as lost unless the distance is below
+/// the clip's radius. Returns NotFound for a method that is not in imageClipMethods().
 Result<std::optional<SuiteResult>> followClip(const BoxClip& clip,
                                               const std::vector<cv::Mat>& images, const RunKey& key,
                                               const std::function<bool()>& stop);

@@ -7,15 +7,16 @@
 
 namespace dewpoint::experiment {
 
-/// Returns whether a frame of a run is evaluated, which requires a truth.
+/// Returns whether a frame of a run is evaluated. This requires that its truth is known.
 bool isMeasured(const ScenarioRun& run, std::int64_t frame);
 
-/// Returns whether the evaluated frames are successive, so that each can be compared with the next.
+/// Returns whether the evaluated frames follow each other without gaps, so that each can be
+/// compared with the next.
 bool measuresSuccessiveFrames(const ScenarioRun& run);
 
 /// Returns the part of a run that a SuiteRecorder evaluates. It contains the evaluated frames,
 /// renumbered from 0, with their truth and extents but without events or images. If all frames are
-/// evaluated, it is the run itself. Rates are per evaluated frame.
+/// evaluated, it is the run itself. Metrics that are given per frame are then per evaluated frame.
 ScenarioRun measuredPart(const ScenarioRun& run);
 
 } // namespace dewpoint::experiment

@@ -16,10 +16,10 @@
 
 namespace dewpoint::experiment {
 
-/// Evaluates one method in the images of a run that has marks. Its estimates are projected into the
-/// cameras of the run's rig. An estimate is on its marks when the target is declared present and
-/// each of its projections is within the run's gate. Estimates are assigned in the order of the
-/// targets, so no two targets may be identical.
+/// Evaluates one method in the images of a run that has marks. The estimates of the method are
+/// projected into the cameras of the run's rig. An estimate is on its marks if the target is
+/// declared present and each projection is within the run's gate. Estimates are assigned in the
+/// order of the targets, so no two targets of the run may look the same.
 class PixelRecorder {
 public:
   /// Prepares to record a run. If the run has no marks, nothing is recorded.
@@ -28,13 +28,14 @@ public:
   /// Adds the estimates for one frame of the run. Frames without marks are skipped.
   void add(std::int64_t frame, const std::vector<SphereEstimate>& estimates);
 
-  /// Returns the RMS distance of the projections from the marks, pixels. It covers all marks in
-  /// frames in which the target is declared present, from each target's convergence on (from the
-  /// start if it never converges). Nothing if there are no such marks.
+  /// Returns the RMS distance of the projections from the marks, pixels. For each target, it covers
+  /// the marks from the target's convergence on, or from the start if the target never converges.
+  /// Frames in which the target is not declared present are left out. Returns nothing if no marks
+  /// remain.
   SuiteRow::Value rmsePx() const;
 
-  /// Returns the result of a run that has only marks. It contains no lengths, but convergence, loss
-  /// and the reliability of P(exists), all measured with the marks.
+  /// Returns the result of a run that has only marks. It contains convergence, loss and the
+  /// reliability of P(exists), all measured with the marks. It contains no lengths.
   SuiteResult result(RunKey key, double usPerFrame) const;
 
 private:

@@ -5,8 +5,8 @@
 
 namespace dewpoint::experiment {
 
-/// Returns whether an estimate reports that its target is present: it has a position, and either it
-/// is valid or its existence probability is above one half.
+/// Returns whether an estimate declares its target present. This requires a finite position. In
+/// addition, the estimate must be valid, or its existence probability must be above one half.
 inline bool reportsPresence(const SphereEstimate& estimate) {
   return estimate.mean.allFinite() && (estimate.valid || estimate.existenceProbability > 0.5);
 }

@@ -15,9 +15,9 @@ inline constexpr double kNoLowerLimit = -std::numeric_limits<double>::infinity()
 /// Requirement for the `dewpoint` method in one grade.
 struct SuiteRequirement {
   int item = 0;         ///< number in the list of requirements
-  std::string sentence; ///< what is measured, and where
+  std::string sentence; ///< what is measured, and in which scenarios
   std::string unit;
-  double low = 0.0; ///< the value must be within [low, high]
+  double low = 0.0; ///< lower limit of the value
   double high = 0.0;
   /// Names or families of the evaluated scenarios. If empty, all scenarios are evaluated.
   std::vector<std::string> scenarios;
@@ -31,7 +31,7 @@ struct SuiteRequirement {
 /// Returns all requirements in list order.
 const std::vector<SuiteRequirement>& suiteRequirements();
 
-/// Result of a requirement.
+/// Value that was measured for a requirement.
 struct RequirementResult {
   const SuiteRequirement* bar = nullptr;
   std::size_t runs = 0;      ///< number of measured runs; 0: not measured
@@ -44,8 +44,9 @@ struct RequirementResult {
   double shortfall() const; ///< returns the distance from [low, high]; 0 inside
 };
 
-/// Measures all requirements from the `dewpoint` runs in the cells, each requirement in its own
-/// grade. Runs with tuning seeds also count; the report shows the seeds.
+/// Measures all requirements with the runs of the `dewpoint` method in the cells. Each requirement
+/// is measured in its own grade. Runs with tuning seeds also count; the report shows which seeds
+/// were used.
 std::vector<RequirementResult> measureRequirements(const std::vector<SuiteCell>& cells);
 
 } // namespace dewpoint::experiment

@@ -13,9 +13,10 @@ namespace dewpoint::experiment {
 /// Metric for the quality of a method's reported confidence.
 struct BeliefMetric {
   const char* name;     ///< name in files: "coverage95_percent"
-  const char* head;     ///< column header of a table, HTML
+  const char* head;     ///< column header in a table, as HTML
   const char* sentence; ///< description
-  /// Computes the value for the runs of one method in one scenario. NaN if they have no value.
+  /// Computes the value for the runs of one method in one scenario. Returns NaN if the runs have no
+  /// such value.
   double (*of)(std::span<const SuiteResult* const> runs);
   /// True if the worst scenario is the one with the largest value. Otherwise it is the one with the
   /// smallest value.
@@ -27,7 +28,7 @@ std::span<const BeliefMetric> beliefMetrics();
 /// Returns the metric with this name, which must exist (asserted).
 const BeliefMetric& beliefMetric(const std::string& name);
 
-/// Summary of one value per scenario: the median and the worst value.
+/// Summary of a metric that has one value per scenario: the median and the worst value.
 struct ScenarioSummary {
   double median = 0.0; ///< NaN without a value
   double worst = 0.0;

@@ -13,14 +13,15 @@ namespace dewpoint::experiment {
 /// "m8" for an unknown method.
 std::string methodStyle(const std::string& method);
 
-/// Plots the error by frame: the median, and the band from the 10th to the 90th percentile, over
-/// runs and targets. Here and in the next two functions, `cells` are the methods of one scenario.
+/// Plots the error in each frame: the median over runs and targets, and a band from the 10th to the
+/// 90th percentile. Here and in the next two functions, `cells` contains the methods of one
+/// scenario in one grade.
 Plot errorOverTime(std::span<const SuiteCell> cells);
-/// Plots the fraction of all frames, from the start, in which the target is declared present with
-/// an error of at most x. The curve ends below 100 % if a method does not declare the target
-/// present in some frames.
+/// Plots, over the error x, the fraction of all frames in which the target is declared present with
+/// an error of at most x. Frames before convergence are included. The curve ends below 100 % if a
+/// method does not declare the target present in some frames.
 Plot errorDistribution(std::span<const SuiteCell> cells);
-/// Plots the fraction of estimates that were on the target, over the reported P(exists).
+/// Plots the fraction of estimates that are on the target over the reported P(exists).
 Plot reliabilityDiagram(std::span<const SuiteCell> cells);
 
 } // namespace dewpoint::experiment

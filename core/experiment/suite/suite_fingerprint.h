@@ -9,13 +9,13 @@
 
 namespace dewpoint::experiment {
 
-/// Computes a fingerprint of each method's results: errors, NEES and P(exists) on a few short,
-/// fixed runs of the suite with tuning seeds. Refactoring does not change the fingerprint. It
-/// changes when the method, the scenarios or the measurement of errors produce different results.
-/// It does not cover effects that only appear in longer runs.
+/// Computes a fingerprint of each method's results: errors, NEES and P(exists) in a few short,
+/// fixed runs of the suite with tuning seeds. A refactoring that keeps the results does not change
+/// the fingerprint. It changes if the method, the scenarios or the computation of errors give other
+/// results. It does not cover effects that only appear in longer runs.
 ///
 /// Errors are rounded to 0.01 mm, NEES to three digits, sums of P(exists) to 0.001. Only targets
-/// that a method declares present count. NotFound for an unknown method or scenario.
+/// that a method declares present count. Returns NotFound for an unknown method or scenario.
 Result<std::map<std::string, std::string>>
 suiteFingerprints(const std::vector<std::string>& methods);
 

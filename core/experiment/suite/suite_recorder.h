@@ -22,7 +22,7 @@ struct SuiteResult {
 /// A target is declared present if its estimate is valid or its existence probability is above one
 /// half. If several targets have the same color, a method may name them in any order. Estimates are
 /// assigned to targets of the same color once for the whole run, such that as many frames as
-/// possible are followed. Deviations from this assignment count as errors.
+/// possible are followed. Estimates that later follow another target count as errors.
 class SuiteRecorder {
 public:
   /// Creates a recorder for a run, which must outlive it.
@@ -36,8 +36,8 @@ public:
 
 private:
   struct Samples;
-  /// Adds the measurements of one target, which is assigned to the method's estimate with index
-  /// `estimate`.
+  /// Adds the metrics of one target, to which the method's estimate with index `estimate` is
+  /// assigned.
   void addTarget(std::size_t target, std::size_t estimate, Samples& samples,
                  SuiteResult& result) const;
   /// Returns the target size in a frame, or null if the run does not contain it.

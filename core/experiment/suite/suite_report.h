@@ -31,8 +31,8 @@ std::string summaryCsv(const SuiteReport& report);
 std::string beliefCsv(const SuiteReport& report);
 /// Returns the report as JSON.
 std::string reportJson(const SuiteReport& report);
-/// Writes report.html, summary.csv, belief.csv and report.json into the folder. `notes` are
-/// sentences about missing data, such as clips whose recordings are missing.
+/// Writes report.html, summary.csv, belief.csv and report.json into the folder. `order` contains
+/// the keys of all runs in report order. For `notes`, see SuiteReport.
 Status writeSuiteReport(const std::filesystem::path& folder, const SuiteResults& results,
                         const std::vector<RunKey>& order,
                         std::span<const ScenarioDeclaration> catalog,

@@ -13,18 +13,18 @@
 
 namespace dewpoint::experiment {
 
-/// Error limit in meters. A target that is declared present counts as followed if its error is
-/// below this limit. This is a requirement of the suite.
+/// Error limit in meters. A target counts as followed if it is declared present and its error is
+/// below this limit.
 inline constexpr double kFollowGate = 0.03;
-/// Gate for the multi-target metrics (cutoff of GOSPA, CLEAR MOT, HOTA), meters.
+/// Gate of CLEAR MOT and HOTA, and cutoff of GOSPA, meters.
 inline constexpr double kMatchGate = 0.1;
-/// Maximum number of frames until convergence that counts as a quick start.
+/// Largest number of frames until convergence that counts as quick.
 inline constexpr double kQuickFrames = 5.0;
 /// Number of bins in the reliability diagram.
 inline constexpr int kReliabilityBins = 10;
 
 /// Returns the grades for a list of names, without duplicates, easiest first. "both" means ideal
-/// and room. Nothing if a name is unknown or the list is empty.
+/// and room. Returns nothing if a name is unknown or the list is empty.
 std::optional<std::vector<Grade>> gradesNamed(const std::vector<std::string>& names);
 
 /// Identifies a run of the suite.
@@ -38,8 +38,8 @@ struct RunKey {
   auto operator<=>(const RunKey&) const = default; // NOLINT(modernize-use-nullptr)
 };
 
-/// Measurements of one run: one row of runs.csv. A value that does not apply is empty. It is
-/// infinite if an expected event never happened.
+/// Metrics of one run: one row of runs.csv. For the meaning of each value, see suiteColumns(). A
+/// value that does not apply is empty. A value is infinite if an expected event never happened.
 struct SuiteRow {
   using Value = std::optional<double>;
   RunKey key;
@@ -90,7 +90,8 @@ struct SuiteColumn {
 /// Returns the columns in the order of runs.csv.
 std::span<const SuiteColumn> suiteColumns();
 
-/// Count of reports with P(exists) within one bin, and their outcomes.
+/// Number of estimates whose P(exists) is within one bin, and number of those that were on the
+/// target.
 struct ReliabilityCount {
   std::int64_t count = 0;
   double probabilitySum = 0.0;
@@ -107,7 +108,8 @@ struct SuiteTrace {
 };
 
 /// Returns the header or one line of runs.csv or traces.csv, without the line end. Numbers have six
-/// significant digits; errors have four. A line that is parsed and written again is identical.
+/// significant digits; errors in traces.csv have four. If a line is parsed and written again, the
+/// result is identical.
 std::string rowHeader();
 std::string rowText(const SuiteRow& row);
 std::string traceHeader();

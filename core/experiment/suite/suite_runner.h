@@ -14,7 +14,7 @@
 
 namespace dewpoint::experiment {
 
-/// Selection of runs to make.
+/// Selection of runs that the suite will perform.
 struct SuiteRequest {
   std::vector<const ScenarioDeclaration*> scenarios;
   std::vector<Grade> grades;
@@ -32,8 +32,8 @@ struct SuiteJob {
 };
 
 /// Returns the declarations for the given names, in catalog order and without duplicates. A name is
-/// a family ("S0") or a scenario name. Without names, all declarations are returned. NotFound
-/// contains the name that is not in the catalog.
+/// a family ("S0") or a scenario name. Without names, all declarations are returned. Returns
+/// NotFound, with the name, if a name is not in the catalog.
 Result<std::vector<const ScenarioDeclaration*>>
 selectScenarios(std::span<const ScenarioDeclaration> catalog,
                 const std::vector<std::string>& names);
@@ -43,33 +43,34 @@ selectScenarios(std::span<const ScenarioDeclaration> catalog,
 std::vector<std::string> allSuiteMethods();
 
 /// Returns the methods with the given names, in the order of `known` and without duplicates.
-/// Without names, all methods are returned. NotFound for an unknown name.
+/// Without names, all methods are returned. Returns NotFound for an unknown name.
 Result<std::vector<std::string>>
 selectMethods(const std::vector<std::string>& names,
               const std::vector<std::string>& known = suiteMethods());
 
-/// Returns the remaining jobs in order: runs that are neither finished nor known to be skipped. A
-/// scenario runs only in its own grades and with suitable methods. Real clips run in grade `Real`,
-/// and all other scenarios run in the other grades. Clips of one camera run with
-/// imageClipMethods().
+/// Returns the remaining jobs in order. They contain the requested runs that are neither finished
+/// nor known to be skipped. A scenario runs only in its own grades and only with suitable methods.
+/// Real clips run in grade `Real`, and all other scenarios run in the other grades. Clips of one
+/// camera run with imageClipMethods().
 std::vector<SuiteJob> planSuite(const SuiteRequest& request, const SuiteResults& done,
                                 const SkippedRuns& skipped = {});
 /// Returns the total number of runs in all jobs.
 std::int64_t runCount(const std::vector<SuiteJob>& jobs);
 
-/// Returns all runs of a folder in report order: by catalog position, grade, method and seed. Runs
-/// of scenarios or methods that no longer exist come last.
+/// Returns the keys of all results in report order: by position of the scenario in the catalog,
+/// then by grade, method and seed. Runs of scenarios or methods that no longer exist come last.
 std::vector<RunKey> reportOrder(const SuiteResults& results,
                                 std::span<const ScenarioDeclaration> catalog);
 
 /// Callback for each result. Calls are made one at a time, in the order in which the runs finish.
 using SuiteSink = std::function<Status(const SuiteResult&)>;
-/// Callback for each skipped job, called in the same way with the run that could not be created.
+/// Callback for each skipped job, with the run that could not be created. Calls are made in the
+/// same way as for SuiteSink.
 using SkipSink = std::function<Status(const SuiteJob&, const SkippedRun&)>;
 
 /// Runs the jobs on `threads` threads, each job on one thread. The number of threads does not
-/// affect the results, but it affects their order and the measured processor time. The function
-/// ends early and drops unfinished jobs when `stop` returns true or when the first error occurs.
+/// affect the results, except their order and the measured processor time. The function ends early
+/// and drops unfinished jobs when `stop` returns true or when the first error occurs.
 ///
 /// If a rendered scenario cannot create a run (ScenarioDeclaration::make returns Undetermined), the
 /// suite continues and `skip` receives the job. Without `skip`, this is an error like any other.

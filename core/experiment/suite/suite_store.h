@@ -12,13 +12,13 @@
 
 namespace dewpoint::experiment {
 
-/// Results, indexed by run key.
+/// Results of the suite, indexed by run key.
 using SuiteResults = std::map<RunKey, SuiteResult>;
 
 /// Files in a suite's folder: runs.csv, traces.csv, and skipped.csv with the runs that could not be
-/// created. Results are appended and flushed as they finish, so a killed suite loses only
-/// unfinished runs. Opening the folder again restores the results; an incomplete last line is
-/// dropped.
+/// created. The result of each run is appended and flushed as soon as the run has finished, so a
+/// killed suite loses only unfinished runs. Opening the folder again restores the results; an
+/// incomplete last line is dropped.
 class SuiteStore {
 public:
   /// Opens or creates the folder. Errors: FileUnwritable; Mismatch if its files have different
@@ -35,12 +35,12 @@ public:
 
   const SuiteResults& results() const { return results_; }
   const SkippedRuns& skipped() const { return skipped_; }
-  /// Adds results to results() only. They replace existing results of the same runs. rewrite()
-  /// writes them to the files.
+  /// Adds results to results(), and replaces existing results of the same runs. The files do not
+  /// change until rewrite() is called.
   void merge(const SuiteResults& results);
-  /// Adds skipped runs to skipped() only.
+  /// Adds skipped runs to skipped(). The files do not change until rewrite() is called.
   void merge(const SkippedRuns& skipped);
-  /// Appends one result to both files and to results().
+  /// Adds one result to runs.csv, to traces.csv and to results().
   Status append(const SuiteResult& result);
   /// Adds one skipped run to skipped.csv and to skipped().
   Status append(const SkippedRun& run);

@@ -12,7 +12,7 @@
 
 namespace dewpoint::experiment {
 
-/// Placeholder for a value that does not apply.
+/// Value of a metric that does not apply.
 inline constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 /// Runs of one method in one scenario and grade: one cell of the report's tables.
@@ -23,8 +23,9 @@ struct SuiteCell {
   std::vector<const SuiteResult*> runs;
 
   Interval rmseMm; ///< median RMSE of the runs, with its 95 % bootstrap interval
-  Interval p95Mm; ///< 95th percentile over all frames of all runs after convergence; whole runs are
-                  ///< resampled
+  /// 95th percentile of the errors after convergence, over all frames of all runs, with its
+  /// bootstrap interval, for which whole runs are resampled.
+  Interval p95Mm;
   Proportion quick;     ///< runs that converged within kQuickFrames
   Proportion converged; ///< runs that converged
 };
@@ -37,17 +38,17 @@ std::vector<SuiteCell> summarizeSuite(const SuiteResults& results,
 /// infinite values come last.
 std::vector<double> columnValues(std::span<const SuiteResult* const> runs,
                                  SuiteRow::Value SuiteRow::*figure);
-/// Returns the quantile or mean of columnValues(). NaN if there are no values. A quantile next to
-/// an infinite value is infinite.
+/// Returns a quantile or the mean of columnValues(). Returns NaN if there are no values. A quantile
+/// that would be interpolated toward an infinite value is infinite.
 double quantileOf(std::span<const SuiteResult* const> runs, SuiteRow::Value SuiteRow::*figure,
                   double fraction);
 double meanOf(std::span<const SuiteResult* const> runs, SuiteRow::Value SuiteRow::*figure);
 
-/// Returns the errors of each target in each run, from its convergence on (from the start if it
-/// never converged), millimeters.
+/// Returns the errors of each target in each run, in millimeters. They begin with the target's
+/// convergence, or with the start of the run if the target never converged.
 std::vector<std::vector<double>> errorsAfterConvergence(std::span<const SuiteResult* const> runs);
 
-/// Combines the reliability tables of the runs.
+/// Returns the reliability over all estimates of all runs.
 Reliability pooledReliability(std::span<const SuiteResult* const> runs);
 
 } // namespace dewpoint::experiment

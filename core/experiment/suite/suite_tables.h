@@ -15,14 +15,16 @@ std::string formatValue(double value);
 
 /// Returns an HTML table of the requirements of one grade, showing whether each is met.
 std::string requirementTable(std::span<const RequirementResult> bars);
-/// Returns an HTML table of the belief metrics of one grade, with one row per method. Each cell has
-/// the metric's median over the scenarios, and below it the worst scenario by name.
+/// Returns an HTML table of the belief metrics of one grade, with one row per method. Each cell
+/// contains the metric's median over the scenarios, and below it the value and name of the worst
+/// scenario.
 std::string beliefTable(std::span<const BeliefSummary> methods);
 /// Returns an HTML table of median RMSE and lost frames, with one row per scenario and one column
 /// per method.
 std::string overviewTable(std::span<const SuiteCell> cells);
-/// Returns the same table with errors relative to the target size: the fraction of frames near the
-/// centroid, and the radius error if the methods do not know the radius.
+/// Returns an HTML table like overviewTable(), but with errors relative to the target size. It
+/// contains the fraction of frames with an estimate near the centroid, and the radius error if the
+/// methods do not know the radius.
 std::string extentTable(std::span<const SuiteCell> cells);
 /// Returns an HTML table of one scenario in one grade, with one row per method.
 std::string scenarioTable(std::span<const SuiteCell> cells);

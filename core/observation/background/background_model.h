@@ -23,13 +23,13 @@ public:
     double radius = 0.0;
   };
 
-  /// Number of agreeing observations after which a pixel is known. Chosen by judgment: 12 frames,
-  /// because each frame updates every fourth row. With fewer observations, a passing object would
-  /// be mistaken for background.
+  /// Number of agreeing observations after which the background color of a pixel is known. Chosen
+  /// by judgment. They take 12 frames, because each frame updates every fourth row. With fewer
+  /// observations, a passing object would be mistaken for background.
   static constexpr int kLearned = 3;
-  /// Tolerance in gray levels (five standard deviations of usual sensor noise). A color agrees with
-  /// the mean if the difference is at most this tolerance plus one eighth of the mean, which allows
-  /// for small light changes.
+  /// Tolerance in gray levels: five standard deviations of usual sensor noise. A color agrees with
+  /// the mean if the difference in each channel is at most this tolerance plus one eighth of the
+  /// mean (mean >> kToleranceShift). The second term allows for small light changes.
   static constexpr int kTolerance = kBackgroundTolerance;
   static constexpr int kToleranceShift = kBackgroundToleranceShift;
 
@@ -41,8 +41,8 @@ public:
   ~BackgroundModel() = default;
 
   /// Sets the background image, which shows the scene without targets (CV_8UC3; empty if there is
-  /// none). It is learned at the next reset(). If a pixel matches a target's color in this image, a
-  /// later match there is explained by the background, until something new stays at that pixel.
+  /// none). It is learned at the next reset(). If a pixel of this image matches a target's color,
+  /// the background explains later matches at that pixel, until a new object stays there.
   void setBackgroundImage(const cv::Mat& image) { backgroundImage_ = image.clone(); }
   /// Discards everything except the background image.
   void reset();
@@ -51,23 +51,24 @@ public:
   /// are computed.
   void adaptToLight(const cv::Mat& image);
   /// Learns from every fourth row of an image (CV_8UC3), starting at a different row each time. An
-  /// image of another size restarts the model. If `noTargetElsewhere` is set, there is no target
-  /// outside `hidden`. A pixel there with a target's color is therefore not a target. After some
-  /// observations, it counts as if the background image contained it.
+  /// image of another size restarts the model. Nothing is learned inside the circles `hidden`. If
+  /// `noTargetElsewhere` is set, the caller knows that there is no target outside these circles. A
+  /// pixel outside them that has a target's color is then background. After several such
+  /// observations, it is treated as if the background image contained this color.
   void learn(const cv::Mat& image, const std::vector<ExcludedCircle>& hidden,
              bool noTargetElsewhere = false);
-  /// Discards what learn() with `noTargetElsewhere` has learned, either everywhere or inside a
-  /// circle that did contain a target.
+  /// Discards what learn() with `noTargetElsewhere` has learned about target colors in the
+  /// background: everywhere, or inside a circle that did contain a target.
   void forgetFamiliarPixels();
   void forgetFamiliarPixels(const ExcludedCircle& circle);
   /// Returns the size of the model's images, bytes.
   std::size_t memoryBytes() const;
-  /// Returns the fraction of known pixels that showed something new in the last learn(), 0 to 1. It
-  /// is near 1 when the camera is covered, blind or moved.
+  /// Returns the fraction of known pixels, 0 to 1, that disagreed with the background in the last
+  /// call of learn(). It is near 1 if the camera is covered, receives no light, or was moved.
   double novelShare() const { return novelShare_; }
 
-  /// Returns the light of the last image per channel (blue, green, red), relative to the reference
-  /// light. The reference is the light of the first image, or the light at the last call of
+  /// Returns the light of the last image relative to the reference light, per channel (blue, green,
+  /// red). The reference light is that of the first image, or of the last call of
   /// resetReferenceLight().
   const Eigen::Array3d& light() const { return light_; }
   void resetReferenceLight() { light_.setOnes(); }
@@ -76,9 +77,10 @@ public:
   /// to the reference light. Such a pixel belongs to the target unless it agrees with the
   /// background.
   static constexpr std::uint8_t kInReferenceLight = 1;
-  /// Computes the labels (PixelLabel) of `count` pixels in one row, from `column` on. Where
-  /// `matched` is 255, the label is Target, or Explained if the background image is known to show
-  /// the same color there. Elsewhere it is Unlearned, Background or Unknown.
+  /// Computes the labels (PixelLabel) of `count` pixels in one row, from `column` on. If `matched`
+  /// is 255 for a pixel, its label is Target, or Explained if the background image is known to show
+  /// the same color there. If `matched` is 0, the label is Unlearned, Background or Unknown. For
+  /// other values, see kInReferenceLight.
   void labelRow(const cv::Mat& image, int column, int row, int count, const std::uint8_t* matched,
                 std::uint8_t* labels) const;
 

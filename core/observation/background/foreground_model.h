@@ -12,7 +12,7 @@ namespace dewpoint::observation {
 
 /// Algorithm that finds the moving regions of an image.
 enum class BackgroundMethod {
-  Running, ///< one Gaussian per pixel: RunningBackground, fast
+  Running, ///< one Gaussian per pixel (RunningBackground); fast
   Mog2,    ///< OpenCV's mixture of Gaussians (Zivkovic 2004)
   Knn,     ///< OpenCV's K nearest neighbors (Zivkovic & van der Heijden 2006)
 };
@@ -20,7 +20,7 @@ enum class BackgroundMethod {
 /// Parameters of a foreground model.
 struct ForegroundSettings {
   BackgroundMethod method = BackgroundMethod::Running;
-  /// Number of frames at the start that are only used for learning.
+  /// Number of frames at the start that are used only for learning.
   int learningFrames = 15;
   /// Number of frames after which a new object that does not move is halfway to becoming
   /// background.
@@ -38,15 +38,15 @@ public:
   /// Learns from an image (CV_8UC3) of the scene without people. All images must have the same
   /// size.
   virtual void learn(const cv::Mat& image) = 0;
-  /// Computes the mask of an image (CV_8UC1): 255 where an object has moved in, and 0 elsewhere,
-  /// including shadows. Then learns slowly from the image, except where `keep` (CV_8UC1, or empty)
-  /// is nonzero.
+  /// Computes the motion mask of an image. `mask` is CV_8UC1: 255 where an object differs from the
+  /// background, and 0 elsewhere. Shadows count as background. The model then adapts slowly to the
+  /// image, except where `keep` (CV_8UC1, or empty) is nonzero.
   virtual void subtract(const cv::Mat& image, const cv::Mat& keep, cv::Mat& mask) = 0;
   /// Returns a new, untrained model with the same settings.
   virtual std::unique_ptr<ForegroundModel> makeUntrained() const = 0;
-  /// Returns a copy that continues from here with bit-identical results and shares no writable
-  /// data. Returns null if the model cannot be copied, because OpenCV does not give access to its
-  /// state.
+  /// Returns a copy that gives bit-identical results from now on and shares no writable data with
+  /// this model. Returns null if the model cannot be copied, because OpenCV does not give access to
+  /// its state.
   virtual std::unique_ptr<ForegroundModel> clone() const { return nullptr; }
   /// Returns whether clone() returns a copy.
   virtual bool canBeCopied() const { return false; }

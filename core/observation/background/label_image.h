@@ -12,9 +12,10 @@
 
 namespace dewpoint::observation {
 
-/// Evidence that a pixel provides for a target. An `Unknown` pixel neither matches nor agrees with
-/// the background, so something may hide the target there. It is no evidence either way. The same
-/// applies to pixels outside the image and pixels explained by another target.
+/// Evidence that a pixel provides for a target. "Matches" means that the pixel has the target's
+/// color. An `Unknown` pixel neither matches nor agrees with the background, so something may hide
+/// the target there. Such a pixel is evidence neither for nor against the target. The same applies
+/// to pixels outside the image, and to pixels that are explained by another target.
 enum class PixelLabel : std::uint8_t {
   Unlearned,  ///< does not match; the background is not known yet
   Background, ///< does not match and agrees with the background
@@ -53,11 +54,12 @@ public:
     Eigen::Vector2d center = Eigen::Vector2d::Zero();
     double radius = 0.0;
   };
-  /// Marks matching pixels within the circle `other` as explained by another target, except those
-  /// within `except`. This also applies to labels computed later.
+  /// Labels matching pixels within the circle `other` as Explained, because another target is
+  /// there. Pixels within the circle `except` keep their labels. This also applies to labels
+  /// computed later.
   void markExplained(const Circle& other, const Circle& except);
 
-  /// Returns the label of a pixel. Outside the covered part, the label is Explained, which is no
+  /// Returns the label of a pixel. Outside labeledArea(), the result is Explained, which is no
   /// evidence.
   PixelLabel at(int column, int row) const noexcept {
     if (column < covered_.x || row < covered_.y || column >= covered_.x + covered_.width ||
@@ -66,8 +68,8 @@ public:
     }
     return static_cast<PixelLabel>(labels_.ptr<std::uint8_t>(row)[column]);
   }
-  /// Returns all labels as PixelLabel values: CV_8UC1 with the size of the image, valid only in the
-  /// covered part.
+  /// Returns all labels as PixelLabel values: CV_8UC1 with the size of the image. They are valid
+  /// only inside labeledArea().
   const cv::Mat& labels() const { return labels_; }
 
 private:

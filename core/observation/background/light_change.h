@@ -15,12 +15,12 @@ namespace dewpoint::observation {
 /// pixels.
 ///
 /// `image` and `mean` are CV_8UC3 of one size. `confidence` (CV_8UC1) tells where the mean is
-/// known: its values there are at least BackgroundModel::kLearned. `light` is the light of the
-/// mean, relative to a reference.
+/// known: its values there are at least BackgroundModel::kLearned. `light` is the light to which
+/// the mean corresponds, relative to a reference light.
 ///
 /// Returns nothing in these cases:
 /// - The light is about the same.
-/// - No such factor explains most of the image, because something covers it or the camera moved.
+/// - No factor explains most of the image, because an object covers it or the camera was moved.
 /// - The factor, or its product with `light`, is too large for a light change.
 std::optional<Eigen::Array3d> estimateLightChange(const cv::Mat& image, const cv::Mat& mean,
                                                   const cv::Mat& confidence,

@@ -9,10 +9,10 @@
 
 namespace dewpoint::observation {
 
-/// Background model with one Gaussian per pixel (Wren et al. 1997, "Pfinder"): a mean per channel
-/// and one deviation for all three. Shadows are recognized by their color (as in Horprasert et al.
-/// 1999: all channels are darker by about the same factor). The model is deliberately simple and
-/// costs only a fraction of a mixture model.
+/// Background model with one Gaussian per pixel (Wren et al. 1997, "Pfinder"): a mean per channel,
+/// and one mean absolute difference for all three channels. Shadows are recognized by their color:
+/// all channels are darker by about the same factor, as in Horprasert et al. 1999. The model is
+/// deliberately simple and costs only a fraction of a mixture model.
 class RunningBackground final : public ForegroundModel {
 public:
   explicit RunningBackground(const ForegroundSettings& settings) : settings_(settings) {}

@@ -11,8 +11,8 @@ namespace dewpoint::observation {
 
 /// Computes the weighted color histogram of a box in an image (CV_8UC3), by equations 7 and 8 of
 /// Sugandi et al. 2009. It has 8 x 8 x 8 RGB bins, numbered as by rgbBin(). The box is rounded to
-/// whole pixels, as in the method itself. The histogram is normalized to 1 over the pixels of the
-/// box inside the image. It is empty if there are no such pixels.
+/// whole pixels, as in the method `sugandi`. Only pixels of the box that lie inside the image are
+/// counted, and the histogram sums to 1. It is empty if there are no such pixels.
 std::vector<double> boxHistogram(const cv::Mat& bgr, const ImageBox& box);
 
 } // namespace dewpoint::observation

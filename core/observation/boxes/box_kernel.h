@@ -18,8 +18,8 @@ inline double kernelProfile(double rSquared) {
 
 /// Weights g(|y - x_j| / a) of the pixels x_j of a rectangle with center y. The weights are
 /// integers with a common scale, so their sums are exact and do not depend on the order. `a` is
-/// half the diagonal of the rectangle, so every pixel has a positive weight. The paper only calls
-/// it the normalization factor.
+/// half the diagonal of the rectangle, so every pixel has a positive weight. The paper calls `a`
+/// the normalization factor without giving its value.
 class BoxKernel {
 public:
   /// Creates a kernel of this size in pixels, at least 1 x 1.
@@ -56,8 +56,8 @@ struct KernelPlacement {
   bool isEmpty() const { return endColumn <= firstColumn || endRow <= firstRow; }
 };
 
-/// Places a kernel with its center as near as possible to (x, y), in whole pixels. (x, y) is in
-/// pixels from the image corner.
+/// Places a kernel on an image with `columns` x `rows` pixels. The kernel's center is as near to
+/// (x, y) as whole pixels allow. (x, y) is in pixels from the corner of the image.
 KernelPlacement placeKernel(const BoxKernel& kernel, double x, double y, int columns, int rows);
 
 } // namespace dewpoint::observation

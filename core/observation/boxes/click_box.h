@@ -16,17 +16,19 @@ namespace dewpoint::observation {
 /// range from 7 pixels to 0.7 of the image's smaller side, and their shapes from three times as
 /// high as wide to three times as wide as high. Each box is tried in an image that is reduced until
 /// the box is about 20 pixels in size, so that highlights, seams and noise average out. The
-/// function takes the box that differs most from its surroundings (FigureContrast), with a penalty
-/// that grows with the distance of the click from the center of the box. The result is the figure
-/// inside this box (figureBox()). If the color region at the click (growRegion()) has about the
-/// same box, the region's box is returned instead, because its outline is more exact.
+/// function chooses the box that differs most from its surroundings (FigureContrast), with a
+/// penalty that increases with the distance between the click and the center of the box. The result
+/// is the figure inside this box (figureBox()), which is the object without its margin. If the
+/// color region at the click (growRegion()) has about the same box, the region's box is returned
+/// instead, because its outline is more exact.
 ///
-/// If the two differ, the box may contain more than can be followed. The function then considers
-/// figures of all sizes up to this box. It takes the largest figure whose colors, as TargetColors
-/// would learn them, distinguish it from its surroundings nearly as well as the colors of the best
-/// figure. This figure contains the region if the region is part of the object; otherwise it is the
-/// region. For an object of several colors, the result may be only the part that was clicked.
-/// Returns nothing if no box differs from its surroundings.
+/// If the chosen box and the box of the region differ, the chosen box may contain more than can be
+/// followed. The function then considers figures of all sizes up to the chosen box. It rates each
+/// figure by how well its colors, as TargetColors would learn them, distinguish it from its
+/// surroundings. The largest figure that is rated nearly as well as the best figure is returned.
+/// This figure contains the region if the region is part of the object; otherwise it is the region.
+/// For an object of several colors, the result may be only the part that was clicked. Returns
+/// nothing if no box differs from its surroundings.
 std::optional<ImageBox> clickBox(const cv::Mat& bgr, const Eigen::Vector2d& pixel);
 
 } // namespace dewpoint::observation

@@ -13,14 +13,14 @@ namespace dewpoint::observation {
 /// 2007) compare a rectangle with its ring in the same way.
 class FigureContrast {
 public:
-  /// Prepares an image (CV_8UC3). `pixel` must belong to the figure.
+  /// Prepares an image (CV_8UC3). `pixel` must belong to the figure, which is the object.
   FigureContrast(const cv::Mat& bgr, const Eigen::Vector2d& pixel);
 
-  /// Returns the contrast of a box, at most 1. Let f(c) and b(c) be the smoothed fractions of a
-  /// color in the oval that touches the box sides, and in the ring around it that is 1.6 times as
-  /// large. The contrast is the mean of (f - b) / (f + b) over the pixels in the oval, times the
-  /// mean at the known pixel. It is 0 if the known pixel's color is more typical of the ring, or if
-  /// no part of the ring is in the image.
+  /// Returns the contrast of a box, at most 1. Let f(c) be the smoothed fraction of color c in the
+  /// oval that touches the sides of the box, and b(c) its fraction in a ring around this oval that
+  /// is 1.6 times as large. The contrast is a product of two means of (f - b) / (f + b): over the
+  /// pixels in the oval, and at the pixel passed to the constructor. It is 0 if the color at that
+  /// pixel is more typical of the ring, or if no part of the ring is in the image.
   double at(const ImageBox& box) const;
 
 private:

@@ -13,8 +13,8 @@ namespace dewpoint::observation {
 /// to 0 if there are no pixels.
 using FineHistogram = std::vector<double>;
 
-/// Fraction below which a color cannot be distinguished from chance: one pixel in a thousand. The
-/// origin of this value is not recorded.
+/// Fraction of pixels, one in a thousand, below which the presence of a color cannot be
+/// distinguished from chance. The origin of this value is not recorded.
 inline constexpr double kChanceShare = 1e-3;
 
 /// Returns the pixels of a box that lie inside the image.
@@ -28,8 +28,8 @@ FineHistogram fineHistogramOf(const cv::Mat& bgr, const cv::Rect& part);
 /// near the center count more, because a box is drawn around its object.
 FineHistogram centralHistogramOf(const cv::Mat& bgr, const ImageBox& box);
 
-/// Computes the histogram of a box's surroundings: a ring (70 %) and the rest of the image (30 %),
-/// through which the target may move.
+/// Computes the histogram of a box's surroundings: a ring around the box (weight 70 %) and the rest
+/// of the image (weight 30 %), through which the target may move.
 FineHistogram surroundingsHistogramOf(const cv::Mat& bgr, const ImageBox& box);
 
 } // namespace dewpoint::observation

@@ -20,12 +20,12 @@ std::vector<double> weightedHistogram(const cv::Mat& bins, int binCount, const B
 /// histograms without a common bin.
 double bhattacharyyaCoefficient(const std::vector<double>& p, const std::vector<double>& q);
 
-/// Similarity rho between a reference histogram and the histogram at many positions in an image. A
-/// color that is not in the reference adds nothing to rho. Each image is therefore reduced once to
-/// the pixels whose colors are in the reference, and only these pixels are counted. Each one stores
-/// the reference bin (slot) instead of the color. Counts go to eight sets of accumulators in turn.
-/// Otherwise, neighboring pixels with the same color would cause repeated additions to one number,
-/// which would have to wait for each other.
+/// Computes the similarity rho between a reference histogram and the histogram at many positions in
+/// an image. A color that is not in the reference adds nothing to rho. Each image is therefore
+/// reduced once to the pixels whose colors are in the reference, and only these pixels are counted.
+/// For each of them, the reference bin (slot) is stored instead of the color. Pixels are added to
+/// eight sets of accumulators in turn. With a single set, neighboring pixels of the same color
+/// would be added to the same number, and each addition would have to wait for the previous one.
 class HistogramSimilarity {
 public:
   HistogramSimilarity(const std::vector<double>& reference, BoxKernel kernel);
@@ -36,7 +36,7 @@ public:
   /// Reads the colors of a part of an image (CV_8UC3) as bins of rgbBin().
   void loadColors(const cv::Mat& bgr, const cv::Rect& part);
   /// Returns the similarity rho with the kernel's center at (x, y), in pixels from the image
-  /// corner. 0 if no pixel is inside the image. May be called from several threads.
+  /// corner. The result is 0 if no pixel is inside the image. May be called from several threads.
   double at(double x, double y) const;
   /// Returns the approximate size of a copy, bytes.
   std::size_t memoryBytes() const {

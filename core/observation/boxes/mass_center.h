@@ -15,8 +15,8 @@ namespace dewpoint::observation {
 inline constexpr int kLeastMassPixels = 4;
 
 /// Returns the center of mass of all matching pixels in an image (CV_8UC3), in pixels (column, row)
-/// (Barrera et al. 2005, section III-C). Nothing for fewer than kLeastMassPixels matching pixels or
-/// without an image.
+/// (Barrera et al. 2005, section III-C). Returns nothing for fewer than kLeastMassPixels matching
+/// pixels or without an image.
 std::optional<Eigen::Vector2d> centerOfMass(const cv::Mat& bgr, const ColorClassifier& classifier);
 
 } // namespace dewpoint::observation

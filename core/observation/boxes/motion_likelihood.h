@@ -22,18 +22,18 @@ struct ColorCue {
   double saturationFloor = 0.3;  ///< s_B
 
   /// Returns the log likelihood log p(H | h) p(S | s) of a pixel (BGR). A gray pixel has no hue.
-  /// Its p(H) is the mean over all hues, h_B + (1 - h_B), which is 1.
+  /// For such a pixel, p(H) is the mean over all hues: h_B + (1 - h_B) = 1.
   double logLikelihood(const unsigned char* bgr, double hue, double saturation) const;
-  /// Returns the smallest value of logLikelihood(): log(h_B s_B), for a color that does not match
-  /// at all.
+  /// Returns the smallest value of logLikelihood(), that of a color that does not match at all:
+  /// log(h_B s_B).
   double logFloor() const;
 };
 
 /// Returns the hue and saturation (HSI) of a pixel, in [0, 1]. The hue is NaN for gray.
 Eigen::Vector2d hueAndSaturation(const unsigned char* bgr);
 
-/// Finds the pixel nearest to a projection. Returns false if the projection is outside the image or
-/// NaN.
+/// Finds the pixel nearest to a projection (`column`, `row`). Returns false if the projection is
+/// outside the image or NaN.
 bool nearestPixel(double column, double row, const cv::Mat& image, cv::Point& pixel);
 
 } // namespace dewpoint::observation

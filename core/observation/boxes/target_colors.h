@@ -9,13 +9,14 @@
 
 namespace dewpoint::observation {
 
-/// One value per color bin: max(0, 2 P - 1) in units of 1 / kWhole, where P is the probability that
-/// a pixel of that color belongs to the target. The value is 0 if the color is at least as likely
-/// in the surroundings.
+/// One value per color bin: max(0, 2 P - 1) in units of 1 / TargetColors::kWhole, where P is the
+/// probability that a pixel of that color belongs to the target. The value is 0 if the color is at
+/// least as frequent in the surroundings as on the target.
 using BinShares = std::vector<std::uint16_t>;
 
-/// Colors of the parts of a boxed target, and of its surroundings. The histograms follow slow
-/// changes. The target histograms follow only halfway, so that the first image remains an anchor.
+/// Color histograms of the parts of a target inside a box, and of its surroundings. The histograms
+/// follow slow changes. Those of the target follow a change only halfway, because they always keep
+/// half of their weight from the first image.
 class TargetColors {
 public:
   static constexpr int kColumns = 2;
@@ -25,19 +26,21 @@ public:
 
   /// Discards everything and learns the colors of a box, whose center must be in the image.
   void learn(const cv::Mat& bgr, const ImageBox& box);
-  /// Moves the histograms toward those of a box by `rate`, [0, 1]. Pixels whose colors are more
-  /// typical of the surroundings count less, so the ground inside the box is not learned.
+  /// Moves the target's histograms toward those of a box by the fraction `rate`, [0, 1]. Pixels
+  /// whose colors are more typical of the surroundings count less, so that surroundings inside the
+  /// box are not learned.
   void adaptTarget(const cv::Mat& bgr, const ImageBox& box, double rate);
-  /// Moves the histogram of the surroundings toward the surroundings of a box by `rate`, [0, 1].
+  /// Moves the histogram of the surroundings toward that of the surroundings of a box, by the
+  /// fraction `rate`, [0, 1].
   void adaptSurroundings(const cv::Mat& bgr, const ImageBox& box, double rate);
 
   /// Returns max(0, 2 P(target | color) - 1) per color bin for a part. Parts are numbered row by
-  /// row from the upper left. P is the background-weighted ratio q² / (q² + b²) of the histograms
-  /// of part and surroundings.
+  /// row from the upper left. P is q² / (q² + b²), where q is the histogram of the part and b is
+  /// that of the surroundings.
   BinShares shares(int part) const;
 
-  /// Returns the similarity between a box and the target as first learned, relative to the current
-  /// surroundings: the mean of max(0, 2 P - 1) over its pixels, in [0, 1].
+  /// Returns the similarity between a box and the target as first learned, in [0, 1]: the mean of
+  /// max(0, 2 P - 1) over the pixels of the box. P is computed with the current surroundings.
   double similarityOf(const cv::Mat& bgr, const ImageBox& box) const;
 
   /// Returns the approximate size of a copy, bytes.

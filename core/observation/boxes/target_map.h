@@ -12,15 +12,16 @@
 namespace dewpoint::observation {
 
 /// Map of the target's colors in a part of an image. Each part of the target has an integral image
-/// (Crow 1984) of P(target | color), so a box of any size costs only a few look-ups. Values are
-/// integers, so sums are exact up to 16 million pixels.
+/// (Crow 1984) of TargetColors::shares(), so that evaluating a box of any size takes only a few
+/// look-ups. Values are integers, so sums are exact up to 16 million pixels.
 class TargetMap {
 public:
   /// Computes the map for `region` of an image (CV_8UC3). Pixels outside the region count as not
   /// belonging to the target.
   void build(const cv::Mat& bgr, const cv::Rect& region, const TargetColors& colors);
-  /// Returns the sum of P(target | color of a pixel) over the parts of a box, px². Fractions of
-  /// pixels count by their area (bilinear in the integral image).
+  /// Returns the sum of TargetColors::shares() over the pixels of a box, px². Each part of the box
+  /// uses its own colors. A pixel that is only partly inside the box counts by the area inside
+  /// (bilinear interpolation of the integral image).
   double sum(const ImageBox& box) const;
   const cv::Rect& region() const { return region_; }
   /// Returns the approximate size of a copy, bytes.

@@ -19,15 +19,15 @@ inline constexpr int kBodyPieces = 6;
 
 /// Silhouette of a standing person in a camera: one upright pixel rectangle per piece of the body,
 /// half-open as in OpenCV. Rectangles may lie outside the image. `visible` is false if the camera
-/// cannot show the person. The person is then behind the camera or beyond the valid range of its
-/// lens.
+/// cannot show the person because the person is behind or very near the camera, or beyond the valid
+/// range of its lens.
 struct BodySilhouette {
   std::array<cv::Rect, kBodyPieces> pieces;
   bool visible = false;
 };
 
-/// Returns half the width of a piece of a body with this `height`, meters. Pieces are legs, hips,
-/// trunk, shoulders and head.
+/// Returns half the width of a piece of a body with this `height`, meters. From piece 0 on, the
+/// pieces are the legs (two pieces), hips, trunk, shoulders and head.
 double bodyHalfWidth(int piece, double height);
 
 /// Computes silhouettes in one camera. Construction is done once; computing a silhouette is then
@@ -39,7 +39,8 @@ public:
   /// Returns the silhouette of a person of `height` meters who stands at `position` (world x and y,
   /// meters) on a floor at z = `floor` (meters).
   BodySilhouette project(const Eigen::Vector2d& position, double floor, double height) const;
-  /// Returns the distance in front of the camera along its optical axis, meters.
+  /// Returns the distance of a point (world, meters) in front of the camera along its optical axis,
+  /// meters.
   double depth(const Eigen::Vector3d& point) const { return axis_.dot(point - center_); }
 
 private:
@@ -49,9 +50,9 @@ private:
   double focal_ = 0.0;
 };
 
-/// Integral image of scores: the sum over any rectangle takes four reads (Crow 1984). A score
-/// measures how much better or worse a pixel fits a person than no person. CV_32SC1, with one more
-/// row and column than the image.
+/// Integral image of scores: the sum over any rectangle takes four reads (Crow 1984). The score of
+/// a pixel measures how much better (above 0) or worse (below 0) the pixel fits a person than no
+/// person. CV_32SC1, with one more row and column than the image.
 struct ScoreSums {
   static constexpr int kUnit = 40;     ///< byte value of a score of 1
   static constexpr int kNothing = 100; ///< byte value of a score of 0
@@ -78,12 +79,13 @@ struct ScoreSums {
 };
 
 /// Returns the score of a camera for a person with this silhouette. A fully visible person, all of
-/// which is foreground, has a score of 1. The score of a piece is at least `floor` (not more than
-/// 0), because furniture may hide the piece or it may look like the background.
+/// which is foreground, has a score of 1. The score of each piece is limited to at least `floor`,
+/// which must be at most 0. This is necessary because furniture may hide the piece, or because the
+/// piece may look like the background.
 double bodyScore(const ScoreSums& score, const BodySilhouette& silhouette, double floor);
 
-/// Returns the same score for the upper half of the body only, because legs are hidden more often
-/// than heads.
+/// Returns the score of the upper half of the body only, computed like bodyScore(). It is useful
+/// because legs are hidden more often than heads.
 double upperBodyScore(const ScoreSums& score, const BodySilhouette& silhouette, double floor);
 
 } // namespace dewpoint::observation

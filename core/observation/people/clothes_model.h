@@ -11,14 +11,14 @@
 
 namespace dewpoint::observation {
 
-/// Number of color bins for clothes: 8 x 8 chromaticity cells (fractions of red and green), times
-/// three intensity levels, plus one bin for all colors too dark to have a hue.
+/// Number of color bins for clothes: 8 x 8 chromaticity cells (fractions of red and green) for each
+/// of three intensity levels, and one bin for all colors that are too dark to have a hue.
 inline constexpr std::size_t kClothesBins = 8 * 8 * 3 + 1;
 /// Returns the bin of a pixel (BGR).
 std::size_t clothesBin(const std::uint8_t* bgr);
 
-/// Log ratio log p(color | one person) / p(color | others) by color bin, in [-1, 1]. Index 0 is
-/// from the waist down, and index 1 is above the waist.
+/// Log ratio log(p(color | one person) / p(color | other person)) for each color bin, limited to
+/// [-1, 1]. Index 0 is from the waist down, and index 1 is above the waist.
 using ClothesRatio = std::array<std::array<float, kClothesBins>, 2>;
 
 /// Clothes of a person below and above the waist: color histograms over all cameras, learned while
@@ -35,8 +35,8 @@ public:
   bool known() const { return updateCount_ >= kEnoughUpdates; }
   /// Returns the log ratio of this person's colors against the colors of another person.
   ClothesRatio logRatioAgainst(const ClothesModel& other) const;
-  /// Returns the mean log ratio of the uncovered moving pixels of a silhouette, or 0 without such
-  /// pixels.
+  /// Returns the mean log ratio of the moving pixels of a silhouette that are not covered by other
+  /// people. Returns 0 if there are no such pixels.
   static double meanRatio(const ClothesRatio& ratio, const cv::Mat& image, const cv::Mat& mask,
                           const BodySilhouette& silhouette, const cv::Mat& covered);
 

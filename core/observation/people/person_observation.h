@@ -22,11 +22,13 @@ struct PersonCamera {
   cv::Mat image;      ///< CV_8UC3 of the same size; used by the color cue only
 };
 
-/// Observation model of Mohedano et al. 2009: the product over cameras of D at the particle's
-/// projection (MS), and of the color likelihood there (MS+C). States are x y z vx vy vz (meters,
-/// m/s) and, with a color cue, h s in [0, 1]. A particle outside a camera's image gets the floor of
-/// each cue: D = `floor` = p_B, and h_B s_B. The paper does not specify this case. Without a color
-/// factor there, leaving a view would score higher than a wrong color inside it.
+/// Observation model of Mohedano et al. 2009: the product over all cameras of D at the particle's
+/// projection (MS) and, with a color cue, of the color likelihood at this pixel (MS+C). The columns
+/// of a state are x y z vx vy vz (meters, m/s). With a color cue, hue and saturation follow, both
+/// in [0, 1]. If the projection of a particle is outside a camera's image, each cue has its lowest
+/// value: D = `floor` (p_B), and h_B s_B for the color. The paper does not specify this case.
+/// Without the color factor, a particle outside the image would get a higher likelihood than a
+/// particle inside it at pixels of the wrong color.
 class PersonObservation {
 public:
   PersonObservation(std::vector<PersonCamera> cameras, double floor, std::optional<ColorCue> color)

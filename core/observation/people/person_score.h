@@ -7,9 +7,11 @@
 
 namespace dewpoint::observation {
 
-/// Scores that a moving and a still pixel of a standing body add, in units of a fully visible body.
-/// Motion is evidence for a person, and no motion is evidence against one. The values follow
-/// approximately from log(0.6 / 0.03) and log(0.4 / 0.97), because masks have holes.
+/// Scores of a moving pixel and of a still pixel within a person's silhouette. 1 is the score of a
+/// fully visible body. Motion is evidence for a person, and no motion is evidence against a person.
+/// The two values are approximately proportional to log(0.6 / 0.03) and log(0.4 / 0.97): a pixel is
+/// assumed to move with a probability of 0.6 on a person, because masks have holes, and of 0.03
+/// elsewhere.
 inline constexpr double kMovingPixel = 1.0;
 inline constexpr double kStillPixel = -0.3;
 
@@ -18,8 +20,8 @@ inline constexpr double kStillPixel = -0.3;
 cv::Mat maskScores(const cv::Mat& mask, const cv::Mat& explained);
 
 /// Adds color evidence for one person against other people to the scores of the moving pixels in an
-/// area. `ratio` has a table of log ratios for the rows above `waist` and one for the rows from
-/// `waist` on.
+/// area. The log ratio of a pixel's color is multiplied by `weight`. It is taken from `ratio[1]` in
+/// rows above the row `waist`, and from `ratio[0]` in row `waist` and below.
 void addColorScores(const cv::Mat& image, const cv::Mat& mask, const cv::Rect& area, int waist,
                     const ClothesRatio& ratio, double weight, cv::Mat& scores);
 

@@ -16,9 +16,9 @@ struct ColorRegion {
   Eigen::Vector2d centroid = Eigen::Vector2d::Zero();
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero(); ///< covariance of its pixels, px²
   cv::Rect box;                                         ///< bounding box
-  int rim = 0;       ///< number of pixels with a differently colored neighbor (of four)
-  int cutRim = 0;    ///< number of these pixels at the image border
-  int hiddenRim = 0; ///< number of these pixels next to something that may hide the target
+  int rim = 0; ///< number of pixels of which at least one of the four neighbors has another color
+  int cutRim = 0;    ///< number of rim pixels at the image border
+  int hiddenRim = 0; ///< number of rim pixels next to an object that may hide the target
 
   /// Returns the fraction of the rim, 0 to 1, where the image border or another object may cut off
   /// the region.
@@ -29,8 +29,8 @@ struct ColorRegion {
 
 /// Finds the regions with the target color inside `window`, largest first. Pieces at most four
 /// pixels apart form one region. Regions of fewer than `leastArea` pixels are noise and left out.
-/// The function computes the labels of the window. If the window cuts a region, only the part
-/// inside counts.
+/// The function computes the labels of the window as needed. If a region extends beyond the window,
+/// only the part inside counts.
 std::vector<ColorRegion> findRegions(LabelImage& labels, const cv::Rect& window, double leastArea);
 
 /// Joins two regions into one.

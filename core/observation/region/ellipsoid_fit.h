@@ -20,8 +20,8 @@ struct EllipsoidPrior {
   double extentSigma = 1.0;
 };
 
-/// Ellipsoid whose outlines best match the target's color regions in all cameras, in center and
-/// covariance. World frame.
+/// Ellipsoid whose outlines best match the center and covariance of the target's color regions in
+/// all cameras. World frame.
 struct EllipsoidFit {
   bool found = false; ///< at least one camera sees the target; otherwise only `views` is valid
   Ellipsoid ellipsoid;
@@ -30,20 +30,21 @@ struct EllipsoidFit {
   /// Information matrix of the center from the images alone, 1/m². Singular if only one camera sees
   /// the target.
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
-  std::vector<RegionMeasurement> views; ///< one per camera, measured at the second-to-last outline
-  int seeing = 0;                       ///< number of cameras that see the target
-  /// Sum of the squared center residuals, each divided by its standard deviation (which includes
-  /// kShapeShare). `degreesOfFreedom` is the number of degrees of freedom: residuals minus
-  /// unknowns. Both are 0 if only one camera sees the target.
+  /// One per camera, measured near the outline that was expected before the last step of the fit.
+  std::vector<RegionMeasurement> views;
+  int seeing = 0; ///< number of cameras that see the target
+  /// Sum of the squares of the center residuals, where each residual is divided by its standard
+  /// deviation (including kShapeShare). `degreesOfFreedom` is the number of residuals minus the
+  /// number of unknowns. Both are 0 if only one camera sees the target.
   double disagreement = 0.0;
   int degreesOfFreedom = 0;
 };
 
-/// Standard deviation of the centroid seen by one camera, as a fraction of the standard deviation
-/// of the target's area along each axis. If a body is not an ellipsoid, each camera sees a
-/// different centroid, none of which is the centroid of the body. This error stays the same from
-/// frame to frame, so EllipsoidFit's covariance does not include it. Chosen by judgment
-/// (docs/method-dewpoint.md, section 12).
+/// Standard deviation of the error of the centroid seen by one camera, as a fraction of the
+/// standard deviation of the target's pixels along the same axis. If a body is not an ellipsoid,
+/// each camera sees a different centroid, none of which is the centroid of the body. This error
+/// stays the same from frame to frame, so EllipsoidFit's covariance does not include it. Chosen by
+/// judgment (docs/method-dewpoint.md, section 12).
 inline constexpr double kShapeShare = 0.15;
 
 /// Fits an ellipsoid to the regions with the target color. The method alternates between

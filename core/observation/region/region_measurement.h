@@ -17,7 +17,7 @@ struct RegionMeasurement {
   std::optional<ColorRegion>
       region; ///< region assigned to the target; empty if the target is not seen
   /// Fraction of the expected outline's area, 0 to 1, in which the target color could be seen:
-  /// inside the image, and not behind something that may hide it.
+  /// inside the image, and not behind an object that may hide the target.
   double visible = 0.0;
   double matched = 0.0; ///< fraction of the visible part that has the target color, 0 to 1
   double ring = 0.0;    ///< fraction of a ring around the outline that has the target color, 0 to 1
@@ -32,17 +32,18 @@ struct RegionMeasurement {
 };
 
 /// Measures a target in an image near its expected outline, whose center has the covariance
-/// `centerCovariance` (px²). All pieces with the target color that overlap the outline belong
-/// completely to the target. Labels are computed as needed.
+/// `centerCovariance` (px²). Every piece with the target color that overlaps the outline is
+/// assigned completely to the target. Labels are computed as needed.
 RegionMeasurement measureRegion(LabelImage& labels, const EllipseImage& expected,
                                 const Eigen::Matrix2d& centerCovariance);
 
-/// Returns the log likelihood ratio of one image for a target of any shape, against "not there". It
-/// compares the target color inside the expected outline with the target color in a ring around it.
-/// A visible target fills the fraction `fill` of the outline. The largest value equals that of
-/// SphereEvidence, so an image counts as much for any shape as for a ball.
+/// Returns the log likelihood ratio of one image for a target of any shape: present at the expected
+/// outline, against not present. It compares how much of the expected outline, and how much of a
+/// ring around it, has the target color. `fill` is the fraction of the outline that a visible
+/// target fills. The largest ratio equals that of SphereEvidence, so that an image has the same
+/// influence for a target of any shape as for a ball.
 double regionEvidence(const RegionMeasurement& measurement, double fill);
-/// Returns the log likelihood ratio of an image that shows the whole target.
+/// Returns the value of regionEvidence() for an image that shows the whole target.
 double fullRegionEvidence();
 
 } // namespace dewpoint::observation

@@ -8,25 +8,27 @@
 
 namespace dewpoint::observation {
 
-/// Difference between the image of a target and the image of a ball.
+/// Differences between the color region of a target and the image of a ball.
 struct Roundness {
-  double elongation = 0.0; ///< log ratio of the axes of the pixel covariance, at least 0
+  /// Logarithm of the ratio of the region's axes, relative to the outline of the ball; at least 0.
+  double elongation = 0.0;
   /// Area by which the region is smaller than the ellipse with the same pixel covariance, as a
   /// fraction of that ellipse. It is 0 for any ellipse, 0.05 for a square and 0.17 for a triangle.
   double hollowness = 0.0;
-  /// Logarithm of the factor (square root of the area ratio) by which the region is larger than the
-  /// outlines of two such balls that touch. 0 if it is not larger; the ball then accounts for all
-  /// of its color.
+  /// Logarithm of the factor by which the region is larger than the outlines of two touching balls
+  /// of the expected size; the factor is the square root of the area ratio. It is 0 if the region
+  /// is not larger. A ball, possibly touching another object of its color and size, then explains
+  /// the whole region.
   double excess = 0.0;
 };
 
-/// Returns the roundness of a region relative to the outline of a ball at its position. At the edge
-/// of a wide-angle image, this outline is an ellipse.
+/// Returns the roundness of a region relative to `ball`, the outline of a ball at the target's
+/// position. At the edge of a wide-angle image, this outline is an ellipse.
 Roundness roundnessOf(const ColorRegion& region, const EllipseImage& ball);
 
 /// Returns the log likelihood ratio of a region under "any shape" against "a ball", or nothing if
-/// the region is too small. If much of the rim is at the image border or next to something that may
-/// hide the target, only excess size counts as evidence.
+/// the region is too small. If much of the region's rim is at the image border or next to an object
+/// that may hide the target, only the excess size is used as evidence.
 std::optional<double> shapeEvidence(const ColorRegion& region, const EllipseImage& ball);
 
 } // namespace dewpoint::observation

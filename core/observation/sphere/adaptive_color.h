@@ -15,12 +15,13 @@
 
 namespace dewpoint::observation {
 
-/// Target colors as each camera sees them while the light changes slowly. The bounds of the learned
-/// ranges follow the quantiles of the colors on the target. Hue and saturation shift by their
-/// differences from the initial quantiles, and intensity is scaled by its ratio to the initial
-/// quantiles. In the current light, the background may have the target color (in darkness, noise
-/// has any hue). A bound then moves closer to its quantile, as long as this raises the F1 score of
-/// the pixels. Only frames in which the target is certain and not covered may be used for learning.
+/// Color ranges of a target as each camera sees them while the light changes slowly. The bounds of
+/// the learned ranges follow the quantiles of the colors on the target. Bounds of hue and
+/// saturation are shifted by the difference between the current and the initial quantiles. Bounds
+/// of intensity are multiplied by the ratio of these quantiles. In the current light, the
+/// background may also have the target color; in darkness, for example, noise has any hue. A bound
+/// then moves closer to its quantile, as long as this raises the F1 score of the matching pixels.
+/// Only frames in which the target is certain and not covered may be used for learning.
 class AdaptiveColor {
 public:
   /// Starts with at least one range. All ranges must have passed checkColorRange().
@@ -48,17 +49,17 @@ public:
   /// Updates the color in one camera from an image (CV_8UC3) in which the target is completely
   /// visible and not covered. The ranges move toward the colors on the target by the fraction
   /// `share` (0 to 1) of the difference. A range with too few visible pixels stays unchanged. The
-  /// first kReferenceUpdates updates of a range only measure its colors in the initial light.
-  /// `others` are outlines of other objects with the same color.
+  /// first kReferenceUpdates updates of a range do not change it; they measure the colors in the
+  /// initial light. `others` are outlines of other objects with the same color.
   ///
-  /// Does nothing if too few pixels inside the outline have approximately the color in use. A step
-  /// is rejected if the new ranges would match too much of the ring around the target or of the
-  /// rest of the image. Returns whether a step was taken.
+  /// The color does not change if too few pixels inside the outline have approximately the color in
+  /// use, or if the new ranges would match too much of the ring around the target or of the rest of
+  /// the image. Returns whether the color was updated.
   bool adapt(std::size_t camera, const cv::Mat& image, const SphereImage& outline,
              const std::vector<SphereImage>& others, double share);
 
-  /// Number of updates that only measure: a third of a second. Chosen by judgment
-  /// (docs/method-dewpoint.md, section 8).
+  /// Number of initial updates of a range that only measure its colors: a third of a second. Chosen
+  /// by judgment (docs/method-dewpoint.md, section 8).
   static constexpr int kReferenceUpdates = 10;
 
 private:

@@ -9,9 +9,10 @@ namespace dewpoint::observation {
 
 /// Evidence from a single camera for a target at one position.
 struct CameraEvidence {
-  bool inView = false;               ///< the camera has an image into which the position projects
-  double logLikelihood = 0.0;        ///< from the method's observation model; 0 if not in view
-  double existenceProbability = 0.5; ///< posterior with even prior odds
+  bool inView = false;        ///< the camera has an image into which the position projects
+  double logLikelihood = 0.0; ///< from the method's observation model; 0 if not in view
+  /// Posterior probability that the target is there, with even prior odds.
+  double existenceProbability = 0.5;
   double visible =
       0.0; ///< fraction of the target outline (or window) with the target color, 0 to 1
 };

@@ -17,12 +17,13 @@
 
 namespace dewpoint::observation {
 
-/// Color window of Barrera et al. 2005, equations 5 to 7. A particle X projects to the pixel u
-/// (rounded) of camera c; m is the number of pixels in the 5x5 window around u whose color matches
-/// the target:
-/// p_c = 1/25 if u is outside the image or X is behind the camera; otherwise p_c = max(m, 1) / 25.
-/// If the border cuts a window, only the pixels inside count, and the divisor remains 25. The
-/// likelihood is the product over the cameras; a camera without an image contributes nothing.
+/// Observation model of Barrera et al. 2005, equations 5 to 7, with a window of 5x5 pixels. Let u
+/// be the pixel (rounded) to which camera c projects a particle X, and m the number of pixels in
+/// the window around u whose color matches the target. If u is outside the image or X is behind the
+/// camera, p_c = 1 / 25; otherwise p_c = max(m, 1) / 25. If the image border cuts a window, only
+/// the pixels inside the image count, and the divisor remains 25. The likelihood is the product of
+/// p_c over all cameras that have an image.
+///
 /// States: columns 0 to 2 are x, y, z in meters, world frame.
 class ColorWindow {
 public:
@@ -33,18 +34,18 @@ public:
   /// Sets the current image (CV_8UC3, blue green red) of a camera; an empty image means that there
   /// is none.
   void setImage(std::size_t camera, const cv::Mat& image);
-  /// Chooses how windows are counted: individually, or from counts over the whole image if that is
-  /// faster. Both give the same result. `windowCount` is the expected number of windows on the
-  /// current images (particles of all iterations). Must not be called while other threads use the
-  /// model.
+  /// Chooses the faster way to count the matching pixels of windows: individually for each window,
+  /// or with counts that are computed once for the whole image. Both give the same result.
+  /// `windowCount` is the expected number of windows on the current images (particles of all
+  /// iterations). Must not be called while other threads use the model.
   void prepare(std::int64_t windowCount);
 
   /// Adds the log likelihood of each state.
   void addLogLikelihood(ConstStateRows rows, LogWeightSegment logLikelihood) const;
 
   /// Returns the number of matching pixels, 0 to 25, in the window around the projection of a world
-  /// point (meters). Nothing if the point is outside the image or behind the camera, or if the
-  /// camera has no image.
+  /// point (meters). Returns nothing if the point is outside the image or behind the camera, or if
+  /// the camera has no image.
   std::optional<int> matchCount(std::size_t camera, const Eigen::Vector3d& pointWorld) const;
 
 private:

@@ -13,8 +13,9 @@ namespace dewpoint::observation {
 /// follow the quantiles of the colors on the target.
 class FollowedRange {
 public:
-  /// Number of bounds: low and high quantiles of hue (degrees from the center of the range),
-  /// saturation, and the logarithm of the intensity.
+  /// Number of bounds of a range. Each bound follows a quantile: a low and a high one of the hue
+  /// (degrees from the center of the range), of the saturation, and of the logarithm of the
+  /// intensity.
   static constexpr std::size_t kBounds = 6;
   using Quantiles = std::array<double, kBounds>;
 
@@ -30,8 +31,8 @@ public:
   /// gray), saturation, and the logarithm of the intensity, which must not be 0.
   std::array<double, 3> coordinatesOf(const Hsi& color) const;
 
-  /// Adds measured quantiles to the mean quantiles of the initial light. Returns true for the first
-  /// `updates` calls; later calls change nothing.
+  /// Includes measured quantiles in the mean quantiles of the initial light. This applies to the
+  /// first `updates` calls, which return true. Later calls change nothing and return false.
   bool addReference(const Quantiles& measured, int updates);
   /// Returns the quantiles at the fraction `share` (0 to 1) of the way from the current to the
   /// measured quantiles.
@@ -41,8 +42,8 @@ public:
   /// Sets the current quantiles and updates the range in use.
   void moveTo(const Quantiles& quantiles);
 
-  /// Returns the slack of a bound: its distance beyond its quantile, as a fraction of the learned
-  /// distance.
+  /// Returns the slack of a bound: the distance between the bound and its quantile, as a fraction
+  /// of the learned distance.
   double slack(std::size_t bound) const { return slack_[bound]; }
   /// Returns the range in use with a different slack for one bound, or the current range if the
   /// result is not usable.
@@ -50,7 +51,7 @@ public:
   /// Sets the slack of one bound and updates the range in use.
   void setSlack(std::size_t bound, double slack);
 
-  /// Returns whether a computed range can contain colors.
+  /// Returns whether a computed range can contain any color.
   static bool isUsable(const ColorRange& range);
 
 private:

@@ -10,8 +10,8 @@
 
 namespace dewpoint::observation {
 
-/// Finds a ball by its color alone for calibration, with an accuracy of a fraction of a pixel. In
-/// case of doubt, it returns nothing.
+/// Finds a ball for calibration, by its color alone, with an accuracy of a fraction of a pixel. It
+/// returns nothing rather than an uncertain result.
 class MarkerDetector {
 public:
   explicit MarkerDetector(const ColorClassifier& classifier) : classifier_(classifier) {}

@@ -14,10 +14,11 @@ namespace dewpoint::observation {
 /// Input of an outline fit from one camera.
 struct OutlineView {
   const SphereProjector* projector = nullptr;
-  LabelImage* labels =
-      nullptr; ///< additional labels are computed as needed; empty: the camera is not used
-  /// Displacement of the sphere (meters, world) between the frame time and this camera's exposure:
-  /// its velocity times the time difference.
+  /// Labels of the camera's image; further labels are computed as needed; if they are empty, the
+  /// camera is not used.
+  LabelImage* labels = nullptr;
+  /// Displacement of the sphere (meters, world) from the frame time to this camera's exposure: the
+  /// velocity of the sphere times the time difference.
   Eigen::Vector3d offset = Eigen::Vector3d::Zero();
 };
 
@@ -28,14 +29,15 @@ struct OutlineFit {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); ///< covariance of the center, m²
   double logRadiusVariance = 0.0;                       ///< variance of log(radius)
   std::vector<int> edges; ///< number of spokes on which the outline was found, per camera
-  bool found = false;     ///< enough of the outline was seen; otherwise no other field is valid
-  /// Disagreement between the cameras: the sum over the cameras of the squared Mahalanobis distance
-  /// between the position from that camera alone and the position from all cameras. Its mean is
-  /// `degreesOfFreedom` if the edge errors are as assumed. It is much larger if a camera was moved.
+  bool found = false; ///< true if enough of the outline was seen; otherwise no other field is valid
+  /// Disagreement between the cameras. For each camera, the position is also computed from this
+  /// camera alone; the squared Mahalanobis distances between these positions and `center` are
+  /// added. The mean of this sum is `degreesOfFreedom` if the edge errors are as assumed. The sum
+  /// is much larger if a camera was moved.
   double disagreement = 0.0;
   int degreesOfFreedom = 0; ///< 0 if only one camera sees the outline
-  /// Deviation of the outline from its expected size: the sum over the cameras of the squared
-  /// common edge offset, divided by its variance.
+  /// Deviation of the outline from its expected size. For each camera, it contains the offset that
+  /// is common to all edges, squared and divided by its variance; it is the sum over the cameras.
   double sizeMisfit = 0.0;
 };
 
@@ -50,16 +52,17 @@ struct OutlinePrior {
 
 /// Largest distance from the expected outline at which edges are sought.
 enum class OutlineReach {
-  Near, ///< up to half a radius; for a good prediction near other objects of the same color
-  Far,  ///< more than a radius at first, reduced step by step; for a rough start
+  Near, ///< up to half a radius; used with a good prediction near other objects of the same color
+  Far,  ///< more than a radius at first, reduced step by step; used with a rough start
 };
 
-/// Fits a sphere to the edges of the target color along spokes from its expected center, jointly in
-/// all cameras. Method: Gauss-Newton over center (and radius) with Tukey's weights. Parts of the
-/// outline that are hidden, or that touch another object of the same color, are thus left out and
-/// do not bias the fit. The edge of the color is shifted by an unknown amount that is common to all
-/// edges in a camera (anti-aliasing, shading). This shift is also estimated, so the image size
-/// determines the depth only weakly.
+/// Fits a sphere jointly to its outlines in all cameras. The edges of the target color are found
+/// along spokes, which are rays in the image from the expected center. The center (and the radius,
+/// unless it is known) is fitted by Gauss-Newton steps with Tukey's weights. Edges where the
+/// outline is hidden, or where it touches another object of the same color, get no weight and do
+/// not bias the fit. Because of anti-aliasing and shading, all edges in a camera are shifted by an
+/// unknown common amount. This shift is also estimated, so the size of the outline determines the
+/// depth only weakly.
 OutlineFit fitOutline(const std::vector<OutlineView>& views, const OutlinePrior& prior,
                       OutlineReach reach = OutlineReach::Far);
 

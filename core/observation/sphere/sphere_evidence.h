@@ -11,17 +11,17 @@
 
 namespace dewpoint::observation {
 
-/// Evidence from one image for a sphere of known size at a position, as a log likelihood ratio
-/// against "no such sphere there". The color is sampled on twelve spokes, inside the expected
-/// outline and in a ring around it. A smaller object of the same color does not fill the inside,
-/// and a larger one also fills the ring. Pixels where something may hide the target are no evidence
-/// (PixelLabel::Unknown).
+/// Evidence from one image for a sphere of known size at a position. It is the log likelihood ratio
+/// of "sphere present" against "no such sphere present". The color is sampled on twelve spokes
+/// (rays from the center), inside the expected outline and in a ring around it. A smaller object of
+/// the same color does not fill the inside, and a larger object also fills the ring. Pixels at
+/// which an object may hide the target (PixelLabel::Unknown) are no evidence.
 class SphereEvidence {
 public:
   /// Distance of the outermost samples from the center, in radii.
   static constexpr double kReach = 1.3;
-  /// Scale factor for an outline's radius such that it includes the blurred rim. Chosen by judgment
-  /// (docs/method-dewpoint.md, section 2).
+  /// Factor by which the radius of an outline is enlarged to include the blurred rim. Chosen by
+  /// judgment (docs/method-dewpoint.md, section 2).
   static constexpr double kOutlineMargin = 1.05;
   /// Returns the log likelihood ratio of a fully visible target when its color does not occur in
   /// the background.
@@ -31,13 +31,13 @@ public:
   /// must have been computed. The ratio is lower for outlines of few pixels, where several samples
   /// fall on the same pixel.
   static double logLikelihoodRatio(const LabelImage& labels, const SphereImage& outline);
-  /// Returns the increase of the ratio if samples in the ring that are covered by other outlines no
-  /// longer count against this outline.
+  /// Returns the amount by which logLikelihoodRatio() of an outline would increase if ring samples
+  /// that are covered by the outlines `others` did not count against it.
   static double explainedRingGain(const LabelImage& labels, const SphereImage& outline,
                                   const std::vector<SphereImage>& others);
-  /// Returns the fraction of the visible spokes, 0 to 1, on which the color ends at the outline:
-  /// the inside matches, and the ring neither matches nor is explained. 0 if more than two thirds
-  /// of the spokes are hidden.
+  /// Returns the fraction of the visible spokes, 0 to 1, on which the color ends at the outline. On
+  /// such a spoke, the sample inside the outline matches, and the sample in the ring neither
+  /// matches nor is labeled Explained. Returns 0 if more than two thirds of the spokes are hidden.
   static double rimShare(const LabelImage& labels, const SphereImage& outline);
   /// Returns the fraction of the samples inside the outline that match, 0 to 1.
   static double matchShare(const LabelImage& labels, const SphereImage& outline);
@@ -49,7 +49,8 @@ inline bool isInImage(const SphereImage& outline, const cv::Size& size) {
          outline.center.x() <= size.width - 1 && outline.center.y() <= size.height - 1;
 }
 
-/// Returns the image area within `radii` radii of an outline's center, plus `margin` pixels.
+/// Returns the bounding box of the circle around an outline's center with `radii` times the
+/// outline's radius, plus a margin of `margin` pixels.
 cv::Rect areaOf(const SphereImage& outline, double radii, double margin = 2.0);
 
 } // namespace dewpoint::observation

@@ -54,8 +54,8 @@ public:
   void setRadius(double radius) { radius_ = radius; }
   double radius() const { return radius_; }
 
-  /// Computes the labels that addLogLikelihood() will read for these states. Must not be called
-  /// while other threads use the model.
+  /// Computes the labels that addLogLikelihood() needs for these states. Must not be called while
+  /// other threads use the model.
   void ensureLabelsFor(ConstStateRows rows);
   /// Adds the log likelihood ratio (SphereEvidence) of each state, summed over the cameras.
   void addLogLikelihood(ConstStateRows rows, LogWeightSegment logLikelihood) const;
@@ -65,18 +65,19 @@ public:
 
   /// Returns the log likelihood ratio of one position. Labels are computed as needed.
   double logLikelihoodRatio(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity);
-  /// Returns the increase of that ratio if samples in the ring that are covered by other spheres
-  /// are not counted. In each camera, this applies only to spheres whose center lies outside this
-  /// outline. A sphere with its center inside is the same object, positioned by wrongly paired
-  /// rays. The labels around the position must have been computed.
+  /// Returns the amount by which logLikelihoodRatio() would increase if ring samples that are
+  /// covered by other spheres were not counted. In each camera, only spheres whose projected center
+  /// lies outside this outline are considered. A sphere whose center lies inside it is the same
+  /// object, at a position that was computed from wrongly paired rays. The labels around the
+  /// position must have been computed.
   double explainedRingGain(const Eigen::Vector3d& center,
                            const std::vector<OutlineSphere>& others) const;
   /// Returns the log likelihood ratio that would result if every camera into whose image the
   /// position projects saw the complete target.
   double fullyVisibleLogLikelihoodRatio(const Eigen::Vector3d& center,
                                         const Eigen::Vector3d& velocity) const;
-  /// Returns whether a camera shows the target's rim, where the color ends, in the part that is not
-  /// hidden. A part of a larger object of the same color has no rim.
+  /// Returns whether at least one camera shows the rim of the target, where its color ends
+  /// (SphereEvidence::rimShare()). A part of a larger object of the same color has no rim.
   bool showsRim(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity);
   /// Returns the number of cameras with an image into which the position projects.
   int countCamerasInView(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity) const;

@@ -12,8 +12,8 @@
 namespace dewpoint::observation {
 
 /// Number of matching pixels in the 5x5 window around every pixel of an image, 0 to 25. Pixels
-/// outside the image do not match. It is built once per frame; each particle then requires a single
-/// lookup.
+/// outside the image do not match. The counts are computed once per frame. Each particle then
+/// requires a single look-up.
 class WindowCounts {
 public:
   static constexpr int kRadius = 2;
@@ -24,7 +24,8 @@ public:
   void clear() { counts_.clear(); }
   bool empty() const { return counts_.empty(); }
 
-  /// Returns the counts row by row, followed by a zero for positions outside the image.
+  /// Returns the counts of all pixels, row by row, followed by a zero, which is used for positions
+  /// outside the image.
   const std::uint8_t* data() const { return counts_.data(); }
 
 private:

@@ -13,7 +13,7 @@
 
 namespace dewpoint::simulation {
 
-/// Moving object at one instant: a ball, a box of any orientation, or a body made of parts. World
+/// Moving object at one time: a ball, a box of any orientation, or a body made of parts. World
 /// frame, meters.
 struct Body {
   bool box = false;
@@ -24,19 +24,19 @@ struct Body {
   Eigen::Matrix3f axes = Eigen::Matrix3f::Identity(); ///< axes of the box in the world, as rows
   bool present = true;                                ///< false: not in the scene at this time
   const LightField* light = nullptr; ///< light field; null: lit only by the room lamp
-  /// Parts of a body. If there are any, only the parts are drawn. Their number is the same at every
-  /// instant. The body casts the shadow of a ball around `center` that has the total volume of the
-  /// parts.
+  /// Parts of a body. If there are any, only the parts are drawn. Their number must not depend on
+  /// the time. The body casts the same shadow as a ball around `center` whose volume is the total
+  /// volume of the parts.
   std::vector<MovingPart> parts{};
 };
 
-/// Returns all bodies at an instant (seconds). Their number and order are the same at every
-/// instant.
+/// Returns all bodies at a time (seconds). The number and order of the bodies must not depend on
+/// the time.
 using BodiesAt = std::function<std::vector<Body>(double)>;
 
 /// Draws bodies with motion blur, and their soft shadows on z = 0, into `image` (CV_32FC3), which
-/// shows the room at rest as seen by `view`. Whether a body is present is evaluated at the center
-/// of the exposure.
+/// shows the room at rest as seen by `view`. A body is drawn if it is present at the center of the
+/// exposure.
 void paintBodies(const RoomView& view, const BodiesAt& bodiesAt, const Exposure& exposure,
                  cv::Mat& image);
 

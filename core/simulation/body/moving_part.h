@@ -18,7 +18,7 @@ enum class MovingShape {
   Box,       ///< size: half sizes
 };
 
-/// Part of a body at one instant, in meters.
+/// Part of a moving body at one time. World frame or frame of the body, meters.
 struct MovingPart {
   MovingShape shape = MovingShape::Ellipsoid;
   Vector3f center{0.0F, 0.0F, 0.0F};
@@ -27,7 +27,8 @@ struct MovingPart {
   Vector3f color{128.0F, 128.0F, 128.0F};             ///< BGR in full light, [0, 255]
   std::shared_ptr<const SurfacePattern> pattern;      ///< null: `color` everywhere
   Gloss gloss;
-  bool target = false; ///< belongs to the target, if the target is not the whole body
+  /// True if the part belongs to the target; used if the target is not the whole body.
+  bool target = false;
 
   /// Returns the surface color where the normal (unit vector, world frame) is `normal`.
   Vector3f colorAt(const Vector3f& normal) const {
@@ -38,7 +39,7 @@ struct MovingPart {
 /// Returns the radius in meters of a sphere around a part's center that contains the part.
 float boundingRadius(const MovingPart& part);
 
-/// Returns the volume in cubic meters.
+/// Returns the volume of a part in cubic meters.
 double volumeOf(const MovingPart& part);
 
 /// Returns whether a point (world frame, meters) is inside the part or on its surface.
@@ -51,8 +52,8 @@ struct PartHit {
   const MovingPart* part = nullptr;                        ///< null: no intersection
 };
 
-/// Sets the hit to `part` if the ray enters it before the current hit. `direction` is a unit
-/// vector. A ray that begins inside a part does not hit it.
+/// Replaces `hit` by the intersection with `part` if the ray enters `part` before the current hit.
+/// `direction` is a unit vector. A ray that begins inside a part does not hit it.
 void intersectPart(const MovingPart& part, const Vector3f& origin, const Vector3f& direction,
                    PartHit& hit);
 

@@ -24,13 +24,14 @@ struct SurfacePoint {
 /// Returns the light from a surface point to the camera: BGR, [0, 255].
 using Shading = std::function<Vector3f(const SurfacePoint&)>;
 
-/// Returns the parts of one body at an instant (seconds). Their number and order are the same at
-/// every instant. World frame, meters.
+/// Returns the parts of one body at a time (seconds). World frame, meters. The number and order of
+/// the parts must not depend on the time.
 using PartsAt = std::function<std::vector<MovingPart>(double)>;
 
 /// Draws the parts of one body with motion blur into the area `within` of `image` (CV_32FC3), which
 /// shows the scene behind the body. Parts occlude each other point by point, and nearer objects at
-/// rest in the room occlude them. Part edges and color borders are smoothed.
+/// rest in the room occlude them. The edges of parts and the borders between colors are
+/// anti-aliased.
 void paintParts(const RoomView& view, const PartsAt& partsAt, const Exposure& exposure,
                 const cv::Rect& within, const Shading& shading, cv::Mat& image);
 

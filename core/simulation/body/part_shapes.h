@@ -23,8 +23,8 @@ MovingPart ellipsoidAt(const Eigen::Vector3d& center, const Eigen::Vector3d& sem
 /// matte, with a faint highlight.
 MovingPart ballPart(double radius, const Vector3f& color);
 
-/// Returns the part after a rotation about the origin (from the part's old axes to the world) and a
-/// translation.
+/// Returns the part after a rotation about the origin and a translation by `shift` (meters).
+/// `rotation` maps the old frame of the part to the new one.
 MovingPart moved(MovingPart part, const Eigen::Matrix3d& rotation, const Eigen::Vector3d& shift);
 
 } // namespace dewpoint::simulation

@@ -9,8 +9,8 @@
 namespace dewpoint::simulation {
 
 // Everyday objects that are not balls, around the origin of their own axes (X forward, Z up,
-// meters). Parts with `color` (BGR in full light) are marked as target. The other parts hold or
-// carry them.
+// meters). Parts with `color` (BGR in full light) are marked as target. The other parts, such as a
+// head or a hand, wear or hold the target.
 
 /// Returns a peaked cap on a head with a neck. The origin is in the crown.
 std::vector<MovingPart> capOnHead(const Vector3f& color);

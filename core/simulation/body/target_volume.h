@@ -9,7 +9,8 @@
 
 namespace dewpoint::simulation {
 
-/// Volume filled by the target parts of a body. Overlaps count once. World frame, meters.
+/// Volume filled by those parts of a body that are marked as target. Where parts overlap, the
+/// volume counts once. World frame, meters.
 struct TargetVolume {
   double volume = 0.0; ///< cubic meters; 0: no part is marked as target
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
@@ -17,7 +18,8 @@ struct TargetVolume {
 };
 
 /// Computes the volume. It is exact for parts that do not overlap. Overlaps are evaluated on a grid
-/// inside each part that moves with it, so the centroid of a moving body is smooth in time.
+/// of points inside each part. The grid moves with the part, so that the centroid of a moving body
+/// changes smoothly.
 TargetVolume targetVolume(const std::vector<MovingPart>& parts);
 
 } // namespace dewpoint::simulation

@@ -20,22 +20,24 @@ struct FurniturePose {
 /// Piece of furniture that people move. It is drawn with the people and not with the room at rest,
 /// so the background behind it becomes visible when it moves.
 struct MovableFurniture {
-  /// Parts relative to the point on the floor below its center, x forward and z up, meters.
+  /// Parts relative to the point on the floor below the center of the furniture, x forward and z
+  /// up, meters.
   std::vector<BodyPart> parts;
-  /// Positions in order of time, at least one. The furniture moves smoothly between them. Before
-  /// the first time it stays at the first position, and after the last time at the last position.
+  /// Positions in order of time; there must be at least one. The furniture moves smoothly from each
+  /// position to the next. It stays at the first position before the first time, and at the last
+  /// position after the last time.
   std::vector<FurniturePose> way;
-  double reach = 0.3; ///< radius of a circle on the floor that encloses it, meters
+  double reach = 0.3; ///< radius of a circle on the floor that encloses the furniture, meters
 
   /// Returns the position at a time in seconds.
   FurniturePose at(double time) const;
 };
 
-/// Returns the parts of a piece of furniture at a time (seconds), in the world frame. The parts are
-/// marked as not belonging to a body.
+/// Returns the parts of a piece of furniture at a time (seconds), in the world frame. For all these
+/// parts, `belongsToBody` is false.
 std::vector<BodyPart> furnitureParts(const MovableFurniture& furniture, double time);
 
-/// Returns a seat on a foot. `height` is the seat height in meters.
+/// Returns a stool: a seat on a single foot. `height` is the height of the seat in meters.
 MovableFurniture makeStool(double height);
 /// Returns a closed cabinet on the floor. Half sizes are in meters, and `color` is BGR in full
 /// light.

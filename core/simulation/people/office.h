@@ -15,12 +15,12 @@
 
 namespace dewpoint::simulation {
 
-/// Returns four 320x240 cameras in the upper corners of the simulated office (7 x 7 x 2.7 m), 2.4 m
-/// high, looking at its center.
+/// Returns four 320x240 cameras in the upper corners of the simulated office (7 x 7 x 2.7 m). They
+/// are 2.4 m above the floor and look at the center of the office.
 CameraRig officeRig();
 
 /// Scene with people in the simulated office. It has shadows and furniture that partly hides
-/// people. Clothes may resemble the room, so that masks break into pieces.
+/// people. Clothes may have colors like those of the room, so that motion masks break into pieces.
 struct OfficeScene {
   CameraRig cameras = officeRig();
   std::vector<simulation::Walker> people;
@@ -42,15 +42,15 @@ public:
   OfficeRenderer(OfficeScene scene, std::vector<std::shared_ptr<const simulation::RoomView>> views);
 
   const OfficeScene& scene() const { return scene_; }
-  /// Renders an image (CV_8UC3, BGR). This is a pure function of its arguments. `who` is as for
+  /// Renders an image (CV_8UC3, BGR). This is a pure function of its arguments. For `who`, see
   /// paintPeople().
   cv::Mat render(std::size_t camera, std::int64_t frame, cv::Mat* who = nullptr) const;
-  /// Returns which person is visible at each pixel, like `who` of paintPeople(), without rendering
-  /// the image.
+  /// Returns which person is visible at each pixel, in the format of `who` in paintPeople(),
+  /// without rendering the image.
   cv::Mat visiblePeople(std::size_t camera, std::int64_t frame) const;
-  /// Returns the complete silhouette of a person, even if something hides it: CV_8UC1, 255 on the
-  /// body, without a load. It is all 0 while the person is absent. For the visible part, see `who`
-  /// of render().
+  /// Returns the complete silhouette of a person as if nothing hid it: CV_8UC1, 255 on the body, 0
+  /// elsewhere and on a carried object. It is 0 everywhere while the person is absent. For the
+  /// visible part of the silhouette, see `who` in render().
   cv::Mat silhouette(std::size_t camera, std::int64_t frame, std::size_t person) const;
   /// Returns the image of the office at time 0 without people and without noise (CV_8UC3).
   cv::Mat backgroundImage(std::size_t camera) const;

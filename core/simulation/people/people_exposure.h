@@ -11,20 +11,22 @@
 
 namespace dewpoint::simulation {
 
-/// Returns the parts of all people at a time (seconds), see paintPeople().
+/// Returns the body parts of each person at the given time (seconds), one list per person, as used
+/// by paintPeople().
 using PeopleAt = std::function<std::vector<std::vector<BodyPart>>(double time)>;
 
-/// Part of the time during which a shutter is open.
+/// Part of the time during which the shutter is open for at least one row of the image.
 struct ExposureStep {
   double time = 0.0; ///< center of the step, seconds from the frame's time
   /// Fraction of each row's exposure that falls into this step. The sum over all steps is 1.
   std::vector<float> shares;
 };
 
-/// Returns steps in which a walking person moves by at most a pixel, in order of time.
+/// Divides the time during which the shutter is open into equal steps, in order of time. The steps
+/// are so short that a walking person moves by at most one pixel in a step.
 std::vector<ExposureStep> exposureSteps(const Shutter& shutter, int rows);
 
-/// Draws people like paintPeople() with all lights, as recorded by a shutter for a frame at
+/// Draws people like paintPeople() with a PeopleLight, as recorded through a shutter for a frame at
 /// `light.field.time`. Each row collects light during its own exposure, so moving people appear
 /// blurred, and also slanted with a rolling shutter. `image` (CV_32FC3) shows the room at that
 /// time.

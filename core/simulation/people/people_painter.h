@@ -12,29 +12,30 @@
 namespace dewpoint::simulation {
 
 /// Draws people into `image` (CV_32FC3), which shows the room at rest as seen by `view`. People are
-/// occluded by other people and by objects in front of them. They cast soft shadows on the floor (z
-/// = 0) in the light of `lamp`. `people` contains the parts of each person. Furniture is drawn like
-/// a person, with parts that do not belong to a body. `who`, unless null, is set to a CV_8UC1
-/// image: 0 for the room, loads and furniture, otherwise 1 + the index of the person whose body is
-/// visible.
+/// hidden by other people and by objects in front of them. They cast soft shadows on the floor (z =
+/// 0). `lamp` is the position of the lamp (world, meters). `people` contains the parts of each
+/// person. Furniture is drawn like a person, with parts that do not belong to a body. If `who` is
+/// not null, it is set to a CV_8UC1 image. A pixel is 0 where the room, furniture or a carried
+/// object is visible. Otherwise it is 1 + the index of the person whose body is visible.
 void paintPeople(const RoomView& view, const std::vector<std::vector<BodyPart>>& people,
                  const Vector3f& lamp, cv::Mat& image, cv::Mat* who = nullptr);
 
-/// Light on the people, if it is more than the room lamp.
+/// Light on the people, if the room lamp is not the only light.
 struct PeopleLight {
   LightField field;
-  /// Direct light of the room lamp on the room at rest, for the pixels of the view. A shadow
-  /// removes this light and leaves the light of the other lamps.
+  /// Direct light of the room lamp on the room at rest, for the pixels of the view. In a shadow,
+  /// this light is missing, and the light of the other lamps remains.
   const RelitBackground* background = nullptr;
 };
 
-/// Draws people with all lights: additional lamps also illuminate people and their shadows, and the
-/// moving shadow falls on them. `image` must come from backgroundAt() with the same light and time.
+/// Draws people in the light of the room lamp and of the additional lamps, which also illuminate
+/// the shadows that people cast. The moving shadow falls on people too. `image` must come from
+/// backgroundAt() with the same light and time.
 void paintPeople(const RoomView& view, const std::vector<std::vector<BodyPart>>& people,
                  const PeopleLight& light, cv::Mat& image);
 
-/// Returns the complete silhouette of a body as seen by `view`, as if nothing occluded it: CV_8UC1,
-/// 255 on the body, otherwise 0. Loads and furniture are omitted.
+/// Returns the complete silhouette of a body as seen by `view`, as if nothing hid it: CV_8UC1, 255
+/// on the body, otherwise 0. Carried objects and furniture are left out.
 cv::Mat wholeSilhouette(const RoomView& view, const std::vector<BodyPart>& parts);
 
 } // namespace dewpoint::simulation

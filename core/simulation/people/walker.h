@@ -40,8 +40,8 @@ struct CarriedObject {
   Vector3f color = rgb(168, 132, 92);
 };
 
-/// Height of the reference body in meters, chosen as the height of an adult. The body is scaled to
-/// other heights.
+/// Height of the reference body in meters, chosen as the height of an adult. For other heights,
+/// this body is scaled.
 inline constexpr double kReferenceHeight = 1.75;
 
 /// Simulated person who walks from waypoint to waypoint.
@@ -56,8 +56,8 @@ struct Walker {
   double until = std::numeric_limits<double>::infinity(); ///< present before this time, seconds
 
   bool presentAt(double time) const { return time >= from && time < until; }
-  /// Returns the point on the floor below the center of the body, on the path through the waypoints
-  /// with rounded corners.
+  /// Returns the point on the floor below the center of the body at a time (seconds). It lies on
+  /// the path through the waypoints, whose corners are rounded.
   Eigen::Vector2d position(double time) const;
   /// Returns the height of the top of the head above the floor in meters. It is `height` for a
   /// standing person.
@@ -67,13 +67,14 @@ struct Walker {
 /// Height of an adult's head relative to the body height: 0.25 m of 1.75 m. Drawing manuals specify
 /// a seventh to an eighth.
 inline constexpr double kAdultHeadHeightFraction = 1.0 / 7.0;
-/// Body height in meters up to which a body has the proportions of a child. Chosen to be about the
+/// Body height in meters below which a body has the proportions of a child. Chosen to be about the
 /// height of a 13-year-old.
 inline constexpr double kAdultHeight = 1.6;
 
-/// Returns the height of the head relative to the body height. From kAdultHeight on, it is that of
-/// an adult. Below, it increases linearly to 0.19 at 0.9 m and less. This is close to the drawing
-/// rule that the head of a small child is about a fifth of its height.
+/// Returns the height of the head as a fraction of the body height (meters). From kAdultHeight on,
+/// it is kAdultHeadHeightFraction. For smaller bodies, it increases linearly with decreasing
+/// height, up to 0.19 at a height of 0.9 m and below. This is close to the drawing rule that the
+/// head of a small child is about a fifth of the child's height.
 double headHeightFraction(double height);
 
 /// Returns the height of a seat that fits a person of `height`, in meters.
@@ -82,21 +83,21 @@ double seatHeight(double height);
 /// Shape of a part of a body.
 enum class PartShape { Ellipsoid, Box };
 
-/// Part of a body, a load or furniture: an ellipsoid or a box of any orientation.
+/// Part of a body, of a carried object or of furniture: an ellipsoid or a box of any orientation.
 struct BodyPart {
   Vector3f center;   ///< world frame, meters
   Vector3f halfSize; ///< semi-axes along the part's own axes, meters
   Eigen::Matrix3f axes = Eigen::Matrix3f::Identity(); ///< the part's axes in the world, as rows
   Vector3f color;                                     ///< BGR in full light
   PartShape shape = PartShape::Ellipsoid;
-  /// True for a part of a body. False for a load or furniture, which hides bodies but is not part
-  /// of a silhouette.
+  /// True for a part of a body. False for a part of a carried object or of furniture, which can
+  /// hide bodies but does not belong to a silhouette.
   bool belongsToBody = true;
   Cloth cloth = {};
 };
 
-/// Returns head, hair, trunk, arms and legs at a time (seconds), followed by the load. The limbs
-/// swing with the steps.
+/// Returns the parts of a walker at a time (seconds), in the world frame: head, hair, trunk, arms
+/// and legs, followed by the carried object if there is one. Arms and legs swing with the steps.
 std::vector<BodyPart> bodyParts(const Walker& walker, double time);
 
 } // namespace dewpoint::simulation

@@ -18,13 +18,13 @@ struct AdditionalLamp {
   Vector3f position{0.0F, 0.0F, 1.0F}; ///< world frame, meters
   /// Color, BGR. 1 is full light on a surface perpendicular to the rays.
   Vector3f color{0.0F, 0.0F, 0.0F};
-  /// Distance in meters up to which the light is `color`. Beyond this distance, the light decreases
-  /// with the square of the distance, so near objects are lit more than the walls. Closer to the
-  /// lamp, this law does not hold, because the source is too broad. If infinite, the light is equal
-  /// everywhere, like sunlight.
+  /// Distance in meters up to which the light is constant (`color`), because the lamp is broad.
+  /// Beyond this distance, the light decreases with the square of the distance, so that near
+  /// objects are lit more than the walls. If infinite, the light is equal everywhere, like
+  /// sunlight.
   float reach = std::numeric_limits<float>::infinity();
 
-  /// Returns the fraction of `color` that remains at a distance (meters). 1 within the reach.
+  /// Returns the fraction of `color` that remains at a distance (meters). It is 1 up to `reach`.
   float falloff(float distance) const;
 };
 
@@ -33,21 +33,22 @@ struct AdditionalLamp {
 struct MovingShadow {
   /// Direction of motion: horizontal unit vector, world frame.
   Vector3f direction = Vector3f::UnitX();
-  double start = 0.0;     ///< position of the band's center along `direction` at time 0, meters
-  double speed = 0.2;     ///< m/s
-  float halfWidth = 0.1F; ///< half width to the center of the border, meters
-  float edge = 0.03F;     ///< half width of the soft border, meters; chosen by judgment
-  float depth = 0.0F;     ///< fraction of the lamp's light that is blocked, 0 to 1
+  double start = 0.0; ///< position of the band's center along `direction` at time 0, meters
+  double speed = 0.2; ///< m/s
+  /// Half width of the band, measured to the center of its soft border, meters.
+  float halfWidth = 0.1F;
+  float edge = 0.03F; ///< half width of the soft border, meters; chosen by judgment
+  float depth = 0.0F; ///< fraction of the lamp's light that is blocked, 0 to 1
 };
 
 /// Returns the fraction of the room lamp's light that the shadow blocks at a point (world, meters)
 /// and time (seconds), 0 to `depth`.
 float shadowAt(const MovingShadow& shadow, const Vector3f& point, double time);
 
-/// Light of a room, if it differs from the light of the room lamp alone.
+/// Light of a room. By default, it is the light of the room lamp alone.
 struct Illumination {
   Vector3f lamp = kLampPosition; ///< position of the room lamp, world frame, meters
-  float roomGain = 1.0F;         ///< factor on the room's original light, ambient and lamp
+  float roomGain = 1.0F; ///< factor by which the room's own light (ambient and lamp) is multiplied
   std::vector<AdditionalLamp> further;
   std::optional<MovingShadow> shadow;
 
@@ -62,18 +63,19 @@ struct LightField {
   const Illumination* illumination = nullptr;
   double time = 0.0;
 
-  /// Returns the light (BGR, 1 is full) on a matte surface with unit normal `normal`.
+  /// Returns the light (BGR, 1 is full light) on a matte surface at `point` (world, meters) with
+  /// unit normal `normal`.
   Vector3f at(const Vector3f& point, const Vector3f& normal) const;
 };
 
 /// Image of a room at rest under an illumination, without the moving shadow.
 struct RelitBackground {
-  cv::Mat ambient; ///< CV_32FC3, BGR: everything except the direct light of the room's lamp
-  cv::Mat direct;  ///< CV_32FC3, BGR: the direct light of the room's lamp
+  cv::Mat ambient; ///< CV_32FC3, BGR: image without the direct light of the room lamp
+  cv::Mat direct;  ///< CV_32FC3, BGR: contribution of the direct light of the room lamp
 };
 
-/// Returns the surface normal at a pixel, from the distances around it: unit vector, world frame,
-/// toward the camera.
+/// Returns the surface normal at a pixel: unit vector, world frame, toward the camera. It is
+/// computed from the distances at the pixel and at its neighbors (RoomView::distances).
 Vector3f surfaceNormal(const RoomView& view, int column, int row);
 
 /// Computes the image of a room at rest under an illumination.

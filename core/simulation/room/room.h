@@ -20,22 +20,26 @@ inline constexpr float kOfficeHalfSize = 3.5F;
 /// Half the side length of the room with the desk, and world x and y of its center.
 inline constexpr float kDeskRoomHalfSize = 1.9F;
 inline constexpr float kDeskRoomCenter = 0.4F;
-/// Height of the desk top (world z = 0) above the floor, within the usual 0.72 to 0.76 m.
+/// Height of the desk top (world z = 0) above the floor, meters. Usual desks are 0.72 to 0.76 m
+/// high.
 inline constexpr float kDeskHeight = 0.75F;
 
 // Light. The values are chosen so that shadows are distinct but not black.
 
-/// Position of the only lamp, world frame, meters. The lamp is a small area light, so that shadows
-/// have soft borders.
+/// Position of the room lamp in all rooms except the office, world frame, meters. It is the only
+/// lamp unless an Illumination adds others. The lamp is a small area light, so that shadows have
+/// soft borders.
 inline const Vector3f kLampPosition{0.15F, -0.25F, 1.7F};
-/// Position of the office lamp, above people's heads. World frame, meters.
+/// Position of the room lamp in the office, above people's heads. World frame, meters.
 inline const Vector3f kOfficeLampPosition{0.2F, -0.3F, 2.6F};
 /// Radius of the lamp in meters: about the size of a table lamp's shade.
 inline constexpr float kLampRadius = 0.12F;
-inline constexpr float kLampFraction = 0.62F; ///< fraction of full light; the rest is ambient
+/// Fraction of full light that comes from the lamp; the rest is ambient.
+inline constexpr float kLampFraction = 0.62F;
 
-/// Returns the light on a matte surface with unit normal `normal`: ambient light that is brighter
-/// from above, plus the Lambertian light of the lamp times `lit` (from 0 in shadow to 1).
+/// Returns the light on a matte surface at `point` with unit normal `normal`, where 1 is full
+/// light. It is the sum of ambient light, which is brighter from above, and the Lambertian light of
+/// the lamp. The light of the lamp is multiplied by `lit`, which ranges from 0 (in shadow) to 1.
 float shade(const Vector3f& point, const Vector3f& normal, float lit,
             const Vector3f& lamp = kLampPosition);
 
@@ -64,8 +68,9 @@ enum class Furnishing {
 /// Modifications of a furnished room.
 struct RoomDesign {
   Furniture further;             ///< additional furniture
-  std::optional<Material> walls; ///< material of the walls, if it differs
-  std::optional<Vector3f> lamp;  ///< lamp position, if it differs; world frame, meters
+  std::optional<Material> walls; ///< material of the walls, if it differs from the default
+  /// Lamp position, if it differs from the default; world frame, meters.
+  std::optional<Vector3f> lamp;
 };
 
 /// Furnished room of the simulation, at rest. Its textures are functions of the world position, so
@@ -76,11 +81,12 @@ public:
 
   /// Returns the first intersection of a ray with the room; `direction` is a unit vector.
   RoomHit cast(const Vector3f& origin, const Vector3f& direction) const;
-  /// Returns the color of a hit. `jitter` varies the point on the lamp that is used for shadows.
+  /// Returns the color of the room where a ray hits it. Whether this point is in shadow is tested
+  /// with one point on the lamp; different values of `jitter` select different points.
   ShadedColor shadedColorOf(const Vector3f& origin, const Vector3f& direction, const RoomHit& hit,
                             std::uint32_t jitter) const;
-  /// Returns the lamp position (world frame, meters): kLampPosition, or higher in a room for
-  /// people.
+  /// Returns the lamp position (world frame, meters): that of the RoomDesign, otherwise
+  /// kOfficeLampPosition in the office and kLampPosition elsewhere.
   const Vector3f& lamp() const { return lamp_; }
 
 private:

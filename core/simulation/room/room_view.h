@@ -26,17 +26,19 @@ struct RoomView {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
            static_cast<std::size_t>(column);
   }
-  /// Returns the unit direction in the world frame through an image point at an offset (pixels)
-  /// from a pixel. The result is a first-order approximation.
+  /// Returns the unit direction, in the world frame, of the ray through the image point that is
+  /// `right` and `down` pixels from the center of a pixel. The result is a first-order
+  /// approximation.
   Vector3f direction(int column, int row, float right, float down) const;
-  /// Returns the pixels that can show a sphere: the bounds of its silhouette, clipped to the image.
+  /// Returns the pixels that can show a sphere (world, meters): the bounding box of its silhouette,
+  /// clipped to the image.
   cv::Rect boundsOfSphere(const Eigen::Vector3d& center, double radius) const;
 
   Projector projector;
   int width = 0;
   int height = 0;
   Vector3f center; ///< optical center, world frame, meters
-  /// Unit vectors, world frame; zero where the lens shows nothing.
+  /// Unit vectors of the rays, world frame; zero where the lens shows nothing.
   std::vector<Vector3f> directions;
   std::vector<float> distances; ///< distance to the room at rest along the ray, meters
   std::vector<float> lit;       ///< fraction of the pixel's light that comes directly from the lamp

@@ -14,8 +14,8 @@ CameraRig threeCameraDeskRig();
 /// apart.
 CameraRig deskRingRig(int count);
 
-/// Returns the first `count` (2 to 4) of four 640x480 cameras in the corners of the hall, 1.9 m
-/// high, looking at its center, with focal lengths of 400 px.
+/// Returns the first `count` (2 to 4) of four 640x480 cameras in the corners of the hall. They are
+/// 1.9 m above the floor, look at the center of the hall, and have focal lengths of 400 px.
 CameraRig hallRig(int count);
 
 } // namespace dewpoint::simulation

@@ -18,33 +18,33 @@ namespace dewpoint::simulation {
 enum class Motion {
   Still,  ///< stays at its position
   Smooth, ///< a closed three-dimensional Lissajous path around its position
-  Fast,   ///< the same path, five times as fast
-  Jump,   ///< stays, then changes its position from one frame to the next, once per period
+  Fast,   ///< the same path as Smooth, five times as fast
+  Jump, ///< at rest, except that its position changes from one frame to the next once per `period`
 };
 
-/// Center of the volume at the desk, at which all desk cameras look. World frame, meters. Chosen to
-/// be half a meter in front of both cameras of demoRig().
+/// Center of the volume above the desk, toward which all cameras at the desk are aimed. World
+/// frame, meters. Chosen to be half a meter in front of both cameras of demoRig().
 inline const Eigen::Vector3d kDeskCenter{0.5, 0.5, 0.15};
 
 /// Focal length of the cameras at the desk, pixels. It gives a field of view of 49 degrees across
 /// 320 pixels. Chosen by judgment.
 inline constexpr double kDeskFocal = 350.0;
 
-/// Ball with a known true position at every instant.
+/// Ball whose true position is known at every time.
 struct SceneBall {
   std::string name = "pink ball";
   double radius = kDefaultBallRadius;        ///< meters
   Eigen::Vector3d color = kDefaultBallColor; ///< BGR in full light, [0, 255]
   Motion motion = Motion::Smooth;
-  /// Initial position and center of its path; world frame, meters.
+  /// Initial position of the ball and center of its path; world frame, meters.
   Eigen::Vector3d position = kDeskCenter;
   Eigen::Vector3d extent{0.12, 0.08, 0.05}; ///< half size of the path along X, Y, Z, meters
   double period =
       6.0; ///< duration of one round of a smooth path, or time between two jumps, seconds
   double stillSeconds = 0.0; ///< time at rest before the ball starts to move, seconds
 
-  // HSI ranges that contain the rendered pixels of the ball and almost nothing else. Hue is in
-  // degrees and circular (hueMin > hueMax wraps through 0). Saturation and intensity are in [0, 1].
+  // HSI ranges that contain the rendered pixels of the ball and almost no others. Hue is in degrees
+  // and circular (hueMin > hueMax wraps through 0). Saturation and intensity are in [0, 1].
   double hueMin = 320.0;
   double hueMax = 352.0;
   double saturationMin = 0.25;
@@ -53,8 +53,8 @@ struct SceneBall {
   double intensityMax = 0.90;
 };
 
-/// Light at one instant. Between instants, it is interpolated (brightness on a logarithmic scale).
-/// Before the first and after the last instant, it is constant.
+/// Light at one time. Between two entries, the light is interpolated, with brightness on a
+/// logarithmic scale. Before the first and after the last entry, it is constant.
 struct SceneLight {
   double time = 0.0;               ///< seconds
   double brightness = 1.0;         ///< factor; 1 is full light
@@ -65,7 +65,7 @@ struct SceneLight {
 inline constexpr int kMaxDistractors = 4;
 
 /// Simulated scene: everything that determines its images and its truth. Frame f is taken at f /
-/// framesPerSecond seconds, with its exposure centered on that instant.
+/// framesPerSecond seconds, and its exposure is centered on this time.
 struct Scene {
   std::string name = "demo";
   CameraRig cameras;

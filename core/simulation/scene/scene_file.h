@@ -12,7 +12,8 @@ namespace dewpoint::simulation {
 /// wrong types and invalid values are errors that name `file` and the key.
 Result<Scene> parseScene(const std::string& text, const std::string& file);
 
-/// Returns the scene as TOML text with every key. parseScene() converts it back to the same scene.
+/// Returns the scene as TOML text with every key. parseScene() converts this text back to the same
+/// scene.
 std::string sceneToml(const Scene& scene);
 
 } // namespace dewpoint::simulation

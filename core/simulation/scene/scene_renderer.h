@@ -11,8 +11,8 @@
 namespace dewpoint::simulation {
 
 /// Renders the images of a scene by ray casting. Everything at rest is rendered once per camera in
-/// the constructor. Rendering a frame then requires little more than drawing its moving parts and
-/// noise.
+/// the constructor. Rendering a frame then requires little more than drawing the moving objects and
+/// adding noise.
 class SceneRenderer {
 public:
   explicit SceneRenderer(Scene scene);

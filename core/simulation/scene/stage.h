@@ -26,16 +26,17 @@ namespace dewpoint::simulation {
 /// Returns a position (world frame, meters) at a time (seconds).
 using Path = std::function<Eigen::Vector3d(double)>;
 
-/// Returns the parts of a body at a time (seconds), along the world axes and relative to the body's
-/// path. Their number and order are the same at every time.
+/// Returns the parts of a body at a time (seconds). Positions are relative to the body's position
+/// on its path, along the world axes (meters). The number and order of the parts must not depend on
+/// the time.
 using PartsPath = std::function<std::vector<MovingPart>(double)>;
 
-/// Moving object on a stage: a ball, a box (if flat, a patch or an occluder), or a body made of
-/// parts.
+/// Moving object on a stage: a ball, a box, or a body made of parts. A flat box can serve as a
+/// patch or an occluder.
 struct StageBody {
   std::string name;
   bool box = false;
-  /// Radius of the ball, or of the ball in a body of parts, meters.
+  /// Radius of the ball, meters. For a body made of parts, radius of the ball that it contains.
   double radius = kDefaultBallRadius;
   Eigen::Vector3d halfSize =
       Eigen::Vector3d::Zero(); ///< half size of the box along its own axes, meters
@@ -48,15 +49,16 @@ struct StageBody {
   /// some parts are marked as target, the true position is their centroid. Otherwise it is `path`,
   /// as for a ball.
   PartsPath parts{};
-  /// Value of `radius` for which the parts are made. They are scaled for other values.
+  /// Value of `radius` for which the parts have the right size. For other values of `radius`, the
+  /// parts are scaled.
   double partsRadius = kDefaultBallRadius;
 
-  /// Returns the radius (meters) of a sphere around the object. For a body made of parts, it is the
-  /// sphere around its ball.
+  /// Returns the radius (meters) of a sphere around the object. For a body made of parts, this
+  /// sphere contains only the body's ball.
   double boundingRadius() const { return box ? halfSize.norm() : radius; }
   bool presentAt(double time) const { return !present || present(time); }
-  /// Returns the scaled parts at a time (seconds), relative to the path. Empty if the object has no
-  /// parts.
+  /// Returns the scaled parts at a time (seconds), relative to the path. The result is empty if the
+  /// object has no parts.
   std::vector<MovingPart> partsAt(double time) const;
 };
 
@@ -66,7 +68,7 @@ struct Light {
   bool dark = false;                              ///< no light at all
 };
 
-/// Camera that has another pose from some time on.
+/// Camera whose pose changes at the time `since`.
 struct MovedCamera {
   std::size_t camera = 0;
   double since = 0.0; ///< seconds
@@ -77,7 +79,8 @@ struct MovedCamera {
 struct RelitView {
   std::shared_ptr<const RoomView> view;
   RelitBackground background;
-  Eigen::Vector3d meanGain = Eigen::Vector3d::Ones(); ///< gain of the mean color (BGR)
+  /// Ratio of the mean color with and without the illumination, per channel (BGR).
+  Eigen::Vector3d meanGain = Eigen::Vector3d::Ones();
 };
 
 /// Everything that determines the images of a setup with known truth: objects at rest, moving
@@ -94,35 +97,38 @@ struct Stage {
       kDefaultExposureSeconds;      ///< exposure time of cameras without a sensor model, seconds
   int jpegQuality = 0;              ///< 1 to 100: images are compressed as JPEG; 0: no compression
   std::vector<SensorModel> sensors; ///< one per camera; empty: ideal sensors
-  Illumination illumination; ///< light in addition to the lamp with which `views` were rendered
-  /// People who walk behind the bodies. Bodies can hide people, but people never hide bodies. By
-  /// default, people are lit only by the lamp and have no motion blur.
+  /// Light of the room, if it differs from the light of the lamp with which `views` were rendered.
+  Illumination illumination;
+  /// People who walk behind the bodies. Bodies can hide people, but people never hide bodies.
+  /// Unless `peopleExposed` is set, people are lit only by the room lamp and have no motion blur.
   std::vector<Walker> people;
   std::vector<MovableFurniture> furniture; ///< furniture that people move
-  /// True if people are the subject of the recording. The whole illumination then lights them, and
-  /// the shutter and exposure of cameras with a sensor model blur them. Requires an illumination
-  /// that is not the default.
+  /// True if people are the subject of the recording. All lamps of the illumination then light
+  /// them, and cameras with a sensor model record them with motion blur and rolling shutter.
+  /// Requires an illumination that is not the default.
   bool peopleExposed = false;
   float floorHeight = 0.0F; ///< world z of the floor on which people walk, meters
-  std::vector<RelitView>
-      relit; ///< relit images for all views, if the illumination is not the default
+  /// Images of all views, including those of moved cameras, under the illumination; empty if the
+  /// illumination is the default.
+  std::vector<RelitView> relit;
 };
 
 /// Computes the data derived from the stage's illumination. Call this function after setting the
 /// illumination or a view.
 void prepareLight(Stage& stage);
 
-/// Returns the light that a camera meters at a time (seconds), relative to the nominal light, per
-/// channel (BGR), in stops. It follows from the stage's light and illumination on objects at rest.
+/// Returns the brightness that a camera's automatic control measures at a time (seconds), per
+/// channel (BGR), in stops relative to the nominal light. It is computed from `Stage::light` and
+/// from the mean gain of `Stage::illumination` on the room at rest; moving objects are ignored.
 /// Complete darkness counts as kDarkStops.
 Eigen::Vector3d meteredStops(const Stage& stage, std::size_t camera, double time);
-/// Light metered in complete darkness, in stops: a sixteenth of the nominal light. Chosen to be
-/// more than a camera can compensate for with ControlLoop::limit.
+/// Result of meteredStops() in complete darkness: a sixteenth of the nominal light, in stops.
+/// Chosen so that it exceeds what a camera can compensate for (ControlLoop::limit).
 inline constexpr double kDarkStops = -4.0;
 
 /// Renders the image (CV_8UC3, BGR) of one camera with its exposure centered on `time` (seconds).
-/// This is a pure function of its arguments. `frame` is the camera's frame number and selects the
-/// noise.
+/// This is a pure function of its arguments. `frame` is the camera's frame number; it selects the
+/// random numbers for the noise.
 cv::Mat renderStage(const Stage& stage, std::size_t camera, double time, std::int64_t frame);
 
 } // namespace dewpoint::simulation

@@ -10,19 +10,20 @@
 
 namespace dewpoint::simulation {
 
-/// Control loop of a camera for one quantity: a slow integrator with delayed effect. The defaults
-/// are chosen so that the loop settles within half a second without overshoot.
+/// Control loop in a camera for one quantity: a slow integrator whose corrections take effect after
+/// a delay. The defaults are chosen so that the loop settles within half a second without
+/// overshoot.
 struct ControlLoop {
   double speed = 0.15;    ///< fraction of the error corrected per frame; 0: no control
-  int lagFrames = 2;      ///< frames from a measurement to its effect
-  double deadband = 0.03; ///< errors below this are not corrected; stops (factors of two)
+  int lagFrames = 2;      ///< number of frames from a measurement to its effect
+  double deadband = 0.03; ///< errors below this value are not corrected; stops (factors of two)
   double limit = 1.5;     ///< limit of the correction in both directions, stops
 };
 
-/// Returns the corrections (stops, one per frame) with which the loop compensates for a disturbance
-/// (stops, one per frame; 0 means no disturbance). The first correction is `start`. Fast loops with
-/// a long lag overshoot. The loop is stable if speed < 2 sin(pi / (4 lag + 2)), as for a discrete
-/// integrator with delay.
+/// Returns the corrections with which the loop compensates for a disturbance. Both are in stops,
+/// with one entry per frame; 0 means no disturbance. The first correction is `start`. Fast loops
+/// with a long lag overshoot. The loop is stable if speed < 2 sin(pi / (4 lag + 2)), as for a
+/// discrete integrator with delay.
 std::vector<double> corrections(const ControlLoop& loop, std::span<const double> disturbance,
                                 double start);
 
@@ -33,7 +34,7 @@ struct CameraGain {
       Eigen::Vector3d::Ones(); ///< white balance gains, BGR, applied after noise; green is 1
 };
 
-/// Gains over a run. The gains of the last frame also apply after it.
+/// Gains of a camera over a run. The gains of the last frame also apply to later times.
 struct GainCurve {
   double framesPerSecond = kDefaultFrameRate;
   std::vector<CameraGain> frames; ///< empty: all gains are 1
@@ -41,8 +42,8 @@ struct GainCurve {
   CameraGain at(double time) const;
 };
 
-/// Automatic exposure and white balance of one camera. At the first frame, they are settled for the
-/// current light, except for the errors below.
+/// Automatic exposure and white balance of one camera. In the first frame, both are settled for the
+/// light in this frame, except for the errors below.
 struct AutomaticGain {
   ControlLoop exposure;
   ControlLoop whiteBalance;
@@ -50,13 +51,15 @@ struct AutomaticGain {
   double levelStops = 0.0; ///< settled exposure relative to the nominal one, stops
   /// Amplitude of the metering error due to objects that come and go, stops.
   double huntingStops = 0.0;
-  double huntingPeriod = 4.0;                                  ///< seconds
-  double huntingPhase = 0.0;                                   ///< radians
-  Eigen::Vector2d whiteBalanceStops = Eigen::Vector2d::Zero(); ///< constant error of blue and red
+  double huntingPeriod = 4.0; ///< seconds
+  double huntingPhase = 0.0;  ///< radians
+  /// Constant error of blue and red, stops.
+  Eigen::Vector2d whiteBalanceStops = Eigen::Vector2d::Zero();
 };
 
-/// Returns the gains of a run, one per frame, for light whose channels (BGR) differ from the
-/// nominal light by `lightStops` stops. This is a pure function of its arguments.
+/// Returns the gains of a run, one entry per frame. `lightStops` contains, for each frame, the
+/// light per channel (BGR) relative to the nominal light, in stops. This is a pure function of its
+/// arguments.
 GainCurve automaticGains(const AutomaticGain& control, std::span<const Eigen::Vector3d> lightStops,
                          double framesPerSecond);
 

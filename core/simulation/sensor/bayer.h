@@ -8,20 +8,20 @@
 namespace dewpoint::simulation {
 
 /// Pixel noise according to the photon transfer model (Janesick, "Photon Transfer", 2007). The
-/// variance of the number of electrons equals their number, and reading them adds more noise.
+/// variance of the number of electrons equals its mean. Reading out the electrons adds more noise.
 struct PixelNoise {
   double fullWell = 0.0;      ///< number of electrons at full scale with a gain of 1
   double readElectrons = 0.0; ///< standard deviation of the read noise, electrons
 };
 
-/// Returns the signal of the pixels under a color filter array: CV_32FC1 from linear light
-/// (CV_32FC3, BGR). Rows alternate between red-green and green-blue (RGGB). Red and blue pixels are
-/// less sensitive than green ones, as with silicon behind color filters.
+/// Returns the signal of pixels under a color filter array (CV_32FC1) for linear light (CV_32FC3,
+/// BGR). Rows alternate between red-green and green-blue (RGGB). Red and blue pixels are less
+/// sensitive than green ones, as with silicon behind color filters.
 cv::Mat mosaic(const cv::Mat& linear);
 
-/// Adds noise to `raw` (CV_32FC1, 1 is full scale). Its variance relative to the squared full scale
-/// is (raw + read^2 / electrons) / electrons, where electrons = fullWell / gain is the number of
-/// electrons at full scale.
+/// Adds noise to `raw` (CV_32FC1, 1 is full scale). The variance of the noise, relative to the
+/// squared full scale, is (raw + read^2 / electrons) / electrons. Here, electrons = fullWell / gain
+/// is the number of electrons at full scale, and read is PixelNoise::readElectrons.
 void addPixelNoise(cv::Mat& raw, const PixelNoise& noise, double gain, const RandomStream& stream);
 
 /// Reconstructs the colors of all pixels from the mosaic (CV_32FC3, BGR). The steps are

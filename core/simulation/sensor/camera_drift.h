@@ -8,8 +8,8 @@
 
 namespace dewpoint::simulation {
 
-/// Slow rotation of a camera about its center, as on a mount that warms up. It starts from zero at
-/// time 0 and approaches `rotation` with the time constant `settleSeconds`.
+/// Slow rotation of a camera about its center, as on a mount that warms up. The rotation is zero at
+/// time 0 and approaches `rotation` exponentially, with the time constant `settleSeconds`.
 struct CameraDrift {
   /// Rotation as axis times angle in the world frame, radians. The rotated camera sees a direction
   /// d at the pixel where the camera at rest would see the rotated direction.
@@ -25,10 +25,10 @@ Eigen::Matrix3d rotationAt(const CameraDrift& drift, double time);
 Eigen::Vector3d rotatedAbout(const Eigen::Vector3d& center, const Eigen::Matrix3d& rotation,
                              const Eigen::Vector3d& point);
 
-/// Converts the image of `view`'s camera at rest to its image (CV_32FC3) after rotation by
-/// `rotation`. The function uses a homography. This is exact for a pinhole camera, and accurate to
-/// a few hundredths of a pixel for a distorting lens and the intended rotations of a few
-/// milliradians. The last pixels are repeated at the border.
+/// Returns the image (CV_32FC3) that the camera of `view` records after a rotation by `rotation`.
+/// `image` is the image of the camera at rest. The function uses a homography. This is exact for a
+/// pinhole camera, and accurate to a few hundredths of a pixel for a distorting lens and the
+/// intended rotations of a few milliradians. Outside `image`, its border pixels are repeated.
 cv::Mat rotatedImage(const RoomView& view, const cv::Mat& image, const Eigen::Matrix3d& rotation);
 
 } // namespace dewpoint::simulation

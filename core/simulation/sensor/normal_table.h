@@ -8,7 +8,7 @@
 
 namespace dewpoint::simulation {
 
-/// Number of entries in normalTable(): as many as 16 random bits can select.
+/// Number of entries in normalTable(), so that 16 random bits select one entry.
 inline constexpr std::size_t kNormalCount = 65536;
 
 /// Returns a table of standard normal numbers for random selection. Drawing new numbers for every

@@ -8,8 +8,8 @@
 namespace dewpoint::simulation {
 
 /// Returns the image (CV_32F) as blurred by a lens. The point spread function is a Gaussian with a
-/// standard deviation of `sigmaPx` pixels, the same everywhere. The last pixels are repeated at the
-/// border. With 0 pixels, the image is unchanged.
+/// standard deviation of `sigmaPx` pixels, the same everywhere. Outside the image, its border
+/// pixels are repeated. If `sigmaPx` is 0, the image is unchanged.
 cv::Mat blurred(const cv::Mat& image, double sigmaPx);
 
 } // namespace dewpoint::simulation

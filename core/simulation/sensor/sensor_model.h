@@ -20,8 +20,9 @@ struct SensorModel {
   CameraDrift drift;
   GainCurve gains;         ///< automatic exposure and white balance over the run
   double psfSigmaPx = 0.0; ///< standard deviation of the lens blur (Gaussian), pixels
-  PixelNoise
-      noise; ///< pixel noise; a positive full well selects a color filter array with this noise
+  /// Noise of the pixels under a color filter array; if `fullWell` is 0, the sensor has no such
+  /// array and no such noise.
+  PixelNoise noise;
   double contrast = 1.0; ///< exponent applied to the nominal tone curve
   Sharpening sharpening;
   int jpegQuality = 0; ///< 1 to 100; 0: not compressed
@@ -30,11 +31,11 @@ struct SensorModel {
   bool changesLight() const;
 };
 
-/// Returns the image (CV_8UC3) that a camera sends for `light`. `light` is the image on an ideal
-/// sensor at `time` (seconds): CV_32FC3, BGR, in the renderer's levels. The function applies blur,
-/// flicker, exposure, Bayer mosaic with its noise, white balance, tone curve, sharpening and JPEG,
-/// in this order. A model without a full well instead gets normal noise of `noiseSigma` levels at
-/// the end.
+/// Returns the image (CV_8UC3) that a camera sends. `light` is the image that falls on an ideal
+/// sensor at `time` (seconds): CV_32FC3, BGR, in the renderer's gray levels. The function applies
+/// blur, flicker, exposure, Bayer mosaic with its noise, white balance, tone curve, sharpening and
+/// JPEG, in this order. If PixelNoise::fullWell is 0, normal noise with a standard deviation of
+/// `noiseSigma` gray levels is used instead of the mosaic and its noise.
 cv::Mat sensorImage(const cv::Mat& light, const SensorModel& model, double time, double noiseSigma,
                     const RandomStream& stream);
 

@@ -12,7 +12,7 @@ namespace dewpoint::simulation {
 struct Shutter {
   double exposureSeconds =
       kDefaultExposureSeconds; ///< exposure of each row, centered on the row's time
-  double readoutSeconds = 0.0; ///< from the first row's time to the last row's; 0: global shutter
+  double readoutSeconds = 0.0; ///< time from the first to the last row; 0: global shutter
 };
 
 /// Returns the time of `row` (of `rows`) relative to the frame time, in seconds. It is negative in
@@ -23,11 +23,11 @@ double rowTime(const Shutter& shutter, int row, int rows);
 struct RowBand {
   int begin = 0;
   int end = 0;
-  double time = 0.0; ///< time of their central row, seconds from the frame's time
+  double time = 0.0; ///< time of the band's central row, seconds from the frame's time
 };
 
-/// Returns the bands of an image with `rows` rows, from top to bottom. A global shutter has one
-/// band.
+/// Divides an image with `rows` rows into bands, from top to bottom. For a global shutter, there is
+/// one band.
 std::vector<RowBand> rowBands(const Shutter& shutter, int rows);
 
 /// Flicker of lamps on alternating current, whose light oscillates at twice the mains frequency.

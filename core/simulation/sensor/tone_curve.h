@@ -15,22 +15,22 @@ namespace dewpoint::simulation {
 /// Exponent of the tone curve above its linear segment near black.
 inline constexpr double kToneCurveExponent = 0.45;
 
-/// Returns the level of `linear` light, where 1 stands for 255. The light must be at least 0. The
-/// level is not clipped above 1.
+/// Returns the level (1 corresponds to 255) of `linear` light, which must be at least 0. Levels
+/// above 1 are not clipped.
 double encodedLevel(double linear);
 /// Returns the linear light of a level. This is the inverse of encodedLevel().
 double linearLevel(double encoded);
 
-/// Returns the linear light (CV_32FC3) of an image (CV_32FC3, BGR). Levels are normally 0 to 255,
-/// and at most kMaxLevel.
+/// Returns the linear light (CV_32FC3) of an image (CV_32FC3, BGR). Levels are normally 0 to 255.
+/// Levels above kMaxLevel are treated as kMaxLevel.
 cv::Mat linearImage(const cv::Mat& image);
-/// Largest level. Higher levels are limited to it. Chosen as four times full scale, which is 19
-/// times the light.
+/// Largest gray level; higher levels are limited to it. Chosen as four times full scale, which
+/// corresponds to 19 times the light at full scale.
 inline constexpr float kMaxLevel = 1020.0F;
 
 /// Performs the last steps of a camera: multiplies linear light (CV_32FC3) by the white balance
-/// gains (BGR), limits it to 1, and applies the tone curve and then the exponent `contrast` (1:
-/// only the tone curve). Returns CV_32FC3, 0 to 255.
+/// gains (BGR), limits it to 1, applies the tone curve, and applies the exponent `contrast` (no
+/// effect if it is 1). Returns the gray levels (CV_32FC3, 0 to 255).
 cv::Mat applyToneCurve(const cv::Mat& linear, const Eigen::Vector3d& whiteBalance, double contrast);
 
 } // namespace dewpoint::simulation

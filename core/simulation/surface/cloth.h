@@ -20,8 +20,8 @@ struct Cloth {
   float width = 0.06F;               ///< width of a band, field or spot, meters
 };
 
-/// Returns the color at a point of a part whose first color is `first`. The point is in the part's
-/// own axes, meters. The result is `first` if the cloth is plain.
+/// Returns the color of a part at `position` (meters, along the part's own axes). `first` is the
+/// first color of the cloth, and the only one if the cloth is plain.
 Vector3f clothColor(const Cloth& cloth, const Vector3f& first, const Vector3f& position);
 
 } // namespace dewpoint::simulation

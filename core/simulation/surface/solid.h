@@ -30,15 +30,15 @@ enum class Shape { Box, Ellipsoid, Cylinder };
 struct Solid {
   Shape shape = Shape::Box;
   Vector3f center;
-  Vector3f halfSize; ///< semi-axes along the solid's own axes
+  Vector3f halfSize; ///< half size along the solid's own axes, meters
   float yaw = 0.0F;  ///< radians about Z
   Material material;
-  float cosine = 1.0F;
-  float sine = 0.0F;
-  float bound = 0.0F; ///< radius of a sphere around the solid
+  float cosine = 1.0F; ///< cosine of `yaw`
+  float sine = 0.0F;   ///< sine of `yaw`
+  float bound = 0.0F;  ///< radius of a sphere around the solid, meters
 };
 
-/// Creates a solid, including everything derived from its size and rotation.
+/// Creates a solid, and sets the fields that are derived from its size and rotation.
 Solid makeSolid(Shape shape, const Vector3f& center, const Vector3f& halfSize,
                 const Material& material, float yaw);
 

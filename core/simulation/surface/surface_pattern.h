@@ -18,12 +18,12 @@ struct SurfacePatch {
 /// Band of another color around a great circle.
 struct SurfaceSeam {
   Vector3f axis{0.0F, 0.0F, 1.0F}; ///< axis of the circle; unit vector in the body's own axes
-  float sine = 0.0F;               ///< sine of the largest angle to the circle's plane
+  float sine = 0.0F; ///< sine of the largest angle between the band and the plane of the circle
   Vector3f color{0.0F, 0.0F, 0.0F};
 };
 
-/// Pattern painted on a surface in addition to its color. Patches cover seams, and earlier patches
-/// cover later ones.
+/// Pattern painted on a surface in addition to its color. Where patches and seams overlap, patches
+/// are visible. Where patches overlap, the one that comes first in `patches` is visible.
 struct SurfacePattern {
   std::vector<SurfacePatch> patches;
   std::vector<SurfaceSeam> seams;

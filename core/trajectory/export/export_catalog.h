@@ -12,7 +12,7 @@ namespace dewpoint::trajectory {
 /// Returns all export formats, in menu order.
 std::span<const ExportFormat> exportFormats();
 
-/// Returns the format with this id. NotFound lists the known ids.
+/// Returns the format with this id. If there is none, returns NotFound, which lists the known ids.
 Result<const ExportFormat*> exportFormat(std::string_view id);
 
 } // namespace dewpoint::trajectory

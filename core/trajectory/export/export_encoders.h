@@ -13,8 +13,9 @@ using EncodedFiles = Result<std::vector<ExportFile>>;
 EncodedFiles encodeTidyCsv(const ExportTable& table, const std::string& name);
 /// Encodes one row per frame with columns for all targets, comma-separated.
 EncodedFiles encodeWideCsv(const ExportTable& table, const std::string& name);
-/// Encodes one file per target with lines `timestamp tx ty tz qx qy qz qw`, without rotation and
-/// only for known positions (https://cvg.cit.tum.de/data/datasets/rgbd-dataset/file_formats).
+/// Encodes one file per target with lines `timestamp tx ty tz qx qy qz qw`. Only known positions
+/// are written, and the rotation is always the identity
+/// (https://cvg.cit.tum.de/data/datasets/rgbd-dataset/file_formats).
 EncodedFiles encodeTum(const ExportTable& table, const std::string& name);
 /// Encodes TRC (track row column) of Motion Analysis, as read by OpenSim.
 EncodedFiles encodeTrc(const ExportTable& table, const std::string& name);
@@ -23,18 +24,18 @@ EncodedFiles encodeTrc(const ExportTable& table, const std::string& name);
 EncodedFiles encodeC3d(const ExportTable& table, const std::string& name);
 /// Encodes NumPy arrays in a ZIP file without compression (NEP 1; APPNOTE 6.3 of PKWARE).
 EncodedFiles encodeNpz(const ExportTable& table, const std::string& name);
-/// Encodes VTK XML PolyData in ASCII: one polyline per stretch without gaps, with values at its
-/// points.
+/// Encodes VTK XML PolyData in ASCII: one polyline for each sequence of rows without a gap, with
+/// values at its points.
 EncodedFiles encodeVtp(const ExportTable& table, const std::string& name);
 /// Encodes a ParaView collection with one PolyData file per row, which ParaView can play over time.
 EncodedFiles encodePvd(const ExportTable& table, const std::string& name);
 /// Encodes one JSON object per row.
 EncodedFiles encodeJsonLines(const ExportTable& table, const std::string& name);
 
-/// Returns the header as `# ` lines: description of the file, units and axes, and the entries of
-/// the table.
+/// Returns the header as lines that begin with `# `. It contains a description of the file, the
+/// units and axes, and ExportTable::entries.
 std::string commentHeader(const ExportTable& table);
-/// Format a length with nine significant digits, a time with nine, a covariance with six.
+/// Formats a number: lengths and times with nine significant digits, covariances with six.
 std::string lengthText(double value);
 std::string timeText(double value);
 std::string covarianceText(double value);

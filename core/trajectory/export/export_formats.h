@@ -18,7 +18,7 @@ struct ExportFile {
   std::string bytes;
 };
 
-/// An export file format: one row of the catalog (export_catalog.h).
+/// An export file format: one entry of the catalog (export_catalog.h).
 struct ExportFormat {
   std::string_view id;     ///< name on the command line
   std::string_view title;  ///< name shown to the user
@@ -26,7 +26,8 @@ struct ExportFormat {
   std::string_view fields; ///< contents of the file in one sentence
   TableDefaults table;     ///< default axes, unit and rows
   bool covariance = false; ///< true if the file holds the full covariance
-  bool binary = false;     ///< the file is not text; the preview describes it
+  /// True if the file is not text; the preview then shows a description of the file.
+  bool binary = false;
   /// Encodes the table as one or more files. `name` is the name of the chosen file without suffix,
   /// for formats that store a name. Returns BadValue if the format cannot hold the table.
   Result<std::vector<ExportFile>> (*encode)(const ExportTable& table, const std::string& name);

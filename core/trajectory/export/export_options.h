@@ -25,7 +25,8 @@ enum class WorldAxes {
 /// Unit of lengths in the file.
 enum class LengthUnit { Meter, Millimeter };
 
-/// First or last row of an export, included: a time in seconds, or a frame number.
+/// First or last row of an export: a time in seconds, or a frame number. The row itself is
+/// exported.
 struct RangeBound {
   double value = 0.0;
   bool isFrame = false;
@@ -33,7 +34,7 @@ struct RangeBound {
 
 /// The user's choices for an export. Values that are not set take the default of the format.
 struct ExportOptions {
-  std::string format = "csv";       ///< an id of exportFormats()
+  std::string format = "csv";       ///< id of one of exportFormats()
   std::vector<std::string> targets; ///< empty: all targets
   std::optional<RangeBound> from;   ///< not set: from the beginning
   std::optional<RangeBound> to;     ///< not set: to the end
@@ -41,8 +42,9 @@ struct ExportOptions {
   GapRule gaps = GapRule::LeaveEmpty;
   std::optional<WorldAxes> axes;
   std::optional<LengthUnit> unit;
-  bool header = true;      ///< true to write metadata even if the format does not require it
-  bool smooth = false;     ///< smoothed estimates after the run instead of the live estimates
+  bool header = true; ///< true to write metadata even if the format does not require it
+  /// True to export estimates that are smoothed after the run, instead of the live estimates.
+  bool smooth = false;
   double longestGap = 1.0; ///< longest gap that is filled, in seconds
   std::string date;        ///< date of the export for the header; empty: none
   bool overwrite = true;   ///< false: existing files are not overwritten

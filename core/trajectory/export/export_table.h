@@ -18,7 +18,7 @@ namespace dewpoint::trajectory {
 /// One target in one row. Lengths are in the unit and along the axes of the table.
 struct ExportCell {
   bool present = false;   ///< if false, no other field is set
-  bool filled = false;    ///< interpolated over a gap
+  bool filled = false;    ///< true if the position was interpolated over a gap
   bool corrected = false; ///< the user corrected the position in this frame
   bool ambiguous = false; ///< another object is about as likely to be the target
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
@@ -27,7 +27,7 @@ struct ExportCell {
   /// Extent of a target that is not a ball; empty: a ball, or not known.
   std::optional<Eigen::Matrix3d> extent;
   double effectiveSampleSize = 0.0;
-  int cameras = 0;
+  int cameras = 0; ///< number of cameras that show the target
 };
 
 /// Contents of an export: one row per instant, one column per target.
@@ -38,12 +38,13 @@ struct ExportTable {
   std::vector<std::vector<ExportCell>> cells; ///< [target][row]
   double rate = 0.0;                          ///< rows per second
   double recordedRate = 0.0;                  ///< rows per second before resampling
-  std::size_t recordedRows = 0;               ///< including rows that were dropped
-  bool covariance = false;                    ///< at least one cell has a covariance
-  bool best = false;                          ///< at least one cell has a `best` position
-  bool corrected = false;                     ///< at least one cell is corrected
-  bool ambiguous = false;                     ///< at least one cell is ambiguous
-  bool extent = false;                        ///< at least one cell has an extent
+  /// Number of rows before resampling, including rows of dropped frames.
+  std::size_t recordedRows = 0;
+  bool covariance = false; ///< at least one cell has a covariance
+  bool best = false;       ///< at least one cell has a `best` position
+  bool corrected = false;  ///< at least one cell is corrected
+  bool ambiguous = false;  ///< at least one cell is ambiguous
+  bool extent = false;     ///< at least one cell has an extent
   WorldAxes axes = WorldAxes::ZUp;
   LengthUnit unit = LengthUnit::Meter;
   bool header = true;
@@ -57,18 +58,19 @@ struct ExportTable {
   const char* unitName() const { return unit == LengthUnit::Meter ? "m" : "mm"; }
 };
 
-/// Default values of a format for options that the user has not set.
+/// Default values of a format for options that the user has not set, and its requirement for the
+/// rows.
 struct TableDefaults {
   WorldAxes axes = WorldAxes::ZUp;
   LengthUnit unit = LengthUnit::Meter;
-  bool evenRows = false; ///< rows at equal intervals of time
+  bool evenRows = false; ///< the format requires rows at equal time intervals
 };
 
 /// Creates the table for an export: selects targets and rows, smooths, resamples, fills gaps and
-/// rotates to the axes of the file. Positions between recorded ones lie on a cubic through them
-/// whose slopes are those of the parabolas through three neighbors (exact for a ball in flight).
-/// NotFound names an unknown target; BadValue names an empty or invalid number. If `progress`
-/// (called with 0 to 1) has returned false, the result is not usable.
+/// rotates to the axes of the file. Positions between recorded positions are computed by
+/// interpolated() (path_interpolation.h), which is exact for a ball in free flight. Returns
+/// NotFound with the name of an unknown target, or BadValue with the name of an empty or invalid
+/// option. If `progress` (called with 0 to 1) has returned false, the result is not usable.
 Result<ExportTable> makeExportTable(const Trajectory& trajectory, const ExportOptions& options,
                                     const TableDefaults& defaults,
                                     const std::function<bool(double)>& progress = {});

@@ -17,8 +17,10 @@ struct TimedPosition {
 };
 
 /// Returns the position at `time` between `begin` and `end`, which have different times. The curve
-/// is a cubic Hermite polynomial whose slopes are those of the parabolas through three neighbors;
-/// `before` and `after` may be missing.
+/// is a cubic Hermite polynomial. Its slope at `begin` is that of the parabola through `before`,
+/// `begin` and `end`; its slope at `end` is that of the parabola through `begin`, `end` and
+/// `after`. If `before` or `after` is missing, both slopes are those of the remaining parabola. If
+/// both are missing, the curve is a straight line.
 Eigen::Vector3d interpolated(const std::optional<TimedPosition>& before, const TimedPosition& begin,
                              const TimedPosition& end, const std::optional<TimedPosition>& after,
                              double time);

@@ -23,14 +23,15 @@ struct ExportSummary {
   std::size_t targets = 0;
   std::size_t gaps = 0; ///< target and row pairs left empty
   bool canceled = false;
-  /// Existing file that may not be replaced, so nothing was written; otherwise empty.
+  /// Existing file that may not be overwritten. If it is set, nothing was written; otherwise it is
+  /// empty.
   std::filesystem::path existingFile;
 };
 
 /// Preview of an export.
 struct ExportPreview {
   std::string units; ///< units and axes in one sentence
-  std::string size;  ///< targets, rows, rate and gaps in one sentence
+  std::string size;  ///< numbers of targets, rows and gaps, and the rate, in one sentence
   std::string text;  ///< first lines of a text file, or a description of a binary one
   // The same information as values, for messages in other languages.
   WorldAxes axes = WorldAxes::ZUp;

@@ -19,13 +19,14 @@ struct FigureTexts {
   std::string topView; ///< title of the top view: "from above"
 };
 
-/// Returns the project and method of a run, from the entries of its header; empty if there are
-/// none.
+/// Returns a title with the project and method of a run, taken from the header entries of its
+/// trajectory. The title is empty if there are no such entries.
 std::string figureTitle(const std::vector<std::pair<std::string, std::string>>& entries);
 
-/// A trajectory figure laid out on a page for printing: x, y and z over time with a band of two
-/// standard deviations, the path from above next to them, and a legend. Lengths are in units of the
-/// page, x to the right, y down. figureSvg() and the window draw it.
+/// A trajectory figure laid out on a page for printing. It shows x, y and z over time, each with a
+/// band of two standard deviations, next to them the path as seen from above, and a legend. Lengths
+/// are in units of the page, with x to the right and y down. figureSvg() and the window draw the
+/// figure.
 struct FigureDrawing {
   static constexpr double kWidth = 1000.0;
   static constexpr double kHeight = 707.0; ///< aspect ratio of A4, 1.414 : 1

@@ -32,12 +32,13 @@ double gridStep(double size);
 /// Returns the values of the grid lines in a range: multiples of gridStep().
 std::vector<double> gridLines(const AxisRange& range);
 
-/// Returns both ranges widened about their centers so that they have the same scale in a frame of
-/// this width and height.
+/// Returns both ranges, one of them widened about its center, so that both axes have the same scale
+/// in a rectangle of this width and height.
 std::pair<AxisRange, AxisRange>
 withEqualScale(const AxisRange& horizontal, const AxisRange& vertical, double width, double height);
 
-/// Consecutive rows of a target without a gap, as points (horizontal, vertical) of a panel.
+/// Curve through consecutive rows of a target without a gap, as points (horizontal, vertical) of a
+/// panel.
 struct FigureCurve {
   std::size_t target = 0;
   std::vector<Eigen::Vector2d> path;
@@ -45,7 +46,7 @@ struct FigureCurve {
   std::vector<Eigen::Vector2d> band;
 };
 
-/// A frame with two axes. The numbers of the axes are 0 to 2 for a world axis, -1 for time.
+/// A rectangular plot with two axes. Axis numbers 0 to 2 mean world axes x to z, and -1 means time.
 struct FigurePanel {
   int horizontalAxis = -1;
   int verticalAxis = 0;
@@ -57,7 +58,7 @@ struct FigurePanel {
 /// Contents of a trajectory's figure, in the unit and along the axes of the table.
 struct TrajectoryFigure {
   std::array<FigurePanel, 3> overTime; ///< x, y and z, with bands of two standard deviations
-  /// Path seen from above, with equal scale on both axes of a square frame.
+  /// Path seen from above, in a square with the same scale on both axes.
   FigurePanel fromAbove;
 };
 /// Computes the figure of a table.

@@ -15,23 +15,26 @@ namespace dewpoint::trajectory {
 struct GatheredJob {
   std::string folder; ///< as given by the user
   JobRecord record;
-  std::vector<Evaluation> evaluations; ///< without cameras and bias; empty: not evaluated
+  /// Without `cameras` and `bias`; empty if the job was not evaluated.
+  std::vector<Evaluation> evaluations;
 };
 
-/// Results of many jobs, each once, ordered by identity. The order in which the jobs were given or
-/// finished does not matter.
+/// Results of many jobs, ordered by job identity. Each job is included once. The order in which the
+/// jobs were given or finished has no effect.
 struct GatheredJobs {
   std::vector<GatheredJob> jobs;
   std::vector<std::string> missing;    ///< folders that do not exist
   std::vector<std::string> unfinished; ///< folders whose job did not finish
-  /// Pairs of folders with the same result: the one that is used, and the other.
+  /// Pairs of folders that contain the same result of the same job: the folder that is used, and
+  /// the folder that is ignored.
   std::vector<std::pair<std::string, std::string>> repeated;
 
   bool isComplete() const { return missing.empty() && unfinished.empty(); }
 };
 
-/// Reads the output folders of jobs. Returns Mismatch if two folders have different results of the
-/// same job or an evaluation belongs to another trajectory, and NotParsed for an invalid file.
+/// Reads the output folders of jobs. Returns Mismatch if two folders contain different results of
+/// the same job, or if an evaluation belongs to another trajectory. Returns NotParsed for an
+/// invalid file.
 Result<GatheredJobs> gatherJobs(const std::vector<std::string>& folders);
 
 /// Returns the text of the file that `dewpoint-cli evaluate` writes to an output folder: the
@@ -43,7 +46,7 @@ std::string evaluationFileText(const std::vector<Evaluation>& evaluations,
 std::string gatheredTable(const GatheredJobs& gathered);
 /// Returns a CSV table with the duration of each job, which differs from run to run.
 std::string gatheredTimes(const GatheredJobs& gathered);
-/// Returns a Markdown page about the results: those of each method, the worst ones, and missing
+/// Returns a Markdown page with the results of each method, the worst results, and the missing
 /// jobs. Identical results give identical bytes.
 std::string gatheredReport(const GatheredJobs& gathered);
 

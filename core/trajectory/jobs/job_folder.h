@@ -23,15 +23,15 @@ public:
   static std::optional<JobRecord> finished(const std::filesystem::path& folder,
                                            const std::string& key);
 
-  /// Creates the folder. Removes done.json first, then the other files of an earlier job and the
-  /// files of these names, which this job will write. Other files are kept. Returns FileUnwritable
-  /// if this fails.
+  /// Creates the folder and begins a job in it. Files of an earlier job are removed, done.json
+  /// first. Files with these `names`, which the new job will write, are also removed. Other files
+  /// are kept. Returns FileUnwritable if this fails.
   static Result<JobFolder> begin(const std::filesystem::path& folder,
                                  const std::vector<std::string>& names);
 
-  /// Marks the job as finished. The files of these names are recorded with their sizes and
-  /// checksums. Returns FileUnwritable, including when another process has since begun a job in the
-  /// same folder; the folder is then left unchanged.
+  /// Marks the job as finished. The files with these `names` are recorded with their sizes and
+  /// checksums. Returns FileUnwritable if this fails. Also returns FileUnwritable, and leaves the
+  /// folder unchanged, if another process has begun a job in the same folder since begin().
   Status finish(JobRecord record, const std::vector<std::string>& names) const;
 
 private:

@@ -40,7 +40,7 @@ struct JobIdentity {
   std::string command;   ///< command of dewpoint-cli: track, people
   std::string method;
   std::uint64_t seed = 0;
-  /// Parameters that differ from the method's defaults: "particles=200 kld_error=0"
+  /// Parameters that differ from the method's defaults, for example "particles=200 kld_error=0".
   std::string settings;
   std::string frames;  ///< range of frames: "0:60"; empty: all
   std::string version; ///< version of Dewpoint
@@ -70,9 +70,9 @@ struct JobInput {
 };
 
 /// Returns a checksum of everything that a result depends on: `description` (project, method,
-/// parameters, seed, frames), and size and modification time of each input. For a folder, this
-/// includes all its files. For small inputs (up to 1 MB), the content is used instead. Returns
-/// FileMissing or FileUnreadable.
+/// parameters, seed, frames), and the size and modification time of each input, or of all files in
+/// an input that is a folder. For small input files (up to 1 MB), the content is used instead of
+/// size and modification time. Returns FileMissing or FileUnreadable.
 Result<std::string> jobKey(const std::string& description, const std::vector<JobInput>& inputs);
 
 /// Returns the text of done.json.

@@ -7,7 +7,8 @@
 
 namespace dewpoint::experiment::scenarios {
 
-// Each function returns the scenarios of one family in report order.
+// Each function returns the scenarios of one family in report order. The comments give the names of
+// the families.
 std::vector<ScenarioRecipe> cleanScenarios();       ///< S0
 std::vector<ScenarioRecipe> distractorScenarios();  ///< S1
 std::vector<ScenarioRecipe> occlusionScenarios();   ///< S2

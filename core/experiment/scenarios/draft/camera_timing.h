@@ -9,25 +9,26 @@
 namespace dewpoint::experiment::scenarios {
 
 /// Timing faults of a camera's frames. The time stamp of a frame is its arrival time minus the
-/// known delay. This struct describes the unknown part of the delay.
+/// known delay. All delays in this struct are in addition to the known delay.
 struct CameraTiming {
   double delay = 0.0;       ///< seconds from mid-exposure to the time stamp
   double clockDrift = 0.0;  ///< seconds by which the delay grows per second
-  double jitter = 0.0;      ///< standard deviation of the time stamps, seconds
+  double jitter = 0.0;      ///< standard deviation of the errors of the time stamps, seconds
   double dropShare = 0.0;   ///< fraction of frames that do not arrive
   double doubleShare = 0.0; ///< fraction of frames that repeat the previous image
-  /// Frames [freezeBegin, freezeEnd) repeat the last image before them, with new time stamps.
+  /// Frames in the range [freezeBegin, freezeEnd) repeat the last image before this range, with new
+  /// time stamps.
   std::int64_t freezeBegin = 0;
   std::int64_t freezeEnd = 0;
 };
 
-/// Frame as it arrives: the image it shows and the error of its time stamp.
+/// Frame as it arrives: the image that it shows, and the error of its time stamp.
 struct FrameDelivery {
   std::int64_t shown = 0;  ///< number of the frame whose image arrives
   double stampError = 0.0; ///< seconds
 };
 
-/// Returns the delivery of frame `frame` of a camera, or nothing if the frame is dropped. This is a
+/// Returns how frame `frame` of a camera arrives, or nothing if the frame is dropped. This is a
 /// pure function. `chances` is the camera's random stream for the frame. Frame 0 always arrives
 /// without faults.
 std::optional<FrameDelivery> deliveryOf(const CameraTiming& timing, std::int64_t frame,

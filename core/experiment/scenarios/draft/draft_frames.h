@@ -9,8 +9,9 @@
 namespace dewpoint::experiment::scenarios {
 
 /// Returns frame set `frame` of a finished draft as methods receive it. The time stamp of the set
-/// follows from its number. The delay and time stamp of each image follow the timing of its camera.
-/// An image that does not arrive is null. This is a pure function.
+/// is ScenarioDraft::timeOf(`frame`). The delay and time stamp of each image are determined by the
+/// clock and timing faults of its camera. An image that does not arrive is null. This is a pure
+/// function.
 FrameSetPtr frameSetOf(const ScenarioDraft& draft, std::int64_t frame);
 
 } // namespace dewpoint::experiment::scenarios

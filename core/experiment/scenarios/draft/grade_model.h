@@ -15,52 +15,54 @@ struct Range {
   double high = 0.0;
 };
 
-/// Severity of the faults in a grade. Values are drawn per camera and run unless a comment says
-/// otherwise. Automatic exposure, lens and clock belong to one camera. Lamps and shadow belong to
-/// the room.
+/// Severity of the faults in a grade. Values are drawn for each camera in each run unless a comment
+/// says otherwise.
 struct GradeModel {
   const char* name = "";
 
   // Lens and sensor.
-  Range psfSigmaPx;      ///< blur, pixels
-  Range fullWell;        ///< electrons at full scale, at the gain that the light requires
-  Range readElectrons;   ///< standard deviation
-  Range contrast;        ///< exponent applied to the tone curve
-  Range sharpening;      ///< amount of the unsharp mask
-  Range sharpeningSigma; ///< pixels
+  Range psfSigmaPx;    ///< standard deviation of the lens blur, pixels
+  Range fullWell;      ///< number of electrons at full scale, with the gain that the light requires
+  Range readElectrons; ///< standard deviation of the read noise, electrons
+  Range contrast;      ///< exponent applied to the tone curve
+  Range sharpening;    ///< amount of the unsharp mask
+  Range sharpeningSigma; ///< standard deviation of the blur in the unsharp mask, pixels
   Range jpegQuality;
   Range vignette;           ///< fraction of light lost in the corners
   double sideFalloff = 0.0; ///< largest fraction of light gained or lost toward a border
 
   // Exposure and white balance.
   Range exposureSeconds;
-  Range levelStops;        ///< level at which the exposure settles
-  Range firstStops;        ///< error of the exposure at frame 0
-  Range whiteBalanceStops; ///< constant error of blue and red
-  Range huntingStops;      ///< amplitude of the disturbance of the exposure meter
-  Range huntingPeriod;     ///< seconds
+  Range levelStops;        ///< settled exposure relative to the nominal one, stops
+  Range firstStops;        ///< error of the exposure at frame 0, stops
+  Range whiteBalanceStops; ///< constant error of blue and red, stops
+  Range huntingStops;      ///< amplitude of the metering error, stops
+  Range huntingPeriod;     ///< period of the metering error, seconds
   Range loopSpeed;         ///< fraction of the error corrected per frame
-  Range loopLag;           ///< delay of the correction, frames
+  Range loopLag;           ///< number of frames from a measurement to its effect
 
+  /// Light of a low, white lamp at the side of the target, as a fraction of full light at the
+  /// target.
   // Light; drawn once per run.
-  Range sideLamp;        ///< white, low, from the side; fraction of full light at the target
-  Range coloredLamp;     ///< fraction of full light at the target, in green
-  Range coloredKelvin;   ///< color temperature of that lamp, kelvin
+  Range sideLamp;
+  /// Light of a colored lamp in the green channel, as a fraction of full light at the target.
+  Range coloredLamp;
+  Range coloredKelvin;   ///< color temperature of the colored lamp, kelvin
   Range shadowDepth;     ///< fraction of the room lamp's light that the moving shadow blocks
-  Range shadowHalfWidth; ///< meters
-  Range shadowSpeed;     ///< m/s
-  Range flickerDepth;    ///< amplitude as a fraction of the mean light; 100 or 120 Hz
+  Range shadowHalfWidth; ///< half width of the moving shadow, meters
+  Range shadowSpeed;     ///< speed of the moving shadow, m/s
+  Range flickerDepth; ///< amplitude of the flicker (100 or 120 Hz) as a fraction of the mean light
 
   // Time.
-  Range readoutSeconds; ///< rolling shutter
-  Range delayFrames;    ///< unknown delay
-  Range jitterSeconds;  ///< standard deviation of the time stamps
+  Range readoutSeconds; ///< time from the first to the last row of a rolling shutter
+  Range delayFrames;    ///< unknown part of the delay, frames
+  Range jitterSeconds;  ///< standard deviation of the errors of the time stamps, seconds
   Range dropShare;
   Range doubleShare;
 
   // Calibration.
   CalibrationError calibration; ///< standard deviations
-  Range driftRadians;           ///< final rotation of the camera after calibration
+  Range driftRadians;           ///< final rotation of the camera since its calibration, radians
   Range driftSettleSeconds;
 };
 
@@ -72,7 +74,7 @@ inline constexpr double kLampDistance = 1.5;
 /// Returns the values of a grade. `Ideal` has no faults: all zeros.
 const GradeModel& gradeModel(Grade grade);
 
-/// Properties of a run on which its faults depend.
+/// Properties of a run that determine its faults.
 struct FaultContext {
   std::size_t cameras = 0;
   double seconds = 6.0; ///< duration of the run
@@ -88,13 +90,14 @@ struct FaultContext {
 SensingFaults randomFaults(const GradeModel& model, const FaultContext& context,
                            RandomDraws& draws);
 
-/// Draws the image pipeline of one camera, from lens to video stream, excluding flicker and
+/// Draws the sensor model of one camera, from its lens to its video stream, without flicker and
 /// automatic exposure.
 simulation::SensorModel randomSensor(const GradeModel& model, const FaultContext& context,
                                      RandomDraws& draws);
 
-/// Gives each camera a lens typical of consumer cameras. `Ideal` keeps pinholes. There are only a
-/// few lenses, so that runs can share backgrounds.
+/// Gives each camera a lens that is typical of consumer cameras. In grade `Ideal`, cameras remain
+/// pinhole cameras. Lenses are drawn from a few different ones only, so that runs can share
+/// rendered backgrounds.
 void setRandomLenses(Grade grade, CameraRig& rig, RandomDraws& draws);
 
 } // namespace dewpoint::experiment::scenarios

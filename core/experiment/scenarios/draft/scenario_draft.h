@@ -30,21 +30,22 @@ struct ScenarioDraft {
   Grade grade = Grade::Ideal;
   std::uint64_t seed = 0;
   RandomDraws draws;
-  CameraRig rig; ///< true cameras
+  CameraRig rig; ///< true calibration of the cameras
   simulation::Stage stage = {};
   std::vector<std::size_t> targets = {}; ///< indices of the tracked bodies of the stage
-  bool radiusKnown = true;               ///< whether methods know the size of the targets
+  bool radiusKnown = true;               ///< true if methods know the size of the targets
   Eigen::Vector3d startCenter = Eigen::Vector3d::Zero();
   Eigen::Vector3d startHalfSize = Eigen::Vector3d::Zero();
   double framesPerSecond = simulation::kDefaultFrameRate;
   std::int64_t frameCount = 0;
-  /// Clocks, one per camera. If empty, all cameras take frame k at the time of set k.
+  /// Clocks, one per camera. If empty, all cameras take their frame k at the time of frame set k.
   std::vector<CameraClock> clocks = {};
   /// Returns whether a frame is lost and does not arrive.
   std::function<bool(std::size_t camera, std::int64_t frame)> lost = nullptr;
   std::vector<ScenarioEvent> events = {};
-  /// Changes the faults drawn for the grade, or the faults of an ideal run. A scenario sets here
-  /// the faults that it tests. Called when everything else is complete.
+  /// Changes the faults drawn for the grade, or the faults of an ideal run. A scenario uses this
+  /// function to set the faults that it tests. It is called when everything else in the draft is
+  /// complete.
   std::function<void(SensingFaults&)> adjustFaults = nullptr;
   /// Timing faults, one per camera, set by the grade and by the scenario. If empty, all times are
   /// known and all frames arrive.
@@ -52,25 +53,27 @@ struct ScenarioDraft {
 
   /// Room shown in the stage's views. Used to make views for additional cameras.
   std::shared_ptr<const simulation::Room> room = nullptr;
-  /// Scale factor for the extent of smooth paths. It is below 1 if the cameras see less.
+  /// Scale factor for the extent of smooth paths. It is below 1 if the cameras see a smaller volume
+  /// than usual.
   double pathScale = 1.0;
   /// Scale factor for ball radii, at most 1. It is applied when the scenario is complete.
   double radiusScale = 1.0;
   int equalCandidates = 1; ///< see ScenarioRun::equalCandidates
-  /// True if calibration and time stamps are exact in grade `ideal` and methods know this.
+  /// True if, in grade `ideal`, calibration and time stamps are exact and methods know this.
   bool exactWhenIdeal = true;
-  /// Sets what methods know about the targets, from the images of the finished run. If null,
+  /// Sets what methods know about the targets, using the images of the finished run. If null,
   /// methods know the color range of the pink ball.
   std::function<void(const ScenarioDraft&, ScenarioRun&)> teach = nullptr;
 
-  /// Returns the radius of a usual ball in the complete scenario, meters.
+  /// Returns the radius of a ball of default size in the complete scenario, meters.
   double ballRadius() const { return radiusScale * kBallRadius; }
   /// Returns the time of a frame, seconds.
   double timeOf(std::int64_t frame) const { return static_cast<double>(frame) / framesPerSecond; }
 };
 
-/// Declaration of a scenario: its name and the function that completes its draft. The function
-/// returns false if it finds no position at which everything that must be visible is visible.
+/// Recipe for a scenario: its name, and the function `complete` that completes its draft. This
+/// function returns false if it finds no position at which everything that must be visible is
+/// visible.
 struct ScenarioRecipe {
   std::string name;
   std::string sentence;
@@ -81,19 +84,20 @@ struct ScenarioRecipe {
   Eigen::Vector3d targetColor = simulation::kDefaultBallColor;
 };
 
-/// Converts a recipe to a declaration. Runs share the cache's views of the room at rest.
+/// Converts a recipe to a scenario declaration. All runs of the scenario share the cached views of
+/// the room at rest.
 ScenarioDeclaration declareScenario(ScenarioRecipe recipe,
                                     std::shared_ptr<simulation::ViewCache> cache);
 
-/// Adds a pink ball as a target ("ball 1", "ball 2", ...).
+/// Adds a pink ball as a target. The balls are named "ball 1", "ball 2", and so on.
 void addTarget(ScenarioDraft& draft, simulation::Path path, double radius = kBallRadius);
 
-/// Starts the search near the true initial position of the first target: in a box with a half size
-/// of 0.1 m, whose center is off by up to 0.05 m along each axis.
+/// Sets the start volume to a box near the true initial position of the first target. The box has a
+/// half size of 0.1 m, and its center is off by up to 0.05 m along each axis.
 void startNearTruth(ScenarioDraft& draft);
 
-/// Starts the search in a box that contains the initial positions of all targets, with a margin of
-/// 0.05 m.
+/// Sets the start volume to a box that contains the initial positions of all targets, with a margin
+/// of 0.05 m.
 void startAroundAll(ScenarioDraft& draft);
 
 } // namespace dewpoint::experiment::scenarios

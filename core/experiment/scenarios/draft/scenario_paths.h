@@ -5,10 +5,11 @@
 
 namespace dewpoint::experiment::scenarios {
 
-/// Number of attempts to draw a position before a scenario gives up. Chosen to take about a second.
+/// Maximum number of attempts to draw a position before a scenario gives up. Chosen so that they
+/// take about a second.
 inline constexpr int kMaxDrawAttempts = 4000;
-/// Number of attempts to draw a whole layout before a scenario gives up. It is small because each
-/// layout requires many positions.
+/// Maximum number of attempts to draw a whole layout before a scenario gives up. It is small
+/// because each layout requires many positions.
 inline constexpr int kMaxLayoutAttempts = 50;
 
 /// Number of frames in a run: 6 s at simulation::kDefaultFrameRate, which is one round of the
@@ -20,13 +21,13 @@ inline constexpr std::int64_t kDefaultFrameCount = 180;
 inline const Eigen::Vector3d kPathLow{0.46, 0.46, 0.12};
 inline const Eigen::Vector3d kPathHigh{0.56, 0.58, 0.18};
 
-/// Duration of one round of the smooth path (0.1 to 0.3 m/s) and of the fast path (five times as
-/// fast), seconds.
+/// Durations of one round of the two closed paths, seconds: the smooth path, on which a ball moves
+/// at 0.1 to 0.3 m/s, and the fast path, on which it moves five times as fast.
 inline constexpr double kSlowPathPeriod = 6.0;
 inline constexpr double kFastPathPeriod = 1.2;
 
-/// Closed path: center + extent .* (sin a, sin 2a, sin 3a), with a separate phase per axis. One
-/// round takes `period` seconds.
+/// Closed path. Each coordinate k (1: x, 2: y, 3: z) is center[k] + extent[k] * sin(k a +
+/// phase[k]), where the angle a = 2 pi time / period. One round takes `period` seconds.
 struct LissajousPath {
   Eigen::Vector3d center = Eigen::Vector3d::Zero(); ///< meters
   Eigen::Vector3d extent = Eigen::Vector3d::Zero(); ///< meters
@@ -46,18 +47,18 @@ bool isFullyVisible(const simulation::Stage& stage, const Eigen::Vector3d& cente
 /// Returns whether the sphere is fully visible in every frame of the draft.
 bool staysVisible(const ScenarioDraft& draft, const simulation::Path& path, double radius);
 
-/// Returns whether the outlines of two spheres are separated in the camera's image by more than
-/// `gap` radians.
+/// Returns whether the outlines of two spheres are separated by an angle of more than `gap`
+/// radians, as seen from the camera.
 bool areSeparated(const simulation::RoomView& view, const Eigen::Vector3d& one, double oneRadius,
                   const Eigen::Vector3d& other, double otherRadius, double gap = 0.0);
 
-/// Draws a path on the desk that stays inside all images. If `fast` is set, a round takes
-/// kFastPathPeriod.
+/// Draws a path above the desk that stays inside all images. If `fast` is set, a round takes
+/// kFastPathPeriod. Returns nothing if no such path was found.
 std::optional<LissajousPath> randomDeskPath(ScenarioDraft& draft, bool fast,
                                             double radius = kBallRadius);
 
-/// Adds one target ball on a desk path for `frames` frames, and starts the search near it. Returns
-/// false if no path was found.
+/// Adds one target ball that moves on a path from randomDeskPath() for `frames` frames, and calls
+/// startNearTruth(). Returns false if no path was found.
 bool addDeskBall(ScenarioDraft& draft, std::int64_t frames, bool fast = false);
 
 } // namespace dewpoint::experiment::scenarios

@@ -15,7 +15,7 @@ namespace dewpoint::experiment::scenarios {
 
 /// Standard deviations of the errors in the calibration that methods receive.
 struct CalibrationError {
-  double focal = 0.0;    ///< error of the focal length, relative
+  double focal = 0.0;    ///< error of the focal length, as a fraction
   double position = 0.0; ///< error of the position per axis, meters
   double rotation = 0.0; ///< rotation error about a random axis, radians
   double radial = 0.0;   ///< error of the first radial distortion coefficient
@@ -35,7 +35,8 @@ struct UnevenLight {
 /// Faults of one camera.
 struct CameraFaults {
   simulation::SensorModel sensor;
-  /// Automatic gain, which sets the gains of `sensor` unless they are already set.
+  /// Automatic exposure and white balance. They determine the gains of `sensor`, unless these gains
+  /// are already set.
   std::optional<simulation::AutomaticGain> automatic;
   UnevenLight unevenLight;
   CameraTiming timing;

@@ -13,8 +13,8 @@ struct TargetTruth {
 };
 
 /// Returns the truth for a body at a time (seconds). If some parts of the body are marked as
-/// target, it is the centroid and extent of the space that these parts fill together, whether
-/// hidden or not. Otherwise it follows the path and radius of the body.
+/// target, the truth is the centroid and extent of the space that these parts fill together,
+/// whether they are hidden or not. Otherwise it is given by the path and radius of the body.
 TargetTruth targetTruth(const simulation::StageBody& body, double time);
 
 } // namespace dewpoint::experiment::scenarios

@@ -6,12 +6,12 @@
 
 namespace dewpoint::experiment {
 
-// Scenes of people beyond those of the paper. Functions without clothes add people with their paths
-// and set the times at which identities are assessed. Functions named is...Possible report whether
-// people could walk these paths. Functions with clothes change a scene whose people
-// are already dressed.
+// Scenes of people that are not from the paper. Functions named add... without a parameter
+// `clothes` add people with their paths, and set the times at which identities are assessed.
+// Functions named is...Possible report whether people could walk these paths. Functions with a
+// parameter `clothes` change a scene whose people are already dressed.
 
-/// Adds three people who walk around, not near each other.
+/// Adds three people who walk around without coming near each other.
 void addStrollingPeople(PeopleScenario& scenario, RandomDraws& draws);
 bool isStrollPossible(const PeopleScenario& scenario);
 /// Sets the heights of the strolling people: a child of 0.9 to 1.3 m, a person of 1.3 to 1.6 m, and
@@ -22,10 +22,11 @@ void setVariedHeights(PeopleScenario& scenario, PeopleClothes clothes, RandomDra
 /// past.
 void addSittingPeople(PeopleScenario& scenario, RandomDraws& draws);
 bool isSittingPossible(const PeopleScenario& scenario);
-/// Adds the stool, with a height that suits the person. It is present from the beginning.
+/// Adds the stool for the person who sits down, with a height that suits this person. It is present
+/// from the beginning.
 void addStool(PeopleScenario& scenario, PeopleClothes clothes, RandomDraws& draws);
 
-/// Gives the first person a box and the second a bag.
+/// Gives the first person a box to carry, and the second person a bag.
 void addCarriedObjects(PeopleScenario& scenario, PeopleClothes clothes, RandomDraws& draws);
 
 /// Adds five to eight people who walk around for 12 s. Their paths may touch and cross.
@@ -34,12 +35,12 @@ bool isCrowdPossible(const PeopleScenario& scenario);
 /// Sets heights of 1.5 to 2 m for the people in the crowd.
 void setCrowdHeights(PeopleScenario& scenario, PeopleClothes clothes, RandomDraws& draws);
 
-/// Keeps only two cameras, either neighboring or opposite.
+/// Removes all cameras except two, which are either neighbors or opposite each other.
 void keepTwoCameras(PeopleScenario& scenario, PeopleClothes clothes, RandomDraws& draws);
 
-/// Adds two people who walk around. A cabinet and a stool that were present while the cameras
-/// learned the background slide to other positions, as if on casters, after the people have
-/// appeared.
+/// Adds two people who walk around, a cabinet and a stool. The cameras learn the background with
+/// the furniture in its initial position. After the people have appeared, the furniture slides to
+/// other positions, as if on casters.
 void addPeopleAndMovedFurniture(PeopleScenario& scenario, RandomDraws& draws);
 bool isMovedFurniturePossible(const PeopleScenario& scenario);
 

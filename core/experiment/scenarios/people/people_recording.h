@@ -15,12 +15,14 @@
 
 namespace dewpoint::experiment {
 
-/// Scene with people as recorded by the cameras of a grade: what methods may know, and the truth.
+/// Scene with people, as recorded by cameras with the faults of a grade: what methods may know, and
+/// the truth.
 struct PeopleRecording {
   Grade grade = Grade::Ideal;
-  OfficeScene scene; ///< has the true cameras
+  OfficeScene scene; ///< scene, with the true calibration of the cameras
   CameraRig rig;     ///< calibration that methods receive
-  std::vector<std::shared_ptr<const simulation::RoomView>> views; ///< views of the true cameras
+  /// Views of the room at rest from the true cameras.
+  std::vector<std::shared_ptr<const simulation::RoomView>> views;
   /// Returns the images of frame k as they arrive: delayed, with errors in the time stamps, and
   /// null where a frame is dropped. This is a pure function.
   std::function<FrameSetPtr(std::int64_t)> frames;

@@ -16,7 +16,8 @@ enum class PeopleClothes { Different, Similar };
 /// People in the simulated office, drawn from a seed.
 struct PeopleScenario {
   OfficeScene scene;
-  /// Times between which identities must be kept (seconds): one before and one after people meet.
+  /// Times between which a method must keep the identities of all people, seconds: one time before
+  /// and one time after the people meet.
   double before = 0.0;
   double after = 0.0;
 };
@@ -30,8 +31,8 @@ const std::vector<std::string>& peopleScenarioNames();
 std::string peopleScenarioDescription(const std::string& name);
 /// Returns whether a scenario is from Mohedano et al. 2009.
 bool isPeopleScenarioOfPaper(const std::string& name);
-/// Creates a scenario. NotFound for an unknown name; Undetermined if the seed yields no possible
-/// paths.
+/// Creates a scenario. Returns NotFound for an unknown name; Undetermined if the seed yields no
+/// possible paths.
 Result<PeopleScenario> makePeopleScenario(const std::string& name, PeopleClothes clothes,
                                           std::uint64_t seed);
 

@@ -11,7 +11,7 @@ namespace dewpoint::experiment {
 /// Time at which people appear, seconds. By then, the cameras have learned the background.
 inline constexpr double kAppearTime = 1.3;
 
-/// Range of distances between two people, meters. The actual distance is drawn from it.
+/// Range from which a distance between two people is drawn, meters.
 struct DistanceRange {
   double least = 0.0;
   double most = 0.0;
@@ -20,8 +20,8 @@ struct DistanceRange {
 /// Returns a unit vector on the floor. `angle` is measured from world x toward y, in radians.
 Eigen::Vector2d headingVector(double angle);
 
-/// Returns whether a person can stand here, outside the furniture and away from the walls. World x
-/// and y, meters.
+/// Returns whether a person can stand at `position` (world x and y, meters), outside the furniture
+/// and away from the walls.
 bool isWalkable(const Eigen::Vector2d& position);
 /// Returns whether a person can stand at every waypoint of the walker.
 bool isPathFree(const simulation::Walker& walker);

@@ -18,9 +18,9 @@ struct CrowdStart {
   std::vector<Eigen::Vector3d> velocities; ///< one per position
 };
 
-/// Motion of equal, weightless balls that fly in a box. They bounce elastically off its walls and
-/// off each other when their centers are two radii apart. The motion is computed once, in 240 steps
-/// per second. Between steps, the balls move in straight lines.
+/// Motion of equal, weightless balls that fly in a box. The balls bounce elastically off the walls
+/// and off each other. Two balls touch when their centers are two radii apart. The motion is
+/// computed once, in 240 steps per second. Between steps, the balls move in straight lines.
 class CrowdMotion {
 public:
   /// Computes the motion for `seconds`. `region` bounds the ball centers. In `start`, the centers
@@ -28,8 +28,8 @@ public:
   CrowdMotion(const CrowdStart& start, const Eigen::AlignedBox3d& region, double radius,
               double seconds);
 
-  /// Returns the position of a ball. Before the start, it is the first position; after the end, it
-  /// is the last.
+  /// Returns the position of a ball at a time in seconds (world, meters). Before the start, this is
+  /// the first position; after the end, it is the last position.
   Eigen::Vector3d position(std::size_t ball, double time) const;
 
 private:

@@ -9,12 +9,15 @@
 
 namespace dewpoint::experiment::scenarios {
 
-/// Round path with a temporary detour. At `begin` seconds, the ball starts to move aside. It takes
-/// `reach` seconds to do so, stays aside for `hold` seconds, and returns within `reach` seconds.
+/// Closed path with a temporary detour. At `begin` seconds, the ball starts to move aside, which
+/// takes `reach` seconds. It stays aside for `hold` seconds and then returns to the closed path
+/// within `reach` seconds.
 struct Detour {
   LissajousPath base;
-  Eigen::Vector3d out = Eigen::Vector3d::Zero();  ///< offset when it has moved aside, meters
-  Eigen::Vector3d back = Eigen::Vector3d::Zero(); ///< offset when it starts to return, meters
+  /// Offset from `base` when the ball has moved aside, meters.
+  Eigen::Vector3d out = Eigen::Vector3d::Zero();
+  /// Offset from `base` when the ball starts to return, meters.
+  Eigen::Vector3d back = Eigen::Vector3d::Zero();
   double begin = 1.5;
   double reach = 0.7;
   double hold = 1.2;
@@ -27,7 +30,7 @@ struct Detour {
 
 /// Visibility of a ball in an image, given the image border and the objects at rest in the room.
 enum class Visibility { Nothing, Part, Whole };
-/// Returns how much of a ball (world frame, meters) the image shows.
+/// Returns how much of a ball (world frame, meters) is visible in the image of `view`.
 Visibility visibilityOf(const simulation::RoomView& view, const Eigen::Vector3d& center,
                         double radius);
 

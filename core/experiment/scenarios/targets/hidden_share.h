@@ -11,22 +11,23 @@
 
 namespace dewpoint::experiment::scenarios {
 
-/// Returns the fraction of a ball's disk, 0 to 1, that parts hide from the viewpoint `eye`. It is
-/// estimated from kDiskPoints points spread evenly over the disk. World frame, meters. 1 if the
-/// viewpoint is inside the ball.
+/// Returns the fraction of a ball's disk, 0 to 1, that `parts` hide from the viewpoint `eye`. It is
+/// estimated from kDiskPoints points spread evenly over the disk. World frame, meters. The result
+/// is 1 if the viewpoint is inside the ball.
 double hiddenShare(const Eigen::Vector3d& eye, const Eigen::Vector3d& center, double radius,
                    const std::vector<simulation::MovingPart>& parts);
 
-/// Returns the fraction of a ball's disk, 0 to 1, that has one of the parts in front of it or
-/// behind it.
+/// Returns the fraction of a ball's disk, 0 to 1, in front of which or behind which there is one of
+/// the parts, as seen from the viewpoint `eye`.
 double overlappedFraction(const Eigen::Vector3d& eye, const Eigen::Vector3d& center, double radius,
                           const std::vector<simulation::MovingPart>& parts);
 
 /// Converts a stage box at a time (seconds) to a part, in the world frame.
 simulation::MovingPart boxPart(const simulation::StageBody& box, double time = 0.0);
 
-/// Number of frames between two checks of these fractions in scenarios. In that time, a ball on a
-/// smooth path moves by about its radius, which changes the fraction by a few hundredths.
+/// Number of frames between two checks of hiddenShare() or overlappedFraction() in a scenario. In
+/// that time, a ball on a smooth path moves by about its radius, which changes the fraction by a
+/// few hundredths.
 inline constexpr std::int64_t kFractionCheckInterval = 3;
 
 /// Number of points on the disk. With this number, fractions are accurate to about a hundredth.

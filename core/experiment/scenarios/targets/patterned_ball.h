@@ -13,13 +13,13 @@ namespace dewpoint::experiment::scenarios {
 
 /// Pattern painted on a ball.
 enum class BallPattern {
-  OnePatch,     ///< 22 to 32 mm wide on a 70 mm ball
-  TwoPatches,   ///< large and separate; half angles of 35 to 45 degrees
-  ThreePatches, ///< of the same size, like a beach ball
-  SixSpots,     ///< on all sides; half angles of 14 to 18 degrees
-  Seams,        ///< two intersecting great circles, 5 to 7 mm wide on a 70 mm ball
+  OnePatch,     ///< one patch, 22 to 32 mm wide on a ball of 70 mm diameter
+  TwoPatches,   ///< two large, separate patches with half angles of 35 to 45 degrees
+  ThreePatches, ///< three patches of the same size, as on a beach ball
+  SixSpots,     ///< six spots on all sides, with half angles of 14 to 18 degrees
+  Seams,        ///< two intersecting great circles, 5 to 7 mm wide on a ball of 70 mm diameter
   TwoColors,    ///< half of the ball has a second color
-  Highlight,    ///< unpainted but shiny, with a clipped highlight
+  Highlight,    ///< no paint, but shiny, with a clipped highlight
 };
 
 /// Rotation of a ball about an axis at a constant rate.

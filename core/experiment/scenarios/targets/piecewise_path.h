@@ -16,11 +16,11 @@ class PiecewisePath {
 public:
   explicit PiecewisePath(const Eigen::Vector3d& start) : position_(start) {}
 
-  /// Continues with this acceleration, m/s².
+  /// Appends a piece of `seconds` with a constant acceleration (m/s²).
   void accelerate(const Eigen::Vector3d& acceleration, double seconds);
-  /// Stops immediately and stays at rest.
+  /// Appends a piece of `seconds` at rest. The body stops immediately.
   void rest(double seconds);
-  /// Continues with another velocity (m/s), as after a push or a bounce.
+  /// Sets the velocity (m/s) at the current end of the path, as after a push or a bounce.
   void setVelocity(const Eigen::Vector3d& velocity) { velocity_ = velocity; }
 
   /// Returns the position, velocity or time at the current end of the path.
@@ -28,8 +28,8 @@ public:
   const Eigen::Vector3d& velocity() const { return velocity_; }
   double end() const { return end_; }
 
-  /// Returns the position at a time. Before the start, it is the first position; after the end, it
-  /// is the last.
+  /// Returns the position at a time. Before the start, this is the first position; after the end,
+  /// it is the last position.
   Eigen::Vector3d operator()(double time) const;
 
 private:
@@ -46,12 +46,12 @@ private:
   double end_ = 0.0;
 };
 
-/// Adds a throw from rest to rest at `to`. A hand accelerates the ball, the ball flies freely for
-/// `flight` seconds, and a hand slows it down.
+/// Appends a throw that begins at rest and ends at rest at `to`. A hand accelerates the ball, the
+/// ball flies freely for `flight` seconds, and a hand slows it down.
 void addThrow(PiecewisePath& path, const Eigen::Vector3d& to, double flight);
 
-/// Adds a movement along a straight line, from rest to rest at `to`. It accelerates for the first
-/// half of the time.
+/// Appends a movement along a straight line that begins at rest and ends at rest at `to`. The body
+/// accelerates during the first half of the `seconds`, and slows down during the second half.
 void addCarry(PiecewisePath& path, const Eigen::Vector3d& to, double seconds);
 
 /// Properties of a ball that bounces on a level floor.
@@ -62,8 +62,8 @@ struct Bounce {
   double slide = 0.9; ///< fraction of the speed along the floor that is kept
 };
 
-/// Adds a fall with bounces, until the next bounce would be lower than a millimeter. The ball then
-/// lies still.
+/// Appends a fall with bounces, which ends when the next bounce would be lower than a millimeter.
+/// The ball then lies still.
 void addBounces(PiecewisePath& path, const Bounce& bounce);
 
 } // namespace dewpoint::experiment::scenarios

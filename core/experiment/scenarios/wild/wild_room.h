@@ -11,17 +11,17 @@
 
 namespace dewpoint::experiment::scenarios {
 
-/// Draws a room of grade `wild`. It has clutter of any shape, size and color that stays clear of
-/// the cameras and of the center of the volume. It also has posters, walls of another color and a
-/// lamp at another position. Some of the clutter has approximately the target color (BGR in full
-/// light).
+/// Draws a room of grade `wild`. The room contains clutter of any shape, size and color, which is
+/// kept away from the cameras and from the center of their common volume. It also has posters,
+/// walls of another color and a lamp at another position. Some of the clutter has approximately the
+/// target color (BGR in full light).
 simulation::RoomDesign
 randomRoom(simulation::Furnishing furnishing, const CameraRig& rig, RandomDraws& draws,
            const Eigen::Vector3d& targetColor = simulation::kDefaultBallColor);
 
 /// Draws up to three people who walk along two walls of a room with a desk, behind the cameras'
-/// volume, for a run of `seconds`. Some wear the target color. In the hall there are no people,
-/// because its volume extends to its walls.
+/// volume, for a run of `seconds`. Some of them wear the target color. Returns no people for the
+/// hall, because the volume of the targets extends to its walls.
 std::vector<simulation::Walker>
 randomPeople(simulation::Furnishing furnishing, double seconds, RandomDraws& draws,
              const Eigen::Vector3d& targetColor = simulation::kDefaultBallColor);
