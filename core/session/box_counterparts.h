@@ -12,13 +12,13 @@
 
 namespace dewpoint::session {
 
-/// Returns the index in `all` of the target that had the given index and name when there were
-/// `count` targets. If there are still `count` targets, the index is unchanged, since a target may
-/// have been renamed. Otherwise it is the index of the target with the same name, or -1 if there is
+/// Returns the index in `all` of a target that had the index `index` and the name `name` when there
+/// were `count` targets. If `all` has `count` targets too, this is `index`, since the target may
+/// have been renamed. Otherwise, it is the index of the target called `name`, or -1 if there is
 /// none.
 template <class Targets, class NameOf>
-int counterpart(const Targets& all, const NameOf& nameOf, std::size_t count, std::size_t index,
-                const std::string& name) {
+int indexOfSameTarget(const Targets& all, const NameOf& nameOf, std::size_t count,
+                      std::size_t index, const std::string& name) {
   if (all.size() == count) {
     return static_cast<int>(index);
   }
@@ -26,15 +26,16 @@ int counterpart(const Targets& all, const NameOf& nameOf, std::size_t count, std
   return found == all.end() ? -1 : static_cast<int>(found - all.begin());
 }
 
-/// Returns the index in `after` for each target in `before`; -1 if the target no longer exists.
+/// Returns, for each target in `before`, its index in `after`, or -1 if it no longer exists.
 std::vector<int> newIndices(const std::vector<Target>& before, const std::vector<Target>& after);
 
-/// Returns whether every target has kept its index.
+/// Returns whether every target has kept its index, for the result of newIndices().
 bool areIndicesUnchanged(const std::vector<int>& numbers);
 
-/// Returns the first frame whose result differs after the boxes have changed. It is the first frame
-/// with a box that was added, changed, or removed from a target that still exists. A removed target
-/// does not affect the others. Returns nothing if no result differs.
+/// Returns the first frame whose result differs after the boxes have changed from those of `before`
+/// to those of `after`: the first frame with a box that was added, changed, or removed from a
+/// target that still exists. A removed target is ignored, since it does not affect the others.
+/// Returns nothing if no result differs.
 std::optional<std::int64_t> firstChangedFrame(const std::vector<Target>& before,
                                               const std::vector<Target>& after);
 

@@ -8,11 +8,11 @@
 
 namespace dewpoint::session {
 
-/// Rule that keeps the displayed results consistent with the current settings. If the settings of a
-/// recording change while its run is paused, frames tracked with other settings are tracked again
-/// immediately, provided that this is expected to be quick. Otherwise, the results are marked as
-/// old, and the user is offered to track them again. While a run plays, changes apply to new
-/// frames, and earlier results are marked.
+/// Rule that keeps the displayed results consistent with the current settings. If the settings
+/// change while the run of a recording is paused, frames that were tracked with other settings are
+/// tracked again immediately, provided that this is expected to be quick. Otherwise, their results
+/// are marked as old, and the user can choose to track them again. While a run plays, changes apply
+/// to new frames, and earlier results are marked.
 class ChangeRule {
 public:
   /// Tracking again starts without asking the user if its expected duration is below this limit, in
@@ -27,7 +27,7 @@ public:
     bool isRerunning = false; ///< past frames are being tracked again
     bool isEdited = false;    ///< settings have changed since the rule was last applied
     OldResults old;
-    double quick = kQuickSeconds; ///< seconds
+    double quick = kQuickSeconds; ///< longest duration that counts as quick, seconds
   };
   enum class Action {
     Nothing,    ///< all results match the current settings, or there is nothing to do

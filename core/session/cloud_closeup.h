@@ -12,7 +12,7 @@
 namespace dewpoint::session {
 
 /// Close-up of a target's particles in parallel projection, as a square image. Its center is the
-/// mean. Positions are offsets from the center in pixels: x to the right, y down.
+/// estimated position. Positions are offsets from the center in pixels: x to the right, y down.
 struct CloudCloseup {
   double metersPerPixel = 0.0;
   /// Particles inside the image, in order of ascending weight.
@@ -20,8 +20,8 @@ struct CloudCloseup {
   std::vector<float> weights; ///< relative to the largest weight: 0 to 1
   /// Outline of the ellipsoid that contains the target with a probability of 95 %.
   ImageEllipse outline;
-  double scaleBarMeters =
-      0.0; ///< length of the scale bar: a round number that fits below the cloud
+  /// Length of the scale bar, a round number.
+  double scaleBarMeters = 0.0;
 };
 
 /// Returns the longest semi-axis of the 95 % ellipsoid of the position, in meters. Returns nothing

@@ -37,7 +37,7 @@ struct Restart {
 struct SetParameters {
   ParameterValues parameters;
 };
-/// Changes the method; the seed is kept. If the method begins at frame `from`, earlier results are
+/// Changes the method; the seed is kept. If `from` is set, the results of frames before it are
 /// kept.
 struct SetMethod {
   std::string method;
@@ -58,7 +58,7 @@ struct ReturnToHead {};
 struct Rerun {
   std::int64_t from = 0;
   /// If true, the displayed frame does not change: frames tracked during the rerun are not
-  /// published, unless it takes noticeably long.
+  /// published, unless the rerun takes noticeably long.
   bool keepView = false;
 };
 /// Turns likelihood maps on or off (TargetSnapshot::maps).
@@ -95,8 +95,7 @@ struct ShowMasks {
 struct ShowShapes {
   bool shown = false;
 };
-/// Sets the number of filter threads from the next iteration on (filterThreadCount()). It never
-/// changes the result.
+/// Sets the number of filter threads from the next iteration on. It never changes the result.
 struct SetThreads {
   int threads = 0;
 };

@@ -15,7 +15,8 @@ template <class Record> struct LogUpdate {
   /// other logs.
   std::size_t first = 0;
   std::vector<Record> records;
-  /// True if `records` contains the whole log again, because the run restarted or went back.
+  /// True if `records` contains the whole log again, because the run restarted or went back to an
+  /// earlier frame.
   bool restarted = false;
 };
 

@@ -9,12 +9,13 @@
 
 namespace dewpoint::session {
 
-/// State machine of a session: which frame is shown, what runs without further commands, and what
-/// comes next. It has no thread, clock or image. The *head* is the last frame that the run has
-/// taken. At the head, the run is Paused, Playing or Ended. Viewing and Replaying show a frame
-/// other than the head. Rerunning tracks past frames again, up to the former head. Holding is a
-/// rerun that is on hold. The table gives the next state for each state (column) and event (row); a
-/// dash means no change:
+/// State machine of a session. It determines which frame is shown, whether the session continues
+/// without further commands, and which frame comes next. It has no thread, clock or image. The
+/// *head* is the last frame that the run has taken. At the head, the run is Paused, Playing or
+/// Ended. Viewing and Replaying show a frame other than the head. Rerunning tracks past frames
+/// again, up to the former head. Holding is a rerun that is on hold. The table gives the next state
+/// for each state (column) and event (row). The row "advance, head" applies if the next frame is
+/// the head, the row "advance, none" if there is no next frame. A dash means no change:
 ///
 /// |                | Paused  | Playing | Ended   | Viewing   | Replaying | Rerunning | Holding   |
 /// | -------------- | ------- | ------- | ------- | --------- | --------- | --------- | --------- |
@@ -34,8 +35,8 @@ namespace dewpoint::session {
 /// Ended.
 /// *: Ended if the input had ended before a frame other than the head was shown.
 /// **: Ended if the input had ended before the rerun; Playing if the run was Playing; otherwise
-/// Paused. A rerun that begins during another one takes over the goal of that rerun if it is later,
-/// and the state that would have followed it.
+/// Paused. A rerun that begins during another one ends in the state in which the other would have
+/// ended, and at the goal of the other if that is later than its own.
 class Playback {
 public:
   struct Paused {};
@@ -81,14 +82,15 @@ public:
   void returnToHead();
   /// Shows the next frame when replaying; `next` is empty if there is none.
   void advance(std::optional<std::int64_t> next, std::int64_t head);
-  /// Starts tracking the frames in `range` again. If a rerun is already in progress, the new one
-  /// continues to its goal if that is later.
+  /// Starts tracking the frames in `range` again. If another rerun is in progress, the new one
+  /// continues to the goal of the other if that is later. `viewAfterwards` is the frame to show
+  /// after the rerun; if empty, the head is shown.
   void rerun(const RerunState& range, std::optional<std::int64_t> viewAfterwards);
   /// Starts tracking at a frame that was not tracked before.
   void continueTrackingAt(std::int64_t frame);
   /// Notes that the end of the input was reached.
   void endInput();
-  /// Returns to the first frame; there is no head until it is taken.
+  /// Returns to the first frame. There is no head until that frame is taken.
   void restart();
 
   /// Progress of the head's frame.
@@ -107,10 +109,10 @@ public:
   void track();
   /// Notes that the estimates of the head are in the log.
   void record() { head_ = Head::Recorded; }
-  /// Notes that the head is at this frame, and ends a rerun that has reached its goal. Returns the
-  /// frame to show next, if there is one.
+  /// Notes that the run has reached frame `head`. If this is the goal of a rerun, the rerun ends;
+  /// the frame to show after it is returned, if there is one.
   std::optional<std::int64_t> reach(std::int64_t head);
-  /// Notes that tracking restarts from scratch on the same frame.
+  /// Notes that tracking restarts from scratch on the head's frame.
   void forgetEstimates();
 
   /// Content that the last snapshot still lacks.

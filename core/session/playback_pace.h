@@ -22,7 +22,7 @@ struct Pace {
 };
 
 /// Decides when a playing session takes its next step, and how large the step is. The pace never
-/// changes what is computed: a run gives bit-identical results at any pace.
+/// changes the results: they are bit-identical at any pace.
 class PlaybackPace {
 public:
   using Seconds = std::chrono::duration<double>;

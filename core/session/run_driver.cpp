@@ -360,7 +360,7 @@ void RunDriver::showFrame(const SnapshotBuilder& builder, bool quickly, TrackSna
     snapshot.past = false;
   }
   const bool isRecorded = playback_.head() == Playback::Head::Recorded;
-  builder.showHead(run(), current_.history(), isRecorded, snapshot);
+  builder.showCurrent(run(), current_.history(), isRecorded, snapshot);
 }
 
 void RunDriver::fill(const SnapshotBuilder& builder, bool quickly, TrackSnapshot& snapshot) {

@@ -23,8 +23,8 @@
 
 namespace dewpoint::session {
 
-/// Drives a run over the frames of its input: forward, back to a past frame, and forward again from
-/// there with later changes applied. Used by the tracking thread only.
+/// Moves a run through the frames of its input. The run can go back to a past frame and continue
+/// from there with changes made later. Used by the tracking thread only.
 class RunDriver {
 public:
   /// `tap`, `log` and `truth` must outlive this object.
@@ -54,8 +54,8 @@ public:
   void stepIteration();
   /// Restarts the run. Returns false if there is nothing to track.
   bool restart(std::optional<std::uint64_t> seed);
-  /// Takes the next step of the current activity: tracks a frame, or only its next iteration, or
-  /// shows the next past frame.
+  /// Takes the next step of the current activity: tracks a frame (with `oneIteration`, only its
+  /// next iteration), or shows the next past frame.
   void advance(bool oneIteration = false);
 
   // Time travel.
@@ -66,7 +66,7 @@ public:
   void rerun(std::int64_t from, bool keepView = false) { rerun(from, nullptr, keepView); }
 
   // Changes. Tracks continue as far as possible.
-  /// Applies a definition. Returns false if the run does not accept it; see accepts().
+  /// Applies a definition. Returns false if the run does not accept it; see TrackingRun::accepts().
   bool change(RunDefinition wanted);
   void setMethod(const command::SetMethod& request);
   void setTargets(const std::vector<Target>& targets);

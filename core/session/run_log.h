@@ -24,16 +24,17 @@ public:
   /// Maximum number of iteration records; about 40 MB with four cameras.
   static constexpr std::size_t kMaxRecords = 100000;
   RunLog();
-  /// Clears the log. The following records belong to this project in its present state, tracked
-  /// with this number of filter threads.
+  /// Clears the log. The records appended next are results of `project` in its present state,
+  /// tracked with `threads` filter threads.
   void restart(const Project& project, int threads = 1);
-  /// Notes that the project has other parameters or corrections from now on. If nothing is recorded
-  /// yet, the whole run and the header of its trajectory belong to this project.
+  /// Sets the project after its parameters or corrections have changed. If no frame is recorded
+  /// yet, the header of the trajectory is also replaced by that of `project`.
   void change(const Project& project);
   void append(const std::vector<IterationRecord>& records);
-  /// Appends the samples of one frame. They replace those of the last frame if it is the same.
+  /// Appends the samples of one frame. If this frame is already the last one in the log, its former
+  /// samples are replaced.
   void append(const std::vector<TrajectorySample>& samples);
-  /// Appends the boxes of one frame, as for samples.
+  /// Appends the boxes of one frame, or replaces them, in the same way as samples.
   void append(const std::vector<BoxSample>& samples);
   /// Adds the duration of one filter iteration, in seconds per target.
   void countIteration(double seconds);
@@ -52,9 +53,9 @@ public:
   /// Returns the iteration records from `position` on, and updates both arguments. Beyond
   /// kMaxRecords, older records are thinned out progressively.
   LogUpdate<IterationRecord> since(std::uint64_t& generation, std::size_t& position) const;
+  static constexpr std::size_t kMaxFrames = 50000;
   /// Like since(), but for tracked frames. Beyond kMaxFrames, older frames are thinned out
   /// progressively.
-  static constexpr std::size_t kMaxFrames = 50000;
   LogUpdate<FrameRecord> framesSince(std::uint64_t& generation, std::size_t& position) const;
   /// Appends one frame, or replaces the last one if it is the same frame.
   void append(const FrameRecord& record);

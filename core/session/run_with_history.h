@@ -12,8 +12,9 @@
 namespace dewpoint::session {
 
 /// A run, its definition and its history, kept consistent. Every frame that the run begins and
-/// every change to it are also recorded in the history. The run can therefore return to any frame
-/// and continue from there with bit-identical results. Used by the tracking thread only.
+/// every change to it are also recorded in the history. The run can therefore return to any
+/// recorded frame and continue from there with bit-identical results. Used by the tracking thread
+/// only.
 class RunWithHistory {
 public:
   /// Creates an object without a run. `threads` is the number of filter threads. There is no run
@@ -50,12 +51,13 @@ public:
   bool change(RunDefinition wanted);
   /// Applies a correction for people or of a position in the current frame.
   void change(const RunChange& runChange);
-  /// Restores the state of the run right before it began a frame. If the run had not yet learned
-  /// anything at that time, a new run with the current definition is created. Tracking a recording
-  /// again from its beginning therefore gives the same result as opening it again. Recorded results
-  /// are kept.
+  /// Restores the state of the run right before it began a frame. If a recording is tracked again
+  /// from before the first iteration of the run, a new run with the current definition is created
+  /// instead. Tracking a recording again from its beginning therefore gives the same result as
+  /// opening it again. Recorded results are kept.
   Status goBack(std::int64_t frame, bool isLive);
-  /// Applies all later changes after goBack(). They take effect in the frame begun next.
+  /// After goBack(), applies the changes that were made later than the restored state. They take
+  /// effect in the frame that is begun next.
   void applyLaterChanges();
   void setThreads(int threads);
   /// Discards all tracks and the whole history. Without `seed`, the previous seed is used.

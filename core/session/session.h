@@ -22,12 +22,12 @@
 
 namespace dewpoint::session {
 
-/// All results that a run saves to a folder. It is an independent copy, which any thread can write
-/// while the run continues.
+/// All results of a run that can be saved to a folder. This is an independent copy, so any thread
+/// can write it to the folder while the run continues.
 struct RunRecord {
   Project project;
   RunStatistics figures;
-  PeopleRecord people; ///< its trajectory is also used for other methods
+  PeopleRecord people; ///< for methods that do not track people, it contains only the trajectory
   BoxTrack boxes;      ///< boxes, for methods that track boxes
 
   /// Writes trajectory.csv and run.json to a folder, which is created if necessary. Methods that
@@ -69,7 +69,7 @@ public:
   LogUpdate<BoxSample> boxesSince(std::uint64_t& generation, std::size_t& position) const;
   /// Returns all boxes so far.
   BoxTrack boxTrack() const;
-  /// Returns which results came from other settings than those of the newest snapshot.
+  /// Returns which results came from settings other than those of the newest snapshot.
   OldResults oldResults() const;
   /// Returns the trajectory so far.
   Trajectory trajectory() const;
@@ -79,7 +79,7 @@ public:
   RunRecord record() const;
   /// Writes the present results to a folder; see RunRecord.
   Status saveRun(const std::filesystem::path& folder) const;
-  /// Returns all data about the people in the run; empty unless the method tracks people.
+  /// Returns the trajectory so far and, if the method tracks people, the people of its frames.
   PeopleRecord peopleRecord() const;
 
   /// Sends a command; command.h describes each.

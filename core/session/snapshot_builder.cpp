@@ -64,7 +64,7 @@ void showPresentBoxes(const TrackingRun& run, TrackSnapshot& snapshot) {
   const auto nameOf = [](const TargetSnapshot& shown) { return shown.target.name; };
   const std::vector<Target>& targets = run.targets();
   for (std::size_t k = 0; k < targets.size(); ++k) {
-    const int old = counterpart(then, nameOf, targets.size(), k, targets[k].name);
+    const int old = indexOfSameTarget(then, nameOf, targets.size(), k, targets[k].name);
     if (old >= 0) {
       snapshot.targets.push_back(then[static_cast<std::size_t>(old)]);
       snapshot.targets.back().target = targets[k];
@@ -218,8 +218,8 @@ void SnapshotBuilder::addImages(const TrackingRun& run, TrackSnapshot& snapshot)
   }
 }
 
-void SnapshotBuilder::showHead(const TrackingRun& run, const History* history, bool isRecorded,
-                               TrackSnapshot& snapshot) const {
+void SnapshotBuilder::showCurrent(const TrackingRun& run, const History* history, bool isRecorded,
+                                  TrackSnapshot& snapshot) const {
   snapshot.frames = run.frames();
   snapshot.frame = run.frames() ? run.frames()->index : -1;
   const TrackedFrame* recorded = history != nullptr ? history->at(snapshot.frame) : nullptr;

@@ -27,15 +27,16 @@ public:
   SnapshotOptions& options() { return options_; }
   const TruthTable& truth() const { return truth_; }
 
-  /// Shows the current frame of the run. `history` is null if none is kept; `isRecorded` is true if
-  /// it contains the current estimates.
-  void showHead(const TrackingRun& run, const History* history, bool isRecorded,
-                TrackSnapshot& snapshot) const;
-  /// Shows another frame. If `quickly` is true, it may be shown as a preview. Fails if the frame
-  /// cannot be read.
+  /// Fills `snapshot` with the current frame of the run. `history` is null if none is kept;
+  /// `isRecorded` is true if it contains the current estimates.
+  void showCurrent(const TrackingRun& run, const History* history, bool isRecorded,
+                   TrackSnapshot& snapshot) const;
+  /// Fills `snapshot` with another frame. If `quickly` is true, its images may be previews. Fails
+  /// if the frame cannot be read.
   Status showPast(const TrackingRun& run, TimeTravel& travel, std::int64_t frame, bool quickly,
                   TrackSnapshot& snapshot) const;
-  /// Returns whether the options request content of a past frame that only addMaps() can provide.
+  /// Returns whether the snapshot shows a past frame, and the options request content that only
+  /// addMaps() can provide.
   bool lacksMaps(const TrackingRun& run, const TrackSnapshot& snapshot) const;
   /// Adds the data about the current frame that only the run has: likelihood maps, or motion masks
   /// for methods for people.
@@ -45,8 +46,8 @@ private:
   /// Adds the content that every snapshot has; `tailEnd` is the last frame of the trajectory tails.
   static void show(const TrackedFrame& trackedFrame, const TrackingRun& run, const History* history,
                    std::int64_t tailEnd, TrackSnapshot& snapshot);
-  /// Adds what is computed from the images of a frame (histograms, masks), body shapes and true
-  /// positions.
+  /// Adds histograms and masks, which are computed from the images of a frame, and also body shapes
+  /// and true positions.
   void addImages(const TrackingRun& run, TrackSnapshot& snapshot) const;
   /// Returns whether the options request content that only addMaps() can provide.
   bool requestsMaps(const TrackingRun& run, const TrackSnapshot& snapshot) const;

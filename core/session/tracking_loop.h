@@ -70,8 +70,8 @@ private:
   void takeDueStep();
   /// Schedules the first step after playing has started or its settings have changed.
   void scheduleFirstStep();
-  /// Returns how often to publish during normal playback: less than every frame while past frames
-  /// are tracked again or frames are played faster than real time.
+  /// Returns how to publish during normal playback: not every frame while past frames are tracked
+  /// again or frames are played faster than real time.
   Publish playbackPublish() const;
   void publish(Publish how);
   void addMaps(const std::stop_token& stop);

@@ -16,9 +16,9 @@ ParameterValues defaultParameters(const Project& project);
 bool isChanged(const ParameterValues& used, const ParameterValues& defaults,
                const ParameterDeclaration& declaration);
 
-/// Resets a declared parameter (asserted) to its value in defaultParameters(). Other parameters
-/// that can be derived from the cameras keep the values in use. If all of these equal the derived
-/// values, they are no longer marked as given.
+/// Resets a parameter, which must be declared (asserted), to its value in defaultParameters(). If
+/// it is derived from the cameras, the other parameters derived from them keep the values in use.
+/// If all of these then equal the derived values, none of them is marked as given anymore.
 void resetParameter(Project& project, std::string_view key);
 /// Resets all parameters for which isChanged() is true.
 void resetParameters(Project& project);

@@ -10,14 +10,14 @@
 
 namespace dewpoint::setup {
 
-/// Returns how many more targets are needed to track all objects that have the color and size of a
+/// Returns how many targets must be added to track all objects that have the color and size of a
 /// target, according to the assessment of its color. Targets that already have the same colors are
-/// counted. Returns 0 unless the assessment suggests tracking all of them.
+/// subtracted. Returns 0 unless the assessment suggests tracking all these objects.
 int missingTargetCount(const Project& project, std::size_t target,
                        const ColorAssessment& assessment);
 
-/// Adds `count` copies of a target, without its samples. Before each copy is added, `nameOf`
-/// receives the project and returns the name of the copy.
+/// Adds `count` copies of a target, without its samples. Before each copy is added, `nameOf` is
+/// called with the project and returns the name of the copy.
 void addTargetCopies(Project& project, std::size_t target, int count,
                      const std::function<std::string(const Project&)>& nameOf);
 

@@ -32,9 +32,9 @@ Result<std::vector<MissingFile>> missingFilesOf(const std::filesystem::path& fil
 /// As above, for a project in memory.
 std::vector<MissingFile> missingFilesOf(const Project& project);
 
-/// Returns the locations of missing files after one of them was found at `found`. Each other file
-/// is searched for at the same path relative to the found file, and then by name in its folder.
-/// Files that do not exist there are omitted.
+/// Returns the locations of missing files after one of them, `located`, was found at `found`. Each
+/// other file is searched for at the same path relative to the found file, and then by name in the
+/// folder of the found file. Files that do not exist there are omitted.
 MovedFiles locateRemainingFiles(const std::vector<MissingFile>& missing, const MissingFile& located,
                                 const std::filesystem::path& found);
 

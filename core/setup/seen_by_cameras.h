@@ -9,8 +9,8 @@
 namespace dewpoint::setup {
 
 /// Returns the bounding box of the volume that at least two cameras of a project see, in meters,
-/// world frame; see geometry::seenVolume(). If no two views overlap, the box covers what single
-/// cameras see. Returns nothing if no camera is calibrated.
+/// world frame; see geometry::seenVolume(). If no two views overlap, the box covers the volumes
+/// seen by single cameras. Returns nothing if no camera is calibrated.
 std::optional<WorldBox> volumeSeenBy(const Project& project);
 
 } // namespace dewpoint::setup

@@ -34,7 +34,8 @@ enum class CameraStatus {
 /// One camera's report on a target.
 struct CameraReport {
   CameraStatus status = CameraStatus::None;
-  /// Distance between the outlines, or to the color, in pixels; 0 if they touch.
+  /// For Distractor, the distance between its outline and the expected one; for Elsewhere, the
+  /// distance to the nearest pixel of the color. In pixels; 0 if they touch.
   double pixels = 0.0;
 };
 

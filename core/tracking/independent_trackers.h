@@ -137,7 +137,7 @@ private:
   std::vector<SphereEstimate> estimates_;
 };
 
-/// As IndependentTrackers, for filters with likelihood maps.
+/// IndependentTrackers for filters that also provide likelihood maps.
 template <MappingFilter F>
 class IndependentMappingTrackers final : public IndependentTrackers<F>, public LikelihoodMapping {
 public:

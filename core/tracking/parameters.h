@@ -47,12 +47,12 @@ struct ParameterDeclaration {
   /// If that is not possible, the default is used.
   bool fromCameras = false;
   ParameterGroup group = ParameterGroup::Essential;
-  /// Key of another parameter of the method whose value is an upper limit for this one. A larger
-  /// value is replaced by the limit. Empty if there is no limit.
+  /// Key of another parameter of the method whose value is an upper limit for this one. If this
+  /// value is larger, the limit is used instead. Empty if there is no such limit.
   std::string bound = {};
 };
 
-/// Moves the declarations with these keys (asserted) to a group.
+/// Moves the declarations with these keys, which must exist (asserted), to a group.
 void putInGroup(ParameterGroup group, std::initializer_list<std::string_view> keys,
                 std::vector<ParameterDeclaration>& declarations);
 
@@ -65,7 +65,7 @@ public:
   ParameterValues() = default;
   explicit ParameterValues(std::span<const ParameterDeclaration> declarations);
   std::span<const ParameterDeclaration> declarations() const { return declarations_; }
-  /// Returns the value of a declared key (asserted).
+  /// Returns the value of a key, which must be declared (asserted).
   double at(std::string_view key) const;
   /// Sets a value. Returns UnknownKey, or BadValue if the value is not finite, is out of range, or
   /// is not an integer where one is required. Nothing changes on an error.

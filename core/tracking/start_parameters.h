@@ -32,10 +32,10 @@ StartVolume within(const StartVolume& start, const WorldBox& box);
 inline constexpr const char* kSearchSizeKey = "search_size";
 
 /// Returns the parameters used by a method. Parameters that were not given and are declared as
-/// `fromCameras` are derived from the volume that the cameras see (seenVolume()), limited to the
-/// volume of interest if there is one. The start volume is that box, and the search size its
-/// longest edge, rounded to the steps of their declarations. If a part of the start volume was
-/// given, the rest of it and the search size keep their defaults.
+/// `fromCameras` are derived from the box that the cameras see (seenVolume()), limited to the
+/// volume of interest if there is one. This box becomes the start volume, and its longest edge the
+/// search size; both are rounded to the steps in the declarations. If a part of the start volume
+/// was given, the rest of it and the search size keep their defaults.
 ParameterValues effectiveParameters(ParameterValues parameters, const CameraRig& rig,
                                     const std::optional<WorldBox>& volumeOfInterest);
 

@@ -27,7 +27,7 @@ struct SphereEstimate {
   double effectiveSampleSize = 0.0;
   int particleCount = 0;
   int camerasSeeing = 0; ///< number of cameras that show the target's color at the projected mean
-  bool valid = false;    ///< confirmed by two cameras (or by the only one)
+  bool valid = false;    ///< confirmed by at least two cameras, or by the only one
   /// True if another object is about as likely to be the target, or became the estimate in this
   /// frame. The covariance then also covers the other candidates.
   bool ambiguous = false;
@@ -40,8 +40,8 @@ struct SphereEstimate {
   /// the target was not found in them, or the method does not measure it.
   std::optional<Gaussian3> measurement;
   bool degenerate = false; ///< no particle had a usable weight; all weights were set equal
-  /// Evidence of each camera at the mean, in the order of the rig; empty if the method has none or
-  /// the position is unknown.
+  /// Evidence of each camera at the mean, in the order of the rig; empty if the method provides
+  /// none or the position is unknown.
   std::vector<CameraEvidence> cameras;
   /// Colors in use in each camera if they adapt to the light; empty while all cameras use the
   /// colors of the target.
@@ -84,8 +84,8 @@ struct PersonEstimate {
 /// No estimate: the person has left, or the box has not yet been defined in this frame.
 struct AbsentEstimate {};
 
-/// Estimate of a track of any kind. A new kind of target requires a new alternative; the compiler
-/// then reports every visitor that must handle it.
+/// Estimate of a track of any kind. For a new kind of target, add an alternative; the compiler then
+/// reports every visitor that must handle it.
 using TrackEstimate = std::variant<SphereEstimate, BoxEstimate, PersonEstimate, AbsentEstimate>;
 
 /// Returns whether there is no estimate.

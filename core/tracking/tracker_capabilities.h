@@ -50,8 +50,8 @@ public:
   virtual ~PositionCorrecting() = default;
   /// Sets the target's position in the last iterated frame (world frame, m, m²). It replaces all
   /// previous information about the position, and estimate() returns it immediately. The radius,
-  /// the colors and the learned backgrounds are kept. The images of the frame may make the position
-  /// more precise. Other objects at this position are removed.
+  /// the colors and the learned backgrounds are kept. The images of the frame may be used to make
+  /// the position more precise. Other tracked objects at this position are removed.
   virtual void correctPosition(std::size_t target, const Gaussian3& position, ThreadTeam& team) = 0;
 };
 
@@ -124,7 +124,7 @@ public:
   virtual std::vector<CandidatePosition> positionCandidates(std::size_t track) const = 0;
 };
 
-/// Maps the likelihood of a track over the pixels of every camera.
+/// Provides maps of the likelihood of a track over the pixels of every camera.
 class LikelihoodMapping {
 public:
   virtual ~LikelihoodMapping() = default;
@@ -133,7 +133,7 @@ public:
   virtual std::vector<LikelihoodMap> likelihoodMaps(std::size_t track, int reach) const = 0;
 };
 
-/// Maps the likelihood of motion over the images of every camera, for any moving object.
+/// Provides maps of the likelihood of motion, by any object, over the images of every camera.
 class MotionMapping {
 public:
   virtual ~MotionMapping() = default;

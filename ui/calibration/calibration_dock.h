@@ -12,8 +12,7 @@ class QTabWidget;
 
 namespace dewpoint::ui {
 
-/// Name of a widget property. A widget that has this property is scrolled into view when it
-/// appears.
+/// Name of a widget property: a widget that has it is scrolled into view when it appears.
 inline constexpr auto kRevealed = "revealed";
 
 /// Panel for calibrating cameras, with one page per method. The camera views next to it stay live.

@@ -42,8 +42,8 @@ public:
   void selectCamera(int camera);
   CameraListModel& cameras() const { return cameras_; }
   int cameraCount() const;
-  /// Returns the camera as it is now in the project or, while the "before" state is shown, as it
-  /// was before.
+  /// Returns a camera as it is shown: as it is now in the project or, while the "before" state is
+  /// shown, as it was then.
   Camera shownCamera(int camera) const;
   Camera cameraAt(int camera) const;
   QString nameOf(int camera) const;
@@ -115,8 +115,8 @@ private:
     int camera;
     Camera start;
     Eigen::Vector3d point; ///< world coordinates, meters
-    /// projection of the point minus the mouse position at the start, so that the point does not
-    /// jump
+    /// Projection of the point minus the mouse position at the start, so that the point does not
+    /// jump.
     Eigen::Vector2d grip;
     std::vector<ImageAnchor> held;
     QString limit; ///< last remark shown

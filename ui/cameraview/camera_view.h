@@ -44,8 +44,8 @@ public:
   /// Highlights the selected person. If `target` is -1, no person is highlighted.
   void setChosenTarget(int target);
   HoldState state() const { return state_; }
-  /// Placement of the image in the widget, and image size in pixels. The size is empty before the
-  /// first image.
+  /// Return the placement of the image in the widget, and the image size in pixels. The size is
+  /// empty before the first image.
   const ImagePlacement& placement() const { return placement_; }
   const QSize& imageSize() const { return imageSize_; }
   /// Returns the visible part of the image in widget coordinates.

@@ -13,7 +13,7 @@ namespace dewpoint::ui {
 
 /// Draws a target's likelihood map (`likelihoodImage()`; null for none) at its position in the
 /// camera image (`place`, pixels). Also draws the candidate positions as circles: solid for
-/// accepted ones, dashed for new ones, dotted for distractors.
+/// existing ones, dashed for new ones, dotted for distractors.
 void paintLikelihoodMap(QPainter& painter, const QRect& place, const QImage& map,
                         const std::vector<ProposedOutline>& proposed,
                         const ImagePlacement& placement);

@@ -28,7 +28,7 @@ public:
   /// appears only if pixels are small.
   void setMagnifying(bool magnifying) { magnifying_ = magnifying; }
   /// Sets whether a drag moves a point instead of drawing a box. Such a drag emits `grabbed()` at
-  /// the start, `pointed()` during the drag, and `picked()` at the end.
+  /// the start, `pointMoved()` during the drag, and `picked()` at the end.
   void setPointing(bool pointing) { pointing_ = pointing; }
   /// Sets the pixel where the keyboard cross starts; the image center by default.
   void setCrossStart(std::optional<QPointF> start) { crossStart_ = start; }
@@ -42,15 +42,15 @@ public:
     QString text;
   };
   void setRegions(std::vector<Region> regions);
-  /// Sets the hint at the lower edge of the image that explains what a click does while picking. An
-  /// empty string removes the hint.
+  /// Sets the hint that is shown at the lower edge of the image while picking, to explain what a
+  /// click does. An empty string removes the hint.
   void setHint(const QString& hint);
 
 Q_SIGNALS:
   /// Emitted after a click (`region` has an empty size) or a dragged box, in image pixels.
   void picked(const QRectF& region, Qt::KeyboardModifiers modifiers);
-  /// Emitted while a point is dragged. `grabbed()`: the mouse button was pressed. `pointed()`: the
-  /// point moved, including by keys. `pointingEnded()`: the drag is over; emitted after `picked()`
+  /// Emitted while a point is dragged: `grabbed()` when the mouse button is pressed; `pointMoved()`
+  /// when the point moves, also by keys; `pointingEnded()` when the drag is over, after `picked()`
   /// if a pixel was picked. Positions are in image pixels.
   void grabbed(const QPointF& pixel);
   void pointMoved(const QPointF& pixel);

@@ -50,7 +50,7 @@ private:
   void moveTo(const QPointF& corner, double scale, const ZoomSizes& sizes);
 
   double scale_ = 0.0; ///< widget units per image pixel; 0 means fitted
-  /// image point at the view center, in pixels from the upper left corner of the image
+  /// Image point at the view center, in pixels from the upper left corner of the image.
   QPointF center_;
 };
 

@@ -38,7 +38,7 @@ public:
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   /// Sets the target whose color is shown. With -1, the next click creates a new target.
   void setTarget(int target);
-  /// Sets whether a plain click in a view teaches the color.
+  /// Sets whether a plain click in a view learns the color.
   void setPicking(bool picking);
   /// Sets whether the panel is visible. Colors are assessed only while it is visible.
   void setInFront(bool inFront);

@@ -47,7 +47,7 @@ private:
   RangeBar* saturation_;
   RangeBar* intensity_;
   std::array<QLabel*, 3> labels_{};
-  /// hue, saturation, intensity: lower and upper bound of each
+  /// Lower and upper bounds of hue, saturation and intensity, in this order.
   std::array<QDoubleSpinBox*, 6> boxes_{};
 };
 

@@ -9,7 +9,7 @@
 
 namespace dewpoint::ui {
 
-/// Computes the histogram of the colors in the images, in the background, at most once per second.
+/// Computes the histogram of the colors in the images in another thread, at most once per second.
 class ImageSurvey : public QObject {
   Q_OBJECT
 public:

@@ -44,8 +44,8 @@ private:
   Workbench bench_;
   CorrectionTool* tool_;
   BackwardTracker* backwardTracker_;
-  int correctionCount_ =
-      0; ///< number of corrections so far; steps merge only within one correction
+  /// Number of corrections so far; steps merge only within one correction.
+  int correctionCount_ = 0;
 };
 
 } // namespace dewpoint::ui

@@ -40,7 +40,7 @@ public:
   void correctAt(int camera, const QPointF& pixel);
   /// Returns whether `correctAt()` is currently possible.
   bool canCorrect() const;
-  /// Returns the target that a press away from all estimates applies to, or -1 if this is
+  /// Returns the target that is moved if the user presses away from all estimates, or -1 if this is
   /// ambiguous.
   int preferredTarget() const;
 

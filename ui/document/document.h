@@ -49,8 +49,8 @@ public:
   /// Returns the family of the project's method.
   MethodFamily methodFamily() const;
   QUndoStack* undoStack() const { return undoStack_; }
-  /// Replaces the project by another one and clears the history. `unsaved`: no file contains this
-  /// state of the project, because it was recovered or just created.
+  /// Replaces the project by another one and clears the history. `unsaved` is true if no file
+  /// contains this state of the project, because it was recovered or just created.
   void replace(Project project, bool unsaved = false);
   /// Returns whether there are changes that no file contains.
   bool isUnsaved() const;

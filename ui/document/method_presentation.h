@@ -20,8 +20,8 @@ struct MethodPresentation {
   bool showsBoxes = false;     ///< plots, table and export use image boxes; otherwise positions
   bool hasBirdsEyeView = true; ///< has a bird's-eye view
   bool hasOverlays = true;     ///< masks and likelihood maps can be drawn over the images
-  /// Searches the project's volume of interest, if there is one, and continues from a position that
-  /// the user sets for a target.
+  /// True if the method searches the project's volume of interest, if there is one, and continues
+  /// from a position that the user sets for a target.
   bool searchesVolume = true;
   bool countsPeople = false; ///< lists people and shows how many are present
 };

@@ -22,9 +22,9 @@ public:
   /// Reports the progress of the work (0 to 1; negative if unknown) and returns whether the result
   /// is still needed. When it returns false, the work should end as soon as possible.
   using Progress = std::function<bool(double part)>;
-  /// Work to run in the job's thread. It may use only data that it owns, not even the owner of the
-  /// job. Unless the job was canceled or deleted meanwhile, the function it returns then runs in
-  /// the GUI thread. Must not throw.
+  /// Work to run in the job's thread. It may use only data that it owns; in particular, it must not
+  /// use the owner of the job. The function that it returns then runs in the GUI thread, unless the
+  /// job was canceled or deleted meanwhile. Must not throw.
   using Work = std::function<std::function<void()>(const Progress& progress)>;
 
   /// Starts the work. Returns false and does nothing while other work is running.

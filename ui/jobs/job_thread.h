@@ -26,9 +26,9 @@ struct DetachedDelete {
   }
 };
 
-/// Waits at most `patience` until all threads of `runDetached()` have ended. Returns false if some
-/// are still running. For the end of the program, when no window is open. A job that still hangs,
-/// for example in a dead stream, is abandoned.
+/// Waits until all threads of `runDetached()` have ended, but at most for `patience`. Returns false
+/// if some are still running. Call it at the end of the program, when no window is open. A job that
+/// still hangs, for example in a dead stream, is abandoned.
 bool waitForDetached(std::chrono::milliseconds patience);
 
 /// Delivers functions from other threads to the GUI thread. A mutex guards the queue of functions;

@@ -11,7 +11,7 @@
 namespace dewpoint::ui {
 
 /// Job for which only the newest request counts. While one request is being processed, only the
-/// newest of the later requests waits. The others never start.
+/// newest of the later requests waits; the others are dropped.
 class LatestJob : public QObject {
   Q_OBJECT
 public:

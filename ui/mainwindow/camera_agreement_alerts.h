@@ -13,9 +13,9 @@ namespace dewpoint::ui {
 
 class MessageBar;
 
-/// Shows in the message bar that cameras disagree, the reason, and a button for each way to correct
-/// it. Each reason is shown once; the next one follows when the first is resolved. Once closed by
-/// the user, a message does not reappear.
+/// Shows a message when cameras disagree, with the reason and a button for each way to correct it.
+/// Each reason is shown once; the next reason follows when the first one is resolved. Once closed
+/// by the user, a message does not reappear.
 class CameraAgreementAlerts : public QObject {
   Q_OBJECT
 public:

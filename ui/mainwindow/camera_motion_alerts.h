@@ -11,8 +11,8 @@ namespace dewpoint::ui {
 
 class MessageBar;
 
-/// Shows in the message bar that a camera moved, and what to do. Where possible, one click
-/// recomputes its pose. Each state of a moved camera is reported once. Once closed by the user, a
+/// Shows a message when a camera has moved, with advice. If the run has found the new pose, one
+/// click applies it. Each state of a moved camera is reported once. Once closed by the user, a
 /// message does not reappear.
 class CameraMotionAlerts : public QObject {
   Q_OBJECT

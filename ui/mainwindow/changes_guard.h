@@ -20,7 +20,8 @@ public:
   /// Asks about unsaved changes and returns whether they may be discarded. If it returns false and
   /// the user chose to save, `then` runs once the changes are saved.
   bool confirmDiscard(const std::function<void()>& then);
-  /// Runs `next` as soon as no unsaved changes can be lost by it.
+  /// Runs `next` immediately if there are no unsaved changes or the user discards them. If the user
+  /// chooses to save, runs it after the changes are saved.
   void runWhenSaved(const std::function<void()>& next);
 
 Q_SIGNALS:

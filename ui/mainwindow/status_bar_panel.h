@@ -41,8 +41,8 @@ public:
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   /// Sets the index of the selected target. With -1, the target that needs attention is shown.
   void setTarget(int target);
-  /// Returns the state of the target: held while two cameras see it; searching initially and for
-  /// one second after a loss.
+  /// Returns the state shown: that of the described target or, if there is only one target, that of
+  /// the snapshot (holdState()).
   HoldState state() const { return state_; }
 
   QSize minimumSizeHint() const override;

@@ -16,8 +16,7 @@ class ThumbnailWriter : public QObject {
 public:
   explicit ThumbnailWriter(const Workbench& bench, QObject* parent);
 
-  /// Creates the thumbnail from the last snapshot shown. Does nothing if no file contains the
-  /// project.
+  /// Creates the thumbnail from the last snapshot shown. Does nothing if the project has no file.
   void saveThumbnail();
 
 Q_SIGNALS:

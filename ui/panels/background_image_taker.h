@@ -29,9 +29,9 @@ using BackgroundImageWriter = std::function<Result<std::filesystem::path>(
     const Project& project, std::size_t camera, const cv::Mat& image,
     const std::filesystem::path& folder)>;
 
-/// Makes the image that a camera currently shows its background image. Asks for confirmation if a
-/// target is in the image, writes the image in another thread, and adds the file to the project in
-/// one step.
+/// Uses the image that a camera currently shows as the background image of this camera. Asks for
+/// confirmation if a target is in the image, writes the image in another thread, and adds the file
+/// to the project in one step.
 class BackgroundImageTaker : public QObject {
   Q_OBJECT
 public:

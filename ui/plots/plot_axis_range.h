@@ -8,8 +8,8 @@
 
 namespace dewpoint::ui {
 
-/// Range of the axis shared by all plots: the whole run, or part of it. A part that reaches the
-/// newest data moves along with them.
+/// Range of the axis shared by all plots: the whole run, or a part of it. If a part includes the
+/// newest data, it moves along as the run continues.
 class PlotAxisRange {
 public:
   using Range = std::pair<double, double>; ///< lower and upper end, in units of the axis

@@ -20,11 +20,14 @@ namespace dewpoint::ui {
 
 class PlotNavigation;
 
-/// Mouse and keyboard input for a stack of plots. Wheel: zoom at the pointer. Drag: pan; with Ctrl,
-/// zoom to the dragged range; with Shift, select a range. Click: go to that frame. Double click:
-/// show the whole run. Arrow keys: move the cursor; with Shift, select a range. + and -: zoom. Page
-/// Up and Down: pan. Home and End: first and last frame. Return: go to the cursor. Backspace: show
-/// the whole run. Escape: clear the range.
+/// Mouse and keyboard input for a stack of plots:
+/// - The wheel, + and - zoom.
+/// - A drag pans. With Ctrl, it zooms to the dragged range; with Shift, it selects the range.
+/// - A click goes to the frame there. A double click shows the whole run.
+/// - The arrow keys move the cursor; with Shift, they select a range.
+/// - Page Up and Page Down pan. Home and End go to the first and the last frame.
+/// - Return goes to the frame at the cursor, Backspace shows the whole run, and Escape clears the
+///   range.
 class PlotPointer : public QObject {
   Q_OBJECT
 public:
@@ -61,7 +64,7 @@ private:
   QPoint pressed_;
   double pressedKey_ = 0.0;
   std::pair<double, double> pressedRange_;
-  std::optional<std::int64_t> anchor_; ///< frame where a range selected with keys began
+  std::optional<std::int64_t> anchor_; ///< frame at which a range that is selected with keys begins
 };
 
 } // namespace dewpoint::ui

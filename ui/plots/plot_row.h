@@ -14,8 +14,8 @@ namespace dewpoint::ui {
 /// One plot in a stack, in one row of the layout: its title, axes, curves and readout.
 class PlotRow {
 public:
-  /// Maximum number of points for which a curve also shows dots. Dots make a run visible that has
-  /// just begun.
+  /// Maximum number of points for which a curve also shows dots, so that a run that has just begun
+  /// is visible.
   static constexpr int kMaxDots = 29;
 
   /// Creates the plot. The declaration must outlive it.
@@ -31,7 +31,7 @@ public:
   /// Returns the minimum height (pixels) at which the title, readout and two axis numbers are
   /// readable.
   int minimumHeightFor(const QFont& font) const;
-  /// Returns the row's share of the height, relative to other rows.
+  /// Returns the weight with which the row shares the height with the other rows.
   double heightShare() const;
   /// Draws the data within the range of the x axis, and fits the y axis to the data.
   void fill(const PlotSeries& series, PlotAxis axis);

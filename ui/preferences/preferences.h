@@ -22,8 +22,8 @@ struct BoardPreferences {
   bool lenses = true;      ///< whether intrinsics are calibrated
   bool positions = true;   ///< whether positions are calibrated
   double lensAccuracy = 0; ///< requested accuracy of the intrinsics, pixels
-  double positionAccuracy =
-      0; ///< requested accuracy of the positions, as a fraction of the distance
+  /// Requested accuracy of the positions, as a fraction of the distance.
+  double positionAccuracy = 0;
 };
 
 /// Typed settings that the program stores for the user between sessions. All keys are in one file.

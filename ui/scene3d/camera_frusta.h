@@ -16,8 +16,8 @@ namespace dewpoint::ui {
 class CameraFrusta {
 public:
   explicit CameraFrusta(vtkRenderer* renderer);
-  /// Shows a rig. `length` is the distance from the optical center to the image, in meters. Cameras
-  /// with an invalid pose or without intrinsics are omitted.
+  /// Shows a rig. `length` is the distance from the optical center to the image, in meters. Omits
+  /// cameras with an invalid pose or without intrinsics.
   void show(const CameraRig& rig, double length);
   const std::vector<CameraGlyph>& glyphs() const { return glyphs_; }
   void setPalette(const ScenePalette& palette);

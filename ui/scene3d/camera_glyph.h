@@ -15,7 +15,7 @@ namespace dewpoint::ui {
 struct CameraGlyph {
   std::string name;
   Eigen::Vector3d center; ///< apex
-  /// image corners in circular order, starting at the upper left
+  /// Image corners in circular order, starting at the upper left.
   std::array<Eigen::Vector3d, 4> corners;
   std::size_t camera = 0; ///< index in the rig
 };

@@ -26,7 +26,7 @@ public:
   FadingLine& operator=(const FadingLine&) = delete;
 
   /// Shows positions in meters, oldest first. A position that is not finite leaves a gap, because
-  /// nothing is known about that section.
+  /// the path is unknown there.
   void show(const std::vector<Eigen::Vector3d>& points);
   /// Sets the colors at the newest position.
   void setColors(const SceneColor& line, const SceneColor& outline);

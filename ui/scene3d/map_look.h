@@ -19,14 +19,14 @@ struct MapLook {
   bool slice = true;   ///< shows a horizontal layer
   double height = 0.0; ///< height of the layer, meters
   bool volume = false; ///< shows the surfaces between some of the classes
-  /// standard deviation (meters) that is good enough: center of the color scale
+  /// Standard deviation (meters) that is good enough; it is the center of the color scale.
   double goodSigma = 0.005;
 
   bool operator==(const MapLook&) const = default;
 };
 
-/// Class of values drawn in one color. It contains the values up to `bound` that belong to no
-/// earlier class.
+/// Class of values drawn in one color: the values up to `bound` that are larger than the bound of
+/// the preceding class.
 struct MapClass {
   double bound; ///< meters, or number of cameras; infinite for the last Sigma class
   SceneColor color;

@@ -8,8 +8,9 @@
 namespace dewpoint::ui {
 
 /// Renderer that blends translucent objects in the order in which they were added, so that the
-/// scene controls what covers what. VTK's own method (depth peeling) sorts all of them by depth in
-/// extra passes. It would lose a cloud inside a shell and is slower with software OpenGL.
+/// scene controls what covers what. VTK's own method (depth peeling) sorts them by depth in
+/// additional passes. With it, a cloud inside a shell would not be visible, and rendering with
+/// software OpenGL would be slower.
 class OrderedRenderer : public vtkOpenGLRenderer {
 public:
   static OrderedRenderer* New();

@@ -32,9 +32,9 @@ struct ScenePalette {
 /// Returns the colors for a dark or a light window.
 const ScenePalette& scenePalette(bool dark);
 
-/// Returns the scene colors for targets that their own colors do not distinguish, from the
-/// color-blind-safe set of Okabe and Ito (2008). They differ from targetColor() (ui/style): the
-/// scene background is light or dark like the window, whereas lines over images need lighter
+/// Returns the scene colors for targets whose own colors are too similar or unclear, from the
+/// color-blind-safe set of Okabe and Ito (2008). They differ from targetColor() (ui/style), because
+/// the scene background is light or dark like the window, whereas lines over images need lighter
 /// colors.
 const std::vector<SceneColor>& sceneTargetColors();
 /// Returns the color with this index in `sceneTargetColors()`, starting again after the last one.

@@ -8,8 +8,8 @@
 #include "ui/scene3d/map_actor.h"
 #include "ui/scene3d/mean_path.h"
 #include "ui/scene3d/ordered_renderer.h"
-#include "ui/scene3d/range_actor.h"
 #include "ui/scene3d/scene3d.h"
+#include "ui/scene3d/selected_range_actor.h"
 #include "ui/scene3d/target_actors.h"
 #include "ui/scene3d/wire_actor.h"
 
@@ -72,16 +72,16 @@ public:
   CameraFrusta frusta;
   CameraFrusta planned;
   MapActor map;
-  WireActor volume;      ///< volume of interest
-  WireActor lineOfSight; ///< camera line of sight
-  RangeActor range;      ///< drawn before the targets, which cover it
-  ParticleCloud crowd;   ///< means of the targets beyond `kMaxBodies`
+  WireActor volume;         ///< volume of interest
+  WireActor lineOfSight;    ///< camera line of sight
+  SelectedRangeActor range; ///< drawn before the targets, which cover it
+  ParticleCloud crowd;      ///< means of the targets beyond `kMaxBodies`
   std::vector<std::unique_ptr<TargetActors>> targets;
   std::vector<DisplayColorSource> colorSources; ///< one per target
   MeanPath path;
   std::shared_ptr<const CameraRig> rig;
   std::shared_ptr<const CameraRig> framedRig; ///< last rig with cameras that the view was fitted to
-  /// box around the cameras and what they look at, meters; empty without a rig
+  /// Box around the cameras and what they look at, meters; empty without a rig.
   Eigen::AlignedBox3d rigBox;
   Eigen::AlignedBox3d content; ///< box around everything shown since the rig was set, meters
   View view = View::Free;

@@ -29,8 +29,8 @@ using MissingFiles = std::shared_ptr<const std::vector<MissingFile>>;
 /// Opens a project with the functions of the application. Called from another thread.
 using ProjectOpener = std::function<Result<SessionInputs>(const SessionRequest&)>;
 
-/// Performs slow work, such as opening videos and joining threads, outside the GUI thread, which
-/// never waits for it.
+/// Opens projects and destroys sessions outside the GUI thread, which never waits for this slow
+/// work, such as opening videos and joining threads.
 class ProjectLoader : public QObject {
   Q_OBJECT
 public:

@@ -31,7 +31,7 @@ public:
   /// Reports that the user plays, restarts or tracks again. No frames are then tracked
   /// again automatically until the next change.
   void suspend();
-  /// Processes the newest snapshot. `wentBack`: the run's log has restarted.
+  /// Processes the newest snapshot. `wentBack` is true if the run's log has restarted.
   void see(const TrackSnapshot& snapshot, bool wentBack);
   /// Tracks again from the first old result on. The frame shown stays the same.
   void trackAgain();
@@ -44,7 +44,8 @@ public:
 
 Q_SIGNALS:
   void oldResultsChanged();
-  /// Emitted with whether results of earlier settings can be tracked again.
+  /// Emitted when frames with results of earlier settings can now be tracked again (`offers` is
+  /// true), or no longer can.
   void offered(bool offers);
   /// Emitted when `trackAgain()` has finished or was abandoned.
   void refreshed();

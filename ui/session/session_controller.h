@@ -76,7 +76,8 @@ public:
   void useFilterThreads();
   /// Tracks again from the current frame.
   void rerun();
-  /// Returns the keeper of the results, which identifies results of earlier settings.
+  /// Returns the object that keeps results consistent with the settings; it knows which results are
+  /// from earlier settings.
   ResultRefresher& results() { return *results_; }
   /// Starts the run after a color was learned, because a user who points at an object wants to see
   /// it tracked. If more than the beginning of a recording has been tracked, the recording stays at

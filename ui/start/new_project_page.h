@@ -89,7 +89,7 @@ private:
   /// Jobs for this project. Results for an earlier project are ignored.
   std::unique_ptr<JobQueue> searches_;
   int pendingSearches_ = 0; ///< number of searches whose rows have not been added yet
-  /// reading the first image of a video may take long
+  /// Creates the project, which may take long, because the first image of each video is read.
   LatestJob making_{LatestJob::Superseded::Dropped};
 };
 

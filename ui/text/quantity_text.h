@@ -54,8 +54,8 @@ QString angleNumber(double radians, int decimals, NumberForm form = NumberForm::
 /// Returns the accuracy of an angle with two significant digits: "0.20°", "1.2°".
 QString angleAccuracyText(double radians);
 
-/// Returns a fraction (0 to 1) as a percentage. The result is 100 only if nothing is missing, and 0
-/// only if there is nothing.
+/// Returns a fraction (0 to 1) as a percentage. The result is 100 only if the fraction is exactly
+/// 1, and 0 only if it is exactly 0.
 QString shareText(double share);
 /// Returns a fraction (0 to 1) as a percentage, without the percent sign.
 QString percentText(double share, int decimals = 0);

@@ -13,10 +13,10 @@ namespace dewpoint::ui {
 QString cameraReasonText(const CameraReport& report);
 /// Returns the reason in the form shown with that camera's image ("hidden here").
 QString cameraReasonHereText(const CameraReport& report);
-/// Returns whether a camera with this reason does not see the target at all, although the camera
-/// has an image.
+/// Returns whether this report means that the camera does not see the target at all, although the
+/// camera has an image.
 bool isBlind(const CameraReport& report);
-/// Returns the text that replaces the target state for such a camera: "◌ hidden here".
+/// Returns the text that replaces the target state for a camera with isBlind(): "◌ hidden here".
 QString cameraBlindText(const CameraReport& report);
 /// Returns the reasons of all cameras in one sentence: "left: hidden · right: …". Returns an empty
 /// string if all cameras confirm the target.

@@ -15,7 +15,8 @@ namespace dewpoint::ui {
 
 /// Data that a timeline shows, except the selection.
 struct TimelineModel {
-  std::vector<FrameRecord> records; ///< in increasing frame order; old ones in coarse steps
+  /// In increasing frame order; of old frames, only some have a record.
+  std::vector<FrameRecord> records;
   QStringList targets;
   QStringList cameras;
   std::vector<ProjectMarker> markers;
@@ -32,8 +33,8 @@ struct TimelineModel {
   /// Returns one past the last frame that a record represents. This is the frame of the next
   /// record, unless untracked frames lie between them.
   qint64 endOf(std::size_t record) const;
-  /// Returns the record of a frame, or of the closest earlier frame within a coarse step, or null
-  /// if there is none.
+  /// Returns the record that represents a frame: its own, or that of an earlier frame if the
+  /// records are spaced that far apart there. Returns null if there is none.
   const FrameRecord* at(qint64 frame) const;
   /// Returns the time of a frame in seconds, from its record or from the frame rate.
   double secondsOf(qint64 frame) const;

@@ -23,7 +23,7 @@ struct TimelineRows {
 
   QRectF axis;    ///< time and markers, at the top; a drag here selects a range
   QRectF ribbons; ///< rows of the targets, one below the other
-  /// missing images: one thin row per affected camera, or a single row if there is not enough room
+  /// Missing images: one thin row per affected camera, or a single row if there is not enough room.
   QRectF cameras;
   QRectF footer; ///< frames kept in memory
   double ribbonHeight = 0.0;

@@ -128,8 +128,9 @@ Q_SIGNALS:
   void personClicked(int target);
   /// Emitted when a handle was pressed.
   void cameraChosen(int camera);
-  /// Emitted while a camera, or the point it looks at, is dragged to this world position (meters).
-  /// The drag stays in the plane of a flat view; in the 3D view, it is parallel to the image plane.
+  /// Emitted while a camera (`cameraDragged`), or the point it looks at (`cameraAimed`), is dragged
+  /// to this world position (meters). In the views from above and from the front, the drag stays in
+  /// the plane of the view; in the 3D view, it is parallel to the image plane.
   void cameraDragged(int camera, const Eigen::Vector3d& center);
   void cameraAimed(int camera, const Eigen::Vector3d& target);
   void cameraDropped();

@@ -14,8 +14,9 @@ struct TailPosition {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
 };
 
-/// Returns the position in any tail that is closest to a position in the rendered image, within
-/// `reach`. Distances and positions are in device pixels, to the right of and above the center.
+/// Returns the position in any tail that appears closest to `position` in the rendered image, or
+/// nothing if none is within `reach`. `reach` is in device pixels; `position` is in device pixels
+/// to the right of and above the image center.
 std::optional<TailPosition> nearestTailPosition(const TrackSnapshot& snapshot, const Scene3d& scene,
                                                 const Eigen::Vector2d& position, double reach);
 

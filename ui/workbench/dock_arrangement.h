@@ -36,7 +36,8 @@ public:
   /// Returns the number of columns with the largest images. Without cameras, returns the current
   /// number.
   int bestCameraColumns() const;
-  /// Resizes the docks to suit the window. The camera views must already be in the best columns.
+  /// Resizes the docks to suit the window. The camera views must already be placed in
+  /// bestCameraColumns() columns.
   void distributeSizes();
 
 private:

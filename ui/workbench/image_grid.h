@@ -10,9 +10,9 @@
 
 namespace dewpoint::ui {
 
-/// Grid of image views. View k is in column k % columns, below earlier views. Within a column,
-/// views divide the height so that their images have the same width. Columns divide the width so
-/// that they have the same height.
+/// Grid of image views. View k is in column k % columns, below the earlier views of this column.
+/// Within a column, the height is divided so that all images have the same width. The width is
+/// divided among the columns so that all columns have the same height.
 struct ImageGrid {
   int columns = 1;
   double area = 0.0;                ///< area covered by images, in square units of the room

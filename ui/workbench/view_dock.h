@@ -44,8 +44,8 @@ public:
   DockArea area() const { return area_; }
   int rank() const { return rank_; }
   bool isOpenedByAction() const { return openedByAction_; }
-  /// Returns whether the user or the method hid the dock. Such a dock is not shown with the other
-  /// views.
+  /// Returns whether the user or the method hid the dock. Such a dock stays hidden when the other
+  /// views are shown.
   bool isHiddenByUser() const { return hiddenByUser_; }
   void setHiddenByUser(bool hidden) { hiddenByUser_ = hidden; }
   /// Shows or hides the dock, and stores this as the user's choice.

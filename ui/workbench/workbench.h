@@ -40,8 +40,8 @@ struct Workbench {
   void onToggled(ActionId id, QObject* context, std::function<void(bool)> run) const;
   /// Enables these actions only while a project is open and no page covers it.
   void requireRun(std::initializer_list<ActionId> ids) const;
-  /// Enables these actions under the same condition, and only while `suits` returns true. `suits`
-  /// is called again when a run begins or ends, and when the method changes.
+  /// Enables these actions only while, in addition, `suits` returns true. `suits` is called again
+  /// when a run begins or ends, and when the method changes.
   void requireRun(std::initializer_list<ActionId> ids, const std::function<bool()>& suits) const;
   /// Shows a dialog in front of the window.
   static void present(QWidget* dialog);
@@ -51,7 +51,8 @@ struct Workbench {
   template <class View> void connectView(View* view) const {
     QObject::connect(&session, &SessionController::snapshotChanged, view, &View::setSnapshot);
   }
-  /// Connects a view of images in the same way. Delayed live cameras keep their last image.
+  /// Connects a view of images to the snapshots like connectView(), but live cameras whose image is
+  /// delayed keep their last one.
   template <class View> void connectImageView(View* view) const {
     QObject::connect(&session, &SessionController::snapshotChanged, view,
                      [view, run = &session](const TrackSnapshotPtr& snapshot) {

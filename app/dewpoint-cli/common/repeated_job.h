@@ -15,7 +15,8 @@ namespace dewpoint::app {
 
 /// Options of a tracking command that is run as one of many jobs.
 struct JobOptions {
-  std::string label;  ///< label of the recording; empty: the project as named on the command line
+  /// Label of the recording; if empty, the project as named on the command line is the label.
+  std::string label;
   bool force = false; ///< track again even if the result exists
 };
 

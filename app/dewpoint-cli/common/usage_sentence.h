@@ -13,8 +13,8 @@ class ParseError;
 namespace dewpoint::app {
 
 /// Returns one sentence that describes the error in a command line: the option, its allowed values,
-/// and where to find help. Unknown words are reported before missing ones, because both may be the
-/// same misspelled word.
+/// and where to find help. Unknown words are reported before missing ones, because a misspelled
+/// word causes both errors.
 std::string describeUsageError(const CLI::App& app, const CLI::ParseError& error);
 
 } // namespace dewpoint::app

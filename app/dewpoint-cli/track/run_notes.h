@@ -14,8 +14,8 @@
 
 namespace dewpoint::app {
 
-/// Prints notes about a run in progress on stderr, each once: notices from the source, cameras that
-/// were moved, and cameras that contradict each other.
+/// Prints notes about a run in progress on stderr: notices from the source, cameras that have
+/// moved, and cameras that contradict each other. Each note is printed once.
 class RunNotes final : public FrameObserver {
 public:
   /// `source` must outlive this object.

@@ -9,11 +9,11 @@
 
 namespace dewpoint::session {
 
-/// Receives every frame set that the tracking thread takes, in order and without omissions, except
-/// frames that are tracked again. It is called in the tracking thread, so it must return
-/// immediately (for example, by queuing the set) and must not throw. It is intended for consumers
-/// that need every frame, such as the detection of a board or wand. Views use
-/// Workbench::connectView, which delivers only the newest snapshot.
+/// Receives every frame set that the tracking thread takes from the source, in order and without
+/// omissions. Frames that are tracked again are not repeated. It is called in the tracking thread,
+/// so it must return immediately (for example, by queuing the set) and must not throw. It is
+/// intended for consumers that need every frame, such as the detection of a board or wand. Views
+/// use Workbench::connectView, which delivers only the newest snapshot.
 using FrameTap = std::function<void(const FrameSetPtr&)>;
 
 /// Holds a tap, which any thread may set.

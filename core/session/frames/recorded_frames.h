@@ -9,10 +9,10 @@
 
 namespace dewpoint::session {
 
-/// Returns a cache of frames of a recording, which are read again by seeking. It keeps the most
-/// recently decoded frames, and small images of all past frames, up to `maxBytes`. When frames are
-/// requested backward, some earlier ones are decoded at the same time. The cache changes the
-/// position of `source`.
+/// Returns a cache of the frames of a recording. It keeps the most recently decoded frames, and
+/// small images of all past frames, up to `maxBytes`. Other frames are read again by seeking in
+/// `source`, which changes its position. When frames are requested in backward order, some earlier
+/// ones are decoded at the same time.
 std::unique_ptr<FrameCache> makeRecordedFrameCache(FrameSetSource& source, std::size_t maxBytes);
 
 } // namespace dewpoint::session

@@ -16,7 +16,7 @@ namespace dewpoint::session {
 
 /// Status of a target, shown as one word.
 enum class TargetStatus {
-  Searching, ///< not held, or not yet held
+  Searching, ///< not held, and either never held before or held less than kLostAfter ago
   Held,      ///< the cameras confirm the estimate
   Ambiguous, ///< held, or nearly so, but another object is about as likely to be the target
   Lost,      ///< was held, but not in the last kLostAfter seconds

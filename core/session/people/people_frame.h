@@ -15,7 +15,8 @@
 
 namespace dewpoint::session {
 
-/// People in one frame with the points of their bodies, from which their volumes are computed.
+/// People in one frame, with the points of their bodies. The volumes of the bodies are computed
+/// from these points.
 struct PeopleFrame {
   struct Person {
     PersonEstimate estimate;

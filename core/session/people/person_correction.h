@@ -12,8 +12,8 @@
 
 namespace dewpoint::session {
 
-/// Change to the people that a method tracks: a person that it has not found, or one that does not
-/// exist.
+/// Change to the people that a method tracks: adds a person that it has not found, or removes one
+/// that does not exist.
 struct PeopleChange {
   std::optional<Eigen::Vector3d> newPerson; ///< PersonPlacing::addPerson
   std::optional<int> removedPerson;         ///< PersonPlacing::removePerson

@@ -39,7 +39,7 @@ public:
   void clear();
   /// Stores a checkpoint from time to time. Called before the run begins `frame`.
   void beforeFrame(std::int64_t frame, const TrackingRun& run);
-  /// Stores a change made to the run at `frame`, after `iterations`.
+  /// Stores a change made to the run in `frame`, after `iterations` iterations on this frame.
   void changed(std::int64_t frame, int iterations, const RunChange& change);
   /// Stores the results of a frame that was tracked, or tracked again.
   void record(TrackedFrame trackedFrame);
@@ -48,7 +48,7 @@ public:
   void forgetFrom(std::int64_t frame);
   /// Removes all checkpoints because the method has changed.
   void removeCheckpoints();
-  /// Starts new tails at this frame, which do not continue earlier estimates.
+  /// Makes tails begin at this frame, so that they do not continue earlier estimates.
   void beginTails(std::int64_t frame) { tailBegins_.insert(frame); }
   /// Removes everything before this frame, whose images no longer exist.
   void forgetBefore(std::int64_t frame);
@@ -65,8 +65,9 @@ public:
   /// Largest number of positions in a tail.
   static constexpr std::size_t kTailLength = 256;
   /// Returns the tail of a target up to and including frame `end`: the last kTailLength values of
-  /// tailPosition(), oldest first. `frame`, which is `end` or the next frame (not yet recorded),
-  /// selects the tail. Empty for boxes and for targets that are gone.
+  /// tailPosition(), oldest first. The tail does not reach back beyond the last beginTails() at or
+  /// before `frame`, which is `end`, or the following frame if that is not yet recorded. Empty for
+  /// boxes and for targets that are gone.
   std::vector<Eigen::Vector3d> tail(std::size_t target, std::int64_t frame, std::int64_t end) const;
 
   /// State of the run from which a later frame can be reached by tracking.
@@ -76,10 +77,10 @@ public:
   };
   /// Returns the last checkpoint at or before this frame; null if there is none.
   const Checkpoint* checkpointFor(std::int64_t frame) const;
-  /// Returns the definition and frame with which the method began from scratch; its state has no
-  /// tracker. Empty before that.
+  /// Returns the frame at which the method began from scratch, and the definition with which it
+  /// did. The state has no tracker. Empty before the first frame.
   const std::optional<Checkpoint>& methodStart() const { return methodStart_; }
-  /// Returns the changes made while the run was at `frame` after `iterations`, in order.
+  /// Returns the changes made in `frame` after `iterations` iterations on this frame, in order.
   std::vector<RunChange> changesAt(std::int64_t frame, int iterations) const;
 
   const HistoryLimits& limits() const { return limits_; }

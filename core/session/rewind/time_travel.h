@@ -26,8 +26,8 @@ public:
   void beforeFrame(const FrameSetPtr& frames, const TrackingRun& run);
   /// Stores a change made to the run.
   void changed(const TrackingRun& run, const RunChange& change);
-  /// Stores the results of the run's frame after the frame, or another iteration on it, is
-  /// finished.
+  /// Stores the results of the run's current frame. Called when the frame is finished, and again
+  /// after each further iteration on it.
   const TrackedFrame& record(const TrackingRun& run);
 
   /// Returns the images of this frame; null if there are none, or if they have been dropped.
@@ -55,7 +55,7 @@ public:
     history_.forgetFrom(frame);
     probe_.reset();
   }
-  /// Removes all checkpoints because another run continues from here.
+  /// Removes all checkpoints, because another run continues from the present frame.
   void removeCheckpoints() {
     history_.removeCheckpoints();
     probe_.reset();
@@ -72,9 +72,9 @@ public:
   void setThreadCount(int threadCount);
 
 private:
-  /// Restores a run from a checkpoint before `frame`, or from the start of the method if it cannot
-  /// be copied; `next` is the frame to begin next. Returns false if the run starts from scratch at
-  /// `frame`.
+  /// Restores a run from a checkpoint at or before `frame`, or from the start of the method if the
+  /// method cannot be copied. Sets `next` to the frame that the run must begin next. Returns false
+  /// if the run starts from scratch at `frame`.
   bool restoreCheckpoint(TrackingRun& run, std::int64_t frame, std::int64_t& next) const;
   /// Tracks one past frame again, with the changes made during it.
   Status trackAgain(TrackingRun& run, const TrackedFrame& trackedFrame);

@@ -17,10 +17,10 @@ namespace dewpoint::session {
 /// camera.
 Result<std::vector<cv::Mat>> loadBackgroundImages(const Project& project);
 
-/// Writes an image from a camera of the project (CV_8UC3, rotated) to a folder as its background
-/// image, with the rotation undone. The folder is created if it does not exist, and the file gets a
-/// new name. Returns the file, or FileUnwritable if it cannot be written. Waits for the disk, so do
-/// not call it from a window's thread.
+/// Writes an image from a camera of the project (CV_8UC3, rotated as in the project) to a folder as
+/// the background image of this camera. The rotation is undone in the file. The folder is created
+/// if it does not exist, and the file gets a new name. Returns the file, or FileUnwritable if it
+/// cannot be written. Waits for the disk, so do not call it from a window's thread.
 Result<std::filesystem::path> saveBackgroundImage(const Project& project, std::size_t camera,
                                                   const cv::Mat& image,
                                                   const std::filesystem::path& folder);

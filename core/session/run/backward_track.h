@@ -25,9 +25,9 @@ using BackwardProgress = std::function<bool(double)>;
 
 /// Finds the positions of a target before a correction made by the user. A separate run tracks the
 /// frames before the correction from last to first. It starts with the correction and with the
-/// estimates of the other targets in that frame. It ends at an earlier correction by the user, or
-/// when the target is lost, when it jumps away from the former estimates, or when it has agreed
-/// with them for ten seconds. In the last case, all earlier estimates are considered correct.
+/// estimates of the other targets in that frame. It ends at an earlier correction by the user, when
+/// the target is lost, when it jumps away from the former estimates, or when it has agreed with
+/// them for ten seconds. After such an agreement, all earlier estimates are considered correct.
 ///
 /// Returns corrections for the frames in which it found the target elsewhere, about two per second,
 /// with `trackedFrom` set. A run that continues from the first of them is at the correct position

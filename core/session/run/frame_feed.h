@@ -11,7 +11,7 @@
 
 namespace dewpoint::session {
 
-/// Tracks images supplied by a program that reads its cameras itself, one instant at a time. The
+/// Tracks images supplied by a program that reads its cameras itself, one frame at a time. The
 /// results are bit-identical to those of a recording with the same images at the same times. Used
 /// by one thread at a time.
 class FrameFeed {
@@ -21,11 +21,11 @@ public:
   /// TrackingRun::create().
   static Result<FrameFeed> create(const Project& project, int threads);
 
-  /// Tracks one instant, `time` in seconds. `images` has one image per camera in project order:
-  /// CV_8UC3 (blue, green, red), of the size in the calibration, or empty for a camera without an
-  /// image. The images are kept for a while without a copy, so their pixels must not be changed
-  /// afterward. On an error, BadValue names "images" or "time" (which must increase), and nothing
-  /// has changed.
+  /// Tracks one frame, captured at `time` (seconds). `images` has one image per camera in project
+  /// order: CV_8UC3 (blue, green, red), of the size in the calibration, or empty for a camera
+  /// without an image. The images are kept for a while without a copy, so their pixels must not be
+  /// changed afterward. On an error, BadValue names "images" or "time" (which must increase), and
+  /// nothing has changed.
   Status step(const std::vector<cv::Mat>& images, double time);
 
   /// Return the present estimates of all targets: positions in the room or, for methods that track

@@ -35,36 +35,36 @@ bool giveSameResults(const RunDefinition& a, const RunDefinition& b) {
 }
 
 void ResultSettings::goBack(std::int64_t frame) {
-  while (!stretches_.empty() && stretches_.back().frames.first >= frame) {
-    stretches_.pop_back();
+  while (!sections_.empty() && sections_.back().frames.first >= frame) {
+    sections_.pop_back();
   }
-  if (!stretches_.empty()) {
-    stretches_.back().frames.last = std::min(stretches_.back().frames.last, frame - 1);
+  if (!sections_.empty()) {
+    sections_.back().frames.last = std::min(sections_.back().frames.last, frame - 1);
   }
 }
 
 void ResultSettings::track(std::int64_t frame, const RunDefinitionPtr& definition) {
   goBack(frame);
-  const bool continues = !stretches_.empty() && stretches_.back().frames.last == frame - 1 &&
-                         (stretches_.back().definition == definition ||
-                          giveSameResults(*stretches_.back().definition, *definition));
+  const bool continues = !sections_.empty() && sections_.back().frames.last == frame - 1 &&
+                         (sections_.back().definition == definition ||
+                          giveSameResults(*sections_.back().definition, *definition));
   if (continues) {
-    stretches_.back().frames.last = frame;
+    sections_.back().frames.last = frame;
   } else {
-    stretches_.push_back({{frame, frame}, definition});
+    sections_.push_back({{frame, frame}, definition});
   }
 }
 
 std::vector<ResultRange> ResultSettings::differentFrom(const RunDefinition& now) const {
   std::vector<ResultRange> different;
-  for (const Stretch& stretch : stretches_) {
-    if (giveSameResults(*stretch.definition, now)) {
+  for (const Section& section : sections_) {
+    if (giveSameResults(*section.definition, now)) {
       continue;
     }
-    if (!different.empty() && different.back().last == stretch.frames.first - 1) {
-      different.back().last = stretch.frames.last;
+    if (!different.empty() && different.back().last == section.frames.first - 1) {
+      different.back().last = section.frames.last;
     } else {
-      different.push_back(stretch.frames);
+      different.push_back(section.frames);
     }
   }
   return different;

@@ -17,22 +17,23 @@ struct ResultRange {
 
 /// Results of a run that came from settings other than the current ones.
 struct OldResults {
-  std::vector<ResultRange>
-      frames; ///< in ascending order; empty: all results come from the current settings
+  /// Frames with old results, in ascending order; empty if all results come from the current
+  /// settings.
+  std::vector<ResultRange> frames;
   std::int64_t newest = -1; ///< last frame with results, whether old or not; -1 if there is none
   /// Time in seconds to track a frame again (median of the last frames); 0 if unknown.
   double secondsPerFrame = 0.0;
 };
 
-/// Returns whether results obtained with `a` remain valid with `b`. Names of targets and their
-/// color samples have no effect on this. Corrections and, if they are tracked again automatically,
-/// boxes are also ignored, because the run goes back immediately when they change.
+/// Returns whether results obtained with `a` remain valid with `b`. Ignores the names of targets
+/// and their color samples. Also ignores corrections, and boxes of methods that track again
+/// automatically, because the run goes back immediately when these change.
 bool giveSameResults(const RunDefinition& a, const RunDefinition& b);
 
 /// Settings with which each frame of a run was tracked.
 class ResultSettings {
 public:
-  void clear() { stretches_.clear(); }
+  void clear() { sections_.clear(); }
   /// Removes this frame and later ones.
   void goBack(std::int64_t frame);
   /// Adds a tracked frame; earlier data of this frame and later ones are replaced.
@@ -40,15 +41,15 @@ public:
   /// Returns the frames whose results came from settings other than these.
   std::vector<ResultRange> differentFrom(const RunDefinition& now) const;
   /// Returns the last frame with results; -1 if there is none.
-  std::int64_t newest() const { return stretches_.empty() ? -1 : stretches_.back().frames.last; }
+  std::int64_t newest() const { return sections_.empty() ? -1 : sections_.back().frames.last; }
 
 private:
   /// Consecutive frames that were tracked with the same settings.
-  struct Stretch {
+  struct Section {
     ResultRange frames;
     RunDefinitionPtr definition;
   };
-  std::vector<Stretch> stretches_; ///< ascending frames
+  std::vector<Section> sections_; ///< ascending frames
 };
 
 } // namespace dewpoint::session

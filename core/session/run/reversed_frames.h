@@ -11,9 +11,8 @@
 namespace dewpoint::session {
 
 /// Source that delivers the frames of a recording from a given last frame back to the first, as if
-/// time ran backward from there. The last frame keeps its number and time, and the numbers and
-/// times of the following ones increase from there. Frames are read in blocks, since videos are
-/// made to be read forward.
+/// time ran backward. Frame `last` is delivered first, with its own number and time; numbers and
+/// times increase from there. Frames are read in blocks, since videos are made to be read forward.
 class ReversedFrames final : public FrameSetSource {
 public:
   ReversedFrames(FrameSetSource& source, std::int64_t last);
@@ -34,7 +33,7 @@ private:
   std::int64_t first_ = 0; ///< first frame of the block
   std::int64_t length_;    ///< length of the next block, in frames
   std::vector<FrameSetPtr> block_;
-  std::optional<TimeStamp> begin_; ///< time of the last frame
+  std::optional<TimeStamp> begin_; ///< time of frame `last_`
 };
 
 } // namespace dewpoint::session

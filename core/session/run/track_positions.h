@@ -13,9 +13,11 @@ namespace dewpoint::session {
 /// Default frame rate of measured positions, frames per second.
 inline constexpr double kPositionsPerSecond = 30.0;
 
-/// Adds missing times or frame numbers: computes times from frame numbers at `rate` frames per
-/// second, or numbers the instants as frames. Returns true if times were present. Returns
-/// MissingKey if a sample has neither, or only some samples have times.
+/// Adds missing times or frame numbers. If no sample has a time, computes the times from the frame
+/// numbers at `rate` frames per second, and returns true. If all samples have times, each sample
+/// without a frame number gets the rank of its time among all different times, counted from 0, and
+/// the function returns false. Returns MissingKey if only some samples have times, or if a sample
+/// has neither a time nor a frame number.
 Result<bool> addMissingTimes(Trajectory& measured, double rate);
 
 /// Returns whether trackPositions() takes this parameter from the first position of each target:

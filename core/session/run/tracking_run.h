@@ -54,8 +54,9 @@ public:
 
   /// Returns the present definition; never null.
   const RunDefinitionPtr& definition() const { return definition_; }
-  /// Returns whether this run can use a definition: the same method and images, and as many
-  /// targets, unless the method takes any number. Otherwise a new run is needed.
+  /// Returns whether this run can continue with a definition: it must have the same method and
+  /// image sizes, and the same number of targets unless the method can change it. Otherwise, a new
+  /// run is needed.
   bool accepts(const RunDefinition& definition) const;
   /// Discards all tracks.
   void restart(std::uint64_t seed);

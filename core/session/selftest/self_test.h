@@ -12,8 +12,8 @@
 
 namespace dewpoint::session {
 
-/// One line of a self-test: the subject of the test and its result. Always in English, for readers
-/// of reports.
+/// One line of a self-test: the subject of the test and its result. The texts are always in
+/// English, for those who read reports.
 struct SelfTestLine {
   FindingLevel level = FindingLevel::Ok;
   std::string subject; ///< "codec FFV1"

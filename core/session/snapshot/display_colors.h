@@ -16,13 +16,13 @@ using DisplayColor = Eigen::Vector3d;
 /// Inputs that determine the display color of a target.
 struct DisplayColorSource {
   ColorRanges learned{};               ///< empty: the method does not identify targets by color
-  std::optional<DisplayColor> fixed{}; ///< used unchanged: the color for a person's identity
+  std::optional<DisplayColor> fixed{}; ///< color for a person's identity, used unchanged
 
   bool operator==(const DisplayColorSource&) const = default;
 };
 
-/// Returns the central color of a learned range; nothing if that is gray or the range contains many
-/// different colors.
+/// Returns the central color of a learned range; nothing if this color is gray, or if the range
+/// contains many different colors.
 std::optional<DisplayColor> centralColor(const ColorRange& range);
 
 /// Returns a color of the same hue, darkened or lightened until it is legible on a light or dark

@@ -8,9 +8,9 @@
 namespace dewpoint::session {
 
 /// Fills in missing images of live cameras for display. Cameras that are not synchronized do not
-/// deliver an image in every frame set. Without this, views would flicker and could not be clicked
-/// in. They therefore show the camera's last image for a while. The tracker does not process it
-/// twice.
+/// deliver an image in every frame set. To avoid flickering, and so that users can click in every
+/// view, a view then shows the camera's last image for a while. The tracker does not process this
+/// image twice.
 class LiveFrameFiller {
 public:
   /// Returns the snapshot for display. In a live run, cameras without an image get their last one

@@ -16,24 +16,24 @@ struct SightLine {
   int camera = 0; ///< index in the rig
   Eigen::Vector3d from = Eigen::Vector3d::Zero();
   Eigen::Vector3d to = Eigen::Vector3d::Zero();
-  bool sees =
-      /// True if the camera confirms at least a part of the target; otherwise, the target is hidden
-      /// there.
-      true;
+  /// True if the camera confirms at least a part of the target. Otherwise, the target is hidden
+  /// there.
+  bool sees = true;
 };
 
 /// Returns one line for each camera in whose image the estimate lies. There is no line for a camera
 /// without an image or a target with an unknown position.
 std::vector<SightLine> sightLines(const TrackSnapshot& snapshot, const TargetSnapshot& target);
 
-/// Returns the part of a click's ray that is visible in the image of a camera, as lines. Returns
-/// none for the camera that was clicked in and for cameras not in the snapshot.
+/// Returns the line of sight through a clicked pixel as it appears in the image of another camera,
+/// as connected lines in pixels. Returns none if `camera` is the one that was clicked in, or is not
+/// in the snapshot.
 std::vector<ImageLine> clickedRay(const TrackSnapshot& snapshot, const PointClick& click,
                                   int camera);
 
-/// Returns both ends of a click's ray: the camera, and a point a quarter farther away than the
-/// position computed from the click, so that the ray visibly passes through this position. Empty if
-/// the camera does not exist.
+/// Returns both ends of the line of sight through a clicked pixel, for display: the camera center,
+/// and a point 25 % farther away than `position`, which was computed from the click. The line
+/// therefore visibly passes through the position. Empty if the camera does not exist.
 std::vector<Eigen::Vector3d> clickedRayEnds(const TrackSnapshot& snapshot, const PointClick& click,
                                             const Eigen::Vector3d& position);
 

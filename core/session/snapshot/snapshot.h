@@ -28,8 +28,8 @@ struct TargetSnapshot {
   TrackEstimate estimate;
   Eigen::ArrayXXd particles; ///< up to 10,000 rows of x, y, z; meters
   Eigen::ArrayXd weights;    ///< one per row, linear
-  std::vector<Eigen::Vector3d>
-      tail; ///< positions in the last frames, oldest first; NaN if not held
+  /// Positions in the last frames, oldest first; NaN where the target was not held.
+  std::vector<Eigen::Vector3d> tail;
   std::optional<Eigen::Vector3d> truth;
   TargetStatus status = TargetStatus::Searching;
   HoldState stateWhileAbsent = HoldState::Gone; ///< state shown while the target is absent
@@ -38,13 +38,14 @@ struct TargetSnapshot {
   std::shared_ptr<const ColorHistograms> histograms;
   /// Per camera: reason why it does not confirm the target (describeReasons()); may be empty.
   std::vector<CameraReport> reasons;
-  std::vector<CandidatePosition>
-      positionCandidates;                   ///< candidate positions of this frame; may be empty
+  /// Candidate positions of this frame; may be empty.
+  std::vector<CandidatePosition> positionCandidates;
   std::vector<LikelihoodMap> maps;          ///< per camera; empty unless requested
   std::shared_ptr<const PersonShape> shape; ///< shape of a person; null unless requested
 
-  /// Return the estimate as a box or as a person; null if it is something else or absent. Use these
-  /// only if the kind of target is known; otherwise visit the estimate or call peopleIn().
+  /// Return the estimate as a box or as a person; null if it is of another kind or absent. Use
+  /// these functions only if the kind of target is known; otherwise, visit the estimate or call
+  /// peopleIn().
   const BoxEstimate* box() const { return std::get_if<BoxEstimate>(&estimate); }
   const PersonEstimate* person() const { return std::get_if<PersonEstimate>(&estimate); }
 };
@@ -126,8 +127,8 @@ struct TrackSnapshot {
 };
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
-/// Record of one filter iteration for one target, for plots. Plots over time use `time`; plots over
-/// iterations use `iteration`.
+/// Record of one filter iteration for one target, for plots. `time` is the x coordinate of plots
+/// over time, `iteration` that of plots over iterations.
 struct IterationRecord {
   /// Number of the iteration since the start or restart, counted from 1.
   std::int64_t iteration = 0;

@@ -22,7 +22,8 @@ HoldState holdState(const TargetSnapshot& target);
 /// Returns the worst state of all targets: lost, searching, ambiguous, hidden, held. Returns
 /// NoImages or NoTarget if there are none, and NotTracked for a past frame that was not tracked.
 HoldState holdState(const TrackSnapshot& snapshot);
-/// Returns the same for one camera; a box counts only in the camera in which it is tracked.
+/// Returns the worst state of the targets that one camera shows; a box counts only in the camera in
+/// which it is tracked.
 HoldState holdState(const TrackSnapshot& snapshot, int camera);
 
 /// Returns the target whose reasons are shown: `preferred` if it exists, otherwise the first that
@@ -59,8 +60,8 @@ struct PersonInSnapshot {
 /// Returns all persons of a snapshot that are not absent, in the order of its targets.
 std::vector<PersonInSnapshot> peopleIn(const TrackSnapshot& snapshot);
 
-/// Returns the index of the person whose hull is visible at a pixel of a camera, the closest one if
-/// there are several; -1 if there is none.
+/// Returns the index of the person whose hull is visible at a pixel of a camera, the one closest to
+/// the camera if there are several; -1 if there is none.
 int personSeenAt(const TrackSnapshot& snapshot, int camera, const Eigen::Vector2d& pixel);
 
 } // namespace dewpoint::session

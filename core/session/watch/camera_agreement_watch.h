@@ -13,8 +13,8 @@ namespace dewpoint::session {
 /// for methods that track boxes, whose cameras need no calibration.
 class CameraAgreementWatch final : public FrameObserver {
 public:
-  /// A camera that `motion` reports as moved is not reported here for that reason. `motion` must
-  /// outlive this object.
+  /// `motion` must outlive this object. A fault that may be explained by a camera that `motion`
+  /// reports as moved is not reported here.
   CameraAgreementWatch(const CameraRig& rig, const CameraMotionWatch& motion)
       : agreement_(rig), motion_(motion) {}
 

@@ -23,12 +23,12 @@ enum class CameraMotionStage {
 /// search repeats about once a second.
 inline constexpr double kPoseSearchTimeout = 3.0;
 
-/// Returns the stage of a report; `now` in seconds of the run.
+/// Returns the stage of a report; `now` is in seconds of the run.
 CameraMotionStage stageOf(const CameraMotionReport& report, double now);
 
 /// Selects the messages about moved cameras: each stage of a motion is reported once. After a pose
-/// is known, no worse stage of that motion is reported. When one motion is resolved, the others are
-/// reported again.
+/// is known, no worse stage of that motion is reported. When a report disappears, the earlier
+/// messages are withdrawn and the remaining motions are reported again.
 class CameraMotionMessages {
 public:
   struct Item {
@@ -41,14 +41,14 @@ public:
   };
 
   /// Takes all reports of a frame, in the order of the motions, and returns the new messages; `now`
-  /// in seconds of the run.
+  /// is in seconds of the run.
   News take(const std::vector<CameraMotionReport>& reports, double now);
-  /// Forgets earlier messages, for another run.
+  /// Forgets earlier messages, because another run begins.
   void clear();
 
 private:
-  std::set<std::tuple<std::size_t, std::int64_t, CameraMotionStage>>
-      reported_;          ///< camera, frame of the motion, stage
+  /// Camera, frame of the motion, stage.
+  std::set<std::tuple<std::size_t, std::int64_t, CameraMotionStage>> reported_;
   std::size_t count_ = 0; ///< number of reports in the previous call
 };
 

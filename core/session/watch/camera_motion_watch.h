@@ -16,8 +16,8 @@ namespace dewpoint::session {
 struct CameraMotionReport {
   CameraMotionEvent event;
   bool back = false; ///< the camera is back in its former pose
-  /// Distance of the target in the image from its position according to the other cameras since the
-  /// camera moved, in pixels.
+  /// How far targets have recently been from where the other cameras expect them in this camera's
+  /// image, in pixels.
   std::optional<double> targetPixels;
   /// Present pose of the camera, for the project, from the measured rotation and the sightings of
   /// tracked targets since the motion. Recomputed about once a second.
@@ -69,8 +69,8 @@ private:
   double resumeTime_ = -1e18; ///< seconds
 };
 
-/// Returns the pose of a camera that moved in an event at `since` (seconds), from its present
-/// rotation and the sightings since then.
+/// Returns the pose of a camera that moved, computed from its present rotation `turn` and from the
+/// sightings at or after `since` (seconds).
 Result<MovedCameraPose> estimatePoseAfterMotion(const Camera& camera, const CameraRotation& turn,
                                                 const std::deque<ReprojectionResidual>& sightings,
                                                 double since);

@@ -9,8 +9,8 @@
 
 namespace dewpoint::session {
 
-/// CSV table of the reasons why the targets of a run were held or not, to be read with the
-/// trajectory. It has a row for every change of a target's state or of the reason for it.
+/// CSV table of the states of a run's targets, with the reason for each state except `held`; it
+/// complements the trajectory. It has a row for every change of a target's state or of the reason.
 class StateLog {
 public:
   explicit StateLog(const CameraRig& rig);

@@ -21,19 +21,19 @@ struct LensesFromBoards {
 };
 
 /// Estimates the intrinsics of each camera in `seen` from views chosen by chooseViews(). A camera
-/// that did not see the board well keeps its intrinsics. If this applies to all cameras, returns
-/// the error, which names the camera. If only another board was seen, returns NotFound with the
-/// description of that board. Returns Canceled if `progress` canceled the work.
+/// that did not see the board well enough keeps its intrinsics. If this applies to all cameras,
+/// returns the error of one of them, which names it. If only another board was seen, returns
+/// NotFound with the description of that board. Returns Canceled if `progress` canceled the work.
 Result<LensesFromBoards> intrinsicsFromBoards(const BoardDetections& seen,
                                               const BoardCalibrationRequest& request,
                                               const CalibrationProgress& progress = {});
 
-/// Estimates the poses of a project's cameras with their present intrinsics, from instants chosen
-/// by chooseInstants(). Cameras that never saw the board keep their poses and are named in the
-/// notices, if at least two others saw it. If the first camera is one of them, the first that saw
-/// the board keeps its pose instead. If only another board was seen, returns NotFound with its
-/// description. Faults that explain the detections better are named in the
-/// result, or in the error.
+/// Estimates the poses of a project's cameras with their present intrinsics, from frames chosen by
+/// chooseInstants(). Cameras that never saw the board keep their poses and are named in the
+/// notices, if at least two others saw it. Unless the request names a `worldFrame`, the first
+/// camera that saw the board keeps its pose, as the reference for the others. If only another board
+/// was seen, returns NotFound with its description. If a known fault, such as exchanged cameras,
+/// explains the detections better, the result or the error names it.
 Result<ExtrinsicsResult> extrinsicsFromBoards(const Project& project, const BoardDetections& seen,
                                               const BoardCalibrationRequest& request,
                                               const CalibrationProgress& progress = {});

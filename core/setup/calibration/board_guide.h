@@ -24,7 +24,7 @@ struct BoardGuideRequest {
   GuidanceSettings lenses;   ///< settings for intrinsics, including the accuracy that is sufficient
   RigGuidance::Settings rig; ///< how often pairs of cameras must see the board together
   double requiredPositionSigma = 0.002; ///< meters: required CameraFit::centerSigma of each camera
-  /// Number of instants after which the calibration ends regardless of accuracy.
+  /// Number of captured frames after which the calibration ends regardless of its accuracy.
   int maxInstants = 60;
   std::size_t maxOutlines = 100; ///< number of outlines kept per camera
 };
@@ -68,9 +68,9 @@ BoardCalibrationRequest requestForCaptured(const BoardGuideRequest& request,
                                            const BoardGuideState& state);
 
 /// Guides the user through the calibration of live cameras with a board. It searches for the board
-/// in the images, tells the user what to show next, captures the board while it is held still,
-/// calibrates repeatedly, and ends automatically when the requested accuracy is reached. It has no
-/// clock, and no threads except those that process the images: the same frames give the same
+/// in the images, shows the user how to hold the board next, captures the board while it is held
+/// still, calibrates repeatedly, and ends automatically when the requested accuracy is reached. It
+/// has no clock, and no threads except those that process the images: the same frames give the same
 /// states.
 class BoardGuide {
 public:

@@ -25,8 +25,8 @@ struct BoardOutcome {
   std::optional<ExtrinsicsResult> extrinsics;
   std::optional<Error> extrinsicsError; ///< reason why only the intrinsics were estimated although
                                         ///< both were requested
-  std::optional<CalibrationAccuracy>
-      accuracy; ///< accuracy of the camera positions; empty if it could not be assessed
+  /// Accuracy of the camera positions; empty if it could not be assessed.
+  std::optional<CalibrationAccuracy> accuracy;
   /// Sentence with the accuracy, or with the reason why there is none. Empty if no camera poses
   /// were estimated.
   std::string accuracySummary;
@@ -49,7 +49,7 @@ Result<BoardOutcome> calibrateFromBoards(const Project& project, FrameSetSource&
                                          const BoardGoal& goal,
                                          const CalibrationProgress& progress = {});
 
-/// Returns whether the user should decide before the result is stored in the project, because a
+/// Returns whether the user should be asked before the result is stored in the project, because a
 /// known fault explains the detections better.
 bool isDoubtful(const BoardOutcome& outcome);
 

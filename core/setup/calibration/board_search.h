@@ -20,17 +20,17 @@ struct BoardCalibrationRequest {
   BoardDescription board;
   IntrinsicsModel model = IntrinsicsModel::FiveCoefficients;
   PixelShape pixels = PixelShape::Measured;
-  int views = 30;              ///< images per camera used to estimate intrinsics
-  int instants = 60;           ///< instants used to estimate poses
-  int frameLimit = 300;        ///< frames of a recording in which the board is searched for
-  std::int64_t firstFrame = 0; ///< first frame in which the board may be searched for
+  int views = 30;       ///< number of images per camera used to estimate intrinsics
+  int instants = 60;    ///< number of frames used to estimate poses
+  int frameLimit = 300; ///< number of frames of a recording in which the board is searched for
+  std::int64_t firstFrame = 0;          ///< first frame in which the board may be searched for
   std::optional<std::int64_t> endFrame; ///< one past the last such frame; not set: all
   /// Frame in which the board lies on the floor and defines the world frame; not set: the first
   /// camera keeps its pose.
   std::optional<std::int64_t> worldFrame;
   bool refineIntrinsics = false; ///< refine the intrinsics together with the poses
-  /// Look at a few frames of a long recording before the search, and end there if they show another
-  /// board only.
+  /// Search a few frames of a long recording first. If they show only another board, do not search
+  /// the others.
   bool lookFirst = true;
 };
 
@@ -42,41 +42,43 @@ struct BoardDetections {
     int height = 0;
     int searched = 0; ///< number of images in which the board was searched for
     std::vector<BoardView> views;
-    /// Board that a few images show, if this camera never saw the requested one but others did.
+    /// Other board that was found in a few of this camera's images. Set only if this camera never
+    /// saw the requested board but other cameras did.
     std::optional<BoardGuess> otherBoard = std::nullopt;
   };
   std::vector<PerCamera> cameras;
   double framesPerSecond = 30.0;
-  /// Board that a few images of all cameras show instead of the requested one, which is in none or
-  /// almost none of the images.
+  /// Other board that was found in a few images of all cameras. Set only if none, or almost none,
+  /// of the images show the requested board.
   std::optional<BoardGuess> otherBoard = std::nullopt;
-  /// False if the search ended after a look at a few frames, because they show another board only.
+  /// False if only a few frames were searched, because these show only another board.
   bool searchedAll = true;
 
-  /// Returns whether there is only another board than the requested one.
+  /// Returns whether the images show only another board than the requested one.
   bool hasOnlyOtherBoard() const;
   /// Returns the other board that a camera saw, if any; null otherwise.
   const BoardGuess* otherBoardOf(const PerCamera& camera) const;
 };
 
 /// Searches a recording for the board, in evenly spaced frames that are the same for all cameras.
-/// Only the frames from `firstFrame` to `endFrame` count, and `worldFrame` wherever it is. A few
-/// frames of a long recording are looked at first: if they do not show the requested board but
-/// another one, the search ends with that (`otherBoard`). If cameras never see the board, a few of
-/// their images are searched for any board. Returns BadValue if the cameras are live or there is no
-/// such frame, Canceled, or the errors of the source.
+/// Only frames from `firstFrame` to before `endFrame` are searched, and in addition `worldFrame`.
+/// With `lookFirst`, a few frames of a long recording are searched first: if they show another
+/// board instead of the requested one, the search ends and returns the other board (`otherBoard`).
+/// If a camera never sees the board, a few of its images are searched for any board. Returns
+/// BadValue if the cameras are live or there is no such frame, Canceled, or the errors of the
+/// source.
 Result<BoardDetections> findBoards(const Project& project, FrameSetSource& source,
                                    const BoardCalibrationRequest& request,
                                    const CalibrationProgress& progress = {});
 
-/// Searches image files from one camera for the board, in the same way (`lookFirst`: as in the
-/// request). Each view is named after its file. Returns
-/// FileUnreadable, Mismatch if the image sizes differ, or Canceled.
+/// Searches image files from one camera for the board, in the same way; for `lookFirst`, see
+/// BoardCalibrationRequest. Each view is named after its file. Returns FileUnreadable, Mismatch if
+/// the image sizes differ, or Canceled.
 Result<BoardDetections> findBoards(const std::vector<std::filesystem::path>& pictures,
                                    const BoardDescription& board, DetectionEffort effort,
                                    const CalibrationProgress& progress = {}, bool lookFirst = true);
 
-/// Number of frames that are looked at to find out which board a recording shows.
+/// Number of frames that are searched to find out which board a recording shows.
 inline constexpr int kFramesToLookAt = 12;
 
 } // namespace dewpoint::setup

@@ -20,9 +20,9 @@ void setCalibration(ProjectCamera& camera, const Camera& calibration);
 /// Returns the project with the calibration of these cameras, in the same order.
 Project withCameras(Project project, const CameraRig& rig);
 
-/// Returns the project with delays added to its cameras' delays, in seconds, from the offsets found
-/// in their images (WandResult::offsets, negative for delayed cameras). Simulated cameras are
-/// unchanged.
+/// Returns the project with its cameras' delays changed by the time offsets found in their images
+/// (WandResult::offsets, seconds; negative for cameras that are delayed more than the project
+/// states). Simulated cameras are unchanged.
 Project withTimeOffsets(Project project, const std::vector<double>& offsets);
 
 /// Returns the project with the images of camera `camera` rotated and mirrored in addition to its
@@ -34,11 +34,13 @@ Project withImageSymmetry(Project project, int camera, const ImageSymmetry& symm
 /// simulated cameras.
 bool canSetImageSymmetry(const ProjectCamera& camera);
 
-/// Returns the project with the image symmetry proposed for each camera, where it can be set.
+/// Returns the project with each camera's images rotated and mirrored as proposed in
+/// CameraFromPoints::proposal, see withImageSymmetry(). Cameras without a proposal and simulated
+/// cameras are unchanged.
 Project withProposedSymmetries(Project project, const std::vector<CameraFromPoints>& cameras);
 
-/// Returns the project with the cameras computed from measured points. `focal`: the focal lengths
-/// were computed as well.
+/// Returns the project with the cameras computed from measured points. `focal` is true if the focal
+/// lengths were computed as well.
 Project withPointSolution(Project project, const PointSolution& solution, bool focal);
 
 /// Returns the project with these intrinsics, in the order of its cameras. Cameras without a result

@@ -26,7 +26,8 @@ CheckedCalibration checkCalibration(const std::filesystem::path& file);
 
 /// How createNewProject() matches the cameras in a file to those of the project.
 enum class CameraMatch { ByName, ByOrder, None };
-/// Returns how names match. `cameras`: names in the project; `inFile`: names in the file.
+/// Returns how the cameras named `inFile` in a file are matched to those named `cameras` in a
+/// project.
 CameraMatch matchCameras(const std::vector<std::string>& cameras,
                          const std::vector<std::string>& inFile);
 

@@ -22,7 +22,8 @@ struct ImportRequest {
   /// Index of the project's camera to which a file with one camera belongs; not set: matched by
   /// name.
   std::optional<std::size_t> camera = {};
-  /// How to match names, and images of another size, that do not fit.
+  /// How to match camera names, and how to adapt image sizes, that differ from those of the
+  /// project.
   CalibrationAdaptation adaptation = {};
 };
 
@@ -42,30 +43,31 @@ struct CalibrationImport {
   std::vector<ImportedCamera> cameras;
   bool matchedByOrder = false; ///< names match no camera; the order in the file was used
   bool lensOnly = false;       ///< the file has no poses; those of the project are kept
-  /// Likely mistakes in the calibration: two cameras of one pose, another unit (checkRig()).
+  /// Likely mistakes in the calibration: two cameras with the same pose, or another unit
+  /// (checkRig()).
   std::vector<camera_motion::CameraDisagreement> faults;
   /// Result of difference() between the file's cameras and the project's cameras as they would be
   /// saved, in pixels.
   double largestPixels = 0.0;
 };
 
-/// Imports the calibration of any supported tool for a project's cameras. They are matched by name,
-/// or by order if the file has one for each camera. A calibration for images of another size than
-/// those of a recording is Mismatch, unless the request says how they differ. The given project is
-/// not changed. Errors name
-/// file, field and likely cause (readCalibration()).
+/// Imports the calibration of any supported tool for a project's cameras. Cameras are matched by
+/// name, or by order if the file has one for each camera. Returns Mismatch if a calibration is for
+/// another image size than that of the recording, unless the request describes how the sizes
+/// differ. The given project is not changed. Errors name file, field and likely cause
+/// (readCalibration()).
 Result<CalibrationImport> importCalibration(const Project& project, const ImportRequest& request);
 
 /// Returns the names of the cameras in the file of a request, in its order; none if it cannot be
 /// read yet.
 std::vector<std::string> cameraNamesIn(const ImportRequest& request);
 
-/// Information that a file lacks (see CalibrationHints), or that says how it is to fit the project
-/// (see CalibrationAdaptation).
+/// Information that an import needs from the user: information that the file lacks (see
+/// CalibrationHints), or how to fit the file to the project (see CalibrationAdaptation).
 enum class ImportQuestion { None, Format, Unit, Lens, Size, Poses, Camera, Fit, Names };
 
-/// Question raised by an error of importCalibration(), and the error's sentence without the
-/// command-line option that answers it.
+/// Question raised by an error of importCalibration(), and the error. The text of the error does
+/// not mention the command-line option that answers the question.
 struct AskedQuestion {
   ImportQuestion question = ImportQuestion::None;
   Error error;
@@ -77,8 +79,8 @@ AskedQuestion askedQuestion(Error error);
 Result<CalibrationConversion> exportCalibration(const Project& project,
                                                 const CalibrationOutput& target);
 
-/// Returns what exportCalibration() would write and lose, without creating a file; `written` is
-/// empty.
+/// Returns the result that exportCalibration() would have, including the information that is lost,
+/// without creating a file; `written` is empty.
 Result<CalibrationConversion> previewExport(const Project& project, CalibrationOutput target);
 
 } // namespace dewpoint::setup

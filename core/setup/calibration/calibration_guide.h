@@ -11,9 +11,9 @@ namespace dewpoint::setup {
 /// Way to calibrate the cameras of a project.
 enum class CalibrationWay { Grid, Points, Board, Wand, File };
 
-/// Step of a way. Each way is a sequence of some of these.
+/// Step of a CalibrationWay. Each way is a sequence of some of these steps.
 enum class GuideStep {
-  ImportFile,     ///< read the calibration of another tool
+  ImportFile,     ///< read a calibration made with another tool
   PrintBoard,     ///< print a board and glue it to something flat
   LensesByBoard,  ///< show the board to each camera
   FieldOfView,    ///< enter the focal length or field of view
@@ -28,7 +28,7 @@ enum class GuideStep {
   MeasuredLength  ///< compare a measured distance
 };
 
-/// How far a step has got. It is done if `done` is `total`.
+/// Progress of a step. The step is done when `done` has reached `total`.
 struct StepProgress {
   int done = 0;
   int total = 1;
@@ -45,13 +45,13 @@ StepErrorUnit errorUnit(GuideStep step);
 /// Returns the steps of a way, in order.
 const std::vector<GuideStep>& stepsOf(CalibrationWay way);
 
-/// Returns how far a step has got. `status`: calibrationStatus() of the same project.
+/// Returns the progress of a step. `status` is the calibrationStatus() of the same project.
 StepProgress progressOf(GuideStep step, const Project& project, const CalibrationStatus& status);
 
 /// Returns the first step of a way that is not done, or the last step.
 GuideStep nextStep(CalibrationWay way, const Project& project, const CalibrationStatus& status);
 
-/// Returns the way that most camera poses come from; empty if none is recorded.
+/// Returns the way in which most camera poses were calibrated; nothing if none is recorded.
 std::optional<CalibrationWay> wayTaken(const CalibrationStatus& status);
 
 } // namespace dewpoint::setup

@@ -12,7 +12,7 @@ namespace dewpoint::setup {
 /// How well a part of the calibration is known.
 enum class Knowledge {
   Missing, ///< only guessed by the program, or known to be wrong
-  Given,   ///< entered, set by hand or read from a file: nobody measured how accurate it is
+  Given,   ///< entered, set by hand or read from a file; its accuracy was not measured
   Measured ///< found by measurement with this program, and not changed since
 };
 
@@ -21,7 +21,7 @@ struct PartStatus {
   Knowledge knowledge = Knowledge::Missing;
   std::optional<CalibrationOrigin> origin = {}; ///< empty if not recorded
   std::optional<double> error = {};             ///< in the unit of the part; empty if unknown
-  bool isPoor = false; ///< measured, but so inexactly that it should be measured again
+  bool isPoor = false; ///< measured, but with such low accuracy that it should be measured again
 
   bool operator==(const PartStatus&) const = default;
 };
@@ -36,20 +36,21 @@ struct CameraCalibrationStatus {
 /// What is known about the calibration of a project.
 struct CalibrationStatus {
   std::vector<CameraCalibrationStatus> cameras; ///< in project order
-  PartStatus scale;                             ///< error: relative, 95 %
+  PartStatus scale;      ///< error: relative, not exceeded with a probability of 95 %
   PartStatus floor;      ///< floor and upward direction; its error is never given
   bool isUpright = true; ///< false if the images show that the z axis does not point up
-  /// Position error in the calibrated volume that is not exceeded in 95 %, meters.
+  /// Position error in the calibrated volume that is not exceeded with a probability of 95 %,
+  /// meters.
   std::optional<double> accuracy;
   std::optional<LengthCheck> check;
 };
 
-/// Returns what is known. Records about numbers that have changed since are ignored. Simulated
-/// cameras are known exactly: Measured, without an origin.
+/// Returns the calibration status of a project. Records about values that have changed since are
+/// ignored. Simulated cameras are known exactly: their status is Measured, without an origin.
 CalibrationStatus calibrationStatus(const Project& project);
 
-/// Returns the number of cameras with at least this knowledge of a part. What is poor counts as
-/// given, not as measured.
+/// Returns the number of cameras with at least this knowledge of a part. A part with `isPoor`
+/// counts as Given, not as Measured.
 std::size_t countKnown(const CalibrationStatus& status, PartStatus CameraCalibrationStatus::*part,
                        Knowledge least);
 

@@ -11,14 +11,14 @@
 
 namespace dewpoint::setup {
 
-/// Reads single frames of a recording, in rising order: it seeks if the next one is far, and reads
-/// on otherwise, which is faster.
+/// Reads single frames of a recording, in ascending order. It seeks if the next requested frame is
+/// far away. Otherwise it reads the frames in between, which is faster.
 class FramePicker {
 public:
   explicit FramePicker(FrameSetSource& source) : source_(source) {}
 
-  /// Returns the frame, null if the recording is shorter than its frame count, or the errors of the
-  /// source.
+  /// Returns the frame; null if the recording ends before its stated frame count; or the errors of
+  /// the source.
   Result<FrameSetPtr> read(std::int64_t frame);
 
 private:
@@ -26,8 +26,9 @@ private:
   std::int64_t next_ = -1; ///< frame that the source delivers next; -1: not known yet
 };
 
-/// Returns `count` numbers from 0 to `total` - 1, or all of them if there are fewer: the middles of
-/// equal parts, ascending.
+/// Returns `count` evenly spaced numbers from 0 to `total` - 1, ascending: the range is divided
+/// into equal parts, and each number is the center of one part. Returns all numbers if `total` is
+/// less than `count`.
 std::vector<std::int64_t> evenlySpaced(std::int64_t total, std::int64_t count);
 
 /// Reads an image file in gray (CV_8UC1). Returns FileMissing or FileUnreadable.

@@ -10,9 +10,10 @@ namespace dewpoint::setup {
 /// follows the cameras: the reference grid, the measured points, the volume of interest, start
 /// volumes and areas that the user entered, and the corrections of positions and people.
 ///
-/// Boxes that are parallel to the axes become the smallest such box that contains them. The
-/// reference grid stays horizontal. The radii of targets are not scaled, because they were measured
-/// with a ruler. The ground truth of a recording is a file and keeps its own frame.
+/// A box with edges parallel to the axes is replaced by the smallest box with edges parallel to the
+/// new axes that contains it. The reference grid stays horizontal. The radii of targets are not
+/// scaled, because they were measured with a ruler. The ground truth of a recording is a file and
+/// keeps its own frame.
 Project withMovedWorld(Project project, const Similarity& change);
 
 } // namespace dewpoint::setup

@@ -22,9 +22,8 @@ struct CameraSightings {
 /// fewer detections, a calibration may succeed, but with low accuracy.
 bool hasEnoughDetections(const CameraSightings& camera);
 
-/// Searches for the balls of a wand in frame sets from live cameras, in a separate thread. offer()
-/// only waits for a lock. A frame set that arrives while `kMaxWaiting` others are waiting is
-/// dropped and counted as dropped.
+/// Searches for the balls of a wand in frame sets from live cameras, in a separate thread. A frame
+/// set that arrives while `kMaxWaiting` others are waiting is dropped and counted as dropped.
 class WandCollector {
 public:
   /// Largest number of waiting frame sets.
@@ -36,7 +35,7 @@ public:
   WandCollector(const WandCollector&) = delete;
   WandCollector& operator=(const WandCollector&) = delete;
 
-  /// Adds a frame set. Thread-safe; returns immediately.
+  /// Adds a frame set. Thread-safe; waits only for a lock, not for the search.
   void offer(const FrameSetPtr& frames);
 
   struct State {

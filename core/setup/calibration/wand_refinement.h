@@ -19,12 +19,13 @@ struct WandRefinement {
   Result<CalibrationAccuracy> accuracy; ///< accuracy, or the reason why there is none
 };
 
-/// Returns whether the assessed accuracy is worse than the possible error of the cameras before the
-/// calibration, so that the former calibration should be kept.
+/// Returns whether the assessed error of the camera positions is larger than
+/// WandOptions::initialPositionError, the possible error before the calibration, so that the former
+/// calibration should be kept.
 bool isInaccurate(const WandRefinement& refinement);
 
-/// Returns whether the user should decide before the result is stored in the project: a known fault
-/// explains the views better, or isInaccurate() is true.
+/// Returns whether the user should be asked before the result is stored in the project, because a
+/// known fault explains the views better or isInaccurate() is true.
 bool isDoubtful(const WandRefinement& refinement);
 
 /// Runs calibrateFromRecording() and assesses its accuracy. Returns the errors of the calibration.

@@ -31,12 +31,12 @@ struct WandSettings {
   bool operator==(const WandSettings&) const = default;
 };
 
-/// Event of the ball at a marked instant.
+/// What happens to the ball at a time that the user marks.
 enum class WandEvent { Floor, DistanceFrom, DistanceTo, FallBegins, FallEnds };
 constexpr int kWandEventCount = 5;
 
-/// An instant marked by the user, and the event of the ball: `seconds` is its time in the
-/// recording.
+/// A time marked by the user, and what happens to the ball at that time; `seconds` is the time in
+/// the recording.
 struct MarkedInstant {
   std::int64_t frame = 0;
   double seconds = 0.0;
@@ -45,8 +45,8 @@ struct MarkedInstant {
   bool operator==(const MarkedInstant&) const = default;
 };
 
-/// Adds an instant, in ascending order of time. The floor may be touched several times; each other
-/// event occurs once, and a new instant replaces the earlier one.
+/// Inserts a marked time; the list is in ascending order of time. The floor may be touched several
+/// times. Each other event occurs only once, so a new mark replaces the earlier one.
 void addInstant(std::vector<MarkedInstant>& instants, const MarkedInstant& taken);
 
 /// Returns the names of the balls: those in the settings, or the project's first targets. A stick

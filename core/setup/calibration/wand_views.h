@@ -37,8 +37,8 @@ private:
 
 /// Options of a wand calibration.
 struct WandOptions {
-  std::vector<std::string>
-      targets;              ///< names: one ball, or the two ends of a stick; empty: the only target
+  /// Names of the targets: one ball, or the two ends of a stick; empty: the only target.
+  std::vector<std::string> targets;
   double stickLength = 0.0; ///< distance between the two balls, meters; for a stick
   std::int64_t firstFrame = 0;
   std::optional<std::int64_t> endFrame; ///< one past the last frame; not set: all
@@ -71,8 +71,8 @@ struct WandCalibrationProgress {
 using WandCalibrationCallback = std::function<bool(const WandCalibrationProgress&)>;
 
 /// Calibrates from collected views, live or from a recording. The command line and the window give
-/// bit-identical results. The given project is not changed. Faults that explain the views better
-/// are named in the result, or in the error.
+/// bit-identical results. The given project is not changed. If a known fault, such as exchanged
+/// cameras, explains the views better, the result or the error names it.
 Result<WandResult> calibrateFromViews(const Project& project,
                                       const std::vector<std::vector<MarkerObservation>>& views,
                                       const WandOptions& options,

@@ -35,8 +35,8 @@ struct WorldStepResult {
 /// Undetermined.
 Result<Gaussian3> pointInRoom(const CameraRig& rig, const MeasuredPoint& point);
 
-/// Returns the project after one change of the world frame. `points`: the points of this step, in
-/// the order given at WorldStep. `meters`: the measured distance, for Length only.
+/// Returns the project after one change of the world frame. `points` are the points of this step,
+/// in the order described in WorldStep. `meters` is the measured distance, for Length only.
 ///
 /// Errors: those of pointInRoom() and of the functions in world_frame.h; BadValue with "points" for
 /// a wrong number of points; Undetermined with "cameras" if Upright has nothing to change.
@@ -44,9 +44,9 @@ Result<WorldStepResult> withWorldStep(const Project& project, WorldStep step,
                                       const std::vector<MeasuredPoint>& points,
                                       double meters = 0.0);
 
-/// Returns the project with a distance of the room, as measured and as found from clicks on its
-/// ends, in its record (WorldRecord::check). Nothing else changes. Errors: those of pointInRoom(),
-/// and BadValue with "meters".
+/// Returns the project with the check of a length stored in WorldRecord::check: the distance
+/// measured in the room, and the distance computed from clicks on its ends. Nothing else changes.
+/// Returns the errors of pointInRoom(), or BadValue, which names "meters".
 Result<Project> withLengthCheck(Project project, const MeasuredPoint& from, const MeasuredPoint& to,
                                 double meters);
 

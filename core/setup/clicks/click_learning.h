@@ -17,8 +17,8 @@
 
 namespace dewpoint::setup {
 
-/// Images that the clicks refer to, all of one instant: CV_8UC3, in the order of the rig, empty for
-/// a camera without an image.
+/// Images that the clicks refer to, all of one frame: CV_8UC3, in the order of the rig, empty for a
+/// camera without an image.
 struct ClickedImages {
   std::vector<cv::Mat> images;
   std::vector<cv::Mat> backgroundImages; ///< as for learnColorWithBackground()
@@ -38,15 +38,15 @@ struct ClickLearningResult {
   std::vector<FoundOutline> found;  ///< outlines found in the displayed images
   /// Radius in meters, as Counterparts::radius; empty if nothing was found in the displayed images.
   std::optional<double> radius;
-  /// Centers of the target in the displayed images, if several cameras show it, for the first click
-  /// that was also found elsewhere.
+  /// Centers of the target in the displayed images, for the first click whose object was also found
+  /// in another camera; otherwise empty.
   std::vector<PointClick> centers;
-  /// Position and size of the target if only a part of a larger object of its color was marked: by
-  /// a box inside it, or by a click on an object larger than the known radius. `radius` is that of
-  /// the part.
+  /// Position and size of the target if the user marked only a part of a larger object of its
+  /// color: with a box inside the object, or with a click on an object larger than the known
+  /// radius. `radius` above is then that of the part.
   std::optional<MarkedPart> part;
   /// Position of the target in this frame. Set only if the color alone does not identify the
-  /// target, because other objects match it or the target is a part of one.
+  /// target, because other objects have this color or the target is a part of a larger object.
   std::optional<PositionCorrection> correction;
 };
 
@@ -59,10 +59,10 @@ enum class RadiusFit : std::uint8_t {
 };
 RadiusFit compareRadius(double given, double shown);
 
-/// Learns the color of a target from samples. It uses the clicked samples, and samples of the same
-/// object in cameras in which it was not clicked (findCounterparts()). For each click in the
-/// displayed images, the other cameras are searched again. Samples found for clicks in other frames
-/// are kept as long as those clicks exist.
+/// Learns the color of a target from samples: from those that the user clicked, and from samples of
+/// the same object in cameras in which it was not clicked (findCounterparts()). For each click in
+/// the displayed images, the other cameras are searched again. Samples found for clicks in other
+/// frames are kept as long as those clicks exist.
 ///
 /// `others` are samples of other targets. Another target of about the same color counts neither as
 /// this target nor as background, since identical targets are distinguished by position. One of a
@@ -72,17 +72,17 @@ Result<ClickLearningResult> learnFromClicks(const CameraRig& rig, const ClickedI
                                             const CounterpartLimits& limits = {},
                                             const std::vector<ColorSample>& others = {});
 
-/// Does the same for a target of a project (index in Project::targets, or a new target if out of
-/// range). It uses the project's cameras and volume of interest, the target's radius, and the
-/// samples of other targets. Only this function computes a correction.
+/// Learns the color of a target of a project (index in Project::targets, or a new target if out of
+/// range) in the same way. It uses the project's cameras and volume of interest, the target's
+/// radius, and the samples of other targets. Only this function computes a correction.
 Result<ClickLearningResult> learnFromClicks(const Project& project, int target,
                                             const ClickedImages& shown,
                                             const std::vector<ColorSample>& samples);
 
-/// Applies what was learned to a target of a project (index): color, samples, the radius of a part
-/// unless a radius is given, and the correction unless this frame has one. Corrections in frames
-/// whose clicks are no longer among the samples are removed, since they may belong to another
-/// object.
+/// Stores the result of learning in a target of a project (index): color, samples, the radius of a
+/// part unless the target already has a radius, and the correction unless this frame already has
+/// one. Corrections in frames whose clicks are no longer among the samples are removed, since they
+/// may belong to another object.
 void applyLearningResult(const ClickLearningResult& lesson, std::size_t target, Project& project);
 
 /// Returns the samples without one of them. An automatically found sample is marked as excluded,

@@ -15,9 +15,9 @@ namespace dewpoint::setup {
 const PositionCorrection* correctionAt(const Project& project, std::int64_t frame, int target);
 
 /// Returns the correction of a target after one more click on it in the image of a camera of `rig`
-/// in this frame. It has the clicks of the present correction, with this click replacing an earlier
-/// one in the same camera. The position is the clickedPosition() of all clicks: with one click, at
-/// the distance of `estimate` (the target's estimate in this frame) from the camera; with more,
+/// in this frame. The clicks are those of the present correction and this one, which replaces an
+/// earlier click in the same camera. The position is the clickedPosition() of all clicks. With one
+/// click, it is at the depth of `estimate` (the target's estimate in this frame); with more, it is
 /// where their rays meet. Returns the errors of clickedPosition().
 Result<PositionCorrection> clickedCorrection(const Project& project, const CameraRig& rig,
                                              std::int64_t frame, int target,

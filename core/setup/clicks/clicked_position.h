@@ -14,18 +14,18 @@ namespace dewpoint::setup {
 /// Returns the position (world frame, m; m²) given by clicks on a target, at most one per camera,
 /// all in images of one frame. The error of a click is assumed to be 2 px along each axis.
 ///
-/// With several clicks, it is the nearestPoint() of their rays. The covariance follows from the
-/// errors of the clicks, and is larger if these errors do not explain the distance between the
-/// rays. A single click does not determine the depth. The depth is then that of `estimate` (the
-/// target's estimate in this frame). Its standard deviation along the ray is the estimate's
-/// deviation across the ray, in addition to the error of the estimate itself. Without an estimate
-/// in front of the camera, the position is the center, in inverse depth, of the part of the ray
-/// visible to most other cameras, which may be infinite. Its error is that of a uniform
-/// distribution over this part.
+/// With several clicks, the position is the nearestPoint() of their rays. The covariance follows
+/// from the errors of the clicks, and is larger if these errors do not explain the distance between
+/// the rays. A single click does not determine the depth, which is then that of `estimate` (the
+/// target's estimate in this frame). The variance along the ray is the squared distance of the
+/// estimate from the ray plus the estimate's own variance along the ray. Without an estimate in
+/// front of the camera, the position is on the part of the ray that most other cameras see, at the
+/// center of its inverse depths; this part may extend to infinity. The error is that of a uniform
+/// distribution over these inverse depths.
 ///
-/// Returns BadValue without a click or for an unknown camera. Returns Undetermined with the name of
-/// the camera if its lens does not cover the pixel or no other camera sees any part of its ray, and
-/// with "clicks" if the rays do not meet in front of the cameras.
+/// Returns BadValue without a click or for an unknown camera. Returns Undetermined, which names the
+/// camera if its lens does not cover the pixel or no other camera sees any part of the ray, and
+/// names "clicks" if the rays do not meet in front of the cameras.
 Result<Gaussian3> clickedPosition(const CameraRig& rig, const std::vector<PointClick>& clicks,
                                   const std::optional<Gaussian3>& estimate);
 

@@ -34,10 +34,10 @@ struct FootageLearningResult {
 /// project, or a new one with the given name. The images of the other cameras are searched for the
 /// object of the first click. `backgroundImages` are those returned by loadBackgroundImages().
 ///
-/// Returns BadValue, which names "camera" if the cameras are live, "frame" if the frame is beyond
-/// the end, and "pixel" or "box" if it is outside the image. Returns MissingKey, which names
-/// "target", if there are several targets and none is named. Also returns the errors of
-/// learnFromClicks(), checkProject() and the source.
+/// Returns BadValue, which names "camera" if the cameras are live, "frame" if the frame is after
+/// the end of the recording, and "pixel" or "box" if the click is outside the image. Returns
+/// MissingKey, which names "target", if there are several targets and none is named. Also returns
+/// the errors of learnFromClicks(), checkProject() and the source.
 Result<FootageLearningResult> learnFromFootage(Project project, FrameSetSource& source,
                                                const std::vector<cv::Mat>& backgroundImages,
                                                FootageClicks clicks);

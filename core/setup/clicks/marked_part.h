@@ -16,24 +16,24 @@ namespace dewpoint::setup {
 
 /// A mark on a part of a larger object of one color, such as a hand on an arm of the same color.
 struct PartMark {
-  ColorSample whole; ///< sample of the whole object, as a click on the part gives it
-  /// Center of the part in pixels: that of the largest disc of the color that fits there, with
-  /// radius `radiusPx`.
+  ColorSample whole; ///< sample of the whole object, as obtained by a click on the part
+  /// Center of the largest disc of the color that fits into the part, in pixels; its radius is
+  /// `radiusPx`.
   Eigen::Vector2d center = Eigen::Vector2d::Zero();
   double radiusPx = 0.0;
 };
 
-/// Returns the marked part if a box contains only a part of the region grown from its center in the
-/// image (CV_8UC3): at most kMaxBoxedFraction of its pixels. Returns nothing for a box around a
-/// whole object, and for a click.
+/// Returns the marked part if a box contains only a part of an object: at most kMaxBoxedFraction of
+/// the pixels of the region grown from the center of the box in the image (CV_8UC3). Returns
+/// nothing for a box around a whole object, and for a click.
 std::optional<PartMark> boxedPart(const cv::Mat& bgr, const ColorSample& box);
-/// Returns the marked part if a disc of this radius covers at most kMaxClickedFraction of the
-/// clicked object; the part has the size of the disc. Returns nothing for a click on a smaller
+/// Returns the marked part if a disc of radius `radiusPx` covers at most kMaxClickedFraction of the
+/// clicked object; the part has the size of this disc. Returns nothing for a click on a smaller
 /// object, and for a box.
 std::optional<PartMark> clickedPart(const cv::Mat& bgr, const ColorSample& click, double radiusPx);
 /// Largest fractions of the whole object's area that count as a part. The values are estimates: a
-/// user who draws a box around an object omits little of it, and given radii are wrong by a factor
-/// of up to 1.6 (compareRadius()), which is 2.6 in area.
+/// user who draws a box around an object omits little of it, and the radius given by a user is
+/// wrong by a factor of up to 1.6 (compareRadius()), which is 2.6 in area.
 inline constexpr double kMaxBoxedFraction = 0.8;
 inline constexpr double kMaxClickedFraction = 0.4;
 
@@ -44,12 +44,12 @@ struct MarkedPart {
   std::vector<PointClick> clicks; ///< centers of the marks
 };
 
-/// Returns the position of the part from its marks, at most one per camera, in images of one
-/// instant (CV_8UC3, in the order of the rig, empty for a camera without an image). With several
-/// marks, it is the point where their rays meet. With one mark, it is on the ray of the mark, at
-/// the distance of the whole object according to the other cameras (`found`, findCounterparts()),
-/// with a covariance that covers its extent. Returns nothing if the rays do not meet, or no other
-/// camera shows the whole object on the ray.
+/// Returns the position of the part from its marks, at most one per camera, in images of one frame
+/// (CV_8UC3, in the order of the rig, empty for a camera without an image). With several marks, it
+/// is the point where their rays meet. With one mark, it is on the ray of the mark, at the distance
+/// of the whole object according to the other cameras (`found`, see findCounterparts()), and the
+/// covariance covers the extent of the whole object. Returns nothing if the rays do not meet, or no
+/// other camera shows the whole object on the ray.
 std::optional<MarkedPart> locatePart(const CameraRig& rig, const std::vector<cv::Mat>& images,
                                      const std::vector<PartMark>& marks,
                                      const std::vector<ColorSample>& found);

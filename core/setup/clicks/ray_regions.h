@@ -35,10 +35,10 @@ struct ClickedObject {
   /// its ray.
   double radiusPxIn(const Camera& camera, const Eigen::Vector3d& position) const;
 
-  /// Returns the standard deviation, in pixels, of the distance between the center of the object's
-  /// region and the projection of its position, for a region of this radius (px). Calibrations have
-  /// an error of `kDirectionSigma`, the object moves between the exposures, and each camera sees
-  /// another side of it.
+  /// Returns the standard deviation, in pixels, of the distance between the center of an object's
+  /// region of radius `radiusPx` and the projection of the object's position. The distance is not
+  /// zero because calibrations have an error of `kDirectionSigma`, the object moves between the
+  /// exposures, and each camera sees another side of it.
   static double centerSigma(const Camera& camera, double radiusPx);
   static constexpr double kDirectionSigma = 0.0061; ///< radians: 0.25 degrees for each camera
   static constexpr double kCenterSigmaRadii = 0.35; ///< chosen by judgment
@@ -54,7 +54,7 @@ double focalOf(const Camera& camera);
 std::optional<ClickedObject> clickedObject(const Camera& camera, const cv::Mat& image,
                                            const ColorSample& sample);
 
-/// Region of an image, grown as from a click on `seed`.
+/// Region of an image, grown as if the user had clicked on `seed`.
 struct RayRegion {
   cv::Point seed;
   cv::Mat mask; ///< CV_8UC1 of the image's size, 255 inside the region
@@ -64,8 +64,8 @@ struct RayRegion {
 };
 
 /// Returns at most eight regions of another camera's image (CV_8UC3) that may show the object. They
-/// are grown from where its color is most likely, near the projection of its ray at the possible
-/// depths.
+/// are grown from pixels near the projection of the object's ray, at depths for which `isPossible`
+/// returns true, where the object's color is most likely.
 std::vector<RayRegion> regionsAlongRay(const ClickedObject& object, const Camera& camera,
                                        const cv::Mat& image,
                                        const color::OtherCameraLikelihood& likelihood,

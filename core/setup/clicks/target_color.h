@@ -7,11 +7,12 @@
 
 namespace dewpoint::setup {
 
-/// Removes one of several colors (an index of Target::colors()) from a target, with the samples
-/// that match it better than any other color. The only color of a target is not removed.
+/// Removes the color with this index in Target::colors() from a target, together with the samples
+/// that match it better than any other color of the target. The only color of a target is not
+/// removed.
 void removeColor(std::size_t index, Target& target);
 
-/// Replaces one of the target's colors (an index of Target::colors()).
+/// Replaces the color with this index in Target::colors().
 void setColor(std::size_t index, const ColorRange& range, Target& target);
 
 } // namespace dewpoint::setup

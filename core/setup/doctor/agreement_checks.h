@@ -5,8 +5,9 @@
 
 namespace dewpoint::setup {
 
-/// Checks whether the first seconds of the images fit the calibration: exchanged, delayed or moved
-/// cameras. Runs only if everything else is correct, since it opens the project as a run does.
+/// Checks whether the images of the first seconds fit the calibration, or show that cameras are
+/// exchanged, delayed or moved. Does nothing if another check has found a problem, since it opens
+/// the project as a run does.
 void checkAgreement(Examination& examination);
 
 } // namespace dewpoint::setup

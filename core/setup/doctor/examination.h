@@ -23,7 +23,7 @@ namespace dewpoint::setup {
 /// Options for checking a project.
 struct ExaminationOptions {
   std::filesystem::path output = {}; ///< where results would go; empty: the folder of the project
-  bool everyFrame = false; ///< decode all frames instead of only the first, middle and last
+  bool everyFrame = false; ///< decode all frames, not only the first, middle and last ones
   /// Opens the images of a project as a run would. If empty, checks that need it are omitted.
   std::function<Result<std::unique_ptr<FrameSetSource>>(const Project&)> open = {};
   /// Called from time to time with the progress (0 to 1); returning false ends the examination
@@ -64,7 +64,7 @@ struct Examination {
   /// Returns whether there is a finding of this kind.
   bool has(FindingKind kind) const;
   bool hasProblem() const { return worstOf(findings) == FindingLevel::Problem; }
-  /// Returns the name of a camera in sentences: "camera 'left'".
+  /// Returns the name of a camera for use in sentences: "camera 'left'".
   std::string nameOf(std::size_t camera) const;
 };
 

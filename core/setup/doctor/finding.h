@@ -77,8 +77,8 @@ enum class FindingKind {
   FolderUnwritable,
 };
 
-/// Texts of a kind of finding: one row of the table. They are full sentences in which "%1", "%2"
-/// ... stand for values.
+/// Texts of a kind of finding: one row of the table findingTexts(). They are full sentences in
+/// which "%1", "%2" ... are placeholders for values.
 struct FindingTexts {
   FindingKind kind;
   std::string_view name; ///< identifier for programs: "recording-missing"

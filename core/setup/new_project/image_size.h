@@ -12,16 +12,16 @@
 
 namespace dewpoint::setup {
 
-/// Returns the size of the images of a camera whose source is a video or an image folder, after
-/// rotation, in pixels, whatever its calibration and its times say. Reads the first frame. Returns
-/// the errors of the recording.
+/// Returns the size, in pixels after rotation, of the images of a camera whose source is a video or
+/// an image folder. Reads the first frame; the camera's calibration and table of times are ignored.
+/// Returns the errors of the recording.
 Result<cv::Size> imageSizeOf(const ProjectCamera& camera);
 
-/// Fits the calibration of a camera to the size of its images, as fittedToSize() does, and appends
-/// a sentence about it to `decisions`. Leaves it alone if the sizes are equal, or if the images
-/// have no size yet: live cameras, simulated ones, and recordings that cannot be opened. Returns
-/// Mismatch with both sizes if they differ and `fit` is not set. Errors name `file`, which the
-/// calibration is from.
+/// Adapts the calibration of a camera to the size of its images as described by `fit` (see
+/// fittedToSize()), and appends a sentence about this to `decisions`. Changes nothing if the
+/// calibration already has this size, or if the image size is not known yet: for live and simulated
+/// cameras, and for recordings that cannot be opened. Returns Mismatch with both sizes if they
+/// differ and `fit` is not set. Errors name `file`, from which the calibration was read.
 Status fitCalibration(ProjectCamera& camera, const std::optional<SizeFit>& fit,
                       const std::string& file, std::vector<std::string>& decisions);
 

@@ -39,10 +39,11 @@ struct NewProject {
 /// A new project, and notes about it.
 struct CreatedProject {
   Project project; ///< has no file and no targets yet; their colors must be learned first
-  /// True if the poses are guessed and the method needs them: positions in space are not meaningful
-  /// yet.
+  /// True if the poses are guessed but the method needs calibrated ones, so that positions in space
+  /// are not meaningful yet.
   bool lacksCalibration = false;
-  /// True if names in the calibration file match no camera, so that its order was used.
+  /// True if the names in the calibration file match no camera, so that cameras were matched by
+  /// order.
   bool matchedByOrder = false;
   /// Full sentences about calibrations that were fitted to the size of the images.
   std::vector<std::string> decisions = {};
@@ -50,20 +51,22 @@ struct CreatedProject {
   std::vector<camera_motion::CameraDisagreement> faults = {};
 };
 
-/// Creates a project from videos, image folders, devices or streams. Calibrations are matched by
-/// name, or by order if there is one for each camera. Without a calibration file, cameras are
-/// guessed: 53 degrees wide, in a ring around a box of 1 m. A single camera without a file gets a
+/// Creates a project from videos, image folders, devices or streams. The calibrations in a file are
+/// matched to the cameras by name, or by order if there is one for each camera. Without a
+/// calibration file, each camera is assumed to have a horizontal field of view of 53 degrees, and
+/// all stand in a ring around a box of 1 m. A single camera without a calibration file gets a
 /// method that needs no calibration. Returns FileMissing, Mismatch, BadValue and the errors of the
 /// calibration file.
 Result<CreatedProject> createNewProject(const NewProject& wanted);
 
-/// Returns the project with the calibration of its cameras from a file, matched as by
-/// createNewProject(). Returns Mismatch if it is for images of another size than those of a
-/// recording, unless the adaptation says how they differ (fitCalibration()).
+/// Returns the project with the calibration of its cameras from a file, matched as in
+/// createNewProject(). Returns Mismatch if the calibration is for another image size than that of a
+/// recording, unless `adaptation` describes how the sizes differ (fitCalibration()).
 Result<CreatedProject> withCalibration(Project project, const std::filesystem::path& file,
                                        const CalibrationAdaptation& adaptation = {});
 
-/// As above, from cameras that were read from this file and have their final names.
+/// As above, for cameras that were read from `file` and already have the names of the project's
+/// cameras.
 Result<CreatedProject> withCalibration(Project project, const CameraRig& rig,
                                        const std::string& file,
                                        const std::optional<SizeFit>& fit = {});

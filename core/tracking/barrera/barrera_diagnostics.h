@@ -11,8 +11,8 @@
 
 #include <cstddef>
 
-// Reports of the `barrera` method about its target in addition to the estimate, from one camera's
-// image (CV_8UC3; empty: none) and the target's color.
+// Reports of the `barrera` method about its target that supplement the estimate. `image` is one
+// camera's image (CV_8UC3; empty if there is none), and `color` that of the target.
 namespace dewpoint::tracking {
 
 /// Returns whether camera number `camera` confirms the target of an estimate, and the reason if it

@@ -12,7 +12,8 @@
 namespace dewpoint::tracking {
 
 /// The 3D color particle filter of Barrera, Cañas and Matellán (2005): isotropic random walk, a
-/// color window in every camera, and multinomial resampling at every iteration. A TargetFilter.
+/// color window in every camera, and multinomial resampling at every iteration. It is a
+/// TargetFilter.
 class BarreraTracker final : public RandomWalkTracker {
 public:
   BarreraTracker(const ParameterValues& parameters, const CameraRig& rig, const Target& target);

@@ -11,7 +11,7 @@
 namespace dewpoint::tracking {
 
 /// Observation model with zero likelihood outside the bounds. In a state, columns 0 to 2 are x, y,
-/// z in meters, world frame. It refers to both members, which must outlive it.
+/// z in meters, world frame. The observation and the bounds must outlive this object.
 template <ObservationModel O> struct BoundedObservation {
   const O& observation;
   const WorldBox& bounds;

@@ -15,7 +15,7 @@ namespace dewpoint::tracking {
 /// Particle filter over 3D positions that Barrera, Cañas and Matellán (2005, section III-C) use to
 /// study the dynamics. It has an isotropic random walk, and a Gaussian likelihood around a measured
 /// position. The measured position is given, or triangulated from the centroids of the target's
-/// pixels in all cameras. A TargetFilter; there are no likelihoods for single cameras.
+/// pixels in all cameras. It is a TargetFilter, and provides no likelihoods for single cameras.
 class DynamicsTracker final : public RandomWalkTracker {
 public:
   DynamicsTracker(const ParameterValues& parameters, const CameraRig& rig, const Target& target);

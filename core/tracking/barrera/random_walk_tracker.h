@@ -44,8 +44,8 @@ protected:
   /// `parameters` must declare particles, motion_sigma, iterations_per_frame and the start volume.
   explicit RandomWalkTracker(const ParameterValues& parameters);
 
-  /// Runs one iteration. The result does not yet include the cameras and the values derived from
-  /// them.
+  /// Runs one iteration. The result does not yet include the evidence of the cameras and the values
+  /// derived from it.
   template <ObservationModel O> SphereEstimate step(const O& observation, ThreadTeam& team);
   /// Returns whether a position (world frame, meters) lies in the volume of interest, if there is
   /// one.

@@ -17,9 +17,9 @@
 namespace dewpoint::tracking {
 
 /// Method that tracks boxes in a run with several cameras and targets: one filter per target, on
-/// the images of its box's camera. A target is tracked from the frame of its box on. It starts when
-/// the run reaches this frame, or immediately if the run is at this frame; before that, it is
-/// absent. There is one step per image.
+/// the images of its box's camera. A target is tracked from the frame of its box on. Tracking
+/// starts when the run reaches this frame, or immediately if the run is already at this frame;
+/// before that, the target is absent. There is one step per image.
 template <BoxFilter F>
 class BoxTargets final : public Tracker,
                          public Configurable,
@@ -36,8 +36,9 @@ public:
   }
 
   void configure(const ParameterValues& parameters) override;
-  /// Sets the targets; their number may change. Targets with a known name continue. A target with a
-  /// changed box discards its former track.
+  /// Sets the targets; their number may change. If it does, targets that existed before are
+  /// recognized by name, otherwise by index. Those with an unchanged box continue; others start
+  /// from scratch.
   void setTargets(const std::vector<Target>& targets) override;
   bool canChangeTargetCount() const override { return true; }
   void restart(std::uint64_t seed) override;

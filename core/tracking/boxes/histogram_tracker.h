@@ -64,8 +64,9 @@ private:
   double shrink_ = 1.0; ///< images are scaled by this factor before processing
   /// Initial box in the scaled image; all following boxes are also in the scaled image.
   ImageBox drawn_;
-  ImageBox first_; ///< the object in the initial box, see figureBox(): the box that is tracked
-  ImageBox box_;   ///< last box in which the target was visible
+  /// Box around the object in the initial box, see figureBox(); it is the box that is tracked.
+  ImageBox first_;
+  ImageBox box_; ///< last box in which the target was visible
   int hiddenFrames_ = 0;
   double widthExponent_ = 0.0; ///< see fitSizeExponents()
   double heightExponent_ = 0.0;

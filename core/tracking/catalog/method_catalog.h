@@ -45,12 +45,12 @@ struct MethodFamily {
   /// Smallest number of cameras with which a target can be found.
   int fewestCameras = 1;
   RunTables tables = RunTables::Trajectory;
-  /// Trajectories have columns for the particle of highest weight.
+  /// True if trajectories have columns for the particle of highest weight.
   bool hasBestParticle = true;
-  /// Masks and maps show motion in every frame with images, tracked or not.
+  /// True if masks and maps show motion, in every frame with images, whether it is tracked or not.
   bool masksMotion = false;
-  /// Targets can be edited in frames that were already tracked. The following frames are then
-  /// tracked again immediately, and past frames show the present targets.
+  /// True if targets can be edited in frames that were already tracked. The following frames are
+  /// then tracked again immediately, and past frames show the present targets.
   bool tracksAgainOnEdit = false;
   /// Describes a target in words, as the method uses it.
   std::string (*describe)(const Target& target) = nullptr;
@@ -98,12 +98,13 @@ struct Method {
   /// Creates a tracker. The parameters must be those of the method (asserted).
   std::unique_ptr<Tracker> (*make)(const ParameterValues& parameters, const CameraRig& rig,
                                    const std::vector<Target>& targets);
-  /// Trajectories have additional columns for measurements from the images of a frame alone.
+  /// True if trajectories have additional columns for measurements from the images of a frame
+  /// alone.
   bool writesMeasurements = false;
-  /// Trajectories have a column that marks frames in which another object is about as likely to be
-  /// the target.
+  /// True if trajectories have a column that marks frames in which another object is about as
+  /// likely to be the target.
   bool writesAmbiguity = false;
-  /// Trajectories have columns for the extent of targets that are not balls.
+  /// True if trajectories have columns for the extent of targets that are not balls.
   bool learnsShapes = false;
 };
 
@@ -136,14 +137,14 @@ MethodText methodText(std::string_view method);
 std::string_view methodSummary(std::string_view method);
 /// Returns the manual page about a method; for an unknown method, that of the default method.
 std::string_view methodPage(std::string_view method);
-/// Returns these pages without duplicates, in the order of methods().
+/// Returns the manual pages of all methods without duplicates, in the order of methods().
 std::vector<std::string_view> methodPages();
 /// Returns the parameters of a method; empty for an unknown method.
 std::span<const ParameterDeclaration> methodParameters(std::string_view method);
-/// Returns the defaults of a method, except for keys whose values were changed from their defaults
-/// in `previous`: these values are kept if they are in their allowed ranges. A default that was
-/// given explicitly in `previous` becomes the given default of this method, so it is not derived
-/// from the cameras.
+/// Returns the defaults of a method, with the changes made in `previous`. A value that was changed
+/// from its default is kept if this method has the key and allows the value. If the default was
+/// given explicitly in `previous`, the default of this method counts as given too, so it is not
+/// derived from the cameras.
 ParameterValues carryOverParameters(const ParameterValues& previous, std::string_view method);
 /// Returns MissingKey if the method has a parameter that `parameters` do not declare.
 Status checkParameters(std::string_view method, const ParameterValues& parameters);

@@ -31,9 +31,9 @@ bool noTargetIsElsewhere(const TrackedObjects& objects, std::size_t cameraCount,
 void forgetFamiliarPixelsAt(const TrackedObject& object, const Eigen::Vector3d& position,
                             FrameImages& images);
 
-/// Measures how long each target has not been found, `interval` seconds after the last frame. If a
-/// target has not been found for `patience` seconds, discards the familiar pixels, since the target
-/// may have been anywhere during that time.
+/// Adds `interval`, the time in seconds since the last frame, to the time for which each target has
+/// not been found. When a target has not been found for `patience` seconds, discards the familiar
+/// pixels, since the target may have been anywhere during that time.
 void forgetFamiliarPixelsOfLostTargets(TrackedObjects& objects, FrameImages& images,
                                        double interval, double patience);
 

@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-// Reports of the `dewpoint` method about a target in addition to its estimate. They do not affect
+// Reports of the `dewpoint` method about a target that supplement its estimate. They do not affect
 // tracking.
 namespace dewpoint::tracking {
 

@@ -14,7 +14,7 @@
 namespace dewpoint::tracking {
 
 /// Finds objects that look like a target but are not targets, and starts tracking them while all
-/// targets are visible. They are then not mistaken for a target when one hides the other.
+/// targets are visible. Later, when a target is hidden, such an object is then not mistaken for it.
 class DistractorSearch {
 public:
   /// Inputs of a search. The references are valid during the call only.

@@ -33,8 +33,8 @@ public:
 
   void passTo(RegionObservation& observation, const AdaptiveColor& color) const;
 
-  /// Sets images without targets, one per camera; an image that is not known is empty. They are
-  /// used from the next resetBackgrounds() on.
+  /// Sets the background images, one per camera; an image that is not known is empty. They are used
+  /// from the next resetBackgrounds() on.
   void setBackgroundImages(const std::vector<cv::Mat>& images);
   void resetBackgrounds();
   /// Makes the present light the reference for colors.
@@ -49,7 +49,7 @@ public:
                        bool noTargetElsewhere);
   /// Calls BackgroundModel::forgetFamiliarPixels() for the whole images of all cameras.
   void forgetFamiliarPixels();
-  /// Does the same inside a circle in the image of one camera.
+  /// Calls BackgroundModel::forgetFamiliarPixels() for a circle in the image of one camera.
   void forgetFamiliarPixels(std::size_t camera, const BackgroundModel::ExcludedCircle& circle);
   const BackgroundModel& background(std::size_t camera) const { return backgrounds_[camera]; }
   /// Returns the size of the backgrounds in bytes.

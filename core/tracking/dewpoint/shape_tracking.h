@@ -11,8 +11,8 @@
 
 namespace dewpoint::tracking {
 
-/// Shape of a target: the belief about whether it is a ball, and a track of it as an object of any
-/// shape. The track is used while the target is believed not to be a ball.
+/// Shape of a target: the belief about whether it is a ball, and a track that treats it as an
+/// object of any shape. This track is used while the target is believed not to be a ball.
 class ShapeTracking {
 public:
   ShapeTracking(const Target& target, const CameraRig& rig)
@@ -33,8 +33,8 @@ public:
   RegionObservation& observation() { return observation_; }
   const RegionObservation& observation() const { return observation_; }
 
-  /// Returns whether the images of this frame are needed while the target is assumed to be a ball;
-  /// `ballFound` is true if the ball was found.
+  /// Returns whether the shape must be measured in the images of this frame although the target is
+  /// assumed to be a ball. `ballFound` is true if the ball was found in this frame.
   bool needsImages(bool ballFound) const;
   /// Learns about the shape from the object at the position where a ball was found. If the object
   /// turns out not to be a ball, the track begins there.

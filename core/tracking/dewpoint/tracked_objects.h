@@ -37,8 +37,8 @@ public:
   /// cameras must be the same; the tracks are kept.
   void setCameras(const CameraRig& rig);
   SphereObservation makeObservation() const { return SphereObservation(rig_); }
-  /// Returns a copy of an object's target and color without a track, for which no hypotheses are
-  /// created. It is not tracked until addDistractor().
+  /// Returns a new object with the color of a target and an empty track that creates no hypotheses
+  /// by itself. It is not tracked until addDistractor().
   TrackedObject makeDistractorProbe(std::size_t target,
                                     const BernoulliTrackSettings& settings) const;
   TrackedObject& addDistractor(TrackedObject distractor);
@@ -63,26 +63,27 @@ public:
   /// Returns whether all targets have a certain position and are mostly visible.
   bool allTargetsVisible() const;
 
-  /// Marks the pixels of other, mostly visible objects with the color of `own` as explained in the
-  /// labels of an observation. They are then not evidence for `own`, which need not be tracked yet.
+  /// In the labels of an observation, marks the pixels of other objects as explained if these are
+  /// mostly visible and have the color of `own`. These pixels are then not evidence for `own`,
+  /// which need not be tracked yet.
   void explainOthers(SphereObservation& observation, const TrackedObject& own) const;
-  /// Does the same, for other targets only, in the images from which the shape of a target is
-  /// learned. A supposed distractor may be a part of it there.
+  /// Does the same in the images from which the shape of a target is learned, but only for other
+  /// targets, not for distractors: a supposed distractor may be a part of this target.
   void explainOtherTargets(std::size_t target);
   /// Starts a search for an object over several frames, on the images of this frame, with the other
   /// objects explained. The object need not be tracked yet.
   std::unique_ptr<SlicedSearch> startSearch(const TrackedObject& own,
                                             const FrameImages& images) const;
-  /// Suppresses a distractor's position if it has moved onto a target that was clearly visible in
-  /// the last update: it was the target itself.
+  /// Suppresses a distractor's position if the distractor has moved onto a target that was clearly
+  /// visible in the last update. What it found there was the target itself.
   void suppressIfAtTarget(std::size_t distractor);
-  /// Removes distractors, and hypotheses of other targets, at the position of a target whose
-  /// outline was found where the user has placed it. Returns the indices of these targets.
+  /// If the outline of a target was found where the user has placed it, removes distractors and
+  /// hypotheses of other targets at its position. Returns the indices of those other targets.
   std::vector<std::size_t> removeOthersAt(std::size_t target);
   /// If two objects are at one position, suppresses the one with the smaller log likelihood ratio.
   void resolveConflicts();
-  /// Removes the hypotheses of targets at occupied positions, and selects between those that images
-  /// cannot distinguish.
+  /// Removes the hypotheses of targets at occupied positions, and selects one of several hypotheses
+  /// that images cannot distinguish.
   void resolveIdentities();
 
 private:

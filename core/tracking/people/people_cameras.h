@@ -33,8 +33,8 @@ public:
   void setBackgroundImages(const std::vector<cv::Mat>& rooms) { backgroundImages_ = rooms; }
   /// Restarts, so that the next frame is the first one.
   void restart();
-  /// Computes the masks of a frame. `keep` has one image per camera, of the mask's size or empty,
-  /// that marks where nothing is learned.
+  /// Computes the masks of a frame. `keep` has one image per camera, of the mask's size or empty;
+  /// its nonzero pixels are not learned as background.
   void computeMasks(const FrameSet& frames, const std::vector<cv::Mat>& keep, ThreadTeam& team);
 
   std::size_t count() const { return views_.size(); }

@@ -29,8 +29,9 @@ private:
     ParticleFilter filter;
     ClothesModel clothes;
   };
-  /// Two people who are or were near each other: the evidence from their clothes, which is negative
-  /// if their identities seem to be exchanged, and the time in seconds since they were near.
+  /// Data about two people who are or were near each other. `evidence` comes from their clothes,
+  /// and is negative if their identities seem to be exchanged. `sinceNear` is the time in seconds
+  /// since they were near.
   struct Meeting {
     double evidence = 0.0;
     double sinceNear = 0.0;

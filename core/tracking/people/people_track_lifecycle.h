@@ -11,11 +11,11 @@
 
 namespace dewpoint::tracking {
 
-/// Base class of all methods for people: masks, creation and removal of tracks, visibility,
-/// identities. A derived method adds its belief about each person. The person with identity N is
-/// track N - 1 from its creation on; after its removal the track is absent. There is one iteration
-/// per frame; further ones have no effect. The choice of background model takes effect at the next
-/// restart.
+/// Base class of all methods for people. It handles masks, creation and removal of tracks,
+/// visibility, and identities. A derived method adds its belief about each person. The person with
+/// identity N is track N - 1 from its creation on; after its removal the track is absent. There is
+/// one iteration per frame; further ones have no effect. The choice of background model takes
+/// effect at the next restart.
 class PeopleTrackLifecycle : public Tracker,
                              public Configurable,
                              public CameraCalibrated,
@@ -61,7 +61,7 @@ protected:
   /// Visibility of a person in a camera.
   struct Visibility {
     bool inView = false;
-    double score = 0.0; ///< 1: all of the person's visible part is foreground
+    double score = 0.0; ///< 1 if all of the person's visible part is foreground
     double free = 0.0;  ///< fraction of the silhouette that no other person covers
   };
 

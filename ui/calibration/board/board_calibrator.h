@@ -46,7 +46,7 @@ public:
 
   // Calibration from a recording.
   void calibrate();
-  /// As calibrate(), but searches all frames, also if a few of them show another board only.
+  /// Like calibrate(), but searches all frames even if a few of them show only another board.
   void searchAllFrames();
   void cancel();
   /// Returns whether a computation is running, either on a recording or on views from live cameras.
@@ -59,9 +59,9 @@ public:
   /// Finds out which board the recording, or the newest live images, show. Emits boardProposed(),
   /// boardConfirmed(), or a failure.
   void findBoard();
-  /// Returns the board that images show instead of the described one, if one was found.
+  /// Returns the board that the images show instead of the one in the settings, if one was found.
   const std::optional<BoardGuess>& proposal() const { return proposal_; }
-  /// Describes the board as proposed.
+  /// Sets the board in the settings to the proposed one.
   void useProposal();
 
   // Live cameras.
@@ -97,10 +97,10 @@ Q_SIGNALS:
   void guideChanged();
   void progressChanged(double part); ///< 0 to 1; negative if unknown
   void calibrated();                 ///< the computation has ended, with or without a result
-  /// Images show the board in proposal() instead of the described one. `stopped`: a calibration
-  /// ended for that reason before it had searched all frames.
+  /// Emitted when images show the board in proposal() instead of the one in the settings. `stopped`
+  /// is true if a calibration ended for this reason before it had searched all frames.
   void boardProposed(bool stopped);
-  void boardConfirmed(int images, int searched); ///< the images show the board as described
+  void boardConfirmed(int images, int searched); ///< the images show the board in the settings
   void playRequested();                          ///< live images are needed
   void boardShown(bool shown); ///< whether the board is currently being shown to live cameras
   void saved(const QString& file);
@@ -143,7 +143,7 @@ private:
   BackgroundJob* job_; ///< child of the calibrator, which deletes it
   BackgroundJob* writer_;
   JobMailbox mailbox_; ///< results from the thread of `watch_`
-  /// its thread may outlive the window
+  /// Guide whose thread may outlive the window.
   std::unique_ptr<BoardGuideThread, DetachedDelete> watch_;
 };
 

@@ -25,7 +25,8 @@ QString sharpnessText(const BoardGuideState::PerCamera& camera, const GuidanceSe
 QString lensAccuracyText(const BoardGuideState::PerCamera& camera,
                          const GuidanceSettings& settings);
 
-/// Returns whether a camera sees the board, as text for the phase that determines the poses.
+/// Returns a text about whether a camera sees the board, for the phase in which poses are
+/// calibrated.
 QString visibilityText(const BoardGuideState::PerCamera& camera);
 /// Returns how often a camera saw the board together with other cameras, and how accurate its
 /// position is so far.

@@ -12,9 +12,9 @@ namespace dewpoint::ui {
 
 class BoardCalibrator;
 
-/// Window with what to show next in letters that can be read from across the room, for a person who
-/// holds the board in front of the cameras. A sound is played when a view is captured. Esc closes
-/// it.
+/// Window that shows, in letters large enough to be read from across the room, how to hold the
+/// board next. It is for the person who holds the board in front of the cameras. A sound is played
+/// when a view is captured. Esc closes it.
 class RoomDisplay : public QWidget {
   Q_OBJECT
 public:

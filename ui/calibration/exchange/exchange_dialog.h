@@ -37,8 +37,8 @@ Q_SIGNALS:
   void failed(const QString& sentence);
 
 protected:
-  /// Computes the preview in another thread. Returns a function that shows it and runs in the GUI
-  /// thread.
+  /// Function that computes the preview in another thread. It returns a function that shows the
+  /// preview, which runs in the GUI thread.
   using Preview = std::function<std::function<void()>()>;
   virtual Preview preview() = 0;
   virtual void accepted() = 0;

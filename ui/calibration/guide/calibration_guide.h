@@ -12,21 +12,22 @@ namespace dewpoint::ui {
 
 class Document;
 
-/// The way to a calibrated project, and the step that the user is at. Follows the project: progress
-/// comes from what is known about its cameras, however that was obtained.
+/// The way in which the user calibrates the project, and the current step. Progress follows from
+/// the calibration status of the project, no matter how it was reached.
 class CalibrationGuide : public QObject {
   Q_OBJECT
 public:
   explicit CalibrationGuide(Document& document, QObject* parent = nullptr);
 
   const CalibrationStatus& status() const { return status_; }
-  /// Returns the chosen way; empty until the user has chosen one, or the project tells.
+  /// Returns the chosen way; nothing until the user has chosen one, or the project records how its
+  /// cameras were calibrated (setup::wayTaken()).
   std::optional<CalibrationWay> way() const { return way_; }
   /// Chooses a way and goes to its first step that is not done.
   void setWay(CalibrationWay way);
   /// Returns the steps of the chosen way.
   std::vector<GuideStep> steps() const;
-  /// Returns how far a step has got.
+  /// Returns the progress of a step.
   StepProgress progress(GuideStep step) const;
   /// Returns the index of the current step in `steps()`.
   int current() const { return current_; }

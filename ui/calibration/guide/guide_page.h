@@ -18,8 +18,8 @@ namespace dewpoint::ui {
 class CalibrationGuide;
 class CameraListModel;
 
-/// First page of the calibration panel: what is known about each camera, the ways to calibrate, and
-/// the current step of the chosen way.
+/// First page of the calibration panel. It shows what is known about each camera's calibration, the
+/// ways to calibrate, and the current step of the chosen way.
 class GuidePage : public QWidget {
   Q_OBJECT
 public:

@@ -15,8 +15,8 @@ namespace dewpoint::ui {
 class CalibrationGuide;
 
 /// The steps of the chosen way in one row above the pages of the calibration panel, each with a
-/// tick or a mark and one number. A click on a step opens the place for it. Hidden until a way is
-/// chosen.
+/// check mark or another symbol, and one number. A click on a step opens the page for it. Hidden
+/// until a way is chosen.
 class StepStrip : public QWidget {
   Q_OBJECT
 public:

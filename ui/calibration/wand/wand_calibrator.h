@@ -31,8 +31,8 @@ public:
     ManualCalibration& manual;
     Selection& selection;
     TargetListModel& targets;
-    std::function<Result<SessionInputs>(const SessionRequest&)>
-        open;                          ///< called from another thread
+    /// Opens the recording of the document a second time. Called from another thread.
+    std::function<Result<SessionInputs>(const SessionRequest&)> open;
     std::function<Session*()> session; ///< returns the running session, or null
   };
   explicit WandCalibrator(Dependencies around, QObject* parent = nullptr);
@@ -46,12 +46,13 @@ public:
   // Returns the frames in which the ball touched the floor, touched one end of a known distance, or
   // fell freely.
   const std::vector<MarkedInstant>& touchedInstants() const { return touchedInstants_; }
-  /// Adds the frame shown. A new distance end or a new fall replaces the previous one.
+  /// Marks the frame shown with this event. A new end of the distance, or a new end of the fall,
+  /// replaces the previous one.
   void addTouchedInstant(WandEvent role);
   void removeTouchedInstant(std::size_t index);
-  /// Shows the images of the touched instant with this index.
+  /// Shows the images of the marked frame with this index in touchedInstants().
   void showTouchedInstant(std::size_t index);
-  /// Returns whether a frame is shown that can be added.
+  /// Returns whether a frame is shown, so that it can be marked.
   bool canAddTouchedInstant() const { return shownFrame_ >= 0; }
   /// Returns whether a range of frames is selected in the timeline.
   bool hasSelectedRange() const { return dependencies_.selection.selectedRange().has_value(); }

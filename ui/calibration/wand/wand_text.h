@@ -9,7 +9,7 @@
 
 namespace dewpoint::ui {
 
-/// Returns the role of a touched instant in words: "touches the floor".
+/// Returns what happens to the ball at a marked time, in words: "touches the floor".
 QString touchText(WandEvent role);
 
 /// Returns a sentence that explains why a calibration with these settings cannot start

@@ -24,7 +24,7 @@ public:
 
   /// Adds a camera view, which may be deleted at any time.
   void attach(int camera, CameraView* view);
-  /// Sets the images in which corners are found.
+  /// Sets the snapshot in whose images clicks snap to corners.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
 
 private:

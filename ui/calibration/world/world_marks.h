@@ -47,15 +47,19 @@ public:
   static std::vector<int> marksOf(WorldStep step);
   /// Returns whether all marks of a step are known.
   bool canApply(WorldStep step) const;
-  /// Changes the world frame of the project. `meters`: the distance between A and B, for Length.
+  /// Changes the world frame of the project. `meters` is the distance between A and B, for Length
+  /// only.
   void apply(WorldStep step, double meters = 0.0);
   /// Compares the distance from A to B with the measured one (meters), and keeps both in the
   /// project.
   void check(double meters);
-  /// Rotates the cameras about an axis by 90 degrees, or moves them all together (meters, radians).
+  /// Changes the poses of all cameras together. turn() rotates them by 90 degrees about a world
+  /// axis. move() shifts them by `shift` (meters) and rotates them by `turn` (radians) about the z
+  /// axis.
   void turn(WorldAxis axis);
   void move(const Eigen::Vector3d& shift, double turn);
-  /// Returns whether the images would be upright after quarter turns of the world.
+  /// Returns whether the images are not upright, but quarter turns of the world frame would make
+  /// them so.
   bool canTurnUpright() const;
 
   /// Returns a sentence about the last change or the reason why it was impossible, or an empty

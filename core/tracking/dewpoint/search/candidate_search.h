@@ -21,8 +21,8 @@ struct Candidate {
 };
 
 /// Searches whole images for targets. It finds round spots of the target's color in each camera and
-/// triangulates them in pairs. If the radius of the target is known, a single spot also gives a
-/// candidate, whose distance follows from its size.
+/// triangulates pairs of spots from two cameras. If the radius of the target is known, a single
+/// spot also gives a candidate, whose distance follows from its size.
 class CandidateSearch {
 public:
   /// Round spot of the target's color in one image.

@@ -15,9 +15,10 @@ namespace dewpoint::tracking {
 /// Position at which color regions in two or more images may show the same object.
 struct RegionCandidate {
   Eigen::Vector3d center = Eigen::Vector3d::Zero(); ///< meters, world frame
-  double radius = 0.0;    ///< meters, of a ball as large as the regions in the images
-  double misfit = 0.0;    ///< sum of squared deviations of rays and sizes, in standard deviations
-  double logRarity = 0.0; ///< log of how much rarer regions of this size are than the smallest ones
+  double radius = 0.0; ///< meters, of a ball as large as the regions in the images
+  double misfit = 0.0; ///< sum of squared deviations of rays and sizes, in standard deviations
+  /// Logarithm of how much rarer regions of this size are than regions of the smallest size.
+  double logRarity = 0.0;
 };
 
 /// Searches whole images for an object of any shape: pairs the regions of the target's color

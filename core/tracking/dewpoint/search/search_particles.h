@@ -12,8 +12,8 @@
 
 namespace dewpoint::tracking {
 
-/// Particles that search for a target without a confirmed position: a particle filter with a random
-/// walk. They are shown in views; no hypothesis depends on them.
+/// Particle filter with a random walk that searches for a target without a confirmed position. Its
+/// particles are shown in views only; no hypothesis depends on them.
 class SearchParticles {
 public:
   /// Draws `count` particles with equal weights from the prior. Particles outside the bounds are

@@ -14,9 +14,9 @@ namespace dewpoint::tracking {
 class AdaptiveProcessNoise {
 public:
   /// Returns the motion model of the next `allowed.interval` seconds. While the target is visible,
-  /// its acceleration explains the recent prediction errors. While it is not visible, the
-  /// acceleration persists, so the position error grows with the square of the time. It never
-  /// exceeds that of `allowed`.
+  /// the model's acceleration is large enough to explain the recent prediction errors. While the
+  /// target is not visible, its acceleration is assumed to persist, so that the position error
+  /// grows with the square of the time. The acceleration never exceeds that of `allowed`.
   ConstantVelocity nextMotion(const ConstantVelocity& allowed);
   /// Records that the target was not visible in the last step.
   void recordUnseen() { ++unseenSteps_; }
@@ -24,8 +24,8 @@ public:
   void recordSeen();
   int unseenSteps() const { return unseenSteps_; }
 
-  /// Learns from a measured position at this squared Mahalanobis distance (three degrees of
-  /// freedom) from the prediction. `velocity` is that after the update, m/s.
+  /// Learns from a measured position. `squaredDistance` is its squared Mahalanobis distance (three
+  /// degrees of freedom) from the prediction. `velocity` is that after the update, m/s.
   void learn(double squaredDistance, const Eigen::Vector3d& velocity);
 
   /// Returns the covariance to add to the prediction for gating. It allows for the full

@@ -79,10 +79,10 @@ public:
   /// Removes the hypotheses at occupied positions, unless the likeliest one has a probability above
   /// one half.
   void removeOccupied(const std::vector<OccupiedSphere>& occupied);
-  /// Keeps the most likely of several hypotheses that have all been fully visible for some frames,
-  /// since images cannot decide which of them is the target. The probability of a wrong choice
-  /// lowers the existence probability in estimate(). With `identicalTargets` it does not: other
-  /// targets look the same, so any of the positions is correct.
+  /// Of several hypotheses between which images cannot decide, keeps only the most likely one; see
+  /// resolveAmbiguity(). The probability of a wrong choice lowers the existence probability in
+  /// estimate(), except with `identicalTargets`: other targets then look the same, so that any of
+  /// the positions is correct.
   void resolveIdentity(bool identicalTargets);
   /// Multiplies the probability of the most likely hypothesis by 0.001, because another object was
   /// found at its position.
@@ -121,8 +121,9 @@ private:
   void addNewHypotheses(SphereObservation& observation, const CandidateSource& search,
                         const std::vector<OccupiedSphere>& occupied, const RandomKey& key,
                         ThreadTeam& team, std::vector<double>& logMasses);
-  /// Adjusts the masses of the first hypotheses of a target: their likelihood does not saturate,
-  /// their neighbors do not count against them, and their size is taken into account.
+  /// Adjusts the masses of the first hypotheses of a target. Their log likelihood ratio is not
+  /// limited by kSaturationShare, neighboring hypotheses do not count against them, and the
+  /// mismatch of their size is subtracted.
   void scoreInitialHypotheses(SphereObservation& observation, std::vector<double>& logMasses) const;
   /// Returns a hypothesis of unknown velocity, without particles.
   TrackHypothesis newHypothesis(const Gaussian3& position, double radius, double logRadiusVariance);

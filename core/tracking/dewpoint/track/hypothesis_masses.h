@@ -18,9 +18,10 @@ struct OccupiedSphere {
 };
 
 // Computations of the Bernoulli filter in the `dewpoint` method that work on hypotheses alone,
-// without images. The mass of a hypothesis is its probability before the measurement times the
-// factor by which the measurement changes it relative to absence; absence itself keeps its
-// probability. Masses are passed as logarithms, one per hypothesis, and do not sum to one.
+// without images. The mass of a hypothesis is its probability before the measurement, multiplied by
+// the factor by which the measurement changes the ratio of this probability to that of absence. The
+// mass of absence is its probability before the measurement. Masses are passed as logarithms, one
+// per hypothesis, and do not sum to one.
 
 /// Returns the probability that the target is at none of these positions; at least 1e-9, so that it
 /// has a logarithm.
@@ -31,17 +32,17 @@ double absenceProbability(const std::vector<TrackHypothesis>& hypotheses);
 /// found where two cameras see it.
 double absenceProbabilityInSharedViews(const std::vector<TrackHypothesis>& hypotheses);
 
-/// Limits each hypothesis now visible to only one camera to the probability it had when more than
-/// one camera could last see it: the likelihood from one camera can restore a hypothesis only up to
-/// its prior.
+/// Limits the probability of each hypothesis now visible to only one camera to the probability that
+/// it had when more than one camera could last see it. A single camera can therefore restore a
+/// hypothesis, but not make it more probable than it was before.
 void limitOneCameraHypotheses(std::vector<TrackHypothesis>& hypotheses);
 
 /// Limits the probability of a hypothesis that may be part of a larger object
 /// (TrackHypothesis::hasRim() is false) to 0.9.
 void limitHypothesesWithoutRim(std::vector<TrackHypothesis>& hypotheses);
 
-/// Returns the part of the log likelihood ratio above TrackHypothesis::kSaturationShare, which is
-/// not counted.
+/// Returns the part of the log likelihood ratio that is not counted: what exceeds kSaturationShare
+/// of the fully visible value.
 double evidenceBeyondSaturation(const TrackHypothesis& hypothesis);
 
 /// Returns the probability of the most likely of several hypotheses that compete with each other
@@ -50,9 +51,10 @@ double evidenceBeyondSaturation(const TrackHypothesis& hypothesis);
 /// the others as its rivals.
 double shareOfLargest(std::span<const double> logMasses, double absence);
 
-/// Returns whether the images must be searched for the target: there is no hypothesis, or the most
-/// likely one has less than 0.98 of all mass or less than 0.55 of the log likelihood ratio it would
-/// have if fully visible.
+/// Returns whether the images must be searched for the target. This is the case if there is no
+/// hypothesis, or if the most likely one can be seen by only one of several cameras, has less than
+/// 0.98 of all mass, or has less than 0.55 of the log likelihood ratio that it would have if fully
+/// visible.
 bool mustSearch(const std::vector<TrackHypothesis>& hypotheses,
                 const std::vector<double>& logMasses);
 
@@ -64,8 +66,8 @@ void normalizeMasses(std::vector<TrackHypothesis>& hypotheses,
 /// the target is more likely than not at one of them.
 bool isUndecided(const std::vector<TrackHypothesis>& hypotheses);
 
-/// Returns the covariance (m²) of the target's position about that of the first hypothesis, for the
-/// mixture of all hypotheses.
+/// Returns the covariance (m²) of the target's position for the mixture of all hypotheses, about
+/// the position of the first one instead of the mean.
 Eigen::Matrix3d mixtureCovariance(const std::vector<TrackHypothesis>& hypotheses);
 
 /// Moves the most likely hypothesis to the front, merges hypotheses closer than half a radius into
@@ -77,9 +79,10 @@ void mergeAndPrune(std::vector<TrackHypothesis>& hypotheses);
 bool isOccupied(const Eigen::Vector3d& position, double radius,
                 const std::vector<OccupiedSphere>& occupied);
 
-/// Selects the most likely of several positions if it and others have been fully visible for five
-/// frames, since images cannot decide between them. It receives the probability of the others.
-/// Returns the probability that this choice is wrong; nothing if no choice was made.
+/// Keeps only the first (the most likely) of several hypotheses between which images cannot decide:
+/// those for which isSaturated() is true and that have had at least five measurement updates. The
+/// first one receives the probabilities of those removed. Returns the probability that this choice
+/// is wrong; nothing if no choice was made.
 std::optional<double> resolveAmbiguity(std::vector<TrackHypothesis>& hypotheses);
 
 } // namespace dewpoint::tracking

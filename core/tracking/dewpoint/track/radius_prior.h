@@ -5,9 +5,10 @@
 
 namespace dewpoint::tracking {
 
-/// Prior knowledge about a target's radius. A radius given by the user is used unchanged, since it
-/// is more accurate than a radius measured in images, until an outline contradicts it. It may be
-/// wrong by a quarter. Then, or if no radius is given, the radius is measured and stored.
+/// Prior knowledge about a target's radius. A radius given by the user is used unchanged until an
+/// outline contradicts it, since it is usually more accurate than a radius measured in images. But
+/// it may be wrong, for example by a quarter. After a contradiction, or if no radius is given, the
+/// radius is measured and stored.
 class RadiusPrior {
 public:
   /// `given` is in meters; 0 if unknown.
@@ -15,8 +16,8 @@ public:
 
   /// Discards the measured radius.
   void restart() { measured_ = 0.0; }
-  /// Stores the radius (m) of a target that is certainly visible, and the variance of its
-  /// logarithm; 0: it was not measured.
+  /// Stores the radius (m) of a target that is certainly visible, if it was measured accurately
+  /// enough. `logVariance` is the variance of its logarithm, or 0 if the radius was not measured.
   void learn(double radius, double logVariance);
 
   bool isGiven() const { return given_ > 0.0; }

@@ -28,8 +28,9 @@ public:
   void restart(const StartVolume& start);
   /// Discards the hypothesis.
   void discardHypothesis();
-  /// Starts at this position (m, m²), with the ellipsoid as the approximate extent: replaces the
-  /// hypothesis by one with probability 0.98, and updates it with the images of the frame.
+  /// Starts at this position (m, m²), with `extent` as the approximate extent: replaces the
+  /// hypothesis by one with probability 0.98, and updates it with the images of the frame. `byHand`
+  /// is true if the user gave the position.
   void startAt(const Gaussian3& position, const Eigen::Matrix3d& extent, bool byHand,
                RegionObservation& observation, const RandomKey& key, ThreadTeam& team);
 

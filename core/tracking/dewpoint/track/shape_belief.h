@@ -25,7 +25,7 @@ public:
   bool isBall() const { return !any_; }
   /// Returns whether the shape is decided by the images.
   bool isDecidedByImages() const { return shape_ == TargetShape::Auto; }
-  /// Returns whether nothing is known yet, or the log odds do not decide.
+  /// Returns whether nothing has been learned yet, or the log odds are too small to decide.
   bool isUnclear() const;
   /// Returns the log odds of any shape relative to a ball, in nats.
   double logOdds() const { return logOdds_; }

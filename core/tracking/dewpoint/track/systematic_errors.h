@@ -26,9 +26,9 @@ Eigen::Matrix3d covarianceFromDirectionErrors(const Eigen::Vector3d& position,
                                               const std::vector<Eigen::Vector3d>& cameraCenters,
                                               double sigma);
 
-/// Returns the covariance (m²) of a position after the `systematic` errors of the images are added.
-/// `known` is its covariance before that, from images and from the covariance `given` by the user,
-/// which these errors do not affect.
+/// Returns the covariance (m²) of a position after the `systematic` errors of the images are added
+/// to `known`. If the user has also given a position, with covariance `given`, `known` includes
+/// this information, which the errors do not affect.
 Eigen::Matrix3d withSystematicErrors(const Eigen::Matrix3d& known,
                                      const Eigen::Matrix3d& systematic,
                                      const std::optional<Eigen::Matrix3d>& given);

@@ -23,7 +23,7 @@ inline constexpr double kMinAbsence = 1e-9;
 /// object.
 inline constexpr double kGate = 5.0;
 /// Distance between measurement and prediction, in standard deviations, beyond which the learned
-/// process noise does not explain the motion. The target is then maneuvering.
+/// process noise does not explain the motion: the target has changed its velocity suddenly.
 inline constexpr double kManeuverGate = 4.0;
 /// Information added to an information matrix so that it can be inverted, 1/m²: a standard
 /// deviation of one meter. Origin not recorded.

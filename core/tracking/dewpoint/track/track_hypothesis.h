@@ -30,7 +30,7 @@ struct TrackHypothesis {
   double probability = 0.0;     ///< probability that the target exists and is here
   /// True if there are several cameras, but only one of them can see the target now.
   bool oneCameraOnly = false;
-  /// Probability when more than one camera could last see it.
+  /// Probability at the time when more than one camera could last see it.
   double provenProbability = 0.0;
   /// True if a camera has shown the rim since the birth of the hypothesis, or the user has
   /// confirmed its position. Until then, it may be part of a larger object.
@@ -38,7 +38,8 @@ struct TrackHypothesis {
   /// Time in seconds since the rim was last shown or the position was last confirmed.
   double secondsSinceRim = 0.0;
   double logLikelihoodRatio = 0.0; ///< at the last measurement update, sum over all cameras
-  /// Log likelihood ratio if every camera with the target in its image saw it fully.
+  /// Log likelihood ratio that would result if every camera with the target in its image saw it
+  /// fully.
   double fullyVisibleLogLikelihoodRatio = 0.0;
   /// OutlineFit::sizeMisfit at the birth if the radius is known; otherwise 0.
   double sizeMisfit = 0.0;
@@ -70,12 +71,13 @@ struct TrackHypothesis {
   /// Fraction above which at least a part of the target is visible.
   static constexpr double kPartlyVisibleShare = 0.25;
 
-  /// Time in seconds for which a rim is remembered: the time for which a passing object covers a
+  /// Time in seconds for which a rim is remembered: about as long as a passing object covers a
   /// target.
   static constexpr double kRimMemory = 0.5;
 
-  /// Returns whether the outline was found and the log likelihood ratio has reached
-  /// kSaturationShare. Likelihood does not decide between two such hypotheses.
+  /// Returns whether the outline was found and the log likelihood ratio is at least
+  /// kSaturationShare of its fully visible value. Between two such hypotheses, the likelihoods are
+  /// not compared.
   bool isSaturated() const {
     return outlineFound && fullyVisibleLogLikelihoodRatio > 0.0 &&
            logLikelihoodRatio >= kSaturationShare * fullyVisibleLogLikelihoodRatio;

@@ -10,12 +10,12 @@
 namespace dewpoint::ui {
 
 /// Selected part of a trajectory, drawn as a wide line under the tail.
-class RangeActor {
+class SelectedRangeActor {
 public:
-  explicit RangeActor(vtkRenderer* renderer);
-  ~RangeActor();
-  RangeActor(const RangeActor&) = delete;
-  RangeActor& operator=(const RangeActor&) = delete;
+  explicit SelectedRangeActor(vtkRenderer* renderer);
+  ~SelectedRangeActor();
+  SelectedRangeActor(const SelectedRangeActor&) = delete;
+  SelectedRangeActor& operator=(const SelectedRangeActor&) = delete;
 
   /// Shows one line per list of positions (meters).
   void show(const std::vector<std::vector<Eigen::Vector3d>>& strokes);

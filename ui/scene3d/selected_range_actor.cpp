@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/scene3d/range_actor.h"
+#include "ui/scene3d/selected_range_actor.h"
 
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
@@ -10,16 +10,17 @@ namespace {
 constexpr double kWidthPx = 7.0;
 } // namespace
 
-RangeActor::RangeActor(vtkRenderer* renderer) : renderer_(renderer), actor_(flatActor(data_)) {
+SelectedRangeActor::SelectedRangeActor(vtkRenderer* renderer)
+    : renderer_(renderer), actor_(flatActor(data_)) {
   actor_->VisibilityOff();
   renderer_->AddActor(actor_);
 }
 
-RangeActor::~RangeActor() {
+SelectedRangeActor::~SelectedRangeActor() {
   renderer_->RemoveActor(actor_);
 }
 
-void RangeActor::show(const std::vector<std::vector<Eigen::Vector3d>>& strokes) {
+void SelectedRangeActor::show(const std::vector<std::vector<Eigen::Vector3d>>& strokes) {
   Strokes drawn;
   for (const auto& stroke : strokes) {
     if (stroke.size() > 1) {
@@ -36,11 +37,11 @@ void RangeActor::show(const std::vector<std::vector<Eigen::Vector3d>>& strokes) 
   actor_->SetVisibility(!strokes.empty());
 }
 
-void RangeActor::setPalette(const ScenePalette& palette) {
+void SelectedRangeActor::setPalette(const ScenePalette& palette) {
   paint(actor_, palette.truth, 0.6);
 }
 
-void RangeActor::prepareFrame(const ScreenScale& scale) {
+void SelectedRangeActor::prepareFrame(const ScreenScale& scale) {
   actor_->GetProperty()->SetLineWidth(static_cast<float>(kWidthPx * scale.pixelRatio));
 }
 
