@@ -124,7 +124,8 @@ void CorrectionTool::grab(const Layer& layer, const QPointF& pixel) {
     return;
   }
   if (snapshot_->rerun) {
-    Q_EMIT failed(tr("Frames are being tracked again: wait until that is done, or pause."));
+    Q_EMIT failed(
+        tr("Frames are being tracked again: wait until tracking has finished, or pause it."));
     return;
   }
   const int pressed = targetAt(layer, pixel);

@@ -98,20 +98,21 @@ FigureExperiment sceneOfPeople(std::string_view name, std::string_view title,
 
 std::span<const FigureExperiment> studyExperiments() {
   static const std::array kAll{
-      FigureExperiment{.name = "sugandi-rmse",
-                       .title = "Boxes: error, success and precision",
-                       .sentence =
-                           "Sugandi et al. 2009, section 4: compares 100 and 300 particles, method "
-                           "histogram and four OpenCV trackers on the same clips.",
-                       .runs = 2,
-                       .run = &sugandiRmse,
-                       .report = kBoxReport,
-                       .takesRecordings = true,
-                       .group = ExperimentGroup::Sugandi},
+      FigureExperiment{
+          .name = "sugandi-rmse",
+          .title = "Boxes: error, success and precision",
+          .sentence =
+              "Sugandi et al. 2009, section 4: compares method sugandi with 100 and with 300 "
+              "particles, method histogram, and four trackers of OpenCV, all on the same clips.",
+          .runs = 2,
+          .run = &sugandiRmse,
+          .report = kBoxReport,
+          .takesRecordings = true,
+          .group = ExperimentGroup::Sugandi},
       sceneOfPeople(
           "people-crossing", "People who cross",
-          "Mohedano et al. 2009: two people meet and walk on; motion alone may mix them up, color "
-          "tells them apart when their clothes differ.",
+          "Mohedano et al. 2009: two people meet and walk on. A method that uses only motion may "
+          "mix them up; color tells them apart if their clothes differ.",
           [](const ExperimentOptions& options) { return studyScenario("crossing", options); },
           ExperimentGroup::Mohedano),
       sceneOfPeople(
@@ -126,8 +127,8 @@ std::span<const FigureExperiment> studyExperiments() {
           ExperimentGroup::Mohedano),
       sceneOfPeople(
           "people-enter-leave", "People who enter and leave",
-          "Mohedano et al. 2009: people enter and leave; how long estimates exist without a "
-          "person, and how long people have no estimate.",
+          "Mohedano et al. 2009: people enter and leave. Measures how long there are estimates "
+          "without a person, and people without an estimate.",
           [](const ExperimentOptions& options) { return studyScenario("enter-leave", options); },
           ExperimentGroup::Mohedano),
       sceneOfPeople(

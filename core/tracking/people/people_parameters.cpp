@@ -22,8 +22,8 @@ void add(Declarations& all, const Declarations& more) {
 Declarations background(const Defaults& defaults) {
   Declarations all{
       {"background", kInteger, "Background model", "", 0.0, 2.0, 1.0, defaults.background,
-       "How moving regions are found: 0 one Gaussian per pixel (fast), 1 OpenCV's MOG2, 2 OpenCV's "
-       "KNN.",
+       "How moving regions are found. 0: one Gaussian for each pixel (fast). 1: MOG2 of OpenCV. 2: "
+       "KNN of OpenCV.",
        false},
       {"learning_time", kReal, "Learning time", "s", 0.0, 600.0, 0.1, 1.0,
        "How long the cameras only learn the background at the start; nobody should be in view.",
@@ -31,8 +31,8 @@ Declarations background(const Defaults& defaults) {
       {"background_memory", kReal, "Background memory", "s", 0.5, 3600.0, 0.5, 40.0,
        "Time after which a new object that stays in place counts as background.", true},
       {"darkest_shadow", kReal, "Darkest shadow", "", 0.0, 1.0, 0.01, 0.5,
-       "Lowest brightness of a shadow, as a share of the background's brightness, at the same hue. "
-       "Anything darker is foreground.",
+       "Lowest brightness of a shadow, as a share of the background's brightness at the same hue. "
+       "Anything darker counts as a moving region.",
        false},
       {"image_width", kInteger, "Image width", "px", 0.0, 10000.0, 10.0, defaults.imageWidth,
        "Images are reduced to at most this width before anything else; 0 keeps them as they are.",
@@ -57,11 +57,11 @@ Declarations place() {
       {"floor_z", kReal, "Floor z", "m", -1000.0, 1000.0, 0.01, 0.0,
        "Height of the floor in world coordinates.", false},
       {"births", kInteger, "Create tracks", "", 0.0, 1.0, 1.0, 1.0,
-       "1: tracks everyone that several cameras see; 0: tracks only people that you add by hand.",
+       "1 tracks every person that several cameras see. 0 tracks only people that you add by hand.",
        false},
       {"birth_time", kReal, "Creation time", "s", 0.0, 10.0, 0.05, 0.2,
-       "How long foreground that belongs to no tracked person must last before a new track is "
-       "created.",
+       "How long a moving region that belongs to no tracked person must be visible before a new "
+       "track is created.",
        false},
       {"survival_time", kReal, "Survival time", "s", 0.05, 60.0, 0.05, 0.6,
        "How long a person still counts as present when fewer than two cameras see the person.",
@@ -89,9 +89,9 @@ Declarations mohedano(bool color) {
   };
   if (color) {
     add(all, {{"hue_sigma", kReal, "Hue sigma", "", 0.001, 1.0, 0.005, 0.03,
-               "Standard deviation of a measured hue, in [0, 1].", true},
+               "Standard deviation of a measured hue; hues range from 0 to 1.", true},
               {"saturation_sigma", kReal, "Saturation sigma", "", 0.001, 1.0, 0.005, 0.06,
-               "Standard deviation of a measured saturation, in [0, 1].", true},
+               "Standard deviation of a measured saturation; saturations range from 0 to 1.", true},
               {"hue_floor", kReal, "Min. hue likelihood", "", 0.001, 1.0, 0.01, 0.3,
                "Smallest likelihood of a hue (h_B in the paper); above 0 because another object "
                "may hide the person.",

@@ -200,10 +200,12 @@ void BoardForm::retranslateUi() {
   name(rows_, tr("Squares in a column"), tr("All squares of a column, black and white"));
   sizeLabel_->setText(tr("Side of a square"));
   name(size_, tr("Side of a square"),
-       tr("Measure a long row on the print with a ruler and divide by the number of squares"));
+       tr("Measure a long row on the print with a ruler, and divide its length by the number of "
+          "its squares"));
   name(unit_, tr("Unit of the sizes"), tr("Unit of the sizes that you enter"));
   markerLabel_->setText(tr("Side of a marker"));
-  name(marker_, tr("Side of a marker"), tr("Side of the black square around the pattern"));
+  name(marker_, tr("Side of a marker"),
+       tr("Length of one side of a marker, with its black border"));
   dictionaryLabel_->setText(tr("Dictionary"));
   name(dictionary_, tr("Dictionary of the markers"),
        tr("The dictionary name used when the board was generated"));

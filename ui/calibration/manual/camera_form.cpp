@@ -149,8 +149,9 @@ void CameraForm::retranslateUi() {
   keysLabel_->setText(tr("Keys"));
   setChoices(*keyMode_, {tr("move"), tr("turn")});
   name(keyMode_, tr("Effect of the keys"),
-       tr("Arrows or W A S D, with Q and E or the page keys: 1 cm or 0.2° a step. Shift: ten times "
-          "as much; Ctrl with arrows and page keys: a tenth."));
+       tr("The arrow keys, the page keys and W, A, S, D, Q and E move or turn the camera by 1 cm "
+          "or 0.2° a step. With Shift, the steps are ten times as large. With Ctrl, the steps of "
+          "the arrow and page keys are a tenth as large."));
   setChoices(*keyFrame_, {tr("camera axes"), tr("world axes")});
   name(keyFrame_, tr("Axes of the keys"),
        tr("Move along the camera's right, forward and up directions, or along the world axes"));

@@ -60,8 +60,8 @@ void TouchedInstantList::retranslateUi() {
       tr("The upward direction comes from three positions on the floor, or from a fall"));
   take_->setText(tr("Add current time"));
   take_->setAccessibleName(take_->text());
-  take_->setToolTip(
-      tr("Add the time of the images shown to the list; the ball must do this in them"));
+  take_->setToolTip(tr("Add the time of the images shown to the list. In these images, the ball "
+                       "must do what you selected"));
   remove_->setText(tr("Remove time"));
   remove_->setAccessibleName(remove_->text());
   remove_->setToolTip(tr("Remove the selected time from the list"));
