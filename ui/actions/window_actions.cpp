@@ -90,8 +90,8 @@ std::vector<ActionDeclaration> calibrationActions() {
                                     "calibrate them, and go through it step by step"),
        nullptr, Qt::CTRL | Qt::ALT | Qt::Key_G},
       {"actionCalibrateByHand", group, QT_TRANSLATE_NOOP("Actions", "Calibrate by hand…"),
-       QT_TRANSLATE_NOOP("Actions",
-                         "Adjust the cameras until a grid matches the real scene in their images"),
+       QT_TRANSLATE_NOOP("Actions", "Adjust the calibration of the cameras until a grid drawn over "
+                                    "their images matches the real scene"),
        "camera", Qt::Key_C, true},
       {"actionCalibrateBoard", group, QT_TRANSLATE_NOOP("Actions", "Calibrate with a board…"),
        QT_TRANSLATE_NOOP("Actions",
@@ -122,7 +122,7 @@ std::vector<ActionDeclaration> calibrationActions() {
       {"actionShowMap", group, QT_TRANSLATE_NOOP("Actions", "Show error map"),
        QT_TRANSLATE_NOOP(
            "Actions",
-           "Show the expected position error of a target at each point of the bird's-eye view"),
+           "In the bird's-eye view, show the position error to expect for a target at each point"),
        nullptr, Qt::SHIFT | Qt::Key_M, true},
       {"actionPlanCamera", group, QT_TRANSLATE_NOOP("Actions", "Add planned camera"),
        QT_TRANSLATE_NOOP("Actions",
@@ -161,7 +161,7 @@ std::vector<ActionDeclaration> runActions() {
        "rerun", Qt::CTRL | Qt::Key_R},
       {"actionTrackAgain", group, QT_TRANSLATE_NOOP("Actions", "Track again"),
        QT_TRANSLATE_NOOP("Actions",
-                         "Track again all frames that have results from earlier settings"),
+                         "Track all frames again that still have results from earlier settings"),
        nullptr, Qt::CTRL | Qt::SHIFT | Qt::Key_R},
       {"actionSlower", group, QT_TRANSLATE_NOOP("Actions", "Slower"),
        QT_TRANSLATE_NOOP("Actions",
@@ -228,8 +228,9 @@ std::vector<ActionDeclaration> viewActions() {
            "When a target's particles are too close together to tell apart, show them enlarged"),
        nullptr, Qt::SHIFT | Qt::Key_I, true},
       {"actionShowRays", group, QT_TRANSLATE_NOOP("Actions", "Show lines of sight"),
-       QT_TRANSLATE_NOOP("Actions", "Draw a line from each camera to the target in the bird's-eye "
-                                    "view; it is dashed if the camera cannot see the target"),
+       QT_TRANSLATE_NOOP("Actions",
+                         "In the bird's-eye view, draw a line from each camera to the target. The "
+                         "line is dashed if the camera cannot see the target"),
        nullptr, Qt::SHIFT | Qt::Key_Y, true},
       {"actionShowImagesInScene", group,
        QT_TRANSLATE_NOOP("Actions", "Show images in the bird's-eye view"),
@@ -238,8 +239,9 @@ std::vector<ActionDeclaration> viewActions() {
        nullptr, Qt::SHIFT | Qt::Key_U, true},
       {"actionShowVolumeOfInterest", group,
        QT_TRANSLATE_NOOP("Actions", "Show the volume of interest"),
-       QT_TRANSLATE_NOOP("Actions", "Show the box in which targets are searched for, in the images "
-                                    "and in the bird's-eye view"),
+       QT_TRANSLATE_NOOP("Actions",
+                         "Draw the volume of interest in the images and in the bird's-eye view: "
+                         "targets are searched for only inside this box"),
        nullptr, Qt::SHIFT | Qt::Key_H, true},
       {"actionShowVolumes", group, QT_TRANSLATE_NOOP("Actions", "Show people's volumes"),
        QT_TRANSLATE_NOOP("Actions", "Show the hull that encloses 95 % of each person's volume, and "
@@ -263,7 +265,7 @@ std::vector<ActionDeclaration> viewActions() {
        QT_TRANSLATE_NOOP("Actions", "Bird's-eye view from the front: the XZ plane"), "front",
        Qt::Key_F},
       {"actionLookFree", group, QT_TRANSLATE_NOOP("Actions", "3D view"),
-       QT_TRANSLATE_NOOP("Actions", "Bird's-eye view in perspective; drag to orbit"), "free",
+       QT_TRANSLATE_NOOP("Actions", "Bird's-eye view in perspective; drag to rotate it"), "free",
        Qt::Key_V},
       {"actionFitScene", group, QT_TRANSLATE_NOOP("Actions", "Fit everything in view"),
        QT_TRANSLATE_NOOP("Actions", "Show the whole room in the bird's-eye view (or double-click)"),

@@ -131,9 +131,10 @@ void CorrectionTool::grab(const Layer& layer, const QPointF& pixel) {
   const int pressed = targetAt(layer, pixel);
   drag_->target = pressed >= 0 ? pressed : preferredTarget();
   if (drag_->target < 0) {
-    Q_EMIT failed(bench_.document.project().targets.empty()
-                      ? tr("There is no target yet: learn its color first.")
-                      : tr("Select a target in the list first, or drag its estimate."));
+    Q_EMIT failed(
+        bench_.document.project().targets.empty()
+            ? tr("There is no target yet: learn its color first.")
+            : tr("Select a target in the panel Target first, or drag the estimate of a target."));
     return;
   }
   if (bench_.session.isPlaying()) {

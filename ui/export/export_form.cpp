@@ -96,8 +96,8 @@ void ExportForm::retranslateUi() {
   setTexts(estimates_, tr("Estimates"),
            tr("Live: as estimated during the run. Smoothed: estimated after the run, from all "
               "earlier and later frames"));
-  setTexts(from_, tr("From"), tr("First time, 0 to 1,000,000 s"));
-  setTexts(to_, tr("To"), tr("Last time, 0 to 1,000,000 s"));
+  setTexts(from_, tr("From"), tr("Earliest time to export, 0 to 1,000,000 s"));
+  setTexts(to_, tr("To"), tr("Latest time to export, 0 to 1,000,000 s"));
   setTexts(rate_, tr("Rate"),
            tr("Rows per second, 0.001 to 10,000. Positions between frames are interpolated"));
   setTexts(gaps_, tr("Gaps"), tr("What to write while the position is unknown"));

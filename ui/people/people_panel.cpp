@@ -108,7 +108,7 @@ void PeoplePanel::retranslateUi() {
   table_->setAccessibleName(tr("People in view"));
   learning_->setAccessibleName(tr("Progress of learning the background"));
   const std::pair<QString, QString> headers[kColumns] = {
-      {tr("No."), tr("Number of the person; nobody else gets it in this run")},
+      {tr("No."), tr("Number of the person. No other person gets the same number in this run")},
       {tr("Position"), tr("Position on the floor, x and y in meters")},
       {tr("Height"), tr("Estimated height in meters; empty if the method does not estimate it")},
       {tr("Speed"), tr("Speed over the floor, in meters per second")},

@@ -66,9 +66,9 @@ QString accuracyText(const CalibrationAccuracy& accuracy) {
     return value && std::isfinite(*value);
   };
   QString text = isKnown(accuracy.position95)
-                     ? CalibrationText::tr("In this volume: position ±%1 (95 %)")
+                     ? CalibrationText::tr("In the calibrated volume: position ±%1 (95 %)")
                            .arg(lengthText(accuracy.position95, LengthForm::TwoDigits))
-                     : CalibrationText::tr("In this volume: position unknown");
+                     : CalibrationText::tr("In the calibrated volume: position unknown");
   text += isKnown(accuracy.scale95)
               ? CalibrationText::tr(", scale ±%1 %").arg(percentAccuracyText(*accuracy.scale95))
               : CalibrationText::tr(", scale unknown");

@@ -133,13 +133,14 @@ std::span<const FigureExperiment> studyExperiments() {
           ExperimentGroup::Mohedano),
       sceneOfPeople(
           "people-apart", "People who stay apart",
-          "Mohedano et al. 2009: two people far apart. This is the easy case: no method may mix "
+          "Mohedano et al. 2009: two people far apart. This is the easy case: no method should mix "
           "them up.",
           [](const ExperimentOptions& options) { return studyScenario("apart", options); },
           ExperimentGroup::Mohedano),
       sceneOfPeople(
           "people-heights", "People of different heights",
-          "A child of 0.9 to 1.3 m, one person of 1.3 to 1.6 m and one of 1.88 to 2 m walk about.",
+          "Three people walk about: a child 0.9 to 1.3 m tall, a person 1.3 to 1.6 m tall and a "
+          "person 1.88 to 2 m tall.",
           [](const ExperimentOptions& options) { return studyScenario("heights", options); }),
       sceneOfPeople(
           "people-sitting", "People who sit and crouch",

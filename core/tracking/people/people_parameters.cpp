@@ -26,7 +26,8 @@ Declarations background(const Defaults& defaults) {
        "KNN of OpenCV.",
        false},
       {"learning_time", kReal, "Learning time", "s", 0.0, 600.0, 0.1, 1.0,
-       "How long the cameras only learn the background at the start; nobody should be in view.",
+       "How long the cameras only learn the background at the start. Nobody should be in view "
+       "during this time.",
        false},
       {"background_memory", kReal, "Background memory", "s", 0.5, 3600.0, 0.5, 40.0,
        "Time after which a new object that stays in place counts as background.", true},
@@ -47,13 +48,17 @@ Declarations background(const Defaults& defaults) {
 Declarations place() {
   Declarations all{
       {"area_x", kReal, "Area x", "m", -1000.0, 1000.0, 0.1, 0.0,
-       "Center of the tracked floor area.", false},
+       "Center of the tracked floor area along this axis.", false},
       {"area_y", kReal, "Area y", "m", -1000.0, 1000.0, 0.1, 0.0,
-       "Center of the tracked floor area.", false},
+       "Center of the tracked floor area along this axis.", false},
       {"area_half_x", kReal, "Area half size x", "m", 0.2, 1000.0, 0.1, 3.4,
-       "Half the size of the tracked floor area; a person who crosses its border has left.", false},
+       "Half the size of the tracked floor area along this axis. A person who crosses the border "
+       "of the area counts as having left.",
+       false},
       {"area_half_y", kReal, "Area half size y", "m", 0.2, 1000.0, 0.1, 3.4,
-       "Half the size of the tracked floor area; a person who crosses its border has left.", false},
+       "Half the size of the tracked floor area along this axis. A person who crosses the border "
+       "of the area counts as having left.",
+       false},
       {"floor_z", kReal, "Floor z", "m", -1000.0, 1000.0, 0.01, 0.0,
        "Height of the floor in world coordinates.", false},
       {"births", kInteger, "Create tracks", "", 0.0, 1.0, 1.0, 1.0,
@@ -121,7 +126,9 @@ Declarations ours() {
       {"acceleration_sigma", kReal, "Acceleration sigma", "m/s²", 0.05, 50.0, 0.05, 3.0,
        "How strongly people accelerate, brake and turn.", true},
       {"evidence", kReal, "Weight per camera", "", 0.1, 100.0, 0.1, 8.0,
-       "Weight of a camera that sees a whole person: larger values rely more on the masks.", true},
+       "How much each camera that sees a whole person counts: larger values rely more on the "
+       "masks.",
+       true},
       {"color_weight", kReal, "Color weight", "", 0.0, 10.0, 0.05, 1.0,
        "How much the colors of clothes count compared with the masks when people are close to each "
        "other.",

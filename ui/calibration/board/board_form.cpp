@@ -193,7 +193,7 @@ void BoardForm::retranslateUi() {
     kind_->addItems({tr("Chessboard"), tr("ChArUco (with markers)")});
   }
   name(kind_, tr("Kind of board"),
-       tr("A ChArUco board may be partly hidden or outside the image; a chessboard must be "
+       tr("A ChArUco board may be partly hidden, or partly outside the image; a chessboard must be "
           "completely visible"));
   squaresLabel_->setText(tr("Squares across, down"));
   name(columns_, tr("Squares in a row"), tr("All squares of a row, black and white"));
@@ -210,8 +210,8 @@ void BoardForm::retranslateUi() {
   name(dictionary_, tr("Dictionary of the markers"),
        tr("The dictionary name used when the board was generated"));
   legacy_->setText(tr("Legacy layout (even rows)"));
-  legacy_->setToolTip(tr("For ChArUco boards with an even number of rows from software older than "
-                         "OpenCV 4.6: the first square is white"));
+  legacy_->setToolTip(tr("For ChArUco boards with an even number of rows that were made with "
+                         "software older than OpenCV 4.6: their first square is white"));
   inverted_->setText(tr("Inverted colors"));
   inverted_->setToolTip(tr("White markers and corners on a black page"));
   print_->setText(tr("Print this board…"));

@@ -98,7 +98,8 @@ void CalibrationImportDialog::fillNames(const QStringList& inFile) {
       }
       setChoicesWithData(*choice, choices);
       choice->setAccessibleName(cameras_.nameOf(camera));
-      choice->setToolTip(tr("The camera of the file that each camera of the project uses"));
+      choice->setToolTip(
+          tr("For each camera of the project: the camera of the file whose calibration it uses"));
       connect(choice, &QComboBox::currentIndexChanged, this, &CalibrationImportDialog::refresh);
       rows->addRow(cameras_.nameOf(camera), choice);
       nameChoices_.push_back(choice);
@@ -154,7 +155,8 @@ void CalibrationImportDialog::retranslateFields() {
       {tr("Camera"), tr("The camera to which a file with a single camera belongs")},
       {tr("The images are"), tr("How the images of the project differ from those of the "
                                 "calibration, if they have another size")},
-      {tr("Names in the file"), tr("The camera of the file that each camera of the project uses")}};
+      {tr("Names in the file"),
+       tr("For each camera of the project: the camera of the file whose calibration it uses")}};
   QWidget* const fields[] = {format_, unit_, lens_, size_, poses_, camera_, fit_, names_};
   for (std::size_t k = 0; k < labels_.size(); ++k) {
     labels_[k]->setText(names[k].first);

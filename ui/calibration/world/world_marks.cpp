@@ -128,7 +128,8 @@ QString refusal(const Error& error) {
     return WorldMarks::tr("The line from A to B is far from horizontal.");
   }
   if (error.field == "axis") {
-    return WorldMarks::tr("A is directly above or below B.");
+    return WorldMarks::tr(
+        "A is directly above or below B, so the x axis cannot point from A to B.");
   }
   return errorText(error);
 }

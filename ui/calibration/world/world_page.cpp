@@ -292,8 +292,9 @@ void WorldPage::refresh() {
   // A shape as well: dark themes hardly show a pressed button.
   mark_->setText((marks_.isClicking() ? QStringLiteral("● ") : QString()) + tr("Mark in images"));
   mark_->setAccessibleName(tr("Mark in images"));
-  mark_->setToolTip(tr("Click the selected point in two or more images. Corners are found to a "
-                       "fraction of a pixel (Alt: exactly where you click). Press Esc to finish."));
+  mark_->setToolTip(
+      tr("Click the selected point in two or more images. Near a corner, the click moves exactly "
+         "onto the corner; hold Alt to prevent this. Press Esc to finish."));
   for (const auto& [step, button] : steps_) {
     button->setEnabled(marks_.canApply(step));
     if (step == WorldStep::Upright) {
