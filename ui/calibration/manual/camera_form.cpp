@@ -144,8 +144,9 @@ void CameraForm::retranslateUi() {
        tr("What the camera does while you drag the grid and no point is held. Click points of the "
           "grid to hold up to three of them."));
   fitFocal_->setText(tr("Also fit the focal length when three points are held"));
-  fitFocal_->setToolTip(tr("Three held points fix the pose. Dragging then changes the focal "
-                           "length, and the pose follows"));
+  fitFocal_->setToolTip(
+      tr("Three held points fix the pose. With this option, dragging changes the focal length, and "
+         "the pose is adapted so that the three points stay in place"));
   keysLabel_->setText(tr("Keys"));
   setChoices(*keyMode_, {tr("move"), tr("turn")});
   name(keyMode_, tr("Effect of the keys"),
