@@ -77,7 +77,7 @@ std::vector<ActionDeclaration> editActions() {
                                     "or of all targets if none is selected"),
        nullptr, Qt::SHIFT | Qt::Key_X},
       {"actionShortcuts", group, QT_TRANSLATE_NOOP("Actions", "Shortcuts…"),
-       QT_TRANSLATE_NOOP("Actions", "See and change all shortcuts"), nullptr,
+       QT_TRANSLATE_NOOP("Actions", "See and change all keyboard shortcuts"), nullptr,
        Qt::CTRL | Qt::Key_Comma},
   };
 }
@@ -90,8 +90,8 @@ std::vector<ActionDeclaration> calibrationActions() {
                                     "calibrate them, and go through it step by step"),
        nullptr, Qt::CTRL | Qt::ALT | Qt::Key_G},
       {"actionCalibrateByHand", group, QT_TRANSLATE_NOOP("Actions", "Calibrate by hand…"),
-       QT_TRANSLATE_NOOP("Actions",
-                         "Adjust the cameras until a grid matches the real scene in their images"),
+       QT_TRANSLATE_NOOP("Actions", "Adjust the calibration of the cameras until a grid drawn over "
+                                    "their images matches the real scene"),
        "camera", Qt::Key_C, true},
       {"actionCalibrateBoard", group, QT_TRANSLATE_NOOP("Actions", "Calibrate with a board…"),
        QT_TRANSLATE_NOOP("Actions",
@@ -104,15 +104,15 @@ std::vector<ActionDeclaration> calibrationActions() {
                          "Refine the calibration by waving a ball, or a wand with two balls"),
        nullptr, Qt::SHIFT | Qt::Key_V},
       {"actionCalibrateWorld", group, QT_TRANSLATE_NOOP("Actions", "Set floor and origin…"),
-       QT_TRANSLATE_NOOP("Actions", "Set the floor, the origin, the axes and the scale of the "
-                                    "calibrated cameras from points marked in the images"),
+       QT_TRANSLATE_NOOP("Actions", "Set the floor, the origin, the axes and the scale of the room "
+                                    "with points that you mark in the images"),
        nullptr, Qt::SHIFT | Qt::Key_O},
       {"actionImportCalibration", group, QT_TRANSLATE_NOOP("Actions", "Import calibration…"),
-       QT_TRANSLATE_NOOP("Actions",
-                         "Load the calibration of the cameras from a file of another tool"),
+       QT_TRANSLATE_NOOP(
+           "Actions", "Load the calibration of the cameras from a file that another program wrote"),
        nullptr, Qt::CTRL | Qt::SHIFT | Qt::Key_I},
       {"actionExportCalibration", group, QT_TRANSLATE_NOOP("Actions", "Export calibration…"),
-       QT_TRANSLATE_NOOP("Actions", "Save the calibration of the cameras for another tool"),
+       QT_TRANSLATE_NOOP("Actions", "Save the calibration of the cameras for another program"),
        nullptr, Qt::CTRL | Qt::SHIFT | Qt::Key_E},
       {"actionPlanRig", group, QT_TRANSLATE_NOOP("Actions", "Plan the rig…"),
        QT_TRANSLATE_NOOP(
@@ -122,7 +122,7 @@ std::vector<ActionDeclaration> calibrationActions() {
       {"actionShowMap", group, QT_TRANSLATE_NOOP("Actions", "Show error map"),
        QT_TRANSLATE_NOOP(
            "Actions",
-           "Show the expected position error of a target at each point of the bird's-eye view"),
+           "In the bird's-eye view, show the position error to expect for a target at each point"),
        nullptr, Qt::SHIFT | Qt::Key_M, true},
       {"actionPlanCamera", group, QT_TRANSLATE_NOOP("Actions", "Add planned camera"),
        QT_TRANSLATE_NOOP("Actions",
@@ -156,19 +156,21 @@ std::vector<ActionDeclaration> runActions() {
        QT_TRANSLATE_NOOP("Actions", "Stop looking back and show the latest tracked frame"), "now",
        Qt::Key_N},
       {"actionRerun", group, QT_TRANSLATE_NOOP("Actions", "Track again from here"),
-       QT_TRANSLATE_NOOP("Actions", "Starting at the frame shown, track again with the current "
-                                    "method, parameters and colors; pause to stop"),
+       QT_TRANSLATE_NOOP("Actions", "Track again from the frame shown, with the current method, "
+                                    "parameters and colors. To stop, press pause"),
        "rerun", Qt::CTRL | Qt::Key_R},
       {"actionTrackAgain", group, QT_TRANSLATE_NOOP("Actions", "Track again"),
        QT_TRANSLATE_NOOP("Actions",
-                         "Track again all frames that have results from earlier settings"),
+                         "Track all frames again that still have results from earlier settings"),
        nullptr, Qt::CTRL | Qt::SHIFT | Qt::Key_R},
       {"actionSlower", group, QT_TRANSLATE_NOOP("Actions", "Slower"),
-       QT_TRANSLATE_NOOP("Actions", "Play the recording more slowly, down to 1/30"), nullptr,
-       Qt::Key_BracketLeft},
+       QT_TRANSLATE_NOOP("Actions",
+                         "Play the recording more slowly, down to 1/30 of the normal speed"),
+       nullptr, Qt::Key_BracketLeft},
       {"actionFaster", group, QT_TRANSLATE_NOOP("Actions", "Faster"),
-       QT_TRANSLATE_NOOP("Actions", "Play the recording faster, up to eight times"), nullptr,
-       Qt::Key_BracketRight},
+       QT_TRANSLATE_NOOP("Actions",
+                         "Play the recording faster, up to eight times the normal speed"),
+       nullptr, Qt::Key_BracketRight},
       {"actionNormalSpeed", group, QT_TRANSLATE_NOOP("Actions", "Normal speed"),
        QT_TRANSLATE_NOOP("Actions", "Play the recording as fast as it was filmed"), nullptr,
        Qt::Key_Backslash},
@@ -187,8 +189,8 @@ std::vector<ActionDeclaration> runActions() {
       {"actionNextMark", group, QT_TRANSLATE_NOOP("Actions", "Next marker"),
        QT_TRANSLATE_NOOP("Actions", "Go to the next marker"), nullptr, Qt::CTRL | Qt::Key_PageDown},
       {"actionZoomToSpan", group, QT_TRANSLATE_NOOP("Actions", "Zoom to the selected span"),
-       QT_TRANSLATE_NOOP("Actions", "Show only the selected span in the timeline"), nullptr,
-       Qt::Key_Z},
+       QT_TRANSLATE_NOOP("Actions", "Fill the timeline with the selected span of the recording"),
+       nullptr, Qt::Key_Z},
       {"actionRestart", group, QT_TRANSLATE_NOOP("Actions", "Restart"),
        QT_TRANSLATE_NOOP("Actions", "Start over with the same random numbers"), "restart",
        Qt::Key_R},
@@ -199,7 +201,9 @@ std::vector<ActionDeclaration> runActions() {
        QT_TRANSLATE_NOOP("Actions", "Choose how many threads share the work of the filter"),
        nullptr, Qt::CTRL | Qt::ALT | Qt::Key_F},
       {"actionExperiments", group, QT_TRANSLATE_NOOP("Actions", "Experiments…"),
-       QT_TRANSLATE_NOOP("Actions", "Reproduce the figures of the papers and write a report"),
+       QT_TRANSLATE_NOOP(
+           "Actions",
+           "Reproduce figures of the papers that describe the methods, and write a report"),
        nullptr, Qt::CTRL | Qt::SHIFT | Qt::Key_X},
   };
 }
@@ -211,23 +215,22 @@ std::vector<ActionDeclaration> viewActions() {
        QT_TRANSLATE_NOOP("Actions", "Show where the cameras see the target's color"), "mask",
        Qt::Key_M, true},
       {"actionShowEvidence", group, QT_TRANSLATE_NOOP("Actions", "Show likelihood map"),
-       QT_TRANSLATE_NOOP(
-           "Actions",
-           "Show the likelihood of each position around the target, and the candidate positions"),
+       QT_TRANSLATE_NOOP("Actions", "Show how likely each position around the target is, and "
+                                    "circle the positions that the method considers"),
        "evidence", Qt::Key_E, true},
       {"actionShowBest", group, QT_TRANSLATE_NOOP("Actions", "Show best particle"),
-       QT_TRANSLATE_NOOP(
-           "Actions",
-           "Mark each target's highest-weight particle (MAP) with a triangle in all views"),
+       QT_TRANSLATE_NOOP("Actions", "In all views, mark the particle of each target that has the "
+                                    "highest weight (MAP) with a triangle"),
        nullptr, Qt::SHIFT | Qt::Key_E, true},
       {"actionShowMagnifier", group, QT_TRANSLATE_NOOP("Actions", "Show magnifier"),
        QT_TRANSLATE_NOOP(
            "Actions",
-           "Show an enlarged inset when a target's particles are too close together to tell apart"),
+           "When a target's particles are too close together to tell apart, show them enlarged"),
        nullptr, Qt::SHIFT | Qt::Key_I, true},
       {"actionShowRays", group, QT_TRANSLATE_NOOP("Actions", "Show lines of sight"),
-       QT_TRANSLATE_NOOP("Actions", "Draw a line from each camera to the target in the bird's-eye "
-                                    "view; it is dashed if the camera cannot see the target"),
+       QT_TRANSLATE_NOOP("Actions",
+                         "In the bird's-eye view, draw a line from each camera to the target. The "
+                         "line is dashed if the camera cannot see the target"),
        nullptr, Qt::SHIFT | Qt::Key_Y, true},
       {"actionShowImagesInScene", group,
        QT_TRANSLATE_NOOP("Actions", "Show images in the bird's-eye view"),
@@ -236,12 +239,13 @@ std::vector<ActionDeclaration> viewActions() {
        nullptr, Qt::SHIFT | Qt::Key_U, true},
       {"actionShowVolumeOfInterest", group,
        QT_TRANSLATE_NOOP("Actions", "Show the volume of interest"),
-       QT_TRANSLATE_NOOP("Actions", "Show the box in which targets are searched for, in the images "
-                                    "and in the bird's-eye view"),
+       QT_TRANSLATE_NOOP("Actions",
+                         "Draw the volume of interest in the images and in the bird's-eye view: "
+                         "targets are searched for only inside this box"),
        nullptr, Qt::SHIFT | Qt::Key_H, true},
       {"actionShowVolumes", group, QT_TRANSLATE_NOOP("Actions", "Show people's volumes"),
-       QT_TRANSLATE_NOOP("Actions", "Show the hull that contains 95 % of each person, and contour "
-                                    "lines of the person's density on the floor"),
+       QT_TRANSLATE_NOOP("Actions", "Show the hull that encloses 95 % of each person's volume, and "
+                                    "contour lines of the density on the floor"),
        nullptr, Qt::Key_H, true},
       {"actionZoomIn", group, QT_TRANSLATE_NOOP("Actions", "Zoom in"),
        QT_TRANSLATE_NOOP("Actions", "Zoom in on the camera image under the pointer, or on the "
@@ -261,7 +265,7 @@ std::vector<ActionDeclaration> viewActions() {
        QT_TRANSLATE_NOOP("Actions", "Bird's-eye view from the front: the XZ plane"), "front",
        Qt::Key_F},
       {"actionLookFree", group, QT_TRANSLATE_NOOP("Actions", "3D view"),
-       QT_TRANSLATE_NOOP("Actions", "Bird's-eye view in perspective; drag to orbit"), "free",
+       QT_TRANSLATE_NOOP("Actions", "Bird's-eye view in perspective; drag to rotate it"), "free",
        Qt::Key_V},
       {"actionFitScene", group, QT_TRANSLATE_NOOP("Actions", "Fit everything in view"),
        QT_TRANSLATE_NOOP("Actions", "Show the whole room in the bird's-eye view (or double-click)"),
@@ -288,8 +292,8 @@ std::vector<ActionDeclaration> plotActions() {
   const char* group = QT_TRANSLATE_NOOP("Actions", "Plots");
   return {
       {"actionPlotPosition", group, QT_TRANSLATE_NOOP("Actions", "Plot position"),
-       QT_TRANSLATE_NOOP("Actions", "Position along x, y and z with a band of two standard "
-                                    "deviations, and the truth where it is known"),
+       QT_TRANSLATE_NOOP("Actions", "Position along x, y and z, with a band of plus and minus two "
+                                    "standard deviations, and the truth if it is known"),
        nullptr, Qt::CTRL | Qt::Key_1, true},
       {"actionPlotSpread", group, QT_TRANSLATE_NOOP("Actions", "Plot spread"),
        QT_TRANSLATE_NOOP("Actions", "Standard deviation of the particles along x, y and z"),
@@ -311,7 +315,7 @@ std::vector<ActionDeclaration> plotActions() {
        nullptr, Qt::CTRL | Qt::Key_6, true},
       {"actionPlotDuration", group, QT_TRANSLATE_NOOP("Actions", "Plot time per step"),
        QT_TRANSLATE_NOOP("Actions",
-                         "Duration of each filter iteration per target, in microseconds"),
+                         "Time that one filter iteration takes for one target, in microseconds"),
        nullptr, Qt::CTRL | Qt::Key_7, true},
       {"actionPlotOverTime", group, QT_TRANSLATE_NOOP("Actions", "Plot over time"),
        QT_TRANSLATE_NOOP("Actions", "Plot against time in seconds instead of filter iterations"),
@@ -323,8 +327,8 @@ std::vector<ActionDeclaration> plotActions() {
        QT_TRANSLATE_NOOP("Actions", "Copy the numbers of the plots shown, as a table"), nullptr,
        Qt::CTRL | Qt::ALT | Qt::Key_C},
       {"actionPlotSave", group, QT_TRANSLATE_NOOP("Actions", "Save plots as picture…"),
-       QT_TRANSLATE_NOOP("Actions", "Save the plots as shown, as SVG or PNG"), nullptr,
-       Qt::CTRL | Qt::ALT | Qt::Key_S},
+       QT_TRANSLATE_NOOP("Actions", "Save a picture of the plots as they look now, as SVG or PNG"),
+       nullptr, Qt::CTRL | Qt::ALT | Qt::Key_S},
       {"actionTrajectoryCopy", group, QT_TRANSLATE_NOOP("Actions", "Copy trajectory as CSV"),
        QT_TRANSLATE_NOOP(
            "Actions", "Copy the selected rows of the trajectory, or all rows if none is selected"),

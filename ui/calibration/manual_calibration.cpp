@@ -204,8 +204,8 @@ void ManualCalibration::reportLimit(const Drag& result) {
     sentence = tr("Limit reached: no nearby pose keeps the held points in place");
     break;
   case DragLimit::Fixed:
-    sentence =
-        tr("Three held points fix the pose. Release one of them, or let the focal length change");
+    sentence = tr("Three held points fix the pose. Release one of them, or turn on “Also fit the "
+                  "focal length when three points are held”");
     break;
   }
   if (sentence != drag_->limit) {

@@ -30,7 +30,7 @@ assessedRegions(const ColorAssessment& assessment, const std::vector<setup::Foun
   for (const DistractorRegion& region : assessment.distractors) {
     regions[region.camera].push_back(regionOf(region.outline, AssessedRegions::tr("also matches")));
   }
-  const QString also = AssessedRegions::tr("recognized as the target (Alt-click if not)");
+  const QString also = AssessedRegions::tr("recognized as the target (if it is not, Alt-click it)");
   for (const setup::FoundOutline& target : found) {
     auto& shown = regions[target.camera];
     const bool isSaid = std::ranges::any_of(

@@ -219,9 +219,9 @@ void ColorPanel::refresh() {
   if (assessed_) {
     updateAssessment();
   } else {
-    assessmentText_->setText(
-        any ? tr("Drag the ring and the bars, or press Learn and click the target.")
-            : tr("Click the object to track in any camera image."));
+    assessmentText_->setText(any ? tr("To set the target's color, drag the ring and the bars, or "
+                                      "press Learn and click the target.")
+                                 : tr("Click the object to track in any camera image."));
     clearRegions();
     if (any) {
       assessSoon_->start();

@@ -109,10 +109,10 @@ void ColorPicker::retranslateUi() {
   const QString hints[] = {
       tr("First hue, 0 to 360 degrees; if it is above the last hue, the range goes through red"),
       tr("Last hue, 0 to 360 degrees"),
-      tr("Least saturation, 0 to 1"),
-      tr("Greatest saturation, 0 to 1"),
-      tr("Least intensity, 0 to 1"),
-      tr("Greatest intensity, 0 to 1")};
+      tr("Smallest saturation, 0 to 1"),
+      tr("Largest saturation, 0 to 1"),
+      tr("Smallest intensity, 0 to 1"),
+      tr("Largest intensity, 0 to 1")};
   for (std::size_t i = 0; i < boxes_.size(); ++i) {
     boxes_[i]->setToolTip(hints[i]);
     boxes_[i]->setAccessibleName(hints[i]);

@@ -46,8 +46,8 @@ void ColorSampleList::retranslateUi() {
   list_->setToolTip(tr("Shift-click in an image to add a sample, Alt-click or Ctrl+Shift-click to "
                        "exclude one. Samples marked “found” were detected in other cameras."));
   remove_->setText(tr("Remove"));
-  remove_->setToolTip(tr("Remove the selected sample and learn from the others (Del). A found "
-                         "sample becomes an excluded one."));
+  remove_->setToolTip(tr("Remove the selected sample and learn from the others (Del). If the "
+                         "sample is marked “found”, it becomes an excluded sample."));
 }
 
 void ColorSampleList::setSamples(const Project& project, int target) {

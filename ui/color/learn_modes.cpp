@@ -76,8 +76,8 @@ void LearnModes::showHints() {
   buttons_[0]->setToolTip(takesBoxes_
                               ? tr("Click the object in a camera image, or drag a box around it.\n"
                                    "Shift-click works at any time.")
-                              : tr("Click the target in a camera image, or drag a box on it,\n"
-                                   "to learn its color again."));
+                              : tr("Click the target in a camera image, or drag a box around "
+                                   "it,\nto learn its color again."));
   const QString first = tr("Learn the color first: click the target in a camera image.");
   buttons_[1]->setToolTip(canAdd_ ? tr("Click another part of the target, or the target in "
                                        "different light.\nShift-click works at any time.")

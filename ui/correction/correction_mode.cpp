@@ -92,8 +92,8 @@ void CorrectionMode::setActive(bool active) {
     bench_.action("actionCalibrateByHand")->setChecked(false);
   }
   tool_->setActive(can);
-  const QString hint = tr("Drag the target to its true position in an image; do the same in "
-                          "another image to fix its depth. Press Esc to finish.");
+  const QString hint = tr("Drag the target to its true position in one image. To set its depth as "
+                          "well, do the same in a second image. Press Esc to finish.");
   if (can) {
     bench_.messages.showNotice(hint);
   } else if (bench_.messages.text() == hint) {

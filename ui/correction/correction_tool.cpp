@@ -124,15 +124,17 @@ void CorrectionTool::grab(const Layer& layer, const QPointF& pixel) {
     return;
   }
   if (snapshot_->rerun) {
-    Q_EMIT failed(tr("Frames are being tracked again: wait until that is done, or pause."));
+    Q_EMIT failed(
+        tr("Frames are being tracked again: wait until tracking has finished, or pause it."));
     return;
   }
   const int pressed = targetAt(layer, pixel);
   drag_->target = pressed >= 0 ? pressed : preferredTarget();
   if (drag_->target < 0) {
-    Q_EMIT failed(bench_.document.project().targets.empty()
-                      ? tr("There is no target yet: learn its color first.")
-                      : tr("Select a target in the list first, or drag its estimate."));
+    Q_EMIT failed(
+        bench_.document.project().targets.empty()
+            ? tr("There is no target yet: learn its color first.")
+            : tr("Select a target in the panel Target first, or drag the estimate of a target."));
     return;
   }
   if (bench_.session.isPlaying()) {

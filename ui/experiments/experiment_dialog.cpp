@@ -166,7 +166,8 @@ void ExperimentDialog::retranslateUi() {
   setWindowTitle(tr("Experiments"));
   list_->setAccessibleName(tr("Experiments"));
   runsLabel_->setText(tr("Runs per case"));
-  runs_->setToolTip(tr("Number of seeds. More seeds take longer and give more certain results."));
+  runs_->setToolTip(tr("How often each case is run, each time with another seed. More runs take "
+                       "longer and give more certain results."));
   clothesLabel_->setText(tr("Clothes"));
   clothes_->setToolTip(tr("Whether the simulated people wear different clothes"));
   clothes_->setItemText(0, tr("both kinds"));

@@ -74,8 +74,9 @@ BoxExportDialog::BoxExportDialog(std::function<BoxTrack()> boxes, QWidget* paren
 void BoxExportDialog::retranslateUi() {
   setWindowTitle(tr("Export boxes"));
   description_->setText(
-      tr("Two files are written: boxes.csv (a row per target and frame: box, center, similarity, "
-         "seen or hidden) and boxes_mot.txt (the format of the MOT challenge). All in pixels."));
+      tr("Two files are written. In boxes.csv, each row has the box of one target in one frame, "
+         "its center, its similarity, and whether the target was seen or hidden. The file "
+         "boxes_mot.txt has the format of the MOT challenge. All lengths are in pixels."));
   preview_->setAccessibleName(tr("First lines of boxes.csv"));
   folderLabel_->setText(tr("Folder"));
   folder_->setToolTip(tr("Folder for both files; it is created if it does not exist"));

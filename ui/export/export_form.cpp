@@ -94,10 +94,12 @@ void ExportForm::retranslateUi() {
   setTexts(targets_, tr("Targets"),
            tr("Only checked targets are exported; if none is checked, all are exported"));
   setTexts(estimates_, tr("Estimates"),
-           tr("Live: as estimated during the run. Smoothed: from all frames, before and after"));
-  setTexts(from_, tr("From"), tr("First time, 0 to 1,000,000 s"));
-  setTexts(to_, tr("To"), tr("Last time, 0 to 1,000,000 s"));
-  setTexts(rate_, tr("Rate"), tr("Rows per second, 0.001 to 10,000; interpolated"));
+           tr("Live: as estimated during the run. Smoothed: estimated after the run, from all "
+              "earlier and later frames"));
+  setTexts(from_, tr("From"), tr("Earliest time to export, 0 to 1,000,000 s"));
+  setTexts(to_, tr("To"), tr("Latest time to export, 0 to 1,000,000 s"));
+  setTexts(rate_, tr("Rate"),
+           tr("Rows per second, 0.001 to 10,000. Positions between frames are interpolated"));
   setTexts(gaps_, tr("Gaps"), tr("What to write while the position is unknown"));
   setTexts(longestGap_, tr("Longest gap"), tr("Longest gap to fill, 0.01 to 60 s"));
   setTexts(axes_, tr("World axes"), tr("Axis that points up in the file"));
@@ -110,7 +112,8 @@ void ExportForm::retranslateUi() {
   }
   rate_->setSuffix(tr(" per second"));
   header_->setText(tr("Notes about the run"));
-  header_->setToolTip(tr("Method, seed, parameters, units and axes as comments in the file"));
+  header_->setToolTip(
+      tr("Write the method, seed, parameters, units and axes into the file as comments"));
 }
 
 void ExportForm::fillChoices() {

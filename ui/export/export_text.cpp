@@ -52,8 +52,8 @@ QString exportUnitsText(const ExportPreview& preview) {
   const QString axes =
       preview.axes == WorldAxes::ZUp
           ? translated(QT_TRANSLATE_NOOP("Export", "Z points up, axes as in the project"))
-          : translated(
-                QT_TRANSLATE_NOOP("Export", "Y points up: x, y, z are y, z, x of the project"));
+          : translated(QT_TRANSLATE_NOOP(
+                "Export", "Y points up: x, y, z of the file are y, z, x of the project"));
   return translated(
              QT_TRANSLATE_NOOP("Export", "Lengths in %1, times in s, covariances in %1². %2."))
       .arg(unit, axes);

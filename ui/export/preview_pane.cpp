@@ -111,7 +111,7 @@ void PreviewPane::stop() {
   end();
   units_->clear();
   lines_->clear();
-  size_->setText(tr("The preview was stopped. It starts again at the next change."));
+  size_->setText(tr("The preview was stopped. It starts again when you change a setting."));
 }
 
 void PreviewPane::setExporting(bool exporting) {

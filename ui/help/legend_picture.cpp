@@ -97,7 +97,7 @@ QString LegendPicture::meaningOf(LegendSign sign) {
     return tr("Solid ellipse: the target is inside with a probability of 95 %. A smaller ellipse "
               "is more certain.");
   case LegendSign::Outline:
-    return tr("Dashed ellipse: the size of the target itself, where it is not a ball.");
+    return tr("Dashed ellipse: the size of the target itself, if the target is not a ball.");
   case LegendSign::Truth:
     return tr("White diamond: the true position of the target, known only in simulated scenes such "
               "as the demo.");

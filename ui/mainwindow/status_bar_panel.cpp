@@ -115,11 +115,12 @@ void StatusBarPanel::retranslateUi() {
   };
   explain(playing_, tr("tracking again"),
           tr("Playing, paused, at the end, looking back at an earlier frame, or tracking again"));
-  explain(frame_, tr("frame %1 / %2").arg("0000", "0000"), tr("Frame shown, of all frames"));
+  explain(frame_, tr("frame %1 / %2").arg("0000", "0000"),
+          tr("Number of the frame shown, and number of all frames"));
   explain(rate_, tr("%1 /s").arg("0000.0"), tr("Frames tracked per second"));
   explain(spread_, tr("± %1").arg("0000 mm"),
-          tr("Uncertainty of the position: the standard deviation in 3D, x, y and z combined (the "
-             "plots show each of them)"));
+          tr("Uncertainty of the position: the standard deviations in x, y and z combined. The "
+             "plots show each of the three"));
   explain(speed_, tr("%1 m/s").arg("00.00"), tr("Speed of the target in the room"));
   explain(position_, tr("x %1  y %2  z %3").arg("−00.000", "−00.000", "−00.000 m"),
           tr("Estimated position of the target in the room"));

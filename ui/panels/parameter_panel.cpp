@@ -68,7 +68,7 @@ QString boundNote(const ParameterValues& used, const ParameterDeclaration& decla
   });
   return bounded == declarations.end()
              ? QString()
-             : ParameterPanel::tr("This is less than “%1”, which therefore has no effect.")
+             : ParameterPanel::tr("This is less than “%1”, so “%1” has no effect.")
                    .arg(labelText(*bounded));
 }
 

@@ -164,9 +164,10 @@ void TargetPanel::retranslateUi() {
   shape_->setItemText(0, tr("automatic"));
   shape_->setItemText(1, tr("ball"));
   shape_->setItemText(2, tr("any"));
-  shape_->setToolTip(tr("Ball: the outline is a circle in every image. Any: the size is learned, "
-                        "and the center is the center of the color. Automatic: determined from the "
-                        "images. Only method dewpoint uses this."));
+  shape_->setToolTip(
+      tr("Ball: the outline of the target is a circle in every image. Any: the size of the target "
+         "is learned, and its position is the center of the region that has its color. Automatic: "
+         "the shape is determined from the images. Only method dewpoint uses this setting."));
   refresh();
 }
 

@@ -55,10 +55,10 @@ void VolumeForm::createWidgets() {
       field->setSuffix(QStringLiteral(" m"));
       field->setAccessibleName(corner == 0 ? tr("Volume of interest from %1").arg(name)
                                            : tr("Volume of interest to %1").arg(name));
-      field->setToolTip(corner == 0 ? tr("Lower corner of the volume of interest, in meters; "
-                                         "targets are searched for only inside it")
-                                    : tr("Upper corner of the volume of interest, in meters; "
-                                         "targets are searched for only inside it"));
+      field->setToolTip(corner == 0 ? tr("Smallest x, y and z of the volume of interest, in "
+                                         "meters. Targets are searched for only inside this box")
+                                    : tr("Largest x, y and z of the volume of interest, in meters. "
+                                         "Targets are searched for only inside this box"));
       grid->addWidget(field, row + 1, static_cast<int>(axis));
       grid->setColumnStretch(static_cast<int>(axis), 1);
       fields_[corner][axis] = field;

@@ -169,7 +169,7 @@ void PeopleDock::askExport() {
   }
   const int run = run_; // another one may be open by the time it is answered
   const QString folder = QFileDialog::getExistingDirectory(
-      &bench_.window, tr("Folder for the people tables"),
+      &bench_.window, tr("Folder for the people's volumes"),
       QString::fromStdString(bench_.document.project().file.parent_path().string()));
   if (folder.isEmpty()) {
     return;
@@ -179,8 +179,9 @@ void PeopleDock::askExport() {
                           QDir(folder).exists(QStringLiteral("trajectory.csv"));
     return [this, folder, run, occupied] {
       if (occupied && run == run_) {
-        bench_.messages.ask(tr("%1 contains tables of another run. Replace them?").arg(folder),
-                            {{tr("Replace"), [this, folder, run] { write(folder, run); }}});
+        bench_.messages.ask(
+            tr("%1 already contains files of an earlier export. Replace them?").arg(folder),
+            {{tr("Replace"), [this, folder, run] { write(folder, run); }}});
       } else {
         write(folder, run);
       }
@@ -191,18 +192,18 @@ void PeopleDock::askExport() {
 void PeopleDock::write(const QString& folder, int run) {
   const Session* session = bench_.session.session();
   if (session == nullptr || run != run_) {
-    bench_.messages.showError(tr("That run has ended. Its people tables were not saved."));
+    bench_.messages.showError(tr("The run has ended, so the people's volumes were not saved."));
     return;
   }
   const auto record = std::make_shared<const PeopleRecord>(session->peopleRecord());
-  bench_.messages.showNotice(tr("Saving the people tables…"));
+  bench_.messages.showNotice(tr("Saving the people's volumes…"));
   writing_->start([this, folder, record](const auto& progress) {
     auto saved = savePeople(*record, folder.toStdString(), progress);
     return std::function<void()>([this, folder, saved = std::move(saved)] {
-      saved ? bench_.messages.showNotice(
-                  tr("Saved people's positions, volumes, hulls and densities in %1 (frames: %2).")
-                      .arg(folder)
-                      .arg(*saved))
+      saved ? bench_.messages.showNotice(tr("Saved the positions, volumes, hulls and densities of "
+                                            "the people in %1 (frames: %2).")
+                                             .arg(folder)
+                                             .arg(*saved))
             : bench_.messages.showError(errorText(saved.error()));
     });
   });

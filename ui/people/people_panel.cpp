@@ -108,15 +108,15 @@ void PeoplePanel::retranslateUi() {
   table_->setAccessibleName(tr("People in view"));
   learning_->setAccessibleName(tr("Progress of learning the background"));
   const std::pair<QString, QString> headers[kColumns] = {
-      {tr("No."), tr("Number of the person; nobody else gets it in this run")},
+      {tr("No."), tr("Number of the person. No other person gets the same number in this run")},
       {tr("Position"), tr("Position on the floor, x and y in meters")},
       {tr("Height"), tr("Estimated height in meters; empty if the method does not estimate it")},
       {tr("Speed"), tr("Speed over the floor, in meters per second")},
       {tr("Seen"), tr("Number of cameras that see the person, out of all cameras")},
-      {tr("Volume"), tr("Volume in cubic meters of the hull that contains 95 % of the person; "
-                        "empty while hulls are not shown")},
+      {tr("Volume"), tr("Volume of the hull that encloses 95 % of the person, in cubic meters. "
+                        "Empty unless “Show people's volumes” is on")},
       {tr("Time"), tr("Time since the person entered, in seconds")},
-      {tr("Near"), tr("Another person is so close that colors are not learned")},
+      {tr("Near"), tr("Another person is so close that the colors of this person are not learned")},
   };
   for (int column = 0; column < kColumns; ++column) {
     auto* item = new QTableWidgetItem(headers[column].first);

@@ -131,8 +131,8 @@ QWidget* PlotPanel::makeTools(QWidget* parent) {
   targetName_->setObjectName(QStringLiteral("plotTarget"));
   row->addWidget(targetName_);
   onRetranslate(targetName_, [this] {
-    targetName_->setToolTip(
-        tr("The target whose numbers are plotted: the one selected in Target, or the first."));
+    targetName_->setToolTip(tr("The target whose values are plotted: the target selected in the "
+                               "panel Target, or the first target if none is selected."));
   });
   auto* place = new QLabel(tools);
   place->setObjectName(QStringLiteral("plotPlace"));

@@ -35,7 +35,7 @@ QSize DropZone::sizeHint() const {
 
 void DropZone::retranslateUi() {
   setText(tr("Drop videos here, or add them"));
-  line_ = tr("One per camera; also folders of images, and a calibration file");
+  line_ = tr("One video per camera, or image folders; also a calibration file");
   setAccessibleName(text());
   setAccessibleDescription(line_);
   update();

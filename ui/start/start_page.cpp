@@ -44,7 +44,7 @@ constexpr std::array kGallery = std::to_array<GalleryEntry>({
      QT_TRANSLATE_NOOP("dewpoint::ui::StartPage", "Hidden for a second"),
      QT_TRANSLATE_NOOP(
          "dewpoint::ui::StartPage",
-         "A box passes in front of the ball. One camera is enough to keep tracking it.")},
+         "A box passes in front of the ball. One camera is enough to keep tracking the ball.")},
     {"startLookAlikes", "look-alikes", "look-alikes", false,
      QT_TRANSLATE_NOOP("dewpoint::ui::StartPage", "Four identical balls"),
      QT_TRANSLATE_NOOP("dewpoint::ui::StartPage",

@@ -41,7 +41,7 @@ std::vector<Entry> entries(const MapLook& look) {
     all.push_back({toColor(one.color), text});
     before = one.bound;
   }
-  all.push_back({QColor(), counts ? QCoreApplication::translate("MapLegend", "blank: none")
+  all.push_back({QColor(), counts ? QCoreApplication::translate("MapLegend", "blank: no camera")
                                   : QCoreApplication::translate("MapLegend",
                                                                 "blank: fewer than two cameras")});
   return all;

@@ -27,24 +27,29 @@ QString cameraFault(const DetectedFault& fault, const QString& first, const QStr
         .arg(first, second);
   case CalibrationFault::CameraDelayed:
     return (fault.value > 0.0
-                ? CalibrationText::tr("%1 fits when its video is shifted in time: the video is "
-                                      "probably %2 frames late. Synchronize the videos, or "
-                                      "calibrate with a wand and “Find time offsets”.")
-                : CalibrationText::tr("%1 fits when its video is shifted in time: the video is "
-                                      "probably %2 frames early. Synchronize the videos, or "
-                                      "calibrate with a wand and “Find time offsets”."))
+                ? CalibrationText::tr(
+                      "%1 agrees with the other cameras only if its video is shifted in time: the "
+                      "video is probably %2 frames late. Synchronize the videos, or calibrate with "
+                      "a wand and “Find time offsets”.")
+                : CalibrationText::tr(
+                      "%1 agrees with the other cameras only if its video is shifted in time: the "
+                      "video is probably %2 frames early. Synchronize the videos, or calibrate "
+                      "with a wand and “Find time offsets”."))
         .arg(first, numberText(std::abs(fault.value), 0));
   case CalibrationFault::CameraMoved:
-    return CalibrationText::tr("%1 fits one pose before %2 and another pose after that time: the "
-                               "camera was probably moved. Calibrate with the later part only.")
+    return CalibrationText::tr(
+               "The images of %1 fit one pose before %2 and another pose after that time: the "
+               "camera was probably moved. Calibrate with the later part of the recording only.")
         .arg(first, secondsText(fault.value, 1));
   case CalibrationFault::VideoFlipped:
-    return CalibrationText::tr("%1 fits only with flipped images: its video is probably mirrored "
-                               "or upside down. Set the rotation and mirroring of its images.")
+    return CalibrationText::tr(
+               "The images of %1 fit only if they are flipped: the video is probably mirrored or "
+               "upside down. Set the rotation and mirroring of these images.")
         .arg(first);
   case CalibrationFault::ZoomChanged:
-    return CalibrationText::tr("%1 fits with %2 times the given focal length: its zoom or crop was "
-                               "probably changed. Calibrate its intrinsics again.")
+    return CalibrationText::tr(
+               "The images of %1 fit a focal length that is %2 times the given one: the zoom or "
+               "crop of the camera was probably changed. Calibrate its intrinsics again.")
         .arg(first, ratioText(fault.value));
   default:
     return CalibrationText::tr(
@@ -61,9 +66,9 @@ QString accuracyText(const CalibrationAccuracy& accuracy) {
     return value && std::isfinite(*value);
   };
   QString text = isKnown(accuracy.position95)
-                     ? CalibrationText::tr("In this volume: position ±%1 (95 %)")
+                     ? CalibrationText::tr("In the calibrated volume: position ±%1 (95 %)")
                            .arg(lengthText(accuracy.position95, LengthForm::TwoDigits))
-                     : CalibrationText::tr("In this volume: position unknown");
+                     : CalibrationText::tr("In the calibrated volume: position unknown");
   text += isKnown(accuracy.scale95)
               ? CalibrationText::tr(", scale ±%1 %").arg(percentAccuracyText(*accuracy.scale95))
               : CalibrationText::tr(", scale unknown");
@@ -84,27 +89,27 @@ QString faultText(const DetectedFault& fault, const QStringList& cameraNames) {
         "All cameras seem to see the back of the board or floor: its points are probably mirrored. "
         "Check the direction of the axes, and that the print is not reversed.");
   case CalibrationFault::WrongUnitMillimeters:
-    return CalibrationText::tr(
-               "The given length is %1 times what the cameras see: millimeters and meters "
-               "are probably mixed up.")
+    return CalibrationText::tr("The length that you entered is %1 times the length that the "
+                               "cameras see: millimeters and meters are probably mixed up.")
         .arg(ratioText(fault.value));
   case CalibrationFault::WrongUnitInches:
-    return CalibrationText::tr(
-               "The given length is %1 times what the cameras see: it is probably in inches "
-               "(1 inch = 2.54 cm).")
+    return CalibrationText::tr("The length that you entered is %1 times the length that the "
+                               "cameras see: you probably entered it in inches (1 inch = 2.54 cm).")
         .arg(ratioText(fault.value));
   case CalibrationFault::WrongSquareCount:
-    return CalibrationText::tr("The corners form a board with %1 squares in a row: the number of "
-                               "squares is probably wrong. Count them and correct the board.")
+    return CalibrationText::tr(
+               "The corners form a board with %1 squares in a row, so the number of squares that "
+               "you entered is probably wrong. Count the squares and correct the number.")
         .arg(numberText(fault.value, 0));
   case CalibrationFault::WrongSquareSize:
-    return CalibrationText::tr("The given size of the squares is %1 times what the cameras see: "
-                               "measure a row with a ruler (prints are often rescaled).")
+    return CalibrationText::tr(
+               "The size of the squares that you entered is %1 times the size that the cameras "
+               "see. Measure a row with a ruler: prints are often rescaled.")
         .arg(ratioText(fault.value));
   case CalibrationFault::HalfPixel:
-    return CalibrationText::tr(
-               "The images fit when shifted by %1 along both axes: the calibration probably counts "
-               "pixels from their corners, not their centers. Convert the principal points.")
+    return CalibrationText::tr("The images fit only if they are shifted by %1 along both axes: the "
+                               "calibration probably has its origin at the corner of the first "
+                               "pixel, not at its center. Convert the principal points.")
         .arg(pixelText(fault.value));
   default:
     return cameraFault(fault, name(0), name(1));

@@ -31,10 +31,12 @@ QString placeName(HorizontalThird horizontal, VerticalThird vertical) {
 
 QString separationSentence(int score) {
   const char* text =
-      score >= 90   ? QT_TRANSLATE_NOOP("ColorText", "Stands out well (%1 of 100 points).")
-      : score >= 70 ? QT_TRANSLATE_NOOP("ColorText", "Stands out (%1 of 100 points).")
-      : score >= 40 ? QT_TRANSLATE_NOOP("ColorText", "Hard to tell apart (%1 of 100 points).")
-                    : QT_TRANSLATE_NOOP("ColorText", "Hardly stands out (%1 of 100 points).");
+      score >= 90 ? QT_TRANSLATE_NOOP("ColorText", "The color stands out well (%1 of 100 points).")
+      : score >= 70 ? QT_TRANSLATE_NOOP("ColorText", "The color stands out (%1 of 100 points).")
+      : score >= 40
+          ? QT_TRANSLATE_NOOP("ColorText",
+                              "The color is hard to tell from the background (%1 of 100 points).")
+          : QT_TRANSLATE_NOOP("ColorText", "The color hardly stands out (%1 of 100 points).");
   return ColorText::tr(text).arg(score);
 }
 
@@ -60,10 +62,10 @@ QString suggestionSentence(const ColorAssessment& assessment) {
         "%n objects have this color and size: follow all of them, or cover the others.", nullptr,
         assessment.similarObjectCount);
   case Suggestion::ClickObjectItself:
-    return ColorText::tr(
-        "The clicked region fills much of the image: click only the target, or drag a box on it.");
+    return ColorText::tr("The clicked region fills much of the image: click only the target, or "
+                         "drag a box around the target.");
   case Suggestion::ClickMore:
-    return ColorText::tr("You clicked only a speck: drag a box on the whole target.");
+    return ColorText::tr("You clicked only a speck: drag a box around the whole target.");
   case Suggestion::None:
     break;
   }
@@ -82,8 +84,8 @@ QString sharesSentence(const ColorAssessment& assessment) {
   const double whole = assessment.backgroundShareOfFullRange.value_or(0.0);
   return whole > assessment.backgroundShare
              ? few + QLatin1Char(' ') +
-                   ColorText::tr(
-                       "A range that covers the whole target would match %1 % of the background.")
+                   ColorText::tr("A color range that covers the whole target would match %1 % of "
+                                 "the background.")
                        .arg(percentText(whole, 2))
              : few;
 }

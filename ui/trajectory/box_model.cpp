@@ -108,7 +108,8 @@ QVariant BoxModel::headerData(int section, Qt::Orientation orientation, int role
     return name ? tr("similarity")
                 : tr("Similarity of the colors in the box to the initial colors, 0 to 1");
   case Spread:
-    return name ? tr("spread, px") : tr("Root mean square distance of the particles to their mean");
+    return name ? tr("spread, px")
+                : tr("Root mean square distance of the particles from their mean");
   case Seen:
     return name ? tr("state") : tr("Hidden: the box shows the expected position");
   default:

@@ -124,9 +124,11 @@ QVariant TrajectoryModel::headerData(int section, Qt::Orientation orientation, i
   case Speed:
     return name ? tr("speed, m/s") : tr("Speed, meters per second: fitted over five frames");
   case Cameras:
-    return name ? tr("cameras") : tr("Cameras that see the target");
+    return name ? tr("cameras") : tr("Number of cameras that see the target");
   case Existence:
-    return name ? tr("existence") : tr("Probability that the target is at the estimated position");
+    return name ? tr("existence")
+                : tr("Existence probability: how likely it is that the target is there and "
+                     "tracked, 0 to 1");
   case Held:
     return name ? tr("state")
                 : tr("Tracking: the cameras confirm the estimate. Ambiguous: another object fits "

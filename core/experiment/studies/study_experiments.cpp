@@ -98,20 +98,21 @@ FigureExperiment sceneOfPeople(std::string_view name, std::string_view title,
 
 std::span<const FigureExperiment> studyExperiments() {
   static const std::array kAll{
-      FigureExperiment{.name = "sugandi-rmse",
-                       .title = "Boxes: error, success and precision",
-                       .sentence =
-                           "Sugandi et al. 2009, section 4: compares 100 and 300 particles, method "
-                           "histogram and four OpenCV trackers on the same clips.",
-                       .runs = 2,
-                       .run = &sugandiRmse,
-                       .report = kBoxReport,
-                       .takesRecordings = true,
-                       .group = ExperimentGroup::Sugandi},
+      FigureExperiment{
+          .name = "sugandi-rmse",
+          .title = "Boxes: error, success and precision",
+          .sentence =
+              "Sugandi et al. 2009, section 4: compares method sugandi with 100 and with 300 "
+              "particles, method histogram, and four trackers of OpenCV, all on the same clips.",
+          .runs = 2,
+          .run = &sugandiRmse,
+          .report = kBoxReport,
+          .takesRecordings = true,
+          .group = ExperimentGroup::Sugandi},
       sceneOfPeople(
           "people-crossing", "People who cross",
-          "Mohedano et al. 2009: two people meet and walk on; motion alone may mix them up, color "
-          "tells them apart when their clothes differ.",
+          "Mohedano et al. 2009: two people meet and walk on. A method that uses only motion may "
+          "mix them up; color tells them apart if their clothes differ.",
           [](const ExperimentOptions& options) { return studyScenario("crossing", options); },
           ExperimentGroup::Mohedano),
       sceneOfPeople(
@@ -126,19 +127,20 @@ std::span<const FigureExperiment> studyExperiments() {
           ExperimentGroup::Mohedano),
       sceneOfPeople(
           "people-enter-leave", "People who enter and leave",
-          "Mohedano et al. 2009: people enter and leave; how long estimates exist without a "
-          "person, and how long people have no estimate.",
+          "Mohedano et al. 2009: people enter and leave. Measures how long there are estimates "
+          "without a person, and people without an estimate.",
           [](const ExperimentOptions& options) { return studyScenario("enter-leave", options); },
           ExperimentGroup::Mohedano),
       sceneOfPeople(
           "people-apart", "People who stay apart",
-          "Mohedano et al. 2009: two people far apart. This is the easy case: no method may mix "
+          "Mohedano et al. 2009: two people far apart. This is the easy case: no method should mix "
           "them up.",
           [](const ExperimentOptions& options) { return studyScenario("apart", options); },
           ExperimentGroup::Mohedano),
       sceneOfPeople(
           "people-heights", "People of different heights",
-          "A child of 0.9 to 1.3 m, one person of 1.3 to 1.6 m and one of 1.88 to 2 m walk about.",
+          "Three people walk about: a child 0.9 to 1.3 m tall, a person 1.3 to 1.6 m tall and a "
+          "person 1.88 to 2 m tall.",
           [](const ExperimentOptions& options) { return studyScenario("heights", options); }),
       sceneOfPeople(
           "people-sitting", "People who sit and crouch",

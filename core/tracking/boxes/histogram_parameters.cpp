@@ -16,19 +16,19 @@ std::vector<ParameterDeclaration> declare() {
        "target size, in addition to their constant velocity.",
        true},
       {"scale_sigma", ParameterKind::Real, "Scale sigma", "", 0.0, 0.5, 0.005, 0.01,
-       "How much the size of the box may change between images (logarithm); 0 keeps the initial "
-       "size.",
+       "How much the size of the box may change between images, as the standard deviation of its "
+       "logarithm; 0 keeps the initial size.",
        false},
       {"aspect_sigma", ParameterKind::Real, "Aspect sigma", "", 0.0, 0.5, 0.005, 0.01,
-       "How much the ratio of width to height may change between images (logarithm); 0 keeps the "
-       "initial ratio.",
+       "How much the ratio of width to height may change between images, as the standard deviation "
+       "of its logarithm; 0 keeps the initial ratio.",
        false},
       {"jump_share", ParameterKind::Real, "Jump share", "", 0.0, 1.0, 0.05, 0.1,
        "Share of the particles that are placed at other positions with the target's colors.",
        false},
       {"jump_reach", ParameterKind::Real, "Jump reach", "sizes", 0.1, 20.0, 0.1, 0.7,
-       "Largest distance of the target from its predicted position, in multiples of the target "
-       "size; positions farther away count as unlikely.",
+       "How far the target may be from its predicted position, in multiples of the target size. "
+       "Positions that are farther away count as unlikely.",
        true},
       {"sharpness", ParameterKind::Real, "Sharpness", "", 1.0, 500.0, 1.0, 60.0,
        "How strongly positions with more of the target's colors are preferred.", true},

@@ -16,8 +16,8 @@ std::vector<ParameterDeclaration> declare() {
        "constant velocity: larger values follow sudden motion, but spread the particles wider.",
        true},
       {"likelihood_sigma", ParameterKind::Real, "Likelihood sigma", "", 0.01, 1.0, 0.01, 0.1,
-       "How different from the reference the colors may be (Bhattacharyya distance): smaller "
-       "values trust the best particles more.",
+       "How much the colors of a particle's box may differ from the reference colors "
+       "(Bhattacharyya distance): smaller values trust the best particles more.",
        true},
   };
 }

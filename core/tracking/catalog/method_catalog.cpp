@@ -140,7 +140,7 @@ constexpr Method kMethods[] = {
     {"histogram",
      kBoxes,
      {"Anything you draw a box around",
-      "Tracks colors and size of the target, and finds it again after it was hidden.",
+      "Tracks the target by its colors, follows its size, and finds it again after it was hidden.",
       "method-sugandi.md"},
      histogramParameters,
      makeBoxes<HistogramTracker>},

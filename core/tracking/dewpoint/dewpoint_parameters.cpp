@@ -13,12 +13,13 @@ std::vector<ParameterDeclaration> declare() {
       {"particles", ParameterKind::Integer, "Particles", "", 10.0, 100000.0, 10.0, 500.0,
        "Largest number of particles of each target.", true},
       {"fewest_particles", ParameterKind::Integer, "Fewest particles", "", 10.0, 100000.0, 10.0,
-       100.0, "Smallest number of particles of each target, used when all particles agree.", true,
-       false, ParameterGroup::Expert, "particles"},
+       100.0,
+       "Smallest number of particles of each target, used when all particles are close together.",
+       true, false, ParameterGroup::Expert, "particles"},
       {"kld_error", ParameterKind::Real, "Sampling error", "", 0.0, 1.0, 0.01, 0.1,
-       "How far the particles may be from the distribution that they represent (Kullback-Leibler "
-       "divergence): smaller values use more particles when they are spread out; 0 always uses the "
-       "largest number.",
+       "How far the particles may deviate from the distribution that they represent "
+       "(Kullback-Leibler divergence). A smaller value uses more particles when the cloud is "
+       "spread out; 0 always uses the largest number.",
        false},
       {"time_budget", ParameterKind::Real, "Time budget", "ms", 0.0, 1000.0, 0.5, 0.0,
        "How long one iteration may take. To meet this limit, fewer particles are used and searches "
@@ -54,8 +55,8 @@ std::vector<ParameterDeclaration> declare() {
                  "reported uncertainty of a position. 0.25 suits a calibration by hand.",
                  false});
   all.push_back({"time_error", ParameterKind::Real, "Time error", "ms", 0.0, 1000.0, 1.0, 8.0,
-                 "Error of the times of the images. It is part of the reported uncertainty of a "
-                 "moving target. 8 suits webcams.",
+                 "Error of the times at which the images were taken. It is part of the reported "
+                 "uncertainty of a moving target. 8 suits webcams.",
                  false});
   const auto start = startParameters({{0.5, 0.5, 0.25}, {0.5, 0.5, 0.25}});
   all.insert(all.end(), start.begin(), start.end());

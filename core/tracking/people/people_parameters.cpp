@@ -22,17 +22,18 @@ void add(Declarations& all, const Declarations& more) {
 Declarations background(const Defaults& defaults) {
   Declarations all{
       {"background", kInteger, "Background model", "", 0.0, 2.0, 1.0, defaults.background,
-       "How moving regions are found: 0 one Gaussian per pixel (fast), 1 OpenCV's MOG2, 2 OpenCV's "
-       "KNN.",
+       "How moving regions are found. 0: one Gaussian for each pixel (fast). 1: MOG2 of OpenCV. 2: "
+       "KNN of OpenCV.",
        false},
       {"learning_time", kReal, "Learning time", "s", 0.0, 600.0, 0.1, 1.0,
-       "How long the cameras only learn the background at the start; nobody should be in view.",
+       "How long the cameras only learn the background at the start. Nobody should be in view "
+       "during this time.",
        false},
       {"background_memory", kReal, "Background memory", "s", 0.5, 3600.0, 0.5, 40.0,
        "Time after which a new object that stays in place counts as background.", true},
       {"darkest_shadow", kReal, "Darkest shadow", "", 0.0, 1.0, 0.01, 0.5,
-       "Lowest brightness of a shadow, as a share of the background's brightness, at the same hue. "
-       "Anything darker is foreground.",
+       "Lowest brightness of a shadow, as a share of the background's brightness at the same hue. "
+       "Anything darker counts as a moving region.",
        false},
       {"image_width", kInteger, "Image width", "px", 0.0, 10000.0, 10.0, defaults.imageWidth,
        "Images are reduced to at most this width before anything else; 0 keeps them as they are.",
@@ -47,21 +48,25 @@ Declarations background(const Defaults& defaults) {
 Declarations place() {
   Declarations all{
       {"area_x", kReal, "Area x", "m", -1000.0, 1000.0, 0.1, 0.0,
-       "Center of the tracked floor area.", false},
+       "Center of the tracked floor area along this axis.", false},
       {"area_y", kReal, "Area y", "m", -1000.0, 1000.0, 0.1, 0.0,
-       "Center of the tracked floor area.", false},
+       "Center of the tracked floor area along this axis.", false},
       {"area_half_x", kReal, "Area half size x", "m", 0.2, 1000.0, 0.1, 3.4,
-       "Half the size of the tracked floor area; a person who crosses its border has left.", false},
+       "Half the size of the tracked floor area along this axis. A person who crosses the border "
+       "of the area counts as having left.",
+       false},
       {"area_half_y", kReal, "Area half size y", "m", 0.2, 1000.0, 0.1, 3.4,
-       "Half the size of the tracked floor area; a person who crosses its border has left.", false},
+       "Half the size of the tracked floor area along this axis. A person who crosses the border "
+       "of the area counts as having left.",
+       false},
       {"floor_z", kReal, "Floor z", "m", -1000.0, 1000.0, 0.01, 0.0,
        "Height of the floor in world coordinates.", false},
       {"births", kInteger, "Create tracks", "", 0.0, 1.0, 1.0, 1.0,
-       "1: tracks everyone that several cameras see; 0: tracks only people that you add by hand.",
+       "1 tracks every person that several cameras see. 0 tracks only people that you add by hand.",
        false},
       {"birth_time", kReal, "Creation time", "s", 0.0, 10.0, 0.05, 0.2,
-       "How long foreground that belongs to no tracked person must last before a new track is "
-       "created.",
+       "How long a moving region that belongs to no tracked person must be visible before a new "
+       "track is created.",
        false},
       {"survival_time", kReal, "Survival time", "s", 0.05, 60.0, 0.05, 0.6,
        "How long a person still counts as present when fewer than two cameras see the person.",
@@ -89,9 +94,9 @@ Declarations mohedano(bool color) {
   };
   if (color) {
     add(all, {{"hue_sigma", kReal, "Hue sigma", "", 0.001, 1.0, 0.005, 0.03,
-               "Standard deviation of a measured hue, in [0, 1].", true},
+               "Standard deviation of a measured hue; hues range from 0 to 1.", true},
               {"saturation_sigma", kReal, "Saturation sigma", "", 0.001, 1.0, 0.005, 0.06,
-               "Standard deviation of a measured saturation, in [0, 1].", true},
+               "Standard deviation of a measured saturation; saturations range from 0 to 1.", true},
               {"hue_floor", kReal, "Min. hue likelihood", "", 0.001, 1.0, 0.01, 0.3,
                "Smallest likelihood of a hue (h_B in the paper); above 0 because another object "
                "may hide the person.",
@@ -121,7 +126,9 @@ Declarations ours() {
       {"acceleration_sigma", kReal, "Acceleration sigma", "m/s²", 0.05, 50.0, 0.05, 3.0,
        "How strongly people accelerate, brake and turn.", true},
       {"evidence", kReal, "Weight per camera", "", 0.1, 100.0, 0.1, 8.0,
-       "Weight of a camera that sees a whole person: larger values rely more on the masks.", true},
+       "How much each camera that sees a whole person counts: larger values rely more on the "
+       "masks.",
+       true},
       {"color_weight", kReal, "Color weight", "", 0.0, 10.0, 0.05, 1.0,
        "How much the colors of clothes count compared with the masks when people are close to each "
        "other.",

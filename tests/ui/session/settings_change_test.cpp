@@ -105,7 +105,8 @@ void SettingsChangeTest::whatIsSlowIsMarkedAndOffered() {
   QVERIFY(window_->document().setParameter("particles", before + 100.0));
   QVERIFY(areOld({{0, kTrackedAtFirst - 1}}));
   QVERIFY(timeline->model().isOld(5));
-  QVERIFY(waitFor([this] { return messageText().contains(QStringLiteral("Settings changed")); }));
+  QVERIFY(
+      waitFor([this] { return messageText().contains(QStringLiteral("settings have changed")); }));
   QVERIFY(action("actionTrackAgain")->isEnabled());
   // The old settings are back: so is the old run, and nothing is to be done.
   window_->document().undoStack()->undo();
@@ -114,7 +115,8 @@ void SettingsChangeTest::whatIsSlowIsMarkedAndOffered() {
   QVERIFY(!timeline->model().isOld(5));
   QVERIFY(!action("actionTrackAgain")->isEnabled());
   window_->document().undoStack()->redo();
-  QVERIFY(waitFor([this] { return messageText().contains(QStringLiteral("Settings changed")); }));
+  QVERIFY(
+      waitFor([this] { return messageText().contains(QStringLiteral("settings have changed")); }));
   find<QPushButton>("messageAnswer0")->click();
   QVERIFY(areRenewed("particles", before + 100.0));
   QCOMPARE(messageText(), QString());
@@ -160,7 +162,8 @@ void SettingsChangeTest::aChangeWhilePlayingHoldsFromThereOn() {
   QCOMPARE(messageText(), QString());
   action("actionPlay")->trigger();
   QVERIFY(waitFor([this] { return shown().state == PlayState::Paused; }));
-  QVERIFY(waitFor([this] { return messageText().contains(QStringLiteral("Settings changed")); }));
+  QVERIFY(
+      waitFor([this] { return messageText().contains(QStringLiteral("settings have changed")); }));
   letTimePass(500);
   QCOMPARE(results().old().frames, std::vector<ResultRange>{old}); // nobody asked to track it again
 }

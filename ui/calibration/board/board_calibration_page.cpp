@@ -103,8 +103,8 @@ void BoardCalibrationPage::retranslateUi() {
   boardTitle_->setText(tr("Board"));
   goalTitle_->setText(tr("Values to calibrate"));
   find_->setText(tr("Find board"));
-  find_->setToolTip(tr("Find out which board the images show: its kind, squares and dictionary. "
-                       "Sizes in millimeters must be measured"));
+  find_->setToolTip(tr("Find out which board the images show: its kind, its squares and its "
+                       "dictionary. Images do not show its size: measure its squares yourself"));
   calibrate_->setText(tr("Calibrate"));
   calibrate_->setToolTip(
       tr("Find the board in the recording and calibrate the cameras with it (one undo step)"));
@@ -157,7 +157,7 @@ void BoardCalibrationPage::showProgress(double part) {
   progress_->setRange(0, part < 0.0 ? 0 : kSteps);
   progress_->setValue(static_cast<int>(part * kSteps));
   progress_->setFormat(calibrator_.isSearching() ? tr("Looking for the board: %p %")
-                                                 : tr("Solving"));
+                                                 : tr("Computing"));
 }
 
 void BoardCalibrationPage::showResult() {

@@ -193,7 +193,8 @@ void BoardCalibrator::findBoard() {
 void BoardCalibrator::takeGuesses(const Result<std::vector<BoardGuess>>& guesses) {
   if (!guesses) {
     failure_ = guesses.error().code == ErrorCode::NotFound
-                   ? tr("No board was found. Show the whole board, sharp and evenly lit.")
+                   ? tr("No board was found. Show the whole board in focus and in even light, then "
+                        "press Find board again.")
                    : errorText(guesses.error());
     return;
   }

@@ -193,23 +193,25 @@ void BoardForm::retranslateUi() {
     kind_->addItems({tr("Chessboard"), tr("ChArUco (with markers)")});
   }
   name(kind_, tr("Kind of board"),
-       tr("A ChArUco board may be partly hidden or outside the image; a chessboard must be "
+       tr("A ChArUco board may be partly hidden, or partly outside the image; a chessboard must be "
           "completely visible"));
   squaresLabel_->setText(tr("Squares across, down"));
   name(columns_, tr("Squares in a row"), tr("All squares of a row, black and white"));
   name(rows_, tr("Squares in a column"), tr("All squares of a column, black and white"));
   sizeLabel_->setText(tr("Side of a square"));
   name(size_, tr("Side of a square"),
-       tr("Measure a long row on the print with a ruler and divide by the number of squares"));
+       tr("Measure a long row on the print with a ruler, and divide its length by the number of "
+          "its squares"));
   name(unit_, tr("Unit of the sizes"), tr("Unit of the sizes that you enter"));
   markerLabel_->setText(tr("Side of a marker"));
-  name(marker_, tr("Side of a marker"), tr("Side of the black square around the pattern"));
+  name(marker_, tr("Side of a marker"),
+       tr("Length of one side of a marker, with its black border"));
   dictionaryLabel_->setText(tr("Dictionary"));
   name(dictionary_, tr("Dictionary of the markers"),
        tr("The dictionary name used when the board was generated"));
   legacy_->setText(tr("Legacy layout (even rows)"));
-  legacy_->setToolTip(tr("For ChArUco boards with an even number of rows from software older than "
-                         "OpenCV 4.6: the first square is white"));
+  legacy_->setToolTip(tr("For ChArUco boards with an even number of rows that were made with "
+                         "software older than OpenCV 4.6: their first square is white"));
   inverted_->setText(tr("Inverted colors"));
   inverted_->setToolTip(tr("White markers and corners on a black page"));
   print_->setText(tr("Print this board…"));

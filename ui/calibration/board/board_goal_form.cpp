@@ -140,10 +140,12 @@ void BoardGoalForm::retranslateUi() {
   fill(model_,
        {tr("Pinhole, 5 coefficients"), tr("Pinhole, 8 coefficients (wide)"), tr("Fisheye")});
   name(model_, tr("Lens model"),
-       tr("5 for most lenses, 8 for wide-angle lenses, fisheye above about 120°"));
+       tr("5 coefficients for most lenses, 8 for wide-angle lenses, fisheye for a field of view "
+          "above about 120°"));
   floor_->setText(tr("Frame with the board on the floor"));
-  floor_->setToolTip(tr("This frame defines the world coordinates: X along the rows, Y toward the "
-                        "upper edge, Z up. Without it, the first camera keeps its position"));
+  floor_->setToolTip(tr("The board as it lies in this video frame defines the world coordinates: X "
+                        "along its rows, Y toward its upper edge, Z up from the floor. Without "
+                        "such a frame, the first camera keeps its position"));
   name(floorFrame_, tr("Frame number with the board on the floor"), tr("Frame number"));
   floorHere_->setText(tr("Use current frame"));
   name(floorHere_, tr("Use current frame for the floor"), tr("Take the frame that is shown now"));

@@ -49,9 +49,9 @@ void installBoardCalibration(const Workbench& bench, CalibrationMode& mode,
       });
   QObject::connect(
       board, &BoardCalibrator::boardConfirmed, messages, [messages](int images, int searched) {
-        messages->showNotice(
-            BoardCalibrationPage::tr("%1 of %2 images searched show the board as it is described.")
-                .arg(QString::number(images), QString::number(searched)));
+        messages->showNotice(BoardCalibrationPage::tr(
+                                 "%1 of the %2 searched images show the board that you described.")
+                                 .arg(QString::number(images), QString::number(searched)));
       });
   QObject::connect(board, &BoardCalibrator::failed, messages, &MessageBar::showError);
   QObject::connect(board, &BoardCalibrator::saved, messages, [messages](const QString& file) {

@@ -143,8 +143,8 @@ void BoardLive::retranslateUi() {
   capture_->setText(tr("Capture now"));
   capture_->setToolTip(tr("Capture the board as it is shown now, even if it is not held still"));
   floor_->setText(tr("Set floor from board"));
-  floor_->setToolTip(tr("Use the board on the floor to define the world coordinates: X along its "
-                        "rows, Y toward its upper edge, Z up"));
+  floor_->setToolTip(tr("Define the world coordinates with the board that lies on the floor now: X "
+                        "along its rows, Y toward its upper edge, Z up from the floor"));
   next_->setText(tr("Next: positions"));
   next_->setToolTip(tr("Accept the present accuracy of the intrinsics, then show the board to "
                        "several cameras at once"));

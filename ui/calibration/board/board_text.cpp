@@ -22,9 +22,10 @@ constexpr double kPoorlyKnownPx = 5.0; ///< somewhere in the image: worth a warn
 
 QString lensLine(const QString& name, const IntrinsicsResult& lens) {
   const auto used = std::ranges::count(lens.views, true, &ViewFit::used);
-  QString line = BoardText::tr("%1: RMS %2, focal length %3, %4 images; accuracy %5")
-                     .arg(name, pixelText(lens.rmsPx, 3), pixelText(lens.camera.intrinsics.focalX),
-                          QString::number(used), pixelText(lens.worstProjectionPx, 2));
+  QString line =
+      BoardText::tr("%1: RMS reprojection error %2, focal length %3, accuracy %5, from %4 images")
+          .arg(name, pixelText(lens.rmsPx, 3), pixelText(lens.camera.intrinsics.focalX),
+               QString::number(used), pixelText(lens.worstProjectionPx, 2));
   if (lens.worstProjectionPx > kPoorlyKnownPx) {
     line += QStringLiteral("\n⚠ ") +
             BoardText::tr("The board's corners cover only %1 % of the image: show the board in "
@@ -39,12 +40,12 @@ QString placeLine(const QString& name, const CameraFit& fit) {
     return BoardText::tr("%1 keeps its position: it never saw the board.").arg(name);
   }
   if (fit.centerSigma > 0.0) {
-    return BoardText::tr("%1: RMS %2, position ±%3, direction ±%4")
+    return BoardText::tr("%1: RMS reprojection error %2, position ±%3, direction ±%4")
         .arg(name, pixelText(fit.rmsPx, 3),
              lengthText(fit.centerSigma, LengthScale::Millimeters, 2),
              angleText(fit.rotationSigma, 3));
   }
-  return BoardText::tr("%1: RMS %2").arg(name, pixelText(fit.rmsPx, 3));
+  return BoardText::tr("%1: RMS reprojection error %2").arg(name, pixelText(fit.rmsPx, 3));
 }
 
 void addLenses(const BoardCalibrator& calibrator, const LensesFromBoards& lenses,
@@ -68,7 +69,7 @@ void addPlaces(const BoardCalibrator& calibrator, const ExtrinsicsResult& places
   if (!lines.isEmpty()) {
     lines << QString();
   }
-  lines << BoardText::tr("Positions: RMS %1 over %2 board poses")
+  lines << BoardText::tr("Positions: RMS reprojection error %1, from %2 board poses")
                .arg(pixelText(places.rmsPx, 3), QString::number(places.boardPoses.size()));
   for (std::size_t k = 0; k < places.fits.size(); ++k) {
     lines << placeLine(calibrator.nameOf(k), places.fits[k]);
@@ -155,7 +156,7 @@ QString sharpnessText(const BoardGuideState::PerCamera& camera, const GuidanceSe
 QString lensAccuracyText(const BoardGuideState::PerCamera& camera,
                          const GuidanceSettings& settings) {
   if (!camera.lens.projectionPx) {
-    return BoardText::tr("%1 of at least %2 views")
+    return BoardText::tr("%1 views; at least %2 are needed")
         .arg(QString::number(camera.lens.views), QString::number(settings.minViews));
   }
   return BoardText::tr("%1 views, accuracy %2 (goal: %3)")
@@ -190,7 +191,7 @@ QString guessedBoardText(const BoardGuess& guess) {
     parts << BoardText::tr("legacy layout");
   }
   if (board.inverted) {
-    parts << BoardText::tr("black and white exchanged");
+    parts << BoardText::tr("inverted colors");
   }
   return parts.join(QStringLiteral(", "));
 }
@@ -199,10 +200,10 @@ QString proposalQuestion(const BoardGuess& guess) {
   const QString images = QString::number(guess.images);
   const QString searched = QString::number(guess.searched);
   return guess.mirrored
-             ? BoardText::tr("%1 of %2 images searched show %3, but mirrored: change the mirroring "
-                             "of these cameras. Use this board?")
+             ? BoardText::tr("%1 of the %2 searched images show %3, but mirrored. Change the "
+                             "mirroring of the cameras that took these images. Use this board?")
                    .arg(images, searched, guessedBoardText(guess))
-             : BoardText::tr("%1 of %2 images searched show %3. Use this board?")
+             : BoardText::tr("%1 of the %2 searched images show %3. Use this board?")
                    .arg(images, searched, guessedBoardText(guess));
 }
 

@@ -98,7 +98,8 @@ void CalibrationImportDialog::fillNames(const QStringList& inFile) {
       }
       setChoicesWithData(*choice, choices);
       choice->setAccessibleName(cameras_.nameOf(camera));
-      choice->setToolTip(tr("The camera of the file that each camera of the project uses"));
+      choice->setToolTip(
+          tr("For each camera of the project: the camera of the file whose calibration it uses"));
       connect(choice, &QComboBox::currentIndexChanged, this, &CalibrationImportDialog::refresh);
       rows->addRow(cameras_.nameOf(camera), choice);
       nameChoices_.push_back(choice);
@@ -135,7 +136,7 @@ void CalibrationImportDialog::retranslateFields() {
   setChoicesWithData(*poses_, {{tr("format default"), {}},
                                {tr("camera from world"), QStringLiteral("no")},
                                {tr("world from camera"), QStringLiteral("yes")}});
-  setChoicesWithData(*fit_, {{tr("equal the calibrated ones"), {}},
+  setChoicesWithData(*fit_, {{tr("the same as when calibrated"), {}},
                              {tr("cropped on all sides"), QStringLiteral("crop")},
                              {tr("cropped at the right and below"), QStringLiteral("trim")},
                              {tr("scaled"), QStringLiteral("scale")},
@@ -152,9 +153,10 @@ void CalibrationImportDialog::retranslateFields() {
       {tr("Image size"), tr("Width and height in pixels, such as 1280x720")},
       {tr("Poses"), tr("Direction of the transformation that the file stores as a pose")},
       {tr("Camera"), tr("The camera to which a file with a single camera belongs")},
-      {tr("The images are"),
-       tr("How images of another size differ from those that were calibrated")},
-      {tr("Names in the file"), tr("The camera of the file that each camera of the project uses")}};
+      {tr("The images are"), tr("How the images of the project differ from those of the "
+                                "calibration, if they have another size")},
+      {tr("Names in the file"),
+       tr("For each camera of the project: the camera of the file whose calibration it uses")}};
   QWidget* const fields[] = {format_, unit_, lens_, size_, poses_, camera_, fit_, names_};
   for (std::size_t k = 0; k < labels_.size(); ++k) {
     labels_[k]->setText(names[k].first);
@@ -272,7 +274,7 @@ void CalibrationImportDialog::applyResult(const Result<CalibrationImport>& made)
                       lengthText(camera.shift.meters, LengthScale::Centimeters, 1),
                       angleText(camera.shift.radians, 2));
   }
-  lines << tr("Largest reprojection difference from the file: %1")
+  lines << tr("Compared with the file, projected points change by at most %1")
                .arg(pixelDifferenceText(made->largestPixels));
   showPreview(lines.join(QLatin1Char('\n')), true);
 }

@@ -51,8 +51,8 @@ bool lacksCalibration(const Document& document) {
 }
 
 QString question() {
-  return GuidePage::tr("The camera positions are only guesses. Calibrate the cameras, so that 3D "
-                       "positions mean something.");
+  return GuidePage::tr(
+      "The camera positions are only guesses. Calibrate the cameras to get correct 3D positions.");
 }
 
 /// The question stays until it is answered: it is the next step.

@@ -134,8 +134,8 @@ void GuidePage::retranslateUi() {
   table_->setHorizontalHeaderLabels({tr("Camera"), tr("Lens"), tr("Position"), tr("Delay")});
   table_->setAccessibleName(tr("What is known about each camera"));
   table_->setToolTip(
-      tr("✓ measured with this program: ± is the standard deviation. ○ entered, set "
-         "by hand or read from a file: nobody checked it. ⚠ only a guess, or too inexact."));
+      tr("✓ measured with this program; ± is the standard deviation. ○ entered, set by hand or "
+         "read from a file, and not checked. ⚠ only a guess, or too inaccurate."));
   for (int way = 0; way < kWays; ++way) {
     const WayText text = wayText(static_cast<CalibrationWay>(way));
     QRadioButton* choice = ways_[static_cast<std::size_t>(way)];
@@ -143,7 +143,7 @@ void GuidePage::retranslateUi() {
     choice->setToolTip(text.needs);
   }
   other_->setText(tr("Another way…"));
-  other_->setToolTip(tr("Show all ways to calibrate. What is known about the cameras stays."));
+  other_->setToolTip(tr("Show all ways to calibrate. The calibration so far is kept."));
   back_->setText(tr("Back"));
   back_->setToolTip(tr("Show the previous step"));
   next_->setText(tr("Next"));
@@ -187,7 +187,7 @@ void GuidePage::refreshTable() {
     lines << tr("○ Accuracy in the calibrated volume: not measured");
   }
   if (status.check) {
-    lines << tr("✓ Measured length: %1, found %2")
+    lines << tr("✓ Length check: you measured %1, the calibration gives %2")
                  .arg(lengthText(status.check->measured, LengthScale::Meters, 4),
                       lengthText(status.check->found, LengthScale::Meters, 4));
   }

@@ -39,7 +39,7 @@ QString originText(const PartStatus& part) {
 QString withError(const PartStatus& part, const QString& error) {
   const QString origin = originText(part);
   return error.isEmpty() ? origin
-         : part.isPoor   ? GuideText::tr("%1, ±%2: too inexact").arg(origin, error)
+         : part.isPoor   ? GuideText::tr("%1, ±%2: too inaccurate").arg(origin, error)
                          : GuideText::tr("%1, ±%2").arg(origin, error);
 }
 
@@ -71,79 +71,85 @@ WayText wayText(CalibrationWay way) {
   switch (way) {
   case CalibrationWay::Grid:
     return {GuideText::tr("By hand, with a grid"),
-            GuideText::tr("You need: one known length, such as a table or floor tiles. A first "
-                          "result in minutes.")};
+            GuideText::tr("You need one known length, such as the length of a table or of a floor "
+                          "tile. You get a first result within minutes.")};
   case CalibrationWay::Points:
     return {GuideText::tr("Measured points"),
-            GuideText::tr("You need: a tape measure and six points that the cameras see. Good for "
-                          "cameras that are mounted in a room.")};
+            GuideText::tr("You need a tape measure and six points that the cameras see. This way "
+                          "suits cameras that are mounted in a room.")};
   case CalibrationWay::Board:
     return {GuideText::tr("Printed board"),
-            GuideText::tr("You need: a printed board that you can carry through the room. The most "
-                          "accurate lenses.")};
+            GuideText::tr("You need a printed board that you can carry through the room. This way "
+                          "calibrates the lenses most accurately.")};
   case CalibrationWay::Wand:
     return {GuideText::tr("Wand: a ball, or a stick with two balls"),
-            GuideText::tr("You need: rough camera positions and a ball to wave. The most accurate "
-                          "positions in a large room.")};
+            GuideText::tr("You need rough camera positions and a ball to wave. This way gives the "
+                          "most accurate camera positions in a large room.")};
   case CalibrationWay::File:
     break;
   }
-  return {GuideText::tr("File of another tool"),
-          GuideText::tr("You need: a calibration of these cameras, for images of this size.")};
+  return {
+      GuideText::tr("File of another tool"),
+      GuideText::tr("You need a calibration file for these cameras and for images of this size.")};
 }
 
 StepText stepText(GuideStep step) {
   switch (step) {
   case GuideStep::ImportFile:
     return {GuideText::tr("File"), GuideText::tr("Import the file"),
-            GuideText::tr("Choose the file. The dialog asks for what the file does not say, such "
-                          "as the unit, and shows how far each camera would move."),
+            GuideText::tr("Choose the file. If it lacks something, such as the unit, the dialog "
+                          "asks you for it. The dialog also shows how far each camera would move."),
             GuideText::tr("Import calibration…")};
   case GuideStep::PrintBoard:
-    return {GuideText::tr("Print"), GuideText::tr("Print a board"),
-            GuideText::tr("Describe the board on the page Board, and print it at 100 %. Check the "
-                          "scale bar with a ruler, and glue the sheet to something stiff and flat. "
-                          "If you have a board, describe it and go on."),
-            GuideText::tr("Go to the page Board")};
+    return {
+        GuideText::tr("Print"), GuideText::tr("Print a board"),
+        GuideText::tr("Describe the board on the page Board, and print it at 100 %. Check the "
+                      "scale bar with a ruler, and glue the sheet to something stiff and flat. If "
+                      "you already have a board, just describe it and go on to the next step."),
+        GuideText::tr("Go to the page Board")};
   case GuideStep::LensesByBoard:
-    return {GuideText::tr("Lenses"), GuideText::tr("Calibrate the lenses"),
-            GuideText::tr("Choose Intrinsics on the page Board. Show the board to each camera: "
-                          "close, tilted to all sides, and in the corners of the image. Hold it "
-                          "still each time. With a recording, press Calibrate."),
-            GuideText::tr("Go to the page Board")};
+    return {
+        GuideText::tr("Lenses"), GuideText::tr("Calibrate the lenses"),
+        GuideText::tr(
+            "On the page Board, choose Intrinsics. With live cameras, press Start and show the "
+            "board to each camera: close, tilted to all sides, and in the corners of the image. "
+            "Hold it still each time. If you have already recorded this, just press Calibrate."),
+        GuideText::tr("Go to the page Board")};
   case GuideStep::FieldOfView:
     return {GuideText::tr("Lenses"), GuideText::tr("Set the field of view"),
             GuideText::tr("Enter the field of view or the focal length of each camera, for example "
-                          "from its data sheet. A calibration of the lens with a board is more "
-                          "accurate, but not necessary for a start."),
+                          "from its data sheet. Calibrating the lens with a board is more "
+                          "accurate, but you do not need it to begin."),
             GuideText::tr("Go to the page By hand")};
   case GuideStep::GridOnFloor:
     return {GuideText::tr("Grid"), GuideText::tr("Lay the grid over the room"),
-            GuideText::tr("Give the grid the size of an object that you know. In each image, drag "
-                          "the grid until it lies on the real object. Click a point of the grid to "
-                          "hold it in place."),
+            GuideText::tr("Give the grid the size of a real object that you have measured. In each "
+                          "image, drag the grid until it lies on this object. Click a point of the "
+                          "grid to hold it in place."),
             GuideText::tr("Go to the page By hand")};
   case GuideStep::MeasurePoints:
     return {GuideText::tr("Points"), GuideText::tr("Measure points and click them"),
-            GuideText::tr("Add points with positions in meters, and click each point in the "
-                          "images. Each camera needs four, better six that do not lie in one "
-                          "plane."),
+            GuideText::tr("Add points whose positions in the room you have measured, in meters. "
+                          "Then click each point in the images. Each camera needs at least four "
+                          "points, or better six that do not all lie in one plane."),
             GuideText::tr("Go to the page By hand")};
   case GuideStep::ComputeCameras:
     return {GuideText::tr("Positions"), GuideText::tr("Compute the cameras"),
-            GuideText::tr("Press Compute cameras below the table of points. If one point fits "
-                          "badly, the page says which."),
+            GuideText::tr("Press Compute cameras below the table of points. If a point fits badly, "
+                          "the page tells you which one."),
             GuideText::tr("Go to the page By hand")};
   case GuideStep::BoardInVolume:
     return {GuideText::tr("Positions"), GuideText::tr("Find the camera positions"),
-            GuideText::tr("Choose Positions on the page Board. Show the board to at least two "
-                          "cameras at a time, in many parts of the volume. Lay it on the floor "
-                          "once, and press Set floor from board."),
+            GuideText::tr(
+                "On the page Board, choose Camera positions. With live cameras, press Start and "
+                "show the board to at least two cameras at a time, in many parts of the volume. "
+                "Lay it on the floor once, and press Set floor from board. If you have already "
+                "recorded this, enter the frame with the board on the floor and press Calibrate."),
             GuideText::tr("Go to the page Board")};
   case GuideStep::RoughPositions:
     return {GuideText::tr("Rough"), GuideText::tr("Place the cameras roughly"),
             GuideText::tr("Drag the grid in each image, or the cameras in the bird's-eye view, "
-                          "until the cameras are within about 12 cm of their places."),
+                          "until each camera is within about 12 cm of its real position."),
             GuideText::tr("Go to the page By hand")};
   case GuideStep::LearnBall:
     return {GuideText::tr("Ball"), GuideText::tr("Learn the color of the ball"),
@@ -151,25 +157,26 @@ StepText stepText(GuideStep step) {
                           "targets of different colors."),
             GuideText::tr("Learn color")};
   case GuideStep::WaveWand:
-    return {
-        GuideText::tr("Wave"), GuideText::tr("Wave the wand"),
-        GuideText::tr("On the page Wand, choose what you wave and where the scale comes from. Wave "
-                      "slowly, through all of the volume, for half a minute, and press Refine "
-                      "cameras."),
-        GuideText::tr("Go to the page Wand")};
+    return {GuideText::tr("Wave"), GuideText::tr("Wave the wand"),
+            GuideText::tr("On the page Wand, choose what you wave and where the scale comes from. "
+                          "With live cameras, press Start waving and wave slowly through the whole "
+                          "volume for half a minute. Then press Refine cameras. If you have "
+                          "already recorded this, just press Refine cameras."),
+            GuideText::tr("Go to the page Wand")};
   case GuideStep::Floor:
-    return {GuideText::tr("Floor"), GuideText::tr("Set floor and origin"),
-            GuideText::tr("Mark three points of the floor in two images each: A becomes the "
-                          "origin, and the x axis points to B. Then press Set floor from A, B and "
-                          "C."),
-            GuideText::tr("Go to the page Floor")};
+    return {
+        GuideText::tr("Floor"), GuideText::tr("Set floor and origin"),
+        GuideText::tr(
+            "Mark three points of the floor as A, B and C, each in at least two images. A becomes "
+            "the origin, and the x axis points from A to B. Then press Set floor from A, B and C."),
+        GuideText::tr("Go to the page Floor")};
   case GuideStep::MeasuredLength:
     break;
   }
   return {GuideText::tr("Length"), GuideText::tr("Check a measured length"),
           GuideText::tr("Measure a distance in the room, as long as possible. Mark its ends as A "
-                        "and B, enter the distance, and press Check. If it differs, Set scale "
-                        "makes it right."),
+                        "and B, enter the distance, and press Check. If the calibration gives a "
+                        "different distance, press Set scale to correct the calibration."),
           GuideText::tr("Go to the page Floor")};
 }
 
@@ -180,13 +187,14 @@ QString progressText(GuideStep step, const StepProgress& progress) {
       return GuideText::tr("Not done yet.");
     }
     return error.isEmpty() ? GuideText::tr("Done.")
-                           : GuideText::tr("Done: differs by %1.").arg(error);
+                           : GuideText::tr("Done: the distance differs by %1.").arg(error);
   }
-  return error.isEmpty() ? GuideText::tr("%1 of %2 cameras.").arg(progress.done).arg(progress.total)
-                         : GuideText::tr("%1 of %2 cameras, largest error %3.")
-                               .arg(progress.done)
-                               .arg(progress.total)
-                               .arg(error);
+  return error.isEmpty()
+             ? GuideText::tr("Done for %1 of %2 cameras.").arg(progress.done).arg(progress.total)
+             : GuideText::tr("Done for %1 of %2 cameras. The largest error is %3.")
+                   .arg(progress.done)
+                   .arg(progress.total)
+                   .arg(error);
 }
 
 QString progressNumber(GuideStep step, const StepProgress& progress) {

@@ -144,13 +144,15 @@ void CameraForm::retranslateUi() {
        tr("What the camera does while you drag the grid and no point is held. Click points of the "
           "grid to hold up to three of them."));
   fitFocal_->setText(tr("Also fit the focal length when three points are held"));
-  fitFocal_->setToolTip(tr("Three held points fix the pose. Dragging then changes the focal "
-                           "length, and the pose follows"));
+  fitFocal_->setToolTip(
+      tr("Three held points fix the pose. With this option, dragging changes the focal length, and "
+         "the pose is adapted so that the three points stay in place"));
   keysLabel_->setText(tr("Keys"));
   setChoices(*keyMode_, {tr("move"), tr("turn")});
   name(keyMode_, tr("Effect of the keys"),
-       tr("Arrows or W A S D, with Q and E or the page keys: 1 cm or 0.2° a step. Shift: ten times "
-          "as much; Ctrl with arrows and page keys: a tenth."));
+       tr("The arrow keys, the page keys and W, A, S, D, Q and E move or turn the camera by 1 cm "
+          "or 0.2° a step. With Shift, the steps are ten times as large. With Ctrl, the steps of "
+          "the arrow and page keys are a tenth as large."));
   setChoices(*keyFrame_, {tr("camera axes"), tr("world axes")});
   name(keyFrame_, tr("Axes of the keys"),
        tr("Move along the camera's right, forward and up directions, or along the world axes"));

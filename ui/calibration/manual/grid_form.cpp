@@ -136,7 +136,7 @@ void GridForm::retranslateUi() {
     const QString axis = QLatin1String(kAxes[k]);
     name(size_[k], tr("Size along %1").arg(axis), tr("Size of the grid, in meters"));
     name(origin_[k], tr("Origin %1").arg(axis),
-         tr("Corner at which the grid's axes start, in meters"));
+         tr("Position of the corner at which the axes of the grid start, in meters"));
     size_[k]->setSuffix(QStringLiteral(" m"));
     origin_[k]->setSuffix(QStringLiteral(" m"));
   }
@@ -152,8 +152,8 @@ void GridForm::retranslateUi() {
   edges_->setToolTip(tr("Dim the images except for their edges"));
   flip_->setText(tr("Before"));
   name(flip_, tr("Show the grid before your changes"),
-       tr("Hold down (or hold B over an image) to show the grid as it was when the calibration was "
-          "opened"));
+       tr("Hold down this button to show the grid as it was when the calibration was opened. Or "
+          "hold down B while the pointer is over an image"));
   refresh();
 }
 

@@ -149,7 +149,8 @@ void PlannerForm::retranslateUi() {
   remove_->setText(tr("Remove"));
   name(remove_, tr("Remove the planned camera"), tr("Remove the selected planned camera"));
   cameraLabel_->setText(tr("Planned camera"));
-  name(camera_, tr("Planned camera"), tr("The planned camera that the numbers below belong to"));
+  name(camera_, tr("Planned camera"),
+       tr("The planned camera whose values are shown and changed below"));
   positionLabel_->setText(tr("Position x, y, z"));
   targetLabel_->setText(tr("Looks at x, y, z"));
   lensLabel_->setText(tr("Field of view, image width and height"));
@@ -158,18 +159,18 @@ void PlannerForm::retranslateUi() {
     name(position_[k], tr("Planned position %1").arg(axis),
          tr("Position of the camera, in meters"));
     name(target_[k], tr("Planned camera looks at %1").arg(axis),
-         tr("A point on its line of sight, in meters"));
+         tr("A point that the planned camera looks at, in meters"));
     position_[k]->setSuffix(QStringLiteral(" m"));
     target_[k]->setSuffix(QStringLiteral(" m"));
   }
   name(fieldOfView_, tr("Field of view"), tr("Horizontal field of view of the camera"));
   fieldOfView_->setSuffix(QStringLiteral("°"));
-  name(imageWidth_, tr("Image width"), tr("Width of its image in pixels"));
-  name(imageHeight_, tr("Image height"), tr("Height of its image in pixels"));
+  name(imageWidth_, tr("Image width"), tr("Width of the planned camera's image, in pixels"));
+  name(imageHeight_, tr("Image height"), tr("Height of the planned camera's image, in pixels"));
   imageWidth_->setSuffix(QStringLiteral(" px"));
   imageHeight_->setSuffix(QStringLiteral(" px"));
-  wallLabel_->setText(tr("Distance of walls and ceiling"));
-  name(wall_, tr("Distance of the walls and the ceiling"),
+  wallLabel_->setText(tr("Distance to walls and ceiling"));
+  name(wall_, tr("Distance to the walls and the ceiling"),
        tr("The search places the camera on four walls and a ceiling at this distance from the "
           "volume"));
   wall_->setSuffix(QStringLiteral(" m"));

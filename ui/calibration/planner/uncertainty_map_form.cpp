@@ -175,15 +175,16 @@ void UncertaintyMapForm::retranslateUi() {
   name(height_, tr("Height of the layer in meters"), tr("Height of the layer above the floor"));
   height_->setSuffix(QStringLiteral(" m"));
   volume_->setText(tr("Surfaces around good and fair regions"));
-  volume_->setToolTip(
-      tr("Show surfaces in the room around the regions where the error is at most 0.4, 1 and 2 "
-         "times the acceptable error, or that two, three and four cameras see"));
+  volume_->setToolTip(tr("Show surfaces in the room. For the error: around the regions with at "
+                         "most 0.4, 1 and 2 times the acceptable error. For the number of cameras: "
+                         "around the regions that two, three and four cameras see"));
   lowLabel_->setText(tr("Volume from x, y, z"));
   highLabel_->setText(tr("to x, y, z"));
   for (std::size_t k = 0; k < 3; ++k) {
     const QString axis = QLatin1String(kAxes[k]);
-    name(low_[k], tr("Volume from %1").arg(axis), tr("Lower corner of the volume, in meters"));
-    name(high_[k], tr("Volume to %1").arg(axis), tr("Upper corner of the volume, in meters"));
+    name(low_[k], tr("Volume from %1").arg(axis),
+         tr("Smallest x, y and z of the volume, in meters"));
+    name(high_[k], tr("Volume to %1").arg(axis), tr("Largest x, y and z of the volume, in meters"));
     low_[k]->setSuffix(QStringLiteral(" m"));
     high_[k]->setSuffix(QStringLiteral(" m"));
   }
@@ -225,7 +226,8 @@ void UncertaintyMapForm::summarize() {
   if (plan_.isMapShown() && plan_.map()) {
     const RigMapSummary summary = summaryOf(*plan_.map(), plan_.look().goodSigma);
     text =
-        tr("Error within %2 in %1 of the volume; %3 seen by fewer than two cameras")
+        tr("The error is at most %2 in %1 of the volume. Fewer than two cameras see %3 of the "
+           "volume")
             .arg(shareText(summary.within), lengthText(plan_.look().goodSigma, LengthForm::Short),
                  shareText(summary.tooFew));
   }

@@ -16,16 +16,16 @@ namespace dewpoint::ui {
 
 QString symmetryText(const QString& camera, const ImageSymmetry& symmetry) {
   if (symmetry.mirrored && symmetry.rotateDegrees != 0) {
-    return PointCalibrator::
-        tr("%1 is rotated and mirrored: turn its images clockwise by %2 degrees, then mirror them")
-            .arg(camera)
-            .arg(symmetry.rotateDegrees);
+    return PointCalibrator::tr("The images of %1 are rotated and mirrored: turn them clockwise by "
+                               "%2 degrees, then mirror them")
+        .arg(camera)
+        .arg(symmetry.rotateDegrees);
   }
-  return symmetry.mirrored
-             ? PointCalibrator::tr("%1 is mirrored").arg(camera)
-             : PointCalibrator::tr("%1 is rotated: turn its images clockwise by %2 degrees")
-                   .arg(camera)
-                   .arg(symmetry.rotateDegrees);
+  return symmetry.mirrored ? PointCalibrator::tr("The images of %1 are mirrored").arg(camera)
+                           : PointCalibrator::tr(
+                                 "The images of %1 are rotated: turn them clockwise by %2 degrees")
+                                 .arg(camera)
+                                 .arg(symmetry.rotateDegrees);
 }
 
 PointCalibrator::PointCalibrator(Document& document, ManualCalibration& manual, QObject* parent)

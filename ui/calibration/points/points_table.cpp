@@ -98,11 +98,13 @@ void PointsTable::retranslateUi() {
   button(add_, tr("Add point"), tr("Add a position that you measured in the room"));
   button(remove_, tr("Remove point"), tr("Remove the chosen point"));
   button(click_, tr("Click in images"),
-         tr("Click the selected point in every image that shows it. Corners are found to a "
-            "fraction of a pixel (Alt: exactly where you click). Press Esc to finish."));
-  button(forget_, tr("Remove click"), tr("Remove the click on this point in the selected camera"));
+         tr("Click the selected point in every image that shows it. Near a corner, the click moves "
+            "exactly onto the corner; hold Alt to prevent this. Press Esc to finish."));
+  button(forget_, tr("Remove click"),
+         tr("Remove the click on the selected point from the image of the selected camera"));
   focal_->setText(tr("Compute focal lengths"));
-  focal_->setToolTip(tr("For cameras with six or more points"));
+  focal_->setToolTip(
+      tr("Also compute the focal length of each camera in which you clicked six or more points"));
   button(solve_, tr("Compute cameras"),
          tr("Compute the poses of all cameras in which points were clicked; each needs at least "
             "four points"));

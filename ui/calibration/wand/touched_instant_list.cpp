@@ -56,12 +56,12 @@ void TouchedInstantList::retranslateUi() {
     role_->setCurrentIndex(chosen);
   }
   role_->setAccessibleName(tr("What the ball does at this time"));
-  role_->setToolTip(
-      tr("The upward direction comes from three positions on the floor, or from a fall"));
+  role_->setToolTip(tr("The upward direction is computed from three positions at which the ball "
+                       "touches the floor, or from a fall of the ball"));
   take_->setText(tr("Add current time"));
   take_->setAccessibleName(take_->text());
-  take_->setToolTip(
-      tr("Add the time of the images shown to the list; the ball must do this in them"));
+  take_->setToolTip(tr("Add the time of the images shown to the list. In these images, the ball "
+                       "must do what you selected"));
   remove_->setText(tr("Remove time"));
   remove_->setAccessibleName(remove_->text());
   remove_->setToolTip(tr("Remove the selected time from the list"));

@@ -40,9 +40,9 @@ void WandCalibrationPage::retranslateUi() {
   guide_->setText(calibrator_.isLive()
                       ? tr("Align the cameras by hand until they are roughly right. Then wave the "
                            "ball, or a wand with two balls, through the whole volume, and refine.")
-                      : tr("Align the cameras by hand until they are roughly right. A recording in "
-                           "which you wave a ball, or a wand with two balls, through the whole "
-                           "volume then refines them."));
+                      : tr("Align the cameras by hand until they are roughly right. Then refine "
+                           "them with a recording in which you wave a ball, or a wand with two "
+                           "balls, through the whole volume."));
   instantsTitle_->setText(tr("Floor"));
   wavingTitle_->setText(tr("Wand"));
   outcomeTitle_->setText(tr("Refine"));

@@ -228,7 +228,7 @@ void WandForm::retranslateUi() {
        tr("Roughly how far each camera may be rotated from its true orientation"));
   initialRotationError_->setSuffix(QStringLiteral("°"));
   check(offsets_, tr("Find time offsets"),
-        tr("For cameras that do not take their images at the same instants"));
+        tr("For cameras that do not take their images at the same time"));
   check(focal_, tr("Find focal lengths"),
         tr("For lenses that were never calibrated, or whose zoom has changed"));
   check(distortion_, tr("Find the distortion k1"),

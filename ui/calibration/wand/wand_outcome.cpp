@@ -113,11 +113,13 @@ void WandOutcome::retranslateUi() {
          tr("Detect the ball in all images and compute the cameras that fit best"));
   button(cancel_, tr("Cancel"), tr("Stop and keep the cameras unchanged"));
   progress_->setAccessibleName(tr("Progress"));
-  button(flip_, tr("Before"), tr("Hold down to draw the grid with the previous cameras"));
+  button(flip_, tr("Before"),
+         tr("Hold down this button to draw the grid with the previous cameras"));
   button(apply_, tr("Use it anyway"),
          tr("Use these cameras although the result looks wrong; you can undo this"));
-  button(report_, tr("Save report…"),
-         tr("A page with all numbers, residuals as arrows, coverage and a 3D drawing"));
+  button(
+      report_, tr("Save report…"),
+      tr("Save a page with all numbers, the residuals as arrows, the coverage and a 3D drawing"));
   table_->setAccessibleName(tr("Refined cameras"));
   table_->setToolTip(tr("Results for each camera; hover over a heading to see its meaning"));
   table_->setHorizontalHeaderLabels(
@@ -173,8 +175,8 @@ void WandOutcome::showOutcome() {
     }
     if (isInaccurate(*found)) {
       notes << QStringLiteral("⚠ ") +
-                   tr("The result is less accurate than the initial camera positions (error up to "
-                      "%1): wave through more of the volume.")
+                   tr("The result is less accurate than the initial camera positions, whose error "
+                      "is given as up to %1. Wave through more of the volume.")
                        .arg(lengthText(found->options.initialPositionError,
                                        LengthScale::Centimeters, 1));
     }
@@ -182,9 +184,10 @@ void WandOutcome::showOutcome() {
       notes << tr("The cameras are unchanged.");
     }
     if (found->accuracy && found->accuracy->modelFactor > 1.0) {
-      notes << tr("Solutions from parts of the recording vary %1 times more than noise predicts. "
-                  "The stated accuracy includes this.")
-                   .arg(numberText(found->accuracy->modelFactor, 1));
+      notes
+          << tr("Calibrations from different parts of the recording differ by %1 times as much as "
+                "the noise of the images explains. The stated accuracy takes this into account.")
+                 .arg(numberText(found->accuracy->modelFactor, 1));
     }
     if (found->result.freeFall) {
       notes << tr("The fall gives a gravity of %1 m/s² (9.81 is expected).")

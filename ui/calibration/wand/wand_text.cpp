@@ -42,7 +42,8 @@ QString validationMessage(const WandSettings& settings, const std::vector<Marked
     return WandText::tr(
         "A wand has two balls of different colors: learn the second color (Shift+L).");
   case WandObstacle::SameBallTwice:
-    return WandText::tr("Both ends of the wand are the same target: choose another target.");
+    return WandText::tr(
+        "Both ends of the wand are the same target: choose another target for one of them.");
   case WandObstacle::IncompleteDistance:
     return WandText::tr("The scale comes from a known distance: add the times at which the ball is "
                         "at each end of this distance.");

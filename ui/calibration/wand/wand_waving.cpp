@@ -101,11 +101,11 @@ void WandWaving::showCameras() {
             .arg(good ? QStringLiteral("✓") : QStringLiteral("…"), cameraName(rig, k))
             .arg(static_cast<qulonglong>(seen.count)));
   }
-  QString text = tr("%1 collected.").arg(secondsText(collected->seconds, 1));
+  QString text = tr("Positions collected for %1.").arg(secondsText(collected->seconds, 1));
   text += QLatin1Char(' ') +
           (enough ? tr("Every camera has seen the ball often enough: stop waving, or refine.")
-                  : tr("Keep waving: each camera should see the ball 150 times, spread over half "
-                       "of its image."));
+                  : tr("Keep waving: each camera should see the ball at least 150 times, spread "
+                       "over at least half of its image."));
   if (collected->dropped > 0) {
     text += QLatin1Char(' ') +
             tr("Frames skipped because they arrived too fast: %1.").arg(collected->dropped);

@@ -125,10 +125,11 @@ QString refusal(const Error& error) {
         "A, B and C lie on one line. Mark points that are spread over the floor.");
   }
   if (error.field == "level") {
-    return WorldMarks::tr("The line from A to B is not nearly horizontal.");
+    return WorldMarks::tr("The line from A to B is far from horizontal.");
   }
   if (error.field == "axis") {
-    return WorldMarks::tr("A is directly above or below B.");
+    return WorldMarks::tr(
+        "A is directly above or below B, so the x axis cannot point from A to B.");
   }
   return errorText(error);
 }
@@ -179,7 +180,8 @@ void WorldMarks::check(double meters) {
   const auto result = withLengthCheck(document_.project(), marks_[0], marks_[1], meters);
   if (result) {
     const LengthCheck found = result->calibrated.check.value();
-    resultText_ = tr("A to B: %1 found, %2 measured. The calibration is off by %3 %.")
+    resultText_ = tr("From A to B, the calibration gives %1; you measured %2. The calibration is "
+                     "off by %3 %.")
                       .arg(lengthText(found.found, LengthScale::Meters, 4),
                            lengthText(found.measured, LengthScale::Meters, 4),
                            percentAccuracyText(std::abs(found.found / found.measured - 1.0)));

@@ -179,8 +179,8 @@ void WorldPage::retranslateUi() {
     one->setText(text);
     name(one, text, tip);
   };
-  guide_->setText(tr("Set where the floor is, which point is the origin, and the scale. The "
-                     "cameras keep their positions relative to each other."));
+  guide_->setText(tr("Set the floor, the origin and the scale of the room. The cameras keep their "
+                     "positions relative to each other."));
   uprightText_->setText(tr("⚠ The z axis does not seem to point up."));
   marksTitle_->setText(tr("Points"));
   table_->setHorizontalHeaderLabels(
@@ -195,12 +195,14 @@ void WorldPage::retranslateUi() {
   name(distance_, tr("Measured distance from A to B"),
        tr("The distance that you measured in the room, in meters"));
   button(check_, tr("Check"),
-         tr("Compare the distance from A to B with the measured one. Nothing moves."));
+         tr("Compare the distance from A to B in the calibration with the distance that you "
+            "measured. Nothing is changed."));
   for (const auto& [step, one] : steps_) {
     switch (step) {
     case WorldStep::Upright:
       button(one, tr("Turn upright"),
-             tr("Rotate the world by quarter turns until the images are upright"));
+             tr("Rotate the world by quarter turns until its upward direction points up in the "
+                "images"));
       break;
     case WorldStep::Floor:
       button(one, tr("Set floor from A, B and C"),
@@ -232,15 +234,15 @@ void WorldPage::retranslateUi() {
     name(shift_[axis], tr("Motion along %1").arg(letter),
          tr("How far all cameras move along %1, in meters").arg(letter));
     button(quarters_[axis], letter,
-           tr("Rotate all cameras by 90° about the %1 axis, counterclockwise when it points to "
-              "you")
+           tr("Rotate all cameras by 90° about the %1 axis, counterclockwise if the axis points "
+              "toward you")
                .arg(letter));
     quarters_[axis]->setAccessibleName(tr("Quarter turn about %1").arg(letter));
   }
   setRange(*turn_, kTurn, tr("°"));
   name(turn_, tr("Rotation about the vertical"),
-       tr("How far all cameras rotate about the vertical through the origin before they move, "
-          "counterclockwise as seen from above"));
+       tr("Angle by which all cameras rotate about the vertical through the origin, "
+          "counterclockwise as seen from above. They rotate first and move then"));
   button(move_, tr("Move"), tr("Rotate and move all cameras together"));
   quarterLabel_->setText(tr("Quarter turn"));
   refresh();
@@ -290,8 +292,9 @@ void WorldPage::refresh() {
   // A shape as well: dark themes hardly show a pressed button.
   mark_->setText((marks_.isClicking() ? QStringLiteral("● ") : QString()) + tr("Mark in images"));
   mark_->setAccessibleName(tr("Mark in images"));
-  mark_->setToolTip(tr("Click the selected point in two or more images. Corners are found to a "
-                       "fraction of a pixel (Alt: exactly where you click). Press Esc to finish."));
+  mark_->setToolTip(
+      tr("Click the selected point in two or more images. Near a corner, the click moves exactly "
+         "onto the corner; hold Alt to prevent this. Press Esc to finish."));
   for (const auto& [step, button] : steps_) {
     button->setEnabled(marks_.canApply(step));
     if (step == WorldStep::Upright) {

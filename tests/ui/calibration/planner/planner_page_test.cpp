@@ -102,7 +102,7 @@ void PlannerPageTest::theMapHasASentenceAndALegend() {
   QVERIFY(view().currentImage() != before);
   auto* summary = find<QLabel>("mapSummary");
   QVERIFY(summary->isVisible());
-  QVERIFY2(summary->text().contains(QLatin1String("within 5 mm")), qPrintable(summary->text()));
+  QVERIFY2(summary->text().contains(QLatin1String("at most 5 mm")), qPrintable(summary->text()));
   // A stricter limit: less of the volume is within it.
   const auto within = [&] { return summaryOf(*plan().map(), plan().look().goodSigma).within; };
   const double share = within();

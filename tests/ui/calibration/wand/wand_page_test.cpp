@@ -116,7 +116,8 @@ void WandPageTest::refinesInOneStepAsTheCommandLineDoes() {
   QCOMPARE(history().count(), 2);
   QVERIFY(history().undoText().contains(QStringLiteral("Refine cameras")));
   const QString verdict = find<QLabel>("wandAssessment")->text();
-  QVERIFY2(verdict.contains(QStringLiteral("In this volume: position ±")), qPrintable(verdict));
+  QVERIFY2(verdict.contains(QStringLiteral("In the calibrated volume: position ±")),
+           qPrintable(verdict));
   auto* table = find<QTableWidget>("wandCameras");
   QCOMPARE(table->rowCount(), 2);
   QVERIFY(table->item(0, 1)->text().toDouble() > 0.0);
@@ -233,7 +234,8 @@ void WandPageTest::liveCamerasAreCollected() {
   press("wandRefine");
   QVERIFY(waitFor([&] { return isIdle(); }));
   const QString verdict = find<QLabel>("wandAssessment")->text();
-  QVERIFY2(verdict.contains(QStringLiteral("In this volume: position ±")), qPrintable(verdict));
+  QVERIFY2(verdict.contains(QStringLiteral("In the calibrated volume: position ±")),
+           qPrintable(verdict));
   if (find<QPushButton>("wandApply")->isVisible()) {
     press("wandApply");
   }
