@@ -26,7 +26,7 @@ list(FILTER headers EXCLUDE REGEX "^lib(qt6|vtk|qcustomplot|benchmark|cli11)")
 list(JOIN headers ", " headers)
 # What a window wants to have, but starts without; a server for tests is not among it.
 dewpoint_packages_of(wanted run FALSE)
-list(FILTER wanted EXCLUDE REGEX "^(xvfb|xauth)$")
+list(FILTER wanted EXCLUDE REGEX "^(xvfb|xauth|python3-.*)$")
 list(JOIN wanted ", " wanted)
 
 # The changelog as Debian writes it.
@@ -74,6 +74,21 @@ dewpoint_describe_package(cli dewpoint-cli science "track colored objects in 3D 
   "${what}\nThis package has the command line, which needs neither a display nor Qt.")
 set(CPACK_DEBIAN_CLI_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_CLI_PACKAGE_SUGGESTS "dewpoint, dewpoint-doc")
+if(TARGET dewpoint_python)
+  dewpoint_describe_package(python python3-dewpoint python "track colored objects in 3D from Python"
+    "${what}\nThis package has the Python module dewpoint: projects, calibration and\ntracking, with NumPy arrays.")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+  # The module is compiled for one version of Python.
+  string(REGEX REPLACE "^([0-9]+)\\..*" "\\1" major ${DEWPOINT_PYTHON_VERSION})
+  string(REGEX REPLACE "^[0-9]+\\." "" minor ${DEWPOINT_PYTHON_VERSION})
+  math(EXPR minor "${minor} + 1")
+  dewpoint_packages_of(python run TRUE)
+  list(FILTER python INCLUDE REGEX "^python3-")
+  list(JOIN python ", " python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+      "python3 (>= ${DEWPOINT_PYTHON_VERSION}), python3 (<< ${major}.${minor}), ${python}")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "dewpoint-doc")
+endif()
 dewpoint_describe_package(development libdewpoint-dev libdevel "libraries and headers to track objects in 3D"
   "${what}\nThis package has static libraries, headers and a CMake package for\nprograms of your own.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${headers}")

@@ -3,11 +3,13 @@
 // nothing there is marked for translation. script/translate runs it; see docs/translations.md.
 #include "core/base/error.h"
 #include "core/experiment/studies/figure_experiments.h"
+#include "core/setup/doctor/finding.h"
 #include "core/tracking/catalog/method_catalog.h"
 
 #include <cstdio>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace {
@@ -66,6 +68,16 @@ void addExperiments(Marked& marked) {
   }
 }
 
+void addFindings(Marked& marked) {
+  for (const auto& texts : dewpoint::setup::findingTexts()) {
+    for (const std::string_view text : {texts.what, texts.advice}) {
+      if (!text.empty()) {
+        marked.emplace("Finding", text);
+      }
+    }
+  }
+}
+
 } // namespace
 
 int main() {
@@ -73,6 +85,7 @@ int main() {
   addErrors(marked);
   addMethods(marked);
   addExperiments(marked);
+  addFindings(marked);
   for (const auto& [context, text] : marked) {
     std::printf("QT_TRANSLATE_NOOP(\"%s\", %s)\n", context.c_str(), literal(text).c_str());
   }

@@ -8,6 +8,7 @@
 #include "core/base/thread_priority.h"
 #include "core/session/session.h"
 #include "ui/document/recovery.h"
+#include "ui/help/crash_reports.h"
 #include "ui/help/window_self_test.h"
 #include "ui/jobs/job_thread.h"
 #include "ui/mainwindow/main_window.h"
@@ -140,6 +141,7 @@ int run(int argc, char** argv) {
     return dewpoint::ui::printSelfTest(&dewpoint::app::openProject);
   }
 
+  dewpoint::ui::enableCrashReports();
   const dewpoint::ui::Theme theme =
       options.theme.empty() ? dewpoint::ui::Preferences().theme()
                             : dewpoint::ui::themeFromName(QString::fromStdString(options.theme));
@@ -166,6 +168,7 @@ int run(int argc, char** argv) {
   window.show();
   if (!unattended) {
     window.enableRecovery(dewpoint::ui::Recovery::standardFolder());
+    window.offerCrashReports(dewpoint::ui::crashFolder());
   }
   if (unattended || !options.project.empty()) {
     window.openProject(options.project); // the demo when none is named

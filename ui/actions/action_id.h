@@ -102,6 +102,7 @@ inline constexpr auto kActionNames = std::to_array<std::string_view>({
     "actionQuickStart",
     "actionLegend",
     "actionMethods",
+    "actionCheckProject",
     "actionReportProblem",
     "actionAbout",
 });

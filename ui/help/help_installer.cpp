@@ -9,6 +9,7 @@
 #include "ui/help/manual_window.h"
 #include "ui/help/overlay_legend.h"
 #include "ui/help/problem_report.h"
+#include "ui/help/project_check_dialog.h"
 #include "ui/help/quick_start.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/workbench/view_dock.h"
@@ -50,6 +51,13 @@ QString projectText(const Workbench& bench) {
 
 } // namespace
 
+void reportCrash(const Workbench& bench, const QString& crash) {
+  auto* report = new ProblemReport({bench.messages.recent(), projectText(bench), crash},
+                                   bench.session.opener(), &bench.window);
+  report->setAttribute(Qt::WA_DeleteOnClose);
+  Workbench::present(report);
+}
+
 QString manualPageInUse(const Workbench& bench) {
   const QString method = QString::fromStdString(bench.document.project().method);
   for (const QWidget* part = QApplication::focusWidget(); part != nullptr;
@@ -80,9 +88,17 @@ void installHelp(const Workbench& bench) {
   });
   bench.onTriggered("actionReportProblem", window, [bench] {
     presentOne<ProblemReport>(bench, [&] {
-      return new ProblemReport(bench.messages.recent(), projectText(bench), &bench.window);
+      return new ProblemReport({bench.messages.recent(), projectText(bench), {}},
+                               bench.session.opener(), &bench.window);
     });
   });
+  bench.onTriggered("actionCheckProject", window, [bench] {
+    presentOne<ProjectCheckDialog>(bench, [&] {
+      return new ProjectCheckDialog([bench] { return bench.document.project(); },
+                                    bench.session.opener(), &bench.window);
+    });
+  });
+  bench.requireRun({"actionCheckProject"});
   bench.onTriggered("actionAbout", window, [bench] {
     presentOne<AboutDialog>(bench, [&] { return new AboutDialog(&bench.window); });
   });

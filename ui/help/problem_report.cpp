@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/help/problem_report.h"
 
+#include "ui/help/window_self_test.h"
+#include "ui/jobs/background_job.h"
 #include "ui/text/retranslation.h"
 #include "ui/view3d/gl_context.h"
 
@@ -13,11 +15,16 @@
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
 #include <QPlainTextEdit>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QSysInfo>
 #include <QThread>
 #include <QVBoxLayout>
 #include <opencv2/core/version.hpp>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace dewpoint::ui {
 
@@ -40,7 +47,7 @@ QString openGlText() {
 }
 
 /// In English, for those who read it. Not translated.
-QString reportText(const QStringList& messages, const QString& project) {
+QString reportText(const ProblemFacts& facts) {
   QStringList lines{
       QStringLiteral("Dewpoint %1").arg(QStringLiteral(DEWPOINT_VERSION)),
       QStringLiteral("Qt %1 (%2), OpenCV %3, VTK %4")
@@ -51,40 +58,95 @@ QString reportText(const QStringList& messages, const QString& project) {
           .arg(QSysInfo::prettyProductName(), QSysInfo::currentCpuArchitecture())
           .arg(QThread::idealThreadCount()),
       QStringLiteral("Language: %1 (system: %2)").arg(QLocale().name(), QLocale::system().name()),
-      QStringLiteral("Project: %1").arg(project),
+      QStringLiteral("Project: %1").arg(facts.project),
       QString(),
       QStringLiteral("Last messages:")};
-  lines += messages.isEmpty() ? QStringList{QStringLiteral("(none)")} : messages;
+  lines += facts.messages.isEmpty() ? QStringList{QStringLiteral("(none)")} : facts.messages;
+  if (!facts.crash.isEmpty()) {
+    lines += {QString(), QStringLiteral("Report of the crash:"), facts.crash.trimmed()};
+  }
   return lines.join(QLatin1Char('\n'));
 }
 
 } // namespace
 
-ProblemReport::ProblemReport(const QStringList& messages, const QString& project, QWidget* parent)
-    : QDialog(parent), intro_(new QLabel(this)), text_(new QPlainTextEdit(this)),
-      copy_(new QPushButton(this)), close_(new QPushButton(this)) {
+ProblemReport::ProblemReport(const ProblemFacts& facts, ProjectOpener opener, QWidget* parent)
+    : QDialog(parent), opener_(std::move(opener)), job_(new BackgroundJob(this)),
+      facts_(reportText(facts)), intro_(new QLabel(this)), text_(new QPlainTextEdit(this)),
+      progress_(new QProgressBar(this)), test_(new QPushButton(this)), copy_(new QPushButton(this)),
+      close_(new QPushButton(this)) {
   setObjectName(QStringLiteral("problemReport"));
+  arrange();
+  connect(test_, &QPushButton::clicked, this, [this] {
+    if (job_->isRunning()) {
+      job_->cancel();
+    } else {
+      startTest();
+    }
+  });
+  connect(copy_, &QPushButton::clicked, this,
+          [this] { QGuiApplication::clipboard()->setText(text()); });
+  connect(job_, &BackgroundJob::ended, this, [this](bool canceled) {
+    if (canceled) {
+      showTest(QStringLiteral("(canceled)"));
+    }
+    showRunning(false);
+    Q_EMIT tested();
+  });
+  showTest(QStringLiteral("(not run)"));
+  onRetranslate(this, [this] { retranslateUi(); });
+  showRunning(false);
+  resize(kReportSize);
+}
+
+void ProblemReport::arrange() {
   intro_->setWordWrap(true);
   text_->setObjectName(QStringLiteral("problemText"));
   text_->setReadOnly(true);
   text_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
-  text_->setPlainText(reportText(messages, project));
+  progress_->setRange(0, 0); // it does not know how far it is
+  progress_->setTextVisible(false);
+  test_->setObjectName(QStringLiteral("problemTest"));
   copy_->setObjectName(QStringLiteral("problemCopy"));
   copy_->setDefault(true);
   auto* buttons = new QDialogButtonBox(this);
+  buttons->addButton(test_, QDialogButtonBox::ActionRole);
   buttons->addButton(copy_, QDialogButtonBox::ActionRole);
   buttons->addButton(close_, QDialogButtonBox::RejectRole);
-  connect(copy_, &QPushButton::clicked, this,
-          [this] { QGuiApplication::clipboard()->setText(text()); });
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(16, 16, 16, 16);
   column->setSpacing(12);
   column->addWidget(intro_);
   column->addWidget(text_, 1);
+  column->addWidget(progress_);
   column->addWidget(buttons);
-  onRetranslate(this, [this] { retranslateUi(); });
-  resize(kReportSize);
+}
+
+void ProblemReport::startTest() {
+  std::vector<SelfTestLine> graphics = graphicsSelfTest(); // belongs to this thread
+  job_->start([this, lines = std::move(graphics), parts = selfTestParts(opener_)](
+                  const BackgroundJob::Progress& progress) mutable -> std::function<void()> {
+    constexpr double kUnknown = -1.0;
+    parts.shouldContinue = [&progress] { return progress(kUnknown); };
+    std::ranges::move(runSelfTest(parts), std::back_inserter(lines));
+    return [this, result = selfTestReport(lines)] { showTest(result); };
+  });
+  showTest(QStringLiteral("(running)"));
+  showRunning(true);
+}
+
+void ProblemReport::showTest(const QString& result) {
+  text_->setPlainText(facts_ + QStringLiteral("\n\nSelf-test:\n") + result);
+}
+
+void ProblemReport::showRunning(bool running) {
+  progress_->setVisible(running);
+  copy_->setEnabled(!running);
+  test_->setText(running ? tr("Cancel") : tr("Run self-test"));
+  test_->setToolTip(running ? tr("Stop the self-test")
+                            : tr("Test graphics, codecs, cameras and disk, and track a simulated "
+                                 "scene for a few seconds"));
 }
 
 QString ProblemReport::text() const {
@@ -94,9 +156,11 @@ QString ProblemReport::text() const {
 void ProblemReport::retranslateUi() {
   setWindowTitle(tr("Report a problem – Dewpoint"));
   intro_->setText(tr("Write to whoever gave you Dewpoint. Describe what you did, what you expected "
-                     "and what happened. Attach the text below and, if you can, the project file "
-                     "and a screenshot. Nothing is sent automatically."));
+                     "and what happened. Run the self-test. Attach the text below and, if you can, "
+                     "the project file and a screenshot. Nothing is sent automatically."));
   text_->setAccessibleName(tr("Text for the report"));
+  progress_->setAccessibleName(tr("Progress of the self-test"));
+  showRunning(job_->isRunning());
   copy_->setText(tr("Copy"));
   copy_->setToolTip(tr("Copy the text, to be pasted into a mail or a form"));
   close_->setText(tr("Close"));

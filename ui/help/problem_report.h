@@ -1,32 +1,57 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/floors.h"
+#include "ui/session/project_loader.h"
 
 #include <QDialog>
+#include <QString>
 #include <QStringList>
 
 class QLabel;
 class QPlainTextEdit;
+class QProgressBar;
 class QPushButton;
 
 namespace dewpoint::ui {
 
-/// Collects information that helps to find a fault, as text to copy: versions, system, OpenGL, and
-/// the window's last messages. Also tells the user what to add. Not modal. Nothing is sent.
+class BackgroundJob;
+
+/// What a report of a problem tells of the window.
+struct ProblemFacts {
+  QStringList messages; ///< the last messages shown
+  QString project;      ///< short description of the open project
+  QString crash;        ///< report that a crash left; empty if there was none
+};
+
+/// Collects information that helps to find a fault, as text to copy: versions, system, OpenGL, the
+/// window's last messages, the report of a crash, and the result of a self-test that the user can
+/// run here. Also tells the user what to add. Not modal. Nothing is sent.
 class ProblemReport : public QDialog {
   Q_OBJECT
 public:
-  /// `messages` are the last messages shown. `project` is a short description of the open project.
-  ProblemReport(const QStringList& messages, const QString& project, QWidget* parent);
+  /// `opener` opens the scene that the self-test tracks.
+  ProblemReport(const ProblemFacts& facts, ProjectOpener opener, QWidget* parent);
 
   QString text() const;
 
+Q_SIGNALS:
+  /// Emitted when a self-test has ended or was canceled.
+  void tested();
+
 private:
+  void arrange();
+  void startTest();
+  void showTest(const QString& result);
+  void showRunning(bool running);
   void retranslateUi();
 
+  ProjectOpener opener_;
+  BackgroundJob* job_;
+  QString facts_; ///< first part of the text; the self-test comes after it
   QLabel* intro_;
   QPlainTextEdit* text_;
+  QProgressBar* progress_;
+  QPushButton* test_;
   QPushButton* copy_;
   QPushButton* close_;
 };

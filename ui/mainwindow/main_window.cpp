@@ -21,6 +21,7 @@
 #include "ui/document/target_list_model.h"
 #include "ui/experiments/experiment_installer.h"
 #include "ui/export/export_installer.h"
+#include "ui/help/crash_reports.h"
 #include "ui/help/help_installer.h"
 #include "ui/mainwindow/history_dock.h"
 #include "ui/mainwindow/old_results_offer.h"
@@ -202,6 +203,10 @@ void MainWindow::setPlayOnOpen(bool play) {
 
 void MainWindow::enableRecovery(const std::filesystem::path& folder, TextWriter write) {
   projects_->enableRecovery(folder, std::move(write));
+}
+
+void MainWindow::offerCrashReports(const std::filesystem::path& folder) {
+  new CrashReports(*bench_, folder);
 }
 
 ProjectSaver& MainWindow::saver() {

@@ -54,6 +54,8 @@ public:
   /// Keeps a copy of unsaved work in this folder, and offers copies that earlier windows left
   /// there. `write` is the function that writes the copies; `writeTextFile()` by default.
   void enableRecovery(const std::filesystem::path& folder, TextWriter write = {});
+  /// Offers the reports in this folder that crashes of earlier windows left.
+  void offerCrashReports(const std::filesystem::path& folder);
   /// Returns the object that saves projects to their files.
   ProjectSaver& saver();
   /// Changes the language and saves it in the preferences.

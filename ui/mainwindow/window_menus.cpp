@@ -83,7 +83,7 @@ void WindowMenus::make() {
        "actionExperiments"});
   add(tr("&Help"), "menuHelp",
       {"actionQuickStart", "actionLegend", "actionShortcuts", nullptr, "actionManual",
-       "actionMethods", nullptr, "actionReportProblem", "actionAbout"});
+       "actionMethods", nullptr, "actionCheckProject", "actionReportProblem", "actionAbout"});
 }
 
 void WindowMenus::makeFileMenu() {

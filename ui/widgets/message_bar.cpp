@@ -144,6 +144,7 @@ void MessageBar::setMessage(const QString& text, Severity severity) {
   show();
   updateGeometry();
   startHideTimer();
+  Q_EMIT messageShown(text);
 }
 
 void MessageBar::startHideTimer() {

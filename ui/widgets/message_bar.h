@@ -51,6 +51,10 @@ public:
   /// Returns the last messages in this window, oldest first, each with its time.
   const QStringList& recent() const { return recent_; }
 
+Q_SIGNALS:
+  /// Emitted for every message and question, with its text.
+  void messageShown(const QString& text);
+
 protected:
   void enterEvent(QEnterEvent* event) override; ///< keeps the message while the pointer is over it
   void leaveEvent(QEvent* event) override;

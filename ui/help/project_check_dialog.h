@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/project.h"
+#include "core/setup/doctor/finding.h"
+#include "ui/session/project_loader.h"
+
+#include <QDialog>
+
+#include <functional>
+#include <vector>
+
+class QCheckBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QTextBrowser;
+
+namespace dewpoint::ui {
+
+class BackgroundJob;
+
+/// Checks the open project for problems, as `dewpoint-cli doctor` does, and shows what was found,
+/// problems first. Starts at once. Not modal; nothing is written.
+class ProjectCheckDialog : public QDialog {
+  Q_OBJECT
+public:
+  /// `project` returns the project as it is when a check starts. `opener` opens its images.
+  ProjectCheckDialog(std::function<Project()> project, ProjectOpener opener, QWidget* parent);
+
+  const std::vector<Finding>& findings() const { return findings_; }
+  bool isRunning() const;
+
+Q_SIGNALS:
+  /// Emitted when a check has ended and its findings are shown.
+  void checked();
+
+protected:
+  void changeEvent(QEvent* event) override; ///< colors follow the theme
+
+private:
+  void arrange();
+  void start();
+  void showRunning(bool running);
+  void fillList();
+  QString summary() const;
+  QString plainText() const;
+  void retranslateUi();
+
+  std::function<Project()> project_;
+  ProjectOpener opener_;
+  BackgroundJob* job_;
+  std::vector<Finding> findings_; ///< the most severe first
+  bool isCanceled_ = false;
+  QLabel* summary_;
+  QTextBrowser* list_;
+  QCheckBox* everyFrame_;
+  QProgressBar* progress_;
+  QPushButton* check_;
+  QPushButton* cancel_;
+  QPushButton* copy_;
+  QPushButton* close_;
+};
+
+} // namespace dewpoint::ui

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <QString>
+
+namespace dewpoint::setup {
+struct Finding;
+} // namespace dewpoint::setup
+
+namespace dewpoint::ui {
+
+/// Returns what was found, as a translated sentence.
+QString findingText(const Finding& finding);
+/// Returns the translated recommended action; empty if there is nothing to do.
+QString findingAdvice(const Finding& finding);
+/// Returns the file and field that a finding is about, "room.toml: camera 1.video"; may be empty.
+QString findingPlace(const Finding& finding);
+
+} // namespace dewpoint::ui
