@@ -2284,16 +2284,16 @@
         <translation>Start z</translation>
     </message>
     <message>
-        <source>World x coordinate of the point at which all particles start.</source>
-        <translation>Welt-x-Koordinate des Punktes, an dem alle Partikel beginnen.</translation>
+        <source>World x coordinate of the center of the box in which the particles start.</source>
+        <translation>Welt-x-Koordinate der Mitte des Quaders, in dem die Partikel beginnen.</translation>
     </message>
     <message>
-        <source>World y coordinate of the point at which all particles start.</source>
-        <translation>Welt-y-Koordinate des Punktes, an dem alle Partikel beginnen.</translation>
+        <source>World y coordinate of the center of the box in which the particles start.</source>
+        <translation>Welt-y-Koordinate der Mitte des Quaders, in dem die Partikel beginnen.</translation>
     </message>
     <message>
-        <source>World z coordinate of the point at which all particles start.</source>
-        <translation>Welt-z-Koordinate des Punktes, an dem alle Partikel beginnen.</translation>
+        <source>World z coordinate of the center of the box in which the particles start.</source>
+        <translation>Welt-z-Koordinate der Mitte des Quaders, in dem die Partikel beginnen.</translation>
     </message>
     <message>
         <source>Acceleration sigma</source>

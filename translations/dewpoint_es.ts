@@ -2284,16 +2284,16 @@
         <translation>Inicio z</translation>
     </message>
     <message>
-        <source>World x coordinate of the point at which all particles start.</source>
-        <translation>Coordenada x del mundo del punto en que empiezan todas las partículas.</translation>
+        <source>World x coordinate of the center of the box in which the particles start.</source>
+        <translation>Coordenada x del mundo del centro de la caja en la que empiezan las partículas.</translation>
     </message>
     <message>
-        <source>World y coordinate of the point at which all particles start.</source>
-        <translation>Coordenada y del mundo del punto en que empiezan todas las partículas.</translation>
+        <source>World y coordinate of the center of the box in which the particles start.</source>
+        <translation>Coordenada y del mundo del centro de la caja en la que empiezan las partículas.</translation>
     </message>
     <message>
-        <source>World z coordinate of the point at which all particles start.</source>
-        <translation>Coordenada z del mundo del punto en que empiezan todas las partículas.</translation>
+        <source>World z coordinate of the center of the box in which the particles start.</source>
+        <translation>Coordenada z del mundo del centro de la caja en la que empiezan las partículas.</translation>
     </message>
     <message>
         <source>Acceleration sigma</source>

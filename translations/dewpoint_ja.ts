@@ -2283,16 +2283,16 @@
         <translation>開始位置 z</translation>
     </message>
     <message>
-        <source>World x coordinate of the point at which all particles start.</source>
-        <translation>すべての粒子が始まる点の世界座標 x。</translation>
+        <source>World x coordinate of the center of the box in which the particles start.</source>
+        <translation>粒子が始まる箱の中心の世界座標 x。</translation>
     </message>
     <message>
-        <source>World y coordinate of the point at which all particles start.</source>
-        <translation>すべての粒子が始まる点の世界座標 y。</translation>
+        <source>World y coordinate of the center of the box in which the particles start.</source>
+        <translation>粒子が始まる箱の中心の世界座標 y。</translation>
     </message>
     <message>
-        <source>World z coordinate of the point at which all particles start.</source>
-        <translation>すべての粒子が始まる点の世界座標 z。</translation>
+        <source>World z coordinate of the center of the box in which the particles start.</source>
+        <translation>粒子が始まる箱の中心の世界座標 z。</translation>
     </message>
     <message>
         <source>Acceleration sigma</source>

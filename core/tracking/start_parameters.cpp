@@ -24,7 +24,7 @@ ParameterDeclaration startCoordinate(const std::string& axis, double defaultValu
           100.0,
           0.01,
           defaultValue,
-          "World " + axis + " coordinate of the point at which all particles start.",
+          "World " + axis + " coordinate of the center of the box in which the particles start.",
           false,
           true,
           ParameterGroup::Start};

@@ -244,7 +244,8 @@ void addBoardOptions(CLI::App& command, BoardOptions& options) {
   command.add_option("--frames", options.frames,
                      "Search only frames A to B-1 of a recording, as A:B (either may be empty)");
   command.add_flag("--search-all", options.searchAll,
-                   "Search all these frames, also if a few of them show another board only");
+                   "Search all of these frames, even if the few that are looked at first show only "
+                   "another board");
 }
 
 } // namespace
@@ -258,12 +259,15 @@ void addCalibrateIntrinsicsCommand(CLI::App& group, int& exitCode) {
                    "Project file (TOML), whose recordings are used, or image files of one camera")
       ->required();
   addBoardOptions(*command, *options);
-  command->add_option("--model", options->model, "Coefficients of the lens: 5, 8 or fisheye")
+  command
+      ->add_option("--model", options->model,
+                   "Lens model: number of distortion coefficients (5 or 8), or fisheye")
       ->check(CLI::IsMember({"5", "8", "fisheye"}))
       ->capture_default_str();
   command
       ->add_option("--pixels", options->pixels,
-                   "square, free, or measured (square unless the images clearly show otherwise)")
+                   "Shape of the pixels: square, free, or measured (square unless the images "
+                   "clearly show otherwise)")
       ->check(CLI::IsMember({"measured", "square", "free"}))
       ->capture_default_str();
   command
@@ -291,10 +295,10 @@ void addCalibrateExtrinsicsCommand(CLI::App& group, int& exitCode) {
       ->required();
   addBoardOptions(*command, *options);
   command
-      ->add_option(
-          "--world-frame", options->request.worldFrame,
-          "Frame in which the board lies on the floor and defines the world coordinates: X along "
-          "its columns, Y toward its upper edge, Z up. Without it, the first camera keeps its pose")
+      ->add_option("--world-frame", options->request.worldFrame,
+                   "Frame in which the board lies on the floor and defines the world: X along the "
+                   "rows of the board, Y toward its upper edge, Z up. Without this option, the "
+                   "first camera keeps its pose")
       ->check(CLI::Range(std::int64_t{0}, std::int64_t{1} << 40));
   command->add_option("--instants", options->request.instants, "Number of board poses to use")
       ->check(CLI::Range(1, 10000))

@@ -89,7 +89,8 @@ int printStatus(const std::string& name) {
 
 void addCalibrateStatusCommand(CLI::App& group, int& exitCode) {
   auto* command = group.add_subcommand(
-      "status", "Say what is known about the calibration of each camera, and how exactly.");
+      "status",
+      "Print what is known about the calibration of each camera, and how accurate it is.");
   auto project = std::make_shared<std::string>();
   command->add_option("PROJECT", *project, "Project file (TOML), or a built-in scene: demo")
       ->required();

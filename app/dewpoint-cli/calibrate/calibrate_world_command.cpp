@@ -162,7 +162,9 @@ void addCalibrateWorldCommand(CLI::App& group, int& exitCode) {
           ->add_option("--length", options->length,
                        "Names of two points at a measured distance, separated by a comma")
           ->delimiter(',');
-  auto* meters = command->add_option("--meters", options->meters, "This distance, meters");
+  auto* meters =
+      command->add_option("--meters", options->meters,
+                          "Distance that you measured between the points of --length, meters");
   length->needs(meters);
   meters->needs(length);
   command
@@ -176,10 +178,13 @@ void addCalibrateWorldCommand(CLI::App& group, int& exitCode) {
       ->add_option("--quarter-turn", options->turnAxis,
                    "Axis about which the cameras are rotated by 90 degrees")
       ->check(CLI::IsMember({"x", "y", "z"}));
-  command->add_option("--move", options->shift, "X Y Z: motion of all cameras, meters")
+  command
+      ->add_option("--move", options->shift,
+                   "X Y Z: how far to move all cameras along each axis, meters")
       ->expected(3);
-  command->add_option("--rotate", options->turnDegrees,
-                      "Rotation of all cameras about the vertical before that motion, degrees");
+  command->add_option(
+      "--rotate", options->turnDegrees,
+      "Angle by which to rotate all cameras about the vertical, before --move, degrees");
   command->add_option("--out", options->output.out, "Calibration file to write");
   command->add_flag("--apply", options->output.apply, "Write the cameras into the project file");
   command->callback([options, &exitCode] { exitCode = moveWorld(*options); });

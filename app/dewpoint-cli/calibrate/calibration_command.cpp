@@ -154,21 +154,23 @@ void addCalibrationCommand(CLI::App& app, int& exitCode) {
       ->check(wrongUnit);
   add->add_option("--size", options->size, "WIDTHxHEIGHT of the images, if IN does not contain it")
       ->check(wrongSize);
-  add->add_option("--lens", options->lens, "Meaning of four distortion coefficients in IN")
+  add->add_option("--lens", options->lens,
+                  "Lens model to which four distortion coefficients in IN belong")
       ->check(CLI::IsMember({"pinhole", "fisheye"}));
   add->add_option("--poses", options->poses,
                   "Direction of the poses in IN, if it differs from the format's default")
       ->check(CLI::IsMember({"camera-from-world", "world-from-camera"}));
   add->add_option("--map", options->names,
-                  "NAME=NAME IN THE FILE: write a camera under another name; once per camera")
+                  "NAME=NAME IN THE FILE: write the camera with the second name under the first "
+                  "name; repeat for each camera")
       ->allow_extra_args(false);
   auto* fit =
-      add->add_option("--fit", options->fit,
-                      "How images differ from those that were calibrated: cropped on all sides, "
-                      "trimmed at the right and below, scaled, or rotated clockwise by 90 or 270 "
-                      "degrees")
+      add->add_option(
+             "--fit", options->fit,
+             "How the images were changed after the calibration: cropped on all sides, trimmed at "
+             "the right and below, scaled, or rotated clockwise by 90 or 270 degrees")
           ->check(CLI::IsMember({"crop", "trim", "scale", "rotate-90", "rotate-270"}));
-  add->add_option("--to-size", options->toSize, "WIDTHxHEIGHT of the images, for --fit")
+  add->add_option("--to-size", options->toSize, "With --fit: new size of the images, WIDTHxHEIGHT")
       ->check(wrongSize)
       ->needs(fit);
   add->add_flag("--force", options->target.replace, "Replace existing files");

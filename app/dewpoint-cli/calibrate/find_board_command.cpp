@@ -66,8 +66,9 @@ void addFindBoardCommand(CLI::App& group, int& exitCode) {
                    "Project file (TOML), whose recordings are used, or image files")
       ->required();
   command
-      ->add_option("--square", options->square,
-                   "Measured side of a square, meters; used in the proposals")
+      ->add_option(
+          "--square", options->square,
+          "Side of a square that you measured, meters; it is inserted in the printed values")
       ->check(CLI::Range(1e-4, 10.0));
   command
       ->add_option("--looks", options->looks,

@@ -129,20 +129,25 @@ void addPlanCommand(CLI::App& app, int& exitCode) {
   command->add_option("--size", options->size, "Width and height of the new camera's images")
       ->expected(2)
       ->check(CLI::Range(16, 100000));
-  command->add_option("--fov", options->fieldOfView, "Its horizontal field of view, degrees")
+  command
+      ->add_option("--fov", options->fieldOfView,
+                   "Horizontal field of view of the new camera, degrees")
       ->check(CLI::Range(1.0, 170.0));
   command
       ->add_option("--wall", placement.wallDistance,
-                   "Distance from the volume to the walls and the ceiling, where the camera may be "
-                   "mounted, meters")
+                   "Distance from the volume to the walls and the ceiling on which the camera can "
+                   "be mounted, meters")
       ->check(CLI::Range(0.0, 1000.0))
       ->capture_default_str();
   command
       ->add_option("--pixel-sigma", placement.pixelSigma,
-                   "Standard deviation of a detection, pixels")
+                   "Standard deviation with which the target is found in an image, pixels")
       ->check(CLI::Range(0.001, 100.0))
       ->capture_default_str();
-  command->add_option("--good", placement.goodSigma, "Acceptable standard deviation, meters")
+  command
+      ->add_option(
+          "--good", placement.goodSigma,
+          "Largest standard deviation of a position that counts as accurate enough, meters")
       ->check(CLI::Range(1e-6, 10.0))
       ->capture_default_str();
   command->add_option("--out", options->out, "Calibration file to write, with the new camera");

@@ -140,7 +140,7 @@ void addWandStudy(CLI::App& group, int& exitCode) {
       "Measure the calibration from a rendered wand: accuracy, sensitivity to the start, speed.");
   auto options = std::make_shared<Options>();
   command->add_option("--seed", options->first, "The first seed")->capture_default_str();
-  command->add_option("--seeds", options->seeds, "How many")
+  command->add_option("--seeds", options->seeds, "Number of seeds")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();
   command

@@ -124,7 +124,7 @@ void addPeopleExperiments(CLI::App& group, int& exitCode) {
     command->add_option("--seed", options->seed,
                         fmt::format("The first seed (default: {}, with --record {})",
                                     kFirstReportingSeed, kFirstTuningSeed));
-    command->add_option("--seeds", options->seeds, "How many")
+    command->add_option("--seeds", options->seeds, "Number of seeds")
         ->check(CLI::Range(1, 10000))
         ->capture_default_str();
     command->add_option("--clothes", options->clothes, "Clothes: different, similar or both")

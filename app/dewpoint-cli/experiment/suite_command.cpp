@@ -287,13 +287,15 @@ void addSuiteCommand(CLI::App& app, int& exitCode) {
       "suite", "Measure all methods on scenes with ground truth, and write a report.");
   auto options = std::make_shared<SuiteOptions>();
   command->add_flag("--list", options->list, "Only list the scenarios and methods");
-  command->add_option("--scenario", options->scenarios, "Family (S0) or scenario; all if omitted")
+  command
+      ->add_option("--scenario", options->scenarios,
+                   "Group of scenarios (S0), or a scenario (S0-slow); all if omitted")
       ->delimiter(',');
   command->add_option("--method", options->methods, "Method; all if omitted")->delimiter(',');
   command
       ->add_option("--grade", options->grades,
-                   "Images: ideal, room, wild, real (recordings), a list of them, or both (ideal "
-                   "and room)")
+                   "Quality of the images: ideal, room, wild or real (recordings); several "
+                   "separated by commas, or both for ideal and room")
       ->delimiter(',')
       ->check(CLI::IsMember({"ideal", "room", "wild", "real", "both"}))
       ->capture_default_str();
@@ -318,8 +320,8 @@ void addSuiteCommand(CLI::App& app, int& exitCode) {
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
   command->add_flag("--part", options->part,
-                    "The folder is one part of a suite that you will merge with --merge: all runs "
-                    "of a scenario may be skipped");
+                    "The folder is only one part of a suite that you will merge with --merge; it "
+                    "is then no error if all runs of a scenario are skipped");
   command->add_option("--out", options->folder, "Folder to write, or to continue");
   command
       ->add_option(

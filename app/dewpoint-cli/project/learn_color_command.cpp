@@ -195,9 +195,11 @@ void addLearnColorCommand(CLI::App& app, int& exitCode) {
   auto options = std::make_shared<LearnColorOptions>();
   command->add_option("PROJECT", options->project, "Project file (TOML), or a built-in scene: demo")
       ->required();
-  command->add_option("--camera", options->camera, "Name or number (from 1) of the camera clicked")
+  command
+      ->add_option("--camera", options->camera,
+                   "Camera whose image you click: its name, or its number from 1")
       ->capture_default_str();
-  command->add_option("--frame", options->frame, "Frame clicked, from 0")
+  command->add_option("--frame", options->frame, "Frame in which you click, counted from 0")
       ->check(CLI::Range(std::int64_t{0}, std::int64_t{1} << 40))
       ->capture_default_str();
   auto* marked = command->add_option_group("place");
@@ -218,7 +220,8 @@ void addLearnColorCommand(CLI::App& app, int& exitCode) {
   command->add_flag(
       "--follow-all", options->followAll,
       "Also add a target for each other object of this color and size, unless there are many");
-  command->add_option("--mask", options->mask, "PNG to write: white where the image matches");
+  command->add_option("--mask", options->mask,
+                      "PNG image to write: white where the clicked image has the learned color");
   command->add_option("--out", options->out, "Project file to write, with the learned color");
   command->callback([options, &exitCode] { exitCode = learn(*options); });
 }

@@ -175,12 +175,12 @@ void addNewCommand(CLI::App& app, int& exitCode) {
       app.add_subcommand("new", "Create a project from videos, image folders or cameras.");
   auto options = std::make_shared<NewOptions>();
   command->add_option("PROJECT", options->file, "Project file to write (TOML)")->required();
-  command->add_option(
-      "--camera", options->cameras,
-      "NAME=SOURCE, once per camera: a video, a folder of images, a device or a stream");
+  command->add_option("--camera", options->cameras,
+                      "NAME=SOURCE: name of a camera and its video, folder of images, device or "
+                      "stream; repeat for each camera");
   command->add_option("--footage", options->footage,
-                      "A folder in which each video and each image folder is a camera, in order of "
-                      "their names (camera 2 before camera 10)");
+                      "Folder; each video and each image folder in it becomes a camera, sorted by "
+                      "name (camera 2 before camera 10)");
   command->add_flag("--connected", options->connected,
                     "All cameras that are connected to this computer");
   command->add_option(
@@ -188,20 +188,20 @@ void addNewCommand(CLI::App& app, int& exitCode) {
       "Calibration file; cameras are matched by name, or by order if the names differ");
   command
       ->add_option("--map", options->names,
-                   "NAME=NAME IN THE FILE: the camera of the calibration file that a camera of the "
-                   "project uses; once per camera")
+                   "NAME=NAME IN THE FILE: name of a camera in the project and its name in the "
+                   "calibration file; repeat for each camera")
       ->allow_extra_args(false)
       ->needs("--calibration");
   command
       ->add_option("--fit", options->fit,
-                   "How images of another size differ from those that were calibrated: cropped on "
-                   "all sides, trimmed at the right and below, scaled, or rotated clockwise by 90 "
-                   "or 270 degrees")
+                   "How the images were changed if their size differs from that of the "
+                   "calibration: cropped on all sides, trimmed at the right and below, scaled, or "
+                   "rotated clockwise by 90 or 270 degrees")
       ->check(CLI::IsMember({"crop", "trim", "scale", "rotate-90", "rotate-270"}))
       ->needs("--calibration");
   command->add_option("--empty-room", options->backgroundImages,
-                      "NAME=FILE: image, video or folder of images in which that camera shows the "
-                      "scene without any target");
+                      "NAME=FILE: name of a camera, and an image, video or folder of images in "
+                      "which this camera shows the scene without any target");
   command->add_option("--times", options->times,
                       "Table (CSV) with the times at which the images of each camera were taken");
   command->add_option("--name", options->project.name, "Name of the project");

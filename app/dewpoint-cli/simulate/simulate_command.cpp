@@ -162,7 +162,8 @@ void addSimulateCommand(CLI::App& app, int& exitCode) {
                       fmt::join(sceneNames(), ", "), kOfficeSceneName, kBoardSceneName))
       ->capture_default_str();
   command->add_option("--out", options->out, "Folder to write")->required();
-  command->add_option("--seed", options->seed, "Seed of the scene's noise and clutter");
+  command->add_option("--seed", options->seed,
+                      "Seed of the random noise and of the objects in the background");
   command->add_option("--frames", options->frames, "Number of frames")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{10'000'000}));
   std::vector<std::string> motions;
@@ -173,7 +174,8 @@ void addSimulateCommand(CLI::App& app, int& exitCode) {
   command->add_option("--motion", options->motion, "How the first ball moves")
       ->check(CLI::IsMember(motions));
   command
-      ->add_option("--look-alikes", options->distractors, "Number of other balls of the same color")
+      ->add_option("--look-alikes", options->distractors,
+                   "Number of further balls of the same color, which do not move")
       ->check(CLI::Range(0, 4));
   command->add_flag("--occluder", options->occluder,
                     "Move a box past camera 1, so that it hides the ball");

@@ -279,7 +279,8 @@ void addPeopleCommand(CLI::App& app, int& exitCode) {
                       "Position of a person in the first frame: x,y,z of the center of the body");
   command
       ->add_option("--overlay", options->overlay,
-                   "Write overlay.png: about this many frames of all cameras, with hulls drawn")
+                   "Also write overlay.png: about this many frames of all cameras, with the hulls "
+                   "of the people drawn over them")
       ->check(CLI::Range(0, 1000));
   addJobOptions(*command, options->job);
   command->callback([options, command, &exitCode] {

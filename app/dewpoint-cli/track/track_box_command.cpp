@@ -325,7 +325,7 @@ void addTrackBoxCommand(CLI::App& app, int& exitCode) {
       ->capture_default_str();
   command->add_option("--frames", options->frames,
                       "Only frames A to B-1, as A:B (either may be empty)");
-  command->add_option("--rate", options->rate, "Images per second of a folder")
+  command->add_option("--rate", options->rate, "Images per second, if SOURCE is a folder of images")
       ->check(CLI::Range(0.0, 10000.0));
   command->add_flag("--draw", options->draw, "Also write a video with the boxes drawn into it");
   command->callback([options, &exitCode] { exitCode = trackBoxes(*options); });

@@ -42,7 +42,8 @@ Status saveEvaluation(const std::filesystem::path& folder,
 }
 
 std::string wrongTruthUnit(const std::string& text) {
-  return parseLengthUnit(text) ? "" : "a unit is m, mm, cm, in, ft or the meters of one unit";
+  return parseLengthUnit(text) ? ""
+                               : "expected m, mm, cm, in, ft, or the length of one unit in meters";
 }
 
 /// The truth in meters; a note if it seems to be in another unit, which was not given.
@@ -124,16 +125,16 @@ void addEvaluateCommand(CLI::App& app, int& exitCode) {
   command->add_option("TRUTH", options->truth, "True positions (CSV)")->required();
   command
       ->add_option("--truth-unit", options->truthUnit,
-                   "Unit of the positions in TRUTH: m, mm, cm, in, ft or meters of one unit; m "
-                   "unless given")
+                   "Unit of the positions in TRUTH: m, mm, cm, in, ft, or the length of one unit "
+                   "in meters; m unless given")
       ->check(wrongTruthUnit);
   command->add_option("--gate", options->gate, "Error in meters above which a frame counts as lost")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   command->add_flag("--json", options->json, "Print JSON (meters) instead of a table (mm)");
   command->add_flag("--identities", options->identities,
-                    "For several targets whose names differ from the ground truth's: compute CLEAR "
-                    "MOT, HOTA, GOSPA");
+                    "Compare several targets with the ground truth whatever their names are, and "
+                    "compute CLEAR MOT, HOTA and GOSPA");
   command
       ->add_flag("--save", options->save,
                  "Write evaluation.json into the run's folder, for dewpoint-cli gather")

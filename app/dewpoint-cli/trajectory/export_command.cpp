@@ -228,7 +228,9 @@ void addExportCommand(CLI::App& app, int& exitCode) {
   command->add_option("--to", arguments->to, "Last time in seconds, or last frame, such as 150f");
   command->add_option("--rate", options.rate, "Rows per second; as recorded if omitted")
       ->check(CLI::PositiveNumber);
-  command->add_option("--gaps", arguments->gaps, "What to do with gaps: leave or fill")
+  command
+      ->add_option("--gaps", arguments->gaps,
+                   "What to write in gaps: leave (nothing) or fill (interpolated positions)")
       ->check(CLI::IsMember({"leave", "fill"}))
       ->capture_default_str();
   command->add_option("--longest-gap", options.longestGap, "Longest gap that is filled, seconds")

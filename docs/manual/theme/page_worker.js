@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A Worker that runs in a hidden frame of the page. Where a page comes from a folder, browsers refuse
-// workers; the search of the theme looks for a class of this name and does without them then.
+// Replacement for a Worker that runs in a hidden frame of the page. If a page comes from a folder, browsers
+// refuse real workers. The search of the theme looks for a class of this name and then uses it instead.
 class IFrameWorker extends EventTarget {
   constructor(address) {
     super();
