@@ -14,7 +14,7 @@ import re
 import subprocess
 
 # What core declares for the window; see list_strings.cpp.
-CORE_CONTEXTS = {"Error", "Method", "Parameter", "ParameterGroup", "Unit", "Experiment"}
+CORE_CONTEXTS = {"Error", "Method", "Parameter", "ParameterGroup", "Unit", "Experiment", "Finding"}
 TOKEN = re.compile(r'//[^\n]*|/\*.*?\*/|\bR"(?P<mark>[^()\\\s]{0,16})\(.*?\)(?P=mark)"'
                    r"|(?<![0-9A-Za-z_])'(?:\\.|[^'\\\n])+'"
                    r'|(?P<text>(?<!\w)(?:u8|[uUL])?"(?:\\.|[^"\\\n])*")', re.S)

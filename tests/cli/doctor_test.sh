@@ -5,7 +5,7 @@
 # Built-in scenes are fine.
 expectExit 0 doctor demo
 ! grep -qE '^(note|problem)' out.txt || fail "$(cat out.txt)"
-expectText out.txt "2 cameras are simulated"
+expectText out.txt "Simulated cameras: 2"
 
 # A recording with a project is fine, too.
 expectExit 0 simulate demo --frames 30 --out made
@@ -16,7 +16,7 @@ expectExit 0 doctor "$project"
 # Without one of its videos it is not: exit code 1, and the line says file and field.
 mv made/camera-1.mkv gone.mkv
 expectExit 1 doctor "$project"
-expectText out.txt "problem  The recording of 'camera 1' is not there" "camera 1.video" "Put it back"
+expectText out.txt "problem  The recording of 'camera 1' is missing" "camera 1.video" "Put it back"
 [[ ! -s err.txt ]] || fail "nothing was to be said: $(cat err.txt)"
 
 # The same for programs.

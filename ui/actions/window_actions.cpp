@@ -351,8 +351,8 @@ std::vector<ActionDeclaration> helpActions() {
       {"actionMethods", group, QT_TRANSLATE_NOOP("Actions", "About the methods"),
        QT_TRANSLATE_NOOP("Actions", "Open the reference of the tracking methods")},
       {"actionCheckProject", group, QT_TRANSLATE_NOOP("Actions", "Check project…"),
-       QT_TRANSLATE_NOOP("Actions", "Check recordings, times, calibration, colors and method of "
-                                    "the project for problems")},
+       QT_TRANSLATE_NOOP("Actions", "Check the recordings, times, calibration, colors and method "
+                                    "of the project for problems")},
       {"actionReportProblem", group, QT_TRANSLATE_NOOP("Actions", "Report a problem…"),
        QT_TRANSLATE_NOOP("Actions",
                          "Collect the information that a bug report needs, ready to copy")},

@@ -129,7 +129,7 @@ void CrashReports::offer() {
   }
   timer_.stop();
   bench_.messages.ask(
-      tr("Dewpoint closed unexpectedly the last time. It left a report of what happened."),
+      tr("Dewpoint closed unexpectedly last time and left a report of what happened."),
       {{tr("Show report"), [this] { reportCrash(bench_, report_); }}});
 }
 

@@ -171,9 +171,8 @@ QString ProjectCheckDialog::summary() const {
   const int problems = count(FindingLevel::Problem);
   return problems > 0 ? tr("%n problem(s) must be solved before this project can be tracked.",
                            nullptr, problems)
-         : count(FindingLevel::Note) > 0
-             ? tr("No problems. The points marked ◆ may not be what you want.")
-             : tr("No problems.");
+         : count(FindingLevel::Note) > 0 ? tr("No problems, but look at the points marked ◆.")
+                                         : tr("No problems.");
 }
 
 void ProjectCheckDialog::fillList() {

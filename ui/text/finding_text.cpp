@@ -5,6 +5,9 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+#include <iterator>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -12,12 +15,26 @@ namespace dewpoint::ui {
 
 namespace {
 
+/// The checks call a camera "camera 'left'".
+std::string cameraTranslated(const std::string& value) {
+  constexpr std::string_view kBefore = "camera '";
+  if (!value.starts_with(kBefore) || !value.ends_with('\'')) {
+    return value;
+  }
+  const std::string name = value.substr(kBefore.size(), value.size() - kBefore.size() - 1);
+  return QCoreApplication::translate("FindingText", "camera “%1”")
+      .arg(QString::fromStdString(name))
+      .toStdString();
+}
+
 QString translated(std::string_view words, const std::vector<std::string>& values) {
   if (words.empty()) {
     return {};
   }
   const QString text = QCoreApplication::translate("Finding", std::string(words).c_str());
-  return QString::fromStdString(fillPlaceholders(text.toStdString(), values));
+  std::vector<std::string> shown;
+  std::ranges::transform(values, std::back_inserter(shown), cameraTranslated);
+  return QString::fromStdString(fillPlaceholders(text.toStdString(), shown));
 }
 
 } // namespace

@@ -135,7 +135,7 @@ void checkBoxOf(Examination& examination, std::size_t number) {
   const std::int64_t end = endOf(examination, target.box->camera);
   if (end > 0 && target.box->frame >= end) {
     examination.add(FindingKind::BoxTooLate,
-                    {target.name, std::to_string(target.box->frame), std::to_string(end)},
+                    {target.name, std::to_string(target.box->frame), std::to_string(end - 1)},
                     targetKey(number, "box.frame"));
   }
 }
