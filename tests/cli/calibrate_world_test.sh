@@ -86,3 +86,20 @@ expectText out.txt 'scale     marks in the images' 'floor     marks in the image
 expectExit 0 calibrate status demo
 expectText out.txt 'exact (simulated)'
 expectExit $kBadInput calibrate status nowhere.toml
+
+# A board that lies on the floor in frame 0: cameras in a world turned about x are where they were.
+expectExit 0 simulate board --frames 30 --out shown
+expectExit 0 new shown.toml --camera left=shown/left.mkv --camera right=shown/right.mkv \
+  --calibration shown/truth.toml
+expectExit 0 calibrate world shown.toml --quarter-turn x --apply
+expectExit 0 calibrate world shown.toml --board chessboard:9x6:0.025 --out floor.toml
+expectText out.txt 'board    rotated by' 'board seen by 2 cameras'
+paste <(grep ^translation floor.toml) <(grep ^translation shown/truth.toml) | tr -d '[],=' |
+  awk '{ for (k = 2; k <= 4; ++k) if (($k - $(k + 4)) ^ 2 > 0.003 ^ 2) far = 1 }
+    END { exit far || NR != 2 }' ||
+  fail "$(cat floor.toml shown/truth.toml)"
+expectExit $kBadInput calibrate world shown.toml --board chessboard:9x6:0.025 --board-frame 100000
+expectSentence frame 'has only'
+expectExit $kBadInput calibrate world shown.toml --board chessboard:8x5:0.025
+expectSentence board
+expectExit $kUsage calibrate world project.toml --board-frame 0

@@ -5,6 +5,7 @@
 #include "app/wiring/open_project.h"
 #include "core/base/angle.h"
 #include "core/base/units.h"
+#include "core/setup/calibration/floor_from_board.h"
 #include "core/setup/calibration/moved_world.h"
 #include "core/setup/calibration/world_step.h"
 
@@ -24,6 +25,8 @@ namespace {
 struct WorldCommandOptions {
   std::string project;
   bool upright = false;
+  std::string board;
+  std::int64_t boardFrame = 0;
   std::vector<std::string> floor;
   std::vector<std::string> level;
   std::vector<std::string> xAxis;
@@ -59,6 +62,29 @@ void printStep(std::string_view what, const WorldStepResult& step) {
     fmt::print(", points within {:.2f} mm (RMS) of a plane", inMillimeters(step.floorRms));
   }
   fmt::print("\n");
+}
+
+/// The floor from the board that lies on it in one frame, if this is wanted.
+Result<Project> onBoardFloor(Project project, const WorldCommandOptions& options) {
+  if (options.board.empty()) {
+    return project;
+  }
+  const auto board = parseBoard(options.board);
+  if (!board) {
+    return tl::make_unexpected(board.error());
+  }
+  auto inputs = openInputs(project);
+  if (!inputs) {
+    return tl::make_unexpected(inputs.error());
+  }
+  return withFloorFromBoard(project, *board, *inputs->source, options.boardFrame)
+      .map([](FloorFromBoard found) {
+        fmt::print("{:<8} rotated by {:.2f} degrees, board seen by {} camera{} with an error of "
+                   "{:.2f} px (RMS)\n",
+                   "board", inDegrees(found.rotated), found.cameras, found.cameras == 1 ? "" : "s",
+                   found.rmsPx);
+        return std::move(found.project);
+      });
 }
 
 /// One change after the other, in the order in which they make sense.
@@ -118,7 +144,9 @@ int moveWorld(const WorldCommandOptions& options) {
   if (!project) {
     return report(project.error());
   }
-  const auto moved = inNewWorld(std::move(*project), options);
+  const auto moved = onBoardFloor(std::move(*project), options).and_then([&](Project onFloor) {
+    return inNewWorld(std::move(onFloor), options);
+  });
   if (!moved) {
     return report(moved.error());
   }
@@ -148,6 +176,16 @@ void addCalibrateWorldCommand(CLI::App& group, int& exitCode) {
       ->required();
   command->add_flag("--upright", options->upright,
                     "Rotate the world by quarter turns until the images are upright");
+  auto* board = command->add_option(
+      "--board", options->board,
+      "Board that lies flat on the floor in --board-frame: its first corner becomes the origin, x "
+      "runs along its rows, z up");
+  command
+      ->add_option("--board-frame", options->boardFrame,
+                   "Frame in which the board lies on the floor, from 0")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str()
+      ->needs(board);
   command
       ->add_option("--floor", options->floor,
                    "Names of three or more points on the floor, separated by commas: the first is "

@@ -2,6 +2,7 @@
 #include "ui/calibration/world/world_installer.h"
 
 #include "ui/calibration/calibration_mode.h"
+#include "ui/calibration/world/board_floor.h"
 #include "ui/calibration/world/world_mark_tool.h"
 #include "ui/calibration/world/world_marks.h"
 #include "ui/calibration/world/world_page.h"
@@ -17,7 +18,10 @@ constexpr QLatin1String kPage("worldPage");
 
 void installWorldPage(const Workbench& bench, CalibrationMode& mode, const CameraDocks& cameras) {
   auto* marks = new WorldMarks(bench.document, &mode);
-  mode.addPage(new WorldPage(*marks, bench.cameras), [] { return WorldPage::tr("Floor"); });
+  auto* boardFloor = new BoardFloor(bench.document, &mode);
+  bench.connectView(boardFloor);
+  mode.addPage(new WorldPage(*marks, *boardFloor, bench.cameras),
+               [] { return WorldPage::tr("Floor"); });
   auto* tool = new WorldMarkTool(bench, *marks, &mode);
   bench.connectImageView(tool);
   QObject::connect(&cameras, &CameraDocks::viewMade, tool, &WorldMarkTool::attach);

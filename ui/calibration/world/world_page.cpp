@@ -3,6 +3,7 @@
 
 #include "core/base/angle.h"
 #include "ui/calibration/calibration_dock.h"
+#include "ui/calibration/world/board_floor.h"
 #include "ui/calibration/world/world_marks.h"
 #include "ui/document/camera_list_model.h"
 #include "ui/text/axis_names.h"
@@ -33,8 +34,9 @@ constexpr NumberRange kTurn{-360.0, 360.0, 1.0, 2};
 
 } // namespace
 
-WorldPage::WorldPage(WorldMarks& marks, const CameraListModel& cameras, QWidget* parent)
-    : QWidget(parent), marks_(marks), cameras_(cameras) {
+WorldPage::WorldPage(WorldMarks& marks, BoardFloor& boardFloor, const CameraListModel& cameras,
+                     QWidget* parent)
+    : QWidget(parent), marks_(marks), boardFloor_(boardFloor), cameras_(cameras) {
   setObjectName(QStringLiteral("worldPage"));
   build();
   connectFields();
@@ -71,6 +73,10 @@ void WorldPage::build() {
   resultText_->setWordWrap(true);
   resultText_->setProperty(kRevealed, true);
   resultText_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  board_ = makeButton("worldBoard", this);
+  boardText_ = new QLabel(this);
+  boardText_->setObjectName(QStringLiteral("worldBoardText"));
+  boardText_->setWordWrap(true);
   for (const auto& [step, name] :
        {std::pair(WorldStep::Upright, "worldUpright"), std::pair(WorldStep::Floor, "worldFloor"),
         std::pair(WorldStep::Level, "worldLevel"), std::pair(WorldStep::Origin, "worldOrigin"),
@@ -108,6 +114,8 @@ void WorldPage::build() {
   column->addWidget(worldTitle_);
   column->addLayout(world);
   column->addWidget(resultText_);
+  column->addWidget(board_);
+  column->addWidget(boardText_);
   column->addWidget(makeMove());
   column->addStretch(1);
 }
@@ -151,6 +159,8 @@ void WorldPage::connectFields() {
   });
   connect(mark_, &QPushButton::clicked, &marks_, &WorldMarks::setClicking);
   connect(clear_, &QPushButton::clicked, &marks_, &WorldMarks::clear);
+  connect(board_, &QPushButton::clicked, &boardFloor_, &BoardFloor::apply);
+  connect(&boardFloor_, &BoardFloor::changed, this, &WorldPage::refresh);
   connect(distance_, &QDoubleSpinBox::valueChanged, this, [this] { distanceEntered_ = true; });
   connect(check_, &QPushButton::clicked, this, [this] { marks_.check(distance_->value()); });
   for (const auto& [step, button] : steps_) {
@@ -197,6 +207,10 @@ void WorldPage::retranslateUi() {
   button(check_, tr("Check"),
          tr("Compare the distance from A to B in the calibration with the distance that you "
             "measured. Nothing is changed."));
+  button(board_, tr("Set floor from the board shown"),
+         tr("Use a board that lies flat on the floor in the images shown. Its first corner becomes "
+            "the origin, and the x axis runs along its rows. Describe the board on the page "
+            "Board."));
   for (const auto& [step, one] : steps_) {
     switch (step) {
     case WorldStep::Upright:
@@ -302,6 +316,9 @@ void WorldPage::refresh() {
     }
   }
   check_->setEnabled(marks_.canApply(WorldStep::Length));
+  board_->setEnabled(boardFloor_.canApply());
+  boardText_->setText(boardFloor_.resultText());
+  boardText_->setVisible(!boardFloor_.resultText().isEmpty());
   uprightText_->setVisible(marks_.canTurnUpright());
   const auto distance = marks_.distance();
   distanceEntered_ = distanceEntered_ && distance;

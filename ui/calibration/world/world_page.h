@@ -16,15 +16,18 @@ class QTableWidget;
 
 namespace dewpoint::ui {
 
+class BoardFloor;
 class CameraListModel;
 class WorldMarks;
 
 /// Page "Floor" of the calibration panel: sets the floor, the origin, the axes and the scale of
-/// calibrated cameras from points marked in the images, and moves all cameras together.
+/// calibrated cameras from points marked in the images or from a board on the floor, and moves all
+/// cameras together.
 class WorldPage : public QWidget {
   Q_OBJECT
 public:
-  WorldPage(WorldMarks& marks, const CameraListModel& cameras, QWidget* parent = nullptr);
+  WorldPage(WorldMarks& marks, BoardFloor& boardFloor, const CameraListModel& cameras,
+            QWidget* parent = nullptr);
 
 private:
   enum Column { Point, Seen, X, Y, Z, Accuracy, ColumnCount };
@@ -37,6 +40,7 @@ private:
   void fillRow(int mark);
 
   WorldMarks& marks_;
+  BoardFloor& boardFloor_;
   const CameraListModel& cameras_;
   QLabel* guide_;
   QLabel* uprightText_;
@@ -49,6 +53,8 @@ private:
   QLabel* distanceLabel_;
   QDoubleSpinBox* distance_;
   QPushButton* check_;
+  QPushButton* board_;
+  QLabel* boardText_;
   QLabel* moveTitle_;
   std::array<QDoubleSpinBox*, 3> shift_;
   QDoubleSpinBox* turn_;

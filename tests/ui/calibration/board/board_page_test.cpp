@@ -35,6 +35,7 @@ private Q_SLOTS:
   void aRecordingCalibratesInOneStep();
   void theCommandLineGivesTheSameBits();
   void cancelKeepsWhatWas();
+  void theShownBoardSetsTheFloor();
   void printsAndReports();
   void theBoardIsRemembered();
   void liveCamerasAreGuidedToTheEnd();
@@ -118,6 +119,24 @@ void BoardPageTest::cancelKeepsWhatWas() {
   QVERIFY2(result().contains(QStringLiteral("kept")), qPrintable(result()));
   QVERIFY(calibrate()); // and again
   QVERIFY(calibrator().isApplied());
+}
+
+void BoardPageTest::theShownBoardSetsTheFloor() {
+  openRecording();
+  QVERIFY(calibrate());
+  const int steps = history().count();
+  find<QAction>(QStringLiteral("actionCalibrateWorld"))->trigger();
+  auto* button = find<QPushButton>(QStringLiteral("worldBoard"));
+  QVERIFY(waitFor([&] { return button->isEnabled(); }));
+  scrollTo(button);
+  QTest::mouseClick(button, Qt::LeftButton);
+  QVERIFY(waitFor([&] { return history().count() == steps + 1; }));
+  // In the first frame, the board is straight in front of the cameras, 0.45 m away.
+  for (const ProjectCamera& camera : project().cameras) {
+    QVERIFY(std::abs(camera.camera.center().z() - 0.45) < 0.01);
+  }
+  history().undo();
+  QVERIFY(std::abs(project().cameras[0].camera.center().z() - 0.45) > 0.1);
 }
 
 void BoardPageTest::printsAndReports() {

@@ -4,6 +4,7 @@
 #include "tests/ui/mainwindow/small_picture.h"
 #include "tests/ui/window_test.h"
 #include "ui/cameraview/image_pick_overlay.h"
+#include "ui/document/document.h"
 #include "ui/workbench/dock_manager.h"
 #include "ui/workbench/workbench.h"
 
@@ -30,6 +31,7 @@ private Q_SLOTS:
   void theWorldIsTurnedUpright();
   void allCamerasMoveTogether();
   void markingEndsWithThePage();
+  void withoutABoardTheFloorStays();
 
 private:
   ImagePickOverlay* overlay(int k) {
@@ -164,6 +166,19 @@ void WorldPageTest::markingEndsWithThePage() {
   QVERIFY(overlay(0)->isVisible());
   find<QAction>("actionCalibrateWand")->trigger();
   QVERIFY(!overlay(0)->isVisible()); // the grid has the mouse again
+}
+
+void WorldPageTest::withoutABoardTheFloorStays() {
+  const auto before = window_->workbench().document.project().cameras;
+  auto* text = find<QLabel>("worldBoardText");
+  QVERIFY(!text->isVisible());
+  scrollTo(find<QPushButton>("worldBoard"));
+  press("worldBoard");
+  QVERIFY(!find<QPushButton>("worldBoard")->isEnabled()); // until the search has ended
+  QVERIFY(waitFor([&] { return find<QPushButton>("worldBoard")->isEnabled(); }));
+  QVERIFY2(text->text().contains(QStringLiteral("No camera sees the board")),
+           qPrintable(text->text()));
+  QVERIFY(window_->workbench().document.project().cameras == before);
 }
 
 DEWPOINT_WINDOW_TEST(WorldPageTest)

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/calibration/board/board.h"
+#include "core/capture/frame.h"
+#include "core/capture/frame_source.h"
+#include "core/project/project.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace dewpoint::setup {
+
+/// Project whose floor and origin were set from a board that lies on the floor.
+struct FloorFromBoard {
+  Project project;
+  double rotated = 0.0;    ///< angle of the rotation of the world, radians
+  double rmsPx = 0.0;      ///< root mean square error of the board's corners, pixels
+  std::size_t cameras = 0; ///< number of cameras that see the board
+};
+
+/// Sets the world frame of calibrated cameras from images of one time in which the board lies flat
+/// on the floor: its first corner becomes the origin, x runs along its rows, y toward its upper
+/// edge, and z up (worldFromFlatBoard()). The cameras keep their positions relative to each other;
+/// everything else in the project follows them (withMovedWorld()). One camera that sees the board
+/// is enough; more cameras make the floor more accurate.
+///
+/// `frames` has one image per camera of the project, null where there is none. Errors: those of
+/// boardInRig(), and Mismatch if an image does not have the size that its camera is calibrated for.
+Result<FloorFromBoard> withFloorFromBoard(const Project& project, const BoardDescription& board,
+                                          const FrameSet& frames);
+
+/// Does the same with frame `frame` (from 0) of a recording. Also returns BadValue if the recording
+/// has no such frame, and the errors of the source.
+Result<FloorFromBoard> withFloorFromBoard(const Project& project, const BoardDescription& board,
+                                          FrameSetSource& source, std::int64_t frame);
+
+} // namespace dewpoint::setup
