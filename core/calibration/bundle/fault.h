@@ -30,9 +30,10 @@ enum class CalibrationFault {
 struct DetectedFault {
   CalibrationFault fault = CalibrationFault::CamerasSwapped;
   std::vector<std::size_t> cameras = {}; ///< affected cameras; empty: all cameras, or none
-  /// Size of the fault. Its meaning depends on the fault: delay in frames, time of a camera motion
-  /// in seconds, ratio of the given to the found focal length or size, number of columns found, or
-  /// a distance in pixels. 0 if the fault has no size.
+  /// Number that describes the fault, depending on `kind`: the delay in frames, the time at which
+  /// the camera was moved in seconds, the ratio of the given focal length or size to the one that
+  /// was found, the number of columns that was found, or a distance in pixels. 0 if no number
+  /// describes the fault.
   double value = 0.0;
   /// Log likelihood of the observations with this fault, minus that without any fault; 0 if the
   /// fault was not found by its residuals.

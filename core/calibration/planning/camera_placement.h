@@ -31,7 +31,7 @@ struct PlacementSettings {
   double goodSigma = 0.005;
   std::size_t cellCount = 900; ///< number of cells into which the volume is divided for the search
   /// Number of cells used to compute the reported fractions; 0: the same cells as for the search.
-  /// With the number of cells of a displayed map, the fractions agree with that map.
+  /// To make the fractions agree with a displayed map, set the number of cells of that map.
   std::size_t reportedCells = 0;
 };
 

@@ -30,7 +30,7 @@ enum class WandScale {
   Diameter    ///< from the apparent radius of the ball, measured to about 0.05 px
 };
 
-/// Two positions at a known distance from each other, at which the ball was held.
+/// Two times at which ball 0 was held at two positions with a known distance between them.
 struct TouchedDistance {
   double firstTime = 0.0;  ///< seconds
   double secondTime = 0.0; ///< seconds

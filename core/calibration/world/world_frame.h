@@ -15,15 +15,16 @@
 // cameras keep their positions relative to each other, except for a common scale factor.
 namespace dewpoint::calibration {
 
-/// Change after which the floor is at z = 0, and how exactly its points lie in one plane.
+/// Change of the world frame after which the floor is at z = 0, and how exactly the points of the
+/// floor lie in one plane.
 struct FloorChange {
   Similarity change;
   double rms = 0.0; ///< root mean square distance of the points to the plane, meters
 };
 
-/// Returns the change after which the plane through `points` (least squares) is z = 0. The first
-/// point becomes the origin, and the x axis points toward the second one. The cameras determine
-/// which side is up: most of them must be above the floor.
+/// Returns the change of the world frame after which the plane fitted to `points` (least squares)
+/// is z = 0. The first point becomes the origin, and the x axis points toward the second one. The
+/// cameras determine which side is up: most of them must be above the floor.
 ///
 /// Error: Undetermined (field "floor") if there are fewer than three points, or if they lie on one
 /// line.
