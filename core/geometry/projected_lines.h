@@ -27,8 +27,8 @@ std::vector<ImageLine> projectedLine(const Projector& projector, const Eigen::Ve
                                      const Eigen::Vector3d& to);
 /// Projects all edges of a box as projectedLine() does.
 std::vector<ImageLine> projectedEdges(const Projector& projector, const WorldBox& box);
-/// Projects a ray up to 1000 m from its origin: the epipolar line of the pixel from which the ray
-/// comes.
+/// Projects a ray up to 1000 m from its origin. If the ray belongs to a pixel of another camera,
+/// the result is the epipolar line of that pixel.
 std::vector<ImageLine> projectedRay(const Projector& projector, const Ray& ray);
 
 } // namespace dewpoint::geometry

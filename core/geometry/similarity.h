@@ -25,7 +25,7 @@ struct Similarity {
 };
 
 /// Returns the least-squares similarity that maps each point in `from` to the point with the same
-/// index in `to` (Umeyama 1991). Its scale is 1 unless `sized` is set. Requires at least three
+/// index in `to` (Umeyama 1991). The scale is 1 unless `sized` is true. Requires at least three
 /// points that are not on a line.
 Similarity fitSimilarity(const std::vector<Eigen::Vector3d>& from,
                          const std::vector<Eigen::Vector3d>& to, bool sized);

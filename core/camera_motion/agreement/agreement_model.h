@@ -25,8 +25,8 @@ struct CameraError {
 /// Assumption about what is wrong with a rig. AgreementModel::fit() computes how well the
 /// assumption explains the sightings.
 struct AgreementHypothesis {
-  /// For each camera, the index of the camera whose calibration it uses. If empty, each camera uses
-  /// its own calibration.
+  /// For each camera, the index of the camera whose calibration applies to its images under this
+  /// assumption. If empty, each camera has its own calibration.
   std::vector<std::size_t> calibrations = {};
   /// Camera that may point in a wrong direction. The standard deviation of its rotation error is 3
   /// degrees, instead of the 0.2 degrees that are usual for calibrations.
@@ -46,7 +46,7 @@ struct AgreementFit {
   double logEvidence = 0.0;
   double logLikelihood = 0.0; ///< log likelihood at `errors`
   double logPrior = 0.0;      ///< log prior of `errors`, relative to no errors
-  /// Number of comparisons of a sighting with another camera, as a sum of their weights.
+  /// Sum of the weights of all comparisons of a sighting with the image of another camera.
   double count = 0.0;
   /// Log likelihoods and counts per camera pair, in the order of AgreementModel::pairs().
   std::vector<double> pairLogLikelihoods = {};
@@ -81,12 +81,12 @@ public:
 
   /// Fits the camera errors under a hypothesis.
   AgreementFit fit(const AgreementHypothesis& hypothesis) const;
-  /// Returns a rough log likelihood of a camera's delay without fitting anything, based on the
-  /// pairs that include the camera.
+  /// Returns a rough log likelihood of the delay `delay` (seconds) of a camera. Fits nothing; uses
+  /// only the pairs of cameras that include this camera.
   double roughLogLikelihood(std::size_t camera, double delay) const;
 
-  /// Returns the median ratio of measured to known radius over the regions that match under these
-  /// errors. Returns nothing if there are only a few such regions.
+  /// Returns the median ratio of measured to known radius. It is taken over the regions that match
+  /// if the cameras have the errors `errors`. Returns nothing if only a few regions match.
   std::optional<double> sizeRatio(const std::vector<CameraError>& errors) const;
 
   /// Returns the median time between successive images of a camera, in seconds.

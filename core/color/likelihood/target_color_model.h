@@ -71,8 +71,8 @@ public:
   /// of pixels of the rest that compete with one target pixel. If it is 1, the table is a
   /// likelihood ratio, for callers that know the probability of a target at a position from another
   /// source. If it is pixelRatio(), the log ratio is 0 for colors with as many pixels in the target
-  /// as in the rest, consistent with the weights in fitRange(). The latter is intended for callers
-  /// that segment whole images.
+  /// as in the rest, consistent with the weights in fitRange(). Use pixelRatio() to segment whole
+  /// images.
   ColorLikelihood likelihoodForCamera(const ColorGain& gain,
                                       const std::vector<WeightedHsiColor>& rest,
                                       double restPerTarget = 1.0) const;

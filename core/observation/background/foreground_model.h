@@ -22,8 +22,8 @@ struct ForegroundSettings {
   BackgroundMethod method = BackgroundMethod::Running;
   /// Number of frames at the start that are used only for learning.
   int learningFrames = 15;
-  /// Number of frames after which a new object that does not move is halfway to becoming
-  /// background.
+  /// Number of frames after which the background at a new object that does not move has changed
+  /// halfway to the object.
   double memoryFrames = 600.0;
   /// Lowest brightness, as a fraction of the usual brightness, at which a pixel still counts as a
   /// shadow.

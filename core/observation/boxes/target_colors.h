@@ -14,9 +14,9 @@ namespace dewpoint::observation {
 /// least as frequent in the surroundings as on the target.
 using BinShares = std::vector<std::uint16_t>;
 
-/// Color histograms of the parts of a target inside a box, and of its surroundings. The histograms
-/// follow slow changes. Those of the target follow a change only halfway, because they always keep
-/// half of their weight from the first image.
+/// Color histograms of a target and of its surroundings. The target's box is divided into parts,
+/// each with its own histogram. The histograms adapt to slow changes. Those of the target adapt
+/// only halfway, because the first image always keeps half of the weight.
 class TargetColors {
 public:
   static constexpr int kColumns = 2;

@@ -84,8 +84,8 @@ struct ScoreSums {
 /// piece may look like the background.
 double bodyScore(const ScoreSums& score, const BodySilhouette& silhouette, double floor);
 
-/// Returns the score of the upper half of the body only, computed like bodyScore(). It is useful
-/// because legs are hidden more often than heads.
+/// Returns the score of the upper half of the body only, computed like bodyScore(). Use it where
+/// legs may be hidden, which happens more often than for heads.
 double upperBodyScore(const ScoreSums& score, const BodySilhouette& silhouette, double floor);
 
 } // namespace dewpoint::observation
