@@ -103,8 +103,8 @@ public:
     return node != nullptr ? node->as_table() : nullptr;
   }
 
-  /// Returns the node under a key, for values with their own structure; null if absent. Marks the
-  /// key as known.
+  /// Returns the node under a key, or null if the key is absent. Use it for values that no other
+  /// function can read. The key then counts as requested.
   const toml::node* node(const char* key) { return find(key); }
 
   bool failed() const { return error_.has_value(); }

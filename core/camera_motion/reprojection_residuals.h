@@ -46,7 +46,7 @@ std::optional<Eigen::Vector2d> colorCentroid(const cv::Mat& image, const ColorRa
 class ReprojectionResiduals {
 public:
   /// Maximum number of sightings per camera; the newest are kept.
-  static constexpr std::size_t kMost = 300;
+  static constexpr std::size_t kMaxSightings = 300;
   explicit ReprojectionResiduals(const CameraRig& rig);
 
   /// Adds the sightings of a frame, after the tracker has processed this frame. Targets without a

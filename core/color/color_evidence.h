@@ -17,10 +17,10 @@ namespace dewpoint::color {
 /// What one image shows of the target and of objects that may be the target. Masks are CV_8UC1 with
 /// the size of the image, containing 255 or 0. All members are empty if there is no image.
 struct ImageEvidence {
-  cv::Mat image;   ///< shares the pixels of the input
-  cv::Mat clicked; ///< region in which the image still shows the clicked object; empty if no click
-                   ///< shows it
-  /// If no click shows the target: the object with the typical colors of the samples.
+  cv::Mat image; ///< shares the pixels of the input
+  /// Region of the clicked object if the image still shows this object; otherwise empty.
+  cv::Mat clicked;
+  /// If `clicked` is empty: the object with the typical colors of the samples.
   cv::Mat similar;
   /// Pixels that may show the target, and are therefore not counted as the rest of the image; may
   /// be empty.

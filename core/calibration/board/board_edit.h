@@ -21,7 +21,7 @@ BoardDescription withSquares(BoardDescription board, int columns, int rows);
 /// 0.018750000000000003.
 BoardDescription withSquareSize(BoardDescription board, double squareSize);
 
-/// Returns the board with another marker size (meters), which is rounded to 10 nm like those of
+/// Returns the board with another marker size (meters). The size is rounded to 10 nm, as in
 /// withSquareSize().
 BoardDescription withMarkerSize(BoardDescription board, double markerSize);
 

@@ -41,10 +41,10 @@ struct GuidanceState {
   GuidanceAdvice advice = GuidanceAdvice::ShowBoard;
   /// Index (in BoardCoverage) of the region in which to show the board; -1 if none is requested.
   int region = -1;
-  BoardTilt tilt = BoardTilt::Flat;   ///< tilt requested by TiltTo
+  BoardTilt tilt = BoardTilt::Flat;   ///< tilt to show if the advice is TiltTo
   BoardCoverage coverage;             ///< coverage of the captured views
   int views = 0;                      ///< number of views captured so far
-  double holdProgress = 0.0;          ///< elapsed fraction of the hold time, 0 to 1
+  double holdProgress = 0.0;          ///< elapsed fraction of GuidanceSettings::holdSeconds, 0 to 1
   bool captured = false;              ///< true if this image was captured as a view
   std::optional<double> projectionPx; ///< worstProjectionPx of the latest calibration, pixels
 };
@@ -53,7 +53,7 @@ struct GuidanceState {
 /// determines what to show next. It handles no images itself, and has neither threads nor a clock.
 /// It captures a view automatically when the board is still and sharp, and has a new position or
 /// tilt. It ends when a calibration from the captured views is accurate enough. The caller computes
-/// this calibration and passes it to learn().
+/// this calibration and passes it to acceptCalibration().
 class BoardGuidance {
 public:
   BoardGuidance(const BoardDescription& board, int width, int height,
@@ -68,9 +68,9 @@ public:
   /// Accepts a calibration that the caller computed from the views captured so far. From now on,
   /// the guidance estimates board poses with this calibration, and it ends if the accuracy of the
   /// calibration is sufficient.
-  void learn(const IntrinsicsResult& result);
-  /// Returns whether enough views were captured since the last learn() to compute another
-  /// calibration.
+  void acceptCalibration(const IntrinsicsResult& result);
+  /// Returns whether enough views were captured since the last acceptCalibration() to compute
+  /// another calibration.
   bool isCalibrationDue() const;
 
   const std::vector<BoardView>& views() const { return views_; }
@@ -87,7 +87,7 @@ private:
 
   BoardDescription board_;
   GuidanceSettings settings_;
-  Camera camera_; ///< best estimate so far
+  Camera camera_; ///< intrinsics of the latest calibration, or a first guess
   std::vector<BoardView> views_;
   std::vector<BoardTilt> tilts_; ///< tilt of the board in each view
   BoardCoverage coverage_;

@@ -29,9 +29,9 @@ struct MarkerReading {
   auto operator<=>(const MarkerReading&) const = default;
 };
 
-/// Returns the names of the largest dictionaries, one for each code. A code consists of the
-/// dictionaries with the same number of cells (DICT_4X4_50, DICT_4X4_100, ...); the smaller ones
-/// begin with the same markers.
+/// Returns the names of the largest dictionaries, one for each code. A code is a family of
+/// dictionaries whose markers have the same number of cells (DICT_4X4_50, DICT_4X4_100, ...). The
+/// smaller dictionaries of a code contain only the first markers of the largest one.
 const std::vector<std::string>& markerCodes();
 
 /// Reads all markers in an image (CV_8UC1), in every code. The image is read both as it is and

@@ -25,10 +25,11 @@ struct ViewFit {
   std::string name;
   std::int64_t instant = 0;
   bool used = true;
-  bool doubtful = false; ///< used, but with more than three times the error of the median image
-  std::string reason;    ///< why the view was left out or is doubtful
-  double rmsPx = 0.0;    ///< root mean square distance of the view's corners, pixels
-  double tilt = 0.0;     ///< tiltAngle(), radians
+  /// True if the view is used although its error is more than three times the median error.
+  bool doubtful = false;
+  std::string reason; ///< why the view was left out or is doubtful
+  double rmsPx = 0.0; ///< root mean square distance of the view's corners, pixels
+  double tilt = 0.0;  ///< tiltAngle(), radians
   Eigen::Isometry3d cameraFromBoard = Eigen::Isometry3d::Identity();
   std::vector<int> ids;
   std::vector<Eigen::Vector2d> pixels;    ///< measured positions

@@ -61,7 +61,8 @@ struct BundleBody {
   std::vector<Eigen::Vector3d> points = {}; ///< points of a board, in the board frame; meters
 };
 
-/// Position of a body at one time. These states and the cameras are the unknowns of the problem.
+/// Position (and orientation) of a body at one time. The adjustment estimates these states together
+/// with the cameras.
 struct BundleState {
   std::size_t body = 0;
   double time = 0.0; ///< seconds

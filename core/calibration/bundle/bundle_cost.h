@@ -41,8 +41,8 @@ struct PixelCostSetup {
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
   double sigma = 1.0;
   double outlineShift = 0.0;
-  /// For a point on a board: the fixed rotation to which the rotation vector in the state block of
-  /// the board is relative. Nothing for a free point.
+  /// For a point on a board: a fixed rotation of the board. The rotation vector in the state block
+  /// of the board is relative to it. Nothing for a free point.
   std::optional<Eigen::Matrix3d> boardRotation;
   Eigen::Vector3d boardPoint = Eigen::Vector3d::Zero();
   int stateSize = 3; ///< size of a state block: 3 for a point, 6 for a stick or board

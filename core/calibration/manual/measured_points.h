@@ -79,7 +79,7 @@ struct PointSolution {
   CameraRig rig;                         ///< solved cameras have a new pose; the others keep theirs
   std::vector<CameraFromPoints> cameras; ///< cameras with at least one click
   std::vector<ClickResidual>
-      residuals; ///< residuals for the solved rig, relative to the points as entered
+      residuals; ///< residuals of all clicks for the solved rig and the points as entered
   double rmsPx = 0.0;
   /// If `isWorstWrong`: index of the wrong point. Otherwise: index of the point with the largest
   /// residual.

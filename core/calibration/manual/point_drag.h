@@ -36,7 +36,7 @@ struct DragSettings {
 /// Result of a drag.
 struct Drag {
   Camera camera;                     ///< camera at the end of the drag
-  DragLimit limit = DragLimit::None; ///< reason why the drag stopped early
+  DragLimit limit = DragLimit::None; ///< reason why the drag stopped early; None if it did not
   /// Distance at the end between the pixel of the dragged point and the requested pixel, in pixels.
   double miss = 0.0;
 };

@@ -26,9 +26,8 @@ enum class WorldSide {
   Inverted
 };
 
-/// Returns whether the z axis of the world points up, according to `found`, the result of
-/// poseFromPoints() for these anchors. If z points down, a camera with an upright image is
-/// WorldSide::Inverted.
+/// Returns whether the z axis of the world points up, judged by one camera whose images are assumed
+/// to be upright. `found` is the result of poseFromPoints() for these anchors.
 WorldSide worldSideOf(const PointPose& found, const std::vector<ImageAnchor>& anchors);
 
 /// Checks whether the images of a camera are rotated or mirrored. `found` is the result of

@@ -84,8 +84,8 @@ public:
   double fractionWithin(double sigma) const;
 
 private:
-  /// Symmetric 3 x 3 matrices for all cells, stored as xx xy xz yy yz zz, and whether the camera
-  /// sees the cells.
+  /// What one camera contributes to each cell: its information matrix (symmetric 3 x 3, stored as
+  /// xx xy xz yy yz zz), and whether it sees the cell.
   struct Information {
     std::vector<std::array<float, 6>> matrices;
     std::vector<std::uint8_t> seen;

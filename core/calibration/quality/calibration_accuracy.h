@@ -15,9 +15,10 @@ namespace dewpoint::calibration {
 struct AccuracyPriors {
   double scaleSigma = 0.0; ///< relative standard deviation of the scale; 0: exact, or unknown
   bool scaleKnown =
-      true; ///< false if the scale is a convention, so that its accuracy is not reported
-  std::optional<double> upSigma; ///< standard deviation of the upward direction about each of two
-                                 ///< axes, radians; nothing if up is a convention
+      true; ///< false if the scale is arbitrary; the accuracy of the scale is then not reported
+  /// Standard deviation of the upward direction about each of two horizontal axes, radians; empty
+  /// if the upward direction is arbitrary.
+  std::optional<double> upSigma;
 };
 
 /// Accuracy of a calibration. Errors are computed after the best-fitting rigid motion, so they do

@@ -21,7 +21,6 @@ struct Suspect {
 
 /// Finds the fault that best explains the images of a suspect. Returns nothing if no fault explains
 /// them clearly better than assuming no fault.
-std::optional<DetectedFault> findCameraFault(const FaultSearchInput& question,
-                                             const Suspect& suspect);
+std::optional<DetectedFault> findCameraFault(const FaultSearchInput& input, const Suspect& suspect);
 
 } // namespace dewpoint::calibration

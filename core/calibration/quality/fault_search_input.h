@@ -25,7 +25,8 @@ struct FaultSearchInput {
   std::vector<std::array<int, 2>> imageSizes =
       {};                                     ///< image size of each video, pixels; empty: unknown
   std::optional<BoardDescription> board = {}; ///< board represented by the first body
-  bool focalUnknown = false; ///< true if focal lengths are to be estimated, so that they may differ
+  /// True if the focal lengths are not known, so that a wrong focal length is no fault.
+  bool focalUnknown = false;
   /// True if cameras run without synchronization, or offsets are to be estimated. A much larger
   /// gain is then required.
   bool unsynchronized = false;

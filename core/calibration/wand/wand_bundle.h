@@ -23,7 +23,7 @@ BundleProblem thinned(const BundleProblem& problem, int most, bool inRuns);
 void updateOutlineShifts(const std::array<double, 2>& ballRadius, const BundleResult& now,
                          BundleProblem& problem);
 
-/// Drops the observation with the largest residual of each state if that residual exceeds `limit`
+/// In each state, drops the observation with the largest residual if this residual exceeds `limit`
 /// pixels. Returns the number of dropped observations, and adds the number of each camera to the
 /// camera's entry in `dropped`.
 std::size_t dropWorstObservations(const BundleResult& now, double limit, BundleProblem& problem,

@@ -9,8 +9,8 @@
 namespace dewpoint::calibration {
 
 /// Returns the similarity that best maps the positions and axes of the cameras in `from` to those
-/// in `to`. The scale of the similarity is 1 unless `sized` is true.
-Similarity fitRigSimilarity(const CameraRig& from, const CameraRig& to, bool sized);
+/// in `to`. The scale is estimated if `scaleFree` is set; otherwise it is 1.
+Similarity fitRigSimilarity(const CameraRig& from, const CameraRig& to, bool scaleFree);
 
 /// Transforms the cameras, states and covariance of a result to another world frame.
 void moveWorld(const Similarity& change, BundleResult& result);

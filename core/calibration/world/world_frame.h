@@ -30,22 +30,23 @@ struct FloorChange {
 /// line.
 Result<FloorChange> floorThrough(const std::vector<Eigen::Vector3d>& points, const CameraRig& rig);
 
-/// Returns the change after which the line from `from` to `to` is horizontal. The world is rotated
-/// about `from`, by the smallest angle. Error: Undetermined (field "level") if the two points are
-/// equal or if the line is closer to vertical than to horizontal.
+/// Returns the change of the world frame after which the line from `from` to `to` is horizontal.
+/// The world is rotated about `from`, by the smallest angle. Error: Undetermined (field "level") if
+/// the two points are equal or if the line is closer to vertical than to horizontal.
 Result<Similarity> levelAlong(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
-/// Returns the change after which `point` is the origin. The axes keep their directions.
+/// Returns the change of the world frame after which `point` is the origin. The axes keep their
+/// directions.
 Similarity originAt(const Eigen::Vector3d& point);
 
-/// Returns the rotation about the vertical through the origin after which the x axis points from
-/// `from` toward `to`, seen from above. Error: Undetermined (field "axis") if one point is above
-/// the other.
+/// Returns the rotation of the world about the vertical axis through the origin after which, seen
+/// from above, the x axis points in the direction from `from` to `to`. Error: Undetermined (field
+/// "axis") if one point is above the other.
 Result<Similarity> xAxisAlong(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
-/// Returns the change after which the distance between two points is `meters`. The origin stays
-/// where it is. Error: BadValue (field "length") unless the length is positive and the points
-/// differ.
+/// Returns the change of the world's scale after which the distance between two points is `meters`.
+/// The origin stays where it is. Error: BadValue (field "length") unless the length is positive and
+/// the points differ.
 Result<Similarity> scaleToLength(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                                  double meters);
 
@@ -64,8 +65,8 @@ Similarity movedBy(const Eigen::Vector3d& shift, double turn);
 /// nothing if they are upright now or if the cameras do not show which way is up. Calibrations of
 /// other tools often use the axes of the first camera, or have a z axis that points down.
 ///
-/// The mean of the images' upward directions shows which way is up. Cameras that look straight
-/// down, or that are mounted upside down under a ceiling, are left alone.
+/// The mean of the images' upward directions shows which way is up. Returns nothing if the cameras
+/// look steeply down on average, because such cameras may be mounted upside down under a ceiling.
 std::optional<Similarity> uprightTurn(const CameraRig& rig);
 
 } // namespace dewpoint::calibration

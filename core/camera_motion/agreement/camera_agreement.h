@@ -49,7 +49,7 @@ private:
 
   CameraRig rig_;
   std::vector<CameraDisagreement> found_;
-  std::size_t ofRig_ = 0; ///< number of faults in found_ that concern the rig itself
+  std::size_t rigFaultCount_ = 0; ///< number of faults in found_ that concern the rig itself
   std::vector<ColorRanges> colors_;
   std::vector<double> radii_; ///< target radius for each color, meters; 0: unknown
   std::vector<std::vector<SightingHistory>> histories_; ///< [color][camera]

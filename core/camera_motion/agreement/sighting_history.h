@@ -37,7 +37,7 @@ struct SightingImage {
 class SightingHistory {
 public:
   /// Time span for which images are kept, in seconds.
-  static constexpr double kKept = 4.0;
+  static constexpr double kKeptSeconds = 4.0;
 
   SightingHistory(const ColorRanges& color, const Camera& camera);
 
@@ -59,7 +59,7 @@ private:
   void trackRegions(const SightingImage& before, SightingImage& now);
 
   ColorRegionSearch search_;
-  Unprojector unprojector_; ///< to camera axes
+  Unprojector unprojector_; ///< converts pixels to directions in camera axes
   std::deque<SightingImage> images_;
   std::vector<CountedPosition> counted_; ///< one per track in the last image
   int tracks_ = 0;

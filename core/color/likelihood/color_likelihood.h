@@ -60,8 +60,9 @@ private:
 
     void include(int value);
   };
-  /// Bounds of red - green, green - blue, red - blue and the sum, over all cells above the lowest
-  /// log ratio. The colors of a single-hue target lie in a wedge that these bounds enclose tightly.
+  /// Bounds of red - green, green - blue, red - blue and the sum of the channels, over all cells
+  /// whose log ratio is above the lowest one. The colors of a single-hue target lie in a wedge that
+  /// these bounds enclose tightly.
   using ChannelBounds = std::array<Bounds, 4>;
   static std::array<int, 4> boundedCoordinates(int blue, int green, int red) {
     return {red - green, green - blue, red - blue, red + green + blue};

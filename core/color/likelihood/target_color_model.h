@@ -14,8 +14,8 @@ struct ColorEvidence;
 
 /// Color response of a camera relative to the reference camera. The response consists of factors
 /// for the gray levels, each > 0, that result from exposure (equal for all channels) and white
-/// balance. If gray levels are a power of the light, a constant factor of the light is also a
-/// constant factor of the gray levels.
+/// balance. This also holds if gray levels are proportional to a power of the light (gamma): a
+/// constant factor of the light is then still a constant factor of the gray levels.
 struct ColorGain {
   double blue = 1.0;
   double green = 1.0;

@@ -59,8 +59,8 @@ public:
   void learn(const cv::Mat& image, const std::vector<ExcludedCircle>& hidden,
              bool noTargetElsewhere = false);
   /// Discards what learn() with `noTargetElsewhere` has learned about target colors in the
-  /// background. The version with a circle discards it only inside the circle, which turned out to
-  /// contain a target.
+  /// background. The version with a circle discards it only inside the circle. Call it if the
+  /// circle did contain a target.
   void forgetFamiliarPixels();
   void forgetFamiliarPixels(const ExcludedCircle& circle);
   /// Returns the size of the model's images, bytes.
@@ -95,17 +95,18 @@ private:
   cv::Mat mean_; ///< CV_8UC3
   /// CV_8UC1, number of observations of each pixel that agreed with the mean, up to kMostConfident.
   cv::Mat confidence_;
-  /// CV_8UC1, number of latest observations of each pixel in a row that did not agree with the
-  /// mean.
+  /// CV_8UC1, for each pixel, how many successive observations up to the latest did not agree with
+  /// the mean.
   cv::Mat novel_;
   cv::Mat backgroundImage_; ///< CV_8UC3, never modified
   /// CV_8UC1, or empty. 255 where the mean still comes from the background image. Elsewhere, the
   /// number of observations without a target; from kEmptyAfter on, they count as much as the
   /// background image.
   cv::Mat familiar_;
-  bool lightIsNew_ =
-      false;      ///< no image has followed the background image yet, so the light is unknown
-  int phase_ = 0; ///< first row of the next learn()
+  /// True after the background image was learned, until the next image; the light of that image is
+  /// not known yet.
+  bool lightIsNew_ = false;
+  int phase_ = 0;                   ///< first row of the next learn()
   std::int64_t known_ = 0;          ///< number of pixels in the last learn() that were known
   std::int64_t new_ = 0;            ///< number of these pixels that showed something new
   std::vector<std::uint8_t> moves_; ///< scratch, one row

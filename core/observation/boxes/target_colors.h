@@ -26,12 +26,12 @@ public:
 
   /// Discards everything and learns the colors of a box, whose center must be in the image.
   void learn(const cv::Mat& bgr, const ImageBox& box);
-  /// Moves the target's histograms toward those of a box by the fraction `rate`, [0, 1]. Pixels
-  /// whose colors are more typical of the surroundings count less, so that surroundings inside the
-  /// box are not learned.
+  /// Adapts the histograms of the target to the image inside a box: moves them by the fraction
+  /// `rate`, 0 to 1, toward the histograms of the box. Pixels whose colors are more typical of the
+  /// surroundings count less, so that surroundings inside the box are not learned.
   void adaptTarget(const cv::Mat& bgr, const ImageBox& box, double rate);
-  /// Moves the histogram of the surroundings toward that of the surroundings of a box, by the
-  /// fraction `rate`, [0, 1].
+  /// Adapts the histogram of the surroundings to the image around a box: moves it by the fraction
+  /// `rate`, 0 to 1, toward the histogram of that part of the image.
   void adaptSurroundings(const cv::Mat& bgr, const ImageBox& box, double rate);
 
   /// Returns max(0, 2 P(target | color) - 1) per color bin for a part. Parts are numbered row by

@@ -54,7 +54,7 @@ private:
 /// a pixel measures how much better (above 0) or worse (below 0) the pixel fits a person than no
 /// person. CV_32SC1, with one more row and column than the image.
 struct ScoreSums {
-  static constexpr int kUnit = 40;     ///< byte value of a score of 1
+  static constexpr int kUnit = 40;     ///< difference in byte value for a difference in score of 1
   static constexpr int kNothing = 100; ///< byte value of a score of 0
   cv::Mat sums;
 

@@ -29,7 +29,7 @@ struct OutlineFit {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); ///< covariance of the center, m²
   double logRadiusVariance = 0.0;                       ///< variance of log(radius)
   std::vector<int> edges; ///< number of spokes on which the outline was found, per camera
-  bool found = false; ///< true if enough of the outline was seen; otherwise no other field is valid
+  bool found = false; ///< true if enough of the outline was seen; if false, no other field is valid
   /// Disagreement between the cameras. For each camera, the position is also computed from this
   /// camera alone. The disagreement is the sum of the squared Mahalanobis distances of these
   /// positions from `center`. On average, it equals `degreesOfFreedom` if the edge errors are as
