@@ -26,8 +26,8 @@ enum class WorldSide {
   Inverted
 };
 
-/// Returns whether the z axis of the world points up, judged by one camera whose images are assumed
-/// to be upright. `found` is the result of poseFromPoints() for these anchors.
+/// Returns whether the z axis of the world points up, as far as one camera shows. Assumes that the
+/// images of this camera are upright. `found` is the result of poseFromPoints() for these anchors.
 WorldSide worldSideOf(const PointPose& found, const std::vector<ImageAnchor>& anchors);
 
 /// Checks whether the images of a camera are rotated or mirrored. `found` is the result of

@@ -38,7 +38,7 @@ public:
              const ColorClassifier& classifier) {
     begin(image, background, classifier, classifier);
   }
-  /// Removes the image, for a camera without an image.
+  /// Removes the image and its labels. Call it for a frame in which the camera has no image.
   void clear();
 
   bool empty() const { return image_.empty(); }

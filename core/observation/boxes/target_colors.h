@@ -30,8 +30,8 @@ public:
   /// `rate`, 0 to 1, toward the histograms of the box. Pixels whose colors are more typical of the
   /// surroundings count less, so that surroundings inside the box are not learned.
   void adaptTarget(const cv::Mat& bgr, const ImageBox& box, double rate);
-  /// Adapts the histogram of the surroundings to the image around a box: moves it by the fraction
-  /// `rate`, 0 to 1, toward the histogram of that part of the image.
+  /// Adapts the histogram of the surroundings to an image: moves it by the fraction `rate`, 0 to 1,
+  /// toward the result of surroundingsHistogramOf().
   void adaptSurroundings(const cv::Mat& bgr, const ImageBox& box, double rate);
 
   /// Returns max(0, 2 P(target | color) - 1) per color bin for a part. Parts are numbered row by
