@@ -15,7 +15,8 @@ struct NormalPair {
   double second;
 };
 
-/// Returns two independent standard normal numbers from two random words (Box & Muller 1958).
+/// Computes two independent standard normal numbers from two uniform random words (Box & Muller
+/// 1958).
 [[gnu::always_inline]] inline NormalPair boxMuller(std::uint32_t radiusWord,
                                                    std::uint32_t angleWord) {
   // Half a step away from 0, where the logarithm is infinite.
@@ -30,7 +31,7 @@ struct NormalPairSingle {
   float second;
 };
 
-/// Returns two independent standard normal numbers as boxMuller() does, in single precision.
+/// Computes two independent standard normal numbers like boxMuller(), but in single precision.
 [[gnu::always_inline]] inline NormalPairSingle boxMullerSingle(std::uint32_t radiusWord,
                                                                std::uint32_t angleWord) {
   const float radius = std::sqrt(-2.0F * logarithm(toUnitInterval(radiusWord)));

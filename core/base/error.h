@@ -30,8 +30,8 @@ enum class ErrorCode {
   Canceled,
 };
 
-/// Failure as a value: the file (or device, or network address), the field in it, and details.
-/// `file` and `field` are empty where they do not apply.
+/// Failure, described by the file (or the device or network address), the field in the file, and
+/// details. `file` and `field` are empty if they do not apply.
 struct Error {
   ErrorCode code = ErrorCode::BadValue;
   std::string file;

@@ -29,7 +29,7 @@ constexpr const char* levelName(FindingLevel level) {
 }
 
 /// Returns the most severe level among the elements of `found`, or Ok if there are no elements.
-/// `level` is a pointer to the member of an element that holds its level.
+/// `level` is a pointer to the data member in which an element stores its level.
 template <class Range, class Level> FindingLevel worstLevel(const Range& found, Level level) {
   FindingLevel worst = FindingLevel::Ok;
   for (const auto& one : found) {

@@ -5,8 +5,9 @@
 
 namespace dewpoint::base {
 
-/// Vector instructions that a kernel may use. Baseline: those that every processor of the
-/// architecture supports. Avx2 and Avx512 exist only on x86-64, and are 256 and 512 bits wide.
+/// Vector instructions that a kernel (vector_kernel.h) may use. Baseline: the instructions that
+/// every processor of the architecture supports. Avx2 (256 bits wide) and Avx512 (512 bits wide)
+/// exist only on x86-64.
 enum class InstructionSet { Baseline, Avx2, Avx512 };
 
 /// Returns the widest instruction set that this processor supports, or the limit that an

@@ -19,8 +19,8 @@ inline constexpr std::uintmax_t kMaxTextBytes = std::uintmax_t{64} << 20U;
 inline constexpr std::uintmax_t kMaxTableBytes = std::uintmax_t{4} << 30U;
 /// Maximum size of a calibration, in bytes. A calibration of 1000 cameras takes less than 1 MiB,
 /// but the objects that parsers build from text take up to 200 times its size. Files from mrcal
-/// also contain the data from which the calibration was computed. This data does not count: with
-/// it, such a file may have up to kMaxTextBytes.
+/// also contain the data from which the calibration was computed. This data does not count towards
+/// the limit: a file that contains it may have up to kMaxTextBytes.
 inline constexpr std::uintmax_t kMaxCalibrationBytes = std::uintmax_t{4} << 20U;
 
 /// Maximum number of cameras in a project, calibration or scene. The largest motion capture stages
@@ -43,7 +43,7 @@ inline constexpr std::size_t kMaxColumns = 1000;
 /// per parameter.
 inline constexpr std::size_t kMaxHeaderEntries = 10'000;
 /// Maximum frame number in a recording: ten years at 30 frames/s. The difference between two frame
-/// numbers fits in any integer type.
+/// numbers fits in a 64-bit integer.
 inline constexpr std::int64_t kMaxFrames = 10'000'000'000;
 
 /// Maximum number of parts in a TOML key ("a.b.c" has 3), and maximum depth of nested brackets.

@@ -34,9 +34,10 @@ public:
   /// Returns four uniform words for element `index`. Other values of `block` yield additional words
   /// for the same element.
   std::array<std::uint32_t, 4> words(std::uint32_t index, std::uint32_t block = 0) const;
-  /// Returns a uniform number in [0, 1) with 53 bits.
+  /// Returns a uniform number in [0, 1) with 53 random bits, computed from words(index, block).
   double uniform(std::uint32_t index, std::uint32_t block = 0) const;
-  /// Returns three uniform numbers in [0, 1) with 32 bits each.
+  /// Returns three uniform numbers in [0, 1) with 32 random bits each, computed from words(index,
+  /// block).
   std::array<double, 3> uniform3(std::uint32_t index, std::uint32_t block = 0) const;
   /// Returns four independent standard normal numbers (Box-Muller, with the functions of
   /// elementary.h).

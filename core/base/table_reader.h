@@ -38,7 +38,8 @@ public:
 
   bool has(const char* key) const { return table_.contains(key); }
 
-  /// Reads a finite number between `low` and `high`, inclusive.
+  /// Reads a finite number between `low` and `high`, inclusive, into `value`. Any other value under
+  /// the key is an error.
   void number(const char* key, double& value, double low, double high) {
     const toml::node* node = find(key);
     if (node == nullptr) {
@@ -52,7 +53,8 @@ public:
     }
   }
 
-  /// Reads an integer between `low` and `high`, inclusive.
+  /// Reads an integer between `low` and `high`, inclusive, into `value`. Any other value under the
+  /// key is an error.
   template <class Integer>
   void integer(const char* key, Integer& value, std::int64_t low, std::int64_t high) {
     const toml::node* node = find(key);
@@ -101,13 +103,14 @@ public:
     return node != nullptr ? node->as_table() : nullptr;
   }
 
-  /// Returns the node under a key, for values with their own structure; null if absent. Marks the
-  /// key as known.
+  /// Returns the node under a key, or null if the key is absent. Use it for values that no other
+  /// function can read. The key then counts as requested.
   const toml::node* node(const char* key) { return find(key); }
 
   bool failed() const { return error_.has_value(); }
 
-  /// Records an error found in a part of the table, unless an earlier error is recorded.
+  /// Records an error that the caller found in a part of the table. Does nothing if an error is
+  /// already recorded.
   void recordError(std::optional<Error> error) {
     if (!error_) {
       error_ = std::move(error);
@@ -171,7 +174,8 @@ public:
     }
   }
 
-  /// Records an error for a key, with its line, unless an earlier error is recorded.
+  /// Records an error for a key, with the line of the key. Does nothing if an error is already
+  /// recorded.
   void fail(ErrorCode code, const std::string& key, std::string detail) {
     if (error_) {
       return;
@@ -184,9 +188,9 @@ public:
     error_ = Error{code, file_, prefix_ + key, std::move(detail)};
   }
 
-  /// Returns the error to report after all keys were read, or nothing. This is the first recorded
-  /// error. If there is none, it is an error for the first key that was never requested. Such an
-  /// unknown key also replaces a recorded MissingKey error.
+  /// Returns the error to report, or nothing. Call this function after all keys were read. If the
+  /// table contains a key that was never requested, and no error other than MissingKey is recorded,
+  /// the result is UnknownKey for that key. Otherwise the result is the first recorded error.
   std::optional<Error> finish() {
     for (const auto& [key, node] : table_) {
       if (std::ranges::find(known_, key.str()) == known_.end()) {

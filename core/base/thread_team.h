@@ -27,8 +27,8 @@ public:
                     const std::function<void(std::int64_t, std::int64_t)>& body);
 
   /// Calls `body(begin, end)` for blocks of `blockSize` elements; the last block may be shorter.
-  /// Blocks start at multiples of `blockSize` regardless of the number of threads, so a sum within
-  /// a block is always the same.
+  /// Blocks start at multiples of `blockSize`, regardless of the number of threads. Each block
+  /// always contains the same elements, so the rounded sum over a block is always the same.
   void forEachBlock(std::int64_t count, std::int64_t blockSize,
                     const std::function<void(std::int64_t, std::int64_t)>& body);
 

@@ -8,13 +8,13 @@
 
 namespace dewpoint::base {
 
-/// Returns the text of an uncertainty with its unit, rounded to two digits and never with an
-/// exponent, for example "+-0.2 degrees" or "+-890 px". Returns "unknown" if the value is not
-/// finite.
+/// Returns the text of an uncertainty with its unit, rounded to two significant digits and never
+/// with an exponent, for example "+-0.2 degrees" or "+-890 px". Returns "unknown" if the value is
+/// not finite.
 std::string uncertaintyText(double value, std::string_view unit);
 
-/// Returns the text of the uncertainty of a length, rounded in the same way. Below one meter, the
-/// unit is the millimeter: "+-3.1 mm", "+-1.2 m".
+/// Returns the text of the uncertainty of a length, rounded like uncertaintyText(). The unit is the
+/// millimeter below one meter, and otherwise the meter: "+-3.1 mm", "+-1.2 m".
 std::string lengthUncertaintyText(double meters);
 
 } // namespace dewpoint::base

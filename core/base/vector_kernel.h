@@ -3,7 +3,8 @@
 
 #include "core/base/instruction_set.h"
 
-/// Marks the body of a kernel, which must be inlined into each of its compiled versions.
+/// Marks the function `run` of a kernel. The function must be inlined into each of the versions
+/// that are compiled for different instruction sets.
 #define DEWPOINT_KERNEL [[gnu::always_inline]] static inline
 
 #if defined(__x86_64__)
@@ -28,11 +29,11 @@ template <class Kernel, class... Arguments>
 }
 #endif
 
-/// Runs `Kernel::run(arguments...)`, a plain loop without intrinsics, in the version compiled for
-/// this processor. All versions (one per instruction set) are compiled from the same source, and
-/// one is chosen at run time. Their floating-point results are identical to the bit: the compiler
-/// may neither reorder sums nor contract products (-ffp-contract=off), and kernels use only basic
-/// operations and the square root, whose rounding is defined by IEEE 754.
+/// Runs `Kernel::run(arguments...)`, which is a plain loop without intrinsics. The loop is compiled
+/// once for each instruction set, and the version for this processor is chosen at run time. All
+/// versions give bit-identical floating-point results. The reason is that the compiler may neither
+/// reorder sums nor contract products (-ffp-contract=off), and that kernels use only operations
+/// whose rounding is defined by IEEE 754: the basic ones and the square root.
 template <class Kernel, class... Arguments> void runKernel(Arguments... arguments) {
 #if defined(__x86_64__)
   switch (instructionSet()) {

@@ -30,8 +30,9 @@ public:
   };
   /// Locates the patch in an image. The search starts at the displacement `guess` (pixels from
   /// center()). Method: inverse compositional alignment (Baker and Matthews 2004, "Lucas-Kanade 20
-  /// years on") of a shift, with normalized mean and contrast. Returns nothing if the search
-  /// diverges, ends more than 6 pixels from `guess`, or leaves the image.
+  /// years on"), with the displacement as the only unknown, after mean and contrast are normalized.
+  /// Returns nothing if the search diverges, ends more than 6 pixels from `guess`, or leaves the
+  /// image.
   std::optional<Match> find(const cv::Mat& image, const Eigen::Vector2d& guess) const;
 
   const cv::Point& center() const { return center_; }

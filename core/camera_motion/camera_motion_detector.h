@@ -22,12 +22,12 @@ struct CameraMotionEvent {
 
 /// Current state of one camera.
 struct CameraMotionState {
-  /// Rotation relative to the reference images: the median of the last five checks, which take
-  /// about one second.
+  /// Rotation relative to the reference images: the median over the last five checks (about one
+  /// second).
   CameraRotation turn;
   /// True if the last image that was checked showed enough of the background.
   bool assessed = false;
-  /// True from the report of a motion until the camera is back in its old pose or accept() is
+  /// True after a motion was reported, until the camera is back in its old pose or accept() is
   /// called.
   bool moved = false;
 };

@@ -22,7 +22,7 @@ struct BackgroundShift {
 struct CameraRotation {
   Eigen::Vector3d turn = Eigen::Vector3d::Zero(); ///< radians, camera axes
   double sigma = 0.0;        ///< standard error of the least certain component of `turn`, radians
-  double significance = 0.0; ///< angle of the rotation, measured in its standard error
+  double significance = 0.0; ///< angle of the rotation divided by its standard error
   int used = 0;              ///< number of shifts that agree with the rotation
 };
 
@@ -32,9 +32,9 @@ struct CameraRotation {
 std::optional<Eigen::Matrix<double, 2, 3>> rotationJacobian(const Camera& camera,
                                                             const Eigen::Vector2d& pixel);
 
-/// Fits the rotation on which most shifts agree. Method: least squares with Tukey's biweight, whose
-/// width is proportional to the median residual. Returns nothing if there are fewer than four
-/// shifts, or if fewer than four agree.
+/// Fits the camera rotation that explains most of the shifts. Method: least squares with Tukey's
+/// biweight, whose width is proportional to the median residual. Returns nothing if there are fewer
+/// than four shifts, or if fewer than four agree.
 std::optional<CameraRotation> fitRotation(const std::vector<BackgroundShift>& shifts);
 
 } // namespace dewpoint::camera_motion

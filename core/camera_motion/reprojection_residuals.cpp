@@ -114,7 +114,7 @@ void ReprojectionResiduals::addTarget(const FrameSet& frames, const Target& targ
       }
       sightings_[k].push_back(
           {seconds(frames.time), *world, *centers[k], *centers[k] - *pixel, othersDisagreement});
-      if (sightings_[k].size() > kMost) {
+      if (sightings_[k].size() > kMaxSightings) {
         sightings_[k].pop_front();
       }
     }

@@ -24,16 +24,18 @@ struct ReprojectionResidual {
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero(); ///< center of the target in the image
   Eigen::Vector2d residual =
       Eigen::Vector2d::Zero(); ///< `pixel` minus the projection of `world`, pixels
-  /// Largest distance, among the other cameras, between the center of the target in the image and
-  /// the projection of `world`, pixels.
+  /// How well the other cameras agree among themselves: in the image of each of them, the distance
+  /// between the center of the target and the projection of `world`; the largest of these
+  /// distances, pixels.
   double othersDisagreement = 0.0;
 };
 
 /// Returns the centroid (pixels) of those pixels around the expected outline in an image (CV_8UC3)
 /// that have the target's color. Returns nothing if the number of these pixels differs too much
-/// from the area of the outline, or if some of them lie at the edge of the search region: in both
-/// cases, the target is partly hidden, or another object has its color. Also returns nothing if the
-/// search region exceeds the image, or if the radius of the outline is less than 2 pixels.
+/// from the area of the outline, or if some of them lie at the edge of the search region. In both
+/// cases, the target is probably partly hidden, or another object has its color. Also returns
+/// nothing if the search region exceeds the image, or if the radius of the outline is less than 2
+/// pixels.
 std::optional<Eigen::Vector2d> colorCentroid(const cv::Mat& image, const ColorRanges& color,
                                              const SphereImage& expected);
 
@@ -44,7 +46,7 @@ std::optional<Eigen::Vector2d> colorCentroid(const cv::Mat& image, const ColorRa
 class ReprojectionResiduals {
 public:
   /// Maximum number of sightings per camera; the newest are kept.
-  static constexpr std::size_t kMost = 300;
+  static constexpr std::size_t kMaxSightings = 300;
   explicit ReprojectionResiduals(const CameraRig& rig);
 
   /// Adds the sightings of a frame, after the tracker has processed this frame. Targets without a

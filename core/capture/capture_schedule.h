@@ -16,9 +16,9 @@ namespace dewpoint::capture {
 /// Without capture times, image k of a camera was delivered at time k / rate and shows the scene
 /// `delay` seconds earlier. Each frame set gets the image that shows the scene closest to its time.
 ///
-/// With capture times, each frame set also gets the image closest in time. If that image is more
-/// than half a frame interval away, the camera has no image in the set. Frame set 0 is at the time
-/// when the last camera starts.
+/// With capture times, each frame set gets the image with the closest capture time. If this time
+/// differs by more than half a frame interval, the camera has no image in the frame set. Frame set
+/// 0 is at the time when the last camera starts.
 class CaptureSchedule {
 public:
   /// Images of one camera.
@@ -28,15 +28,15 @@ public:
     /// Capture time of each image, by a common clock. Either all cameras have capture times or
     /// none.
     std::optional<CaptureTimes> times = std::nullopt;
-    /// Position of each image in the sequence that includes the missing images: ascending, from 0.
-    /// Empty if no image is missing. Not used if there are capture times.
+    /// For each image, its position (from 0, ascending) in the complete sequence, in which missing
+    /// images are counted too. Empty if no image is missing. Not used if there are capture times.
     std::vector<std::int64_t> sequenceNumbers = {};
   };
   /// `rate`: frame sets per second, > 0. `cameras`: at least one.
   CaptureSchedule(std::vector<CameraImages> cameras, double rate);
 
-  /// Returns the number of frame sets. The last set is where the camera that ends first has its
-  /// last image.
+  /// Returns the number of frame sets. The last frame set contains the last image of the camera
+  /// that ends first.
   std::int64_t frameCount() const { return count_; }
 
   /// Image of one camera in a frame set.

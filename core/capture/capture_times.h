@@ -12,8 +12,8 @@ namespace dewpoint::capture {
 /// is the same for all cameras in the recording.
 using CaptureTimes = std::vector<double>;
 
-/// Returns the names by which a table of times may identify a camera: its name, and the number at
-/// the end of its name or its file name.
+/// Returns the names by which a table of capture times may identify a camera: its name, the number
+/// at the end of its file name, and the number at the end of its name.
 std::vector<std::string> captureTimeIds(const std::string& camera, const std::string& file);
 
 /// Reads the capture times of one camera from a table.

@@ -9,7 +9,7 @@
 
 namespace dewpoint::capture {
 
-/// Result of checking whether this computer can write and read one type of recording.
+/// Result of checkCodecs() for one type of recording: whether this computer can write and read it.
 struct CodecOutcome {
   std::string name; ///< for example "FFV1"
   /// True if this program needs the codec for its own recordings. Otherwise the codec is only
@@ -17,7 +17,8 @@ struct CodecOutcome {
   bool isNeeded = false;
   bool isLossless = false;
   std::string problem = {}; ///< what went wrong; empty if there was no problem
-  bool isMissing = false; ///< true if this computer cannot write it, so that reading was not tested
+  /// True if this computer cannot write this type, so that reading was not tested.
+  bool isMissing = false;
   double difference =
       0.0; ///< mean absolute difference between written and read images, in gray levels
 };

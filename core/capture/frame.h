@@ -20,7 +20,8 @@ struct Frame {
 };
 using FramePtr = std::shared_ptr<const Frame>;
 
-/// Images from all cameras at one time, in rig order; null for cameras without an image.
+/// Images of all cameras at one time. `frames` has one entry per camera of the rig, in the same
+/// order; the entry is null if the camera has no image.
 struct FrameSet {
   std::int64_t index = 0;
   TimeStamp time{};

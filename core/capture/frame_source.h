@@ -19,8 +19,8 @@ inline constexpr double kDefaultFramesPerSecond = 30;
 class FrameSetSource {
 public:
   virtual ~FrameSetSource() = default;
-  /// Returns the number of frames in the recording (that of its shortest camera), or nothing for a
-  /// live source.
+  /// Returns the number of frames in the recording, or nothing for a live source. If the cameras
+  /// differ in length, this is the number of the shortest one.
   virtual std::optional<std::int64_t> frameCount() const = 0;
   /// Returns the frame rate in frames per second.
   virtual double framesPerSecond() const = 0;

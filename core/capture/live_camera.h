@@ -17,7 +17,8 @@ struct LiveCamera {
   int width = 0;         ///< expected after the rotation, pixels; 0: width of the first image
   int height = 0;        ///< expected after the rotation, pixels; 0: height of the first image
   bool mirrored = false; ///< left and right are swapped after the rotation
-  /// Time from the scene to the arrival of the image, in excess of that of other cameras; seconds.
+  /// How much longer an image of this camera takes from the scene to its arrival than an image of
+  /// the other cameras; seconds.
   double delay = 0.0;
 };
 

@@ -67,7 +67,8 @@ public:
   double framesPerSecond() const { return shared_->rate; }
 
 private:
-  /// Maximum number of waiting frames, more than a camera sends between two reads.
+  /// Maximum number of frames that wait to be read. A camera sends fewer frames than this between
+  /// two reads.
   static constexpr std::size_t kMaxFrames = 16;
 
   struct Shared {

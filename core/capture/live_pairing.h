@@ -12,12 +12,16 @@ namespace dewpoint::capture {
 
 /// Groups frames of live cameras by capture time, for cameras with any frame rates and delays.
 ///
-/// A group starts with the oldest waiting frame. It includes the oldest waiting frame of every
-/// other camera if that was captured within three quarters of the shortest frame interval after the
-/// first one. The group is complete when each camera has a frame in the group, has sent a later
-/// frame, is not expected to send a frame in time, or is overdue. A slow camera is missing from
-/// most groups, and does not delay a fast one. If the caller is slow and groups accumulate, the
-/// oldest are dropped.
+/// A group starts with the oldest waiting frame. It also includes the oldest waiting frame of every
+/// other camera if this frame was captured at most three quarters of the shortest frame interval
+/// after the first one. A slow camera is therefore missing from most groups, and does not delay a
+/// fast one. If the caller is slow and groups accumulate, the oldest groups are dropped.
+///
+/// A group is complete when one of these holds for each camera:
+/// - The group contains a frame of the camera.
+/// - The camera has sent a later frame.
+/// - The camera is not expected to send a frame in time.
+/// - The camera is overdue.
 ///
 /// All times are capture times: seconds by the clock of the live session, minus the camera's delay.
 /// Not thread safe.
@@ -34,8 +38,8 @@ public:
   /// Removes and returns the next group, one frame per camera (null where missing). Returns nothing
   /// if no group is complete at time `now` of the session's clock.
   std::optional<std::vector<FramePtr>> take(TimeStamp now);
-  /// Returns the time, by the session's clock, at which the waiting group will be complete at the
-  /// latest. Returns nothing if no frame is waiting.
+  /// Returns the latest time, by the session's clock, at which the next group will be complete.
+  /// Returns nothing if no frame is waiting.
   std::optional<TimeStamp> due() const;
   /// Returns the number of frames that were not in any group, or whose group was dropped.
   std::int64_t dropped() const { return dropped_; }

@@ -25,7 +25,8 @@ public:
 };
 
 using LiveStreamPtr = std::unique_ptr<LiveStream>;
-/// Creates an unopened connection. The camera's thread calls it before each attempt to connect.
+/// Function that creates an unopened connection. The camera's thread calls it before each attempt
+/// to connect.
 using LiveStreamFactory = std::function<LiveStreamPtr(const LiveCamera&)>;
 
 /// Checks whether the program supports this type of location.

@@ -28,7 +28,7 @@ struct RecordedCamera {
   /// Path of the file with a table of capture times (readCaptureTimes()). Empty if images are
   /// evenly spaced at the frame rate of the recording. Either all cameras have such a file or none.
   std::string times;
-  /// Delay in seconds: without capture times, image k shows the scene as it was k / rate - delay
+  /// Delay in seconds. Without capture times, image k shows the scene as it was (k / rate - delay)
   /// seconds after the start.
   double delay = 0.0;
 };

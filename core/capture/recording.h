@@ -10,8 +10,8 @@
 
 namespace dewpoint::capture {
 
-/// Largest relative difference between two frame rates that count as the same rate, rounded
-/// differently. A judgment.
+/// Two frame rates count as the same rate, rounded differently, if their relative difference is at
+/// most this. Chosen by judgment.
 inline constexpr double kRateTolerance = 0.01;
 
 /// Opens synchronized recordings.

@@ -76,15 +76,16 @@ struct ColorAssessment {
   double separability = 0.0;
   double targetShare = 0.0;     ///< fraction of the sampled colors that match, 0 to 1
   double backgroundShare = 0.0; ///< fraction of the other pixels that match as well, 0 to 1
-  /// backgroundShare of a range that covers the whole target. It explains why little of the target
-  /// matches: a range that covers more of the target would match too much of the background. Empty
-  /// while missesTarget() is false.
+  /// The backgroundShare that a range would have if it covered the whole target. It shows the user
+  /// why the learned range covers so little of the target: a range that covers more would match too
+  /// much of the background. Empty while missesTarget() is false.
   std::optional<double> backgroundShareOfFullRange;
   std::vector<DistractorRegion> distractors; ///< largest first, at most kMostDistractors
-  /// Number of objects that have the target's color and about its size, including the target; for
-  /// the image with the most such objects.
+  /// Number of objects with the target's color and about its size, including the target, in the
+  /// image that shows the most of them.
   int similarObjectCount = 1;
-  /// True if, of several samples, at least one hardly matches.
+  /// True if there are several samples, and the ranges match hardly anything of at least one of
+  /// them.
   bool sampleLeftOut = false;
   Suggestion suggestion = Suggestion::None;
 

@@ -30,8 +30,9 @@ public:
   void matchRow(const std::uint8_t* bgr, std::int64_t count, std::uint8_t* out) const noexcept;
 
 private:
-  RangeClassifier first_; ///< most targets have only this range; stored here to avoid a memory
-                          ///< access through a pointer
+  /// First range, which for most targets is the only one; stored here to avoid a memory access
+  /// through a pointer.
+  RangeClassifier first_;
   std::vector<RangeClassifier> others_;
 };
 

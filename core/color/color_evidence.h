@@ -14,28 +14,28 @@
 
 namespace dewpoint::color {
 
-/// Evidence about the target in one image. Masks are CV_8UC1 with the size of the image, containing
-/// 255 or 0. All members are empty if there is no image.
+/// What one image shows of the target and of objects that may be the target. Masks are CV_8UC1 with
+/// the size of the image, containing 255 or 0. All members are empty if there is no image.
 struct ImageEvidence {
-  cv::Mat image;   ///< shares the pixels of the input
-  cv::Mat clicked; ///< region in which the image still shows the clicked object; empty if no click
-                   ///< shows it
-  /// If no click shows the target: the object with the typical colors of the samples.
+  cv::Mat image; ///< shares the pixels of the input
+  /// Region of the clicked object if the image still shows this object; otherwise empty.
+  cv::Mat clicked;
+  /// If `clicked` is empty: the object with the typical colors of the samples.
   cv::Mat similar;
   /// Pixels that may show the target, and are therefore not counted as the rest of the image; may
   /// be empty.
   cv::Mat undecided;
 };
 
-/// Numbers of the costly steps in collecting evidence.
+/// Cost of collecting evidence: how often each of the slow steps was done.
 struct EvidenceCost {
   int growths = 0; ///< number of regions grown from samples
   int floods = 0;  ///< number of times an image was divided into matching objects
   int counts = 0;  ///< number of images whose pixels were counted, all or some of them
 };
 
-/// Evidence about a color from samples and images: colors of the target, and colors of everything
-/// else (the rest). Weights are in pixels.
+/// What samples and images show about colors: the colors of the target, and the colors of
+/// everything else (the rest). A target color is learned from this evidence. Weights are in pixels.
 struct ColorEvidence {
   std::vector<WeightedHsiColor> target;
   /// `target`, divided by the separate colors of the samples (groupSamplesByColor()). Empty if the
@@ -63,8 +63,9 @@ struct ColorEvidence {
 /// Collects evidence from samples and images. In an image that still shows a clicked object, the
 /// target is the region grown from the click. In any other image, the target is the largest
 /// connected region with the typical colors of the samples, if its size is plausible. With
-/// `ranges`, this target also includes all plausibly large regions that match `ranges` and overlap
-/// it. If there is no such region, the target is the largest region that matches `ranges`.
+/// `ranges`, regions of plausible size that match `ranges` and overlap this target are added to it.
+/// If no region of plausible size has the typical colors, the target is the largest region of
+/// plausible size that matches `ranges`.
 ///
 /// `undecided` marks the pixels that are not counted as the rest of an image. It contains a mask
 /// for each camera, as in ImageEvidence::undecided, and may have fewer entries than there are
@@ -83,7 +84,8 @@ ColorEvidence colorEvidence(const std::vector<ColorSample>& samples,
 /// - In an unchanged image, only those pixels are counted that belong to the target in exactly one
 ///   of the two results.
 ///
-/// With excluded samples, all pixels are counted if any has changed.
+/// If there are excluded samples and any image or its target has changed, all pixels of all images
+/// are counted again.
 ColorEvidence colorEvidence(const std::vector<ColorSample>& samples,
                             const std::vector<cv::Mat>& images, const ColorRanges& ranges,
                             const ColorEvidence& before);

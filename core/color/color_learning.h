@@ -23,17 +23,18 @@ struct LearnedColor {
   ColorRanges ranges() const { return {range, others}; }
 };
 
-/// Learns the range of hue, saturation and intensity with the highest F1 score between the sampled
-/// colors and the rest of the images (one image per camera in the project, empty where there is
-/// none). The sampled colors are also used slightly lighter, darker and paler, as they will appear
-/// in other positions in the room. An excluded sample counts as background, with the same weight as
-/// the target. If the samples have several colors, each color gets its own range, provided that
-/// this separates much better than one range for all. Error: BadValue if no sample shows the
-/// target.
+/// Learns the range of hue, saturation and intensity that best separates the sampled colors from
+/// the rest of the images, measured by the F1 score. `images` has one entry per camera in the
+/// project, which is empty if there is no image. The sampled colors are also used slightly lighter,
+/// darker and paler, as they will appear in other positions in the room. An excluded sample counts
+/// as background, with the same weight as the target. If the samples have several colors, each
+/// color gets its own range, provided that several ranges separate the target from the rest much
+/// better than one range. Error: BadValue if no sample shows the target.
 Result<LearnedColor> learnColor(const std::vector<ColorSample>& samples,
                                 const std::vector<cv::Mat>& images);
 
-/// Assesses any ranges using samples and images.
+/// Assesses how well any color ranges, learned or not, separate the target of the samples from the
+/// rest of the images.
 ColorAssessment assessColor(const ColorRanges& ranges, const std::vector<ColorSample>& samples,
                             const std::vector<cv::Mat>& images);
 
@@ -51,9 +52,9 @@ ColorAssessment assessColorWithBackground(const ColorRanges& ranges,
                                           const std::vector<cv::Mat>& images,
                                           const std::vector<cv::Mat>& backgroundImages);
 
-/// First step of learnColor(): finds the ranges, from evidence that was collected without ranges.
-/// Intended for callers that also use the evidence for other purposes, because collecting it is
-/// most of the work.
+/// First step of learnColor(): finds the ranges from evidence that was collected without ranges.
+/// Call it instead of learnColor() if you also need the evidence for another purpose, because
+/// collecting the evidence takes most of the time.
 Result<ColorRanges> learnRanges(const ColorEvidence& evidence);
 /// Second step of learnColor(): assesses ranges in these images, which may differ from the images
 /// of the evidence.

@@ -19,16 +19,17 @@ double colorDistance(const BgrColor& one, const BgrColor& other);
 
 /// Segments the object at a pixel. Returns CV_8UC1 with the size of the image, 255 on the object.
 ///
-/// Regions around the pixel are grown for all tolerances in one pass, by the smallest
-/// colorDistance() that has to be crossed on a path from the click to each pixel. These regions are
-/// nested. The function selects the one whose outline has the strongest edge compared with the
-/// differences inside it (Fisher's criterion), is not ragged, and whose overall color is close to
-/// the clicked one. As with maximally stable regions (Matas et al., BMVC 2002), no tolerance has to
-/// be chosen. The region is then grown again, with its median color in place of the color of the
-/// clicked pixel. Highlights inside the region are filled.
+/// For a given tolerance, the region consists of all pixels that a path from the click can reach
+/// over pixels whose colorDistance() to the clicked color is at most the tolerance. The regions of
+/// all tolerances are nested, and they are found in one pass. The function selects the region whose
+/// outline has the strongest edge compared with the differences inside it (Fisher's criterion), is
+/// not ragged, and whose overall color is close to the clicked one. As with maximally stable
+/// regions (Matas et al., BMVC 2002), no tolerance has to be chosen. The region is then grown
+/// again, with its median color in place of the color of the clicked pixel. Highlights inside the
+/// region are filled.
 ///
-/// `within` limits the region (a dragged box; if nothing in it has a clear outline, the region is
-/// the box itself). If empty, the whole image is used.
+/// `within` is a dragged box that limits the region, or empty for the whole image. If nothing in
+/// the box has a clear outline, the region is the box itself.
 cv::Mat growRegion(const cv::Mat& bgr, cv::Point click, cv::Rect within = {});
 
 /// Minimum fraction of a dragged box that an object must fill. If it fills less, the region is the

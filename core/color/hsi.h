@@ -22,8 +22,8 @@ struct Hsi {
   double intensity = 0.0;  ///< [0, 1]
 };
 
-/// Converts a hue angle from radians to degrees. Does not use base::inDegrees(), which rounds
-/// differently and would move colors that lie on a bound to its other side.
+/// Converts a hue angle from radians to degrees. Do not use base::inDegrees() for hues: it rounds
+/// differently, so a color that lies exactly on a bound would move to the other side of the bound.
 inline double radiansToHueDegrees(double radians) {
   return radians * 180.0 / std::numbers::pi;
 }

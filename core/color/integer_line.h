@@ -24,20 +24,22 @@ template <class Factor> struct IntegerLine {
 /// Line for |x|, |y| <= 255 and -1/2 <= slope <= 0, with scale 1. Neighboring fractions are at
 /// least 1 / (255 * 254) apart. No integer point except 0 may lie on the line.
 using HueLine = IntegerLine<std::int16_t>;
-/// Creates the line with a slope.
+/// Creates the line with the slope `slope`.
 HueLine hueLine(double slope);
 
-/// Two ways to express a ratio of two integers >= 0 with a slope below 1.
+/// Two ways to express a bound on the ratio of two integers >= 0 as a line with a slope below 1.
+/// The integers are the least of the three channels and the excess: the sum of the channels minus
+/// three times the least one.
 enum class RatioAxes {
-  LeastPerExcess, ///< x <= 510, y <= (510 - x) / 2: least channel as a function of the excess over
-                  ///< it
-  ExcessPerLeast, ///< x <= 255, y <= 510 - 2 x: excess as a function of the least channel
+  LeastPerExcess, ///< x: excess, y: least channel; x <= 510, y <= (510 - x) / 2
+  ExcessPerLeast, ///< x: least channel, y: excess; x <= 255, y <= 510 - 2 x
 };
 
 /// Line for 0 <= slope <= 1 and the integers specified by `axes`; factor < 65536. Neighboring
-/// fractions differ by at least (1 + 2 slope)^2 / 510^2, or 1 / 255^2.
+/// fractions differ by at least (1 + 2 slope)^2 / 510^2 with LeastPerExcess, and by at least 1 /
+/// 255^2 with ExcessPerLeast.
 using RatioLine = IntegerLine<std::uint16_t>;
-/// Creates the line with a slope.
+/// Creates the line with the slope `slope`.
 RatioLine ratioLine(double slope, RatioAxes axes);
 
 } // namespace dewpoint::color

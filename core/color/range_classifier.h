@@ -47,8 +47,9 @@ private:
   /// How the two hue half-planes are combined.
   enum class HueCombination { Both, Either, Every };
 
-  /// Hue bound. Colors on its side have channel[yPlus] - channel[yMinus] above the line at x =
-  /// channel[xPlus] - channel[xMinus]. Gray is on neither side.
+  /// Hue bound as a half-plane. A color is in the half-plane if y = channel[yPlus] -
+  /// channel[yMinus] is above the line at x = channel[xPlus] - channel[xMinus]. Gray is never in
+  /// the half-plane.
   struct HuePlane {
     std::size_t yPlus = 0, yMinus = 0, xPlus = 0, xMinus = 0; ///< 0 blue, 1 green, 2 red
     HueLine line;

@@ -27,9 +27,9 @@ RangeScore scoreRange(const ColorRanges& ranges, const std::vector<WeightedHsiCo
 ColorRange fitRange(const std::vector<WeightedHsiColor>& target,
                     const std::vector<WeightedHsiColor>& rest);
 
-/// Returns the range with the narrowest hue interval that has the same score. Several intervals on
-/// the hue circle may contain the same colors. One of them may span a wide gap in which neither the
-/// target nor the rest has a hue, and fitRange() may have chosen it.
+/// Returns the range with the narrowest hue interval among those with the same score as `range`.
+/// Use it after fitRange(), which may choose an interval that spans a wide gap: a part of the hue
+/// circle in which neither the target nor the rest has a color.
 ColorRange withNarrowestHue(const ColorRange& range, const std::vector<WeightedHsiColor>& target,
                             const std::vector<WeightedHsiColor>& rest);
 

@@ -13,8 +13,8 @@
 namespace dewpoint::filter {
 
 /// Linear weights that sum to 1, stored in blocks of kSumBlock particles. Within a block, weights
-/// are stored relative to the largest weight of the block. Each weight is therefore written only
-/// once, before the other blocks are known.
+/// are stored relative to the largest weight of the block. The stored values do not depend on other
+/// blocks, so each is written only once.
 class BlockWeights {
 public:
   /// Sets the number of particles. Their weights are undefined until they are set.

@@ -20,8 +20,8 @@ using Gaussian3 = Gaussian<3>;
 using Gaussian6 = Gaussian<6>;
 
 /// Replaces the position of a state by its posterior distribution `position`, and updates the
-/// velocity according to its correlation with the position. This is the Kalman update, written in
-/// terms of the posterior of the observed part.
+/// velocity according to its correlation with the position. This equals a Kalman update with the
+/// measurement that leads to this posterior.
 void conditionOnPosition(Gaussian6& state, const Gaussian3& position);
 
 } // namespace dewpoint::filter

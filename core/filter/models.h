@@ -11,9 +11,9 @@
 
 namespace dewpoint::filter {
 
-/// Moves particles by p(X(t) | X(t-1)). `firstIndex` is the index of the first row in the whole
-/// set. Random numbers are drawn by particle index, so the result does not depend on how the set is
-/// split.
+/// Moves each particle by a random draw from p(X(t) | X(t-1)). `firstIndex` is the index of the
+/// first row in the whole set. Random numbers are drawn by particle index, so the result does not
+/// depend on how the set is split.
 template <class M>
 concept MotionModel = requires(const M& model, StateRows rows, std::uint32_t firstIndex,
                                const RandomStream& stream) {

@@ -22,7 +22,7 @@ class MultinomialResampling {
 public:
   void ancestors(const Eigen::ArrayXd& weights, Eigen::Index count, const RandomStream& stream,
                  Ancestors& picked) const;
-  /// Does the same on several threads. The result is bit-identical for any number of threads.
+  /// Picks ancestors on several threads. The result is bit-identical for any number of threads.
   void ancestors(const BlockWeights& weights, Eigen::Index count, const RandomStream& stream,
                  ThreadTeam& team, Ancestors& picked) const;
 };

@@ -16,8 +16,8 @@ std::string defaultCameraName(std::size_t index);
 /// Returns the name of a camera for messages, or its default name if the camera has no name.
 std::string nameOrNumber(const Camera& camera, std::size_t index);
 
-/// Returns the first default name that no camera of the rig has, starting with that for the next
-/// camera (index = size of the rig).
+/// Returns a default name that no camera of the rig has. Tries defaultCameraName() from the index
+/// of the next camera (the size of the rig) on.
 std::string unusedCameraName(const CameraRig& rig);
 
 /// Returns the first name that no camera of the rig has. Tries nameOf(first), nameOf(first + 1),

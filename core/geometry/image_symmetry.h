@@ -9,9 +9,9 @@
 
 namespace dewpoint::geometry {
 
-/// Symmetry operation: one of the eight ways to rotate and mirror an image. The image is rotated
-/// clockwise by 0, 90, 180 or 270 degrees, then optionally mirrored left to right. A camera's
-/// source settings store the same two values.
+/// One of the eight ways to rotate and mirror an image, called symmetries here. The image is
+/// rotated clockwise by 0, 90, 180 or 270 degrees, then optionally mirrored left to right. A
+/// camera's source settings store the same two values.
 struct ImageSymmetry {
   int rotateDegrees = 0;
   bool mirrored = false;

@@ -10,9 +10,9 @@
 
 namespace dewpoint::geometry {
 
-/// Returns the least-squares solution x of matrix x = right, with one column for each column of
-/// `right`. Method: QR with column pivoting. If the matrix does not determine x, the result is a
-/// basic solution.
+/// Returns the least-squares solution x of `matrix` * x = `right`. It has one column for each
+/// column of `right`. Method: QR with column pivoting. If the matrix does not determine x, the
+/// result is a basic solution.
 Eigen::MatrixXd leastSquares(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right);
 Eigen::VectorXd leastSquares(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right);
 
@@ -26,7 +26,8 @@ struct SymmetricEigen {
 /// Computes the eigendecomposition of a symmetric matrix. Only the lower triangle is read.
 SymmetricEigen symmetricEigen(const Eigen::MatrixXd& matrix);
 
-/// Solves matrix x = right for a positive or negative semidefinite matrix, by LDLT.
+/// Returns the solution x of `matrix` * x = `right` for a positive or negative semidefinite matrix.
+/// Method: LDLT.
 Eigen::MatrixXd solveSymmetric(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right);
 
 /// Returns the inverse of a symmetric positive definite matrix, by Cholesky decomposition. Returns
@@ -50,7 +51,8 @@ public:
   const Eigen::VectorXd& values() const;
   /// Returns the right singular vectors as columns.
   const Eigen::MatrixXd& matrixV() const;
-  /// Returns the least-squares solution x of matrix x = right with the smallest norm.
+  /// Returns the least-squares solution x of `matrix` * x = `right`; if there are several, the one
+  /// with the smallest norm. `matrix` is the decomposed matrix.
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
 
 private:

@@ -20,15 +20,16 @@ using ImageLine = std::vector<Eigen::Vector2d>;
 /// Returns the twelve edges of a box, each from corner to corner. World frame, meters.
 std::array<std::pair<Eigen::Vector3d, Eigen::Vector3d>, 12> edgesOf(const WorldBox& box);
 
-/// Projects the straight line between two world points (meters). Parts behind the camera, beyond
-/// the fold-back of the lens (Projector::project), or more than 10,000 pixels away are left out. If
-/// such parts lie between visible parts of the line, the result has several pieces.
+/// Projects the straight line between two world points (meters). Left out are the parts behind the
+/// camera, the parts beyond the angle at which the lens model folds back (Projector::project()),
+/// and the parts more than 10,000 pixels away from the image. If such parts lie between visible
+/// parts of the line, the result has several pieces.
 std::vector<ImageLine> projectedLine(const Projector& projector, const Eigen::Vector3d& from,
                                      const Eigen::Vector3d& to);
 /// Projects all edges of a box as projectedLine() does.
 std::vector<ImageLine> projectedEdges(const Projector& projector, const WorldBox& box);
-/// Projects a ray up to 1000 m from its origin: the epipolar line of the pixel from which the ray
-/// comes.
+/// Projects a ray up to 1000 m from its origin. If the ray belongs to a pixel of another camera,
+/// the result is the epipolar line of that pixel.
 std::vector<ImageLine> projectedRay(const Projector& projector, const Ray& ray);
 
 } // namespace dewpoint::geometry

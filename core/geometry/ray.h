@@ -25,8 +25,8 @@ public:
 
   /// Returns the unit direction, in the world frame, of the pixel (column, row), which may lie
   /// outside the image. Lens distortion is inverted by Newton's method on Projector's model, to
-  /// 1e-9 px. Returns nothing if the lens model has no direction for the pixel, because the pixel
-  /// is beyond its fold-back, or if the pixel is not finite.
+  /// 1e-9 px. Returns nothing if the pixel is not finite, or if the lens model has no direction for
+  /// it because it is farther out than the image of any direction.
   std::optional<Eigen::Vector3d> worldDirection(const Eigen::Vector2d& pixel) const;
 
   /// Returns the same direction as a ray from the camera's center.

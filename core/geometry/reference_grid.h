@@ -83,8 +83,8 @@ struct ProjectedGrid {
 /// model are left out.
 ProjectedGrid projectGrid(const Camera& camera, const ReferenceGrid& grid);
 
-/// Returns the world point (meters) that a click at `pixel` refers to, or nothing if the pixel has
-/// no ray. The point is the first of these that exists:
+/// Returns the world point (meters) that the user means by a click at `pixel`, or nothing if the
+/// lens model has no ray for the pixel. The point is the first of these that exists:
 /// - the nearest intersection of grid lines within `reach` pixels
 /// - the point where the pixel's ray meets a surface of the grid
 /// - the point on the ray at the distance of the grid's center

@@ -17,8 +17,8 @@ Eigen::Vector3d rigAimPoint(const CameraRig& rig);
 /// no camera has a pose.
 Eigen::AlignedBox3d rigBounds(const CameraRig& rig);
 
-/// Kind of change in a rig's calibration. It determines whether a previous view of the rig is still
-/// useful.
+/// How much a rig differs from an earlier calibration of it. This determines whether the user's 3D
+/// view of the earlier rig still suits the new one.
 enum class RigChange {
   /// At most one camera was adjusted. The size and position of the rig are about the same.
   OneCamera,

@@ -9,8 +9,8 @@
 
 namespace dewpoint::geometry {
 
-/// Distance up to which cameras are assumed to see if all of them are at one position, meters.
-/// Chosen to be about the size of a room.
+/// Distance in meters up to which cameras are assumed to see if all cameras are at one position.
+/// About the size of a room; chosen by judgment.
 inline constexpr double kSingleCameraRange = 4.0;
 
 /// Returns the bounding box of the volume that at least `cameras` cameras of a rig see (world

@@ -8,10 +8,10 @@
 namespace dewpoint::geometry {
 
 Similarity fitSimilarity(const std::vector<Eigen::Vector3d>& from,
-                         const std::vector<Eigen::Vector3d>& to, bool sized) {
-  const Eigen::Matrix4d fitted = closestSimilarity(from, to, sized);
+                         const std::vector<Eigen::Vector3d>& to, bool scaleFree) {
+  const Eigen::Matrix4d fitted = closestSimilarity(from, to, scaleFree);
   Similarity change;
-  change.scale = sized ? fitted.col(0).head<3>().norm() : 1.0;
+  change.scale = scaleFree ? fitted.col(0).head<3>().norm() : 1.0;
   change.rotation = fitted.topLeftCorner<3, 3>() / change.scale;
   change.translation = fitted.topRightCorner<3, 1>();
   return change;

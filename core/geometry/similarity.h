@@ -25,10 +25,10 @@ struct Similarity {
 };
 
 /// Returns the least-squares similarity that maps each point in `from` to the point with the same
-/// index in `to` (Umeyama 1991). Its scale is 1 unless `sized` is set. Requires at least three
-/// points that are not on a line.
+/// index in `to` (Umeyama 1991). The scale is estimated if `scaleFree` is set; otherwise it is 1.
+/// Requires at least three points that are not on a line.
 Similarity fitSimilarity(const std::vector<Eigen::Vector3d>& from,
-                         const std::vector<Eigen::Vector3d>& to, bool sized);
+                         const std::vector<Eigen::Vector3d>& to, bool scaleFree);
 
 /// Returns the same camera in another world frame: its position and orientation are mapped by
 /// `change`.

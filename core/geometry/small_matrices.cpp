@@ -31,11 +31,11 @@ Eigen::Matrix3d nearestOrthogonal(const Eigen::Matrix3d& matrix) {
 }
 
 Eigen::Matrix4d closestSimilarity(std::span<const Eigen::Vector3d> from,
-                                  std::span<const Eigen::Vector3d> to, bool sized) {
+                                  std::span<const Eigen::Vector3d> to, bool scaleFree) {
   const auto columns = [](std::span<const Eigen::Vector3d> points) {
     return Eigen::Map<const Eigen::Matrix3Xd>(points.front().data(), 3, std::ssize(points));
   };
-  return Eigen::umeyama(columns(from), columns(to), sized);
+  return Eigen::umeyama(columns(from), columns(to), scaleFree);
 }
 
 } // namespace dewpoint::geometry

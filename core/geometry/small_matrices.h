@@ -26,9 +26,9 @@ SmallEigen<3> symmetricEigen3(const Eigen::Matrix3d& matrix);
 Eigen::Matrix3d nearestOrthogonal(const Eigen::Matrix3d& matrix);
 
 /// Returns the least-squares similarity [s R | t] that maps each point in `from` to the point with
-/// the same index in `to` (Umeyama 1991). The scale s is 1 unless `sized` is set. Neither list may
-/// be empty.
+/// the same index in `to` (Umeyama 1991). The scale s is estimated if `scaleFree` is set; otherwise
+/// it is 1. Neither list may be empty.
 Eigen::Matrix4d closestSimilarity(std::span<const Eigen::Vector3d> from,
-                                  std::span<const Eigen::Vector3d> to, bool sized);
+                                  std::span<const Eigen::Vector3d> to, bool scaleFree);
 
 } // namespace dewpoint::geometry

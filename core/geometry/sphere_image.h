@@ -10,8 +10,8 @@
 
 namespace dewpoint::geometry {
 
-/// Outline of a sphere in an image, pixels. The true outline is an ellipse. This is the circle with
-/// the same center and area.
+/// Outline of a sphere in an image, in pixels. The true outline is an ellipse; it is represented by
+/// the circle with the same center and area.
 struct SphereImage {
   Eigen::Vector2d center = Eigen::Vector2d::Zero();
   double radius = 0.0;

@@ -14,7 +14,7 @@ struct WorldBox {
 
   Eigen::Vector3d center() const { return 0.5 * (min + max); }
   /// Half of the size along each axis, meters.
-  Eigen::Vector3d half() const { return 0.5 * (max - min); }
+  Eigen::Vector3d halfSize() const { return 0.5 * (max - min); }
   /// Returns whether a point lies in the box, or within `margin` meters of it along each axis.
   bool contains(const Eigen::Vector3d& point, double margin = 0.0) const {
     return (point.array() >= min.array() - margin).all() &&

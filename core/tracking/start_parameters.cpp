@@ -60,11 +60,11 @@ std::optional<StartVolume> startFromCameras(const CameraRig& rig,
                                             const std::optional<WorldBox>& volumeOfInterest) {
   const auto seen = seenVolume(rig);
   if (!seen) {
-    return volumeOfInterest
-               ? std::optional(StartVolume{volumeOfInterest->center(), volumeOfInterest->half()})
-               : std::nullopt;
+    return volumeOfInterest ? std::optional(StartVolume{volumeOfInterest->center(),
+                                                        volumeOfInterest->halfSize()})
+                            : std::nullopt;
   }
-  const StartVolume start{seen->center(), seen->half()};
+  const StartVolume start{seen->center(), seen->halfSize()};
   return volumeOfInterest ? within(start, *volumeOfInterest) : start;
 }
 
@@ -111,7 +111,7 @@ StartVolume within(const StartVolume& start, const WorldBox& box) {
   const Eigen::Vector3d high = (start.center + start.half).cwiseMin(box.max);
   const bool apart = (low.array() > high.array()).any();
   const WorldBox common = apart ? box : WorldBox{low, high};
-  return {common.center(), common.half()};
+  return {common.center(), common.halfSize()};
 }
 
 ParameterValues effectiveParameters(ParameterValues parameters, const CameraRig& rig,

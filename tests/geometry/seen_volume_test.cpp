@@ -68,7 +68,7 @@ TEST(SeenVolume, HoldsTheMiddleOfARoom) {
   EXPECT_TRUE(box->contains({7.0, 7.0, 1.8}));
   EXPECT_NEAR(box->center().x(), 5.0, 0.5);
   EXPECT_NEAR(box->center().y(), 5.0, 0.5);
-  EXPECT_LT(box->half().maxCoeff(), 10.9);
+  EXPECT_LT(box->halfSize().maxCoeff(), 10.9);
 }
 
 // A camera beside the first, 0.2 degrees off: their axes meet 14 m away.
@@ -79,7 +79,7 @@ TEST(SeenVolume, IsNotStretchedByAxesThatAreNearlyParallel) {
   const auto box = seenVolume(rig);
   ASSERT_TRUE(box.has_value());
   EXPECT_LT((box->center()).norm(), 0.6);
-  EXPECT_LT(box->half().maxCoeff(), 1.5);
+  EXPECT_LT(box->halfSize().maxCoeff(), 1.5);
 }
 
 TEST(SeenVolume, LeavesOutACameraThatLooksAway) {
@@ -133,7 +133,7 @@ TEST(SeenVolume, NeedsAUsableCamera) {
 TEST(WorldBox, ContainsItsFacesAndWhatIsWithinAMargin) {
   const WorldBox box{{0.0, -1.0, 2.0}, {1.0, 1.0, 3.0}};
   EXPECT_EQ(box.center(), Eigen::Vector3d(0.5, 0.0, 2.5));
-  EXPECT_EQ(box.half(), Eigen::Vector3d(0.5, 1.0, 0.5));
+  EXPECT_EQ(box.halfSize(), Eigen::Vector3d(0.5, 1.0, 0.5));
   EXPECT_TRUE(box.contains(box.min));
   EXPECT_TRUE(box.contains(box.max));
   EXPECT_FALSE(box.contains({0.5, 0.0, 3.01}));

@@ -28,13 +28,13 @@ TEST(StartParameters, OfEveryMethodComeFromTheCameras) {
     const StartVolume start = startVolume(inUse(defaultsOf(method)));
     // In steps of a centimeter; a half size is never too small by more than the center was moved.
     EXPECT_LT((start.center - seen->center()).cwiseAbs().maxCoeff(), 0.0051) << method;
-    EXPECT_LT((start.half - seen->half()).maxCoeff(), 0.0101) << method;
-    EXPECT_GE((start.half - seen->half()).minCoeff(), 0.0) << method;
+    EXPECT_LT((start.half - seen->halfSize()).maxCoeff(), 0.0101) << method;
+    EXPECT_GE((start.half - seen->halfSize()).minCoeff(), 0.0) << method;
     EXPECT_FALSE(inUse(defaultsOf(method)).isGiven("start_half_z")) << method;
   }
   const double size = inUse(defaultsOf("dewpoint")).at("search_size");
-  EXPECT_GE(size, 2.0 * seen->half().maxCoeff());
-  EXPECT_LT(size, 2.0 * seen->half().maxCoeff() + 0.11);
+  EXPECT_GE(size, 2.0 * seen->halfSize().maxCoeff());
+  EXPECT_LT(size, 2.0 * seen->halfSize().maxCoeff() + 0.11);
   EXPECT_EQ(size, std::round(10.0 * size) / 10.0);
 }
 
@@ -109,7 +109,7 @@ TEST(StartVolume, WithinABoxIsWhatBothHaveInCommon) {
   EXPECT_EQ(point.half, Eigen::Vector3d(0.0, 0.0, 0.0));
   const StartVolume apart = within({{3.0, 0.5, 0.5}, {0.5, 0.5, 0.5}}, box);
   EXPECT_EQ(apart.center, box.center());
-  EXPECT_EQ(apart.half, box.half());
+  EXPECT_EQ(apart.half, box.halfSize());
 }
 
 // Another method has defaults of its own; what was given stays given.

@@ -10,12 +10,12 @@
 
 namespace dewpoint::calibration {
 
-/// Description of a calibration board. The board's coordinate frame is in meters, as seen on the
-/// printed page: x points right along the columns, y down along the rows, z into the board. The
-/// origin of a chessboard is its first inner corner. The origin of a ChArUco board is the upper
-/// left corner of its first square, as in OpenCV. The first square is the upper left one. It is
-/// black, except on a legacy ChArUco board with an even number of rows, where it is white. An
-/// inverted board has these colors exchanged.
+/// Description of a calibration board. The board's coordinate frame is in meters. As seen on the
+/// printed page, x points right, y points down, and z points into the page. The origin of a
+/// chessboard is its first inner corner. The origin of a ChArUco board is the upper left corner of
+/// its first square, as in OpenCV. The first square is the upper left one. It is black, except on a
+/// legacy ChArUco board with an even number of rows, where it is white. An inverted board has these
+/// colors exchanged.
 struct BoardDescription {
   enum class Kind { Chessboard, Charuco };
 
@@ -69,8 +69,9 @@ std::string boardText(const BoardDescription& board);
 /// Returns the names of the supported marker dictionaries.
 const std::vector<std::string>& markerDictionaries();
 
-/// Returns the world-from-board pose of a board that lies on the floor and defines the world: X
-/// along its columns, Y towards its upper edge, Z up out of the page.
+/// Returns the world-from-board pose of a board that lies on the floor and defines the world. As
+/// seen on the printed page, the world's X axis points right, Y points toward the upper edge, and Z
+/// points out of the page, which is up in the world.
 Eigen::Isometry3d worldFromFlatBoard();
 
 } // namespace dewpoint::calibration

@@ -12,13 +12,12 @@ namespace dewpoint::calibration {
 struct PosedView {
   std::size_t camera = 0;
   const BoardView* view = nullptr;
-  BoardDetection
-      detection; ///< on symmetric boards, the corners are numbered so that the cameras agree
+  BoardDetection detection; ///< on a symmetric board, all cameras give a corner the same number
   Eigen::Isometry3d cameraFromBoard = Eigen::Isometry3d::Identity();
   double rmsPx = 0.0;
 };
 
-/// Start values for bundle adjustment.
+/// Result of chainCameras(): start values for bundle adjustment.
 struct BoardChain {
   std::vector<Eigen::Isometry3d> cameraFromFirst;
   /// Board poses in the frame of the first camera, by BoardView::instant.
@@ -28,14 +27,15 @@ struct BoardChain {
   std::vector<std::string> notices;
 };
 
-/// Computes the pose of the board in each view. From the views that two cameras have at the same
-/// instants, computes the relative pose of these cameras. The pairs with the most agreeing instants
-/// connect all cameras with the first one. Error: Undetermined, which names the cameras that cannot
-/// be connected.
+/// Computes start values for the poses of all cameras and boards. First, the pose of the board is
+/// computed in each view. Then the relative pose of each pair of cameras is computed from the
+/// instants (BoardView::instant) at which both cameras saw the board. The pairs with the most
+/// instants that agree on one relative pose connect all cameras with the first one. Error:
+/// Undetermined, with the names of the cameras that cannot be connected.
 Result<BoardChain> chainCameras(const ExtrinsicsRequest& request);
 
-/// Returns the same view of a board that is rotated about its normal by `quarterTurns` quarter
-/// turns: with renumbered corners and the corresponding pose.
+/// Returns `view` as if the board was rotated about its normal by `quarterTurns` quarter turns. The
+/// pixels stay the same; the corners are renumbered, and the pose is that of the rotated board.
 PosedView rotatedView(const BoardDescription& board, const Camera& camera, const PosedView& view,
                       int quarterTurns);
 

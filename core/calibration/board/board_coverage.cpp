@@ -23,8 +23,8 @@ BoardTilt tiltOf(const Eigen::Isometry3d& cameraFromBoard) {
   return away.y() > 0.0 ? BoardTilt::BottomNear : BoardTilt::TopNear;
 }
 
-double tiltAngle(const Eigen::Isometry3d& cameraFromBoard, const Eigen::Vector3d& middle) {
-  const Eigen::Vector3d direction = (cameraFromBoard * middle).normalized();
+double tiltAngle(const Eigen::Isometry3d& cameraFromBoard, const Eigen::Vector3d& boardCenter) {
+  const Eigen::Vector3d direction = (cameraFromBoard * boardCenter).normalized();
   return std::acos(std::clamp(direction.dot(cameraFromBoard.linear().col(2)), -1.0, 1.0));
 }
 

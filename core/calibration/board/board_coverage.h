@@ -18,12 +18,12 @@ enum class BoardTilt { Flat, LeftNear, RightNear, TopNear, BottomNear };
 BoardTilt tiltOf(const Eigen::Isometry3d& cameraFromBoard);
 
 /// Returns the angle between the board's normal and the direction from the camera to the center of
-/// the board, in radians. `middle` is this center in the board frame.
-double tiltAngle(const Eigen::Isometry3d& cameraFromBoard, const Eigen::Vector3d& middle);
+/// the board, in radians. `boardCenter` is the center of the board in the board frame.
+double tiltAngle(const Eigen::Isometry3d& cameraFromBoard, const Eigen::Vector3d& boardCenter);
 
 /// Image regions in which corners were seen, and tilts at which the board was seen. A calibration
-/// has no information about regions without corners. Without views at a tilt, it cannot separate
-/// the focal length from the distance of the board.
+/// has no information about regions without corners. Without views of a tilted board, it cannot
+/// separate the focal length from the distance of the board.
 struct BoardCoverage {
   static constexpr int kColumns = 6;
   static constexpr int kRows = 4;

@@ -22,21 +22,21 @@ struct BoardDetection {
   double edgeWidthPx = 0.0;
 };
 
-/// How much time to spend on a detection.
+/// How thoroughly to search for the board; a thorough search takes more time.
 enum class DetectionEffort {
   Live, ///< searches for the board in a reduced image; for live images
-  /// For chessboards, the settings of OpenCV's calibration sample (11 px, 30 steps, 0.1 px), so
-  /// that results are comparable with it; for ChArUco boards, the same as Exact.
+  /// Chessboards: the settings of OpenCV's calibration sample (11 px, 30 steps, 0.1 px), so that
+  /// results can be compared with results of that sample. ChArUco boards: the same as Exact.
   Sample,
   Exact ///< tries harder to find the board; takes up to a second per image
 };
 
 /// Finds the corners of a board. Chessboards must be completely visible; ChArUco boards may be
-/// partly hidden. Corners are numbered from the first square wherever the colors identify it. On a
-/// symmetric chessboard (BoardDescription::symmetry()), rows run to the right in the image as far
-/// as possible. ChArUco corners are interpolated from the neighboring markers and then refined in
-/// the image (Foerstner's method, cv::cornerSubPix), because the corners from Debian's OpenCV 4.6
-/// are half a pixel off.
+/// partly hidden. Corners are numbered from the first square of the board if its colors identify
+/// this square. The colors of a symmetric chessboard (BoardDescription::symmetry()) do not; it is
+/// then numbered so that its rows run as nearly as possible to the right in the image. ChArUco
+/// corners are interpolated from the neighboring markers and then refined in the image (Foerstner's
+/// method, cv::cornerSubPix), because the corners from Debian's OpenCV 4.6 are half a pixel off.
 class BoardDetector {
 public:
   explicit BoardDetector(const BoardDescription& board);

@@ -8,11 +8,12 @@ namespace dewpoint::calibration {
 // Edits to a board made by the user, one quantity at a time. Sizes are counted in squares for every
 // kind of board. The result may be an impossible board; checkBoard() reports that.
 
-/// Returns a board of another kind with the same squares. Markers are three quarters of a square
-/// wide, from DICT_4X4_100, and the board is printed as in OpenCV 4.6 and later.
+/// Returns a board of the kind `kind` with the same squares. The markers of a ChArUco board are
+/// from DICT_4X4_100 and three quarters of a square wide. The result is neither `legacy` nor
+/// `inverted`.
 BoardDescription withKind(BoardDescription board, BoardDescription::Kind kind);
 
-/// Returns the board with another number of squares in a row and in a column.
+/// Returns the board with `columns` squares in a row and `rows` squares in a column.
 BoardDescription withSquares(BoardDescription board, int columns, int rows);
 
 /// Returns the board with another square size (meters); markers keep their proportion to the
@@ -20,7 +21,8 @@ BoardDescription withSquares(BoardDescription board, int columns, int rows);
 /// 0.018750000000000003.
 BoardDescription withSquareSize(BoardDescription board, double squareSize);
 
-/// Returns the board with another marker size (meters), rounded in the same way.
+/// Returns the board with another marker size (meters). The size is rounded to 10 nm, as in
+/// withSquareSize().
 BoardDescription withMarkerSize(BoardDescription board, double markerSize);
 
 } // namespace dewpoint::calibration

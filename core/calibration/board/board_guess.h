@@ -11,12 +11,13 @@
 
 namespace dewpoint::calibration {
 
-/// Board that a few images show, found without knowing what to look for.
+/// Board found in images by guessBoards(), and how well the images show it.
 struct BoardGuess {
-  /// The board. The square size cannot be seen in images and is that of the requested board. The
-  /// same applies to `inverted` on a chessboard.
+  /// The board that was found. Images do not show the square size, nor whether a chessboard is
+  /// `inverted`; these two are copied from the board that was passed as `requested`.
   BoardDescription board;
-  /// True if the images are mirrored left to right; then no description makes the board detectable.
+  /// True if the images are mirrored left to right. A BoardDetector cannot find the board in such
+  /// images, whatever the description.
   bool mirrored = false;
   int searched = 0; ///< number of images that were searched
   int images = 0;   ///< number of searched images in which a BoardDetector finds the board
@@ -31,10 +32,11 @@ cv::Mat imageForGuess(const cv::Mat& image);
 /// size and dictionary with at least four visible markers. Boards may be legacy or inverted, and
 /// images may be mirrored. `images`: CV_8UC1 or CV_8UC3 (BGR), of any cameras. Each board is
 /// confirmed with a BoardDetector. The board with the most corners comes first, because it is the
-/// most likely one. The dictionary of a ChArUco board is the smallest one of its kind that has
-/// enough markers, unless `requested` names a larger one. The marker size is measured in the
-/// images, to a twentieth of a square. Deterministic; takes about 0.3 s per image. Returns an empty
-/// list if there is no board. Error: Canceled.
+/// most likely one. `requested` is the board that the user described. The dictionary of a ChArUco
+/// board is the smallest dictionary with this number of cells per marker that has enough markers,
+/// unless `requested` names a larger one. The marker size is measured in the images, to a twentieth
+/// of a square. Deterministic; takes about 0.3 s per image. Returns an empty list if there is no
+/// board. Error: Canceled.
 Result<std::vector<BoardGuess>> guessBoards(const std::vector<cv::Mat>& images,
                                             const BoardDescription& requested,
                                             const CalibrationProgress& progress = {});

@@ -178,7 +178,7 @@ GuidanceState BoardGuidance::captureNow() {
   return state;
 }
 
-void BoardGuidance::learn(const IntrinsicsResult& result) {
+void BoardGuidance::acceptCalibration(const IntrinsicsResult& result) {
   const auto width = camera_.intrinsics.width;
   const auto height = camera_.intrinsics.height;
   camera_ = result.camera;

@@ -39,36 +39,38 @@ struct GuidanceSettings {
 /// State of the guidance after processing an image.
 struct GuidanceState {
   GuidanceAdvice advice = GuidanceAdvice::ShowBoard;
-  int region = -1;                    ///< index in BoardCoverage; -1 if no region is requested
-  BoardTilt tilt = BoardTilt::Flat;   ///< tilt requested by TiltTo
+  /// Index (in BoardCoverage) of the region in which to show the board; -1 if none is requested.
+  int region = -1;
+  BoardTilt tilt = BoardTilt::Flat;   ///< tilt to show if the advice is TiltTo
   BoardCoverage coverage;             ///< coverage of the captured views
   int views = 0;                      ///< number of views captured so far
-  double holdProgress = 0.0;          ///< elapsed fraction of the hold time, 0 to 1
-  bool captured = false;              ///< true if the current image was captured
+  double holdProgress = 0.0;          ///< elapsed fraction of GuidanceSettings::holdSeconds, 0 to 1
+  bool captured = false;              ///< true if this image was captured as a view
   std::optional<double> projectionPx; ///< worstProjectionPx of the latest calibration, pixels
 };
 
-/// Guides the user in showing a board to one camera. It handles no images, has no threads and no
-/// clock. From the detections in a live stream, it determines what to show next. It captures a view
-/// automatically when the board is still and sharp, and has a new position or tilt. It ends when a
-/// calibration from the captured views is accurate enough. The caller computes this calibration and
-/// passes it to learn().
+/// Guides the user in showing a board to one camera. From the detections in a live stream, it
+/// determines what to show next. It handles no images itself, and has neither threads nor a clock.
+/// It captures a view automatically when the board is still and sharp, and has a new position or
+/// tilt. It ends when a calibration from the captured views is accurate enough. The caller computes
+/// this calibration and passes it to acceptCalibration().
 class BoardGuidance {
 public:
   BoardGuidance(const BoardDescription& board, int width, int height,
                 GuidanceSettings settings = GuidanceSettings());
 
-  /// Processes the next detection. `seconds` is the time of the image by any clock. It must be
-  /// later than in the previous call.
+  /// Processes the detection in the next image; `detection` is empty if no board was found.
+  /// `seconds` is the time of the image by any clock, later than in the previous call.
   GuidanceState step(double seconds, const std::optional<BoardDetection>& detection);
   /// Captures the latest view as it is, at the user's request. Does nothing if the latest image
   /// does not show the board.
   GuidanceState captureNow();
-  /// Accepts a calibration computed from the views so far. It improves the estimated poses and
-  /// shows whether the accuracy is sufficient.
-  void learn(const IntrinsicsResult& result);
-  /// Returns whether enough views were captured since the last learn() to compute another
-  /// calibration.
+  /// Accepts a calibration that the caller computed from the views captured so far. From now on,
+  /// the guidance estimates board poses with this calibration, and it ends if the accuracy of the
+  /// calibration is sufficient.
+  void acceptCalibration(const IntrinsicsResult& result);
+  /// Returns whether enough views were captured since the last acceptCalibration() to compute
+  /// another calibration.
   bool isCalibrationDue() const;
 
   const std::vector<BoardView>& views() const { return views_; }
@@ -85,7 +87,7 @@ private:
 
   BoardDescription board_;
   GuidanceSettings settings_;
-  Camera camera_; ///< best estimate so far
+  Camera camera_; ///< intrinsics of the latest calibration, or a first guess
   std::vector<BoardView> views_;
   std::vector<BoardTilt> tilts_; ///< tilt of the board in each view
   BoardCoverage coverage_;

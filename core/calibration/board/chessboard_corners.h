@@ -10,8 +10,8 @@
 
 namespace dewpoint::calibration {
 
-/// Finds all corners of a chessboard in a gray image, in board order. Returns nothing if the board
-/// is not completely visible.
+/// Finds all corners of a chessboard in a gray image (CV_8UC1), in the order of their numbers.
+/// Returns nothing if the board is not completely visible.
 std::optional<std::vector<cv::Point2f>>
 chessboardCorners(const cv::Mat& gray, const BoardDescription& board, DetectionEffort effort);
 

@@ -73,9 +73,12 @@ struct ExtrinsicsResult {
 /// refined by bundle adjustment (adjustBundle). A symmetric chessboard is rotated so that pairs of
 /// cameras agree. Views that fit badly are left out and named in the result.
 ///
-/// Errors: NotFound if there is no camera; Undetermined, which names the cameras that share no
-/// instant with the others, or `worldInstant` if the board was not seen then; Canceled; and those
-/// of adjustBundle().
+/// Errors:
+/// - NotFound if there is no camera;
+/// - Undetermined, with the names of the cameras that share no instant with the others;
+/// - Undetermined, with `worldInstant`, if the board was not seen at that instant;
+/// - Canceled;
+/// - the errors of adjustBundle().
 Result<ExtrinsicsResult> calibrateExtrinsics(const ExtrinsicsRequest& request,
                                              const CalibrationProgress& progress = {});
 

@@ -30,18 +30,17 @@ private:
   int coefficients_;
 };
 
-/// Returns the covariance of a camera's intrinsics estimated from views together with the board
-/// pose in each view. It is the inverse of the normal matrix with the poses eliminated (Triggs et
-/// al. 2000, section 6.1), times the variance of the residuals. Returns an empty matrix if the
-/// views do not determine the intrinsics.
+/// Returns the covariance of a camera's intrinsics. They must have been estimated from `views`,
+/// jointly with the pose of the board in each view. The covariance is the inverse of the normal
+/// matrix with the poses eliminated (Triggs et al. 2000, section 6.1), times the variance of the
+/// residuals. Returns an empty matrix if the views do not determine the intrinsics.
 Eigen::MatrixXd intrinsicsCovariance(const BoardDescription& board, const Camera& camera,
                                      const IntrinsicsParameters& parameters,
                                      const std::vector<ViewFit>& views);
 
-/// Returns the standard deviation, in pixels, with which a ray is projected. It is computed at 9 x
-/// 9 points across the image, and the largest one is returned. Errors for which a rotation of the
-/// camera could compensate are excluded, because poses are estimated later (following mrcal's
-/// projection uncertainty).
+/// Returns the standard deviation, in pixels, of the projection of a ray: the largest one among 9 x
+/// 9 points across the image. Errors that a rotation of the camera could compensate are excluded,
+/// because the pose of the camera is estimated later (following mrcal's projection uncertainty).
 double projectionSigma(const Camera& camera, const IntrinsicsParameters& parameters,
                        const Eigen::MatrixXd& covariance);
 

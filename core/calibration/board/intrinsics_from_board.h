@@ -15,8 +15,7 @@ namespace dewpoint::calibration {
 /// Lens model whose parameters are estimated.
 enum class IntrinsicsModel {
   FiveCoefficients,  ///< pinhole with k1 k2 p1 p2 k3
-  EightCoefficients, ///< pinhole, with the rational coefficients k4 k5 k6 in addition, for
-                     ///< wide-angle lenses
+  EightCoefficients, ///< also the rational coefficients k4 k5 k6, for wide-angle lenses
   Fisheye            ///< the model of cv::fisheye, k1 to k4
 };
 

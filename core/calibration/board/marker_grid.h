@@ -17,12 +17,12 @@ struct MarkerGrid {
   int markers = 0;         ///< number of markers that are at their places in these images
 };
 
-/// Finds the arrangement of squares in which the markers have the positions where they were seen.
-/// `images` contains the markers that readMarkersInAnyCode() read in each image. Returns the best
-/// arrangement. Returns up to three arrangements if they are equally good, because too few rows
-/// were seen. An image supports an arrangement if at least four markers are at their places in it,
-/// with sides along the grid. Returns an empty list if the markers are not those of a ChArUco
-/// board.
+/// Finds the ChArUco board whose arrangement of squares puts the markers where the images show
+/// them. `images` contains the markers that readMarkersInAnyCode() read in each image. If too few
+/// rows were seen, up to three arrangements may be equally good. All of these are returned;
+/// otherwise only the best one is returned. An image supports an arrangement if at least four
+/// markers are at their places in it, with sides along the grid. Returns an empty list if the
+/// markers are not those of a ChArUco board.
 std::vector<MarkerGrid> findMarkerGrids(const std::vector<std::vector<ReadMarker>>& images);
 
 } // namespace dewpoint::calibration

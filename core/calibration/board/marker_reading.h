@@ -29,17 +29,17 @@ struct MarkerReading {
   auto operator<=>(const MarkerReading&) const = default;
 };
 
-/// Returns the names of the largest dictionaries, one for each code. A code consists of the
-/// dictionaries with the same number of cells (DICT_4X4_50, DICT_4X4_100, ...); the smaller ones
-/// begin with the same markers.
+/// Returns the names of the largest dictionaries, one for each code. A code is a family of
+/// dictionaries whose markers have the same number of cells (DICT_4X4_50, DICT_4X4_100, ...). The
+/// smaller dictionaries of a code contain only the first markers of the largest one.
 const std::vector<std::string>& markerCodes();
 
-/// Reads all markers in an image (CV_8UC1), in every code. The image is read as it is, with black
-/// and white exchanged if too few markers are found, and mirrored. A marker counts only if none of
-/// its cells is wrong. The result contains the markers of each reading, in ascending order of their
-/// numbers. A marker that is seen at two places is left out, as are readings without markers.
-/// Random patterns are sometimes read as markers. Only the arrangement of the markers shows whether
-/// they are real; see findMarkerGrids().
+/// Reads all markers in an image (CV_8UC1), in every code. The image is read both as it is and
+/// mirrored. If too few markers are found, it is also read with black and white exchanged. A marker
+/// counts only if all its cells agree with the dictionary. The result contains the markers of each
+/// reading, in ascending order of their numbers. A marker that is seen at two places is left out,
+/// as are readings without markers. Random patterns are sometimes read as markers. Only the
+/// arrangement of the markers shows whether they are real; see findMarkerGrids().
 std::map<MarkerReading, std::vector<ReadMarker>> readMarkersInAnyCode(const cv::Mat& gray);
 
 } // namespace dewpoint::calibration

@@ -10,8 +10,8 @@
 namespace dewpoint::calibration {
 
 /// Guides the user in showing a board to several cameras simultaneously, to determine their poses.
-/// It captures the board at a number of instants. At each instant, all cameras that see the board
-/// get a view.
+/// It captures views at a number of instants. At each instant, it captures one view for every
+/// camera that sees the board at that time.
 class RigGuidance {
 public:
   struct Settings {

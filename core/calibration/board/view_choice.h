@@ -14,9 +14,10 @@ namespace dewpoint::calibration {
 std::vector<BoardView> chooseViews(const BoardDescription& board, std::vector<BoardView> views,
                                    int width, int height, int count);
 
-/// Selects views of several cameras in a similar way. Keeps the sharp views of at most `count`
-/// instants at which at least two cameras saw the board sharply. Also keeps all views from the
-/// instant `always`. `widths`: image width of each camera, pixels.
+/// Selects views of several cameras for a calibration. Chooses at most `count` instants
+/// (BoardView::instant) at which at least two cameras saw the board sharply, and keeps the sharp
+/// views of these instants. The instants differ as much as possible, as in chooseViews(). Also
+/// keeps all views of the instant `always`. `widths`: image width of each camera, pixels.
 std::vector<std::vector<BoardView>> chooseInstants(const std::vector<std::vector<BoardView>>& views,
                                                    const std::vector<int>& widths, int count,
                                                    std::optional<std::int64_t> always);

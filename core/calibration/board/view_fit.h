@@ -14,8 +14,8 @@ namespace dewpoint::calibration {
 /// Board as seen in one image of one camera.
 struct BoardView {
   std::string name; ///< file or frame name that tells the user which image it is
-  /// Number of the time at which the image was taken; images with the same instant show the board
-  /// in the same pose.
+  /// Number that identifies the time at which the image was taken. Images of different cameras with
+  /// the same number show the board in the same pose.
   std::int64_t instant = 0;
   BoardDetection detection;
 };
@@ -25,10 +25,11 @@ struct ViewFit {
   std::string name;
   std::int64_t instant = 0;
   bool used = true;
-  bool doubtful = false; ///< used, but with more than three times the error of the median image
-  std::string reason;    ///< why the view was left out or is doubtful
-  double rmsPx = 0.0;    ///< root mean square distance of the view's corners, pixels
-  double tilt = 0.0;     ///< tiltAngle(), radians
+  /// True if the view is used although its error is more than three times the median error.
+  bool doubtful = false;
+  std::string reason; ///< why the view was left out or is doubtful
+  double rmsPx = 0.0; ///< root mean square distance of the view's corners, pixels
+  double tilt = 0.0;  ///< tiltAngle(), radians
   Eigen::Isometry3d cameraFromBoard = Eigen::Isometry3d::Identity();
   std::vector<int> ids;
   std::vector<Eigen::Vector2d> pixels;    ///< measured positions
@@ -40,7 +41,7 @@ struct ViewFit {
 ViewFit fitView(const BoardDescription& board, const BoardView& view, const Camera& camera,
                 const Eigen::Isometry3d& cameraFromBoard);
 
-/// Returns the entry for a view that is not used, with the reason.
+/// Creates the ViewFit of a view that is not used. `reason` tells the user why.
 ViewFit leftOutView(const BoardView& view, std::string reason);
 
 /// Returns the median RMS error of the views, pixels; 0 if there are no views.
@@ -56,7 +57,8 @@ void markDoubtful(std::vector<ViewFit>& fits);
 /// Returns the root mean square distance of all corners in the used views, pixels.
 double overallRms(const std::vector<ViewFit>& fits);
 
-/// Returns whether there are at least six corners, in at least two rows and two columns.
+/// Returns whether a detection has at least six corners, in at least two rows and two columns of
+/// the board.
 bool spansPlane(const BoardDescription& board, const BoardDetection& detection);
 
 /// Estimates the pose of a board relative to a camera with known intrinsics, from at least four

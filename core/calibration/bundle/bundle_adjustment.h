@@ -61,7 +61,8 @@ struct BundleBody {
   std::vector<Eigen::Vector3d> points = {}; ///< points of a board, in the board frame; meters
 };
 
-/// Position of a body at one time. These states and the cameras are the unknowns of the problem.
+/// Position (and orientation) of a body at one time. The adjustment estimates these states together
+/// with the cameras.
 struct BundleState {
   std::size_t body = 0;
   double time = 0.0; ///< seconds
@@ -104,8 +105,8 @@ struct BundleProblem {
   RobustLoss loss = RobustLoss::None;
   double lossWidth =
       2.0; ///< residual at which the loss starts to deviate from least squares, pixels
-  /// Longest time between two neighboring states across which points and sticks are interpolated,
-  /// seconds.
+  /// Maximum time between two neighboring states, in seconds. Across a longer gap, the positions of
+  /// points and sticks are not interpolated.
   double longestGap = 0.2;
   int maxIterations = 200;
   /// True for a quick intermediate result. The adjustment then stops when the cost changes by less
@@ -146,9 +147,10 @@ using BundleCallback = std::function<bool(const BundleProgress&)>;
 /// al. 1999) with Levenberg-Marquardt (Ceres).
 ///
 /// Because of time offsets and lags, an image may have been taken between the times of two states.
-/// In that case, the positions of points and sticks are interpolated by the polynomial through up
-/// to five neighboring states. Time offsets are therefore estimated in the same adjustment. Boards
-/// are assumed to be at rest. Deterministic: one thread, fixed order.
+/// In that case, the positions of points and sticks at the time of the image are interpolated by
+/// the polynomial through up to five neighboring states. This makes it possible to estimate the
+/// time offsets in the same adjustment. Boards are assumed to be at rest. Deterministic: one
+/// thread, fixed order.
 ///
 /// Errors: a camera or body without enough observations, geometry that does not determine the
 /// cameras, no convergence, invalid numbers, and Canceled.

@@ -25,8 +25,9 @@ std::array<double, kLensSize> lensBlock(const Camera& camera);
 /// Writes a lens block back into a camera.
 void setLens(const std::array<double, kLensSize>& block, Camera& camera);
 
-/// Returns the rotation matrix exp(turn). Uses rotationFromVector(), or the first-order
-/// approximation where the latter is exact to rounding. Consistent with turnDerivative().
+/// Returns the rotation matrix exp(turn). Uses rotationFromVector(). For rotations so small that
+/// the first-order approximation is exact to rounding, uses this approximation. turnDerivative() is
+/// the derivative of exactly this function.
 Eigen::Matrix3d rotationFromTurn(const Eigen::Vector3d& turn);
 /// Returns d(exp(turn) y)/d(turn) = -[exp(turn) y]x J(turn), with J the left Jacobian of SO(3)
 /// (Barfoot, State Estimation for Robotics, eq. 7.77).
@@ -40,8 +41,8 @@ struct PixelCostSetup {
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
   double sigma = 1.0;
   double outlineShift = 0.0;
-  /// For a point on a board: the rotation to which the rotation block of the board is relative.
-  /// Nothing for a free point.
+  /// For a point on a board: a fixed rotation of the board. The rotation vector in the state block
+  /// of the board is relative to it. Nothing for a free point.
   std::optional<Eigen::Matrix3d> boardRotation;
   Eigen::Vector3d boardPoint = Eigen::Vector3d::Zero();
   int stateSize = 3; ///< size of a state block: 3 for a point, 6 for a stick or board

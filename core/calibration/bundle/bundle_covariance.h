@@ -36,7 +36,7 @@ enum class CameraQuantity {
   TimeOffset, ///< seconds
 };
 
-/// Parameter to which a row and column of the covariance belong.
+/// Camera parameter to which one row and one column of the covariance belong.
 struct CameraColumn {
   std::size_t camera = 0;
   CameraQuantity quantity = CameraQuantity::TurnX;

@@ -22,7 +22,7 @@ enum class CalibrationStage {
 /// empty.
 using CalibrationProgress = std::function<bool(CalibrationStage stage, double part)>;
 
-/// Reports progress; returns false if the computation must stop.
+/// Calls `progress` unless it is empty. Returns false if the computation must stop.
 inline bool reportProgress(const CalibrationProgress& progress, CalibrationStage stage,
                            double part) {
   return !progress || progress(stage, part);

@@ -11,10 +11,10 @@ namespace dewpoint::calibration {
 
 /// Common mistakes in a calibration.
 enum class CalibrationFault {
-  MirroredBoard,        ///< one axis of the entered or printed points is reversed, or the floor is
-                        ///< mirrored
+  /// One axis of the points (as entered or printed) is reversed, or the floor is mirrored.
+  MirroredBoard,
   WrongUnitMillimeters, ///< a length is a thousand times too large or small
-  WrongUnitInches,      ///< a length was entered in inches
+  WrongUnitInches,      ///< a length was entered in inches as if it were in another unit
   CamerasSwapped,       ///< the videos of two cameras are exchanged
   WrongSquareCount,     ///< the number of squares in a row differs from the one entered
   WrongSquareSize,
@@ -30,9 +30,10 @@ enum class CalibrationFault {
 struct DetectedFault {
   CalibrationFault fault = CalibrationFault::CamerasSwapped;
   std::vector<std::size_t> cameras = {}; ///< affected cameras; empty: all cameras, or none
-  /// Size of the fault. Its meaning depends on the fault: delay in frames, time of a camera motion
-  /// in seconds, ratio of the given to the found focal length or size, number of columns found, or
-  /// a distance in pixels. 0 if the fault has no size.
+  /// Number that describes the fault. What it means depends on the fault: the delay in frames, the
+  /// time (seconds) at which the camera was moved, the ratio of the given focal length or size to
+  /// the one that was found, the number of columns that was found, or a distance in pixels. 0 if no
+  /// number describes the fault.
   double value = 0.0;
   /// Log likelihood of the observations with this fault, minus that without any fault; 0 if the
   /// fault was not found by its residuals.

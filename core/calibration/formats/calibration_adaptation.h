@@ -28,7 +28,7 @@ using CameraRenaming = std::map<std::string, std::string>;
 /// Instructions of the user for a calibration whose camera names or image sizes do not fit.
 struct CalibrationAdaptation {
   CameraRenaming names;
-  std::optional<SizeFit> fit; ///< for cameras whose images have another size
+  std::optional<SizeFit> fit; ///< how to fit cameras to images of another size; empty: do not
 };
 
 /// Parses a value of the command line: crop, trim, scale, rotate-90 or rotate-270. Returns nothing

@@ -51,7 +51,8 @@ struct LensSupport {
 enum class FileLayout {
   OneFile,
   FilePerCamera, ///< a folder, or one file for one camera
-  CameraPair     ///< intrinsics and extrinsics of two cameras
+  /// Two files for exactly two cameras: one with the intrinsics, one with the extrinsics.
+  CameraPair
 };
 
 /// Returns the path of the file for one camera in FileLayout::FilePerCamera. If `out` is a file
@@ -70,21 +71,24 @@ struct CalibrationFormat {
   const char* contents = ""; ///< content and structure, in one sentence
   FileLayout layout = FileLayout::OneFile;
   LensSupport lenses;
-  /// True for a TOML dialect whose files do not differ from those of another one, so that only the
-  /// user knows which it is.
+  /// True for a TOML dialect whose files can look exactly like those of another dialect. Only the
+  /// user then knows which tool wrote a file.
   bool sharesKeys = false;
-  /// True if recognize() may also accept files of other formats, which then take precedence.
+  /// True if recognize() may also accept files of other formats. If another format also recognizes
+  /// a file, the other format is used.
   bool isFallback = false;
   bool firstCameraIsWorld = false; ///< true if poses are always relative to the first camera
   std::optional<double> unit;      ///< meters per unit, if defined by the format's documentation
   double defaultUnit = 1.0; ///< unit used for writing unless another one is requested, meters
-  /// Returns why the content of a file is in this format, or an empty string if it is not. Only
-  /// examines the text, so that a broken file is still recognized and its own error is reported.
+  /// Returns the reason why the content of a file seems to be in this format, or an empty string if
+  /// it does not. Only examines the text, so that a broken file is still recognized and its own
+  /// error is reported.
   std::string (*recognize)(const CalibrationText& source) = nullptr;
   Result<ParsedCalibration> (*read)(const CalibrationText& source,
                                     const CalibrationHints& hints) = nullptr;
-  /// Creates the files for `rig`, which must fit `lenses` and already use the file's unit. Null if
-  /// the format can only be read.
+  /// Returns the paths and contents of the files for `rig`, without writing them to disk. The
+  /// lenses of `rig` must fit `lenses`, and its lengths must already be in the unit of the files.
+  /// Null if the format can only be read.
   std::vector<CalibrationText> (*write)(const CameraRig& rig,
                                         const std::filesystem::path& out) = nullptr;
 };

@@ -20,9 +20,9 @@ double cameraSpread(const CameraRig& rig);
 /// Returns the likely unit of a rig with this spread: "mm" or "m".
 const char* likelyUnit(double spread);
 
-/// Returns the pairs of cameras that have the same position and rotation up to rounding, as copies
-/// of one camera have. Two calibrations of the same camera differ by more. The lower index comes
-/// first.
+/// Returns the pairs of cameras that have the same position and rotation up to rounding, which
+/// happens if one camera was copied. (Two separate calibrations of one camera differ by more than
+/// rounding.) In each pair, the lower index comes first.
 std::vector<std::array<std::size_t, 2>> camerasOfOnePose(const CameraRig& rig);
 
 /// Returns the rig with all poses inverted.

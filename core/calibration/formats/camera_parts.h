@@ -42,9 +42,9 @@ Result<Camera> checkedCamera(const CameraParts& parts, const std::string& file,
 Eigen::Matrix3d matrixOf(const Intrinsics& intrinsics);
 Eigen::Matrix3d matrixOf(double focalX, double focalY, double centerX, double centerY);
 
-/// Returns the distortion coefficients as the shortest possible list. For a fisheye lens, these are
-/// 4. For any other lens, these are the first 4, 5 or 8 coefficients, but at least `fewest`, so
-/// that only zeros are omitted.
+/// Returns the distortion coefficients as the shortest possible list. A fisheye lens has 4
+/// coefficients. For any other lens, these are the first 4, 5 or 8 coefficients, but at least
+/// `fewest`. The coefficients that are omitted are zero.
 std::vector<double> coefficientsOf(const Camera& camera, int fewest);
 
 } // namespace dewpoint::calibration

@@ -56,11 +56,12 @@ enum class PoseStatus {
   NoPose     ///< no pose has all points in front of the camera
 };
 
-/// Proposal to treat a camera's images as rotated or mirrored, because that explains its clicks.
+/// Proposal to rotate or mirror all images of a camera, because its clicks show that the images are
+/// rotated or mirrored.
 struct SymmetryProposal {
-  ImageSymmetry symmetry; ///< symmetry to be applied to the current images
-  double rmsPx = 0.0;     ///< reprojection error with the symmetry applied, pixels
-  /// True if the clicks do not fit better, but the camera becomes upright.
+  ImageSymmetry symmetry; ///< rotation or mirroring to apply to the current images
+  double rmsPx = 0.0;     ///< reprojection error after `symmetry` is applied, pixels
+  /// True if `symmetry` does not make the clicks fit better, but makes the camera upright.
   bool byUprightness = false;
 };
 
@@ -78,13 +79,13 @@ struct PointSolution {
   CameraRig rig;                         ///< solved cameras have a new pose; the others keep theirs
   std::vector<CameraFromPoints> cameras; ///< cameras with at least one click
   std::vector<ClickResidual>
-      residuals; ///< residuals for the solved rig, relative to the points as entered
+      residuals; ///< residuals of all clicks for the solved rig and the points as entered
   double rmsPx = 0.0;
-  /// Index of the point that is wrong, if `isWorstWrong`; otherwise of the point with the largest
+  /// If `isWorstWrong`: index of the wrong point. Otherwise: index of the point with the largest
   /// residual.
   std::optional<int> worst;
-  /// True if all other points fit when this point is left out, so that it was entered or clicked
-  /// incorrectly.
+  /// True if all other points fit when the point `worst` is left out. That point was then entered
+  /// or clicked incorrectly.
   bool isWorstWrong = false;
 
   bool anySolved() const;

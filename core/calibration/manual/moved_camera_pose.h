@@ -15,7 +15,8 @@ namespace dewpoint::calibration {
 struct PointSighting {
   Eigen::Vector3d world = Eigen::Vector3d::Zero(); ///< position, meters
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
-  /// Standard deviation of the difference between `pixel` and the projection of `world`, per axis.
+  /// Standard deviation of the difference between `pixel` and the projection of `world`, per axis;
+  /// pixels.
   double sigmaPixels = 1.0;
 };
 
@@ -32,10 +33,10 @@ struct CameraMotionPrior {
 struct MovedCameraPose {
   Camera camera;
   int used = 0; ///< number of sightings that agree with the new pose within three sigma
-  /// Median distance between the pixels of all sightings and the projections with the old pose; 0
-  /// if there are no sightings.
+  /// Median distance between the pixels of all sightings and their projections with the old pose,
+  /// in pixels; 0 if there are no sightings.
   double pixelsBefore = 0.0;
-  double pixelsAfter = 0.0; ///< the same with the new pose
+  double pixelsAfter = 0.0; ///< the same distance with the new pose, pixels
   Eigen::Vector3d angleSigma =
       Eigen::Vector3d::Zero(); ///< standard deviation of the rotation, radians, camera axes
   Eigen::Vector3d shiftSigma =
@@ -48,13 +49,14 @@ struct MovedCameraPose {
 Camera rotatedCamera(const Camera& camera, const Eigen::Vector3d& turn);
 
 /// Estimates the new pose of one camera that was moved. Its intrinsics and all other cameras stay
-/// fixed. Least squares (Ceres) over the six pose parameters, from the sightings (Huber loss at two
-/// sigma) and the prior.
+/// fixed. Method: least squares (Ceres) over the six pose parameters. The residuals are those of
+/// the sightings (with a Huber loss at two sigma) and of the prior.
 ///
-/// A displacement of the camera looks like a rotation by displacement / distance of the background,
-/// which is assumed to be 3 m away. The standard deviation of the prior's rotation is therefore
-/// hypot(rotationSigma, shiftSigma / 3 m). Without sightings, the result is the old pose, rotated
-/// by `prior.turn`. Error: Mismatch if fewer than half of the sightings agree with the result.
+/// In the images of the background, a displacement of the camera looks like a rotation. Its angle
+/// is the displacement divided by the distance of the background, which is assumed to be 3 m. The
+/// standard deviation of the prior's rotation is therefore hypot(rotationSigma, shiftSigma / 3 m).
+/// Without sightings, the result is the old pose, rotated by `prior.turn`. Error: Mismatch if fewer
+/// than half of the sightings agree with the result.
 Result<MovedCameraPose> estimateMovedPose(const Camera& camera, const CameraMotionPrior& prior,
                                           std::span<const PointSighting> sightings);
 

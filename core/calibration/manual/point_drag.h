@@ -11,7 +11,7 @@ namespace dewpoint::calibration {
 /// How a camera moves while the user drags a world point through its image.
 enum class DragMode {
   Turn, ///< keeps its position and rotates
-  Slide ///< keeps its orientation and moves parallel to its image
+  Slide ///< keeps its orientation and moves parallel to its image plane
 };
 
 /// Reason why a drag could not continue.
@@ -36,8 +36,9 @@ struct DragSettings {
 /// Result of a drag.
 struct Drag {
   Camera camera;                     ///< camera at the end of the drag
-  DragLimit limit = DragLimit::None; ///< reason why the drag stopped early
-  double miss = 0.0; ///< distance between the pixel of the dragged point and its target pixel
+  DragLimit limit = DragLimit::None; ///< reason why the drag stopped early; None if it did not
+  /// Distance at the end between the pixel of the dragged point and the requested pixel, in pixels.
+  double miss = 0.0;
 };
 
 /// Maximum number of points held during a drag.
@@ -55,9 +56,10 @@ inline constexpr int kMaxHeldPoints = 3;
 /// - 3: the focal length changes, and the dragged point comes as close as that allows.
 ///
 /// `camera` is the camera at the start of the drag, so that dragging back to the start changes
-/// nothing. The path is followed in steps of a few pixels. If it ends early, the last valid pose is
-/// returned with the reason. The "smallest change" has the smallest sum of squares of its rotation
-/// (radians) and its displacement (in units of the mean distance of the points).
+/// nothing. The dragged point moves to its requested pixel in steps of a few pixels. If a step is
+/// not possible, the last valid pose is returned with the reason. The "smallest change" has the
+/// smallest sum of squares of its rotation (radians) and its displacement (in units of the mean
+/// distance of the points).
 Drag dragPoint(const Camera& camera, const std::vector<ImageAnchor>& held,
                const ImageAnchor& dragged, const DragSettings& settings);
 

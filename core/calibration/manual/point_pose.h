@@ -18,7 +18,7 @@ struct PointPose {
 PointPose poseFromPoints(const Camera& camera, const std::vector<ImageAnchor>& anchors,
                          bool estimateFocal);
 
-/// Whether the z axis of the world points up, as far as the pose of a camera shows.
+/// What the pose of one camera shows about the world: whether its z axis points up.
 enum class WorldSide {
   Unknown, ///< the points fit badly, or the camera looks steeply down or up
   Upright, ///< no sign that z points down
@@ -26,17 +26,17 @@ enum class WorldSide {
   Inverted
 };
 
-/// Returns whether the z axis of the world points up, according to `found`, the result of
-/// poseFromPoints() for these anchors. If z points down, a camera with an upright image is
-/// WorldSide::Inverted.
+/// Returns whether the z axis of the world points up, as far as one camera shows. Assumes that the
+/// images of this camera are upright. `found` is the result of poseFromPoints() for these anchors.
 WorldSide worldSideOf(const PointPose& found, const std::vector<ImageAnchor>& anchors);
 
 /// Checks whether the images of a camera are rotated or mirrored. `found` is the result of
-/// poseFromPoints() for the current images. An image that is rotated or mirrored further is
-/// proposed if it fits and the current one does not. If both fit, a rotated image is proposed if
-/// the camera is upright only with the rotation. If both fit and all points lie in a horizontal
-/// plane, a rotated or mirrored image is also proposed if the camera is below this plane without
-/// it.
+/// poseFromPoints() for the current images. A change (a rotation or mirroring of the images) is
+/// proposed in three cases:
+/// - The clicks fit only with the change.
+/// - They fit with and without a rotation, but the camera is upright only with the rotation.
+/// - They fit with and without the change, all points lie in a horizontal plane, and the camera is
+///   below this plane without the change.
 std::optional<SymmetryProposal> proposeSymmetry(const Camera& camera,
                                                 const std::vector<ImageAnchor>& anchors,
                                                 const PointPose& found);

@@ -54,8 +54,8 @@ private:
 /// Returns the mean distance of the points from the camera, meters; at least 1 cm.
 double meanDistance(const Camera& camera, const std::vector<ImageAnchor>& anchors);
 
-/// Returns the root mean square residual of a point. `residuals` contains two rows per point, as
-/// from PoseChange::residuals().
+/// Returns the root mean square length of the residuals of points. `residuals` contains two rows
+/// per point, as from PoseChange::residuals().
 double rmsOfPoints(const Eigen::VectorXd& residuals);
 
 /// Refines the pose of `camera` and, if `estimateFocal`, its focal length by least squares (Ceres).

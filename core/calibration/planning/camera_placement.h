@@ -15,9 +15,10 @@ namespace dewpoint::calibration {
 /// `fieldOfView` is horizontal, in radians.
 Camera idealCamera(const std::string& name, int width, int height, double fieldOfView);
 
-/// Places the camera in the upper corner of the volume that is farthest from all cameras in the
-/// rig, looking at the center of the volume. This is the start pose of a planned camera. If several
-/// corners are equally distant, the first one in Eigen's order of corners is used.
+/// Returns the camera with a pose in one of the upper corners of the volume, looking at the center
+/// of the volume. The corner is the one farthest from all cameras in the rig. This is the start
+/// pose of a planned camera. If several corners are equally distant, the first one in Eigen's order
+/// of corners is used.
 Camera placedInFarthestCorner(Camera camera, const CameraRig& rig,
                               const Eigen::AlignedBox3d& volume);
 
@@ -31,7 +32,7 @@ struct PlacementSettings {
   double goodSigma = 0.005;
   std::size_t cellCount = 900; ///< number of cells into which the volume is divided for the search
   /// Number of cells used to compute the reported fractions; 0: the same cells as for the search.
-  /// With the number of cells of a displayed map, the fractions agree with that map.
+  /// To make the fractions agree with a displayed map, set the number of cells of that map.
   std::size_t reportedCells = 0;
 };
 

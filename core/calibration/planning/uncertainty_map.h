@@ -58,7 +58,8 @@ public:
 
   /// Sets all cameras. `covariances` is empty for exact poses, or has one entry per camera.
   void setRig(const CameraRig& rig, std::span<const PoseCovariance> covariances = {});
-  /// Replaces a camera in the rig. If `camera` is the number of cameras, adds a camera.
+  /// Replaces the camera with the index `camera`. If this index is equal to the number of cameras,
+  /// adds a camera.
   void setCamera(std::size_t camera, const Camera& moved,
                  const PoseCovariance& covariance = PoseCovariance::Zero());
 
@@ -75,15 +76,16 @@ public:
 
   /// Returns the values of largestSigmas() in one horizontal layer of cells, x varying fastest.
   std::span<const float> layer(int z) const;
-  /// Returns the layer that contains a height (meters), or nothing outside the volume.
+  /// Returns the index z of the layer that contains a height (world z, meters), or nothing outside
+  /// the volume.
   std::optional<int> layerAt(double height) const;
   /// Returns the fraction of all cells (0 to 1) that at least two cameras see and for which
   /// largestSigmas() is at most `sigma` meters.
   double fractionWithin(double sigma) const;
 
 private:
-  /// Symmetric 3 x 3 matrices for all cells, stored as xx xy xz yy yz zz, and whether the camera
-  /// sees the cells.
+  /// What one camera contributes to each cell: its information matrix (symmetric 3 x 3, stored as
+  /// xx xy xz yy yz zz), and whether it sees the cell.
   struct Information {
     std::vector<std::array<float, 6>> matrices;
     std::vector<std::uint8_t> seen;

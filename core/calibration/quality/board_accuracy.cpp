@@ -155,24 +155,24 @@ FaultReport findBoardFaults(const ExtrinsicsRequest& request, double framesPerSe
   if (seeing < 2 || (alike && result == nullptr)) {
     return {};
   }
-  FaultSearchInput question;
-  question.problem = alike ? result->problem : problemFromViews(request, framesPerSecond);
-  question.board = request.board;
+  FaultSearchInput input;
+  input.problem = alike ? result->problem : problemFromViews(request, framesPerSecond);
+  input.board = request.board;
   CameraRig former;
   for (const BoardCamera& camera : request.cameras) {
     former.push_back(camera.camera);
   }
   const auto ask = [&](const CameraRig& initialRig) {
-    question.problem.cameras.clear();
+    input.problem.cameras.clear();
     for (const Camera& camera : initialRig) {
-      question.problem.cameras.push_back({.camera = camera});
+      input.problem.cameras.push_back({.camera = camera});
     }
-    auto report = findFaults(question);
-    countFrames(report, alike ? 1.0 : strideOf(question.problem, framesPerSecond), request);
+    auto report = findFaults(input);
+    countFrames(report, alike ? 1.0 : strideOf(input.problem, framesPerSecond), request);
     return report;
   };
   const double own = result != nullptr ? result->rmsPx / std::sqrt(2.0) : kCornerSigma;
-  question.unsynchronized = own > kSharedErrors;
+  input.unsynchronized = own > kSharedErrors;
   if (cameraSpread(former) > kLeastSpread) {
     auto report = ask(former);
     if (report.sigmaPx > 0.0 && report.sigmaPx < std::max(kMostSigma, kMostSigmas * own)) {

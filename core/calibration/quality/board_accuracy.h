@@ -11,10 +11,10 @@
 namespace dewpoint::calibration {
 
 /// Returns the accuracy of poses estimated from a board (assessCalibration()). The error of the
-/// scale is that of measuring the longer side of the board with a ruler: 0.2 mm. If the board lay
-/// on the floor at `worldInstant`, the accuracy of the upward direction is derived from the noise
-/// of the corners at that instant, assuming that the floor and the board are flat to 0.5 mm.
-/// Errors: those of assessCalibration().
+/// scale is assumed to come from measuring the longer side of the board with a ruler to 0.2 mm. If
+/// the board lay on the floor at `worldInstant`, the accuracy of the upward direction is derived
+/// from the noise of the corners at that instant, assuming that the floor and the board are flat to
+/// 0.5 mm. Errors: those of assessCalibration().
 Result<CalibrationAccuracy> assessBoard(const ExtrinsicsResult& result,
                                         const BoardDescription& board,
                                         std::optional<std::int64_t> worldInstant);

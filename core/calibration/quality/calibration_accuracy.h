@@ -15,19 +15,20 @@ namespace dewpoint::calibration {
 struct AccuracyPriors {
   double scaleSigma = 0.0; ///< relative standard deviation of the scale; 0: exact, or unknown
   bool scaleKnown =
-      true; ///< false if the scale is a convention, so that its accuracy is not reported
-  std::optional<double> upSigma; ///< standard deviation of the upward direction about each of two
-                                 ///< axes, radians; nothing if up is a convention
+      true; ///< false if the scale is arbitrary; the accuracy of the scale is then not reported
+  /// Standard deviation of the upward direction about each of two horizontal axes, radians; empty
+  /// if the upward direction is arbitrary.
+  std::optional<double> upSigma;
 };
 
 /// Accuracy of a calibration. Errors are computed after the best-fitting rigid motion, so they do
 /// not depend on the position of the origin.
 struct CalibrationAccuracy {
-  /// Error that 95 % of the measured positions do not exceed, for a target that is where it was
-  /// during the calibration; meters.
+  /// Error that 95 % of the measured positions do not exceed, for a target in the region where the
+  /// board or wand was during the calibration; meters.
   double position95 = 0.0;
-  /// Part of position95 that is caused by errors of the cameras, so that averaging images does not
-  /// reduce it; meters.
+  /// Part of position95 that is caused by errors of the cameras; meters. Averaging over several
+  /// images does not reduce this part.
   double cameras95 = 0.0;
   std::optional<double> scale95; ///< relative error of the scale, 95 %
   std::optional<double> up95;    ///< error of the upward direction, radians, 95 %
@@ -39,8 +40,8 @@ struct CalibrationAccuracy {
   /// pixels.
   double heldOutPx = 0.0;
   std::size_t heldOut = 0; ///< number of image points left out in the cross-validation
-  /// Ratio of the errors in the cross-validation to the predicted ones; becomes modelFactor if it
-  /// is clearly above 1; 0 if it is unknown.
+  /// Ratio of the errors in the cross-validation to the predicted errors; 0 if it is unknown. If
+  /// the ratio is clearly above 1, modelFactor is set to it.
   double changeRatio = 0.0;
 };
 
@@ -48,7 +49,7 @@ struct CalibrationAccuracy {
 /// result.
 ///
 /// The covariance of the cameras is propagated to first order to positions (Hartley & Zisserman,
-/// Multiple View Geometry, 5.2). These positions are spread over those where the target was
+/// Multiple View Geometry, 5.2). The positions are a selection of those where the target was
 /// observed. A common rigid motion of all positions is not an error. Then the image noise of a
 /// single measurement is added, and the 95 % values are determined from 200 draws.
 ///

@@ -12,17 +12,17 @@ constexpr double kLeastGainOfAll = 25.0;
 
 } // namespace
 
-std::optional<DetectedFault> findCommonFault(const FaultSearchInput& question,
+std::optional<DetectedFault> findCommonFault(const FaultSearchInput& input,
                                              const ImagePoints& imagePoints, const PointFit& fit) {
   const std::vector<bool> everyone(imagePoints.perCamera.size(), true);
   CameraRig initialRig;
-  for (const BundleCamera& camera : question.problem.cameras) {
+  for (const BundleCamera& camera : input.problem.cameras) {
     initialRig.push_back(camera.camera);
   }
-  const auto free = question.unsynchronized
-                        ? std::nullopt
-                        : estimateStructureAndPoses(initialRig, imagePoints, everyone,
-                                                    question.initialSigma, true);
+  const auto free =
+      input.unsynchronized
+          ? std::nullopt
+          : estimateStructureAndPoses(initialRig, imagePoints, everyone, input.initialSigma, true);
   if (!free) {
     return std::nullopt;
   }
@@ -37,8 +37,7 @@ std::optional<DetectedFault> findCommonFault(const FaultSearchInput& question,
         imagePoint.pixel.array() += shift;
       }
     }
-    const auto now =
-        estimateStructureAndPoses(initialRig, shifted, everyone, question.initialSigma);
+    const auto now = estimateStructureAndPoses(initialRig, shifted, everyone, input.initialSigma);
     if (!now) {
       continue;
     }

@@ -10,7 +10,7 @@ namespace dewpoint::calibration {
 
 /// Finds a fault that is common to all cameras: image points that are half a pixel off. `fit` is
 /// the joint fit of all cameras.
-std::optional<DetectedFault> findCommonFault(const FaultSearchInput& question,
+std::optional<DetectedFault> findCommonFault(const FaultSearchInput& input,
                                              const ImagePoints& imagePoints, const PointFit& fit);
 
 } // namespace dewpoint::calibration

@@ -103,17 +103,17 @@ std::optional<double> misfit(const std::vector<SeenBoard>& boards, double square
   return misfits.size() < kFewest ? std::nullopt : std::optional(upperMedian(misfits));
 }
 
-std::optional<DetectedFault> squareCount(const FaultSearchInput& question,
+std::optional<DetectedFault> squareCount(const FaultSearchInput& input,
                                          const std::vector<SeenBoard>& boards) {
-  const int given = question.board->cornerColumns();
-  const auto asGiven = misfit(boards, question.board->squareSize, given);
+  const int given = input.board->cornerColumns();
+  const auto asGiven = misfit(boards, input.board->squareSize, given);
   if (!asGiven || *asGiven < kBadMisfit) {
     return std::nullopt;
   }
   std::optional<DetectedFault> best;
   double least = kGoodMisfit;
   for (int columns = 2; columns <= kMostColumns; ++columns) {
-    const auto now = misfit(boards, question.board->squareSize, columns);
+    const auto now = misfit(boards, input.board->squareSize, columns);
     if (columns != given && now && *now < least) {
       least = *now;
       best = DetectedFault{CalibrationFault::WrongSquareCount, {}, double(columns)};
@@ -123,17 +123,17 @@ std::optional<DetectedFault> squareCount(const FaultSearchInput& question,
 }
 
 /// Whether the cameras see the wrong side: of a board (its z goes into it), or of the floor.
-std::optional<DetectedFault> mirrored(const FaultSearchInput& question,
+std::optional<DetectedFault> mirrored(const FaultSearchInput& input,
                                       const std::vector<SeenBoard>& boards, const CameraRig& rig) {
-  std::vector<std::set<std::size_t>> seeing(question.problem.states.size());
-  for (const BundleObservation& seen : question.problem.observations) {
+  std::vector<std::set<std::size_t>> seeing(input.problem.states.size());
+  for (const BundleObservation& seen : input.problem.observations) {
     seeing[seen.state].insert(seen.camera);
   }
   std::size_t front = 0;
   std::size_t back = 0;
   for (const SeenBoard& board : boards) {
-    const BundleState& state = question.problem.states[board.state];
-    const auto found = fitBody(board, question.problem.bodies[state.body].points);
+    const BundleState& state = input.problem.states[board.state];
+    const auto found = fitBody(board, input.problem.bodies[state.body].points);
     if (!found) {
       continue;
     }
@@ -172,10 +172,9 @@ std::vector<double> lengthRatios(const BundleProblem& problem, const PointPositi
   return ratios;
 }
 
-std::optional<DetectedFault> lengths(const FaultSearchInput& question,
-                                     const PointPositions& positions,
+std::optional<DetectedFault> lengths(const FaultSearchInput& input, const PointPositions& positions,
                                      const std::vector<SeenBoard>& boards, double sigma) {
-  auto ratios = lengthRatios(question.problem, positions, boards);
+  auto ratios = lengthRatios(input.problem, positions, boards);
   const double ratio = upperMedian(ratios);
   for (double& value : ratios) {
     value = std::abs(std::log(value / ratio));
@@ -212,19 +211,19 @@ double sizeSigma(const CameraRig& rig, const InitialRigSigma& sigma) {
   return std::max(kLeastSizeSigma, sigma.position / std::max(spread, 1e-6) / cameras);
 }
 
-std::vector<DetectedFault> findBodyFaults(const FaultSearchInput& question,
+std::vector<DetectedFault> findBodyFaults(const FaultSearchInput& input,
                                           const PointPositions& positions, const CameraRig& rig) {
-  const auto boards = seenBoards(question.problem, positions);
-  if (question.board) {
-    if (auto count = squareCount(question, boards)) {
+  const auto boards = seenBoards(input.problem, positions);
+  if (input.board) {
+    if (auto count = squareCount(input, boards)) {
       return {*count};
     }
   }
   std::vector<DetectedFault> faults;
-  if (auto side = mirrored(question, boards, rig)) {
+  if (auto side = mirrored(input, boards, rig)) {
     faults.push_back(*side);
   }
-  if (auto length = lengths(question, positions, boards, sizeSigma(rig, question.initialSigma))) {
+  if (auto length = lengths(input, positions, boards, sizeSigma(rig, input.initialSigma))) {
     faults.push_back(*length);
   }
   return faults;

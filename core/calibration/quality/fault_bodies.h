@@ -10,7 +10,7 @@ namespace dewpoint::calibration {
 
 /// Finds errors in the entered lengths, in the board and in the floor. `positions`: positions of
 /// the points, triangulated by all cameras of `rig`.
-std::vector<DetectedFault> findBodyFaults(const FaultSearchInput& question,
+std::vector<DetectedFault> findBodyFaults(const FaultSearchInput& input,
                                           const PointPositions& positions, const CameraRig& rig);
 
 /// Returns the relative standard deviation of the size of a rig whose poses have the standard

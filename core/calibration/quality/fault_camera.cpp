@@ -48,9 +48,8 @@ struct Explained {
 
 class CameraSuspicion {
 public:
-  CameraSuspicion(const FaultSearchInput& question, const Suspect& suspect)
-      : question_(question), suspect_(suspect),
-        initial_(question.problem.cameras[suspect.camera].camera),
+  CameraSuspicion(const FaultSearchInput& input, const Suspect& suspect)
+      : input_(input), suspect_(suspect), initial_(input.problem.cameras[suspect.camera].camera),
         sigma_(kPositionNoise * std::max(suspect.sigmaPx, 1e-3)) {}
 
   std::optional<DetectedFault> run() {
@@ -102,7 +101,7 @@ private:
                                    const std::vector<PointCorrespondence>& correspondences,
                                    bool focalFree, bool quick = false,
                                    Camera* found = nullptr) const {
-    const auto one = fitCamera(initial, correspondences, question_.initialSigma, focalFree, quick);
+    const auto one = fitCamera(initial, correspondences, input_.initialSigma, focalFree, quick);
     if (!one) {
       return std::nullopt;
     }
@@ -118,7 +117,7 @@ private:
     if (!now) {
       return;
     }
-    const double share = question_.unsynchronized ? kLeastGainShareUnsynchronized : kLeastGainShare;
+    const double share = input_.unsynchronized ? kLeastGainShareUnsynchronized : kLeastGainShare;
     const double gain = numbers_ * (base_.cost - now->cost) - penalty;
     if (gain > std::max(kMinGain, share * numbers_) && now->median < kWellExplained * sigma_ &&
         (!best_ || gain > best_->gain)) {
@@ -151,7 +150,7 @@ private:
   }
 
   void tryZoom(const std::vector<PointCorrespondence>& correspondences) {
-    if (question_.focalUnknown) {
+    if (input_.focalUnknown) {
       return;
     }
     for (const double start : {1.0, 0.7, 1.4}) { // far off, the pose's prior would hold it back
@@ -208,12 +207,12 @@ private:
 
   /// A camera that was moved may be farther off than the initial rig.
   InitialRigSigma widenedSigma() const {
-    return {2.0 * question_.initialSigma.turn, 2.0 * question_.initialSigma.position};
+    return {2.0 * input_.initialSigma.turn, 2.0 * input_.initialSigma.position};
   }
 
   void tryDelay() {
     const auto& times = suspect_.imagePoints->times;
-    const auto& states = question_.problem.states;
+    const auto& states = input_.problem.states;
     std::vector<double> gaps;
     for (std::size_t s = 0; s < times.size(); ++s) {
       if (!states[s].fixed) {
@@ -247,7 +246,7 @@ private:
     }
   }
 
-  const FaultSearchInput& question_;
+  const FaultSearchInput& input_;
   const Suspect& suspect_;
   const Camera& initial_;
   double sigma_;
@@ -260,9 +259,9 @@ private:
 
 } // namespace
 
-std::optional<DetectedFault> findCameraFault(const FaultSearchInput& question,
+std::optional<DetectedFault> findCameraFault(const FaultSearchInput& input,
                                              const Suspect& suspect) {
-  return CameraSuspicion(question, suspect).run();
+  return CameraSuspicion(input, suspect).run();
 }
 
 } // namespace dewpoint::calibration

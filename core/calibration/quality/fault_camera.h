@@ -19,9 +19,8 @@ struct Suspect {
   double sigmaPx = 1.0;
 };
 
-/// Finds the fault that best explains a suspect. Returns it only if it explains the suspect clearly
-/// better than no fault.
-std::optional<DetectedFault> findCameraFault(const FaultSearchInput& question,
-                                             const Suspect& suspect);
+/// Finds the fault that best explains the images of a suspect. Returns nothing if no fault explains
+/// them clearly better than assuming no fault.
+std::optional<DetectedFault> findCameraFault(const FaultSearchInput& input, const Suspect& suspect);
 
 } // namespace dewpoint::calibration

@@ -44,9 +44,9 @@ struct PointFit {
 };
 
 /// Estimates the poses of the cameras selected by `use`, from up to 240 points that at least two of
-/// these cameras see. If `centersFree`, also estimates their principal points. A solution that is
-/// far from the initial rig does not count as an explanation: if any camera ends up far from its
-/// initial pose, all residuals are set to a large value. Returns nothing if there is no solution.
+/// these cameras see. If `centersFree`, also estimates their principal points. If any camera ends
+/// up far from its initial pose, all residuals are set to a large value, so that the solution does
+/// not count as an explanation. Returns nothing if there is no solution.
 std::optional<PointFit> estimateStructureAndPoses(const CameraRig& initialRig,
                                                   const ImagePoints& imagePoints,
                                                   const std::vector<bool>& use,

@@ -19,10 +19,10 @@ constexpr double kAgreeingFactor = 2.0;
 constexpr double kSwapExplains = 0.5; ///< exchanged cameras fit at least so much better
 
 /// Lens data of another size than the video: no question of residuals.
-std::optional<DetectedFault> declaredSize(const FaultSearchInput& question) {
-  for (std::size_t c = 0; c < question.imageSizes.size(); ++c) {
-    const Intrinsics& in = question.problem.cameras.at(c).camera.intrinsics;
-    const auto& size = question.imageSizes[c];
+std::optional<DetectedFault> declaredSize(const FaultSearchInput& input) {
+  for (std::size_t c = 0; c < input.imageSizes.size(); ++c) {
+    const Intrinsics& in = input.problem.cameras.at(c).camera.intrinsics;
+    const auto& size = input.imageSizes[c];
     if (size[0] != in.width || size[1] != in.height) {
       return DetectedFault{CalibrationFault::WrongResolution, {c}, double(size[0]) / in.width};
     }
@@ -33,24 +33,24 @@ std::optional<DetectedFault> declaredSize(const FaultSearchInput& question) {
 /// The search for one question.
 class FaultSearch {
 public:
-  explicit FaultSearch(const FaultSearchInput& question)
-      : question_(question), imagePoints_(imagePointsOf(question.problem)) {
-    for (const BundleCamera& camera : question.problem.cameras) {
+  explicit FaultSearch(const FaultSearchInput& input)
+      : input_(input), imagePoints_(imagePointsOf(input.problem)) {
+    for (const BundleCamera& camera : input.problem.cameras) {
       initialRig_.push_back(camera.camera);
     }
     if (cameraSpread(initialRig_) > kMaxCameraSpread) {
-      question_.initialSigma.position *= 1000.0;
+      input_.initialSigma.position *= 1000.0;
     }
     everyone_.assign(initialRig_.size(), true);
   }
 
   FaultReport run() {
     FaultReport report;
-    if (auto size = declaredSize(question_)) {
+    if (auto size = declaredSize(input_)) {
       report.faults.push_back(*size);
       return finished(std::move(report));
     }
-    all_ = estimateStructureAndPoses(initialRig_, imagePoints_, everyone_, question_.initialSigma);
+    all_ = estimateStructureAndPoses(initialRig_, imagePoints_, everyone_, input_.initialSigma);
     fitOthers();
     fitSwapped();
     report.sigmaPx = best_;
@@ -59,7 +59,7 @@ public:
       named = swap;
     }
     if (!named && all_) {
-      named = findCommonFault(question_, imagePoints_, *all_);
+      named = findCommonFault(input_, imagePoints_, *all_);
     }
     if (named) {
       report.faults.push_back(*named);
@@ -67,7 +67,7 @@ public:
     if (all_ && all_->sigmaPx <= kAgreeingFactor * best_ &&
         (!named || named->fault == CalibrationFault::HalfPixel)) {
       for (DetectedFault& fault :
-           findBodyFaults(question_, triangulated(all_->rig, imagePoints_, everyone_), all_->rig)) {
+           findBodyFaults(input_, triangulated(all_->rig, imagePoints_, everyone_), all_->rig)) {
         report.faults.push_back(fault);
       }
     }
@@ -109,7 +109,7 @@ private:
       others_.push_back(initialRig_.size() < 3
                             ? std::nullopt
                             : estimateStructureAndPoses(initialRig_, imagePoints_, without(c),
-                                                        question_.initialSigma));
+                                                        input_.initialSigma));
       consider(others_.back());
     }
   }
@@ -117,7 +117,7 @@ private:
   /// Exchanged cameras leave many pixels.
   bool mayBeSwapped() const {
     std::vector<double> sigmas;
-    for (const BundleObservation& seen : question_.problem.observations) {
+    for (const BundleObservation& seen : input_.problem.observations) {
       sigmas.push_back(seen.sigma);
     }
     return all_ && all_->sigmaPx > std::max(1.0, 3.0 * upperMedian(sigmas));
@@ -131,8 +131,8 @@ private:
       for (std::size_t j = i + 1; j < initialRig_.size(); ++j) {
         ImagePoints exchanged = imagePoints_;
         std::swap(exchanged.perCamera[i], exchanged.perCamera[j]);
-        if (auto fit = estimateStructureAndPoses(initialRig_, exchanged, everyone_,
-                                                 question_.initialSigma)) {
+        if (auto fit =
+                estimateStructureAndPoses(initialRig_, exchanged, everyone_, input_.initialSigma)) {
           swaps_.push_back({i, j, std::move(*fit)});
           consider(swaps_.back().fit);
         }
@@ -148,7 +148,7 @@ private:
       }
       const PointPositions positions = triangulated(others_[c]->rig, imagePoints_, without(c));
       const auto found =
-          findCameraFault(question_, {c, &imagePoints_, &positions, others_[c]->sigmaPx});
+          findCameraFault(input_, {c, &imagePoints_, &positions, others_[c]->sigmaPx});
       if (found && (!best || found->gain > best->gain)) {
         best = found;
       }
@@ -172,7 +172,7 @@ private:
     return best;
   }
 
-  FaultSearchInput question_;
+  FaultSearchInput input_;
   ImagePoints imagePoints_;
   CameraRig initialRig_;
   std::vector<bool> everyone_;
@@ -184,21 +184,21 @@ private:
 
 } // namespace
 
-FaultReport findFaults(const FaultSearchInput& question) {
-  return FaultSearch(question).run();
+FaultReport findFaults(const FaultSearchInput& input) {
+  return FaultSearch(input).run();
 }
 
 Result<FaultReport> findWandFaults(const WandProblem& problem) {
   return wandBundle(problem).map([&](const BundleProblem& bundle) {
-    FaultSearchInput question;
-    question.problem = bundle;
-    question.initialSigma = {problem.initialRotationError, problem.initialPositionError};
-    question.focalUnknown = problem.findFocal;
-    question.unsynchronized =
+    FaultSearchInput input;
+    input.problem = bundle;
+    input.initialSigma = {problem.initialRotationError, problem.initialPositionError};
+    input.focalUnknown = problem.findFocal;
+    input.unsynchronized =
         problem.findOffsets ||
         std::any_of(bundle.observations.begin(), bundle.observations.end(),
                     [](const BundleObservation& seen) { return seen.lag != 0.0; });
-    return findFaults(question);
+    return findFaults(input);
   });
 }
 

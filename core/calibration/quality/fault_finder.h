@@ -32,7 +32,7 @@ struct FaultReport {
 /// all cameras, lengths relative to the size of the initial rig, and a board that is mirrored or
 /// has another number of columns. With only two cameras, faults of a single camera cannot be
 /// identified and are not searched for.
-FaultReport findFaults(const FaultSearchInput& question);
+FaultReport findFaults(const FaultSearchInput& input);
 
 /// Searches for faults in the observations of a wand. Errors: those of checkViews().
 Result<FaultReport> findWandFaults(const WandProblem& problem);

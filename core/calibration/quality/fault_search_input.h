@@ -15,16 +15,18 @@ namespace dewpoint::calibration {
 /// about one or two cameras. Origin not recorded.
 inline constexpr double kMinGain = 30.0;
 
-/// Observations and entered data, from before anything was estimated or left out.
+/// Input of findFaults(): the observations and the data entered by the user, before anything is
+/// estimated or left out.
 struct FaultSearchInput {
-  /// Cameras: the initial rig with the given intrinsics. Bodies: as entered. A board state that is
-  /// fixed represents the floor (or a wall) that defines the world.
+  /// The cameras are those of the initial rig, with the given intrinsics. The bodies are as entered
+  /// by the user. A fixed state of a board represents the floor (or a wall) that defines the world.
   BundleProblem problem;
   InitialRigSigma initialSigma; ///< standard deviations of the poses in the initial rig
   std::vector<std::array<int, 2>> imageSizes =
       {};                                     ///< image size of each video, pixels; empty: unknown
   std::optional<BoardDescription> board = {}; ///< board represented by the first body
-  bool focalUnknown = false; ///< true if focal lengths are to be estimated, so that they may differ
+  /// True if the focal lengths are not known, so that a wrong focal length is no fault.
+  bool focalUnknown = false;
   /// True if cameras run without synchronization, or offsets are to be estimated. A much larger
   /// gain is then required.
   bool unsynchronized = false;

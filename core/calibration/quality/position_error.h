@@ -15,8 +15,8 @@ struct PositionErrors {
   /// Derivatives of the positions (3 rows for each) with respect to the camera parameters (columns
   /// as in the covariance of the result).
   Eigen::MatrixXd fromCameras;
-  /// Covariance of each position when it is triangulated from one image per camera in which a pixel
-  /// has the standard deviation 1.
+  /// Covariance of each position due to image noise, if the position is triangulated from one image
+  /// per camera and an image position has a standard deviation of 1 pixel; m².
   std::vector<Eigen::Matrix3d> noise;
 };
 

@@ -20,10 +20,10 @@ struct BoardReport {
     std::vector<ViewFit> views;
     std::vector<EstimatedParameter> parameters; ///< empty if the intrinsics were given
     std::optional<double> projectionPx;         ///< IntrinsicsResult::worstProjectionPx, pixels
-    std::optional<double>
-        centerSigma; ///< standard deviation of the position, meters; if poses were estimated
-    std::optional<double>
-        rotationSigma; ///< standard deviation of the orientation, radians; if poses were estimated
+    /// Standard deviation of the position, meters; empty unless poses were estimated.
+    std::optional<double> centerSigma;
+    /// Standard deviation of the orientation, radians; empty unless poses were estimated.
+    std::optional<double> rotationSigma;
   };
 
   std::string title;

@@ -13,10 +13,10 @@ namespace dewpoint::calibration {
 /// do not determine an offset, it is 0.
 ///
 /// With the correct offset, the rays of two cameras to the moving ball miss each other only because
-/// the poses are approximate. This distance changes smoothly with the position and is modeled by a
-/// second-order polynomial. With a wrong offset, the rays also miss each other because the ball has
-/// moved in the meantime. The result is the offset for which the residual of such a polynomial is
-/// smallest.
+/// the poses are approximate. The distance between the rays changes smoothly with the position and
+/// is modeled by a second-order polynomial. With a wrong offset, the rays also miss each other
+/// because the ball has moved in the meantime. The result is the offset for which the residual of
+/// such a polynomial is smallest.
 std::vector<double> searchTimeOffsets(const WandProblem& problem);
 
 /// Returns the views with each camera's offset (seconds) added to their times.

@@ -13,23 +13,24 @@ Status checkViews(const WandProblem& problem);
 /// most half the usual interval between views become observations of one state.
 Result<BundleProblem> wandBundle(const WandProblem& problem);
 
-/// Reduces a problem to at most `most` states and their observations. The states kept are evenly
-/// spread. With `inRuns`, runs of 30 neighboring states are kept or removed as a whole, so that
-/// positions can still be interpolated between neighboring states.
+/// Reduces a problem to at most `most` states and their observations. The states that are kept are
+/// evenly spread in time. With `inRuns`, groups of 30 neighboring states are kept or removed as a
+/// whole, so that positions can still be interpolated between neighboring states.
 BundleProblem thinned(const BundleProblem& problem, int most, bool inRuns);
 
-/// Sets the outlineShift of every observation based on the current cameras and states. `ballRadius`
-/// is in meters.
+/// Sets BundleObservation::outlineShift of every observation, computed from the cameras and states
+/// in `now`. `ballRadius`: radii of balls 0 and 1, meters.
 void updateOutlineShifts(const std::array<double, 2>& ballRadius, const BundleResult& now,
                          BundleProblem& problem);
 
-/// Drops the worst observation of each state if its residual exceeds `limit` pixels. Returns the
-/// number of dropped observations, and adds the number for each camera to `dropped`.
+/// In each state, drops the observation with the largest residual if this residual exceeds `limit`
+/// pixels. Returns the number of dropped observations, and adds the number of each camera to the
+/// camera's entry in `dropped`.
 std::size_t dropWorstObservations(const BundleResult& now, double limit, BundleProblem& problem,
                                   std::vector<std::size_t>& dropped);
 
 /// Returns the median length of the residuals of used observations in pixels, for one camera, or
-/// for all if `camera` is -1.
+/// for all cameras if `camera` is -1.
 double medianResidual(const BundleProblem& problem, const BundleResult& now, int camera = -1);
 
 } // namespace dewpoint::calibration

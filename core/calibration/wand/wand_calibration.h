@@ -26,11 +26,12 @@ struct MarkerObservation {
 enum class WandScale {
   InitialRig, ///< from the initial rig; the scale is then only as accurate as that rig
   Stick,      ///< from the known length of the stick
-  Distance,   ///< from the distance between two touched positions
-  Diameter    ///< from the apparent radius of the ball, measured to about 0.05 px
+  /// From the known distance between two positions that ball 0 touched (WandProblem::distance).
+  Distance,
+  Diameter ///< from the apparent radius of the ball, measured to about 0.05 px
 };
 
-/// Two positions at a known distance from each other, at which the ball was held.
+/// Two times at which ball 0 was held at two positions with a known distance between them.
 struct TouchedDistance {
   double firstTime = 0.0;  ///< seconds
   double secondTime = 0.0; ///< seconds

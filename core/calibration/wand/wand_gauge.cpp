@@ -158,7 +158,7 @@ Result<Similarity> onFloor(const WandProblem& problem, const BundleResult& now,
 
 } // namespace
 
-Similarity fitRigSimilarity(const CameraRig& from, const CameraRig& to, bool sized) {
+Similarity fitRigSimilarity(const CameraRig& from, const CameraRig& to, bool scaleFree) {
   // The size comes from the places alone; then points ahead of and above each camera, as far away
   // as the cameras are from each other, let the axes have their say.
   std::vector<Eigen::Vector3d> fromPositions, toPositions;
@@ -174,7 +174,7 @@ Similarity fitRigSimilarity(const CameraRig& from, const CameraRig& to, bool siz
     return std::sqrt(sum / static_cast<double>(positions.size()));
   };
   const double scale =
-      sized && spread(fromPositions) > 0.0 ? spread(toPositions) / spread(fromPositions) : 1.0;
+      scaleFree && spread(fromPositions) > 0.0 ? spread(toPositions) / spread(fromPositions) : 1.0;
   const double reach = std::max(spread(toPositions), 1e-6);
   for (std::size_t c = 0; c < from.size(); ++c) {
     for (const Eigen::Index axis : {1, 2}) {

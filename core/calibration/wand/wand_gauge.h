@@ -9,19 +9,19 @@
 namespace dewpoint::calibration {
 
 /// Returns the similarity that best maps the positions and axes of the cameras in `from` to those
-/// in `to`. Its scale is 1 unless `sized` is set.
-Similarity fitRigSimilarity(const CameraRig& from, const CameraRig& to, bool sized);
+/// in `to`. The scale is estimated if `scaleFree` is set; otherwise it is 1.
+Similarity fitRigSimilarity(const CameraRig& from, const CameraRig& to, bool scaleFree);
 
 /// Transforms the cameras, states and covariance of a result to another world frame.
 void moveWorld(const Similarity& change, BundleResult& result);
 
-/// Returns the mean position of ball `ball` within a tenth of a second of `time`, or nothing if its
-/// position is unknown in that time.
+/// Returns the mean of the known positions of ball `ball` between `time` - 0.1 s and `time` + 0.1
+/// s, or nothing if no position is known in that period.
 std::optional<Eigen::Vector3d> ballPositionAt(const BundleResult& now, double time,
                                               std::size_t ball = 0);
 
-/// Scale factor for a solution, with its relative standard deviation. The factor is 1 for
-/// WandScale::Stick, because the adjustment already uses the length of the stick, and for
+/// Factor by which to scale a solution, with its relative standard deviation. The factor is 1 for
+/// WandScale::Stick, because the adjustment already uses the length of the stick. It is also 1 for
 /// WandScale::InitialRig.
 struct ScaleEstimate {
   double factor = 1.0;

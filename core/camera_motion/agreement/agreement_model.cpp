@@ -76,23 +76,24 @@ AgreementModel::AgreementModel(const CameraRig& rig,
   for (std::size_t color = 0; color < histories_.size(); ++color) {
     auto& views = views_.emplace_back();
     for (std::size_t k = 0; k < cameras_.size(); ++k) {
-      views.push_back(instantsOf(color, k, k));
+      views.push_back(regionImagesOf(color, k, k));
     }
   }
 }
 
-std::vector<AgreementModel::Instant>
-AgreementModel::instantsOf(std::size_t color, std::size_t camera, std::size_t calibration) const {
+std::vector<AgreementModel::RegionImage>
+AgreementModel::regionImagesOf(std::size_t color, std::size_t camera,
+                               std::size_t calibration) const {
   constexpr double kStep = 0.01; // seconds, of the derivative
   const SightingHistory& history = histories_[color][camera];
   const double focal = focals_[calibration];
   const double anyShape = radii_[color] > 0.0 ? 0.0 : kAnyShape;
   const std::size_t stride = history.countedSightings() / kMostCounted + 1;
   std::size_t counted = 0;
-  std::vector<Instant> instants;
+  std::vector<RegionImage> instants;
   instants.reserve(history.images().size());
   for (const SightingImage& image : history.images()) {
-    Instant& instant = instants.emplace_back(Instant{image.time, {}});
+    RegionImage& instant = instants.emplace_back(RegionImage{image.time, {}});
     instant.seen.reserve(image.regions.size());
     for (const RegionSighting& sighting : image.regions) {
       const auto& [center, radius, sigma, byShape] = sighting.region;
@@ -120,7 +121,7 @@ AgreementModel::instantsOf(std::size_t color, std::size_t camera, std::size_t ca
 double AgreementModel::biasOf(const Views& views, std::size_t camera) {
   std::vector<double> biases;
   for (const auto& color : views) {
-    for (const Instant& instant : color[camera]) {
+    for (const RegionImage& instant : color[camera]) {
       for (const SeenRegion& seen : instant.seen) {
         if (seen.counts) {
           biases.push_back(seen.bias);
@@ -131,12 +132,12 @@ double AgreementModel::biasOf(const Views& views, std::size_t camera) {
   return base::upperMedian(std::move(biases));
 }
 
-const AgreementModel::Instant* AgreementModel::nearest(const std::vector<Instant>& instants,
-                                                       double time, double within) {
-  const auto after = std::ranges::lower_bound(instants, time, {}, &Instant::time);
-  const Instant* best = after != instants.end() ? &*after : nullptr;
+const AgreementModel::RegionImage* AgreementModel::nearest(const std::vector<RegionImage>& instants,
+                                                           double time, double within) {
+  const auto after = std::ranges::lower_bound(instants, time, {}, &RegionImage::time);
+  const RegionImage* best = after != instants.end() ? &*after : nullptr;
   if (after != instants.begin()) {
-    const Instant& before = *std::prev(after);
+    const RegionImage& before = *std::prev(after);
     if (best == nullptr || time - before.time < best->time - time) {
       best = &before;
     }
@@ -156,7 +157,7 @@ void AgreementModel::compare(const Views& views, const std::vector<Pose>& poses,
   std::vector<RegionMatch> matches;
   for (std::size_t color = 0; color < views.size(); ++color) {
     for (std::size_t a = 0; a < count; ++a) {
-      for (const Instant& instant : views[color][a]) {
+      for (const RegionImage& instant : views[color][a]) {
         for (const SeenRegion& seen : instant.seen) {
           if (!seen.counts) {
             continue;
@@ -168,7 +169,7 @@ void AgreementModel::compare(const Views& views, const std::vector<Pose>& poses,
               continue;
             }
             const double time = instant.time - errors[a].delay + errors[b].delay;
-            const Instant* other = nearest(views[color][b], time, kNearestInstant * interval_);
+            const RegionImage* other = nearest(views[color][b], time, kNearestInstant * interval_);
             if (other == nullptr || other->seen.empty()) {
               continue;
             }
@@ -246,7 +247,7 @@ AgreementFit AgreementModel::evaluate(const Views& views, const std::vector<Pose
   }
   compare(views, poses, fit.errors, widening, std::nullopt,
           [&](std::size_t a, std::size_t b, std::size_t, const SeenRegion& seen,
-              const Instant& other, const std::vector<Eigen::Matrix3d>& rotations,
+              const RegionImage& other, const std::vector<Eigen::Matrix3d>& rotations,
               const std::vector<RegionMatch>& matches, double likelihood) {
             const std::size_t pair = std::min(a, b) * count + std::max(a, b);
             fit.pairLogLikelihoods[pair] += weight * std::log(likelihood);
@@ -303,7 +304,7 @@ AgreementModel::viewsWith(const std::vector<std::size_t>& calibrations) const {
   for (std::size_t color = 0; color < views.size(); ++color) {
     for (std::size_t k = 0; k < calibrations.size(); ++k) {
       if (calibrations[k] != k) {
-        views[color][k] = instantsOf(color, k, calibrations[k]);
+        views[color][k] = regionImagesOf(color, k, calibrations[k]);
       }
     }
   }
@@ -354,7 +355,7 @@ double AgreementModel::roughLogLikelihood(std::size_t camera, double delay) cons
   errors[camera].delay = delay;
   double sum = 0.0;
   compare(views_, cameras_, errors, kTurnSigma, camera,
-          [&](std::size_t, std::size_t, std::size_t, const SeenRegion&, const Instant&,
+          [&](std::size_t, std::size_t, std::size_t, const SeenRegion&, const RegionImage&,
               const std::vector<Eigen::Matrix3d>&, const std::vector<RegionMatch>&,
               double likelihood) { sum += std::log(likelihood); });
   return sum;
@@ -363,7 +364,7 @@ double AgreementModel::roughLogLikelihood(std::size_t camera, double delay) cons
 std::optional<double> AgreementModel::sizeRatio(const std::vector<CameraError>& errors) const {
   std::vector<double> ratios;
   compare(views_, cameras_, errors, 0.0, std::nullopt,
-          [&](std::size_t, std::size_t, std::size_t color, const SeenRegion&, const Instant&,
+          [&](std::size_t, std::size_t, std::size_t color, const SeenRegion&, const RegionImage&,
               const std::vector<Eigen::Matrix3d>&, const std::vector<RegionMatch>& matches,
               double) {
             for (const RegionMatch& match : matches) {

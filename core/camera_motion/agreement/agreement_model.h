@@ -25,8 +25,8 @@ struct CameraError {
 /// Assumption about what is wrong with a rig. AgreementModel::fit() computes how well the
 /// assumption explains the sightings.
 struct AgreementHypothesis {
-  /// For each camera, the index of the camera whose calibration it uses. If empty, each camera uses
-  /// its own calibration.
+  /// For each camera, the index of the camera whose calibration applies to its images under this
+  /// assumption. If empty, each camera has its own calibration.
   std::vector<std::size_t> calibrations = {};
   /// Camera that may point in a wrong direction. The standard deviation of its rotation error is 3
   /// degrees, instead of the 0.2 degrees that are usual for calibrations.
@@ -46,7 +46,7 @@ struct AgreementFit {
   double logEvidence = 0.0;
   double logLikelihood = 0.0; ///< log likelihood at `errors`
   double logPrior = 0.0;      ///< log prior of `errors`, relative to no errors
-  /// Number of comparisons of a sighting with another camera, as a sum of their weights.
+  /// Sum of the weights of all comparisons of a sighting with the image of another camera.
   double count = 0.0;
   /// Log likelihoods and counts per camera pair, in the order of AgreementModel::pairs().
   std::vector<double> pairLogLikelihoods = {};
@@ -81,12 +81,12 @@ public:
 
   /// Fits the camera errors under a hypothesis.
   AgreementFit fit(const AgreementHypothesis& hypothesis) const;
-  /// Returns a rough log likelihood of a camera's delay without fitting anything, based on the
-  /// pairs that include the camera.
+  /// Returns a rough log likelihood of the delay `delay` (seconds) of a camera. Fits nothing; uses
+  /// only the pairs of cameras that include this camera.
   double roughLogLikelihood(std::size_t camera, double delay) const;
 
-  /// Returns the median ratio of measured to known radius over the regions that match under these
-  /// errors. Returns nothing if there are only a few such regions.
+  /// Returns the median ratio of measured to known radius. It is taken over the regions that match
+  /// if the cameras have the errors `errors`. Returns nothing if only a few regions match.
   std::optional<double> sizeRatio(const std::vector<CameraError>& errors) const;
 
   /// Returns the median time between successive images of a camera, in seconds.
@@ -97,11 +97,11 @@ public:
 
 private:
   /// Regions of one color in one image, and the time of that image in seconds.
-  struct Instant {
+  struct RegionImage {
     double time;
     std::vector<SeenRegion> seen;
   };
-  using Views = std::vector<std::vector<std::vector<Instant>>>; ///< [color][camera]
+  using Views = std::vector<std::vector<std::vector<RegionImage>>>; ///< [color][camera]
   struct Pose {
     Eigen::Vector3d center;
     Eigen::Matrix3d worldFromCamera;
@@ -111,8 +111,8 @@ private:
 
   /// Returns the images of a camera with the regions of one color. The rays to the regions are
   /// computed with the calibration of the camera `calibration`.
-  std::vector<Instant> instantsOf(std::size_t color, std::size_t camera,
-                                  std::size_t calibration) const;
+  std::vector<RegionImage> regionImagesOf(std::size_t color, std::size_t camera,
+                                          std::size_t calibration) const;
   /// Returns the images and regions of all colors and cameras. Camera k uses the calibration of
   /// camera `calibrations[k]`.
   Views viewsWith(const std::vector<std::size_t>& calibrations) const;
@@ -128,12 +128,13 @@ private:
   /// Returns the median SeenRegion::bias over the sightings of a camera that count.
   static double biasOf(const Views& views, std::size_t camera);
   /// Returns the entry closest in time, or null if none is within `within` seconds of `time`.
-  static const Instant* nearest(const std::vector<Instant>& instants, double time, double within);
+  static const RegionImage* nearest(const std::vector<RegionImage>& instants, double time,
+                                    double within);
   /// Calls visit(a, b, color, seen, other, rotations, matches, likelihood) for each comparison of a
   /// region `seen`, which counts in camera `a`, with the image `other` of camera `b`. `rotations`
   /// contains the world-from-camera rotations with the errors applied. `matches` has one entry per
-  /// region in `other`; its density is the probability that this region shows the same object. With
-  /// `only`, only pairs that include this camera are compared.
+  /// region in `other`; the `density` of an entry is the probability that the region shows the same
+  /// object as `seen`. With `only`, only pairs that include this camera are compared.
   template <class Visit>
   void compare(const Views& views, const std::vector<Pose>& poses,
                const std::vector<CameraError>& errors, double widening,
@@ -141,8 +142,9 @@ private:
 
   const std::vector<std::vector<SightingHistory>>& histories_;
   std::vector<double> radii_;
-  std::vector<Unprojector> unprojectors_; ///< to camera axes, per camera
-  std::vector<double> focals_;            ///< focal lengths, pixels
+  /// Per camera; convert pixels to directions in camera axes.
+  std::vector<Unprojector> unprojectors_;
+  std::vector<double> focals_; ///< focal lengths, pixels
   std::vector<Pose> cameras_;
   double interval_ = 0.0;
   Views views_; ///< images and regions of all cameras, each with its own calibration

@@ -16,10 +16,11 @@ bool isGoodFit(const AgreementFit& asDeclared);
 /// Returns whether the rig as declared explains hardly any of the sightings.
 bool isBadFit(const AgreementFit& asDeclared);
 
-/// Returns the fault that explains the sightings clearly better than the rig as declared (log odds
-/// of at least kLeastLogOdds) and than every other fault (by at least kLeastLead). If there is no
-/// such fault, returns CameraFault::Unknown, provided that `alsoUnknown` is set and its log odds
-/// are at least kLeastLogOdds. Otherwise returns nothing.
+/// Returns the fault that explains the sightings clearly better than the rig as declared, and
+/// clearly better than every other fault. Its log odds must be at least kLeastLogOdds against the
+/// rig as declared, and at least kLeastLead against every other fault. If no fault meets this and
+/// `alsoUnknown` is set, CameraFault::Unknown is returned if its log odds are at least
+/// kLeastLogOdds. Otherwise returns nothing.
 std::optional<CameraDisagreement> findFault(const AgreementModel& model, const CameraRig& rig,
                                             const AgreementFit& asDeclared, bool alsoUnknown);
 

@@ -33,12 +33,12 @@ constexpr double kGoodAgain = 3.0; ///< seconds of agreement until what was said
 } // namespace
 
 CameraAgreement::CameraAgreement(const CameraRig& rig)
-    : rig_(rig), found_(checkRig(rig)), ofRig_(found_.size()) {
+    : rig_(rig), found_(checkRig(rig)), rigFaultCount_(found_.size()) {
   restart();
 }
 
 void CameraAgreement::restart() {
-  found_.resize(ofRig_);
+  found_.resize(rigFaultCount_);
   for (auto& color : histories_) {
     for (SightingHistory& history : color) {
       history.clear();
@@ -169,7 +169,7 @@ void CameraAgreement::onGoodFit(const AgreementModel& model, const AgreementFit&
   } else if (time - *goodSince_ >= kGoodAgain) {
     report(std::nullopt);
   }
-  const bool isQuiet = found_.size() == ofRig_;
+  const bool isQuiet = found_.size() == rigFaultCount_;
   setSparseChecking(sparse_ || (isQuiet && time - *goodSince_ >= kSparseAfter));
 }
 
@@ -178,7 +178,8 @@ void CameraAgreement::onDoubtfulFit(const AgreementModel& model, const Agreement
   goodSince_.reset();
   badSince_ = isBadFit(asDeclared) ? std::optional(badSince_.value_or(time)) : std::nullopt;
   unclearSince_ = unclearSince_.value_or(time);
-  const bool isNamed = found_.size() > ofRig_ && found_.back().fault != CameraFault::Unknown;
+  const bool isNamed =
+      found_.size() > rigFaultCount_ && found_.back().fault != CameraFault::Unknown;
   if (isNamed) {
     return; // once is enough
   }
@@ -195,11 +196,12 @@ void CameraAgreement::onDoubtfulFit(const AgreementModel& model, const Agreement
 
 void CameraAgreement::report(const std::optional<CameraDisagreement>& seen) {
   const bool isOfRig =
-      seen && std::any_of(found_.begin(), found_.begin() + static_cast<std::ptrdiff_t>(ofRig_),
-                          [&](const CameraDisagreement& one) {
-                            return one.isSameAs(*seen) && one.scale == seen->scale;
-                          });
-  found_.resize(ofRig_);
+      seen &&
+      std::any_of(found_.begin(), found_.begin() + static_cast<std::ptrdiff_t>(rigFaultCount_),
+                  [&](const CameraDisagreement& one) {
+                    return one.isSameAs(*seen) && one.scale == seen->scale;
+                  });
+  found_.resize(rigFaultCount_);
   if (seen && !isOfRig) {
     found_.push_back(*seen);
   }

@@ -28,7 +28,8 @@ public:
   void watch(const FrameSet& frames, const std::vector<Target>& targets);
 
   /// Returns the faults found so far: first the faults of the rig itself, then at most one fault
-  /// derived from the images. The latter is removed when the cameras agree again.
+  /// derived from the images. The fault derived from the images is removed when the cameras agree
+  /// again.
   const std::vector<CameraDisagreement>& found() const { return found_; }
 
   /// Discards all sightings.
@@ -36,7 +37,8 @@ public:
 
 private:
   void updateColors(const std::vector<Target>& targets);
-  /// Returns whether enough regions were seen, but not too many in one image.
+  /// Returns whether the sightings are sufficient for a check: enough regions in total, but not too
+  /// many in one image.
   bool hasEnoughSightings() const;
   void check(double time);
   void onGoodFit(const AgreementModel& model, const AgreementFit& asDeclared, double time);
@@ -47,7 +49,7 @@ private:
 
   CameraRig rig_;
   std::vector<CameraDisagreement> found_;
-  std::size_t ofRig_ = 0; ///< number of faults in found_ that concern the rig itself
+  std::size_t rigFaultCount_ = 0; ///< number of faults in found_ that concern the rig itself
   std::vector<ColorRanges> colors_;
   std::vector<double> radii_; ///< target radius for each color, meters; 0: unknown
   std::vector<std::vector<SightingHistory>> histories_; ///< [color][camera]

@@ -23,10 +23,10 @@ enum class CameraFault {
 /// Fault of a rig: the most likely reason why its cameras disagree, and the correction.
 struct CameraDisagreement {
   CameraFault fault = CameraFault::Unknown;
-  /// Affected cameras. Swapped: both cameras, or two pairs if either may be the swapped one.
-  /// SamePose: both cameras. Late: the camera. Rotated: the camera, or two cameras if either may be
-  /// rotated. Unit: none. Unknown: the camera that disagrees most, or both cameras of a two-camera
-  /// rig.
+  /// Affected cameras. Swapped: the two cameras, or the four cameras of two pairs if either pair
+  /// may be swapped. SamePose: both cameras. Late: the camera. Rotated: the camera, or two cameras
+  /// if either may be rotated. Unit: none. Unknown: the camera that disagrees most, or both cameras
+  /// of a two-camera rig.
   std::vector<std::size_t> cameras = {};
   /// For Late: delay in addition to the known delay, seconds; negative if the images are early.
   double delay = 0.0;
@@ -37,8 +37,8 @@ struct CameraDisagreement {
   /// Log odds (natural logarithm) of this fault against no fault; 0 where it is certain.
   double logOdds = 0.0;
 
-  /// Returns whether both have the same kind of fault and the same cameras, regardless of the
-  /// numbers.
+  /// Returns whether this fault and `other` are of the same kind and affect the same cameras.
+  /// Delays, rotations and other numbers may differ.
   bool isSameAs(const CameraDisagreement& other) const {
     return fault == other.fault && cameras == other.cameras;
   }

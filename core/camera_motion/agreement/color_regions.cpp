@@ -175,11 +175,11 @@ const std::vector<ColorRegion>& ColorRegionSearch::find(const cv::Mat& image) {
   }
   std::erase_if(sums_, [](const Sums& sums) { return sums.area < kLeastArea; });
   std::ranges::stable_sort(sums_, std::ranges::greater(), &Sums::area);
-  constexpr std::size_t kMostParts = 4 * kMost; // of which regions are joined
+  constexpr std::size_t kMostParts = 4 * kMaxRegions; // of which regions are joined
   sums_.resize(std::min(sums_.size(), kMostParts));
   mergeNearRegions();
   std::ranges::stable_sort(sums_, std::ranges::greater(), &Sums::area);
-  sums_.resize(std::min(sums_.size(), kMost));
+  sums_.resize(std::min(sums_.size(), kMaxRegions));
   for (const Sums& sums : sums_) {
     regions_.push_back(regionOf(sums, image, step));
   }

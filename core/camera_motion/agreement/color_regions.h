@@ -30,7 +30,7 @@ struct ColorRegion {
 class ColorRegionSearch {
 public:
   /// Maximum number of regions reported per image; the largest ones are kept.
-  static constexpr std::size_t kMost = 8;
+  static constexpr std::size_t kMaxRegions = 8;
 
   explicit ColorRegionSearch(const ColorRanges& color) : classifier_(color) {}
 

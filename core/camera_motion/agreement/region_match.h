@@ -7,8 +7,8 @@
 
 namespace dewpoint::camera_motion {
 
-/// Region in a target's color in one image, expressed in camera rays. `radius`, `sigma` and `bias`
-/// are angles in radians.
+/// Region in a target's color in one image, with directions and angles in place of pixels.
+/// `radius`, `sigma` and `bias` are angles in radians.
 struct SeenRegion {
   Eigen::Vector3d direction; ///< direction to the center: unit vector, camera axes
   Eigen::Vector3d rate;      ///< change of `direction` per second
@@ -33,9 +33,9 @@ struct RegionMatch {
 
 /// Compares region `a` in one camera with region `b` in another. `a` is seen along the unit vector
 /// `u`, and `b` along the unit vector `v`. `apart` is the vector from the first to the second
-/// camera; it must not be zero. All three are in world axes. `field` is the angular height of the
-/// second camera's image. `widening` is an additional uncertainty of both directions. Both are in
-/// radians.
+/// camera; it must not be zero. All three are in world axes. `field` (radians) is the angular
+/// height of the second camera's image. `widening` (radians) is an additional uncertainty of both
+/// directions.
 RegionMatch matchRegions(const SeenRegion& a, const Eigen::Vector3d& u, const SeenRegion& b,
                          const Eigen::Vector3d& v, const Eigen::Vector3d& apart, double widening,
                          double field);

@@ -8,9 +8,9 @@
 
 namespace dewpoint::camera_motion {
 
-/// Checks a rig before any images are available, and returns the faults found. Cameras that are
-/// farther apart than a room is large have positions in a wrong unit (CameraFault::Unit). Cameras
-/// may also have the same pose (CameraFault::SamePose).
+/// Checks a rig before any images are available, and returns the faults found. CameraFault::Unit:
+/// the cameras are so far apart that their positions must be in a wrong unit.
+/// CameraFault::SamePose: two cameras have the same pose.
 std::vector<CameraDisagreement> checkRig(const CameraRig& rig);
 
 /// Returns the likely unit of a calibration, in meters: a millimeter, a centimeter or an inch.

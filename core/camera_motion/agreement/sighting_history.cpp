@@ -58,7 +58,7 @@ void SightingHistory::add(const cv::Mat& image, double time) {
   }
   counted_ = std::move(counted);
   images_.push_back(std::move(now));
-  while (images_.front().time < time - kKept) {
+  while (images_.front().time < time - kKeptSeconds) {
     images_.pop_front();
   }
 }

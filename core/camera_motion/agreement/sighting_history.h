@@ -20,9 +20,10 @@ struct RegionSighting {
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
   Eigen::Vector3d directionRate = Eigen::Vector3d::Zero();
   int track = 0; ///< number of the track: the same in all images in which this region is tracked
-  /// True if the sighting counts as evidence: since the track last counted or began, the region has
-  /// moved by at least its own radius. A region at rest therefore never counts. An error in a
-  /// region that hardly moves counts once, and not again in each image.
+  /// True if this sighting may be used as evidence. Since the last sighting of this track that
+  /// counted (or since the track began), the region must have moved by at least its own radius. A
+  /// region at rest therefore never counts. An error in a region that hardly moves counts once, and
+  /// not again in each image.
   bool counts = false;
 };
 
@@ -36,12 +37,12 @@ struct SightingImage {
 class SightingHistory {
 public:
   /// Time span for which images are kept, in seconds.
-  static constexpr double kKept = 4.0;
+  static constexpr double kKeptSeconds = 4.0;
 
   SightingHistory(const ColorRanges& color, const Camera& camera);
 
-  /// Searches the next image (CV_8UC3), taken at `time` (seconds). An image that is not later than
-  /// the previous one is ignored.
+  /// Finds the regions in the next image (CV_8UC3), taken at `time` (seconds), and continues their
+  /// tracks. An image that is not later than the previous one is ignored.
   void add(const cv::Mat& image, double time);
   void clear() { images_.clear(); }
   /// Returns the number of sightings that count.
@@ -50,7 +51,7 @@ public:
   const std::deque<SightingImage>& images() const { return images_; }
 
 private:
-  /// Position of a region when its track last counted, or when the track began.
+  /// Position of a region in the last sighting of its track that counted, or when the track began.
   struct CountedPosition {
     int track;
     Eigen::Vector2d center;
@@ -58,7 +59,7 @@ private:
   void trackRegions(const SightingImage& before, SightingImage& now);
 
   ColorRegionSearch search_;
-  Unprojector unprojector_; ///< to camera axes
+  Unprojector unprojector_; ///< converts pixels to directions in camera axes
   std::deque<SightingImage> images_;
   std::vector<CountedPosition> counted_; ///< one per track in the last image
   int tracks_ = 0;

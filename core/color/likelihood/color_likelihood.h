@@ -18,10 +18,10 @@ public:
   /// Step size of table entries, in nats. It is a power of two, and smaller than the error of any
   /// learned table.
   static constexpr double kStep = 1.0 / 16.0;
-  /// Largest absolute log ratio of a color, in steps. 72 steps are 4.5 nats, ln(0.9 / 0.01): nine
-  /// in ten target pixels have the target's color, as does one in a hundred of the other pixels by
-  /// chance (core/observation/sphere/sphere_evidence.cpp uses the same values for a matching
-  /// pixel).
+  /// Largest absolute log ratio of a color, in steps. 72 steps are 4.5 nats, which is ln(0.9 /
+  /// 0.01): nine in ten target pixels are assumed to have the target's color, and one in a hundred
+  /// of all other pixels has it by chance. For a matching pixel,
+  /// core/observation/sphere/sphere_evidence.cpp uses the same values.
   static constexpr int kMostSteps = 72;
   static constexpr double kMost = kMostSteps * kStep; ///< nats
 
@@ -60,8 +60,9 @@ private:
 
     void include(int value);
   };
-  /// Bounds of red - green, green - blue, red - blue and the sum, over all cells above the lowest
-  /// log ratio. The colors of a single-hue target lie in a wedge that these bounds enclose tightly.
+  /// Bounds of red - green, green - blue, red - blue and the sum of the channels, over all cells
+  /// whose log ratio is above the lowest one. The colors of a single-hue target lie in a wedge that
+  /// these bounds enclose tightly.
   using ChannelBounds = std::array<Bounds, 4>;
   static std::array<int, 4> boundedCoordinates(int blue, int green, int red) {
     return {red - green, green - blue, red - blue, red + green + blue};

@@ -19,7 +19,7 @@ namespace dewpoint::color {
 /// best evidence of the target.
 class OtherCameraLikelihood {
 public:
-  /// `target`: at least one color.
+  /// `target`: colors of target pixels in the other camera, at least one.
   explicit OtherCameraLikelihood(const std::vector<BgrColor>& target);
 
   /// Returns the table for a camera, based on the pixels of its image (CV_8UC3). `near` (CV_8UC1 of

@@ -14,8 +14,8 @@ struct ColorEvidence;
 
 /// Color response of a camera relative to the reference camera. The response consists of factors
 /// for the gray levels, each > 0, that result from exposure (equal for all channels) and white
-/// balance. If gray levels are a power of the light, a constant factor of the light is also a
-/// constant factor of the gray levels.
+/// balance. This also holds if gray levels are proportional to a power of the light (gamma): a
+/// constant factor of the light is then still a constant factor of the gray levels.
 struct ColorGain {
   double blue = 1.0;
   double green = 1.0;
@@ -71,8 +71,8 @@ public:
   /// of pixels of the rest that compete with one target pixel. If it is 1, the table is a
   /// likelihood ratio, for callers that know the probability of a target at a position from another
   /// source. If it is pixelRatio(), the log ratio is 0 for colors with as many pixels in the target
-  /// as in the rest, consistent with the weights in fitRange(). The latter is intended for callers
-  /// that segment whole images.
+  /// as in the rest, consistent with the weights in fitRange(). Use pixelRatio() to segment whole
+  /// images.
   ColorLikelihood likelihoodForCamera(const ColorGain& gain,
                                       const std::vector<WeightedHsiColor>& rest,
                                       double restPerTarget = 1.0) const;

@@ -15,7 +15,7 @@ std::optional<StartVolume> commonViewVolume(const CameraRig& rig) {
   if (!box) {
     box = geometry::commonVolume(rig, 2);
   }
-  return box ? std::optional(StartVolume{box->center(), box->half()}) : std::nullopt;
+  return box ? std::optional(StartVolume{box->center(), box->halfSize()}) : std::nullopt;
 }
 
 StartVolume startVolumeFromRig(const ScenarioRun& run) {

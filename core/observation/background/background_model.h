@@ -17,7 +17,7 @@ namespace dewpoint::observation {
 /// a lamp is switched on or off.
 class BackgroundModel {
 public:
-  /// Circle in the image, in pixels, in which nothing is learned because a target is there.
+  /// Circle in an image, in pixels. Nothing is learned inside it, because it may show a target.
   struct ExcludedCircle {
     Eigen::Vector2d center = Eigen::Vector2d::Zero();
     double radius = 0.0;
@@ -42,7 +42,8 @@ public:
 
   /// Sets the background image, which shows the scene without targets (CV_8UC3; empty if there is
   /// none). It is learned at the next reset(). If a pixel of this image matches a target's color,
-  /// the background explains later matches at that pixel, until a new object stays there.
+  /// later matches at that pixel are attributed to the background (PixelLabel::Explained), until a
+  /// new object stays there.
   void setBackgroundImage(const cv::Mat& image) { backgroundImage_ = image.clone(); }
   /// Discards everything except the background image.
   void reset();
@@ -51,14 +52,15 @@ public:
   /// are computed.
   void adaptToLight(const cv::Mat& image);
   /// Learns from every fourth row of an image (CV_8UC3), starting at a different row each time. An
-  /// image of another size restarts the model. Nothing is learned inside the circles `hidden`. If
-  /// `noTargetElsewhere` is set, the caller knows that there is no target outside these circles. A
-  /// pixel outside them that has a target's color is then background. After several such
-  /// observations, it is treated as if the background image contained this color.
+  /// image of another size restarts the model. Nothing is learned inside the circles `hidden`. Set
+  /// `noTargetElsewhere` if there certainly is no target outside these circles. A pixel outside
+  /// them that has a target's color then counts as background. After several such observations, the
+  /// pixel is treated as if the background image contained its color.
   void learn(const cv::Mat& image, const std::vector<ExcludedCircle>& hidden,
              bool noTargetElsewhere = false);
   /// Discards what learn() with `noTargetElsewhere` has learned about target colors in the
-  /// background: everywhere, or inside a circle that did contain a target.
+  /// background. The version with a circle discards it only inside the circle. Call it if the
+  /// circle did contain a target.
   void forgetFamiliarPixels();
   void forgetFamiliarPixels(const ExcludedCircle& circle);
   /// Returns the size of the model's images, bytes.
@@ -90,17 +92,21 @@ private:
   void start(const cv::Mat& image);
   void learnPixels(const cv::Mat& image, int row, int begin, int end, bool noTargetElsewhere);
 
-  cv::Mat mean_;            ///< CV_8UC3
-  cv::Mat confidence_;      ///< CV_8UC1, number of observations that agreed, up to kMostConfident
-  cv::Mat novel_;           ///< CV_8UC1, number of successive observations that did not agree
+  cv::Mat mean_; ///< CV_8UC3
+  /// CV_8UC1, number of observations of each pixel that agreed with the mean, up to kMostConfident.
+  cv::Mat confidence_;
+  /// CV_8UC1, for each pixel, how many successive observations up to the latest did not agree with
+  /// the mean.
+  cv::Mat novel_;
   cv::Mat backgroundImage_; ///< CV_8UC3, never modified
   /// CV_8UC1, or empty. 255 where the mean still comes from the background image. Elsewhere, the
   /// number of observations without a target; from kEmptyAfter on, they count as much as the
   /// background image.
   cv::Mat familiar_;
-  bool lightIsNew_ =
-      false;      ///< no image has followed the background image yet, so the light is unknown
-  int phase_ = 0; ///< first row of the next learn()
+  /// True after the background image was learned, until the next image; the light of that image is
+  /// not known yet.
+  bool lightIsNew_ = false;
+  int phase_ = 0;                   ///< first row of the next learn()
   std::int64_t known_ = 0;          ///< number of pixels in the last learn() that were known
   std::int64_t new_ = 0;            ///< number of these pixels that showed something new
   std::vector<std::uint8_t> moves_; ///< scratch, one row

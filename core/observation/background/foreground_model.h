@@ -22,8 +22,8 @@ struct ForegroundSettings {
   BackgroundMethod method = BackgroundMethod::Running;
   /// Number of frames at the start that are used only for learning.
   int learningFrames = 15;
-  /// Number of frames after which a new object that does not move is halfway to becoming
-  /// background.
+  /// Number of frames after which the background at a new object that does not move has changed
+  /// halfway to the object.
   double memoryFrames = 600.0;
   /// Lowest brightness, as a fraction of the usual brightness, at which a pixel still counts as a
   /// shadow.
@@ -44,9 +44,9 @@ public:
   virtual void subtract(const cv::Mat& image, const cv::Mat& keep, cv::Mat& mask) = 0;
   /// Returns a new, untrained model with the same settings.
   virtual std::unique_ptr<ForegroundModel> makeUntrained() const = 0;
-  /// Returns a copy that gives bit-identical results from now on and shares no writable data with
-  /// this model. Returns null if the model cannot be copied, because OpenCV does not give access to
-  /// its state.
+  /// Returns a copy that gives the same results as this model for the same further images, bit for
+  /// bit. The copy shares no writable data with this model. Returns null if the model cannot be
+  /// copied, because OpenCV does not give access to its state.
   virtual std::unique_ptr<ForegroundModel> clone() const { return nullptr; }
   /// Returns whether clone() returns a copy.
   virtual bool canBeCopied() const { return false; }

@@ -12,10 +12,10 @@
 
 namespace dewpoint::observation {
 
-/// Evidence that a pixel provides for a target. "Matches" means that the pixel has the target's
-/// color. An `Unknown` pixel neither matches nor agrees with the background, so something may hide
-/// the target there. Such a pixel is evidence neither for nor against the target. The same applies
-/// to pixels outside the image, and to pixels that are explained by another target.
+/// What a pixel shows, as evidence for or against a target. "Matches" means that the pixel has the
+/// target's color. An `Unknown` pixel neither matches nor agrees with the background, so something
+/// may hide the target there. Such a pixel is evidence neither for nor against the target. The same
+/// applies to pixels outside the image, and to pixels that are explained by another target.
 enum class PixelLabel : std::uint8_t {
   Unlearned,  ///< does not match; the background is not known yet
   Background, ///< does not match and agrees with the background
@@ -29,15 +29,16 @@ inline constexpr std::size_t kPixelLabelCount = 5;
 /// required.
 class LabelImage {
 public:
-  /// Starts with a new image (CV_8UC3). The image, background and classifiers must outlive the
-  /// labels. `usual` classifies the target color in the reference light.
+  /// Starts with a new image (CV_8UC3), without any labels. The image, background and classifiers
+  /// must outlive the labels. `classifier` tests for the target's color in the light of the image,
+  /// `usual` in the reference light (BackgroundModel::light()).
   void begin(const cv::Mat& image, const BackgroundModel& background,
              const ColorClassifier& classifier, const ColorClassifier& usual);
   void begin(const cv::Mat& image, const BackgroundModel& background,
              const ColorClassifier& classifier) {
     begin(image, background, classifier, classifier);
   }
-  /// Removes the image, for a camera without an image.
+  /// Removes the image and its labels. Call it for a frame in which the camera has no image.
   void clear();
 
   bool empty() const { return image_.empty(); }

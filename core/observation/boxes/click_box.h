@@ -22,13 +22,14 @@ namespace dewpoint::observation {
 /// color region at the click (growRegion()) has about the same box, the region's box is returned
 /// instead, because its outline is more exact.
 ///
-/// If the chosen box and the box of the region differ, the chosen box may contain more than can be
-/// followed. The function then considers figures of all sizes up to the chosen box. It rates each
-/// figure by how well its colors, as TargetColors would learn them, distinguish it from its
-/// surroundings. The largest figure that is rated nearly as well as the best figure is returned.
-/// This figure contains the region if the region is part of the object; otherwise it is the region.
-/// For an object of several colors, the result may be only the part that was clicked. Returns
-/// nothing if no box differs from its surroundings.
+/// If the chosen box and the box of the region differ, the chosen box may contain more than the
+/// colors of a target can describe. The function then considers figures of all sizes up to the
+/// chosen box. It rates each figure by how well its colors, as TargetColors would learn them,
+/// distinguish it from its surroundings. The result is the largest figure that is rated nearly as
+/// well as the best one. If the region is part of the object, only figures that contain the region
+/// are considered; if none of them is rated well enough, the result is the region's box. For an
+/// object of several colors, the result may be only the part that was clicked. Returns nothing if
+/// no box differs from its surroundings.
 std::optional<ImageBox> clickBox(const cv::Mat& bgr, const Eigen::Vector2d& pixel);
 
 } // namespace dewpoint::observation

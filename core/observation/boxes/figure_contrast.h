@@ -8,12 +8,12 @@
 
 namespace dewpoint::observation {
 
-/// Color contrast between a box and its surroundings, for many boxes in one image. It compares the
-/// color histograms of center and surround. Liu et al. (Learning to detect a salient object, CVPR
-/// 2007) compare a rectangle with its ring in the same way.
+/// Computes the color contrast between a box and its surroundings, for many boxes in one image, by
+/// comparing their color histograms. Liu et al. (Learning to detect a salient object, CVPR 2007)
+/// compare a rectangle with its ring in the same way.
 class FigureContrast {
 public:
-  /// Prepares an image (CV_8UC3). `pixel` must belong to the figure, which is the object.
+  /// Prepares an image (CV_8UC3). `pixel` must show the object (the figure) whose box is sought.
   FigureContrast(const cv::Mat& bgr, const Eigen::Vector2d& pixel);
 
   /// Returns the contrast of a box, at most 1. Let f(c) be the smoothed fraction of color c in the

@@ -13,8 +13,8 @@ namespace dewpoint::observation {
 /// to 0 if there are no pixels.
 using FineHistogram = std::vector<double>;
 
-/// Fraction of pixels, one in a thousand, below which the presence of a color cannot be
-/// distinguished from chance. The origin of this value is not recorded.
+/// If less than this fraction of the pixels has a color, the color may be there by chance. The
+/// origin of this value is not recorded.
 inline constexpr double kChanceShare = 1e-3;
 
 /// Returns the pixels of a box that lie inside the image.

@@ -14,9 +14,9 @@ namespace dewpoint::observation {
 /// least as frequent in the surroundings as on the target.
 using BinShares = std::vector<std::uint16_t>;
 
-/// Color histograms of the parts of a target inside a box, and of its surroundings. The histograms
-/// follow slow changes. Those of the target follow a change only halfway, because they always keep
-/// half of their weight from the first image.
+/// Color histograms of a target and of its surroundings. The target's box is divided into parts,
+/// each with its own histogram. The histograms adapt to slow changes. Those of the target adapt
+/// only halfway, because the first image always keeps half of the weight.
 class TargetColors {
 public:
   static constexpr int kColumns = 2;
@@ -26,12 +26,12 @@ public:
 
   /// Discards everything and learns the colors of a box, whose center must be in the image.
   void learn(const cv::Mat& bgr, const ImageBox& box);
-  /// Moves the target's histograms toward those of a box by the fraction `rate`, [0, 1]. Pixels
-  /// whose colors are more typical of the surroundings count less, so that surroundings inside the
-  /// box are not learned.
+  /// Adapts the histograms of the target to the image inside a box: moves them by the fraction
+  /// `rate`, 0 to 1, toward the histograms of the box. Pixels whose colors are more typical of the
+  /// surroundings count less, so that surroundings inside the box are not learned.
   void adaptTarget(const cv::Mat& bgr, const ImageBox& box, double rate);
-  /// Moves the histogram of the surroundings toward that of the surroundings of a box, by the
-  /// fraction `rate`, [0, 1].
+  /// Adapts the histogram of the surroundings to an image: moves it by the fraction `rate`, 0 to 1,
+  /// toward the result of surroundingsHistogramOf().
   void adaptSurroundings(const cv::Mat& bgr, const ImageBox& box, double rate);
 
   /// Returns max(0, 2 P(target | color) - 1) per color bin for a part. Parts are numbered row by

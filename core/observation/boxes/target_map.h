@@ -16,8 +16,8 @@ namespace dewpoint::observation {
 /// look-ups. Values are integers, so sums are exact up to 16 million pixels.
 class TargetMap {
 public:
-  /// Computes the map for `region` of an image (CV_8UC3). Pixels outside the region count as not
-  /// belonging to the target.
+  /// Computes the map for the rectangle `region` of an image (CV_8UC3). Pixels outside the
+  /// rectangle have the value 0.
   void build(const cv::Mat& bgr, const cv::Rect& region, const TargetColors& colors);
   /// Returns the sum of TargetColors::shares() over the pixels of a box, px². Each part of the box
   /// uses its own colors. A pixel that is only partly inside the box counts by the area inside

@@ -54,7 +54,7 @@ private:
 /// a pixel measures how much better (above 0) or worse (below 0) the pixel fits a person than no
 /// person. CV_32SC1, with one more row and column than the image.
 struct ScoreSums {
-  static constexpr int kUnit = 40;     ///< byte value of a score of 1
+  static constexpr int kUnit = 40;     ///< difference in byte value for a difference in score of 1
   static constexpr int kNothing = 100; ///< byte value of a score of 0
   cv::Mat sums;
 
@@ -84,8 +84,8 @@ struct ScoreSums {
 /// piece may look like the background.
 double bodyScore(const ScoreSums& score, const BodySilhouette& silhouette, double floor);
 
-/// Returns the score of the upper half of the body only, computed like bodyScore(). It is useful
-/// because legs are hidden more often than heads.
+/// Returns the score of the upper half of the body only, computed like bodyScore(). Use it where
+/// legs may be hidden, which happens more often than for heads.
 double upperBodyScore(const ScoreSums& score, const BodySilhouette& silhouette, double floor);
 
 } // namespace dewpoint::observation

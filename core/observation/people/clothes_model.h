@@ -25,11 +25,13 @@ using ClothesRatio = std::array<std::array<float, kClothesBins>, 2>;
 /// the person is seen separately from others.
 class ClothesModel {
 public:
-  /// Learns the moving pixels of a silhouette that are not covered by other people. `covered` is
-  /// CV_8UC1, or empty.
+  /// Learns the colors of the moving pixels (nonzero in `mask`) of a silhouette that are not
+  /// covered by other people. `covered` is CV_8UC1, nonzero at pixels that other people cover, or
+  /// empty.
   void learn(const cv::Mat& image, const cv::Mat& mask, const BodySilhouette& silhouette,
              const cv::Mat& covered);
-  /// Ends a frame: all images learned since the last call count as one update.
+  /// Ends a frame. All images that were learned since the last call, usually one per camera, count
+  /// as one update.
   void finishFrame();
   /// Returns whether enough frames have been learned.
   bool known() const { return updateCount_ >= kEnoughUpdates; }

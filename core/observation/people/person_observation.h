@@ -15,7 +15,7 @@
 
 namespace dewpoint::observation {
 
-/// Data of one camera that the methods of Mohedano et al. 2009 use.
+/// What one camera contributes to a frame in the methods of Mohedano et al. 2009.
 struct PersonCamera {
   const Projector* projector = nullptr;
   cv::Mat likelihood; ///< D, CV_32FC1; empty if the camera has no image

@@ -19,9 +19,10 @@ inline constexpr double kStillPixel = -0.3;
 /// `explained` (CV_8UC1, or empty) is nonzero get a score of 0.
 cv::Mat maskScores(const cv::Mat& mask, const cv::Mat& explained);
 
-/// Adds color evidence for one person against other people to the scores of the moving pixels in an
-/// area. The log ratio of a pixel's color is multiplied by `weight`. It is taken from `ratio[1]` in
-/// rows above the row `waist`, and from `ratio[0]` in row `waist` and below.
+/// Adds to the scores of the moving pixels in `area` how much better their colors fit one person
+/// than other people: the log ratio of the pixel's color, multiplied by `weight`. The log ratio is
+/// that of `ratio[1]` for image rows above the row `waist`, and that of `ratio[0]` for the row
+/// `waist` and the rows below it.
 void addColorScores(const cv::Mat& image, const cv::Mat& mask, const cv::Rect& area, int waist,
                     const ClothesRatio& ratio, double weight, cv::Mat& scores);
 

@@ -23,7 +23,8 @@ struct EllipsoidPrior {
 /// Ellipsoid whose outlines best match the center and covariance of the target's color regions in
 /// all cameras. World frame.
 struct EllipsoidFit {
-  bool found = false; ///< at least one camera sees the target; otherwise only `views` is valid
+  /// True if at least one camera sees the target; if false, only `views` is valid.
+  bool found = false;
   Ellipsoid ellipsoid;
   /// Covariance of the center, m², including the prior.
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
@@ -33,9 +34,10 @@ struct EllipsoidFit {
   /// One per camera, measured near the outline that was expected before the last step of the fit.
   std::vector<RegionMeasurement> views;
   int seeing = 0; ///< number of cameras that see the target
-  /// Sum of the squares of the center residuals, where each residual is divided by its standard
-  /// deviation (including kShapeShare). `degreesOfFreedom` is the number of residuals minus the
-  /// number of unknowns. Both are 0 if only one camera sees the target.
+  /// Disagreement between the cameras: each residual of the center is divided by its standard
+  /// deviation (including kShapeShare) and squared; this is the sum. `degreesOfFreedom` is the
+  /// number of residuals minus the number of unknowns. Both are 0 if only one camera sees the
+  /// target.
   double disagreement = 0.0;
   int degreesOfFreedom = 0;
 };

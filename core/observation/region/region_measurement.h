@@ -37,11 +37,11 @@ struct RegionMeasurement {
 RegionMeasurement measureRegion(LabelImage& labels, const EllipseImage& expected,
                                 const Eigen::Matrix2d& centerCovariance);
 
-/// Returns the log likelihood ratio of one image for a target of any shape: present at the expected
-/// outline, against not present. It compares how much of the expected outline, and how much of a
-/// ring around it, has the target color. `fill` is the fraction of the outline that a visible
-/// target fills. The largest ratio equals that of SphereEvidence, so that an image has the same
-/// influence for a target of any shape as for a ball.
+/// Returns the log likelihood ratio of one image for a target of any shape: "the target is at the
+/// expected outline" against "it is not there". The ratio depends on two fractions: how much of the
+/// expected outline has the target color, and how much of a ring around it. `fill` is the fraction
+/// of the outline that a visible target fills. The largest ratio equals that of SphereEvidence, so
+/// that an image has the same influence for a target of any shape as for a ball.
 double regionEvidence(const RegionMeasurement& measurement, double fill);
 /// Returns the value of regionEvidence() for an image that shows the whole target.
 double fullRegionEvidence();

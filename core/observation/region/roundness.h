@@ -26,9 +26,9 @@ struct Roundness {
 /// position. At the edge of a wide-angle image, this outline is an ellipse.
 Roundness roundnessOf(const ColorRegion& region, const EllipseImage& ball);
 
-/// Returns the log likelihood ratio of a region under "any shape" against "a ball", or nothing if
-/// the region is too small. If much of the region's rim is at the image border or next to an object
-/// that may hide the target, only the excess size is used as evidence.
+/// Returns the log likelihood ratio of "the target has any shape" against "the target is a ball"
+/// for a region, or nothing if the region is too small. If much of the region's rim is at the image
+/// border or next to an object that may hide the target, only the excess size is used as evidence.
 std::optional<double> shapeEvidence(const ColorRegion& region, const EllipseImage& ball);
 
 } // namespace dewpoint::observation

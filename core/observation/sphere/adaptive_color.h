@@ -39,8 +39,8 @@ public:
 
   /// Restores the learned ranges in all cameras.
   void restoreLearned();
-  /// Restores the ranges for each camera's initial light. This undoes adapt(), but not
-  /// extendToLight().
+  /// Restores in each camera the ranges for the initial light. This undoes all calls of adapt(),
+  /// but not those of extendToLight().
   void undoAdaptation();
   /// Adjusts the ranges to the light in a camera's image, see extendRangeToLight(). It is meant for
   /// a target that is not tracked. If a range changes, all changes by adapt() in this camera are
@@ -79,7 +79,8 @@ private:
   /// Measures the quantiles. Returns whether enough pixels of the target have approximately one of
   /// its colors.
   static bool measure(const PerCamera& camera, const TargetImage& target, Measured& measured);
-  /// Takes a step and returns the F1 score after it, or nothing if the step was rejected.
+  /// Moves the ranges of a camera to the quantiles `next`. Returns the F1 score after this step, or
+  /// nothing if the step was rejected.
   static std::optional<double> step(PerCamera& camera, const TargetImage& target,
                                     const Measured& next);
   static void tighten(PerCamera& camera, const TargetImage& target, double f1);

@@ -7,14 +7,15 @@
 
 namespace dewpoint::observation {
 
-/// Evidence from a single camera for a target at one position.
+/// How well the image of one camera agrees with a target at one position.
 struct CameraEvidence {
   bool inView = false;        ///< the camera has an image into which the position projects
   double logLikelihood = 0.0; ///< from the method's observation model; 0 if not in view
   /// Posterior probability that the target is there, with even prior odds.
   double existenceProbability = 0.5;
-  double visible =
-      0.0; ///< fraction of the target outline (or window) with the target color, 0 to 1
+  /// Fraction of the target's outline (or of the window of ColorWindow) that has the target color,
+  /// 0 to 1.
+  double visible = 0.0;
 };
 
 /// Returns the posterior probability of a hypothesis with even prior odds: 1 / (1 +

@@ -9,10 +9,10 @@ namespace dewpoint::observation {
 
 /// Extends a target's color range to the light in one image. A range is learned in one light. In
 /// another light, the target may be darker, paler or shifted in hue, so that part of it is outside
-/// the range. Each bound of `learned` is moved outward while two conditions hold: the newly
-/// matching pixels are connected to those that matched before, as on the shaded side of the same
-/// object, and few of them are elsewhere in the image. `image` is CV_8UC3. Returns `learned` itself
-/// if nothing matches or nothing is gained.
+/// the range. A bound of `learned` is moved outward if two conditions hold. Objects that matched
+/// before must then match more completely, for example also on their shaded side. And only few
+/// other pixels of the image may newly match. `image` is CV_8UC3. Returns `learned` itself if
+/// nothing matches or nothing is gained.
 ColorRange extendRangeToLight(const ColorRange& learned, const cv::Mat& image);
 
 } // namespace dewpoint::observation

@@ -13,9 +13,9 @@ namespace dewpoint::observation {
 /// follow the quantiles of the colors on the target.
 class FollowedRange {
 public:
-  /// Number of bounds of a range. Each bound follows a quantile: a low and a high one of the hue
-  /// (degrees from the center of the range), of the saturation, and of the logarithm of the
-  /// intensity.
+  /// Number of bounds of a range. Each bound follows a quantile of the colors on the target. There
+  /// is a low and a high quantile for each of three values: the hue (degrees from the center of the
+  /// range), the saturation, and the logarithm of the intensity.
   static constexpr std::size_t kBounds = 6;
   using Quantiles = std::array<double, kBounds>;
 

@@ -14,8 +14,8 @@ namespace dewpoint::observation {
 /// Input of an outline fit from one camera.
 struct OutlineView {
   const SphereProjector* projector = nullptr;
-  /// Labels of the camera's image; further labels are computed as needed; if they are empty, the
-  /// camera is not used.
+  /// Labels of the camera's image. Missing labels are computed as needed. A camera without an image
+  /// (empty labels) is not used.
   LabelImage* labels = nullptr;
   /// Displacement of the sphere (meters, world) from the frame time to this camera's exposure: the
   /// velocity of the sphere times the time difference.
@@ -29,15 +29,15 @@ struct OutlineFit {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); ///< covariance of the center, m²
   double logRadiusVariance = 0.0;                       ///< variance of log(radius)
   std::vector<int> edges; ///< number of spokes on which the outline was found, per camera
-  bool found = false; ///< true if enough of the outline was seen; otherwise no other field is valid
+  bool found = false; ///< true if enough of the outline was seen; if false, no other field is valid
   /// Disagreement between the cameras. For each camera, the position is also computed from this
-  /// camera alone; the squared Mahalanobis distances between these positions and `center` are
-  /// added. The mean of this sum is `degreesOfFreedom` if the edge errors are as assumed. The sum
-  /// is much larger if a camera was moved.
+  /// camera alone. The disagreement is the sum of the squared Mahalanobis distances of these
+  /// positions from `center`. On average, it equals `degreesOfFreedom` if the edge errors are as
+  /// assumed. It is much larger if a camera was moved.
   double disagreement = 0.0;
   int degreesOfFreedom = 0; ///< 0 if only one camera sees the outline
-  /// Deviation of the outline from its expected size. For each camera, it contains the offset that
-  /// is common to all edges, squared and divided by its variance; it is the sum over the cameras.
+  /// Deviation of the outline from its expected size. In each camera, the offset that is common to
+  /// all edges is squared and divided by its variance. The deviation is the sum over the cameras.
   double sizeMisfit = 0.0;
 };
 

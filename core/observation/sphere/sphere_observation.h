@@ -15,22 +15,23 @@
 
 namespace dewpoint::observation {
 
-/// Sphere whose outlines cover pixels in the images.
+/// Sphere that covers pixels in the images, for SphereObservation::explainedRingGain().
 struct OutlineSphere {
   Eigen::Vector3d center = Eigen::Vector3d::Zero(); ///< meters, world
   double radius = 0.0;                              ///< meters
 };
 
-/// Minimum fraction of a target outline with the target color at which a camera confirms the
-/// target. Chosen by judgment (docs/method-dewpoint.md, section 4).
+/// Minimum fraction of the area inside a target's outline that must have the target color for a
+/// camera to confirm the target. Chosen by judgment (docs/method-dewpoint.md, section 4).
 inline constexpr double kSeenShare = 1.0 / 3.0;
-/// Minimum fraction of a target outline with the target color at which the target counts as not
-/// covered. Chosen by judgment (docs/method-dewpoint.md, section 8).
+/// Minimum fraction of the area inside a target's outline that must have the target color for the
+/// target to count as not covered. Chosen by judgment (docs/method-dewpoint.md, section 8).
 inline constexpr double kWholeShare = 0.85;
 
-/// Evidence from all cameras for one target, a sphere of one color. This is the observation model
-/// of the `dewpoint` method. States: columns 0 to 2 are x, y, z (meters, world frame), 3 to 5 the
-/// velocity (m/s). The velocity is used to move a position to the time of a camera's exposure.
+/// Observation model of the method `dewpoint`: computes how well the images of all cameras agree
+/// with one target, a sphere of one color. States: columns 0 to 2 are x, y, z (meters, world
+/// frame), 3 to 5 the velocity (m/s). The velocity is used to move a position to the time of a
+/// camera's exposure.
 class SphereObservation {
 public:
   explicit SphereObservation(const CameraRig& rig);
@@ -41,8 +42,9 @@ public:
   const LabelImage& labels(std::size_t camera) const { return views_[camera].labels; }
 
   /// Sets the current image of a camera, taken `timeOffset` seconds after the frame's time. The
-  /// image, background and classifiers must outlive their use. `usual` classifies the color in the
-  /// reference light. If the image is empty, the camera is not used.
+  /// image, background and classifiers must outlive their use. `classifier` tests for the target
+  /// color in the light of the image, `usual` in the reference light (BackgroundModel::light()). If
+  /// the image is empty, the camera is not used.
   void setImage(std::size_t camera, const cv::Mat& image, double timeOffset,
                 const BackgroundModel& background, const ColorClassifier& classifier,
                 const ColorClassifier& usual);
@@ -85,7 +87,8 @@ public:
   /// the outline with the target color.
   std::vector<CameraEvidence> evidence(const Eigen::Vector3d& center,
                                        const Eigen::Vector3d& velocity);
-  /// Returns the number of cameras in which at least a third of the sphere's outline has its color.
+  /// Returns the number of cameras in which at least the fraction kSeenShare of the sphere's
+  /// outline has the target color.
   static int camerasSeeing(const std::vector<CameraEvidence>& cameras);
   int camerasSeeing(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity) {
     return camerasSeeing(evidence(center, velocity));

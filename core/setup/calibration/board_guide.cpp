@@ -154,7 +154,7 @@ void BoardGuide::calibrateLens(std::size_t camera) {
   lensRequest.model = request_.board.model;
   lensRequest.pixels = request_.board.pixels;
   if (const auto result = calibrateIntrinsics(lensRequest)) {
-    guidance.learn(*result);
+    guidance.acceptCalibration(*result);
     state_.cameras[camera].rmsPx = result->rmsPx;
     state_.cameras[camera].lens.projectionPx = result->worstProjectionPx;
     Camera& known = project_.cameras[camera].camera;

@@ -16,7 +16,7 @@ namespace {
 /// The smallest box parallel to the new axes that contains the old one.
 WorldBox moved(const Similarity& change, const WorldBox& box) {
   const Eigen::Vector3d center = change * box.center();
-  const Eigen::Vector3d half = change.scale * (change.rotation.cwiseAbs() * box.half());
+  const Eigen::Vector3d half = change.scale * (change.rotation.cwiseAbs() * box.halfSize());
   return {center - half, center + half};
 }
 
@@ -79,7 +79,7 @@ void moveBox(const Similarity& change, const BoxKeys& keys, ParameterValues& par
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto at = static_cast<Eigen::Index>(axis);
     set(keys.center[axis], box.center()[at]);
-    set(keys.half[axis], box.half()[at]);
+    set(keys.half[axis], box.halfSize()[at]);
   }
 }
 

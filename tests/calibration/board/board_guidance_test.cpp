@@ -94,7 +94,7 @@ TEST(BoardGuidance, FollowingTheAdviceEndsByItself) {
       IntrinsicsRequest request{showing.board, showing.guidance.views(), 640, 480};
       const auto result = calibrateIntrinsics(request);
       ASSERT_TRUE(result);
-      showing.guidance.learn(*result);
+      showing.guidance.acceptCalibration(*result);
     }
   }
   EXPECT_EQ(state.advice, GuidanceAdvice::Finished);

@@ -123,7 +123,7 @@ void VolumeTest::withoutOneANumberBeginsWithWhatTheCamerasSee() {
 void VolumeTest::viewsShowIt() {
   // A box in the middle of what is seen: its edges are in both images.
   const Eigen::Vector3d middle = seen()->center();
-  const Eigen::Vector3d half = 0.1 * seen()->half();
+  const Eigen::Vector3d half = 0.1 * seen()->halfSize();
   QVERIFY(window_->document().edit(QStringLiteral("test"), [&](Project& project) {
     project.volumeOfInterest = WorldBox{middle - half, middle + half};
   }));
