@@ -29,8 +29,8 @@ struct ProjectCamera {
   std::string location;  ///< absolute path of a video or image folder, device, or address
   int rotateDegrees = 0; ///< clockwise rotation of the images before use: 0, 90, 180 or 270 degrees
   bool mirrored = false; ///< images are mirrored left to right after the rotation
-  /// True if a simulated camera has its own calibration in the project, which replaces the
-  /// calibration from the scene.
+  /// For a simulated camera: true if the project contains a calibration of this camera. It is then
+  /// used instead of the calibration in the scene.
   bool adjusted = false;
   /// Absolute path of an image, video or image folder that shows the scene without any target. Its
   /// images are not yet rotated. Empty if there is none.
@@ -38,15 +38,15 @@ struct ProjectCamera {
   /// Absolute path of a table with the capture time of each image (recordings only). Empty if the
   /// images were taken at regular intervals.
   std::string times = {};
-  /// Image delay in seconds: each image was captured this long before its time stamp. In a
-  /// recording, the image whose capture time is closest to that of the frame is used. Methods that
-  /// can use capture times correct for the remaining difference.
+  /// Image delay in seconds: each image was captured this long before its time stamp. For each
+  /// frame of a recording, the image whose capture time is closest to the time of the frame is
+  /// used. Methods that can use capture times correct for the remaining difference.
   double delay = 0.0;
   /// Where the camera's calibration comes from, as far as is known.
   CameraRecord calibrated = {};
 
-  /// Sets `adjusted` for a simulated camera, after its calibration was changed in the project. Does
-  /// nothing for other cameras.
+  /// Sets `adjusted` if the camera is simulated. Call this function after changing the calibration
+  /// of the camera in the project.
   void markAdjusted() { adjusted = adjusted || source == SourceKind::Simulation; }
 
   bool operator==(const ProjectCamera&) const = default;

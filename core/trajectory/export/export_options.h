@@ -25,8 +25,8 @@ enum class WorldAxes {
 /// Unit of lengths in the file.
 enum class LengthUnit { Meter, Millimeter };
 
-/// First or last row of an export: a time in seconds, or a frame number. The row itself is
-/// exported.
+/// First or last row of an export: a time in seconds, or a frame number. The row at the bound is
+/// exported too.
 struct RangeBound {
   double value = 0.0;
   bool isFrame = false;

@@ -15,7 +15,8 @@ namespace dewpoint::trajectory {
 struct GatheredJob {
   std::string folder; ///< as given by the user
   JobRecord record;
-  /// Without `cameras` and `bias`; empty if the job was not evaluated.
+  /// Comparison with the ground truth for each target, without `cameras` and `bias`. Empty if the
+  /// job was not evaluated.
   std::vector<Evaluation> evaluations;
 };
 

@@ -70,9 +70,9 @@ struct JobInput {
 };
 
 /// Returns a checksum of everything that a result depends on: `description` (project, method,
-/// parameters, seed, frames), and the size and modification time of each input, or of all files in
-/// an input that is a folder. For small input files (up to 1 MB), the content is used instead of
-/// size and modification time. Returns FileMissing or FileUnreadable.
+/// parameters, seed, frames) and the input files. If an input is a folder, all files in it are
+/// included. A file of up to 1 MB is included with its content, and a larger file with its size and
+/// modification time. Returns FileMissing or FileUnreadable.
 Result<std::string> jobKey(const std::string& description, const std::vector<JobInput>& inputs);
 
 /// Returns the text of done.json.
