@@ -24,8 +24,8 @@ struct MissingFile {
 };
 
 /// Returns the missing files named in a project file, without duplicates. Entries that cannot be
-/// read are skipped, and other errors in the project are not reported. `moved` gives the present
-/// location of files that have moved. Fails only with the errors of readTomlFile().
+/// read are skipped, and other errors in the project are not reported. `moved` contains the current
+/// locations of files that have moved. Fails only with the errors of readTomlFile().
 Result<std::vector<MissingFile>> missingFilesOf(const std::filesystem::path& file,
                                                 const MovedFiles& moved = {});
 
@@ -38,7 +38,7 @@ std::vector<MissingFile> missingFilesOf(const Project& project);
 MovedFiles locateRemainingFiles(const std::vector<MissingFile>& missing, const MissingFile& located,
                                 const std::filesystem::path& found);
 
-/// Returns the project with the paths of moved files replaced by their present locations.
+/// Returns the project with the paths of moved files replaced by their current locations.
 Project withMovedFiles(Project project, const MovedFiles& moved);
 
 } // namespace dewpoint::setup

@@ -34,7 +34,8 @@ PathModel fitPathModel(std::span<const std::vector<PathPoint>> paths,
 /// exactly once. If the trajectory was read from a file without these measurements, the valid
 /// estimates are used as measurements, and their errors are treated as independent. Between two
 /// measurements, the uncertainty increases and then decreases again. A sample without a measurement
-/// becomes `valid` if the standard deviation of its smoothed position is below 0.1 m.
+/// becomes `valid` if its smoothed position has a standard deviation below 0.1 m in every
+/// direction.
 ///
 /// If the measurements scatter less than their covariance predicts, the difference is attributed to
 /// an error that all measurements share, for example because of light from one side or a slightly

@@ -12,7 +12,7 @@
 
 namespace dewpoint::experiment {
 
-/// Difference between a hand-drawn box and the true box.
+/// Difference between an inexact first box, as a user might draw it, and the true box.
 struct BoxPerturbation {
   double scale = 1.0; ///< factor for width and height
   double right = 0.0; ///< shift of the center, in true widths
@@ -32,11 +32,11 @@ std::vector<BoxPerturbation> boxPerturbations();
 /// all shifted boxes. The values are means over all runs.
 struct BoxPerturbationRow {
   std::string clip;
-  std::string method; ///< "histogram", "csrt"
-  double scale = 1.0; ///< scale of the first box
-  int runs = 0;       ///< number of runs: shifts times seeds
-  BoxMetrics metrics; ///< against the true boxes
-  double worstPrecision = 1.0;
+  std::string method;          ///< "histogram", "csrt"
+  double scale = 1.0;          ///< scale of the first box
+  int runs = 0;                ///< number of runs: shifts times seeds
+  BoxMetrics metrics;          ///< against the true boxes
+  double worstPrecision = 1.0; ///< smallest BoxMetrics::precision of a run
   bool reportsConfidence =
       false; ///< true if the method reports its confidence; only then are the following fields set
   /// Mean reported similarity in frames in which the center is within the clip's radius.

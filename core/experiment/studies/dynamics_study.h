@@ -60,8 +60,9 @@ int iterationsUntilBelow(const std::vector<double>& errors, int from, int end, d
 double maxTrackableSpeed(DynamicsSetup setup, int runs, std::uint64_t firstSeed = kFirstTuningSeed);
 
 /// Returns the distance per iteration (meters) by which the cloud's mean moves toward a distant
-/// object, averaged over `runs` seeds. It is about sigma_m times the expected maximum of N standard
-/// normal numbers (2.75 sigma_m for N = 200 particles), because only the nearest particle survives.
+/// object, averaged over `runs` seeds. It is about motionSigma times the expected maximum of N
+/// standard normal numbers, where N is the number of particles (2.75 * motionSigma for N = 200).
+/// The reason is that only the particle nearest to the object survives.
 double advanceTowardFarObject(DynamicsSetup setup, int runs,
                               std::uint64_t firstSeed = kFirstTuningSeed);
 

@@ -38,8 +38,10 @@ struct PeopleTrial {
   double hota = 0.0;
   double gospa = 0.0; ///< mean, meters; the cutoff is kPeopleGate
   int identitySwitches = 0;
-  double longestGhost = 0.0; ///< longest time that an estimate has no person nearby, seconds
-  /// Longest time that a person seen by at least two cameras has no estimate, seconds.
+  /// Longest time during which an estimate has no person nearby, seconds.
+  double longestGhost = 0.0;
+  /// Longest time during which a person has no estimate although at least two cameras see the
+  /// person, seconds.
   double longestMissed = 0.0;
   /// Volume that contains 95 % of a person (bodyHull()), m³; mean over people and frames.
   double hullVolume = 0.0;
@@ -69,10 +71,10 @@ struct PeopleStudySetup {
 /// value out of range. The error's `field` is the parameter's key.
 Status checkPeopleParameters(const PeopleStudySetup& setup);
 
-/// Renders one scene in a grade, runs all methods on it, and returns one trial per method. The
-/// methods use a calibration with errors, as in PeopleRecording::rig. Positions and silhouettes are
-/// compared with the truth, silhouettes in the images of the true cameras. Unknown scene, method or
-/// parameter names are errors.
+/// Renders one scene in a grade, runs all methods of `setup` on it, and returns one trial per
+/// method. The methods receive a calibration with errors, PeopleRecording::rig. Their positions and
+/// silhouettes are compared with the truth. Silhouettes are compared in the images of the true
+/// cameras. Unknown scene, method or parameter names are errors.
 Result<std::vector<PeopleTrial>> studyPeople(const PeopleStudySetup& setup,
                                              simulation::ViewCache& views);
 

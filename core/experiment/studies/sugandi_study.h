@@ -49,10 +49,11 @@ struct BoxClipFigures {
   std::string clip;
   std::vector<ImageBox> truth;
   cv::Mat frames; ///< see drawBoxFrames()
-  /// Color histograms (boxHistogram()). `reference` is that of the given box. `candidate` is that
-  /// of the box which `sugandi` with 300 particles found in `candidateFrame`, halfway through the
-  /// clip. A histogram is empty if its box is outside the image.
+  /// Color histogram of the first box, which was given to the method (boxHistogram()). Empty if the
+  /// box is outside the image.
   std::vector<double> reference;
+  /// Color histogram of the box that `sugandi` with 300 particles found in `candidateFrame`,
+  /// halfway through the clip. Empty if the box is outside the image.
   std::vector<double> candidate;
   std::size_t candidateFrame = 0;
 };

@@ -42,7 +42,8 @@ RequirementMeasure meanOverRuns(ResultColumn figure, double factor = 1.0);
 /// Returns a measure that computes the percentage of runs whose value in a column is at most
 /// `limit`.
 RequirementMeasure percentWithin(ResultColumn figure, double limit);
-/// Returns a measure that counts the runs in which the event of a column never happened.
+/// Returns a measure that counts the runs in which the event of a column, such as convergence,
+/// never happened.
 RequirementMeasure failureCount(ResultColumn figure);
 
 /// Computes the 95th percentile of all errors after convergence.

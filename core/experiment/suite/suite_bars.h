@@ -9,7 +9,7 @@
 
 namespace dewpoint::experiment {
 
-/// Lower bound of a requirement without a lower limit.
+/// Value of SuiteRequirement::low if a requirement has no lower limit.
 inline constexpr double kNoLowerLimit = -std::numeric_limits<double>::infinity();
 
 /// Requirement for the `dewpoint` method in one grade.
@@ -44,9 +44,9 @@ struct RequirementResult {
   double shortfall() const; ///< returns the distance from [low, high]; 0 inside
 };
 
-/// Measures all requirements with the runs of the `dewpoint` method in the cells. Each requirement
-/// is measured in its own grade. Runs with tuning seeds also count; the report shows which seeds
-/// were used.
+/// Measures all requirements with the runs of the `dewpoint` method in `cells`. For each
+/// requirement, only runs of its grade are used. Runs with tuning seeds also count; the report
+/// shows which seeds were used.
 std::vector<RequirementResult> measureRequirements(const std::vector<SuiteCell>& cells);
 
 } // namespace dewpoint::experiment

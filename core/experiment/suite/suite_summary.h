@@ -24,7 +24,7 @@ struct SuiteCell {
 
   Interval rmseMm; ///< median RMSE of the runs, with its 95 % bootstrap interval
   /// 95th percentile of the errors after convergence, over all frames of all runs, with its
-  /// bootstrap interval, for which whole runs are resampled.
+  /// bootstrap interval. Whole runs are resampled for this interval.
   Interval p95Mm;
   Proportion quick;     ///< runs that converged within kQuickFrames
   Proportion converged; ///< runs that converged
@@ -38,8 +38,8 @@ std::vector<SuiteCell> summarizeSuite(const SuiteResults& results,
 /// infinite values come last.
 std::vector<double> columnValues(std::span<const SuiteResult* const> runs,
                                  SuiteRow::Value SuiteRow::*figure);
-/// Returns a quantile or the mean of columnValues(). Returns NaN if there are no values. A quantile
-/// that would be interpolated toward an infinite value is infinite.
+/// Returns a quantile (`fraction` is in [0, 1]) or the mean of columnValues(). Returns NaN if there
+/// are no values. A quantile that lies between a finite and an infinite value is infinite.
 double quantileOf(std::span<const SuiteResult* const> runs, SuiteRow::Value SuiteRow::*figure,
                   double fraction);
 double meanOf(std::span<const SuiteResult* const> runs, SuiteRow::Value SuiteRow::*figure);

@@ -32,7 +32,7 @@ struct ImportedCamera {
   std::size_t camera;   ///< camera index in the project
   std::string name;     ///< camera name in the project
   std::string fileName; ///< camera name in the file
-  PoseShift shift;      ///< change from the project's present pose
+  PoseShift shift;      ///< change from the camera's pose in the project before the import
 };
 
 /// Result of importing a calibration file, with all decisions made during the import.
@@ -46,8 +46,8 @@ struct CalibrationImport {
   /// Likely mistakes in the calibration: two cameras with the same pose, or another unit
   /// (checkRig()).
   std::vector<camera_motion::CameraDisagreement> faults;
-  /// Result of difference() between the file's cameras and the project's cameras as they would be
-  /// saved, in pixels.
+  /// Largest change of a projection, in pixels, if the cameras of the file are saved in Dewpoint's
+  /// own format and read again (difference()).
   double largestPixels = 0.0;
 };
 
@@ -66,13 +66,14 @@ std::vector<std::string> cameraNamesIn(const ImportRequest& request);
 /// CalibrationHints), or how to fit the file to the project (see CalibrationAdaptation).
 enum class ImportQuestion { None, Format, Unit, Lens, Size, Poses, Camera, Fit, Names };
 
-/// Question raised by an error of importCalibration(), and the error. The text of the error does
-/// not mention the command-line option that answers the question.
+/// Error of importCalibration(), and the question that it raises. The text of the error does not
+/// mention the command-line option that answers the question.
 struct AskedQuestion {
   ImportQuestion question = ImportQuestion::None;
   Error error;
 };
-/// Returns the question raised by an error of importCalibration(); None if it raises no question.
+/// Returns the question to ask the user after an error of importCalibration(), so that the import
+/// can be repeated with the answer. None if the error raises no question.
 AskedQuestion askedQuestion(Error error);
 
 /// Writes the project's cameras in the format of any supported tool.

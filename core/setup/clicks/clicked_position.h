@@ -23,9 +23,10 @@ namespace dewpoint::setup {
 /// center of its inverse depths; this part may extend to infinity. The error is that of a uniform
 /// distribution over these inverse depths.
 ///
-/// Returns BadValue without a click or for an unknown camera. Returns Undetermined, which names the
-/// camera if its lens does not cover the pixel or no other camera sees any part of the ray, and
-/// names "clicks" if the rays do not meet in front of the cameras.
+/// Returns BadValue if there is no click, or if a camera does not exist. Returns Undetermined with
+/// the name of a camera if its lens does not cover the clicked pixel, or if no other camera sees
+/// any part of the ray. Returns Undetermined with "clicks" if the rays do not meet in front of the
+/// cameras.
 Result<Gaussian3> clickedPosition(const CameraRig& rig, const std::vector<PointClick>& clicks,
                                   const std::optional<Gaussian3>& estimate);
 

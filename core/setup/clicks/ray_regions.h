@@ -41,8 +41,11 @@ struct ClickedObject {
   /// exposures, and each camera sees another side of it.
   static double centerSigma(const Camera& camera, double radiusPx);
   static constexpr double kDirectionSigma = 0.0061; ///< radians: 0.25 degrees for each camera
-  static constexpr double kCenterSigmaRadii = 0.35; ///< chosen by judgment
-  /// Search limit in standard deviations: 99.7 % of a normal distribution.
+  /// Standard deviation due to motion and different visible sides, in region radii; chosen by
+  /// judgment.
+  static constexpr double kCenterSigmaRadii = 0.35;
+  /// Largest distance, in standard deviations, at which regions are searched for. It covers 99.7 %
+  /// of a normal distribution.
   static constexpr double kReach = 3.0;
 };
 

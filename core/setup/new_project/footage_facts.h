@@ -21,9 +21,9 @@ struct FootageFacts {
   cv::Mat preview; ///< first image, CV_8UC3 (BGR), scaled down
 };
 
-/// Opens a video or an image folder, reads its first image, and closes it again, which may take a
-/// long time. Returns nothing for anything other than a file or folder (a device, an address, a
-/// pipe), which is not opened. FileMissing and FileUnreadable name the file.
+/// Returns the properties of a video or an image folder. It opens the recording and reads its first
+/// image, which may take a long time. Anything else (a device, an address, a pipe) is not opened,
+/// and nothing is returned for it. FileMissing and FileUnreadable name the file.
 Result<std::optional<FootageFacts>> readFootageFacts(const std::string& location);
 
 /// Differences between recordings that belong together.

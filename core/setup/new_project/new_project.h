@@ -15,8 +15,8 @@
 
 namespace dewpoint::setup {
 
-/// Assumed image size in pixels of a camera that reports none until opened. Origin of the value not
-/// recorded.
+/// Image size, in pixels, that is assumed for a camera whose size is not known until the camera is
+/// opened. The origin of the values is not recorded.
 inline constexpr int kAssumedImageWidth = 640;
 inline constexpr int kAssumedImageHeight = 480;
 

@@ -59,8 +59,8 @@ struct Walker {
   /// Returns the point on the floor below the center of the body at a time (seconds). It lies on
   /// the path through the waypoints, whose corners are rounded.
   Eigen::Vector2d position(double time) const;
-  /// Returns the height of the top of the head above the floor in meters. It is `height` for a
-  /// standing person.
+  /// Returns the height of the top of the head above the floor, in meters, at a time in seconds. It
+  /// is `height` for a standing person.
   double top(double time) const;
 };
 

@@ -31,10 +31,10 @@ struct AdditionalLamp {
 /// Shadow of a tall object that passes in front of the room lamp. It is a vertical band that
 /// darkens walls, desk and bodies.
 struct MovingShadow {
-  /// Direction of motion: horizontal unit vector, world frame.
+  /// Direction in which the band moves: horizontal unit vector, world frame.
   Vector3f direction = Vector3f::UnitX();
   double start = 0.0; ///< position of the band's center along `direction` at time 0, meters
-  double speed = 0.2; ///< m/s
+  double speed = 0.2; ///< speed of the band along `direction`, m/s
   /// Half width of the band, measured to the center of its soft border, meters.
   float halfWidth = 0.1F;
   float edge = 0.03F; ///< half width of the soft border, meters; chosen by judgment

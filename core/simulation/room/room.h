@@ -17,8 +17,9 @@ namespace dewpoint::simulation {
 inline constexpr float kHallHalfSize = 2.25F;
 /// Half the side length of the office, which is centered on the origin.
 inline constexpr float kOfficeHalfSize = 3.5F;
-/// Half the side length of the room with the desk, and world x and y of its center.
+/// Half the side length of the room with the desk.
 inline constexpr float kDeskRoomHalfSize = 1.9F;
+/// World x and world y of the center of the room with the desk.
 inline constexpr float kDeskRoomCenter = 0.4F;
 /// Height of the desk top (world z = 0) above the floor, meters. Usual desks are 0.72 to 0.76 m
 /// high.

@@ -15,8 +15,8 @@ struct Shutter {
   double readoutSeconds = 0.0; ///< time from the first to the last row; 0: global shutter
 };
 
-/// Returns the time of `row` (of `rows`) relative to the frame time, in seconds. It is negative in
-/// the upper half.
+/// Returns the time of row `row` relative to the frame time, in seconds, for an image with `rows`
+/// rows. It is negative in the upper half of the image.
 double rowTime(const Shutter& shutter, int row, int rows);
 
 /// Rows [begin, end) that are rendered at one time.

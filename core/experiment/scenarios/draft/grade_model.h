@@ -33,17 +33,17 @@ struct GradeModel {
 
   // Exposure and white balance.
   Range exposureSeconds;
-  Range levelStops;        ///< settled exposure relative to the nominal one, stops
+  Range levelStops;        ///< settled exposure relative to the nominal one, stops (factors of two)
   Range firstStops;        ///< error of the exposure at frame 0, stops
   Range whiteBalanceStops; ///< constant error of blue and red, stops
-  Range huntingStops;      ///< amplitude of the metering error, stops
-  Range huntingPeriod;     ///< period of the metering error, seconds
+  Range huntingStops;      ///< amplitude of a periodic error in the measured brightness, stops
+  Range huntingPeriod;     ///< period of this error, seconds
   Range loopSpeed;         ///< fraction of the error corrected per frame
   Range loopLag;           ///< number of frames from a measurement to its effect
 
+  // Light; drawn once per run.
   /// Light of a low, white lamp at the side of the target, as a fraction of full light at the
   /// target.
-  // Light; drawn once per run.
   Range sideLamp;
   /// Light of a colored lamp in the green channel, as a fraction of full light at the target.
   Range coloredLamp;
@@ -61,14 +61,14 @@ struct GradeModel {
   Range doubleShare;
 
   // Calibration.
-  CalibrationError calibration; ///< standard deviations
+  CalibrationError calibration; ///< standard deviations of the errors
   Range driftRadians;           ///< final rotation of the camera since its calibration, radians
   Range driftSettleSeconds;
 };
 
-/// Horizontal distance of additional lamps from the target's initial position, meters. It is chosen
-/// so that the lamps are inside the walls of the room with the desk (kDeskRoomHalfSize) and behind
-/// the cameras.
+/// Default horizontal distance of additional lamps from the target's initial position, meters. It
+/// is chosen so that the lamps are inside the walls of the room with the desk (kDeskRoomHalfSize)
+/// and behind the cameras.
 inline constexpr double kLampDistance = 1.5;
 
 /// Returns the values of a grade. `Ideal` has no faults: all zeros.
