@@ -24,7 +24,7 @@ struct LensRecord {
   /// given for the place in the image where it is largest. Empty if unknown.
   std::optional<double> error;
   /// Intrinsics that the record describes: the two focal lengths and the principal point, pixels.
-  std::array<double, 4> of{};
+  std::array<double, 4> values{};
 
   bool operator==(const LensRecord&) const = default;
 };
@@ -37,7 +37,7 @@ struct PoseRecord {
   std::optional<double> error;
   /// Pose that the record describes: the camera's center in the world frame (meters), then the
   /// rotation vector (camera from world, radians).
-  std::array<double, 6> of{};
+  std::array<double, 6> values{};
 
   bool operator==(const PoseRecord&) const = default;
 };
@@ -85,7 +85,7 @@ PoseRecord recordOfPose(const Camera& camera, CalibrationOrigin origin,
 
 /// Returns whether a record is still valid: whether the calibration values in it equal the current
 /// ones of the camera, within the precision of a project file.
-bool isAbout(const LensRecord& record, const Camera& camera);
-bool isAbout(const PoseRecord& record, const Camera& camera);
+bool describes(const LensRecord& record, const Camera& camera);
+bool describes(const PoseRecord& record, const Camera& camera);
 
 } // namespace dewpoint::project

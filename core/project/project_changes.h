@@ -11,7 +11,7 @@ struct ProjectChanges {
   bool name = false;
   bool method = false;
   bool seed = false;
-  bool parameters = false; ///< parameter values; never true if the method differs
+  bool parameters = false;  ///< parameter values; never true if the method differs
   bool targets = false;     ///< number of targets, their order, names, colors or radii
   bool boxes = false;       ///< image targets, for methods that track bounding boxes
   bool calibration = false; ///< camera calibration; never true if `sources` is
@@ -34,7 +34,7 @@ struct ProjectChanges {
 };
 
 /// Returns the differences between two project states. A different file path or window layout does
-/// not count as an edit.
+/// not count as a difference.
 ProjectChanges changesBetween(const Project& before, const Project& after);
 
 } // namespace dewpoint::project

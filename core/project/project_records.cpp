@@ -63,14 +63,16 @@ CameraRecord readCameraRecord(TableReader& camera, const std::string& file,
     lens.origin = *origin;
     lens.error = readNumber(reader, "lens_error");
     reader.require("lens_of");
-    reader.numbers("lens_of", lens.of.data(), lens.of.size(), -kLargestNumber, kLargestNumber);
+    reader.numbers("lens_of", lens.values.data(), lens.values.size(), -kLargestNumber,
+                   kLargestNumber);
   }
   if (const auto origin = readOrigin(reader, "pose")) {
     PoseRecord& pose = record.pose.emplace();
     pose.origin = *origin;
     pose.error = readNumber(reader, "pose_error");
     reader.require("pose_of");
-    reader.numbers("pose_of", pose.of.data(), pose.of.size(), -kLargestNumber, kLargestNumber);
+    reader.numbers("pose_of", pose.values.data(), pose.values.size(), -kLargestNumber,
+                   kLargestNumber);
   }
   camera.recordError(reader.finish());
   return record;

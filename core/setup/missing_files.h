@@ -15,9 +15,10 @@ namespace dewpoint::setup {
 struct MissingFile {
   enum class Kind { Video, Images, BackgroundImage, Calibration, Truth, Scene };
   Kind kind = Kind::Video;
-  int camera = -1;            ///< index of its camera; -1 if it belongs to the whole project
-  std::string cameraName;     ///< empty if it belongs to no camera
-  std::filesystem::path path; ///< absolute
+  /// Index of the camera to which it belongs; -1 if it belongs to the whole project.
+  int camera = -1;
+  std::string cameraName;     ///< name of this camera; empty if it belongs to the whole project
+  std::filesystem::path path; ///< absolute path
 
   bool isFolder() const { return kind == Kind::Images; }
   bool operator==(const MissingFile&) const = default;

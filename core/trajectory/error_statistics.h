@@ -23,7 +23,7 @@ struct CameraBias {
 struct ErrorSummary {
   double rmse = 0.0;
   double median = 0.0;
-  double p95 = 0.0; ///< interpolated linearly between order statistics
+  double p95 = 0.0; ///< 95th percentile, interpolated linearly between order statistics
   double max = 0.0;
   Eigen::Vector3d bias = Eigen::Vector3d::Zero(); ///< mean of estimate minus truth
 };

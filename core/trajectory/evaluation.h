@@ -23,7 +23,7 @@ struct Evaluation {
   std::string target;
   double rmse = 0.0;
   double median = 0.0;
-  double p95 = 0.0; ///< interpolated linearly between order statistics
+  double p95 = 0.0; ///< 95th percentile, interpolated linearly between order statistics
   double max = 0.0;
   double rmseAll = 0.0;
   /// Fraction of the frames covered by the statistics in which the true position lies inside the

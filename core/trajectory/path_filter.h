@@ -16,9 +16,10 @@ namespace dewpoint::trajectory {
 /// noise with spectral density `strength`, the same along each axis (Bar-Shalom, Li and Kirubarajan
 /// 2001, section 6.2). The smoothed path is a spline of degree 2 * order - 1 (Wahba 1990).
 struct PathModel {
-  int order = 2;            ///< order of the derivative, 2 to kMaxPathOrder
-  double strength = 1.0;    ///< spectral density, m² / s^(2 * order - 1)
-  double noiseFactor = 1.0; ///< factor on the covariance of each measured position
+  int order = 2;         ///< order of the derivative that is white noise, 2 to kMaxPathOrder
+  double strength = 1.0; ///< spectral density, m² / s^(2 * order - 1)
+  /// Factor by which the covariance of each measured position is multiplied.
+  double noiseFactor = 1.0;
 };
 /// Largest order of a path model.
 inline constexpr int kMaxPathOrder = 5;
@@ -65,10 +66,11 @@ std::vector<PathEstimate> smoothPath(std::span<const PathPoint> path, const Path
                                      const std::function<bool()>& shouldContinue = {});
 
 /// Returns, for each point of the path, the covariance (m²) that an error shared by all
-/// measurements adds to the smoothed position. The error of a measurement with covariance C is
-/// C^(1/2) u, with the same normal vector u for all. Such an error does not average out. The
-/// smoother does not estimate it, but this function computes its effect (a "consider" parameter;
-/// Bierman 1977, chapter VIII). `shouldContinue` has the same meaning as in smoothPath().
+/// measurements adds to the smoothed position. A measurement with covariance C has the error
+/// C^(1/2) u, where the random vector u (standard normal) is the same for all measurements. Such an
+/// error does not average out. The smoother does not estimate it, but this function computes its
+/// effect (a "consider" parameter; Bierman 1977, chapter VIII). `shouldContinue` has the same
+/// meaning as in smoothPath().
 std::vector<Eigen::Matrix3d> sharedErrors(std::span<const PathPoint> path, const PathModel& model,
                                           const std::function<bool()>& shouldContinue = {});
 

@@ -43,7 +43,7 @@ inline constexpr double kClipMarkGatePx = 10.0;
 struct CalibratedClip {
   std::string name; ///< name of the scenario
   CameraRig rig;
-  std::vector<std::filesystem::path> cameras; ///< a video or a folder of images per camera
+  std::vector<std::filesystem::path> cameras; ///< one video or one folder of images per camera
   std::vector<ClipInstant> instants;
   double framesPerSecond = 30.0;
   std::vector<ClipTarget> targets;

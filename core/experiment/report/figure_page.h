@@ -40,7 +40,8 @@ public:
   /// Adds a requirement. `word` states whether the requirement is met, and `good` determines the
   /// color of this word.
   void requirement(const std::string& word, bool good, const std::string& text);
-  /// Adds plots side by side, each with a caption. `legend` contains the name of each style.
+  /// Adds plots side by side, each with a caption. Each entry of `legend` is a style and the name
+  /// that is shown for it.
   void plots(const std::vector<std::pair<std::string, Plot>>& plots,
              const std::vector<std::pair<std::string, std::string>>& legend = {});
   /// Adds an image, which write() saves as `name`.png.

@@ -51,7 +51,7 @@ struct MarkedCenter {
 
 /// Size of a target of any shape. Meters.
 struct TargetExtent {
-  double radius = 0.0; ///< radius of a ball of the same volume
+  double radius = 0.0; ///< radius of a ball with the same volume as the target
   /// Semi-axes, longest first, of the solid ellipsoid whose points have the same covariance as the
   /// target's points. They are sqrt(5) times the standard deviations along the principal axes. For
   /// a ball, they equal its radius.

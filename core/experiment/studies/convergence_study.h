@@ -29,7 +29,8 @@ struct ConvergenceCase {
   int runs = 100;
   int iterations = 150;
   CameraRig cameras = simulation::demoRig();
-  bool clutter = true; ///< books, boxes and other objects on the desk, which can hide the ball
+  /// True: there are books, boxes and other objects on the desk, which can hide the ball.
+  bool clutter = true;
   std::uint64_t firstSeed = kFirstTuningSeed;
 };
 
@@ -59,10 +60,10 @@ std::optional<int> convergenceIteration(std::span<const double> spreads, double 
 std::vector<ConvergenceCase> barreraConvergenceCases(int runs = 100,
                                                      std::uint64_t firstSeed = kFirstTuningSeed);
 
-/// Returns the case of the paper's figures 3 and 4: a bare desk, the ball, and the paper's start in
-/// the view of camera 1. The ball is 1.1 m from camera 1 and completely visible in both images.
-/// Camera 2 is aimed at the ball. Camera 1 is aimed between the ball and the start, which are 35
-/// degrees apart in its view.
+/// Returns the case of figures 3 and 4 of the paper: a bare desk with the ball. The cloud starts in
+/// the view of camera 1, at the position given in the paper. The ball is 1.1 m from camera 1 and
+/// completely visible in both images. Camera 2 is aimed at the ball. Camera 1 is aimed between the
+/// ball and the start, which are 35 degrees apart in its view.
 ConvergenceCase figure3Case(int runs = 100, std::uint64_t firstSeed = kFirstTuningSeed);
 
 /// Runs one case, in which the ball does not move.

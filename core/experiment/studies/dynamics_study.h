@@ -22,7 +22,7 @@ struct DynamicsSetup {
   Eigen::Vector3d start{0.0, -0.6, 0.0}; ///< initial position of the cloud
   Eigen::Vector3d before = Eigen::Vector3d::Zero();
   Eigen::Vector3d after{2.0, 0.0, 0.0};
-  int jump = 30; ///< first iteration (from 0) that measures `after`
+  int jump = 30; ///< first iteration (counted from 0) in which the object is at `after`
   int iterations = 100;
 };
 

@@ -48,7 +48,7 @@ struct BoxRequirement {
 struct BoxClipFigures {
   std::string clip;
   std::vector<ImageBox> truth;
-  cv::Mat frames; ///< see drawBoxFrames()
+  cv::Mat frames; ///< image from drawBoxFrames()
   /// Color histogram of the first box, which was given to the method (boxHistogram()). Empty if the
   /// box is outside the image.
   std::vector<double> reference;
@@ -61,7 +61,7 @@ struct BoxClipFigures {
 /// Results of the box study.
 struct BoxStudy {
   std::vector<BoxStudyRow> rows; ///< grouped by clip
-  std::vector<BoxRequirement> bars;
+  std::vector<BoxRequirement> requirements;
   std::vector<BoxClipFigures> figures; ///< one per clip
   std::vector<BoxPerturbationRow>
       perturbed; ///< results of studyPerturbedBoxes(); empty unless requested

@@ -33,7 +33,7 @@ const std::vector<SuiteRequirement>& suiteRequirements();
 
 /// Value that was measured for a requirement.
 struct RequirementResult {
-  const SuiteRequirement* bar = nullptr;
+  const SuiteRequirement* requirement = nullptr;
   std::size_t runs = 0;      ///< number of measured runs; 0: not measured
   double value = 0.0;        ///< NaN if the runs have no such value
   std::string scenario = {}; ///< scenario that determines the value, if a single one does

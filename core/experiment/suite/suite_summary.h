@@ -37,12 +37,12 @@ std::vector<SuiteCell> summarizeSuite(const SuiteResults& results,
 /// Returns the values of a column over the runs, in ascending order. Empty values are left out, and
 /// infinite values come last.
 std::vector<double> columnValues(std::span<const SuiteResult* const> runs,
-                                 SuiteRow::Value SuiteRow::*figure);
+                                 SuiteRow::Value SuiteRow::*column);
 /// Returns a quantile (`fraction` is in [0, 1]) or the mean of columnValues(). Returns NaN if there
 /// are no values. A quantile that lies between a finite and an infinite value is infinite.
-double quantileOf(std::span<const SuiteResult* const> runs, SuiteRow::Value SuiteRow::*figure,
+double quantileOf(std::span<const SuiteResult* const> runs, SuiteRow::Value SuiteRow::*column,
                   double fraction);
-double meanOf(std::span<const SuiteResult* const> runs, SuiteRow::Value SuiteRow::*figure);
+double meanOf(std::span<const SuiteResult* const> runs, SuiteRow::Value SuiteRow::*column);
 
 /// Returns the errors of each target in each run, in millimeters. They begin with the target's
 /// convergence, or with the start of the run if the target never converged.

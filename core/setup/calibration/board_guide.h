@@ -36,7 +36,7 @@ struct BoardGuideState {
     Poses,   ///< the board is shown to several cameras at the same time
     Finished ///< the requested accuracy is reached
   };
-  using Outline = std::vector<Eigen::Vector2d>; ///< pixels, around the corners of the board
+  using Outline = std::vector<Eigen::Vector2d>; ///< polygon around the corners of the board, pixels
   struct PerCamera {
     std::string name;
     /// Width of the images, pixels. 0: this camera has not delivered an image yet.
@@ -48,8 +48,9 @@ struct BoardGuideState {
     std::vector<Outline> taken;         ///< outlines of the captured views
     /// Reprojection error of the latest calibration of its intrinsics, pixels.
     std::optional<double> rmsPx;
-    std::optional<double> positionSigma; ///< from the latest calibration of the poses, meters
-    int pairViews = 0;                   ///< number of views captured together with another camera
+    /// Standard deviation of the camera position in the latest calibration of the poses, meters.
+    std::optional<double> positionSigma;
+    int pairViews = 0; ///< number of views captured together with another camera
   };
 
   Phase phase = Phase::Lenses;

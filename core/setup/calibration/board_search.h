@@ -71,9 +71,9 @@ Result<BoardDetections> findBoards(const Project& project, FrameSetSource& sourc
                                    const BoardCalibrationRequest& request,
                                    const CalibrationProgress& progress = {});
 
-/// Searches image files from one camera for the board, in the same way; for `lookFirst`, see
-/// BoardCalibrationRequest. Each view is named after its file. Returns FileUnreadable, Mismatch if
-/// the image sizes differ, or Canceled.
+/// Searches image files from one camera for the board, like the function above. `lookFirst` has the
+/// same meaning as in BoardCalibrationRequest. Each view is named after its file. Returns
+/// FileUnreadable, Mismatch if the image sizes differ, or Canceled.
 Result<BoardDetections> findBoards(const std::vector<std::filesystem::path>& pictures,
                                    const BoardDescription& board, DetectionEffort effort,
                                    const CalibrationProgress& progress = {}, bool lookFirst = true);

@@ -31,8 +31,8 @@ Project withTimeOffsets(Project project, const std::vector<double>& offsets);
 /// camera and its clicks on measured points are converted accordingly.
 Project withImageSymmetry(Project project, int camera, const ImageSymmetry& symmetry);
 
-/// Returns whether a setting can rotate and mirror the images of a camera. This is false for
-/// simulated cameras.
+/// Returns whether withImageSymmetry() can rotate and mirror the images of a camera. This is false
+/// for simulated cameras.
 bool canSetImageSymmetry(const ProjectCamera& camera);
 
 /// Returns the project with the images of each camera rotated and mirrored as

@@ -12,7 +12,7 @@ namespace dewpoint::setup {
 
 /// Result of checking a file chosen as the calibration of a new project.
 struct CheckedCalibration {
-  std::string formatTitle; ///< empty: unknown format
+  std::string formatTitle; ///< name of the file format; empty if it is not known
   /// Camera names in the file, if the file can be used without further information.
   std::vector<std::string> cameras;
   std::optional<Error> problem; ///< reason why the file cannot be used without further information

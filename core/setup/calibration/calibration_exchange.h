@@ -22,8 +22,8 @@ struct ImportRequest {
   /// Index of the project's camera to which a file with one camera belongs; not set: matched by
   /// name.
   std::optional<std::size_t> camera = {};
-  /// How to match camera names, and how to adapt image sizes, that differ from those of the
-  /// project.
+  /// How to match cameras if their names in the file differ from those in the project, and how to
+  /// adapt the calibration if its image sizes differ.
   CalibrationAdaptation adaptation = {};
 };
 
@@ -58,8 +58,8 @@ struct CalibrationImport {
 /// (readCalibration()).
 Result<CalibrationImport> importCalibration(const Project& project, const ImportRequest& request);
 
-/// Returns the names of the cameras in the file of a request, in its order; none if it cannot be
-/// read yet.
+/// Returns the names of the cameras in the file of a request, in the order of the file. Returns
+/// none if the file cannot be read, for example because the request still lacks information.
 std::vector<std::string> cameraNamesIn(const ImportRequest& request);
 
 /// Information that an import needs from the user: information that the file lacks (see
@@ -80,8 +80,8 @@ AskedQuestion askedQuestion(Error error);
 Result<CalibrationConversion> exportCalibration(const Project& project,
                                                 const CalibrationOutput& target);
 
-/// Returns the result that exportCalibration() would have, including the information that is lost,
-/// without creating a file; `written` is empty.
+/// Returns what exportCalibration() would return, including the information that the export would
+/// lose, but creates no file. `written` is empty.
 Result<CalibrationConversion> previewExport(const Project& project, CalibrationOutput target);
 
 } // namespace dewpoint::setup

@@ -15,7 +15,7 @@ namespace dewpoint::setup {
 /// Detections of a wand in the images of one camera.
 struct CameraSightings {
   std::size_t count = 0;  ///< number of balls found
-  BoardCoverage coverage; ///< number of detections by region of the image
+  BoardCoverage coverage; ///< number of detections in each region of the image
 };
 
 /// Returns whether a camera saw the wand often enough and in a sufficient part of its image. With

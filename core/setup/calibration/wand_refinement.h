@@ -11,7 +11,7 @@
 
 namespace dewpoint::setup {
 
-/// A wand calibration with its report, for the command line and the window.
+/// A wand calibration, with everything that the command line and the window report about it.
 struct WandRefinement {
   WandOptions options;
   CameraRig before; ///< cameras of the project before the calibration

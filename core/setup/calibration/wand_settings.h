@@ -19,20 +19,20 @@ enum class WandScaleSource {
 
 /// The user's choices for a wand calibration, as entered. They may not be valid yet.
 struct WandSettings {
-  bool stick = false; ///< two balls on a stick; otherwise one ball
+  bool stick = false; ///< true: two balls on a stick; false: one ball
   std::string ball;   ///< name of the target that is the ball; empty: the project's first target
   /// Name of the target at the other end of the stick; empty: the first target that is not `ball`.
   std::string other;
   double length = 0.5; ///< distance between the centers of the balls on the stick, meters
-  WandScaleSource size = WandScaleSource::Cameras; ///< source of the scale, with one ball
+  WandScaleSource size = WandScaleSource::Cameras; ///< source of the scale if the wand is one ball
   /// For WandScaleSource::Distance: distance between the two touched positions, meters.
   double distance = 1.0;
   bool findOffsets = false;
   bool findFocal = false;
   bool findDistortion = false;
   bool onlySelectedFrames = false; ///< search only the selected frames
-  double initialPositionError = WandOptions().initialPositionError; ///< meters
-  double initialRotationError = WandOptions().initialRotationError; ///< radians
+  double initialPositionError = WandOptions().initialPositionError; ///< see WandOptions, meters
+  double initialRotationError = WandOptions().initialRotationError; ///< see WandOptions, radians
 
   bool operator==(const WandSettings&) const = default;
 };

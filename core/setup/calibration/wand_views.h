@@ -39,7 +39,7 @@ private:
 struct WandOptions {
   /// Names of the targets: one ball, or the two ends of a stick; empty: the only target.
   std::vector<std::string> targets;
-  double stickLength = 0.0; ///< distance between the two balls, meters; for a stick
+  double stickLength = 0.0; ///< for a stick: distance between its two balls, meters
   std::int64_t firstFrame = 0;
   std::optional<std::int64_t> endFrame; ///< one past the last frame; not set: all
   bool findOffsets = false;
@@ -48,7 +48,8 @@ struct WandOptions {
   /// True to determine the scale from the radius of the ball in the project.
   bool fromDiameter = false;
   std::optional<TouchedDistance> distance;
-  std::vector<double> floorTimes; ///< times at which a ball lies on the floor, seconds
+  /// Times at which the first ball lies on the floor or touches it, seconds.
+  std::vector<double> floorTimes;
   /// Times at which the ball begins and ends a free fall, seconds.
   std::optional<std::array<double, 2>> fallSpan;
   double initialPositionError = 0.12; ///< possible error of the project's camera positions, meters
@@ -59,7 +60,8 @@ struct WandOptions {
 /// radii of the balls, and the source of the scale. The caller must add the views. Returns an error
 /// for an unknown target or a stick without length.
 Result<WandProblem> wandProblem(const Project& project, const WandOptions& options);
-/// Returns the color classifiers for the balls in the options.
+/// Returns one color classifier per ball, made from the color of the target that is named in the
+/// options.
 Result<std::vector<ColorClassifier>> wandColors(const Project& project, const WandOptions& options);
 
 /// Progress of a calibration. The callback returns false to stop it.

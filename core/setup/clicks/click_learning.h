@@ -21,7 +21,7 @@ namespace dewpoint::setup {
 /// camera without an image.
 struct ClickedImages {
   std::vector<cv::Mat> images;
-  std::vector<cv::Mat> backgroundImages; ///< as for learnColorWithBackground()
+  std::vector<cv::Mat> backgroundImages; ///< background images, as for learnColorWithBackground()
   std::int64_t frame = 0;                ///< frame that the images show
 };
 

@@ -35,8 +35,9 @@ struct Counterparts {
 
 /// Known properties of the object in addition to the click.
 struct CounterpartLimits {
-  double radius = 0.0;                 ///< meters; 0 if unknown
-  std::optional<WorldBox> volume = {}; ///< volume of possible positions, meters, world frame
+  double radius = 0.0; ///< radius of the object, meters; 0 if unknown
+  /// Volume in which the object may be, meters, world frame; empty: anywhere.
+  std::optional<WorldBox> volume = {};
   /// Regions in images of the same frame that do not show the object.
   std::vector<ColorSample> excluded = {};
 };

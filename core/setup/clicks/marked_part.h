@@ -44,7 +44,7 @@ inline constexpr double kMaxClickedFraction = 0.4;
 /// Position and size of a part in the room.
 struct MarkedPart {
   Gaussian3 position;             ///< position (m, m²), world frame
-  double radius = 0.0;            ///< meters, of a ball that fits into the colored region
+  double radius = 0.0;            ///< radius of a ball that fits into the colored region, meters
   std::vector<PointClick> clicks; ///< centers of the marks
 };
 

@@ -32,13 +32,14 @@ struct NewProject {
   std::string name; ///< empty: name of the folder of its first recording
   std::vector<NewCamera> cameras;
   std::optional<std::filesystem::path> calibration;
-  double framesPerSecond = 0.0;          ///< frame rate for image folders; 0 means 30
-  CalibrationAdaptation adaptation = {}; ///< for a calibration of other names or image sizes
+  double framesPerSecond = 0.0; ///< frame rate for image folders; 0 means 30
+  /// How to adapt a calibration that has other camera names or image sizes.
+  CalibrationAdaptation adaptation = {};
 };
 
 /// A new project, and notes about it.
 struct CreatedProject {
-  Project project; ///< has no file and no targets yet; their colors must be learned first
+  Project project; ///< project without a file and without targets; the user adds targets later
   /// True if the poses are guessed but the method needs calibrated ones, so that positions in space
   /// are not meaningful yet.
   bool lacksCalibration = false;
@@ -53,10 +54,10 @@ struct CreatedProject {
 
 /// Creates a project from videos, image folders, devices or streams. The calibrations in a file are
 /// matched to the cameras by name, or by order if there is one for each camera. Without a
-/// calibration file, each camera is assumed to have a horizontal field of view of 53 degrees, and
-/// all stand in a ring around a box of 1 m. A single camera without a calibration file gets a
-/// method that needs no calibration. Returns FileMissing, Mismatch, BadValue and the errors of the
-/// calibration file.
+/// calibration file, each camera is assumed to have a horizontal field of view of 53 degrees. All
+/// cameras are assumed to stand in a ring around a box with sides of 1 m. A single camera without a
+/// calibration file gets a method that needs no calibration. Returns FileMissing, Mismatch,
+/// BadValue and the errors of the calibration file.
 Result<CreatedProject> createNewProject(const NewProject& wanted);
 
 /// Returns the project with the calibration of its cameras from a file, matched as in
@@ -90,8 +91,9 @@ void guessCalibration(Project& project, std::size_t camera, const cv::Size& size
 /// its first recording; without a folder if no camera is a recording.
 std::filesystem::path proposedProjectFile(const Project& project);
 
-/// Returns the kind of a source given without further information: a folder is an image folder, a
-/// number or /dev/... a device, text with "://" or "gst:" a stream, anything else a video.
+/// Returns the kind of an image source, judged by its location alone. A folder is an image folder.
+/// A number or a path that begins with /dev/ is a device. A text that begins with "gst:" or
+/// contains "://" is a stream. Anything else is a video.
 SourceKind guessSourceKind(const std::string& location);
 
 } // namespace dewpoint::setup

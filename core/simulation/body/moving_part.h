@@ -49,7 +49,7 @@ bool contains(const MovingPart& part, const Vector3f& point);
 struct PartHit {
   float distance = std::numeric_limits<float>::infinity(); ///< along the unit direction, meters
   Vector3f normal{0.0F, 0.0F, 1.0F};                       ///< world frame, outward
-  const MovingPart* part = nullptr;                        ///< null: no intersection
+  const MovingPart* part = nullptr; ///< part that the ray hits; null: no intersection
 };
 
 /// Replaces `hit` by the intersection with `part` if the ray enters `part` before the current hit.

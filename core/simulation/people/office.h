@@ -29,7 +29,7 @@ struct OfficeScene {
   double framesPerSecond = 15.0;
   std::int64_t frameCount = 150;
   std::uint64_t seed = 1;                 ///< seed of the sensor noise
-  double noiseSigma = kDefaultNoiseSigma; ///< gray levels
+  double noiseSigma = kDefaultNoiseSigma; ///< standard deviation of the sensor noise, gray levels
 
   double timeOf(std::int64_t frame) const { return static_cast<double>(frame) / framesPerSecond; }
 };

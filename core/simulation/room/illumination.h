@@ -49,12 +49,12 @@ float shadowAt(const MovingShadow& shadow, const Vector3f& point, double time);
 struct Illumination {
   Vector3f lamp = kLampPosition; ///< position of the room lamp, world frame, meters
   float roomGain = 1.0F; ///< factor by which the room's own light (ambient and lamp) is multiplied
-  std::vector<AdditionalLamp> further;
+  std::vector<AdditionalLamp> additionalLamps;
   std::optional<MovingShadow> shadow;
 
   /// Returns whether the only light is the room lamp at its default position.
   bool isDefault() const {
-    return lamp == kLampPosition && roomGain == 1.0F && further.empty() && !shadow;
+    return lamp == kLampPosition && roomGain == 1.0F && additionalLamps.empty() && !shadow;
   }
 };
 

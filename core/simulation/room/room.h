@@ -68,7 +68,7 @@ enum class Furnishing {
 
 /// Modifications of a furnished room.
 struct RoomDesign {
-  Furniture further;             ///< additional furniture
+  Furniture additionalFurniture; ///< furniture in addition to that of the Furnishing
   std::optional<Material> walls; ///< material of the walls, if it differs from the default
   /// Lamp position, if it differs from the default; world frame, meters.
   std::optional<Vector3f> lamp;

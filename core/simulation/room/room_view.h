@@ -42,7 +42,7 @@ struct RoomView {
   std::vector<Vector3f> directions;
   std::vector<float> distances; ///< distance to the room at rest along the ray, meters
   std::vector<float> lit;       ///< fraction of the pixel's light that comes directly from the lamp
-  cv::Mat background;           ///< CV_32FC3, BGR, [0, 255]
+  cv::Mat background;           ///< image of the room at rest: CV_32FC3, BGR, [0, 255]
 
 private:
   void castRays(const Camera& camera);

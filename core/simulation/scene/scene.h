@@ -19,7 +19,7 @@ enum class Motion {
   Still,  ///< stays at its position
   Smooth, ///< a closed three-dimensional Lissajous path around its position
   Fast,   ///< the same path as Smooth, five times as fast
-  Jump, ///< at rest, except that its position changes from one frame to the next once per `period`
+  Jump,   ///< rests, but changes its position from one frame to the next once per `period`
 };
 
 /// Center of the volume above the desk, toward which all cameras at the desk are aimed. World
@@ -57,9 +57,10 @@ struct SceneBall {
 /// interpolated, with brightness on a logarithmic scale. Before the first and after the last entry,
 /// it is constant.
 struct SceneLight {
-  double time = 0.0;               ///< seconds
-  double brightness = 1.0;         ///< factor; 1 is full light
-  double kelvin = kBalancedKelvin; ///< color temperature; the cameras are balanced for 5500 K
+  double time = 0.0;       ///< seconds
+  double brightness = 1.0; ///< factor; 1 is full light
+  /// Color temperature of the light, kelvin; the cameras are balanced for 5500 K.
+  double kelvin = kBalancedKelvin;
 };
 
 /// Maximum number of distractors: there are only this many positions for them on the desk.
@@ -77,8 +78,9 @@ struct Scene {
   /// Number of distractors, up to kMaxDistractors. Distractors are additional balls at rest, with
   /// the color of the first ball.
   int distractors = 0;
-  bool occluder = false; ///< add a box that passes between the first ball and the first camera
-  bool clutter = true;   ///< add books, boxes, and wood- and skin-colored objects on the desk
+  /// True to add a box that passes between the first ball and the first camera.
+  bool occluder = false;
+  bool clutter = true; ///< true to add books, boxes, and wood- and skin-colored objects on the desk
   std::vector<SceneLight> lights;         ///< in order of time; empty: always full light of 5500 K
   double noiseSigma = kDefaultNoiseSigma; ///< standard deviation of the sensor noise, gray levels
   double exposureSeconds =

@@ -64,7 +64,7 @@ struct StageBody {
 
 /// Light that one camera receives at one time.
 struct Light {
-  Eigen::Vector3d gain = Eigen::Vector3d::Ones(); ///< per channel, BGR; 1 is full light
+  Eigen::Vector3d gain = Eigen::Vector3d::Ones(); ///< gain per channel, BGR; 1 is full light
   bool dark = false;                              ///< no light at all
 };
 
@@ -72,7 +72,7 @@ struct Light {
 /// the new pose.
 struct MovedCamera {
   std::size_t camera = 0;
-  double since = 0.0; ///< seconds
+  double since = 0.0; ///< time of the change, seconds
   std::shared_ptr<const RoomView> view;
 };
 
@@ -80,7 +80,8 @@ struct MovedCamera {
 struct RelitView {
   std::shared_ptr<const RoomView> view;
   RelitBackground background;
-  /// Ratio of the mean color with and without the illumination, per channel (BGR).
+  /// Mean color of the room at rest with the illumination, divided by its mean color without it,
+  /// per channel (BGR).
   Eigen::Vector3d meanGain = Eigen::Vector3d::Ones();
 };
 
@@ -122,7 +123,7 @@ void prepareLight(Stage& stage);
 /// channel (BGR). It is given in stops (factors of two) relative to the nominal light. It is
 /// computed from `Stage::light` and from the mean gain of `Stage::illumination` on the room at
 /// rest; moving objects are ignored. Complete darkness counts as kDarkStops.
-Eigen::Vector3d meteredStops(const Stage& stage, std::size_t camera, double time);
+Eigen::Vector3d meteredBrightnessStops(const Stage& stage, std::size_t camera, double time);
 /// Result of meteredBrightnessStops() in complete darkness, in stops: a sixteenth of the nominal
 /// light. Chosen so that a camera cannot compensate for it (ControlLoop::limit).
 inline constexpr double kDarkStops = -4.0;

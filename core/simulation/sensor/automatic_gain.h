@@ -23,7 +23,7 @@ struct ControlLoop {
 /// Returns the corrections with which the loop compensates for a disturbance, such as a change of
 /// the light. Disturbance and corrections are in stops, with one entry per frame; 0 means no
 /// disturbance. The first correction is `start`. Fast loops with a long lag overshoot. The loop is
-/// stable if speed < 2 sin(pi / (4 lag + 2)), as for a discrete integrator with delay.
+/// stable if speed < 2 sin(pi / (4 lagFrames + 2)), as for a discrete integrator with delay.
 std::vector<double> corrections(const ControlLoop& loop, std::span<const double> disturbance,
                                 double start);
 
@@ -38,7 +38,7 @@ struct CameraGain {
 struct GainCurve {
   double framesPerSecond = kDefaultFrameRate;
   std::vector<CameraGain> frames; ///< empty: all gains are 1
-  /// Returns the gains at a time in period of this error, seconds.
+  /// Returns the gains at a time in seconds.
   CameraGain at(double time) const;
 };
 
@@ -52,7 +52,7 @@ struct AutomaticGain {
   /// Amplitude of a periodic error in the measured brightness, stops. It represents objects that
   /// enter and leave the image.
   double huntingStops = 0.0;
-  double huntingPeriod = 4.0; ///< seconds
+  double huntingPeriod = 4.0; ///< period of this error, seconds
   double huntingPhase = 0.0;  ///< phase of this error, radians
   /// Constant error of blue and red, stops.
   Eigen::Vector2d whiteBalanceStops = Eigen::Vector2d::Zero();

@@ -23,9 +23,10 @@ struct ExportCell {
   bool corrected = false; ///< the user corrected the position in this frame
   bool ambiguous = false; ///< another object is about as likely to be the target
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
-  std::optional<Eigen::Matrix3d> covariance; ///< empty: not known
+  std::optional<Eigen::Matrix3d> covariance; ///< covariance of the position; empty: not known
   std::optional<Eigen::Vector3d> best;       ///< particle of highest weight; empty: not known
-  /// Extent of a target that is not a ball; empty: a ball, or not known.
+  /// Extent of a target that is not a ball, see TrajectorySample::extent. Empty if the target is a
+  /// ball or the extent is not known.
   std::optional<Eigen::Matrix3d> extent;
   double effectiveSampleSize = 0.0;
   int cameras = 0; ///< number of cameras that show the target

@@ -36,13 +36,13 @@ struct JobTarget {
 
 /// Identity of a job: two jobs with the same identity must give the same result.
 struct JobIdentity {
-  std::string recording; ///< name given by the user
-  std::string command;   ///< command of dewpoint-cli: track, people
+  std::string recording; ///< name that the user gave to the recording
+  std::string command;   ///< command of dewpoint-cli: "track" or "people"
   std::string method;
   std::uint64_t seed = 0;
   /// Parameters that differ from the method's defaults, for example "particles=200 kld_error=0".
   std::string settings;
-  std::string frames;  ///< range of frames: "0:60"; empty: all
+  std::string frames;  ///< range of frames, for example "0:60"; empty: all frames
   std::string version; ///< version of Dewpoint
 
   auto operator<=>(const JobIdentity&) const = default; // NOLINT(modernize-use-nullptr)

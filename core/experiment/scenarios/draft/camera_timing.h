@@ -26,7 +26,7 @@ struct CameraTiming {
 /// Frame as it arrives: the image that it shows, and the error of its time stamp.
 struct FrameDelivery {
   std::int64_t shown = 0;  ///< number of the frame whose image arrives
-  double stampError = 0.0; ///< seconds
+  double stampError = 0.0; ///< error of the time stamp, seconds
 };
 
 /// Returns how frame `frame` of a camera arrives, or nothing if the frame is dropped. This is a

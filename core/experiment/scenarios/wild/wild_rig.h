@@ -10,8 +10,9 @@ namespace dewpoint::experiment::scenarios {
 /// Cameras of grade `wild`, and the scene scales that they require.
 struct WildRig {
   CameraRig rig;
-  double radiusScale = 1.0; ///< scale factor for ball radii, so that balls can be small in images
-  double pathScale = 1.0;   ///< scale factor for smooth paths, so that they stay inside the images
+  /// Scale factor for ball radii; below 1 if balls are to look small in the images.
+  double radiusScale = 1.0;
+  double pathScale = 1.0; ///< scale factor for smooth paths, which must stay inside the images
 };
 
 /// Number of rigs that are drawn before a scenario gives up. It is small because each rig requires
