@@ -31,8 +31,8 @@ struct ClickedObject {
   double depthOf(const Eigen::Vector3d& position) const {
     return (position - ray.origin).dot(ray.direction);
   }
-  /// Returns the radius in pixels in the image of another camera if the object is at a position on
-  /// its ray.
+  /// Returns the radius of the object in the image of another camera, in pixels, if the object is
+  /// at `position` on the ray.
   double radiusPxIn(const Camera& camera, const Eigen::Vector3d& position) const;
 
   /// Returns the standard deviation, in pixels, of the distance between the center of an object's

@@ -18,8 +18,8 @@ enum class GapRule {
 
 /// Upward axis of the file. Both choices are right-handed.
 enum class WorldAxes {
-  ZUp, ///< as in Dewpoint
-  YUp  ///< (x, y, z) of the file is (y, z, x) of Dewpoint, as in Pose2Sim and OpenSim
+  ZUp, ///< z points up, as in Dewpoint
+  YUp  ///< y points up, as in Pose2Sim and OpenSim: (x, y, z) of the file is (y, z, x) of Dewpoint
 };
 
 /// Unit of lengths in the file.
