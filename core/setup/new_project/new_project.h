@@ -91,8 +91,8 @@ void guessCalibration(Project& project, std::size_t camera, const cv::Size& size
 /// its first recording; without a folder if no camera is a recording.
 std::filesystem::path proposedProjectFile(const Project& project);
 
-/// Returns the kind of an image source, judged by its location alone. A folder is an image folder.
-/// A number or a path that begins with /dev/ is a device. A text that begins with "gst:" or
+/// Returns the kind of an image source, determined from its location alone. A folder is an image
+/// folder. A number or a path that begins with /dev/ is a device. A text that begins with "gst:" or
 /// contains "://" is a stream. Anything else is a video.
 SourceKind guessSourceKind(const std::string& location);
 

@@ -33,7 +33,7 @@ struct ScenarioDraft {
   CameraRig rig; ///< true calibration of the cameras
   simulation::Stage stage = {};
   std::vector<std::size_t> targets = {}; ///< indices of the tracked bodies in Stage::bodies
-  bool radiusKnown = true;               ///< true if methods are told the radius of the targets
+  bool radiusKnown = true;               ///< true if methods know the radius of the targets
   Eigen::Vector3d startCenter = Eigen::Vector3d::Zero();
   Eigen::Vector3d startHalfSize = Eigen::Vector3d::Zero();
   double framesPerSecond = simulation::kDefaultFrameRate;
