@@ -36,7 +36,8 @@ public:
   WandCollector(const WandCollector&) = delete;
   WandCollector& operator=(const WandCollector&) = delete;
 
-  /// Adds a frame set. Thread-safe; waits only for a lock, not for the search.
+  /// Adds a frame set to those that wait to be searched. Thread-safe; waits only for a lock, not
+  /// for the search.
   void offer(const FrameSetPtr& frames);
 
   struct State {

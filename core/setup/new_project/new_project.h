@@ -83,8 +83,8 @@ bool hasGuessedPose(const Project& project);
 bool hasGuessedPose(const Project& project, std::size_t camera);
 /// Returns whether the lens of a camera is the one guessed by createNewProject().
 bool hasGuessedLens(const Project& project, std::size_t camera);
-/// Guesses the calibration of a camera again for images of this size in pixels, which is known for
-/// live cameras only after the first image.
+/// Guesses the calibration of a camera again, for images of this size in pixels. Needed for live
+/// cameras, because their image size is known only after the first image.
 void guessCalibration(Project& project, std::size_t camera, const cv::Size& size);
 
 /// Returns the proposed file for a project that was not saved yet: named after the project, next to
