@@ -83,12 +83,12 @@ std::string cameraRecordText(const CameraRecord& record) {
   if (record.lens) {
     text += originText("lens", record.lens->origin) +
             numberLine("lens_error", record.lens->error, "pixels") +
-            fmt::format("lens_of = [{}]\n", fmt::join(record.lens->of, ", "));
+            fmt::format("lens_of = [{}]\n", fmt::join(record.lens->values, ", "));
   }
   if (record.pose) {
     text += originText("pose", record.pose->origin) +
             numberLine("pose_error", record.pose->error, "meters") +
-            fmt::format("pose_of = [{}]\n", fmt::join(record.pose->of, ", "));
+            fmt::format("pose_of = [{}]\n", fmt::join(record.pose->values, ", "));
   }
   return text.empty() ? text : "[camera.calibrated]   # where these numbers come from\n" + text;
 }
