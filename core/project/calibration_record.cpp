@@ -33,14 +33,14 @@ PoseRecord recordOfPose(const Camera& camera, CalibrationOrigin origin,
   return {origin, error, {center.x(), center.y(), center.z(), turn.x(), turn.y(), turn.z()}};
 }
 
-bool isAbout(const LensRecord& record, const Camera& camera) {
-  return std::ranges::equal(record.of, numbersOf(camera.intrinsics),
+bool describes(const LensRecord& record, const Camera& camera) {
+  return std::ranges::equal(record.values, numbersOf(camera.intrinsics),
                             [](double a, double b) { return std::abs(a - b) < kSamePixels; });
 }
 
-bool isAbout(const PoseRecord& record, const Camera& camera) {
-  const Eigen::Map<const Eigen::Vector3d> center(record.of.data());
-  const Eigen::Map<const Eigen::Vector3d> turn(record.of.data() + 3);
+bool describes(const PoseRecord& record, const Camera& camera) {
+  const Eigen::Map<const Eigen::Vector3d> center(record.values.data());
+  const Eigen::Map<const Eigen::Vector3d> turn(record.values.data() + 3);
   return (center - camera.center()).norm() < kSameMeters * (1.0 + center.norm()) &&
          angleBetween(rotationFromVector(turn), camera.cameraFromWorld.linear()) < kSameRadians;
 }

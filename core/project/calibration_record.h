@@ -20,11 +20,11 @@ enum class CalibrationOrigin {
 /// Where the intrinsics of a camera come from.
 struct LensRecord {
   CalibrationOrigin origin = CalibrationOrigin::File;
-  /// Standard deviation of a projected ray at the place in the image where it is largest, pixels.
-  /// Empty if unknown.
+  /// Standard deviation, in pixels, of the image position to which a direction is projected. It is
+  /// given for the place in the image where it is largest. Empty if unknown.
   std::optional<double> error;
   /// Intrinsics that the record describes: the two focal lengths and the principal point, pixels.
-  std::array<double, 4> of{};
+  std::array<double, 4> values{};
 
   bool operator==(const LensRecord&) const = default;
 };
@@ -37,14 +37,14 @@ struct PoseRecord {
   std::optional<double> error;
   /// Pose that the record describes: the camera's center in the world frame (meters), then the
   /// rotation vector (camera from world, radians).
-  std::array<double, 6> of{};
+  std::array<double, 6> values{};
 
   bool operator==(const PoseRecord&) const = default;
 };
 
-/// Where the calibration of a camera comes from. Each record stores the calibration values that it
-/// describes. It is no longer valid if the calibration differs from these values, no matter who
-/// changed them.
+/// Where the calibration of a camera comes from. Each of the two records contains a copy of the
+/// calibration values that it describes. If the calibration of the camera no longer equals this
+/// copy, the record is not valid anymore, no matter who changed the calibration.
 struct CameraRecord {
   std::optional<LensRecord> lens;
   std::optional<PoseRecord> pose;
@@ -52,7 +52,8 @@ struct CameraRecord {
   bool operator==(const CameraRecord&) const = default;
 };
 
-/// A distance in the room, as measured with a tape and as found from marks in the images. Meters.
+/// A distance in the room, in meters: `measured` by the user, for example with a tape, and `found`
+/// from clicks on its two ends in the images.
 struct LengthCheck {
   double measured = 0.0;
   double found = 0.0;
@@ -66,24 +67,25 @@ struct WorldRecord {
   /// Relative error of the scale that is not exceeded with a probability of 95 %.
   std::optional<double> scaleError;
   std::optional<CalibrationOrigin> floor;
-  /// Position error, in meters, that is not exceeded at 95 % of the positions in the calibrated
-  /// volume.
+  /// Error, in meters, that 95 % of the positions measured in the calibrated volume do not exceed.
   std::optional<double> accuracy;
   std::optional<LengthCheck> check;
 
   bool operator==(const WorldRecord&) const = default;
 };
 
-/// Returns a record for the present intrinsics of a camera.
+/// Creates the record of the current intrinsics of a camera. `origin` and `error` are stored in the
+/// record.
 LensRecord recordOfLens(const Camera& camera, CalibrationOrigin origin,
                         std::optional<double> error = {});
-/// Returns a record for the present pose of a camera.
+/// Creates the record of the current pose of a camera. `origin` and `error` are stored in the
+/// record.
 PoseRecord recordOfPose(const Camera& camera, CalibrationOrigin origin,
                         std::optional<double> error = {});
 
-/// Returns whether the values in a record equal the present intrinsics or pose of a camera, within
-/// the precision of a project file.
-bool isAbout(const LensRecord& record, const Camera& camera);
-bool isAbout(const PoseRecord& record, const Camera& camera);
+/// Returns whether a record is still valid: whether the calibration values in it equal the current
+/// ones of the camera, within the precision of a project file.
+bool describes(const LensRecord& record, const Camera& camera);
+bool describes(const PoseRecord& record, const Camera& camera);
 
 } // namespace dewpoint::project

@@ -8,7 +8,8 @@
 
 namespace dewpoint::project {
 
-/// Present locations of files that have moved. The key is the absolute path that the project names.
+/// Current locations of files that have moved. The key is the absolute path given in the project;
+/// the value is the current path.
 using MovedFiles = std::map<std::filesystem::path, std::filesystem::path>;
 
 } // namespace dewpoint::project

@@ -29,24 +29,25 @@ struct ProjectCamera {
   std::string location;  ///< absolute path of a video or image folder, device, or address
   int rotateDegrees = 0; ///< clockwise rotation of the images before use: 0, 90, 180 or 270 degrees
   bool mirrored = false; ///< images are mirrored left to right after the rotation
-  /// True if a simulated camera has its own calibration in the project, which replaces the
-  /// calibration from the scene.
+  /// For a simulated camera: true if the project contains a calibration of this camera. It is then
+  /// used instead of the calibration in the scene.
   bool adjusted = false;
-  /// Absolute path of an image, video or image folder that shows the scene without any target. Its
-  /// images are not yet rotated. Empty if there is none.
+  /// Absolute path of an image, video or image folder that shows the scene without any target. It
+  /// is stored without rotation; `rotateDegrees` and `mirrored` are applied when it is read. Empty
+  /// if there is none.
   std::string backgroundImage = {};
   /// Absolute path of a table with the capture time of each image (recordings only). Empty if the
   /// images were taken at regular intervals.
   std::string times = {};
-  /// Image delay in seconds: each image was captured this long before its time stamp. In a
-  /// recording, the image whose capture time is closest to that of the frame is used. Methods that
-  /// can use capture times correct for the remaining difference.
+  /// Image delay in seconds: each image was captured this long before its time stamp. For each
+  /// frame of a recording, the image whose capture time is closest to the time of the frame is
+  /// used. Methods that can use capture times correct for the remaining difference.
   double delay = 0.0;
   /// Where the camera's calibration comes from, as far as is known.
   CameraRecord calibrated = {};
 
-  /// Sets `adjusted` for a simulated camera, after its calibration was changed in the project. Does
-  /// nothing for other cameras.
+  /// Sets `adjusted` if the camera is simulated. Call this function after changing the calibration
+  /// of the camera in the project.
   void markAdjusted() { adjusted = adjusted || source == SourceKind::Simulation; }
 
   bool operator==(const ProjectCamera&) const = default;
@@ -72,7 +73,7 @@ struct PersonCorrection {
     bool operator==(const Click&) const = default;
   };
 
-  std::int64_t frame = 0; ///< the correction holds from the end of this frame on
+  std::int64_t frame = 0; ///< the correction takes effect at the end of this frame
   /// Position on the floor: world x and y, in meters. Either `position` or `click` is set.
   std::optional<Eigen::Vector2d> position = {};
   std::optional<Click> click = {};
@@ -84,7 +85,7 @@ struct PersonCorrection {
 
 /// Correction of a target's position in one frame of a recording. World frame, meters.
 struct PositionCorrection {
-  std::int64_t frame = 0; ///< the correction holds from the end of this frame on
+  std::int64_t frame = 0; ///< the correction takes effect at the end of this frame
   int target = 0;         ///< index in Project::targets
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity(); ///< position covariance (m²)
@@ -113,8 +114,9 @@ struct Project {
   std::optional<std::filesystem::path> truth; ///< absolute path of truth.csv
   std::string scene; ///< name or file of the simulated scene; empty if there is none
   std::vector<ProjectMarker> markers; ///< ordered by frame
-  std::optional<ReferenceGrid> grid;  ///< overlay for adjusting cameras by hand
-  std::vector<MeasuredPoint> points;  ///< points measured in the room and clicked in the images
+  /// Grid drawn over the images while cameras are adjusted by hand.
+  std::optional<ReferenceGrid> grid;
+  std::vector<MeasuredPoint> points; ///< points measured in the room and clicked in the images
   std::optional<WorldBox> volumeOfInterest; ///< the search for targets is limited to it
   std::vector<PersonCorrection> people;     ///< corrections for people, ordered by frame
   /// Corrections of target positions, ordered by frame.

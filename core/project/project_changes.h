@@ -11,21 +11,22 @@ struct ProjectChanges {
   bool name = false;
   bool method = false;
   bool seed = false;
-  bool parameters = false;  ///< parameter values, with the same method
+  bool parameters = false;  ///< parameter values; never true if the method differs
   bool targets = false;     ///< number of targets, their order, names, colors or radii
   bool boxes = false;       ///< image targets, for methods that track bounding boxes
-  bool calibration = false; ///< camera calibration, with the same camera sources
+  bool calibration = false; ///< camera calibration; never true if `sources` is
   bool markers = false;
   bool grid = false;             ///< the reference grid
   bool volume = false;           ///< the volume of interest
   bool points = false;           ///< measured points and their clicks
   bool people = false;           ///< corrections for people
   bool corrections = false;      ///< corrections of target positions
-  bool backgroundImages = false; ///< background images, with the same camera sources
+  bool backgroundImages = false; ///< background images; never true if `sources` is
   bool records = false;          ///< where the calibration comes from
   bool sources = false;          ///< the set of cameras, and the sources of images and ground truth
 
-  /// Returns whether any edit was made; `boxes` implies `targets`.
+  /// Returns whether any field is true. `boxes` is not tested, because `targets` is also true if
+  /// `boxes` is.
   bool any() const {
     return name || method || seed || parameters || targets || calibration || sources || markers ||
            grid || points || people || corrections || backgroundImages || volume || records;
@@ -33,7 +34,7 @@ struct ProjectChanges {
 };
 
 /// Returns the differences between two project states. A different file path or window layout does
-/// not count as an edit.
+/// not count as a difference.
 ProjectChanges changesBetween(const Project& before, const Project& after);
 
 } // namespace dewpoint::project

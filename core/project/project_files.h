@@ -14,7 +14,7 @@ struct ProjectFile {
   /// Name as written in the project file: relative to the project's folder if the file is inside
   /// this folder.
   std::string name;
-  std::filesystem::path path; ///< absolute
+  std::filesystem::path path; ///< absolute path
 };
 
 /// Returns the files that a run reads in addition to the project file: recordings, their capture

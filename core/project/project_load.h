@@ -9,8 +9,8 @@
 
 namespace dewpoint::project {
 
-/// Reads and checks a project file (TOML). `moved` gives the present location of files that have
-/// moved. Errors name the file and the key.
+/// Reads and checks a project file (TOML). `moved` contains the current locations of files that
+/// have moved. Errors name the file and the key.
 Result<Project> loadProject(const std::filesystem::path& file, const MovedFiles& moved = {});
 
 } // namespace dewpoint::project

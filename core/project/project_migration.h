@@ -9,13 +9,15 @@
 
 namespace dewpoint::project {
 
-/// Converts the tables of a project file in an older format to the present format, step by step, so
-/// that the reader has to support only one format. Formats:
-/// 1: general keys, [parameters], [[target]], [[camera]];
-/// 2: as format 1, plus [[target.sample]], [[mark]] and [window]. Files of format 1 need no
-///    conversion for these.
-/// Each step that renames or converts an entry belongs here, with a file of the old format in the
-/// tests. The format number in the table is also updated.
+/// Converts the tables of a project file in an older format to the current format, one version at a
+/// time. The reader therefore has to support only the current format. The format number in the
+/// table is also updated. If a new format renames or converts entries, add a step here and a file
+/// of the old format to the tests.
+///
+/// Formats:
+/// - 1: general keys, [parameters], [[target]], [[camera]].
+/// - 2: as format 1, plus [[target.sample]], [[mark]] and [window]. Files of format 1 need no
+///   conversion for these.
 void migrateProject(toml::table& project, std::int64_t format);
 
 } // namespace dewpoint::project

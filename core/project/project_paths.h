@@ -13,13 +13,13 @@ namespace dewpoint::project {
 /// the variable is not expanded again. Returns BadValue with the name if a variable is not set.
 Result<std::string> expandVariables(std::string text);
 
-/// Base folder for the relative paths in a project file, and the present locations of moved files.
+/// Base folder for the relative paths in a project file, and the current locations of moved files.
 struct ProjectPaths {
   std::filesystem::path folder;
   MovedFiles moved;
 
-  /// Returns the absolute path of a file that the project names, or its present location if the
-  /// file has moved.
+  /// Returns the absolute path of a file whose `name` is given in the project, or its current
+  /// location if the file has moved.
   std::filesystem::path pathOf(const std::string& name) const;
 };
 

@@ -63,14 +63,16 @@ CameraRecord readCameraRecord(TableReader& camera, const std::string& file,
     lens.origin = *origin;
     lens.error = readNumber(reader, "lens_error");
     reader.require("lens_of");
-    reader.numbers("lens_of", lens.of.data(), lens.of.size(), -kLargestNumber, kLargestNumber);
+    reader.numbers("lens_of", lens.values.data(), lens.values.size(), -kLargestNumber,
+                   kLargestNumber);
   }
   if (const auto origin = readOrigin(reader, "pose")) {
     PoseRecord& pose = record.pose.emplace();
     pose.origin = *origin;
     pose.error = readNumber(reader, "pose_error");
     reader.require("pose_of");
-    reader.numbers("pose_of", pose.of.data(), pose.of.size(), -kLargestNumber, kLargestNumber);
+    reader.numbers("pose_of", pose.values.data(), pose.values.size(), -kLargestNumber,
+                   kLargestNumber);
   }
   camera.recordError(reader.finish());
   return record;
@@ -81,12 +83,12 @@ std::string cameraRecordText(const CameraRecord& record) {
   if (record.lens) {
     text += originText("lens", record.lens->origin) +
             numberLine("lens_error", record.lens->error, "pixels") +
-            fmt::format("lens_of = [{}]\n", fmt::join(record.lens->of, ", "));
+            fmt::format("lens_of = [{}]\n", fmt::join(record.lens->values, ", "));
   }
   if (record.pose) {
     text += originText("pose", record.pose->origin) +
             numberLine("pose_error", record.pose->error, "meters") +
-            fmt::format("pose_of = [{}]\n", fmt::join(record.pose->of, ", "));
+            fmt::format("pose_of = [{}]\n", fmt::join(record.pose->values, ", "));
   }
   return text.empty() ? text : "[camera.calibrated]   # where these numbers come from\n" + text;
 }

@@ -11,8 +11,9 @@ namespace dewpoint::project {
 void readRoom(TableReader& reader, const std::string& file, Project& project);
 /// Returns these entries as TOML.
 std::string roomText(const Project& project);
-/// Checks that the volume of interest is not empty, that the grid can be drawn, and that points
-/// have finite positions and at most one click in each existing camera.
+/// Checks that the volume of interest is not empty, that the grid can be drawn, and that every
+/// measured point has a finite position and at most one click per camera. Clicks in cameras that do
+/// not exist are errors.
 Status checkRoom(const Project& project);
 
 } // namespace dewpoint::project

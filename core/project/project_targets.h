@@ -11,7 +11,8 @@
 
 namespace dewpoint::project {
 
-/// Reads a [[target]] table; `index` counts from 0. The first error found is stored in `error`.
+/// Reads a [[target]] table; `index` counts from 0. If the table has errors, the first one is
+/// stored in `error`.
 Target readTarget(const toml::table& table, const std::string& file, std::size_t index,
                   std::optional<Error>& error);
 /// Returns a target as TOML.

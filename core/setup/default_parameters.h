@@ -18,7 +18,7 @@ bool isChanged(const ParameterValues& used, const ParameterValues& defaults,
 
 /// Resets a parameter, which must be declared (asserted), to its value in defaultParameters(). If
 /// it is derived from the cameras, the other parameters derived from them keep the values in use.
-/// If all of these then equal the derived values, none of them is marked as given anymore.
+/// If all of them then equal the derived values, they are no longer marked as given in the project.
 void resetParameter(Project& project, std::string_view key);
 /// Resets all parameters for which isChanged() is true.
 void resetParameters(Project& project);

@@ -15,17 +15,18 @@ namespace dewpoint::setup {
 struct MissingFile {
   enum class Kind { Video, Images, BackgroundImage, Calibration, Truth, Scene };
   Kind kind = Kind::Video;
-  int camera = -1;            ///< index of its camera; -1 if it belongs to the whole project
-  std::string cameraName;     ///< empty if it belongs to no camera
-  std::filesystem::path path; ///< absolute
+  /// Index of the camera to which it belongs; -1 if it belongs to the whole project.
+  int camera = -1;
+  std::string cameraName;     ///< name of this camera; empty if it belongs to the whole project
+  std::filesystem::path path; ///< absolute path
 
   bool isFolder() const { return kind == Kind::Images; }
   bool operator==(const MissingFile&) const = default;
 };
 
 /// Returns the missing files named in a project file, without duplicates. Entries that cannot be
-/// read are skipped, and other errors in the project are not reported. `moved` gives the present
-/// location of files that have moved. Fails only with the errors of readTomlFile().
+/// read are skipped, and other errors in the project are not reported. `moved` contains the current
+/// locations of files that have moved. Fails only with the errors of readTomlFile().
 Result<std::vector<MissingFile>> missingFilesOf(const std::filesystem::path& file,
                                                 const MovedFiles& moved = {});
 
@@ -38,7 +39,7 @@ std::vector<MissingFile> missingFilesOf(const Project& project);
 MovedFiles locateRemainingFiles(const std::vector<MissingFile>& missing, const MissingFile& located,
                                 const std::filesystem::path& found);
 
-/// Returns the project with the paths of moved files replaced by their present locations.
+/// Returns the project with the paths of moved files replaced by their current locations.
 Project withMovedFiles(Project project, const MovedFiles& moved);
 
 } // namespace dewpoint::setup

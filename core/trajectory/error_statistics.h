@@ -23,7 +23,7 @@ struct CameraBias {
 struct ErrorSummary {
   double rmse = 0.0;
   double median = 0.0;
-  double p95 = 0.0; ///< interpolated linearly between order statistics
+  double p95 = 0.0; ///< 95th percentile, interpolated linearly between order statistics
   double max = 0.0;
   Eigen::Vector3d bias = Eigen::Vector3d::Zero(); ///< mean of estimate minus truth
 };
@@ -32,8 +32,8 @@ struct ErrorSummary {
 /// one error.
 ErrorSummary summarize(const std::vector<Eigen::Vector3d>& errors);
 
-/// Splits errors into components along and across the camera's optical axis. Requires at least one
-/// error (estimate minus truth, world frame, meters).
+/// Computes the mean and the root mean square of errors along and across a camera's optical axis.
+/// Requires at least one error (estimate minus truth, world frame, meters).
 CameraBias cameraBias(const TrajectoryCamera& camera, const std::vector<Eigen::Vector3d>& errors);
 
 /// Returns the root mean square of the error lengths, in meters. Requires at least one error.

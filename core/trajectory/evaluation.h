@@ -14,14 +14,16 @@
 
 namespace dewpoint::trajectory {
 
-/// Comparison of an estimate with the truth for one target, in meters. The statistics cover the
-/// frames after convergence, or all frames if the estimate never converged; `rmseAll` covers every
+/// Comparison of an estimate with the truth for one target, in meters. The gate is the largest
+/// error at which an estimate counts as being on the target. The estimate has converged after
+/// kConvergedFrames successive frames with errors within the gate. The statistics cover the frames
+/// from convergence on, or all frames if the estimate never converged. Only `rmseAll` covers every
 /// compared frame.
 struct Evaluation {
   std::string target;
   double rmse = 0.0;
   double median = 0.0;
-  double p95 = 0.0; ///< interpolated linearly between order statistics
+  double p95 = 0.0; ///< 95th percentile, interpolated linearly between order statistics
   double max = 0.0;
   double rmseAll = 0.0;
   /// Fraction of the frames covered by the statistics in which the true position lies inside the
@@ -30,8 +32,8 @@ struct Evaluation {
   Eigen::Vector3d bias = Eigen::Vector3d::Zero(); ///< mean of estimate minus truth
   std::vector<CameraBias> cameras;
   std::int64_t framesCompared = 0; ///< number of ground-truth frames that have an estimate
-  /// Number of frames before the first run of kConvergedFrames consecutive frames within the gate;
-  /// 0 if the estimate converged immediately. Empty if it never converged.
+  /// Number of frames before the first kConvergedFrames successive frames with errors within the
+  /// gate. 0 if the estimate converged immediately; empty if it never converged.
   std::optional<std::int64_t> framesToConverge;
   /// Number of frames after convergence in which the error exceeds the gate, or the estimate is
   /// missing or not valid.
@@ -40,9 +42,9 @@ struct Evaluation {
   std::int64_t missing = 0;
 };
 
-/// Number of consecutive frames within the gate that count as convergence.
+/// Number of successive frames with errors within the gate that count as convergence.
 inline constexpr int kConvergedFrames = 5;
-/// Default gate in meters: the motion sigma used in the paper.
+/// Default gate in meters: the motion sigma used by Barrera et al. (2005).
 inline constexpr double kDefaultGate = 0.03;
 
 /// Compares each target of `estimate` with the ground truth of the same name, or with the only

@@ -14,8 +14,8 @@
 
 namespace dewpoint::trajectory {
 
-/// Consecutive frames in which a target was not tracked: its sample is not valid or has no finite
-/// position, or there is no sample.
+/// Consecutive frames in which a target was not tracked, which means that it has no usable sample
+/// there. A sample is usable if it is valid and has a finite position.
 struct TrajectoryGap {
   std::string target;
   std::int64_t firstFrame = 0;
@@ -45,11 +45,11 @@ std::optional<Eigen::Vector3d> velocityAt(std::span<const TrajectorySample> trac
 /// meters.
 double sigmaOf(const TrajectorySample& sample, int axis);
 
-/// Largest difference between the numbers of two successive frames of a track that does not
-/// interrupt the track. Live cameras may skip frames.
+/// Largest difference between the frame numbers of two successive samples at which a track is still
+/// drawn as one line. It is above 1 because live cameras may skip frames.
 inline constexpr std::int64_t kMaxSkippedFrames = 8;
-/// Returns whether two successive frames of a track are so far apart that no line is drawn between
-/// them. The frames in between were then never tracked.
+/// Returns whether two successive frames of a track, `frame` and `next`, are so far apart that no
+/// line is drawn between them. In this case, the frames between them were never tracked.
 inline bool isInterrupted(std::int64_t frame, std::int64_t next) {
   return next - frame > kMaxSkippedFrames;
 }
@@ -72,8 +72,8 @@ public:
 
   /// Removes all rows, gaps and targets.
   void clear();
-  /// Replaces the samples from index `first` on, where indices count from the start of the run. If
-  /// `first` is 0, all samples are replaced.
+  /// Replaces all samples from index `first` on by `samples`. Indices count from the start of the
+  /// run and include dropped rows. If `first` is 0, the samples of the whole run are replaced.
   Change replaceFrom(std::size_t first, const std::vector<TrajectorySample>& samples);
   const std::vector<Row>& rows() const { return rows_; }
   /// Returns the gaps of all targets, ordered by first frame.

@@ -16,20 +16,21 @@ namespace dewpoint::trajectory {
 /// noise with spectral density `strength`, the same along each axis (Bar-Shalom, Li and Kirubarajan
 /// 2001, section 6.2). The smoothed path is a spline of degree 2 * order - 1 (Wahba 1990).
 struct PathModel {
-  int order = 2;            ///< order of the derivative, 2 to kMaxPathOrder
-  double strength = 1.0;    ///< spectral density, m² / s^(2 * order - 1)
-  double noiseFactor = 1.0; ///< factor on the covariance of each measured position
+  int order = 2;         ///< order of the derivative that is white noise, 2 to kMaxPathOrder
+  double strength = 1.0; ///< spectral density, m² / s^(2 * order - 1)
+  /// Factor by which the covariance of each measured position is multiplied.
+  double noiseFactor = 1.0;
 };
 /// Largest order of a path model.
 inline constexpr int kMaxPathOrder = 5;
 
-/// One instant of a path, and the measurement at that time if there is one.
+/// One time on a path, and the position measured at this time, if any.
 struct PathPoint {
   double time = 0.0; ///< seconds, ascending
   std::optional<PositionMeasurement> seen;
 };
 
-/// Gaussian estimate of the position at one instant, in meters and square meters.
+/// Gaussian estimate of the position at one point of a path, in meters and square meters.
 struct PathEstimate {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
@@ -43,29 +44,33 @@ double pathLogLikelihood(std::span<const PathPoint> path, const PathModel& model
 
 /// Returns the squared Mahalanobis distance of each measured position from its prediction by the
 /// preceding ones. A measurement whose squared distance exceeds `gate` is not used to predict later
-/// ones. The distance is zero at instants without a measurement and for the first measurements.
+/// ones. The result has one entry per point of the path. It is zero for points without a
+/// measurement and for the first measurements.
 std::vector<double> normalizedInnovations(std::span<const PathPoint> path, const PathModel& model,
                                           double gate);
 
 /// Computes the same distances as normalizedInnovations(), one by one. It calls
-/// `onInnovation(instant, distance)` for each instant with a measurement, until a call returns
-/// false. A search for the first outlier can therefore end early.
+/// `onInnovation(index, distance)` for each point with a measurement, where `index` is that of the
+/// point in `path`. It ends when a call returns false, so a search for the first outlier can end
+/// early.
 void forEachNormalizedInnovation(std::span<const PathPoint> path, const PathModel& model,
                                  double gate,
                                  const std::function<bool(std::size_t, double)>& onInnovation);
 
-/// Returns the estimate at each instant, computed from all measurements before, at and after this
-/// instant with the smoother of Rauch, Tung and Striebel (1965). The first instant must have a
-/// measurement. Estimates after the last measurement are predictions. `shouldContinue`, if given,
-/// is called from time to time; after it has returned false, the estimates are not usable.
+/// Returns the estimate at each point of the path. Each estimate is computed from all measurements,
+/// earlier and later ones, with the smoother of Rauch, Tung and Striebel (1965). The first point
+/// must have a measurement. Estimates after the last measurement are predictions. `shouldContinue`,
+/// if given, is called from time to time; after it has returned false, the estimates are not
+/// usable.
 std::vector<PathEstimate> smoothPath(std::span<const PathPoint> path, const PathModel& model,
                                      const std::function<bool()>& shouldContinue = {});
 
-/// Returns, for each instant, the covariance (m²) that an error shared by all measurements adds to
-/// the smoothed position. The error of a measurement with covariance C is C^(1/2) u, with the same
-/// normal vector u for all. Such an error does not average out, and the smoother does not model it
-/// (a "consider" parameter; Bierman 1977, chapter VIII). `shouldContinue` has the same meaning as
-/// in smoothPath().
+/// Returns, for each point of the path, the covariance (m²) that an error shared by all
+/// measurements adds to the smoothed position. A measurement with covariance C has the error
+/// C^(1/2) u, where the random vector u (standard normal) is the same for all measurements. Such an
+/// error does not average out. The smoother does not estimate it, but this function computes its
+/// effect (a "consider" parameter; Bierman 1977, chapter VIII). `shouldContinue` has the same
+/// meaning as in smoothPath().
 std::vector<Eigen::Matrix3d> sharedErrors(std::span<const PathPoint> path, const PathModel& model,
                                           const std::function<bool()>& shouldContinue = {});
 

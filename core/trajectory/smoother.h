@@ -21,8 +21,8 @@ struct SmootherOptions {
 
 /// Fits a path model to the run by maximum likelihood. It finds the most likely order and strength
 /// of the motion, and the covariance factor that matches the scatter of the measurements. At most
-/// the first 2,000 instants are used. `shouldContinue`, if given, is called from time to time; once
-/// it has returned false, the model found so far is returned.
+/// the first 2,000 points of the paths are used. `shouldContinue`, if given, is called from time to
+/// time; once it has returned false, the model found so far is returned.
 PathModel fitPathModel(std::span<const std::vector<PathPoint>> paths,
                        const std::function<bool()>& shouldContinue = {});
 
@@ -30,11 +30,12 @@ PathModel fitPathModel(std::span<const std::vector<PathPoint>> paths,
 /// and after it, and has the corresponding covariance.
 ///
 /// Live estimates depend only on the past, and errors of neighboring estimates are correlated.
-/// Smoothing therefore uses the independent measurement of each frame (`seen`) exactly once. If the
-/// trajectory was read from a file without `seen`, the valid estimates are used as measurements,
-/// and their errors are treated as independent. Between two measurements, the uncertainty increases
-/// and then decreases again. A frame without a measurement becomes `valid` if its standard
-/// deviation is below 0.1 m.
+/// Smoothing therefore uses the independent measurement of each frame (TrajectorySample::seen)
+/// exactly once. If the trajectory was read from a file without these measurements, the valid
+/// estimates are used as measurements, and their errors are treated as independent. Between two
+/// measurements, the uncertainty increases and then decreases again. A sample without a measurement
+/// becomes `valid` if its smoothed position has a standard deviation below 0.1 m in every
+/// direction.
 ///
 /// If the measurements scatter less than their covariance predicts, the difference is attributed to
 /// an error that all measurements share, for example because of light from one side or a slightly

@@ -14,10 +14,10 @@ namespace dewpoint::trajectory {
 /// without a sample of the target, floating-point values are NaN and all other values are 0.
 struct TargetColumns {
   std::string target;
-  std::vector<double> positions;   ///< rows of x, y, z; meters, world frame
-  std::vector<double> covariances; ///< rows of 9 values (3 x 3); m²
-  std::vector<double> best;        ///< rows of x, y, z of the particle of highest weight; meters
-  std::vector<double> existence;   ///< existence probability; 0 for a trajectory from a file
+  std::vector<double> positions;   ///< x, y and z of each row; meters, world frame
+  std::vector<double> covariances; ///< 9 values (3 x 3) of each row; m²
+  std::vector<double> best; ///< x, y and z of the particle of highest weight, for each row; meters
+  std::vector<double> existence; ///< existence probability; 0 for a trajectory from a file
   std::vector<double> effectiveSampleSize;
   std::vector<std::int32_t> cameras;   ///< number of cameras that show the target
   std::vector<std::uint8_t> valid;     ///< 1: the target is tracked, and its position is usable
@@ -26,8 +26,9 @@ struct TargetColumns {
 
 /// A trajectory as columns, for programs that work with arrays.
 struct TrajectoryColumns {
-  std::vector<std::int64_t> frames;   ///< ascending; kNoFrame if the file has no frame numbers
-  std::vector<double> times;          ///< seconds, one per row; NaN if the file has no times
+  /// Frame number of each row, ascending; kNoFrame if the file has no frame numbers.
+  std::vector<std::int64_t> frames;
+  std::vector<double> times;          ///< time of each row, seconds; NaN if the file has no times
   std::vector<TargetColumns> targets; ///< in the order of their first appearance
 };
 

@@ -10,9 +10,9 @@
 namespace dewpoint::trajectory {
 
 /// Writes a trajectory as tidy CSV: `#` header, a line of column names, and one row per target and
-/// frame. Each row is passed to the operating system immediately, so that the rows are readable
-/// even if the run is killed. Numbers are written in the shortest representation that round-trips,
-/// with a decimal point in every locale.
+/// frame. Each row is passed to the operating system immediately. All rows written so far can
+/// therefore be read even if the run is killed. Numbers are written in the shortest representation
+/// that round-trips, with a decimal point in every locale.
 class TrajectoryWriter {
 public:
   /// Creates or truncates the file and writes its header. Returns FileUnwritable if this fails.

@@ -12,9 +12,10 @@ namespace dewpoint::trajectory {
 /// square.
 Trajectory inMeters(Trajectory trajectory, double unit);
 
-/// Returns the length unit (in meters) of the truth if it is probably a millimeter or a centimeter.
-/// In this unit, the center and spread of the true positions agree with those of the estimate.
-/// Returns nothing if the truth agrees with the estimate in meters, or in none of these units.
+/// Returns the length unit of the truth, in meters, if the truth is probably given in millimeters
+/// or centimeters. This is the case if the center and spread of the true positions agree with those
+/// of the estimate after conversion from this unit. Returns nothing if they already agree without
+/// conversion, or if they agree in neither unit.
 std::optional<double> likelyTruthUnit(const Trajectory& estimate, const Trajectory& truth);
 
 } // namespace dewpoint::trajectory

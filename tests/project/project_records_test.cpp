@@ -62,7 +62,7 @@ TEST(ProjectRecords, SayWhereACalibrationComesFrom) {
   ASSERT_TRUE(camera.lens && camera.pose);
   EXPECT_EQ(camera.lens->origin, CalibrationOrigin::Board);
   EXPECT_EQ(camera.lens->error, 0.42);
-  EXPECT_TRUE(isAbout(*camera.lens, project->cameras[0].camera));
+  EXPECT_TRUE(describes(*camera.lens, project->cameras[0].camera));
   EXPECT_EQ(camera.pose->origin, CalibrationOrigin::Wand);
   EXPECT_EQ(camera.pose->error, 0.0021);
   EXPECT_EQ(project->calibrated.scale, CalibrationOrigin::Wand);
@@ -89,8 +89,8 @@ TEST(ProjectRecords, ComeBackFromAFile) {
   EXPECT_EQ(record.lens->origin, CalibrationOrigin::Points);
   EXPECT_FALSE(record.lens->error);
   EXPECT_FALSE(record.pose->error); // a file holds no unknown number
-  EXPECT_TRUE(isAbout(*record.lens, again->cameras[0].camera));
-  EXPECT_TRUE(isAbout(*record.pose, again->cameras[0].camera));
+  EXPECT_TRUE(describes(*record.lens, again->cameras[0].camera));
+  EXPECT_TRUE(describes(*record.pose, again->cameras[0].camera));
   EXPECT_EQ(again->calibrated, project->calibrated);
 }
 
@@ -98,19 +98,19 @@ TEST(ProjectRecords, AreVoidWhenTheNumbersChange) {
   Camera camera = turnedCamera();
   const LensRecord lens = recordOfLens(camera, CalibrationOrigin::Board, 0.3);
   const PoseRecord pose = recordOfPose(camera, CalibrationOrigin::Board, 0.002);
-  EXPECT_TRUE(isAbout(lens, camera));
-  EXPECT_TRUE(isAbout(pose, camera));
+  EXPECT_TRUE(describes(lens, camera));
+  EXPECT_TRUE(describes(pose, camera));
   Camera nudged = camera;
   nudged.cameraFromWorld.translation().x() += 1e-4;
-  EXPECT_FALSE(isAbout(pose, nudged));
+  EXPECT_FALSE(describes(pose, nudged));
   nudged = camera;
   nudged.cameraFromWorld.linear() =
       rotationFromVector({0.0, 1e-5, 0.0}) * camera.cameraFromWorld.linear();
   nudged.cameraFromWorld.translation() = -(nudged.cameraFromWorld.linear() * camera.center());
-  EXPECT_FALSE(isAbout(pose, nudged)); // turned about its own center
-  EXPECT_TRUE(isAbout(lens, nudged));
+  EXPECT_FALSE(describes(pose, nudged)); // turned about its own center
+  EXPECT_TRUE(describes(lens, nudged));
   camera.intrinsics.focalX += 0.01;
-  EXPECT_FALSE(isAbout(lens, camera));
+  EXPECT_FALSE(describes(lens, camera));
 }
 
 TEST(ProjectRecords, AreEditsButNoOtherCalibration) {

@@ -17,16 +17,16 @@ struct BaselineSetup {
   /// Creates a follower for a target in a camera. If null, there are no followers, and blobs are
   /// paired again in every frame.
   CameraFollowerFactory follower = nullptr;
-  /// True if a Kalman filter smooths the triangulated positions. Pairs of blobs outside its gate
-  /// are then used only if there are no others.
+  /// True if a Kalman filter smooths the triangulated positions. A pair of blobs with a position
+  /// outside the gate of the filter is then used only if no pair has a position inside it.
   bool kalman = false;
 };
 
 /// Tracker of the baseline methods. It locates each target in each camera's image by a color mask,
 /// and computes the point nearest to the rays by least squares. It uses no particles, and no
 /// appearance except the mask. The estimate of a target is valid while at least two cameras see the
-/// target or its Kalman filter predicts it. The tracker computes no probability, so
-/// `existenceProbability` is 0 or 1.
+/// target. With a Kalman filter, it is also valid while the filter predicts the position. The
+/// tracker computes no probability, so `existenceProbability` is 0 or 1.
 ///
 /// At the start, the tracker knows the same as the other methods: colors, sizes, calibration and
 /// start volume. It pairs blobs of different cameras (blob_pairing.h). Each target is assigned the

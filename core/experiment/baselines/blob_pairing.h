@@ -39,8 +39,8 @@ struct ExpectedPosition {
 /// Largest accepted distance between a blob's ray and the triangulated position, pixels in the
 /// camera's image.
 inline constexpr double kMaxResidualPx = 4.0;
-/// The same limit in blob radii. It applies to large blobs, for which it is larger than
-/// kMaxResidualPx. The center of mass of a half-hidden ball is off by 0.42 radii.
+/// The same limit in radii of the blob. The larger of the two limits applies, so this one applies
+/// to large blobs. The center of mass of a half-hidden ball is off by 0.42 radii.
 inline constexpr double kMaxResidualRadii = 0.5;
 /// Largest accepted ratio between the apparent and the expected radius of a blob, and between the
 /// expected and the apparent radius. A ball of which three quarters are hidden appears to have half
@@ -56,13 +56,14 @@ inline constexpr double kMissingCost = 4.0;
 /// position does not increase.
 inline constexpr double kFarSquared = 9.0;
 
-/// Finds blobs of different cameras that show the same object, by the distance of their rays and by
-/// their size. All constants above were chosen by judgment and not tuned.
+/// Finds blobs of different cameras that show the same object, by the distances between their rays
+/// and by their sizes. The constants above were chosen by judgment and not tuned.
 class BlobPairing {
 public:
   explicit BlobPairing(const CameraRig& rig);
 
-  /// Returns the bearing of a pixel in one camera, or nothing if the lens model has no ray there.
+  /// Returns the bearing of a blob in the image of a camera, or nothing if the lens model has no
+  /// ray at `pixel`. `pixel` is the blob's center, `radiusPx` its radius, and `blob` its index.
   std::optional<Bearing> bearing(std::size_t camera, std::size_t blob, const Eigen::Vector2d& pixel,
                                  double radiusPx) const;
 
@@ -74,8 +75,8 @@ public:
   std::vector<PairedBlobs> pair(const std::vector<CameraBlobs>& cameras, double radius,
                                 std::size_t targetCount) const;
 
-  /// Returns the index of a camera's blob that fits a position (world, meters) best, or nothing if
-  /// none fits.
+  /// Returns the index of the blob that fits a position (world, meters) best, or nothing if none
+  /// fits. `blobs` are the blobs of camera `camera`; `radius` is the target radius as in pair().
   std::optional<std::size_t> blobAt(std::size_t camera, const std::vector<Blob>& blobs,
                                     const Eigen::Vector3d& position, double radius) const;
 
@@ -106,7 +107,7 @@ double relativeResidual(const std::vector<Bearing>& bearings, const Eigen::Vecto
 /// Assigns pairs to targets, and returns the position for each target. The cost of an assignment is
 /// the cost of the pair plus the squared Mahalanobis distance between the pair's position and the
 /// target's expected position. The assignment with the lowest cost is made first, and each blob is
-/// used once. The result is empty for a target without a pair.
+/// used once. The entry of a target is empty if no pair is left for the target.
 std::vector<std::optional<TriangulatedPoint>>
 assignPairs(const std::vector<PairedBlobs>& pairs, const std::vector<ExpectedPosition>& expected);
 

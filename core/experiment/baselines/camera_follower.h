@@ -14,13 +14,13 @@ namespace dewpoint::experiment {
 
 /// Image of one camera in one frame, and its color mask. Both are empty if there is no image.
 struct CameraImages {
-  cv::Mat bgr;  ///< CV_8UC3
+  cv::Mat bgr;  ///< image, CV_8UC3 (BGR)
   cv::Mat mask; ///< mask of the target's color, as from matchImage()
 };
 
 /// Target position found by a follower, in pixels. Pixel centers are at integer coordinates.
 struct FollowedPixel {
-  Eigen::Vector2d center = Eigen::Vector2d::Zero(); ///< column, row
+  Eigen::Vector2d center = Eigen::Vector2d::Zero(); ///< center of the target: column, row
   double radiusPx = 0.0; ///< approximate radius of the followed object, pixels
 };
 

@@ -16,15 +16,16 @@
 
 namespace dewpoint::experiment {
 
-/// Target of a clip, with the click or box from which its color is learned. If the sample marks
-/// only a part of a larger object, it also contains the radius. The `frame` field of the sample is
-/// an index into CalibratedClip::instants.
+/// Target of a clip, with the click or box (`click`) from which its color is learned. If the click
+/// or box marks only a part of a larger object, the sample also contains the radius of this part.
+/// ColorSample::frame is an index into CalibratedClip::instants.
 struct ClipTarget {
   std::string name;
   ColorSample click;
 };
 
-/// True position of a target at one instant. World frame of the clip's rig, meters.
+/// True position of a target at one instant (an index into CalibratedClip::instants). World frame
+/// of the clip's rig, meters.
 struct ClipPosition {
   std::int64_t instant = 0;
   std::size_t target = 0;
@@ -34,15 +35,15 @@ struct ClipPosition {
 /// Half the side length of the box in which the search starts, meters. The same value is used in
 /// rendered scenarios that start near the truth.
 inline constexpr double kClipStartHalfSize = 0.1;
-/// Default of CalibratedClip::markGate. It is about half the width of the bands in tapes2_limbs.
-/// Chosen from the range of 5 to 30 pixels.
+/// Default of CalibratedClip::markGate, pixels. Chosen from the range of 5 to 30 pixels: it is
+/// about half the width of the colored bands that are tracked in the clip tapes2_limbs.
 inline constexpr double kClipMarkGatePx = 10.0;
 
 /// Recording of calibrated cameras with ground truth, and everything that a run on it needs.
 struct CalibratedClip {
   std::string name; ///< name of the scenario
   CameraRig rig;
-  std::vector<std::filesystem::path> cameras; ///< a video or a folder of images per camera
+  std::vector<std::filesystem::path> cameras; ///< one video or one folder of images per camera
   std::vector<ClipInstant> instants;
   double framesPerSecond = 30.0;
   std::vector<ClipTarget> targets;
@@ -50,22 +51,22 @@ struct CalibratedClip {
   /// Target centers marked in the images. The field `frame` of each mark is an index into
   /// `instants`. If empty, the projections of `positions` are used as marks.
   std::vector<MarkedCenter> marks;
-  /// Largest distance in pixels between a mark and the projection of an estimate at which the
-  /// estimate counts as on its target.
+  /// An estimate counts as being on its target if its projection is closer to each mark than this
+  /// distance, pixels.
   double markGate = kClipMarkGatePx;
   /// Initial position of each target, near which the search starts (world, meters). If empty, the
   /// first entry of each target in `positions` is used.
   std::vector<Eigen::Vector3d> starts;
-  /// Margin of the box in which the search starts, beyond the initial positions of all targets,
-  /// meters. Clips with uncertain initial positions set a larger value.
+  /// The search starts in a box that extends by this margin beyond the initial positions of all
+  /// targets, meters. Clips with uncertain initial positions have a larger margin.
   double startHalfSize = kClipStartHalfSize;
 };
 
 /// Creates a run of a clip, with grade `Real`. The color of each target is learned from its one
-/// click. The search starts in a box around the targets' initial positions, which is shifted by up
-/// to half of `startHalfSize` along each axis. The seed determines this shift and the random
-/// numbers of the methods. The files are opened here. Returns Mismatch if images and calibration
-/// have different sizes.
+/// click. The search starts in a box around the initial positions of the targets. This box is
+/// shifted by up to half of `startHalfSize` along each axis. The seed determines this shift and the
+/// random numbers of the methods. The function opens the files of the clip. Returns Mismatch if
+/// images and calibration have different sizes.
 Result<ScenarioRun> clipRun(const CalibratedClip& clip, std::uint64_t seed);
 
 /// Returns the point (world, meters) where the rays through a target's marks at one instant meet

@@ -13,14 +13,16 @@ namespace dewpoint::experiment {
 
 /// Folders from which real clips are read.
 struct ClipFolders {
-  std::filesystem::path recordings; ///< one subfolder per recording; empty path: no recordings
-  std::filesystem::path truth; ///< folder bench/clips in the sources: truth made for this project
+  /// Folder with one subfolder per recording; empty: there are no recordings.
+  std::filesystem::path recordings;
+  /// Folder with the truth made for this project: bench/clips in the sources.
+  std::filesystem::path truth;
 };
 
 /// Origin of a clip's ground truth, which determines how independent the truth is of the methods.
 enum class TruthOrigin {
   Board,    ///< computed from the corners of a printed board, without using color or a tracker
-  Marked,   ///< marked manually
+  Marked,   ///< marked by hand in the images
   Segmented ///< segmented by target color; NOT independent of methods that use color
 };
 
@@ -35,7 +37,7 @@ enum class TunedOn {
 struct ClipDeclaration {
   std::string name;      ///< name of the scenario: "R1-hand"
   std::string recording; ///< folder of the recording
-  std::string sentence;  ///< what it shows
+  std::string sentence;  ///< what the clip shows, in one sentence
   std::string start;     ///< how methods learn the target's appearance
   std::string truth;     ///< kind, origin and accuracy of the truth
   TruthOrigin origin = TruthOrigin::Marked;
@@ -55,7 +57,7 @@ struct ClipDeclaration {
 /// Recording from which no clip is made, and the reason.
 struct OmittedRecording {
   std::string recording; ///< folder of the recording
-  std::string reason;    ///< one sentence
+  std::string reason;    ///< why no clip is made from it, in one sentence
 };
 
 } // namespace dewpoint::experiment

@@ -24,8 +24,8 @@ struct ClipInstant {
 std::vector<ClipInstant> simultaneousInstants(std::int64_t first, std::int64_t end,
                                               std::size_t cameras, double framesPerSecond);
 
-/// Images of a recording, by instant. Reading is fastest in ascending order. Only one thread may
-/// use an object at a time.
+/// Reads the images of a recording, one ClipInstant at a time. Reading is fastest in ascending
+/// order. Only one thread may use an object at a time.
 class ClipFrames {
 public:
   /// Opens a video or an image folder for each camera. Errors: FileMissing, FileUnreadable, or
@@ -34,8 +34,8 @@ public:
                                                   std::vector<ClipInstant> instants);
 
   std::int64_t count() const { return static_cast<std::int64_t>(instants_.size()); }
-  /// Returns the frames of an instant, with times relative to the first instant. A frame that
-  /// cannot be read is null, like a frame that a camera did not deliver.
+  /// Returns the frames of the instant with this index, with times relative to the first instant. A
+  /// frame that cannot be read is null, like a frame that a camera did not deliver.
   FrameSetPtr at(std::int64_t instant);
 
 private:

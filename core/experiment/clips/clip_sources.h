@@ -18,8 +18,8 @@ Result<CalibratedClip> handClip(const ClipFolders& folders);
 Result<CalibratedClip> boxedHandClip(const ClipFolders& folders);
 
 /// Loads `tapes2_limbs`: three colored bands on a man's knee, ankle and wrist, two cameras. The
-/// truth consists of the band centers in the images. The true baseline length is unknown; see
-/// kBandBaseline.
+/// truth consists of the band centers in the images. The true distance between the cameras is
+/// unknown; see kBandBaseline.
 Result<CalibratedClip> bandsClip(const ClipFolders& folders);
 
 /// Loads `charuco4`: a man waves a board in front of four cameras that have separate time stamps.
@@ -28,8 +28,8 @@ Result<CalibratedClip> bandsClip(const ClipFolders& folders);
 Result<CalibratedClip> boardClip(const ClipFolders& folders);
 
 /// Assumed distance between the two cameras of tapes2_limbs, meters. With this value, the distance
-/// between the knee and ankle bands (0.763 baselines) is 0.46 m. No length in that clip was
-/// measured in meters.
+/// between the knee and ankle bands, which is 0.763 times the distance between the cameras, is 0.46
+/// m. No length in that clip was measured in meters.
 inline constexpr double kBandBaseline = 0.6;
 
 /// Returns the clip with this name from recordedBoxClips(); NotFound if there is none.

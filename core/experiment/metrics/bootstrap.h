@@ -25,12 +25,12 @@ struct BootstrapSetup {
   std::uint64_t seed = 1;
 };
 
-/// Computes a statistic of the pooled values of all runs, and its percentile bootstrap interval
-/// (Efron & Tibshirani 1993, chapter 13). Whole runs are drawn with replacement, because values
-/// within a run depend on each other (cluster bootstrap; Davison & Hinkley 1997, section 3.8). If
-/// the values are independent, pass each one as a separate run. Values must be finite; runs may be
-/// empty. Returns NaN if there are no values. The result depends only on the arguments, which
-/// include the seed.
+/// Computes a statistic of the values of all runs taken together, and its percentile bootstrap
+/// interval (Efron & Tibshirani 1993, chapter 13). Whole runs are drawn with replacement, because
+/// values within a run depend on each other (cluster bootstrap; Davison & Hinkley 1997, section
+/// 3.8). If the values are independent, pass each one as a separate run. Values must be finite;
+/// runs may be empty. Returns NaN if there are no values. The result depends only on the arguments,
+/// which include the seed.
 Interval bootstrapInterval(std::span<const std::vector<double>> runs, const Statistic& statistic,
                            const BootstrapSetup& setup = {});
 

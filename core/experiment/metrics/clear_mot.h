@@ -8,9 +8,9 @@
 
 namespace dewpoint::experiment {
 
-/// CLEAR MOT counts of a sequence (Bernardin & Stiefelhagen 2008, section 2.1), where a match is
-/// limited by a distance in space (the gate). Also counts fragmentations as defined by Milan et al.
-/// 2016 (MOT16).
+/// CLEAR MOT counts of a sequence (Bernardin & Stiefelhagen 2008, section 2.1). A true target and
+/// an estimate can match only if their distance in space is at most the gate. Fragmentations are
+/// counted as defined by Milan et al. 2016 (MOT16).
 struct ClearMot {
   std::int64_t truths = 0; ///< number of true targets, summed over the frames
   std::int64_t matches = 0;

@@ -33,7 +33,8 @@ struct Consistency {
   Interval nees; ///< mean NEES, with the bounds for a consistent filter, see consistency()
   /// Mean of error² / variance for each world axis.
   Eigen::Vector3d axisNees = Eigen::Vector3d::Zero();
-  Interval axisBounds; ///< expected value (1) of each element of axisNees, with its bounds
+  /// Expected value of each element of axisNees (1), with the bounds for a consistent filter.
+  Interval axisBounds;
   Proportion inside;   ///< truths in the 95 % ellipsoid; unusable samples count as outside
   Proportion inside50; ///< truths in the 50 % ellipsoid
 };

@@ -20,7 +20,7 @@ struct TargetFrame {
   std::optional<Eigen::Vector3d> truth; ///< empty: the target is absent
   /// Empty: the method does not declare the target present.
   std::optional<Eigen::Vector3d> estimate;
-  /// True if the target can be seen. False if no method could see it (all cameras blind).
+  /// False if no method could see the target, because all cameras are blind in this frame.
   bool visible = true;
 
   /// Returns whether the target is declared present and the distance between its estimate and the

@@ -16,10 +16,11 @@ inline constexpr double kNearFraction = 0.25;
 /// Position error, true size and estimated size of a target in one frame in which the target can be
 /// seen. Meters.
 struct ExtentSample {
-  /// From estimate to centroid; empty: the method does not declare the target present.
+  /// Distance from the estimate to the centroid of the target. Empty: the method does not declare
+  /// the target present.
   std::optional<double> distance;
   double halfExtent = 0.0;               ///< longest semi-axis (TargetExtent::halfAxes)
-  double radius = 0.0;                   ///< radius of a ball of the same volume
+  double radius = 0.0;                   ///< radius of a ball with the same volume as the target
   std::optional<double> estimatedRadius; ///< empty: the method does not estimate the size
 };
 
@@ -33,8 +34,8 @@ struct ExtentErrors {
   double size = 0.0;     ///< median of |estimatedRadius - radius| / radius; NaN without values
 };
 
-/// Computes the errors. A sample whose true size is not positive is excluded from values that need
-/// the size, and does not count as near.
+/// Computes the errors. A sample whose true size is not positive does not count as near, and is
+/// left out of the two medians.
 ExtentErrors extentErrors(std::span<const ExtentSample> samples);
 
 } // namespace dewpoint::experiment

@@ -9,8 +9,10 @@ namespace dewpoint::experiment {
 
 /// Parameters of GOSPA.
 struct GospaSetup {
-  double cutoff = 0.1; ///< meters; a pair farther apart counts as one missed and one false target
-  double order = 2.0;  ///< exponent p, at least 1
+  /// Largest distance of an assigned pair, meters; a pair farther apart counts as one missed and
+  /// one false target.
+  double cutoff = 0.1;
+  double order = 2.0; ///< exponent p, at least 1
 };
 
 /// Generalized optimal sub-pattern assignment metric between two sets of points, alpha = 2

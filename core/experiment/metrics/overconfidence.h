@@ -44,9 +44,10 @@ bool isConfidentlyWrong(const ReportedBelief& belief);
 /// Numbers of cases in which a method is wrong. Each total counts all beliefs, including those in
 /// which the method reports nothing.
 struct Overconfidence {
-  Proportion wrong;              ///< isWrong()
-  Proportion wrongWhenConfident; ///< isWrong() with P(exists) above kConfidentProbability
-  Proportion confidentlyWrong;   ///< isConfidentlyWrong()
+  Proportion wrong; ///< cases in which isWrong() is true
+  /// Cases in which isWrong() is true and P(exists) is above kConfidentProbability.
+  Proportion wrongWhenConfident;
+  Proportion confidentlyWrong; ///< cases in which isConfidentlyWrong() is true
 };
 
 /// Counts the wrong beliefs; `gate` is in meters.

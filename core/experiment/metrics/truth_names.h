@@ -9,11 +9,12 @@
 
 namespace dewpoint::experiment {
 
-/// Assigns true targets to tracked targets that look the same, such as balls of one color. Which
-/// tracked target has which name is then a matter of chance, so they are assigned by position. Each
-/// group in `alike` lists the names of targets that look the same. Within a group, the assignment
-/// with the smallest sum of median distances is chosen. It applies to the whole trajectory, so two
-/// targets that are exchanged during the run still count as an error. Frames are matched by number.
+/// Assigns true targets to tracked targets that look the same, such as balls of one color. The
+/// names of such tracked targets are a matter of chance, so the true targets are assigned to them
+/// by position. Each group in `alike` lists the names of targets that look the same. Within a
+/// group, the assignment with the smallest sum of median distances is chosen. It applies to the
+/// whole trajectory, so two targets that are exchanged during the run still count as an error.
+/// Frames are matched by number.
 ///
 /// The result maps the name of a tracked target to the name of its true target, where the two names
 /// differ. It is empty if all names agree. If not all targets of a group can be assigned, because

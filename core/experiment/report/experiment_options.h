@@ -17,12 +17,12 @@ struct ExperimentOptions {
   /// Output folder for report.html, images and numbers. It is created.
   std::filesystem::path folder;
   int runs = 0; ///< number of seeds per case, from firstSeed on; 0: the experiment's default
-  /// Receives the progress `part` (0 to 1). Returns false to stop the experiment.
+  /// Callback that receives the progress `part` (0 to 1). It returns false to stop the experiment.
   std::function<bool(double part)> progress = {};
   /// Folder with the recordings juggle1 and otb. Empty if there are no recordings. Used by
   /// experiments with FigureExperiment::takesRecordings.
   std::filesystem::path recordings = {};
-  /// Used by experiments with FigureExperiment::takesClothes.
+  /// Clothes of the simulated people. Used by experiments with FigureExperiment::takesClothes.
   StudyClothes clothes = StudyClothes::Both;
   std::uint64_t firstSeed = kFirstReportingSeed;
 };

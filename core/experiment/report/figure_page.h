@@ -17,9 +17,9 @@ namespace dewpoint::experiment {
 /// the paper leaves open.
 enum class ClaimOutcome { Reproduced, InPart, NotReproduced };
 
-/// Returns the outcome for the claim that no run converges. `shares` contains, for each start, the
-/// fraction of runs that converged. The claim is reproduced if every fraction is below one tenth,
-/// and reproduced in part if only some fractions are.
+/// Returns the outcome for the claim that no run converges. `shares` contains, for each initial
+/// position of the particles, the fraction of runs that converged. The claim is reproduced if every
+/// fraction is below one tenth, and reproduced in part if only some fractions are.
 ClaimOutcome noConvergenceOutcome(const std::vector<double>& shares);
 
 /// Report of one experiment: a page with inline plots and separate image files, for light and dark
@@ -33,24 +33,26 @@ public:
   void heading(const std::string& text);
   /// Adds a paragraph of text.
   void paragraph(const std::string& text);
-  /// Adds a claim of the paper, and our result `here`.
+  /// Adds a claim of a paper (`text`), whether this experiment reproduces it, and the result of
+  /// this experiment (`here`).
   void claim(const std::string& text, bool reproduced, const std::string& here);
   void claim(const std::string& text, ClaimOutcome outcome, const std::string& here);
   /// Adds a requirement. `word` states whether the requirement is met, and `good` determines the
   /// color of this word.
   void requirement(const std::string& word, bool good, const std::string& text);
-  /// Adds plots side by side, each with a caption. `legend` contains the name of each style.
+  /// Adds plots side by side, each with a caption. Each entry of `legend` is a style and the name
+  /// that is shown for it.
   void plots(const std::vector<std::pair<std::string, Plot>>& plots,
              const std::vector<std::pair<std::string, std::string>>& legend = {});
-  /// Adds an image, which is written as `name`.png.
+  /// Adds an image, which write() saves as `name`.png.
   void pngImage(const std::string& name, const std::string& caption, const cv::Mat& image);
   /// Adds a table with column headers `head`.
   void table(const std::vector<std::string>& head,
              const std::vector<std::vector<std::string>>& rows);
-  /// Adds an image that is written as `name`.jpg. Use it for camera images, whose noise makes PNG
-  /// files large.
+  /// Adds an image, which write() saves as `name`.jpg. Use this for camera images, because their
+  /// noise makes PNG files large.
   void jpegImage(const std::string& name, const std::string& caption, const cv::Mat& image);
-  /// Adds a separate file next to the page. The page mentions its name.
+  /// Adds a file that write() creates next to the page. The page mentions the name of the file.
   void data(const std::string& name, std::string text);
 
   /// Returns the complete page.

@@ -25,8 +25,8 @@ bool reportProgress(const ExperimentOptions& options, double part);
 /// Creates a line through the values, at the x positions `first` + i * `step`.
 SvgSeries lineSeries(const std::string& style, const std::vector<double>& values,
                      double first = 0.0, double step = 1.0);
-/// Creates points without a line, one per row. Column `across` contains x, and column `up` contains
-/// y. `area` is the area of a point in square pixels.
+/// Creates points without a line, one per row of `rows`. Column `across` of `rows` contains x, and
+/// column `up` contains y. `area` is the area of a point in square pixels.
 SvgSeries pointSeries(const std::string& style, const Eigen::ArrayXXd& rows, Eigen::Index across,
                       Eigen::Index up, double area = 7.0);
 

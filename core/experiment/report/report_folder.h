@@ -9,8 +9,8 @@
 namespace dewpoint::experiment {
 
 /// Creates a report folder and tries to write into it, so that a failure is detected before minutes
-/// of computation. Returns FileUnwritable, which names the folder, or the report file if a folder
-/// has its name.
+/// of computation. If this fails, returns FileUnwritable with the name of the folder. If there is a
+/// folder with the name of the report file, returns FileUnwritable with this name.
 Status prepareReportFolder(const std::filesystem::path& folder,
                            const std::string& report = "report.html");
 

@@ -19,7 +19,7 @@ enum class SeedPurpose { Tuning, Validation, Reporting, Reserve };
 /// suite, people, boxes, the papers' experiments and wand calibration.
 struct SeedBlock {
   SeedPurpose use = SeedPurpose::Tuning;
-  std::string_view name; ///< "tuning"
+  std::string_view name; ///< name of the block, for example "tuning"
   std::uint64_t first = 0;
   std::uint64_t last = 0;
   std::string_view sentence; ///< what the seeds are used for, and when their results may be read

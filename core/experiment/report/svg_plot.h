@@ -27,14 +27,16 @@ struct SvgPoint {
 struct SvgSeries {
   std::string style; ///< CSS class for the color ("m0" to "m8")
   std::vector<SvgPoint> line;
-  std::vector<double> bandLow;  ///< lower values at the line's points; empty: no band
-  std::vector<double> bandHigh; ///< upper values at the line's points; empty: no band
-  std::vector<double> areas;    ///< areas of disks on the points, square pixels; empty: no disks
+  /// Lower border of the band at each point of the line; empty: no band.
+  std::vector<double> bandLow;
+  /// Upper border of the band at each point of the line; empty: no band.
+  std::vector<double> bandHigh;
+  std::vector<double> areas; ///< area of the disk on each point, square pixels; empty: no disks
 };
 
 /// Plot of lines and points, with its axes.
 struct Plot {
-  std::string title; ///< for screen readers
+  std::string title; ///< description for screen readers; not visible in the plot
   SvgAxis x;
   SvgAxis y;
   bool diagonal = false; ///< true: a diagonal line is drawn from corner to corner

@@ -41,7 +41,7 @@ struct ScenarioEvent {
   int camera = -1; ///< index of the affected camera; -1: all cameras, or no particular camera
 };
 
-/// Target center in one image of a real clip, according to the clip's truth.
+/// Mark: the true center of a target in one image of a real clip.
 struct MarkedCenter {
   std::int64_t frame = 0; ///< frame number in the run
   std::size_t target = 0; ///< index among the run's targets
@@ -51,7 +51,7 @@ struct MarkedCenter {
 
 /// Size of a target of any shape. Meters.
 struct TargetExtent {
-  double radius = 0.0; ///< radius of a ball of the same volume
+  double radius = 0.0; ///< radius of a ball with the same volume as the target
   /// Semi-axes, longest first, of the solid ellipsoid whose points have the same covariance as the
   /// target's points. They are sqrt(5) times the standard deviations along the principal axes. For
   /// a ball, they equal its radius.
@@ -87,16 +87,17 @@ struct ScenarioRun {
   /// Frames with a known truth, ascending. Only these frames are evaluated. If empty, all frames
   /// are evaluated.
   std::vector<std::int64_t> measuredFrames;
-  /// Marked target centers of real clips. A run with marks but without `truth` is evaluated in
-  /// pixels only.
+  /// True target centers in the images of a real clip. A run with marks but without `truth` is
+  /// evaluated in pixels only.
   std::vector<MarkedCenter> marks;
   /// Limit in pixels for the distance between a mark and the projection of an estimate. In a frame
-  /// with marks, an estimate counts as on its target if all its projections are within this limit.
+  /// with marks, an estimate counts as being on its target if all these distances are below the
+  /// limit.
   double markGate = 0.0;
   /// Number of objects in the images that fit the first target equally well in start position,
   /// color and size. If it is 1, the start position determines which object is the target. If it is
-  /// larger, nothing ever determines the target. The probability that a correct method reports for
-  /// an estimate is then at most 1 / equalCandidates.
+  /// larger, no image ever shows which of them is the target. The probability that a correct method
+  /// reports for an estimate is then at most 1 / equalCandidates.
   int equalCandidates = 1;
   /// Returns the images of frame k. This is a pure function, so all methods see identical images.
   std::function<FrameSetPtr(std::int64_t)> frames;

@@ -12,11 +12,11 @@
 
 namespace dewpoint::experiment {
 
-/// Difference between a hand-drawn box and the true box.
+/// Difference between an inexact first box, as a user might draw it, and the true box.
 struct BoxPerturbation {
   double scale = 1.0; ///< factor for width and height
-  double right = 0.0; ///< shift of the center, in true widths
-  double down = 0.0;  ///< shift of the center, in true heights
+  double right = 0.0; ///< shift of the center to the right, in widths of the true box
+  double down = 0.0;  ///< downward shift of the center, in heights of the true box
 
   ImageBox appliedTo(const ImageBox& box) const {
     return ImageBox::around(box.center() + Eigen::Vector2d(right * box.width, down * box.height),
@@ -32,11 +32,11 @@ std::vector<BoxPerturbation> boxPerturbations();
 /// all shifted boxes. The values are means over all runs.
 struct BoxPerturbationRow {
   std::string clip;
-  std::string method; ///< "histogram", "csrt"
-  double scale = 1.0; ///< scale of the first box
-  int runs = 0;       ///< number of runs: shifts times seeds
-  BoxMetrics metrics; ///< against the true boxes
-  double worstPrecision = 1.0;
+  std::string method;          ///< name of the method, for example "histogram" or "csrt"
+  double scale = 1.0;          ///< scale of the first box
+  int runs = 0;                ///< number of runs: shifts times seeds
+  BoxMetrics metrics;          ///< accuracy of the found boxes compared with the true boxes
+  double worstPrecision = 1.0; ///< smallest BoxMetrics::precision of a run
   bool reportsConfidence =
       false; ///< true if the method reports its confidence; only then are the following fields set
   /// Mean reported similarity in frames in which the center is within the clip's radius.
@@ -49,7 +49,7 @@ struct BoxPerturbationRow {
   double confidentlyWrong = 0.0;
 };
 
-/// Returns the default methods of the comparison.
+/// Returns the methods that studyPerturbedBoxes() compares by default.
 std::vector<std::string> perturbationMethods();
 
 /// Follows every clip from inexact first boxes with `sugandi` and `histogram` (300 particles,

@@ -29,13 +29,14 @@ struct ConvergenceCase {
   int runs = 100;
   int iterations = 150;
   CameraRig cameras = simulation::demoRig();
-  bool clutter = true; ///< books, boxes and other objects on the desk, which can hide the ball
+  /// True: there are books, boxes and other objects on the desk, which can hide the ball.
+  bool clutter = true;
   std::uint64_t firstSeed = kFirstTuningSeed;
 };
 
-/// Results of the `barrera` method for a case with `runs` seeds (from the first one on) and one
-/// iteration per frame. Convergence is determined from the cloud alone, see convergenceIteration().
-/// From the converged iteration on, the distance between the cloud's mean and the ball is measured.
+/// Results of the `barrera` method for a case, with one run per seed and one iteration per frame.
+/// Convergence is determined from the cloud alone, see convergenceIteration(). From convergence on,
+/// the distance between the cloud's mean and the ball is measured.
 struct ConvergenceResult {
   ConvergenceCase setup;
   int converged = 0; ///< number of runs whose cloud has converged at the end
@@ -46,11 +47,12 @@ struct ConvergenceResult {
   double depthBias = 0.0; ///< bias along camera 1's optical axis in the same iterations, meters
 };
 
-/// Returns the iteration (from 1) from which a cloud has converged. From then on, its spread (root
-/// mean square distance of the weighted particles to their mean, meters) is below sqrt(3) sigma_m.
-/// This is the spread that a single motion step gives to a point. A smaller spread means that the
-/// images add more information than the motion removes. Returns nothing if the last spread is not
-/// below this limit.
+/// Returns the iteration (counted from 1) from which on a cloud has converged. `spreads` contains
+/// the spread of the cloud after each iteration: the root mean square distance of the weighted
+/// particles from their mean, meters. The cloud has converged if the spread stays below sqrt(3) *
+/// motionSigma. This is the spread that one motion step gives to a single point, so a smaller
+/// spread means that the images add more information than the motion removes. Returns nothing if
+/// the last spread is not below this limit.
 std::optional<int> convergenceIteration(std::span<const double> spreads, double motionSigma);
 
 /// Returns the cases of Barrera et al. 2005, section III. Values that the paper does not give are
@@ -58,10 +60,10 @@ std::optional<int> convergenceIteration(std::span<const double> spreads, double 
 std::vector<ConvergenceCase> barreraConvergenceCases(int runs = 100,
                                                      std::uint64_t firstSeed = kFirstTuningSeed);
 
-/// Returns the case of the paper's figures 3 and 4: a bare desk, the ball, and the paper's start in
-/// the view of camera 1. The ball is 1.1 m from camera 1 and completely visible in both images.
-/// Camera 2 is aimed at the ball. Camera 1 is aimed between the ball and the start, which are 35
-/// degrees apart in its view.
+/// Returns the case of figures 3 and 4 of the paper: a bare desk with the ball. The cloud starts in
+/// the view of camera 1, at the position given in the paper. The ball is 1.1 m from camera 1 and
+/// completely visible in both images. Camera 2 is aimed at the ball. Camera 1 is aimed between the
+/// ball and the start, which are 35 degrees apart in its view.
 ConvergenceCase figure3Case(int runs = 100, std::uint64_t firstSeed = kFirstTuningSeed);
 
 /// Runs one case, in which the ball does not move.
@@ -74,8 +76,8 @@ using ConvergenceCallback =
 Status watchConvergence(const ConvergenceCase& setup, std::uint64_t seed,
                         const ConvergenceCallback& watch);
 
-/// Returns the distance, in meters, by which the cloud's mean has moved away from camera 1 after
-/// each iteration. It is averaged over runs, see measureDrift().
+/// Returns, for each iteration, the distance in meters by which the cloud's mean has moved away
+/// from camera 1 since the start. The distances are averaged over runs; see measureDrift().
 Result<std::vector<double>> driftCurve(int runs, int iterations,
                                        std::uint64_t firstSeed = kFirstTuningSeed);
 

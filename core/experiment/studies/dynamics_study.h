@@ -22,7 +22,7 @@ struct DynamicsSetup {
   Eigen::Vector3d start{0.0, -0.6, 0.0}; ///< initial position of the cloud
   Eigen::Vector3d before = Eigen::Vector3d::Zero();
   Eigen::Vector3d after{2.0, 0.0, 0.0};
-  int jump = 30; ///< first iteration (from 0) that measures `after`
+  int jump = 30; ///< first iteration (counted from 0) in which the object is at `after`
   int iterations = 100;
 };
 
@@ -32,9 +32,9 @@ struct DynamicsRun {
   /// Root mean square distance of the particles from their mean after the prediction, meters. The
   /// particles are not weighted; `clouds` contains the same particles.
   std::vector<double> cloudSpreads;
-  /// The same distance after the particles are weighted by the observation: the spread of the
-  /// belief. While the cloud is far from the object, one particle has almost all the weight, so the
-  /// spread is almost zero.
+  /// Like `cloudSpreads`, but after the particles are weighted by the observation: the spread of
+  /// the belief. While the cloud is far from the object, one particle has almost all the weight, so
+  /// the spread is almost zero.
   std::vector<double> beliefSpreads;
   std::vector<Eigen::ArrayXXd>
       clouds; ///< particles at the requested iterations, one row per particle: x y z
@@ -60,8 +60,9 @@ int iterationsUntilBelow(const std::vector<double>& errors, int from, int end, d
 double maxTrackableSpeed(DynamicsSetup setup, int runs, std::uint64_t firstSeed = kFirstTuningSeed);
 
 /// Returns the distance per iteration (meters) by which the cloud's mean moves toward a distant
-/// object, averaged over `runs` seeds. It is about sigma_m times the expected maximum of N standard
-/// normal numbers (2.75 sigma_m for N = 200 particles), because only the nearest particle survives.
+/// object, averaged over `runs` seeds. It is about motionSigma times the expected maximum of N
+/// standard normal numbers, where N is the number of particles (2.75 * motionSigma for N = 200).
+/// The reason is that only the particle nearest to the object survives.
 double advanceTowardFarObject(DynamicsSetup setup, int runs,
                               std::uint64_t firstSeed = kFirstTuningSeed);
 

@@ -20,15 +20,15 @@ inline constexpr int kMinVisiblePixels = 150;
 /// second.
 inline constexpr std::int64_t kSilhouetteInterval = 5;
 
-/// One instant of a scene with people: its images, and the people that the true cameras see at that
-/// time, regardless of delays.
+/// One frame of a scene with people: its images as methods receive them, and the people that the
+/// cameras really see at the time of the frame.
 struct OfficeInstant {
   FrameSetPtr frames; ///< images as they arrive, see PeopleRecording
   /// Number of cameras that see at least kMinVisiblePixels, per person.
   std::vector<int> camerasSeeing;
   std::vector<cv::Mat> who; ///< visible person at each pixel, per camera; see paintPeople()
-  /// Complete silhouettes, indexed by camera, then by person. Empty at instants at which
-  /// silhouettes are not compared.
+  /// Complete silhouettes, indexed by camera, then by person. Empty in frames in which silhouettes
+  /// are not compared.
   std::vector<std::vector<cv::Mat>> silhouettes;
 
   /// Returns the visible pixels of a person in a camera (CV_8UC1, nonzero where visible).
@@ -37,7 +37,7 @@ struct OfficeInstant {
   }
 };
 
-/// Renders an instant. `renderer` must have been created from the recording's scene and views.
+/// Renders one frame. `renderer` must have been created from the scene and views of `recording`.
 OfficeInstant renderInstant(const PeopleRecording& recording, const OfficeRenderer& renderer,
                             std::int64_t frame);
 

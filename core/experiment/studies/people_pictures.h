@@ -15,16 +15,16 @@
 
 namespace dewpoint::experiment {
 
-/// Instant of a scenario at which an image shows well how a method performs.
+/// Frame of a scenario at which an image shows well how a method performs.
 struct PeopleInstant {
   std::int64_t frame = 0;
   std::string words; ///< description, such as "nearest to each other, 3.4 s"
 };
 
-/// Returns the instants to show as images. They are one instant before people meet, the instant at
-/// which most people are present and they are closest to each other, and the instant at which
-/// identities are assessed. If a scenario does not compare identities between two instants, only
-/// the second one is returned.
+/// Returns the frames to show as images: one before people meet, the one in which most people are
+/// present and they are closest to each other, and the one after which identities are assessed. If
+/// a scenario does not compare identities before and after a meeting, only the second of these
+/// frames is returned.
 std::vector<PeopleInstant> instantsToShow(const PeopleScenario& scenario);
 
 /// Draws an image (CV_8UC3) like figure 2 of Mohedano et al. 2009. It contains the images of all

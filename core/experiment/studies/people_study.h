@@ -17,9 +17,9 @@
 
 namespace dewpoint::experiment {
 
-/// Result of a method at one instant of a scene, see drawPeopleImage().
+/// Image that shows the result of a method in one frame of a scene; see drawPeopleImage().
 struct PeopleImage {
-  std::string words; ///< description with the time of the instant
+  std::string words; ///< description, with the time of the frame
   cv::Mat image;
 };
 
@@ -34,12 +34,14 @@ struct PeopleTrial {
   /// True if every person had an identity before the meeting, and the same identity after it.
   bool kept = false;
   double mota = 0.0;
-  double motp = 0.0; ///< meters
+  double motp = 0.0; ///< mean distance of matches (ClearMot::motp()), meters
   double hota = 0.0;
-  double gospa = 0.0; ///< mean, meters; the cutoff is kPeopleGate
+  double gospa = 0.0; ///< mean GOSPA distance over the frames, meters; the cutoff is kPeopleGate
   int identitySwitches = 0;
-  double longestGhost = 0.0; ///< longest time that an estimate has no person nearby, seconds
-  /// Longest time that a person seen by at least two cameras has no estimate, seconds.
+  /// Longest time during which an estimate has no person nearby, seconds.
+  double longestGhost = 0.0;
+  /// Longest time during which a person has no estimate although at least two cameras see the
+  /// person, seconds.
   double longestMissed = 0.0;
   /// Volume that contains 95 % of a person (bodyHull()), m³; mean over people and frames.
   double hullVolume = 0.0;
@@ -62,22 +64,22 @@ struct PeopleStudySetup {
   std::uint64_t seed = kFirstTuningSeed;
   /// Non-default parameter values. They apply to the methods that have such a parameter.
   std::vector<std::pair<std::string, double>> parameters;
-  bool pictures = false; ///< draw images of instantsToShow()
+  bool pictures = false; ///< true to draw the images of instantsToShow()
 };
 
 /// Checks the parameters. Returns UnknownKey for a parameter that no method has, or BadValue for a
 /// value out of range. The error's `field` is the parameter's key.
 Status checkPeopleParameters(const PeopleStudySetup& setup);
 
-/// Renders one scene in a grade, runs all methods on it, and returns one trial per method. The
-/// methods use a calibration with errors, as in PeopleRecording::rig. Positions and silhouettes are
-/// compared with the truth, silhouettes in the images of the true cameras. Unknown scene, method or
-/// parameter names are errors.
+/// Renders one scene in a grade, runs all methods of `setup` on it, and returns one trial per
+/// method. The methods receive a calibration with errors, PeopleRecording::rig. Their positions and
+/// silhouettes are compared with the truth. Silhouettes are compared in the images of the true
+/// cameras. Unknown scene, method or parameter names are errors.
 Result<std::vector<PeopleTrial>> studyPeople(const PeopleStudySetup& setup,
                                              simulation::ViewCache& views);
 
-/// Returns whether every true target has the same estimate at both instants, and no estimate
-/// belongs to two targets. Pairs farther apart than `gate` (meters) do not count.
+/// Returns whether every true target has the same estimate in the frames `before` and `after`, and
+/// no estimate belongs to two targets. Pairs farther apart than `gate` (meters) do not count.
 bool identitiesKept(const TrackFrame& before, const TrackFrame& after, double gate);
 
 } // namespace dewpoint::experiment

@@ -17,16 +17,16 @@ struct PeopleSummary {
   PeopleClothes clothes = PeopleClothes::Different;
   std::string method;
   int runs = 0;
-  int kept = 0;
+  int kept = 0; ///< number of runs in which all identities were kept (PeopleTrial::kept)
   int identitySwitches = 0;
   double mota = 0.0; ///< mean over runs, like `hota` and `gospa`
   double hota = 0.0;
-  double gospa = 0.0;         ///< meters
-  double motp = 0.0;          ///< meters; mean over runs with matches
-  double longestGhost = 0.0;  ///< seconds, worst run
-  double longestMissed = 0.0; ///< seconds, worst run
-  double hullVolume = 0.0;    ///< m³, mean
-  double stepMs = 0.0;        ///< mean
+  double gospa = 0.0;         ///< mean over runs, meters
+  double motp = 0.0;          ///< mean over the runs that have matches, meters
+  double longestGhost = 0.0;  ///< value of the worst run, seconds
+  double longestMissed = 0.0; ///< value of the worst run, seconds
+  double hullVolume = 0.0;    ///< mean over runs, m³
+  double stepMs = 0.0;        ///< mean over runs, ms
   /// Means of these two fields in PeopleTrial::everybody, over the runs that have a value; see
   /// PersonResult.
   double found = std::numeric_limits<double>::quiet_NaN();

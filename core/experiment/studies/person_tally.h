@@ -24,7 +24,7 @@ struct PersonResult {
   /// Fraction of frames with an estimate near the person, among the frames in which at least two
   /// cameras see the person. NaN without such frames.
   double found = std::numeric_limits<double>::quiet_NaN();
-  /// Scores of the silhouette of the 95 % volume, averaged over cameras and instants with an
+  /// Scores of the silhouette of the 95 % volume, averaged over all cameras and frames with an
   /// estimate.
   SilhouetteScores silhouette;
   /// Mean absolute height error, meters. NaN if the method does not estimate the height.

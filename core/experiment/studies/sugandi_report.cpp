@@ -71,7 +71,7 @@ std::string clipHtml(const BoxStudy& study, std::size_t clip) {
 
 std::string barsHtml(const BoxStudy& study) {
   std::string text = "<h2>What must be reached</h2><div class='scroll'><table><tbody>";
-  for (const BoxRequirement& bar : study.bars) {
+  for (const BoxRequirement& bar : study.requirements) {
     text += fmt::format("<tr><td class='text'>{}</td><td><span class='chip {}'>{}</span></td></tr>",
                         htmlEscaped(bar.sentence), bar.reached ? "good" : "bad",
                         bar.reached ? "reached" : "not reached");
@@ -159,7 +159,7 @@ std::string boxStudyText(const BoxStudy& study) {
                         row.milliseconds);
   }
   text += '\n';
-  for (const BoxRequirement& bar : study.bars) {
+  for (const BoxRequirement& bar : study.requirements) {
     text += fmt::format("{:<12} {}\n", bar.reached ? "reached" : "NOT REACHED", bar.sentence);
   }
   text += '\n';

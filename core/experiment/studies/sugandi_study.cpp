@@ -179,7 +179,7 @@ Result<BoxStudy> studyBoxes(const std::vector<BoxClip>& clips, int seeds,
     study.figures.push_back(clipFiguresOf(clip, *images, *rowOf(study.rows, clip.name, kSugandiFew),
                                           *rowOf(study.rows, clip.name, kSugandiMany)));
   }
-  study.bars = barsOf(study.rows);
+  study.requirements = barsOf(study.rows);
   return study;
 }
 

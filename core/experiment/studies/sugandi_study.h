@@ -48,11 +48,12 @@ struct BoxRequirement {
 struct BoxClipFigures {
   std::string clip;
   std::vector<ImageBox> truth;
-  cv::Mat frames; ///< see drawBoxFrames()
-  /// Color histograms (boxHistogram()). `reference` is that of the given box. `candidate` is that
-  /// of the box which `sugandi` with 300 particles found in `candidateFrame`, halfway through the
-  /// clip. A histogram is empty if its box is outside the image.
+  cv::Mat frames; ///< image from drawBoxFrames()
+  /// Color histogram of the first box, which was given to the method (boxHistogram()). Empty if the
+  /// box is outside the image.
   std::vector<double> reference;
+  /// Color histogram of the box that `sugandi` with 300 particles found in `candidateFrame`,
+  /// halfway through the clip. Empty if the box is outside the image.
   std::vector<double> candidate;
   std::size_t candidateFrame = 0;
 };
@@ -60,7 +61,7 @@ struct BoxClipFigures {
 /// Results of the box study.
 struct BoxStudy {
   std::vector<BoxStudyRow> rows; ///< grouped by clip
-  std::vector<BoxRequirement> bars;
+  std::vector<BoxRequirement> requirements;
   std::vector<BoxClipFigures> figures; ///< one per clip
   std::vector<BoxPerturbationRow>
       perturbed; ///< results of studyPerturbedBoxes(); empty unless requested

@@ -16,7 +16,8 @@ enum class WandCase {
   Near,     ///< every camera is off by 10 cm and 3 degrees
   Far,      ///< every camera is off by 30 cm and 10 degrees
   Unsynced, ///< like Near, with every clock off by up to 16 ms
-  OneBall,  ///< like Near, with one ball whose diameter gives the scale; no requirement
+  /// Like Near, but with one ball, whose diameter determines the scale; there is no requirement.
+  OneBall,
 };
 
 /// Properties of the simulated recording.
@@ -25,21 +26,19 @@ struct WandRecording {
   int jpegQuality = 0; ///< 1 to 100: images are compressed as JPEG; 0: no compression
 };
 
-/// Results of one calibration in the simulated hall. Lengths are in meters. `medianPx` is the
-/// median length of the residuals (pixels), and `views` is the number of ball images that were
-/// detected.
+/// Results of one calibration in the simulated hall. Lengths are in meters.
 struct WandTrial {
   std::uint64_t seed = 0;
   WandCase kind = WandCase::Near;
-  std::string failure;      ///< error message if the calibration failed; otherwise empty
-  double cameraRms = 0.0;   ///< RMS error of the camera positions, after the best rigid alignment
-  double pointRms = 0.0;    ///< RMS error of the ball positions, with the same alignment
-  double scaleError = 0.0;  ///< relative scale error
-  double offsetError = 0.0; ///< largest clock offset error relative to the first camera, seconds
-  double medianPx = 0.0;
-  double solveSeconds = 0.0;
-  std::size_t views = 0;
-  bool passed = false; ///< the requirement of its case is met
+  std::string failure;       ///< error message if the calibration failed; otherwise empty
+  double cameraRms = 0.0;    ///< RMS error of the camera positions, after the best rigid alignment
+  double pointRms = 0.0;     ///< RMS error of the ball positions, with the same alignment
+  double scaleError = 0.0;   ///< relative scale error
+  double offsetError = 0.0;  ///< largest clock offset error relative to the first camera, seconds
+  double medianPx = 0.0;     ///< median length of the residuals, pixels
+  double solveSeconds = 0.0; ///< duration of the calibration without the search for balls
+  std::size_t views = 0;     ///< number of ball images that were detected
+  bool passed = false;       ///< true if the requirement of the case is met
 };
 
 /// Runs all cases of the study for one seed. Each trial calibrates the four VGA cameras of the hall

@@ -33,7 +33,7 @@ std::vector<std::string> scenariosOf(const MeasuredRuns& runs) {
 ScenarioSummary beliefOver(const MeasuredRuns& runs, const BeliefMetric& metric) {
   std::vector<ScenarioValue> values;
   for (const std::string& scenario : scenariosOf(runs)) {
-    values.push_back({scenario, metric.of(runsOf(runs, scenario))});
+    values.push_back({scenario, metric.compute(runsOf(runs, scenario))});
   }
   return summarizeScenarios(values, metric.lessIsBetter);
 }
@@ -74,28 +74,28 @@ double ratioOf(const SuiteTrace& ours, const SuiteTrace& other) {
 
 } // namespace
 
-RequirementMeasure quantileOverRuns(ResultColumn figure, double fraction) {
+RequirementMeasure quantileOverRuns(ResultColumn column, double fraction) {
   return [=](const MeasuredRuns& ours, const MeasuredRuns&) {
-    return quantileOf(ours, figure, fraction);
+    return quantileOf(ours, column, fraction);
   };
 }
 
-RequirementMeasure worstRun(ResultColumn figure) {
-  return quantileOverRuns(figure, 1.0);
+RequirementMeasure worstRun(ResultColumn column) {
+  return quantileOverRuns(column, 1.0);
 }
 
-RequirementMeasure worstMedian(ResultColumn figure) {
-  return maxOverScenarios(quantileOverRuns(figure, 0.5));
+RequirementMeasure worstMedian(ResultColumn column) {
+  return maxOverScenarios(quantileOverRuns(column, 0.5));
 }
 
-RequirementMeasure meanOverRuns(ResultColumn figure, double factor) {
+RequirementMeasure meanOverRuns(ResultColumn column, double factor) {
   return
-      [=](const MeasuredRuns& ours, const MeasuredRuns&) { return factor * meanOf(ours, figure); };
+      [=](const MeasuredRuns& ours, const MeasuredRuns&) { return factor * meanOf(ours, column); };
 }
 
-RequirementMeasure percentWithin(ResultColumn figure, double limit) {
+RequirementMeasure percentWithin(ResultColumn column, double limit) {
   return [=](const MeasuredRuns& ours, const MeasuredRuns&) {
-    const auto values = columnValues(ours, figure);
+    const auto values = columnValues(ours, column);
     const auto within = std::ranges::count_if(values, [&](double v) { return v <= limit; });
     return values.empty()
                ? kNoValue
@@ -103,9 +103,9 @@ RequirementMeasure percentWithin(ResultColumn figure, double limit) {
   };
 }
 
-RequirementMeasure failureCount(ResultColumn figure) {
+RequirementMeasure failureCount(ResultColumn column) {
   return [=](const MeasuredRuns& ours, const MeasuredRuns&) {
-    const auto values = columnValues(ours, figure);
+    const auto values = columnValues(ours, column);
     return values.empty() ? kNoValue
                           : static_cast<double>(std::ranges::count_if(
                                 values, [](double v) { return std::isinf(v); }));

@@ -31,19 +31,20 @@ using RequirementMeasure =
 using ResultColumn = SuiteRow::Value SuiteRow::*;
 
 /// Returns a measure that computes a quantile of a column over the runs. `fraction` is in [0, 1].
-RequirementMeasure quantileOverRuns(ResultColumn figure, double fraction);
+RequirementMeasure quantileOverRuns(ResultColumn column, double fraction);
 /// Returns a measure that computes the largest value of a column, that of the worst run.
-RequirementMeasure worstRun(ResultColumn figure);
+RequirementMeasure worstRun(ResultColumn column);
 /// Returns a measure that computes the median of a column over the runs of each scenario, and then
 /// the largest of these medians.
-RequirementMeasure worstMedian(ResultColumn figure);
+RequirementMeasure worstMedian(ResultColumn column);
 /// Returns a measure that computes the mean of a column over all runs, times `factor`.
-RequirementMeasure meanOverRuns(ResultColumn figure, double factor = 1.0);
+RequirementMeasure meanOverRuns(ResultColumn column, double factor = 1.0);
 /// Returns a measure that computes the percentage of runs whose value in a column is at most
 /// `limit`.
-RequirementMeasure percentWithin(ResultColumn figure, double limit);
-/// Returns a measure that counts the runs in which the event of a column never happened.
-RequirementMeasure failureCount(ResultColumn figure);
+RequirementMeasure percentWithin(ResultColumn column, double limit);
+/// Returns a measure that counts the runs in which the event of a column, such as convergence,
+/// never happened.
+RequirementMeasure failureCount(ResultColumn column);
 
 /// Computes the 95th percentile of all errors after convergence.
 RequirementValue pooledP95(const MeasuredRuns& ours, const MeasuredRuns& others);

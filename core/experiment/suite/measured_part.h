@@ -7,11 +7,12 @@
 
 namespace dewpoint::experiment {
 
-/// Returns whether a frame of a run is evaluated. This requires that its truth is known.
+/// Returns whether a frame of a run is evaluated. Frames without a known truth are not evaluated
+/// (ScenarioRun::measuredFrames).
 bool isMeasured(const ScenarioRun& run, std::int64_t frame);
 
-/// Returns whether the evaluated frames follow each other without gaps, so that each can be
-/// compared with the next.
+/// Returns whether the evaluated frames follow each other without gaps. Metrics that compare each
+/// frame with the next one, such as the jitter, require this.
 bool measuresSuccessiveFrames(const ScenarioRun& run);
 
 /// Returns the part of a run that a SuiteRecorder evaluates. It contains the evaluated frames,

@@ -16,26 +16,29 @@
 
 namespace dewpoint::experiment {
 
-/// Evaluates one method in the images of a run that has marks. The estimates of the method are
-/// projected into the cameras of the run's rig. An estimate is on its marks if the target is
-/// declared present and each projection is within the run's gate. Estimates are assigned in the
-/// order of the targets, so no two targets of the run may look the same.
+/// Evaluates one method in the images of a run that has marks: true target centers in the images,
+/// ScenarioRun::marks. The estimates of the method are projected into the cameras of the run's rig.
+/// In a frame with marks, a target is followed if the method declares it present and if, for each
+/// mark of the target, the distance to the projection is below ScenarioRun::markGate. The estimate
+/// with index k is compared with the marks of target k, so no two targets of the run may look the
+/// same.
 class PixelRecorder {
 public:
-  /// Prepares to record a run. If the run has no marks, nothing is recorded.
+  /// Creates a recorder for a run. It records nothing if the run has no marks.
   explicit PixelRecorder(const ScenarioRun& run);
 
   /// Adds the estimates for one frame of the run. Frames without marks are skipped.
   void add(std::int64_t frame, const std::vector<SphereEstimate>& estimates);
 
   /// Returns the RMS distance of the projections from the marks, pixels. For each target, it covers
-  /// the marks from the target's convergence on, or from the start if the target never converges.
-  /// Frames in which the target is not declared present are left out. Returns nothing if no marks
-  /// remain.
+  /// the marks from the frame on in which the estimate has converged, or all marks if it never
+  /// converges. Frames in which the target is not declared present are left out. Returns nothing if
+  /// no marks remain.
   SuiteRow::Value rmsePx() const;
 
-  /// Returns the result of a run that has only marks. It contains convergence, loss and the
-  /// reliability of P(exists), all measured with the marks. It contains no lengths.
+  /// Returns the result of a run that has marks but no true positions. It contains convergence,
+  /// lost frames and the reliability of P(exists), all determined with the marks. It contains no
+  /// lengths in meters.
   SuiteResult result(RunKey key, double usPerFrame) const;
 
 private:

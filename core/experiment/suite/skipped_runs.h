@@ -47,8 +47,8 @@ struct ScenarioGrade {
   Grade grade = Grade::Ideal;
 };
 
-/// Returns the scenarios and grades in which all runs were skipped, so that there are no results.
-/// `done` contains the keys of the existing runs.
+/// Returns the pairs of scenario and grade for which there are no results, because all runs were
+/// skipped. `done` contains the keys of the existing runs.
 std::vector<ScenarioGrade> scenariosWithoutRuns(const SkippedRuns& skipped,
                                                 const std::set<RunKey>& done);
 

@@ -9,7 +9,7 @@
 
 namespace dewpoint::experiment {
 
-/// Lower bound of a requirement without a lower limit.
+/// Value of SuiteRequirement::low if a requirement has no lower limit.
 inline constexpr double kNoLowerLimit = -std::numeric_limits<double>::infinity();
 
 /// Requirement for the `dewpoint` method in one grade.
@@ -33,7 +33,7 @@ const std::vector<SuiteRequirement>& suiteRequirements();
 
 /// Value that was measured for a requirement.
 struct RequirementResult {
-  const SuiteRequirement* bar = nullptr;
+  const SuiteRequirement* requirement = nullptr;
   std::size_t runs = 0;      ///< number of measured runs; 0: not measured
   double value = 0.0;        ///< NaN if the runs have no such value
   std::string scenario = {}; ///< scenario that determines the value, if a single one does
@@ -44,9 +44,9 @@ struct RequirementResult {
   double shortfall() const; ///< returns the distance from [low, high]; 0 inside
 };
 
-/// Measures all requirements with the runs of the `dewpoint` method in the cells. Each requirement
-/// is measured in its own grade. Runs with tuning seeds also count; the report shows which seeds
-/// were used.
+/// Measures all requirements with the runs of the `dewpoint` method in `cells`. For each
+/// requirement, only runs of its grade are used. Runs with tuning seeds also count; the report
+/// shows which seeds were used.
 std::vector<RequirementResult> measureRequirements(const std::vector<SuiteCell>& cells);
 
 } // namespace dewpoint::experiment

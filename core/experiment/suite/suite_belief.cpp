@@ -35,9 +35,9 @@ BeliefSummary summaryOf(std::span<const SuiteCell* const> cells) {
     std::vector<ScenarioValue> values;
     values.reserve(cells.size());
     for (const SuiteCell* cell : cells) {
-      values.push_back({cell->scenario, metric.of(cell->runs)});
+      values.push_back({cell->scenario, metric.compute(cell->runs)});
     }
-    summary.figures.push_back(summarizeScenarios(values, metric.lessIsBetter));
+    summary.metrics.push_back(summarizeScenarios(values, metric.lessIsBetter));
   }
   return summary;
 }

@@ -14,10 +14,10 @@ namespace dewpoint::experiment {
 struct BeliefMetric {
   const char* name;     ///< name in files: "coverage95_percent"
   const char* head;     ///< column header in a table, as HTML
-  const char* sentence; ///< description
+  const char* sentence; ///< description of the metric, in one sentence
   /// Computes the value for the runs of one method in one scenario. Returns NaN if the runs have no
   /// such value.
-  double (*of)(std::span<const SuiteResult* const> runs);
+  double (*compute)(std::span<const SuiteResult* const> runs);
   /// True if the worst scenario is the one with the largest value. Otherwise it is the one with the
   /// smallest value.
   bool lessIsBetter;
@@ -49,7 +49,7 @@ struct BeliefSummary {
   std::string method;
   std::size_t scenarios = 0;
   std::size_t runs = 0;
-  std::vector<ScenarioSummary> figures; ///< one entry per metric, in the order of beliefMetrics()
+  std::vector<ScenarioSummary> metrics; ///< one entry per metric, in the order of beliefMetrics()
 };
 
 /// Returns one summary for each grade and method in the cells. Grades are in ascending order, and

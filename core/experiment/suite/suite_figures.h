@@ -17,9 +17,9 @@ std::string methodStyle(const std::string& method);
 /// 90th percentile. Here and in the next two functions, `cells` contains the methods of one
 /// scenario in one grade.
 Plot errorOverTime(std::span<const SuiteCell> cells);
-/// Plots, over the error x, the fraction of all frames in which the target is declared present with
-/// an error of at most x. Frames before convergence are included. The curve ends below 100 % if a
-/// method does not declare the target present in some frames.
+/// Plots the distribution of the errors: over x, the fraction of all frames in which the target is
+/// declared present with an error of at most x. Frames before convergence are included. The curve
+/// ends below 100 % if a method does not declare the target present in some frames.
 Plot errorDistribution(std::span<const SuiteCell> cells);
 /// Plots the fraction of estimates that are on the target over the reported P(exists).
 Plot reliabilityDiagram(std::span<const SuiteCell> cells);

@@ -108,8 +108,9 @@ std::string gradeSentence(const std::string& grade) {
 /// The bars of one grade.
 std::string requirementsOf(const SuiteReport& report, const std::string& grade) {
   std::vector<RequirementResult> bars;
-  std::ranges::copy_if(report.bars, std::back_inserter(bars),
-                       [&](const RequirementResult& result) { return result.bar->grade == grade; });
+  std::ranges::copy_if(
+      report.requirements, std::back_inserter(bars),
+      [&](const RequirementResult& result) { return result.requirement->grade == grade; });
   return fmt::format("<h3>Grade {}</h3><p>{}</p>", htmlEscaped(grade),
                      htmlEscaped(gradeSentence(grade))) +
          requirementTable(bars);
@@ -120,8 +121,8 @@ std::string tiles(const SuiteReport& report, bool aims, const char* caption) {
   std::ptrdiff_t reached = 0;
   std::ptrdiff_t missed = 0;
   std::ptrdiff_t open = 0;
-  for (const RequirementResult& result : report.bars) {
-    if (result.bar->isAim == aims) {
+  for (const RequirementResult& result : report.requirements) {
+    if (result.requirement->isAim == aims) {
       ++(!result.isMeasured() ? open : result.isMet() ? reached : missed);
     }
   }
@@ -137,9 +138,9 @@ std::string requirements(const SuiteReport& report) {
       "marks a goal of the next version, with what this version reaches.</p>" +
       tiles(report, false, "This version") + tiles(report, true, "Next version");
   std::set<std::string> done;
-  for (const RequirementResult& result : report.bars) {
-    if (done.insert(result.bar->grade).second) {
-      text += requirementsOf(report, result.bar->grade);
+  for (const RequirementResult& result : report.requirements) {
+    if (done.insert(result.requirement->grade).second) {
+      text += requirementsOf(report, result.requirement->grade);
     }
   }
   return text;

@@ -20,9 +20,9 @@ struct SuiteResult {
 /// truth.
 ///
 /// A target is declared present if its estimate is valid or its existence probability is above one
-/// half. If several targets have the same color, a method may name them in any order. Estimates are
-/// assigned to targets of the same color once for the whole run, such that as many frames as
-/// possible are followed. Estimates that later follow another target count as errors.
+/// half. If several targets have the same color, a method may report them in any order. Estimates
+/// are assigned to such targets once for the whole run, so that the targets are followed in as many
+/// frames as possible. An estimate that later changes to another target counts as an error there.
 class SuiteRecorder {
 public:
   /// Creates a recorder for a run, which must outlive it.

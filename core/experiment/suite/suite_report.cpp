@@ -31,14 +31,14 @@ Json interval(const Interval& value) {
 
 Json barJson(const RequirementResult& result) {
   Json json;
-  json["item"] = result.bar->item;
-  json["grade"] = result.bar->grade;
-  json["next_version"] = result.bar->isAim;
-  json["requirement"] = result.bar->sentence;
-  json["scenarios"] = result.bar->scenarios;
-  json["unit"] = result.bar->unit;
-  json["low"] = number(result.bar->low);
-  json["high"] = number(result.bar->high);
+  json["item"] = result.requirement->item;
+  json["grade"] = result.requirement->grade;
+  json["next_version"] = result.requirement->isAim;
+  json["requirement"] = result.requirement->sentence;
+  json["scenarios"] = result.requirement->scenarios;
+  json["unit"] = result.requirement->unit;
+  json["low"] = number(result.requirement->low);
+  json["high"] = number(result.requirement->high);
   json["runs"] = result.runs;
   json["value"] = number(result.value);
   json["scenario"] = result.scenario.empty() ? Json(nullptr) : Json(result.scenario);
@@ -55,8 +55,8 @@ Json beliefJson(const BeliefSummary& summary) {
   json["method"] = summary.method;
   json["scenarios"] = summary.scenarios;
   json["runs"] = summary.runs;
-  for (std::size_t k = 0; k < summary.figures.size(); ++k) {
-    const ScenarioSummary& figure = summary.figures[k];
+  for (std::size_t k = 0; k < summary.metrics.size(); ++k) {
+    const ScenarioSummary& figure = summary.metrics[k];
     json["figures"][beliefMetrics()[k].name] = {{"median", number(figure.median)},
                                                 {"worst", number(figure.worst)},
                                                 {"worst_scenario", figure.worstScenario}};
@@ -85,9 +85,9 @@ Json cellJson(const SuiteCell& cell) {
   json["converged"] = cell.converged.count;
   json["pooled_existence_ece"] = number(pooledReliability(cell.runs).expectedError);
   for (const SuiteColumn& column : suiteColumns()) {
-    json["runs_median"][column.name] = number(quantileOf(cell.runs, column.figure, 0.5));
-    json["runs_mean"][column.name] = number(meanOf(cell.runs, column.figure));
-    json["runs_p90"][column.name] = number(quantileOf(cell.runs, column.figure, 0.9));
+    json["runs_median"][column.name] = number(quantileOf(cell.runs, column.value, 0.5));
+    json["runs_mean"][column.name] = number(meanOf(cell.runs, column.value));
+    json["runs_p90"][column.name] = number(quantileOf(cell.runs, column.value, 0.9));
   }
   return json;
 }
@@ -115,7 +115,7 @@ std::string summaryCsv(const SuiteReport& report) {
     }
     text += fmt::format(",{},{}", cell.quick.count, cell.converged.count);
     for (const SuiteColumn& column : suiteColumns()) {
-      text += fmt::format(",{}", csvNumber(quantileOf(cell.runs, column.figure, 0.5)));
+      text += fmt::format(",{}", csvNumber(quantileOf(cell.runs, column.value, 0.5)));
     }
     text += '\n';
   }
@@ -125,8 +125,8 @@ std::string summaryCsv(const SuiteReport& report) {
 std::string beliefCsv(const SuiteReport& report) {
   std::string text = "grade,method,scenarios,runs,figure,median,worst,worst_scenario\n";
   for (const BeliefSummary& summary : report.belief) {
-    for (std::size_t k = 0; k < summary.figures.size(); ++k) {
-      const ScenarioSummary& figure = summary.figures[k];
+    for (std::size_t k = 0; k < summary.metrics.size(); ++k) {
+      const ScenarioSummary& figure = summary.metrics[k];
       text += fmt::format("{},{},{},{},{},{},{},{}\n", gradeName(summary.grade), summary.method,
                           summary.scenarios, summary.runs, beliefMetrics()[k].name,
                           csvNumber(figure.median), csvNumber(figure.worst), figure.worstScenario);
@@ -147,7 +147,7 @@ std::string reportJson(const SuiteReport& report) {
     json["skipped"].push_back(skippedJson(run));
   }
   json["bars"] = Json::array();
-  for (const RequirementResult& result : report.bars) {
+  for (const RequirementResult& result : report.requirements) {
     json["bars"].push_back(barJson(result));
   }
   json["belief"] = Json::array();
@@ -168,7 +168,7 @@ Status writeSuiteReport(const std::filesystem::path& folder, const SuiteResults&
   SuiteReport report;
   report.cells = summarizeSuite(results, order);
   report.belief = summarizeBelief(report.cells);
-  report.bars = measureRequirements(report.cells);
+  report.requirements = measureRequirements(report.cells);
   report.catalog = catalog;
   report.notes = notes;
   report.skipped = skipped;

@@ -17,7 +17,7 @@ namespace dewpoint::experiment {
 struct SuiteReport {
   std::vector<SuiteCell> cells;
   std::vector<BeliefSummary> belief;
-  std::vector<RequirementResult> bars;
+  std::vector<RequirementResult> requirements;
   std::span<const ScenarioDeclaration> catalog;
   std::vector<std::uint64_t> seeds; ///< ascending, without duplicates
   std::vector<std::string> notes;   ///< sentences about missing data

@@ -179,7 +179,7 @@ std::string rowHeader() {
 std::string rowText(const SuiteRow& row) {
   std::string text = keyText(row.key);
   for (const SuiteColumn& column : suiteColumns()) {
-    const SuiteRow::Value& figure = row.*column.figure;
+    const SuiteRow::Value& figure = row.*column.value;
     text += ',';
     if (figure && !std::isnan(*figure)) {
       text += fmt::format("{:.6g}", *figure);
@@ -223,7 +223,7 @@ std::optional<SuiteRow> parseRow(const std::string& line) {
       if (!value) {
         return std::nullopt;
       }
-      row.*columns[k].figure = value;
+      row.*columns[k].value = value;
     }
   }
   return row;

@@ -84,7 +84,7 @@ struct SuiteRow {
 /// Column of runs.csv after the four key columns.
 struct SuiteColumn {
   const char* name;
-  SuiteRow::Value SuiteRow::*figure;
+  SuiteRow::Value SuiteRow::*value;
   const char* sentence; ///< meaning of the column, for the report
 };
 /// Returns the columns in the order of runs.csv.

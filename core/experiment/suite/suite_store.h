@@ -25,12 +25,12 @@ public:
   /// columns (from another version); NotParsed if any line except the last is broken.
   static Result<SuiteStore> open(const std::filesystem::path& folder);
 
-  /// Reads the results of a folder without changing it. FileMissing if it has no runs.csv; Mismatch
-  /// and NotParsed as for open().
+  /// Reads the results of a folder without changing it. Returns FileMissing if it has no runs.csv.
+  /// Returns Mismatch and NotParsed as open() does.
   static Result<SuiteResults> read(const std::filesystem::path& folder);
 
-  /// Reads the skipped runs of a folder. The result is empty if there is no skipped.csv. Mismatch
-  /// and NotParsed as for open().
+  /// Reads the skipped runs of a folder. The result is empty if there is no skipped.csv. Returns
+  /// Mismatch and NotParsed as open() does.
   static Result<SkippedRuns> readSkipped(const std::filesystem::path& folder);
 
   const SuiteResults& results() const { return results_; }

@@ -73,10 +73,10 @@ std::vector<SuiteCell> summarizeSuite(const SuiteResults& results,
 }
 
 std::vector<double> columnValues(std::span<const SuiteResult* const> runs,
-                                 SuiteRow::Value SuiteRow::*figure) {
+                                 SuiteRow::Value SuiteRow::*column) {
   std::vector<double> values;
   for (const SuiteResult* run : runs) {
-    const auto& value = run->row.*figure;
+    const auto& value = run->row.*column;
     if (value && !std::isnan(*value)) {
       values.push_back(*value);
     }
@@ -85,9 +85,9 @@ std::vector<double> columnValues(std::span<const SuiteResult* const> runs,
   return values;
 }
 
-double quantileOf(std::span<const SuiteResult* const> runs, SuiteRow::Value SuiteRow::*figure,
+double quantileOf(std::span<const SuiteResult* const> runs, SuiteRow::Value SuiteRow::*column,
                   double fraction) {
-  const auto values = columnValues(runs, figure);
+  const auto values = columnValues(runs, column);
   if (values.empty()) {
     return kNoValue;
   }
@@ -95,8 +95,8 @@ double quantileOf(std::span<const SuiteResult* const> runs, SuiteRow::Value Suit
   return std::isnan(value) ? values.back() : value; // between two infinite ones
 }
 
-double meanOf(std::span<const SuiteResult* const> runs, SuiteRow::Value SuiteRow::*figure) {
-  const auto values = columnValues(runs, figure);
+double meanOf(std::span<const SuiteResult* const> runs, SuiteRow::Value SuiteRow::*column) {
+  const auto values = columnValues(runs, column);
   double sum = 0.0;
   for (const double value : values) {
     sum += value;

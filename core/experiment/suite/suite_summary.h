@@ -24,7 +24,7 @@ struct SuiteCell {
 
   Interval rmseMm; ///< median RMSE of the runs, with its 95 % bootstrap interval
   /// 95th percentile of the errors after convergence, over all frames of all runs, with its
-  /// bootstrap interval, for which whole runs are resampled.
+  /// bootstrap interval. Whole runs are resampled for this interval.
   Interval p95Mm;
   Proportion quick;     ///< runs that converged within kQuickFrames
   Proportion converged; ///< runs that converged
@@ -37,12 +37,12 @@ std::vector<SuiteCell> summarizeSuite(const SuiteResults& results,
 /// Returns the values of a column over the runs, in ascending order. Empty values are left out, and
 /// infinite values come last.
 std::vector<double> columnValues(std::span<const SuiteResult* const> runs,
-                                 SuiteRow::Value SuiteRow::*figure);
-/// Returns a quantile or the mean of columnValues(). Returns NaN if there are no values. A quantile
-/// that would be interpolated toward an infinite value is infinite.
-double quantileOf(std::span<const SuiteResult* const> runs, SuiteRow::Value SuiteRow::*figure,
+                                 SuiteRow::Value SuiteRow::*column);
+/// Returns a quantile (`fraction` is in [0, 1]) or the mean of columnValues(). Returns NaN if there
+/// are no values. A quantile that lies between a finite and an infinite value is infinite.
+double quantileOf(std::span<const SuiteResult* const> runs, SuiteRow::Value SuiteRow::*column,
                   double fraction);
-double meanOf(std::span<const SuiteResult* const> runs, SuiteRow::Value SuiteRow::*figure);
+double meanOf(std::span<const SuiteResult* const> runs, SuiteRow::Value SuiteRow::*column);
 
 /// Returns the errors of each target in each run, in millimeters. They begin with the target's
 /// convergence, or with the start of the run if the target never converged.

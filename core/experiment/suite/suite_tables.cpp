@@ -42,7 +42,7 @@ std::string assessmentOf(const RequirementResult& result) {
     return "<span class='chip good'>✓ reached</span>";
   }
   const double shortfall = result.shortfall();
-  const std::string unit = result.bar->unit.empty() ? "" : " " + result.bar->unit;
+  const std::string unit = result.requirement->unit.empty() ? "" : " " + result.requirement->unit;
   return std::isinf(shortfall)
              ? std::string("<span class='chip bad'>✗ not reached</span>")
              : fmt::format("<span class='chip bad'>✗ by {}{}</span>", formatValue(shortfall), unit);
@@ -249,17 +249,18 @@ std::string formatValue(double value) {
                         : fmt::format("{:.1g}", value);
 }
 
-std::string requirementTable(std::span<const RequirementResult> bars) {
+std::string requirementTable(std::span<const RequirementResult> requirements) {
   std::string text =
       "<div class='scroll'><table><thead><tr><th>No.</th><th class='text'>What</th><th>must "
       "be</th><th>is</th><th>runs</th><th class='text'>result</th></tr></thead><tbody>";
-  for (const RequirementResult& result : bars) {
-    const char* const aim = result.bar->isAim ? " <span class='chip'>next version</span>" : "";
-    text +=
-        fmt::format("<tr><td>{}</td><td class='text'>{}{}</td><td>{}</td><td>{}</td><td>{}</td>"
-                    "<td class='text'>{}</td></tr>",
-                    result.bar->item, htmlEscaped(result.bar->sentence), aim,
-                    requirementOf(*result.bar), valueOf(result), result.runs, assessmentOf(result));
+  for (const RequirementResult& result : requirements) {
+    const char* const aim =
+        result.requirement->isAim ? " <span class='chip'>next version</span>" : "";
+    text += fmt::format("<tr><td>{}</td><td class='text'>{}{}</td><td>{}</td><td>{}</td><td>{}</td>"
+                        "<td class='text'>{}</td></tr>",
+                        result.requirement->item, htmlEscaped(result.requirement->sentence), aim,
+                        requirementOf(*result.requirement), valueOf(result), result.runs,
+                        assessmentOf(result));
   }
   return text + "</tbody></table></div>";
 }
@@ -274,7 +275,7 @@ std::string beliefTable(std::span<const BeliefSummary> methods) {
     text += fmt::format("<tr{}><td>{}</td><td>{}</td>",
                         summary.method == defaultMethod() ? " class='ours'" : "",
                         methodName(summary.method), summary.scenarios);
-    for (const ScenarioSummary& figure : summary.figures) {
+    for (const ScenarioSummary& figure : summary.metrics) {
       text += beliefCell(figure);
     }
     text += "</tr>";

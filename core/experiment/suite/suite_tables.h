@@ -14,7 +14,7 @@ namespace dewpoint::experiment {
 std::string formatValue(double value);
 
 /// Returns an HTML table of the requirements of one grade, showing whether each is met.
-std::string requirementTable(std::span<const RequirementResult> bars);
+std::string requirementTable(std::span<const RequirementResult> requirements);
 /// Returns an HTML table of the belief metrics of one grade, with one row per method. Each cell
 /// contains the metric's median over the scenarios, and below it the value and name of the worst
 /// scenario.

@@ -13,7 +13,8 @@
 
 namespace dewpoint::setup {
 
-/// Estimated intrinsics, and the reasons why those of other cameras were not estimated.
+/// Intrinsics estimated from views of a board. If the intrinsics of a camera were not estimated,
+/// `kept` contains the reason.
 struct LensesFromBoards {
   std::vector<std::optional<IntrinsicsResult>> cameras; ///< empty: the camera keeps its intrinsics
   /// For each camera that keeps its intrinsics: its name (field), and the reason.
@@ -28,12 +29,13 @@ Result<LensesFromBoards> intrinsicsFromBoards(const BoardDetections& seen,
                                               const BoardCalibrationRequest& request,
                                               const CalibrationProgress& progress = {});
 
-/// Estimates the poses of a project's cameras with their present intrinsics, from frames chosen by
-/// chooseInstants(). Cameras that never saw the board keep their poses and are named in the
-/// notices, if at least two others saw it. Unless the request names a `worldFrame`, the first
-/// camera that saw the board keeps its pose, as the reference for the others. If only another board
-/// was seen, returns NotFound with its description. If a known fault, such as exchanged cameras,
-/// explains the detections better, the result or the error names it.
+/// Estimates the poses of a project's cameras with their current intrinsics, from frames chosen by
+/// chooseInstants(). If at least two cameras saw the board, those that never saw it keep their
+/// poses and are named in the notices. Unless the request names a `worldFrame`, the first camera
+/// that saw the board keeps its pose, as the reference for the others. If only another board was
+/// seen, returns NotFound with its description. If a known fault, such as exchanged cameras,
+/// explains the detections better than the given project does, the result or the error names the
+/// fault.
 Result<ExtrinsicsResult> extrinsicsFromBoards(const Project& project, const BoardDetections& seen,
                                               const BoardCalibrationRequest& request,
                                               const CalibrationProgress& progress = {});
@@ -41,7 +43,7 @@ Result<ExtrinsicsResult> extrinsicsFromBoards(const Project& project, const Boar
 /// Returns a sentence like "camera 2 keeps its intrinsics: it never saw the board in 60 images".
 std::string keptIntrinsicsText(const Error& kept);
 
-/// Returns the report on intrinsics.
+/// Creates the report on the estimated intrinsics.
 BoardReport reportOf(const BoardDetections& seen, const BoardCalibrationRequest& request,
                      const LensesFromBoards& lenses);
 

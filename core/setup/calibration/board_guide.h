@@ -36,10 +36,11 @@ struct BoardGuideState {
     Poses,   ///< the board is shown to several cameras at the same time
     Finished ///< the requested accuracy is reached
   };
-  using Outline = std::vector<Eigen::Vector2d>; ///< pixels, around the corners of the board
+  using Outline = std::vector<Eigen::Vector2d>; ///< polygon around the corners of the board, pixels
   struct PerCamera {
     std::string name;
-    int width = 0; ///< image width, pixels; 0: no image yet
+    /// Width of the images, pixels. 0: this camera has not delivered an image yet.
+    int width = 0;
     int height = 0;
     GuidanceState lens;                 ///< guidance in phase Lenses
     std::optional<BoardDetection> seen; ///< detection in the newest image
@@ -47,8 +48,9 @@ struct BoardGuideState {
     std::vector<Outline> taken;         ///< outlines of the captured views
     /// Reprojection error of the latest calibration of its intrinsics, pixels.
     std::optional<double> rmsPx;
-    std::optional<double> positionSigma; ///< from the latest calibration of the poses, meters
-    int pairViews = 0;                   ///< number of views captured together with another camera
+    /// Standard deviation of the camera position in the latest calibration of the poses, meters.
+    std::optional<double> positionSigma;
+    int pairViews = 0; ///< number of views captured together with another camera
   };
 
   Phase phase = Phase::Lenses;
@@ -76,14 +78,15 @@ class BoardGuide {
 public:
   BoardGuide(Project project, const BoardGuideRequest& request, int threads = 1);
 
-  /// Processes the newest images, in ascending order.
+  /// Processes the images of one frame and returns the new state. Pass the newest frame each time;
+  /// frame numbers must be ascending.
   BoardGuideState step(const FrameSet& frames);
-  /// Captures the last images that show the board, at the user's request.
+  /// Captures the last images that show the board. Call this function when the user asks for it.
   BoardGuideState captureNow();
   /// Like captureNow(), but for a board that lies on the floor. Capturing the floor requires at
   /// least one detection.
   BoardGuideState captureFloor();
-  /// Keeps the present accuracy of the intrinsics and continues with the poses.
+  /// Ends the phase Lenses, whatever accuracy it has reached, and continues with the poses.
   BoardGuideState skipToPoses();
   const BoardGuideState& state() const { return state_; }
 

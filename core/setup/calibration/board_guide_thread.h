@@ -12,10 +12,11 @@ namespace dewpoint::setup {
 /// processed. Every call returns immediately.
 class BoardGuideThread {
 public:
-  /// `wake` is called from the thread after a state was published; it must only post an event.
+  /// `wake` is called from the guide's thread whenever newest() returns a new state. It must do no
+  /// more than post an event.
   explicit BoardGuideThread(std::function<void()> wake);
-  /// Stops the thread and waits until it has processed its images, so do not call it from a
-  /// window's thread.
+  /// Stops the thread. Do not call this from the thread of a window, because it waits until the
+  /// images in progress are processed.
   ~BoardGuideThread();
   BoardGuideThread(const BoardGuideThread&) = delete;
   BoardGuideThread& operator=(const BoardGuideThread&) = delete;

@@ -49,11 +49,12 @@ Result<BoardOutcome> calibrateFromBoards(const Project& project, FrameSetSource&
                                          const BoardGoal& goal,
                                          const CalibrationProgress& progress = {});
 
-/// Returns whether the user should be asked before the result is stored in the project, because a
-/// known fault explains the detections better.
+/// Returns whether a known fault, such as exchanged cameras, explains the detections better than
+/// this result does. If so, ask the user before you store the result in the project.
 bool isDoubtful(const BoardOutcome& outcome);
 
-/// Returns a project with the same cameras and the calibration of the outcome.
+/// Returns `project` with the calibration of the outcome. `project` must have the same cameras as
+/// the project that was calibrated.
 Project withOutcome(Project project, const BoardOutcome& outcome);
 
 /// Returns sentences about what the user should know in addition to the numbers: cameras that kept

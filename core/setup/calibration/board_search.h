@@ -28,9 +28,9 @@ struct BoardCalibrationRequest {
   /// Frame in which the board lies on the floor and defines the world frame; not set: the first
   /// camera keeps its pose.
   std::optional<std::int64_t> worldFrame;
-  bool refineIntrinsics = false; ///< refine the intrinsics together with the poses
-  /// Search a few frames of a long recording first. If they show only another board, do not search
-  /// the others.
+  bool refineIntrinsics = false; ///< true to refine the intrinsics together with the poses
+  /// True to search a few frames of a long recording first. If these show only another board than
+  /// the requested one, the remaining frames are not searched.
   bool lookFirst = true;
 };
 
@@ -51,7 +51,7 @@ struct BoardDetections {
   /// Other board that was found in a few images of all cameras. Set only if none, or almost none,
   /// of the images show the requested board.
   std::optional<BoardGuess> otherBoard = std::nullopt;
-  /// False if only a few frames were searched, because these show only another board.
+  /// False if the search ended after a few frames, because these show only another board.
   bool searchedAll = true;
 
   /// Returns whether the images show only another board than the requested one.
@@ -65,15 +65,15 @@ struct BoardDetections {
 /// With `lookFirst`, a few frames of a long recording are searched first: if they show another
 /// board instead of the requested one, the search ends and returns the other board (`otherBoard`).
 /// If a camera never sees the board, a few of its images are searched for any board. Returns
-/// BadValue if the cameras are live or there is no such frame, Canceled, or the errors of the
-/// source.
+/// BadValue if the cameras are live or if the recording has none of these frames. Also returns
+/// Canceled, or the errors of the source.
 Result<BoardDetections> findBoards(const Project& project, FrameSetSource& source,
                                    const BoardCalibrationRequest& request,
                                    const CalibrationProgress& progress = {});
 
-/// Searches image files from one camera for the board, in the same way; for `lookFirst`, see
-/// BoardCalibrationRequest. Each view is named after its file. Returns FileUnreadable, Mismatch if
-/// the image sizes differ, or Canceled.
+/// Searches image files from one camera for the board, like the function above. `lookFirst` has the
+/// same meaning as in BoardCalibrationRequest. Each view is named after its file. Returns
+/// FileUnreadable, Mismatch if the image sizes differ, or Canceled.
 Result<BoardDetections> findBoards(const std::vector<std::filesystem::path>& pictures,
                                    const BoardDescription& board, DetectionEffort effort,
                                    const CalibrationProgress& progress = {}, bool lookFirst = true);

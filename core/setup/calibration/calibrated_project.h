@@ -11,13 +11,14 @@
 
 namespace dewpoint::setup {
 
-/// Sets the calibration of a project's camera. If the calibration of a simulated camera differs
-/// from the scene, it is marked as changed by the project (`adjusted`). Use this function to edit a
-/// project; RunDefinition::appliedTo() only inserts the cameras of a run and does not change
-/// `adjusted`.
+/// Sets the calibration of a project's camera. If this changes the calibration of a simulated
+/// camera, ProjectCamera::adjusted is set. Use this function for changes by the user.
+/// (RunDefinition::appliedTo(), which inserts the cameras of a run into a project, does not set
+/// `adjusted`.)
 void setCalibration(ProjectCamera& camera, const Camera& calibration);
 
-/// Returns the project with the calibration of these cameras, in the same order.
+/// Returns the project with the calibration of the cameras in `rig`, which has one entry per camera
+/// of the project, in the same order.
 Project withCameras(Project project, const CameraRig& rig);
 
 /// Returns the project with its cameras' delays changed by the time offsets found in their images
@@ -25,26 +26,26 @@ Project withCameras(Project project, const CameraRig& rig);
 /// states). Simulated cameras are unchanged.
 Project withTimeOffsets(Project project, const std::vector<double>& offsets);
 
-/// Returns the project with the images of camera `camera` rotated and mirrored in addition to its
-/// present settings. Its rotation, its calibration and its clicks on measured points change
-/// consistently.
+/// Returns the project with the images of camera `camera` rotated and mirrored by `symmetry`, in
+/// addition to the rotation and mirroring that the project already contains. The calibration of the
+/// camera and its clicks on measured points are converted accordingly.
 Project withImageSymmetry(Project project, int camera, const ImageSymmetry& symmetry);
 
-/// Returns whether a setting can rotate and mirror the images of a camera. This is false for
-/// simulated cameras.
+/// Returns whether withImageSymmetry() can rotate and mirror the images of a camera. This is false
+/// for simulated cameras.
 bool canSetImageSymmetry(const ProjectCamera& camera);
 
-/// Returns the project with each camera's images rotated and mirrored as proposed in
-/// CameraFromPoints::proposal, see withImageSymmetry(). Cameras without a proposal and simulated
-/// cameras are unchanged.
+/// Returns the project with the images of each camera rotated and mirrored as
+/// CameraFromPoints::proposal proposes; see withImageSymmetry(). Cameras without a proposal and
+/// simulated cameras are unchanged.
 Project withProposedSymmetries(Project project, const std::vector<CameraFromPoints>& cameras);
 
 /// Returns the project with the cameras computed from measured points. `focal` is true if the focal
 /// lengths were computed as well.
 Project withPointSolution(Project project, const PointSolution& solution, bool focal);
 
-/// Returns the project with these intrinsics, in the order of its cameras. Cameras without a result
-/// keep their intrinsics; poses are unchanged.
+/// Returns the project with these intrinsics. `results` has one entry per camera; a camera whose
+/// entry is empty keeps its intrinsics. Poses are unchanged.
 Project withIntrinsics(Project project,
                        const std::vector<std::optional<IntrinsicsResult>>& results);
 

@@ -12,7 +12,7 @@ namespace dewpoint::setup {
 
 /// Result of checking a file chosen as the calibration of a new project.
 struct CheckedCalibration {
-  std::string formatTitle; ///< empty: unknown format
+  std::string formatTitle; ///< name of the file format; empty if it is not known
   /// Camera names in the file, if the file can be used without further information.
   std::vector<std::string> cameras;
   std::optional<Error> problem; ///< reason why the file cannot be used without further information
@@ -20,8 +20,8 @@ struct CheckedCalibration {
   bool needsInput = false;
 };
 
-/// Reads a calibration as createNewProject() does. The format of an unusable file is still reported
-/// if it can be recognized.
+/// Checks a calibration file by reading it in the same way as createNewProject(). If the file
+/// cannot be used, its format is still returned, provided that it can be recognized.
 CheckedCalibration checkCalibration(const std::filesystem::path& file);
 
 /// How createNewProject() matches the cameras in a file to those of the project.

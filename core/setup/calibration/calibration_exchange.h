@@ -22,8 +22,8 @@ struct ImportRequest {
   /// Index of the project's camera to which a file with one camera belongs; not set: matched by
   /// name.
   std::optional<std::size_t> camera = {};
-  /// How to match camera names, and how to adapt image sizes, that differ from those of the
-  /// project.
+  /// How to match cameras if their names in the file differ from those in the project, and how to
+  /// adapt the calibration if its image sizes differ.
   CalibrationAdaptation adaptation = {};
 };
 
@@ -32,7 +32,7 @@ struct ImportedCamera {
   std::size_t camera;   ///< camera index in the project
   std::string name;     ///< camera name in the project
   std::string fileName; ///< camera name in the file
-  PoseShift shift;      ///< change from the project's present pose
+  PoseShift shift;      ///< change from the camera's pose in the project before the import
 };
 
 /// Result of importing a calibration file, with all decisions made during the import.
@@ -46,8 +46,8 @@ struct CalibrationImport {
   /// Likely mistakes in the calibration: two cameras with the same pose, or another unit
   /// (checkRig()).
   std::vector<camera_motion::CameraDisagreement> faults;
-  /// Result of difference() between the file's cameras and the project's cameras as they would be
-  /// saved, in pixels.
+  /// Largest change of a projection, in pixels, if the cameras of the file are saved in Dewpoint's
+  /// own format and read again (difference()).
   double largestPixels = 0.0;
 };
 
@@ -58,29 +58,30 @@ struct CalibrationImport {
 /// (readCalibration()).
 Result<CalibrationImport> importCalibration(const Project& project, const ImportRequest& request);
 
-/// Returns the names of the cameras in the file of a request, in its order; none if it cannot be
-/// read yet.
+/// Returns the names of the cameras in the file of a request, in the order of the file. Returns
+/// none if the file cannot be read, for example because the request still lacks information.
 std::vector<std::string> cameraNamesIn(const ImportRequest& request);
 
 /// Information that an import needs from the user: information that the file lacks (see
 /// CalibrationHints), or how to fit the file to the project (see CalibrationAdaptation).
 enum class ImportQuestion { None, Format, Unit, Lens, Size, Poses, Camera, Fit, Names };
 
-/// Question raised by an error of importCalibration(), and the error. The text of the error does
-/// not mention the command-line option that answers the question.
+/// Error of importCalibration(), and the question that it raises. The text of the error does not
+/// mention the command-line option that answers the question.
 struct AskedQuestion {
   ImportQuestion question = ImportQuestion::None;
   Error error;
 };
-/// Returns the question raised by an error of importCalibration(); None if it raises no question.
+/// Returns the question to ask the user after an error of importCalibration(), so that the import
+/// can be repeated with the answer. None if the error raises no question.
 AskedQuestion askedQuestion(Error error);
 
 /// Writes the project's cameras in the format of any supported tool.
 Result<CalibrationConversion> exportCalibration(const Project& project,
                                                 const CalibrationOutput& target);
 
-/// Returns the result that exportCalibration() would have, including the information that is lost,
-/// without creating a file; `written` is empty.
+/// Returns what exportCalibration() would return, including the information that the export would
+/// lose, but creates no file. `written` is empty.
 Result<CalibrationConversion> previewExport(const Project& project, CalibrationOutput target);
 
 } // namespace dewpoint::setup

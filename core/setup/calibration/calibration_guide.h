@@ -19,7 +19,7 @@ enum class GuideStep {
   FieldOfView,    ///< enter the focal length or field of view
   GridOnFloor,    ///< lay the grid over the room in each image
   MeasurePoints,  ///< measure points and click them
-  ComputeCameras, ///< compute the cameras from the points
+  ComputeCameras, ///< compute the poses of the cameras from the points
   BoardInVolume,  ///< show the board to several cameras at a time
   RoughPositions, ///< place the cameras roughly
   LearnBall,      ///< learn the color of the ball

@@ -22,7 +22,7 @@ Knowledge knowledgeFrom(CalibrationOrigin origin) {
 template <class Record>
 PartStatus partStatus(const std::optional<Record>& record, const Camera& camera, bool isGuessed,
                       double poor) {
-  if (record && isAbout(*record, camera)) {
+  if (record && describes(*record, camera)) {
     return {knowledgeFrom(record->origin), record->origin, record->error,
             record->error && *record->error > poor};
   }

@@ -20,7 +20,8 @@ enum class Knowledge {
 struct PartStatus {
   Knowledge knowledge = Knowledge::Missing;
   std::optional<CalibrationOrigin> origin = {}; ///< empty if not recorded
-  std::optional<double> error = {};             ///< in the unit of the part; empty if unknown
+  /// Error of this part; its meaning and unit differ from part to part; empty if unknown.
+  std::optional<double> error = {};
   bool isPoor = false; ///< measured, but with such low accuracy that it should be measured again
 
   bool operator==(const PartStatus&) const = default;
@@ -28,15 +29,15 @@ struct PartStatus {
 
 /// What is known about one camera.
 struct CameraCalibrationStatus {
-  PartStatus lens;    ///< error: largest standard deviation of a projected ray, pixels
-  PartStatus pose;    ///< error: standard deviation of the position, meters
-  double delay = 0.0; ///< seconds
+  PartStatus lens;    ///< error: see LensRecord::error, pixels
+  PartStatus pose;    ///< error: see PoseRecord::error, meters
+  double delay = 0.0; ///< delay of the images (ProjectCamera::delay), seconds
 };
 
 /// What is known about the calibration of a project.
 struct CalibrationStatus {
   std::vector<CameraCalibrationStatus> cameras; ///< in project order
-  PartStatus scale;      ///< error: relative, not exceeded with a probability of 95 %
+  PartStatus scale;                             ///< error: see WorldRecord::scaleError
   PartStatus floor;      ///< floor and upward direction; its error is never given
   bool isUpright = true; ///< false if the images show that the z axis does not point up
   /// Position error in the calibrated volume that is not exceeded with a probability of 95 %,

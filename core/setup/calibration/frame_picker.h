@@ -17,8 +17,8 @@ class FramePicker {
 public:
   explicit FramePicker(FrameSetSource& source) : source_(source) {}
 
-  /// Returns the frame; null if the recording ends before its stated frame count; or the errors of
-  /// the source.
+  /// Returns the images of frame `frame`. They are null if the recording has fewer frames than its
+  /// source states. Returns the errors of the source.
   Result<FrameSetPtr> read(std::int64_t frame);
 
 private:

@@ -92,7 +92,7 @@ void moveLength(const Similarity& change, std::optional<double>& length) {
 /// A record stays about the camera if it was: it was not the camera that moved.
 void moveCamera(const Similarity& change, ProjectCamera& camera) {
   std::optional<PoseRecord>& record = camera.calibrated.pose;
-  const bool wasAbout = record && isAbout(*record, camera.camera);
+  const bool wasAbout = record && describes(*record, camera.camera);
   setCalibration(camera, transformed(change, camera.camera));
   if (wasAbout) {
     moveLength(change, record->error);

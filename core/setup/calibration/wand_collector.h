@@ -15,10 +15,10 @@ namespace dewpoint::setup {
 /// Detections of a wand in the images of one camera.
 struct CameraSightings {
   std::size_t count = 0;  ///< number of balls found
-  BoardCoverage coverage; ///< number of detections by region of the image
+  BoardCoverage coverage; ///< number of detections in each region of the image
 };
 
-/// Returns whether a camera saw the target often enough and in a sufficient part of its image. With
+/// Returns whether a camera saw the wand often enough and in a sufficient part of its image. With
 /// fewer detections, a calibration may succeed, but with low accuracy.
 bool hasEnoughDetections(const CameraSightings& camera);
 
@@ -30,12 +30,14 @@ public:
   static constexpr std::size_t kMaxWaiting = 32;
 
   WandCollector(std::size_t cameraCount, const std::vector<ColorClassifier>& balls);
-  /// Drops waiting sets and waits for the one in progress; do not call from a window's thread.
+  /// Drops all waiting frame sets. Do not call this from the thread of a window, because it waits
+  /// until the search in progress has ended.
   ~WandCollector();
   WandCollector(const WandCollector&) = delete;
   WandCollector& operator=(const WandCollector&) = delete;
 
-  /// Adds a frame set. Thread-safe; waits only for a lock, not for the search.
+  /// Adds a frame set to those that wait to be searched. Thread-safe; waits only for a lock, not
+  /// for the search.
   void offer(const FrameSetPtr& frames);
 
   struct State {

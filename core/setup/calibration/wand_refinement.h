@@ -11,7 +11,7 @@
 
 namespace dewpoint::setup {
 
-/// A wand calibration with its report, for the command line and the window.
+/// A wand calibration, with everything that the command line and the window report about it.
 struct WandRefinement {
   WandOptions options;
   CameraRig before; ///< cameras of the project before the calibration
@@ -19,13 +19,14 @@ struct WandRefinement {
   Result<CalibrationAccuracy> accuracy; ///< accuracy, or the reason why there is none
 };
 
-/// Returns whether the assessed error of the camera positions is larger than
-/// WandOptions::initialPositionError, the possible error before the calibration, so that the former
-/// calibration should be kept.
+/// Returns whether the former calibration should be kept, because the new one is probably less
+/// accurate. This is the case if the assessed error of the camera positions is larger than their
+/// possible error before the calibration, WandOptions::initialPositionError.
 bool isInaccurate(const WandRefinement& refinement);
 
-/// Returns whether the user should be asked before the result is stored in the project, because a
-/// known fault explains the views better or isInaccurate() is true.
+/// Returns whether a known fault, such as exchanged cameras, explains the views better than this
+/// result does, or isInaccurate() is true. If so, ask the user before you store the result in the
+/// project.
 bool isDoubtful(const WandRefinement& refinement);
 
 /// Runs calibrateFromRecording() and assesses its accuracy. Returns the errors of the calibration.
@@ -39,11 +40,12 @@ Result<WandRefinement> refineFromViews(const Project& project,
                                        const WandOptions& options,
                                        const WandCalibrationCallback& callback = nullptr);
 
-/// Returns a project with the same cameras and the calibration of the refinement: poses, lenses,
-/// the delays if they were requested, and where all this comes from.
+/// Returns `project` with the calibration of the refinement: poses, intrinsics, delays if they were
+/// requested, and the records of where these come from. `project` must have the same cameras as the
+/// project that was calibrated.
 Project withRefinement(Project project, const WandRefinement& refinement);
 
-/// Returns, for each camera, the image regions of the balls used in the result.
+/// Returns, for each camera, the regions of its image that contain balls used in the result.
 std::vector<BoardCoverage> coverageOf(const WandResult& result);
 
 /// Returns the report as one self-contained HTML page (htmlText() of wand_report.h).

@@ -11,22 +11,28 @@
 namespace dewpoint::setup {
 
 /// Source of the scale of a wand calibration.
-enum class WandScaleSource { Cameras, Diameter, Distance };
+enum class WandScaleSource {
+  Cameras,  ///< the camera positions in the project
+  Diameter, ///< the diameter of the ball
+  Distance  ///< a measured distance between two positions that are touched with the ball
+};
 
 /// The user's choices for a wand calibration, as entered. They may not be valid yet.
 struct WandSettings {
-  bool stick = false;  ///< two balls on a stick; otherwise one ball
-  std::string ball;    ///< names of targets; empty: the first ones
-  std::string other;   ///< target at the other end of the stick
+  bool stick = false; ///< true: two balls on a stick; false: one ball
+  std::string ball;   ///< name of the target that is the ball; empty: the project's first target
+  /// Name of the target at the other end of the stick; empty: the first target that is not `ball`.
+  std::string other;
   double length = 0.5; ///< distance between the centers of the balls on the stick, meters
-  WandScaleSource size = WandScaleSource::Cameras; ///< source of the scale, with one ball
-  double distance = 1.0; ///< distance between the two positions touched, meters
+  WandScaleSource size = WandScaleSource::Cameras; ///< source of the scale if the wand is one ball
+  /// For WandScaleSource::Distance: distance between the two touched positions, meters.
+  double distance = 1.0;
   bool findOffsets = false;
   bool findFocal = false;
   bool findDistortion = false;
   bool onlySelectedFrames = false; ///< search only the selected frames
-  double initialPositionError = WandOptions().initialPositionError; ///< meters
-  double initialRotationError = WandOptions().initialRotationError; ///< radians
+  double initialPositionError = WandOptions().initialPositionError; ///< see WandOptions, meters
+  double initialRotationError = WandOptions().initialRotationError; ///< see WandOptions, radians
 
   bool operator==(const WandSettings&) const = default;
 };
@@ -45,8 +51,9 @@ struct MarkedInstant {
   bool operator==(const MarkedInstant&) const = default;
 };
 
-/// Inserts a marked time; the list is in ascending order of time. The floor may be touched several
-/// times. Each other event occurs only once, so a new mark replaces the earlier one.
+/// Inserts the marked time `taken` into `instants`, which is in ascending order of time. The floor
+/// may be touched several times. Each other event occurs only once, so a new mark replaces the
+/// earlier one.
 void addInstant(std::vector<MarkedInstant>& instants, const MarkedInstant& taken);
 
 /// Returns the names of the balls: those in the settings, or the project's first targets. A stick
@@ -73,8 +80,8 @@ struct FrameSpan {
   std::int64_t last = 0;
 };
 
-/// Returns the options for settings without an obstacle. `selected` are the frames for
-/// WandSettings::onlySelectedFrames.
+/// Converts settings to options. obstacleOf() must return None for these settings. `selected` are
+/// the frames for WandSettings::onlySelectedFrames.
 WandOptions toOptions(const WandSettings& settings, const std::vector<MarkedInstant>& instants,
                       const Project& project, const std::optional<FrameSpan>& selected = {});
 

@@ -39,25 +39,29 @@ private:
 struct WandOptions {
   /// Names of the targets: one ball, or the two ends of a stick; empty: the only target.
   std::vector<std::string> targets;
-  double stickLength = 0.0; ///< distance between the two balls, meters; for a stick
+  double stickLength = 0.0; ///< for a stick: distance between its two balls, meters
   std::int64_t firstFrame = 0;
   std::optional<std::int64_t> endFrame; ///< one past the last frame; not set: all
   bool findOffsets = false;
   bool findFocal = false;
   bool findDistortion = false;
-  bool fromDiameter = false; ///< scale from the ball's radius in the project
+  /// True to determine the scale from the radius of the ball in the project.
+  bool fromDiameter = false;
   std::optional<TouchedDistance> distance;
-  std::vector<double> floorTimes; ///< seconds
+  /// Times at which the first ball lies on the floor or touches it, seconds.
+  std::vector<double> floorTimes;
+  /// Times at which the ball begins and ends a free fall, seconds.
   std::optional<std::array<double, 2>> fallSpan;
   double initialPositionError = 0.12; ///< possible error of the project's camera positions, meters
   double initialRotationError = 0.06; ///< possible error of the camera orientations, radians
 };
 
-/// Returns the problem defined by the options for a project: its cameras as the initial rig, radii
-/// and scale; the views are still empty. Returns an error for an unknown target or a stick without
-/// length.
+/// Creates the calibration problem for a project: the initial rig (the cameras of the project), the
+/// radii of the balls, and the source of the scale. The caller must add the views. Returns an error
+/// for an unknown target or a stick without length.
 Result<WandProblem> wandProblem(const Project& project, const WandOptions& options);
-/// Returns the color classifiers for the balls in the options.
+/// Returns one color classifier per ball, made from the color of the target that is named in the
+/// options.
 Result<std::vector<ColorClassifier>> wandColors(const Project& project, const WandOptions& options);
 
 /// Progress of a calibration. The callback returns false to stop it.
@@ -72,7 +76,8 @@ using WandCalibrationCallback = std::function<bool(const WandCalibrationProgress
 
 /// Calibrates from collected views, live or from a recording. The command line and the window give
 /// bit-identical results. The given project is not changed. If a known fault, such as exchanged
-/// cameras, explains the views better, the result or the error names it.
+/// cameras, explains the views better than the given project does, the result or the error names
+/// the fault.
 Result<WandResult> calibrateFromViews(const Project& project,
                                       const std::vector<std::vector<MarkerObservation>>& views,
                                       const WandOptions& options,

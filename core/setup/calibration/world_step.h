@@ -24,22 +24,24 @@ enum class WorldStep {
 /// Project in a new world frame.
 struct WorldStepResult {
   Project project;
-  double rotated = 0.0;  ///< angle of the rotation, radians
-  double scale = 1.0;    ///< factor of all lengths
-  double floorRms = 0.0; ///< Floor: root mean square distance of the points to the plane, meters
+  double rotated = 0.0; ///< angle of the rotation, radians
+  double scale = 1.0;   ///< factor of all lengths
+  /// For WorldStep::Floor: root mean square distance of the points from the plane, meters.
+  double floorRms = 0.0;
 };
 
 /// Returns the position of a point that was clicked in the images of at least two cameras (world
-/// frame, meters). Only the clicks of the point are used, not its measured position. Errors are
-/// those of clickedPosition(), with the name of the point as the field; with a single click,
-/// Undetermined.
+/// frame, meters). Only the clicks of the point are used, not its measured position. Returns
+/// Undetermined if there is only one click, and otherwise the errors of clickedPosition(). The
+/// field of an error is the name of the point.
 Result<Gaussian3> pointInRoom(const CameraRig& rig, const MeasuredPoint& point);
 
 /// Returns the project after one change of the world frame. `points` are the points of this step,
 /// in the order described in WorldStep. `meters` is the measured distance, for Length only.
 ///
-/// Errors: those of pointInRoom() and of the functions in world_frame.h; BadValue with "points" for
-/// a wrong number of points; Undetermined with "cameras" if Upright has nothing to change.
+/// Returns BadValue with "points" if the number of points is wrong, and Undetermined with "cameras"
+/// if the images are already upright (Upright). Also returns the errors of pointInRoom() and of the
+/// functions in world_frame.h.
 Result<WorldStepResult> withWorldStep(const Project& project, WorldStep step,
                                       const std::vector<MeasuredPoint>& points,
                                       double meters = 0.0);

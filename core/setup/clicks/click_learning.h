@@ -21,7 +21,7 @@ namespace dewpoint::setup {
 /// camera without an image.
 struct ClickedImages {
   std::vector<cv::Mat> images;
-  std::vector<cv::Mat> backgroundImages; ///< as for learnColorWithBackground()
+  std::vector<cv::Mat> backgroundImages; ///< background images, as for learnColorWithBackground()
   std::int64_t frame = 0;                ///< frame that the images show
 };
 
@@ -50,11 +50,11 @@ struct ClickLearningResult {
   std::optional<PositionCorrection> correction;
 };
 
-/// Comparison of a given radius with the one derived from clicks, which is accurate to about one
-/// third.
+/// Comparison of the radius that the user entered with the radius derived from clicks. The latter
+/// is accurate to about one third.
 enum class RadiusFit : std::uint8_t {
   Fits,
-  IsDiameter, ///< the given value is about twice as large, so it may be the diameter
+  IsDiameter, ///< the entered value is about twice as large, so it may be the diameter
   Differs,
 };
 RadiusFit compareRadius(double given, double shown);
@@ -65,8 +65,8 @@ RadiusFit compareRadius(double given, double shown);
 /// frames are kept as long as those clicks exist.
 ///
 /// `others` are samples of other targets. Another target of about the same color counts neither as
-/// this target nor as background, since identical targets are distinguished by position. One of a
-/// different color counts as background. Returns the errors of learnColor().
+/// this target nor as background, since identical targets are distinguished by position. A target
+/// of a different color counts as background. Returns the errors of learnColor().
 Result<ClickLearningResult> learnFromClicks(const CameraRig& rig, const ClickedImages& shown,
                                             const std::vector<ColorSample>& samples,
                                             const CounterpartLimits& limits = {},
@@ -74,15 +74,18 @@ Result<ClickLearningResult> learnFromClicks(const CameraRig& rig, const ClickedI
 
 /// Learns the color of a target of a project (index in Project::targets, or a new target if out of
 /// range) in the same way. It uses the project's cameras and volume of interest, the target's
-/// radius, and the samples of other targets. Only this function computes a correction.
+/// radius, and the samples of other targets. Unlike the overload above, this one also computes a
+/// correction.
 Result<ClickLearningResult> learnFromClicks(const Project& project, int target,
                                             const ClickedImages& shown,
                                             const std::vector<ColorSample>& samples);
 
-/// Stores the result of learning in a target of a project (index): color, samples, the radius of a
-/// part unless the target already has a radius, and the correction unless this frame already has
-/// one. Corrections in frames whose clicks are no longer among the samples are removed, since they
-/// may belong to another object.
+/// Stores the result of learning in the target with index `target` of a project: its color, its
+/// samples and its correction. An existing correction of the target in the same frame is kept,
+/// unless the new one locates a part of an object with more clicks. If the result is about a part
+/// of an object, the radius of the part is also stored, unless the target already has a radius.
+/// Corrections in frames whose clicks are no longer among the samples are removed, since they may
+/// belong to another object.
 void applyLearningResult(const ClickLearningResult& lesson, std::size_t target, Project& project);
 
 /// Returns the samples without one of them. An automatically found sample is marked as excluded,

@@ -19,13 +19,15 @@ namespace dewpoint::setup {
 /// the rays. A single click does not determine the depth, which is then that of `estimate` (the
 /// target's estimate in this frame). The variance along the ray is the squared distance of the
 /// estimate from the ray plus the estimate's own variance along the ray. Without an estimate in
-/// front of the camera, the position is on the part of the ray that most other cameras see, at the
-/// center of its inverse depths; this part may extend to infinity. The error is that of a uniform
-/// distribution over these inverse depths.
+/// front of the camera, the position is on the part of the ray that the largest number of other
+/// cameras sees. This part may extend to infinity, so its inverse depths are assumed to be
+/// uniformly distributed: the position is at their center, and their variance determines the
+/// variance along the ray.
 ///
-/// Returns BadValue without a click or for an unknown camera. Returns Undetermined, which names the
-/// camera if its lens does not cover the pixel or no other camera sees any part of the ray, and
-/// names "clicks" if the rays do not meet in front of the cameras.
+/// Returns BadValue if there is no click, or if a camera does not exist. Returns Undetermined with
+/// the name of a camera if its lens does not cover the clicked pixel, or if no other camera sees
+/// any part of the ray. Returns Undetermined with "clicks" if the rays do not meet in front of the
+/// cameras.
 Result<Gaussian3> clickedPosition(const CameraRig& rig, const std::vector<PointClick>& clicks,
                                   const std::optional<Gaussian3>& estimate);
 

@@ -18,8 +18,9 @@ struct FootageClicks {
   /// Samples; the first one is on the target. Their colors are not set yet.
   std::vector<ColorSample> samples;
   std::optional<std::string> target; ///< target name; empty: the only target, or "target 1"
-  std::optional<double> radius;      ///< meters; empty: unchanged
-  std::optional<TargetShape> shape;  ///< empty: unchanged
+  /// Radius of the target, meters; empty: keep the radius in the project.
+  std::optional<double> radius;
+  std::optional<TargetShape> shape; ///< shape of the target; empty: keep the shape in the project
 };
 
 /// Result of learning from clicks in a recording.

@@ -14,7 +14,8 @@
 
 namespace dewpoint::setup {
 
-/// A mark on a part of a larger object of one color, such as a hand on an arm of the same color.
+/// A part of a larger object of one color, such as a hand on an arm of the same color, that the
+/// user marked in an image with a click or a box.
 struct PartMark {
   ColorSample whole; ///< sample of the whole object, as obtained by a click on the part
   /// Center of the largest disc of the color that fits into the part, in pixels; its radius is
@@ -31,25 +32,28 @@ std::optional<PartMark> boxedPart(const cv::Mat& bgr, const ColorSample& box);
 /// clicked object; the part has the size of this disc. Returns nothing for a click on a smaller
 /// object, and for a box.
 std::optional<PartMark> clickedPart(const cv::Mat& bgr, const ColorSample& click, double radiusPx);
-/// Largest fractions of the whole object's area that count as a part. The values are estimates: a
-/// user who draws a box around an object omits little of it, and the radius given by a user is
-/// wrong by a factor of up to 1.6 (compareRadius()), which is 2.6 in area.
+
+/// A box marks only a part of an object if it contains at most this fraction of the object's
+/// pixels. Estimate: a user who draws a box around a whole object omits little of it.
 inline constexpr double kMaxBoxedFraction = 0.8;
+/// A click marks only a part of an object if the disc of the given radius has at most this fraction
+/// of the object's area. Estimate: a radius given for the whole object may be too small by a factor
+/// of up to 1.6 (compareRadius()), so the area by a factor of up to 2.6, and 1 / 2.6 is about 0.4.
 inline constexpr double kMaxClickedFraction = 0.4;
 
 /// Position and size of a part in the room.
 struct MarkedPart {
   Gaussian3 position;             ///< position (m, m²), world frame
-  double radius = 0.0;            ///< meters, of a ball that fits into the colored region
+  double radius = 0.0;            ///< radius of a ball that fits into the colored region, meters
   std::vector<PointClick> clicks; ///< centers of the marks
 };
 
 /// Returns the position of the part from its marks, at most one per camera, in images of one frame
 /// (CV_8UC3, in the order of the rig, empty for a camera without an image). With several marks, it
-/// is the point where their rays meet. With one mark, it is on the ray of the mark, at the distance
-/// of the whole object according to the other cameras (`found`, see findCounterparts()), and the
-/// covariance covers the extent of the whole object. Returns nothing if the rays do not meet, or no
-/// other camera shows the whole object on the ray.
+/// is the point where the rays through their centers meet. With one mark, it is on the ray of this
+/// mark, at the distance of the whole object. The other cameras determine this distance (`found`,
+/// see findCounterparts()). The covariance then covers the extent of the whole object. Returns
+/// nothing if the rays do not meet, or no other camera shows the whole object on the ray.
 std::optional<MarkedPart> locatePart(const CameraRig& rig, const std::vector<cv::Mat>& images,
                                      const std::vector<PartMark>& marks,
                                      const std::vector<ColorSample>& found);

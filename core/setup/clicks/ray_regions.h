@@ -31,8 +31,8 @@ struct ClickedObject {
   double depthOf(const Eigen::Vector3d& position) const {
     return (position - ray.origin).dot(ray.direction);
   }
-  /// Returns the radius in pixels in the image of another camera if the object is at a position on
-  /// its ray.
+  /// Returns the radius of the object in the image of another camera, in pixels, if the object is
+  /// at `position` on the ray.
   double radiusPxIn(const Camera& camera, const Eigen::Vector3d& position) const;
 
   /// Returns the standard deviation, in pixels, of the distance between the center of an object's
@@ -41,16 +41,20 @@ struct ClickedObject {
   /// exposures, and each camera sees another side of it.
   static double centerSigma(const Camera& camera, double radiusPx);
   static constexpr double kDirectionSigma = 0.0061; ///< radians: 0.25 degrees for each camera
-  static constexpr double kCenterSigmaRadii = 0.35; ///< chosen by judgment
-  /// Search limit in standard deviations: 99.7 % of a normal distribution.
+  /// Standard deviation due to motion and different visible sides, in region radii; chosen by
+  /// judgment.
+  static constexpr double kCenterSigmaRadii = 0.35;
+  /// Largest distance, in standard deviations, at which regions are searched for. It covers 99.7 %
+  /// of a normal distribution.
   static constexpr double kReach = 3.0;
 };
 
 /// Returns the geometric mean of both focal lengths, in pixels.
 double focalOf(const Camera& camera);
 
-/// Returns the object of a sample in its camera's image (CV_8UC3). Returns nothing if no region of
-/// an object's size grows there, or the lens does not cover the pixel.
+/// Returns the object of a sample in its camera's image (CV_8UC3). Returns nothing if no region
+/// that may be an object grows from the sample, or if the lens does not cover the center of the
+/// region.
 std::optional<ClickedObject> clickedObject(const Camera& camera, const cv::Mat& image,
                                            const ColorSample& sample);
 
@@ -58,14 +62,14 @@ std::optional<ClickedObject> clickedObject(const Camera& camera, const cv::Mat& 
 struct RayRegion {
   cv::Point seed;
   cv::Mat mask; ///< CV_8UC1 of the image's size, 255 inside the region
-  Eigen::Vector2d center = Eigen::Vector2d::Zero(); ///< pixels
-  double area = 0.0;                                ///< pixels
-  double logRatio = 0.0; ///< mean of OtherCameraLikelihood over its pixels, nats
+  Eigen::Vector2d center = Eigen::Vector2d::Zero(); ///< center of the region, pixels
+  double area = 0.0;                                ///< number of pixels in the region
+  double logRatio = 0.0; ///< mean of OtherCameraLikelihood over the pixels of the region, nats
 };
 
 /// Returns at most eight regions of another camera's image (CV_8UC3) that may show the object. They
-/// are grown from pixels near the projection of the object's ray, at depths for which `isPossible`
-/// returns true, where the object's color is most likely.
+/// are grown from pixels near the projection of the object's ray that most probably have the color
+/// of the object. Only depths for which `isPossible` returns true are considered.
 std::vector<RayRegion> regionsAlongRay(const ClickedObject& object, const Camera& camera,
                                        const cv::Mat& image,
                                        const color::OtherCameraLikelihood& likelihood,

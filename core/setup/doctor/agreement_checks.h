@@ -6,8 +6,8 @@
 namespace dewpoint::setup {
 
 /// Checks whether the images of the first seconds fit the calibration, or show that cameras are
-/// exchanged, delayed or moved. Does nothing if another check has found a problem, since it opens
-/// the project as a run does.
+/// exchanged, delayed or moved. It opens the images as a run would, so it does nothing if another
+/// check has found a problem.
 void checkAgreement(Examination& examination);
 
 } // namespace dewpoint::setup

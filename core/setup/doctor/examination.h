@@ -22,8 +22,9 @@ namespace dewpoint::setup {
 
 /// Options for checking a project.
 struct ExaminationOptions {
-  std::filesystem::path output = {}; ///< where results would go; empty: the folder of the project
-  bool everyFrame = false; ///< decode all frames, not only the first, middle and last ones
+  /// Folder to which results would be written; empty: the folder of the project.
+  std::filesystem::path output = {};
+  bool everyFrame = false; ///< true to decode all frames, not only the first, middle and last ones
   /// Opens the images of a project as a run would. If empty, checks that need it are omitted.
   std::function<Result<std::unique_ptr<FrameSetSource>>(const Project&)> open = {};
   /// Called from time to time with the progress (0 to 1); returning false ends the examination
@@ -33,12 +34,12 @@ struct ExaminationOptions {
 
 /// Data about the recording of one camera.
 struct CameraFootage {
-  bool isOpen = false; ///< the recording can be read
+  bool isOpen = false; ///< true if the recording can be read
   std::int64_t frames = 0;
   double rate = 0.0; ///< frame rate given in the recording; 0: not given
   cv::Size size;     ///< image size after the rotation
   std::vector<std::int64_t> sequenceNumbers = {};
-  std::vector<cv::Mat> images = {}; ///< first, middle and last one, CV_8UC3, rotated
+  std::vector<cv::Mat> images = {}; ///< first, middle and last image, CV_8UC3, after the rotation
   std::optional<CaptureTimes> times = {};
 };
 
@@ -71,7 +72,8 @@ struct Examination {
 /// Returns the name of a camera's field in the project file: "camera 1.video".
 std::string cameraKey(std::size_t camera, const char* key);
 
-/// Returns the text of an error without the file, for a sentence that already names it.
+/// Returns the text of an error without the file name, for use in a sentence that already names the
+/// file.
 std::string withoutFile(const Error& error);
 
 } // namespace dewpoint::setup

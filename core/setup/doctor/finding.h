@@ -105,11 +105,12 @@ struct Finding {
 /// Returns the worst level of findings; Ok if there are none.
 FindingLevel worstOf(const std::vector<Finding>& findings);
 
-/// Returns a text of the table with its values inserted, beginning with a capital letter.
+/// Returns a text of findingTexts() (`words`) with `values` in place of the placeholders. The
+/// result begins with a capital letter.
 std::string fillPlaceholders(std::string_view words, const std::vector<std::string>& values);
 
-/// Returns one line in plain English: level, finding, file and field in brackets, recommended
-/// action.
+/// Returns one line in English: the level, the finding, its file and field (in brackets), and the
+/// recommended action.
 std::string findingLine(const Finding& finding);
 
 } // namespace dewpoint::setup

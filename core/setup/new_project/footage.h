@@ -16,9 +16,9 @@ namespace dewpoint::setup {
 /// of an image folder, see naturallyBefore().
 bool displayOrderLess(const std::string& name, const std::string& other);
 
-/// Returns files sorted by name (without the folder) with displayOrderLess(). The order in which
-/// the user chose them has no meaning, but the cameras of a calibration may be matched by the order
-/// of the files.
+/// Returns files sorted by name (without the folder) with displayOrderLess(). Use it for files that
+/// a user has chosen: their order is arbitrary, but the cameras of a calibration may be matched to
+/// them by order.
 std::vector<std::string> inNaturalOrder(std::vector<std::string> files);
 
 /// Returns whether a file may be a camera's recording, that is, a video or an image. This is
@@ -27,8 +27,9 @@ std::vector<std::string> inNaturalOrder(std::vector<std::string> files);
 bool isFootage(const std::filesystem::path& file);
 
 /// Returns whether a location may be the source of a camera: footage, a folder with at least one
-/// file named like an image, a device, or anything that is not in the file system. That may be an
-/// address; a missing file is reported when the source is opened.
+/// file named like an image, a device, or anything that is not in the file system. The latter may
+/// be the address of a stream. If it is a missing file, an error is reported when the source is
+/// opened.
 bool canBeImageSource(const std::string& location);
 
 /// Returns the possible camera sources in a folder, in natural order: videos and image folders, but

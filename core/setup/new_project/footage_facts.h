@@ -14,16 +14,17 @@ namespace dewpoint::setup {
 
 /// Properties of a recording, for use before a project is created.
 struct FootageFacts {
-  int width = 0;                ///< pixels, as stored
-  int height = 0;               ///< pixels, as stored
-  double framesPerSecond = 0.0; ///< as given in the video; 0: an image folder, or not given
+  int width = 0;  ///< width of the images as stored in the recording, pixels
+  int height = 0; ///< height of the images as stored in the recording, pixels
+  /// Frame rate given in the video; 0: an image folder, or the video gives none.
+  double framesPerSecond = 0.0;
   std::int64_t frames = 0;
   cv::Mat preview; ///< first image, CV_8UC3 (BGR), scaled down
 };
 
-/// Opens a video or an image folder, reads its first image, and closes it again, which may take a
-/// long time. Returns nothing for anything other than a file or folder (a device, an address, a
-/// pipe), which is not opened. FileMissing and FileUnreadable name the file.
+/// Returns the properties of a video or an image folder. It opens the recording and reads its first
+/// image, which may take a long time. Anything else (a device, an address, a pipe) is not opened,
+/// and nothing is returned for it. FileMissing and FileUnreadable name the file.
 Result<std::optional<FootageFacts>> readFootageFacts(const std::string& location);
 
 /// Differences between recordings that belong together.
@@ -31,7 +32,7 @@ struct FootageDifferences {
   /// Number of frames in the shortest recording, if the lengths differ.
   std::optional<std::int64_t> shortest;
   bool sizes = false;
-  bool rates = false; ///< known frame rates differ by more than rounding
+  bool rates = false; ///< true if known frame rates differ by more than rounding
 
   bool operator==(const FootageDifferences&) const = default;
 };

@@ -15,8 +15,8 @@
 
 namespace dewpoint::setup {
 
-/// Assumed image size in pixels of a camera that reports none until opened. Origin of the value not
-/// recorded.
+/// Image size, in pixels, that is assumed for a camera whose size is not known until the camera is
+/// opened. The origin of the values is not recorded.
 inline constexpr int kAssumedImageWidth = 640;
 inline constexpr int kAssumedImageHeight = 480;
 
@@ -32,13 +32,14 @@ struct NewProject {
   std::string name; ///< empty: name of the folder of its first recording
   std::vector<NewCamera> cameras;
   std::optional<std::filesystem::path> calibration;
-  double framesPerSecond = 0.0;          ///< frame rate for image folders; 0 means 30
-  CalibrationAdaptation adaptation = {}; ///< for a calibration of other names or image sizes
+  double framesPerSecond = 0.0; ///< frame rate for image folders; 0 means 30
+  /// How to adapt a calibration that has other camera names or image sizes.
+  CalibrationAdaptation adaptation = {};
 };
 
 /// A new project, and notes about it.
 struct CreatedProject {
-  Project project; ///< has no file and no targets yet; their colors must be learned first
+  Project project; ///< project without a file and without targets; the user adds targets later
   /// True if the poses are guessed but the method needs calibrated ones, so that positions in space
   /// are not meaningful yet.
   bool lacksCalibration = false;
@@ -53,10 +54,10 @@ struct CreatedProject {
 
 /// Creates a project from videos, image folders, devices or streams. The calibrations in a file are
 /// matched to the cameras by name, or by order if there is one for each camera. Without a
-/// calibration file, each camera is assumed to have a horizontal field of view of 53 degrees, and
-/// all stand in a ring around a box of 1 m. A single camera without a calibration file gets a
-/// method that needs no calibration. Returns FileMissing, Mismatch, BadValue and the errors of the
-/// calibration file.
+/// calibration file, each camera is assumed to have a horizontal field of view of 53 degrees. All
+/// cameras are assumed to stand in a ring around a box with sides of 1 m. A single camera without a
+/// calibration file gets a method that needs no calibration. Returns FileMissing, Mismatch,
+/// BadValue and the errors of the calibration file.
 Result<CreatedProject> createNewProject(const NewProject& wanted);
 
 /// Returns the project with the calibration of its cameras from a file, matched as in
@@ -82,16 +83,17 @@ bool hasGuessedPose(const Project& project);
 bool hasGuessedPose(const Project& project, std::size_t camera);
 /// Returns whether the lens of a camera is the one guessed by createNewProject().
 bool hasGuessedLens(const Project& project, std::size_t camera);
-/// Guesses the calibration of a camera again for images of this size in pixels, which is known for
-/// live cameras only after the first image.
+/// Guesses the calibration of a camera again, for images of this size in pixels. Needed for live
+/// cameras, because their image size is known only after the first image.
 void guessCalibration(Project& project, std::size_t camera, const cv::Size& size);
 
 /// Returns the proposed file for a project that was not saved yet: named after the project, next to
 /// its first recording; without a folder if no camera is a recording.
 std::filesystem::path proposedProjectFile(const Project& project);
 
-/// Returns the kind of a source given without further information: a folder is an image folder, a
-/// number or /dev/... a device, text with "://" or "gst:" a stream, anything else a video.
+/// Returns the kind of an image source, determined from its location alone. A folder is an image
+/// folder. A number or a path that begins with /dev/ is a device. A text that begins with "gst:" or
+/// contains "://" is a stream. Anything else is a video.
 SourceKind guessSourceKind(const std::string& location);
 
 } // namespace dewpoint::setup

@@ -6,8 +6,8 @@
 
 namespace dewpoint::setup {
 
-/// Returns the recording to open for a camera whose source is a video or an image folder. The image
-/// size is the one in its calibration.
+/// Returns the description from which the recording of a camera is opened. The source of the camera
+/// must be a video or an image folder. The image size is taken from the calibration of the camera.
 RecordedCamera recordedCamera(const ProjectCamera& camera);
 
 } // namespace dewpoint::setup

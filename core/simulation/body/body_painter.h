@@ -13,7 +13,7 @@
 
 namespace dewpoint::simulation {
 
-/// Moving object at one time: a ball, a box of any orientation, or a body made of parts. World
+/// Moving object at one time: a ball, a box of any orientation, or an object made of parts. World
 /// frame, meters.
 struct Body {
   bool box = false;
@@ -24,9 +24,9 @@ struct Body {
   Eigen::Matrix3f axes = Eigen::Matrix3f::Identity(); ///< axes of the box in the world, as rows
   bool present = true;                                ///< false: not in the scene at this time
   const LightField* light = nullptr; ///< light field; null: lit only by the room lamp
-  /// Parts of a body. If there are any, only the parts are drawn. Their number must not depend on
-  /// the time. The body casts the same shadow as a ball around `center` whose volume is the total
-  /// volume of the parts.
+  /// Parts, if the object is made of parts. Only these parts are then drawn. Their number must not
+  /// depend on the time. The shadow of the object is that of a ball around `center` that has the
+  /// same volume as all parts together.
   std::vector<MovingPart> parts{};
 };
 

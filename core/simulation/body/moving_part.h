@@ -25,7 +25,8 @@ struct MovingPart {
   Vector3f size{0.01F, 0.01F, 0.01F}; ///< size along the part's own axes, see MovingShape
   Eigen::Matrix3f axes = Eigen::Matrix3f::Identity(); ///< the part's axes in the world, as rows
   Vector3f color{128.0F, 128.0F, 128.0F};             ///< BGR in full light, [0, 255]
-  std::shared_ptr<const SurfacePattern> pattern;      ///< null: `color` everywhere
+  /// Pattern of the surface; null: `color` everywhere.
+  std::shared_ptr<const SurfacePattern> pattern;
   Gloss gloss;
   /// True if the part belongs to the target; used if the target is not the whole body.
   bool target = false;
@@ -49,7 +50,7 @@ bool contains(const MovingPart& part, const Vector3f& point);
 struct PartHit {
   float distance = std::numeric_limits<float>::infinity(); ///< along the unit direction, meters
   Vector3f normal{0.0F, 0.0F, 1.0F};                       ///< world frame, outward
-  const MovingPart* part = nullptr;                        ///< null: no intersection
+  const MovingPart* part = nullptr; ///< part that the ray hits; null: no intersection
 };
 
 /// Replaces `hit` by the intersection with `part` if the ray enters `part` before the current hit.

@@ -12,7 +12,7 @@ namespace dewpoint::simulation {
 // meters). Parts with `color` (BGR in full light) are marked as target. The other parts, such as a
 // head or a hand, wear or hold the target.
 
-/// Returns a peaked cap on a head with a neck. The origin is in the crown.
+/// Returns a peaked cap on a head with a neck. The origin is inside the crown of the cap.
 std::vector<MovingPart> capOnHead(const Vector3f& color);
 
 /// Returns a gloved hand on a bare forearm. `closed` ranges from 0 (open) to 1 (closed). The origin

@@ -18,7 +18,7 @@ struct TargetVolume {
 };
 
 /// Computes the volume. It is exact for parts that do not overlap. Overlaps are evaluated on a grid
-/// of points inside each part. The grid moves with the part, so that the centroid of a moving body
+/// of points inside each part. Because the grid moves with the part, the centroid of a moving body
 /// changes smoothly.
 TargetVolume targetVolume(const std::vector<MovingPart>& parts);
 

@@ -9,8 +9,8 @@
 
 namespace dewpoint::simulation {
 
-/// Position of a piece of furniture at a time (seconds): world x and y (meters) and angle about the
-/// vertical (radians).
+/// Pose of a piece of furniture at a time (seconds): position in world x and y (meters), and
+/// rotation angle `yaw` about the vertical (radians).
 struct FurniturePose {
   double time = 0.0;
   Eigen::Vector2d position = Eigen::Vector2d::Zero();
@@ -23,13 +23,13 @@ struct MovableFurniture {
   /// Parts relative to the point on the floor below the center of the furniture, x forward and z
   /// up, meters.
   std::vector<BodyPart> parts;
-  /// Positions in order of time; there must be at least one. The furniture moves smoothly from each
-  /// position to the next. It stays at the first position before the first time, and at the last
-  /// position after the last time.
+  /// Poses in order of time; there must be at least one. The furniture moves smoothly from each
+  /// pose to the next. Before the time of the first pose, it stays at the first pose. After the
+  /// time of the last pose, it stays at the last pose.
   std::vector<FurniturePose> way;
   double reach = 0.3; ///< radius of a circle on the floor that encloses the furniture, meters
 
-  /// Returns the position at a time in seconds.
+  /// Returns the pose at a time in seconds.
   FurniturePose at(double time) const;
 };
 

@@ -20,7 +20,8 @@ namespace dewpoint::simulation {
 CameraRig officeRig();
 
 /// Scene with people in the simulated office. It has shadows and furniture that partly hides
-/// people. Clothes may have colors like those of the room, so that motion masks break into pieces.
+/// people. Clothes may have colors like those of the room; the motion masks of people then break
+/// into pieces.
 struct OfficeScene {
   CameraRig cameras = officeRig();
   std::vector<simulation::Walker> people;
@@ -28,7 +29,7 @@ struct OfficeScene {
   double framesPerSecond = 15.0;
   std::int64_t frameCount = 150;
   std::uint64_t seed = 1;                 ///< seed of the sensor noise
-  double noiseSigma = kDefaultNoiseSigma; ///< gray levels
+  double noiseSigma = kDefaultNoiseSigma; ///< standard deviation of the sensor noise, gray levels
 
   double timeOf(std::int64_t frame) const { return static_cast<double>(frame) / framesPerSecond; }
 };
@@ -36,7 +37,8 @@ struct OfficeScene {
 /// Renders an office scene.
 class OfficeRenderer {
 public:
-  /// Takes the views of the office without people from `views`, so that many scenes can share them.
+  /// Takes the views of the office without people from the cache `views`, which many renderers can
+  /// share.
   OfficeRenderer(OfficeScene scene, simulation::ViewCache& views);
   /// Uses the given views of the room at rest, one per camera of the scene, in camera order.
   OfficeRenderer(OfficeScene scene, std::vector<std::shared_ptr<const simulation::RoomView>> views);

@@ -14,8 +14,8 @@ Walker walker(const char* name, double height, const simulation::Vector3f& shirt
   result.height = height;
   result.clothes.shirt = shirt;
   result.clothes.trousers = trousers;
-  result.from = way.front().time;
-  result.until = way.back().time;
+  result.presentFrom = way.front().time;
+  result.presentUntil = way.back().time;
   result.way = std::move(way);
   return result;
 }

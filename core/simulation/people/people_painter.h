@@ -23,14 +23,14 @@ void paintPeople(const RoomView& view, const std::vector<std::vector<BodyPart>>&
 /// Light on the people, if the room lamp is not the only light.
 struct PeopleLight {
   LightField field;
-  /// Direct light of the room lamp on the room at rest, for the pixels of the view. In a shadow,
-  /// this light is missing, and the light of the other lamps remains.
+  /// Image of the room at rest, split into the direct light of the room lamp and all other light.
+  /// In the shadow of a person, the direct light of the room lamp is missing.
   const RelitBackground* background = nullptr;
 };
 
 /// Draws people in the light of the room lamp and of the additional lamps, which also illuminate
-/// the shadows that people cast. The moving shadow falls on people too. `image` must come from
-/// backgroundAt() with the same light and time.
+/// the shadows that people cast. The moving shadow of the illumination (Illumination::shadow) falls
+/// on people too. `image` must come from backgroundAt() with the same light and time.
 void paintPeople(const RoomView& view, const std::vector<std::vector<BodyPart>>& people,
                  const PeopleLight& light, cv::Mat& image);
 

@@ -21,10 +21,10 @@ struct PostureChange {
 
 /// Joint angles of a body in radians, positive forward. They are all 0 for a standing person.
 struct JointAngles {
-  float lean = 0.0F;    ///< angle of the trunk about the hips, from upright
-  float thigh = 0.0F;   ///< angle of both thighs, from hanging
-  float shin = 0.0F;    ///< angle of both shins, from hanging
-  float arm = 0.0F;     ///< angle of both upper arms, from hanging
+  float lean = 0.0F;    ///< angle of the trunk about the hips, measured from upright
+  float thigh = 0.0F;   ///< angle of both thighs, measured from hanging straight down
+  float shin = 0.0F;    ///< angle of both shins, measured from hanging straight down
+  float arm = 0.0F;     ///< angle of both upper arms, measured from hanging straight down
   float forearm = 0.0F; ///< angle of both forearms, relative to the upper arms
 
   bool isUpright() const { return lean == 0.0F && thigh == 0.0F && shin == 0.0F; }

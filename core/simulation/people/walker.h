@@ -26,7 +26,7 @@ struct Clothes {
   Vector3f trousers = rgb(60, 62, 74);
   Vector3f hair = rgb(52, 38, 30);
   Vector3f skin = rgb(222, 172, 142);
-  Cloth shirtCloth; ///< pattern of the shirt, in addition to its color
+  Cloth shirtCloth; ///< pattern of the shirt; its first color is `shirt`
 };
 
 /// Object carried by a walker.
@@ -36,7 +36,7 @@ struct CarriedObject {
     Bag, ///< hangs from the right hand
   };
   Kind kind = Kind::Box;
-  Vector3f halfSize{0.15F, 0.2F, 0.15F}; ///< forward, left, up; meters
+  Vector3f halfSize{0.15F, 0.2F, 0.15F}; ///< half sizes: forward, left, up; meters
   Vector3f color = rgb(168, 132, 92);
 };
 
@@ -52,15 +52,17 @@ struct Walker {
   std::vector<Waypoint> way;
   std::vector<PostureChange> postures; ///< in order of time; empty: always standing
   std::optional<CarriedObject> load;
-  double from = -std::numeric_limits<double>::infinity(); ///< present from this time on, seconds
-  double until = std::numeric_limits<double>::infinity(); ///< present before this time, seconds
+  /// Time from which on the person is present, seconds.
+  double presentFrom = -std::numeric_limits<double>::infinity();
+  /// Time from which on the person is no longer present, seconds.
+  double presentUntil = std::numeric_limits<double>::infinity();
 
-  bool presentAt(double time) const { return time >= from && time < until; }
+  bool presentAt(double time) const { return time >= presentFrom && time < presentUntil; }
   /// Returns the point on the floor below the center of the body at a time (seconds). It lies on
   /// the path through the waypoints, whose corners are rounded.
   Eigen::Vector2d position(double time) const;
-  /// Returns the height of the top of the head above the floor in meters. It is `height` for a
-  /// standing person.
+  /// Returns the height of the top of the head above the floor, in meters, at a time in seconds. It
+  /// is `height` for a standing person.
   double top(double time) const;
 };
 

@@ -7,7 +7,7 @@ namespace dewpoint::simulation {
 
 /// Adds the desk, and pictures on the walls behind it, for Furnishing::Desk.
 void furnishDesk(Furniture& room);
-/// Adds the objects on that desk, for Furnishing::ClutteredDesk.
+/// Adds the objects that lie on this desk in Furnishing::ClutteredDesk.
 void clutterDesk(Furniture& room);
 
 } // namespace dewpoint::simulation

@@ -11,7 +11,7 @@ namespace {
 Vector3f lightOfLamps(const Illumination& illumination, const Vector3f& point,
                       const Vector3f& normal) {
   Vector3f light = Vector3f::Zero();
-  for (const AdditionalLamp& lamp : illumination.further) {
+  for (const AdditionalLamp& lamp : illumination.additionalLamps) {
     const Vector3f way = lamp.position - point;
     const float lambert = std::max(0.0F, normal.dot(way.normalized()));
     light += lambert * lamp.falloff(way.norm()) * lamp.color;

@@ -31,10 +31,10 @@ struct AdditionalLamp {
 /// Shadow of a tall object that passes in front of the room lamp. It is a vertical band that
 /// darkens walls, desk and bodies.
 struct MovingShadow {
-  /// Direction of motion: horizontal unit vector, world frame.
+  /// Direction in which the band moves: horizontal unit vector, world frame.
   Vector3f direction = Vector3f::UnitX();
   double start = 0.0; ///< position of the band's center along `direction` at time 0, meters
-  double speed = 0.2; ///< m/s
+  double speed = 0.2; ///< speed of the band along `direction`, m/s
   /// Half width of the band, measured to the center of its soft border, meters.
   float halfWidth = 0.1F;
   float edge = 0.03F; ///< half width of the soft border, meters; chosen by judgment
@@ -49,12 +49,12 @@ float shadowAt(const MovingShadow& shadow, const Vector3f& point, double time);
 struct Illumination {
   Vector3f lamp = kLampPosition; ///< position of the room lamp, world frame, meters
   float roomGain = 1.0F; ///< factor by which the room's own light (ambient and lamp) is multiplied
-  std::vector<AdditionalLamp> further;
+  std::vector<AdditionalLamp> additionalLamps;
   std::optional<MovingShadow> shadow;
 
   /// Returns whether the only light is the room lamp at its default position.
   bool isDefault() const {
-    return lamp == kLampPosition && roomGain == 1.0F && further.empty() && !shadow;
+    return lamp == kLampPosition && roomGain == 1.0F && additionalLamps.empty() && !shadow;
   }
 };
 

@@ -147,7 +147,8 @@ Room::Room(Furnishing furnishing, const RoomDesign& design) {
     break;
   }
   solids_ = furniture.solids();
-  solids_.insert(solids_.end(), design.further.solids().begin(), design.further.solids().end());
+  solids_.insert(solids_.end(), design.additionalFurniture.solids().begin(),
+                 design.additionalFurniture.solids().end());
   lamp_ = design.lamp.value_or(lamp_);
 }
 

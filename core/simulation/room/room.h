@@ -17,8 +17,9 @@ namespace dewpoint::simulation {
 inline constexpr float kHallHalfSize = 2.25F;
 /// Half the side length of the office, which is centered on the origin.
 inline constexpr float kOfficeHalfSize = 3.5F;
-/// Half the side length of the room with the desk, and world x and y of its center.
+/// Half the side length of the room with the desk.
 inline constexpr float kDeskRoomHalfSize = 1.9F;
+/// World x and world y of the center of the room with the desk.
 inline constexpr float kDeskRoomCenter = 0.4F;
 /// Height of the desk top (world z = 0) above the floor, meters. Usual desks are 0.72 to 0.76 m
 /// high.
@@ -67,7 +68,7 @@ enum class Furnishing {
 
 /// Modifications of a furnished room.
 struct RoomDesign {
-  Furniture further;             ///< additional furniture
+  Furniture additionalFurniture; ///< furniture in addition to that of the Furnishing
   std::optional<Material> walls; ///< material of the walls, if it differs from the default
   /// Lamp position, if it differs from the default; world frame, meters.
   std::optional<Vector3f> lamp;

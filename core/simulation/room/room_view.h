@@ -38,11 +38,11 @@ struct RoomView {
   int width = 0;
   int height = 0;
   Vector3f center; ///< optical center, world frame, meters
-  /// Unit vectors of the rays, world frame; zero where the lens shows nothing.
+  /// Unit vectors of the rays, world frame; zero at pixels for which the lens model has no ray.
   std::vector<Vector3f> directions;
   std::vector<float> distances; ///< distance to the room at rest along the ray, meters
   std::vector<float> lit;       ///< fraction of the pixel's light that comes directly from the lamp
-  cv::Mat background;           ///< CV_32FC3, BGR, [0, 255]
+  cv::Mat background;           ///< image of the room at rest: CV_32FC3, BGR, [0, 255]
 
 private:
   void castRays(const Camera& camera);

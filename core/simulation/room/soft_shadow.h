@@ -20,7 +20,7 @@ struct ShadowCaster {
   float lampRadius = 0.0F;
   /// Smallest half width of the soft edge, used for a ball close to the floor.
   float minBlur = 0.0F;
-  float highest = 0.0F; ///< points above this height do not count as floor
+  float highest = 0.0F; ///< only points up to this height (world z) count as floor
 };
 
 /// Calls `shade(row, column, pixel, covered, blur)` for each pixel of `area` that shows the floor

@@ -19,7 +19,7 @@ enum class Motion {
   Still,  ///< stays at its position
   Smooth, ///< a closed three-dimensional Lissajous path around its position
   Fast,   ///< the same path as Smooth, five times as fast
-  Jump, ///< at rest, except that its position changes from one frame to the next once per `period`
+  Jump,   ///< rests, but changes its position from one frame to the next once per `period`
 };
 
 /// Center of the volume above the desk, toward which all cameras at the desk are aimed. World
@@ -53,15 +53,17 @@ struct SceneBall {
   double intensityMax = 0.90;
 };
 
-/// Light at one time. Between two entries, the light is interpolated, with brightness on a
-/// logarithmic scale. Before the first and after the last entry, it is constant.
+/// Light at one time: an entry of Scene::lights. Between the times of two entries, the light is
+/// interpolated, with brightness on a logarithmic scale. Before the first and after the last entry,
+/// it is constant.
 struct SceneLight {
-  double time = 0.0;               ///< seconds
-  double brightness = 1.0;         ///< factor; 1 is full light
-  double kelvin = kBalancedKelvin; ///< color temperature; the cameras are balanced for 5500 K
+  double time = 0.0;       ///< seconds
+  double brightness = 1.0; ///< factor; 1 is full light
+  /// Color temperature of the light, kelvin; the cameras are balanced for 5500 K.
+  double kelvin = kBalancedKelvin;
 };
 
-/// Maximum number of distractors, which is the number of positions for them on the desk.
+/// Maximum number of distractors: there are only this many positions for them on the desk.
 inline constexpr int kMaxDistractors = 4;
 
 /// Simulated scene: everything that determines its images and its truth. Frame f is taken at f /
@@ -76,9 +78,10 @@ struct Scene {
   /// Number of distractors, up to kMaxDistractors. Distractors are additional balls at rest, with
   /// the color of the first ball.
   int distractors = 0;
-  bool occluder = false; ///< add a box that passes between the first ball and the first camera
-  bool clutter = true;   ///< add books, boxes, and wood- and skin-colored objects on the desk
-  std::vector<SceneLight> lights;         ///< in order of time; empty: full light of 5500 K
+  /// True to add a box that passes between the first ball and the first camera.
+  bool occluder = false;
+  bool clutter = true; ///< true to add books, boxes, and wood- and skin-colored objects on the desk
+  std::vector<SceneLight> lights;         ///< in order of time; empty: always full light of 5500 K
   double noiseSigma = kDefaultNoiseSigma; ///< standard deviation of the sensor noise, gray levels
   double exposureSeconds =
       kDefaultExposureSeconds; ///< exposure time, which determines the motion blur

@@ -146,7 +146,7 @@ void prepareLight(Stage& stage) {
   std::ranges::for_each(stage.moves, add, &MovedCamera::view);
 }
 
-Eigen::Vector3d meteredStops(const Stage& stage, std::size_t camera, double time) {
+Eigen::Vector3d meteredBrightnessStops(const Stage& stage, std::size_t camera, double time) {
   /// Stops of linear light per stop of gray level: the inverse of the tone curve's power.
   constexpr double kStopsPerLevelStop = 1.0 / kToneCurveExponent;
   const Light light = stage.light ? stage.light(camera, time) : Light{};

@@ -64,14 +64,15 @@ struct StageBody {
 
 /// Light that one camera receives at one time.
 struct Light {
-  Eigen::Vector3d gain = Eigen::Vector3d::Ones(); ///< per channel, BGR; 1 is full light
+  Eigen::Vector3d gain = Eigen::Vector3d::Ones(); ///< gain per channel, BGR; 1 is full light
   bool dark = false;                              ///< no light at all
 };
 
-/// Camera whose pose changes at the time `since`.
+/// Camera whose pose changes once, at the time `since`. `view` is its view of the room at rest from
+/// the new pose.
 struct MovedCamera {
   std::size_t camera = 0;
-  double since = 0.0; ///< seconds
+  double since = 0.0; ///< time of the change, seconds
   std::shared_ptr<const RoomView> view;
 };
 
@@ -79,7 +80,8 @@ struct MovedCamera {
 struct RelitView {
   std::shared_ptr<const RoomView> view;
   RelitBackground background;
-  /// Ratio of the mean color with and without the illumination, per channel (BGR).
+  /// Mean color of the room at rest with the illumination, divided by its mean color without it,
+  /// per channel (BGR).
   Eigen::Vector3d meanGain = Eigen::Vector3d::Ones();
 };
 
@@ -113,17 +115,17 @@ struct Stage {
   std::vector<RelitView> relit;
 };
 
-/// Computes the data derived from the stage's illumination. Call this function after setting the
-/// illumination or a view.
+/// Computes Stage::relit from the stage's illumination and views. Call this function after changing
+/// the illumination, `views` or `moves`.
 void prepareLight(Stage& stage);
 
 /// Returns the brightness that a camera's automatic control measures at a time (seconds), per
-/// channel (BGR), in stops relative to the nominal light. It is computed from `Stage::light` and
-/// from the mean gain of `Stage::illumination` on the room at rest; moving objects are ignored.
-/// Complete darkness counts as kDarkStops.
-Eigen::Vector3d meteredStops(const Stage& stage, std::size_t camera, double time);
-/// Result of meteredStops() in complete darkness: a sixteenth of the nominal light, in stops.
-/// Chosen so that it exceeds what a camera can compensate for (ControlLoop::limit).
+/// channel (BGR). It is given in stops (factors of two) relative to the nominal light. It is
+/// computed from `Stage::light` and from the mean gain of `Stage::illumination` on the room at
+/// rest; moving objects are ignored. Complete darkness counts as kDarkStops.
+Eigen::Vector3d meteredBrightnessStops(const Stage& stage, std::size_t camera, double time);
+/// Result of meteredBrightnessStops() in complete darkness, in stops: a sixteenth of the nominal
+/// light. Chosen so that a camera cannot compensate for it (ControlLoop::limit).
 inline constexpr double kDarkStops = -4.0;
 
 /// Renders the image (CV_8UC3, BGR) of one camera with its exposure centered on `time` (seconds).

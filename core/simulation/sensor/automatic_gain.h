@@ -10,20 +10,20 @@
 
 namespace dewpoint::simulation {
 
-/// Control loop in a camera for one quantity: a slow integrator whose corrections take effect after
-/// a delay. The defaults are chosen so that the loop settles within half a second without
-/// overshoot.
+/// Control loop in a camera for one quantity, such as the exposure: a slow integrator whose
+/// corrections take effect after a delay. Errors and corrections are in stops: one stop is a factor
+/// of two. The defaults are chosen so that the loop settles within half a second without overshoot.
 struct ControlLoop {
   double speed = 0.15;    ///< fraction of the error corrected per frame; 0: no control
   int lagFrames = 2;      ///< number of frames from a measurement to its effect
-  double deadband = 0.03; ///< errors below this value are not corrected; stops (factors of two)
+  double deadband = 0.03; ///< errors below this value are not corrected; stops
   double limit = 1.5;     ///< limit of the correction in both directions, stops
 };
 
-/// Returns the corrections with which the loop compensates for a disturbance. Both are in stops,
-/// with one entry per frame; 0 means no disturbance. The first correction is `start`. Fast loops
-/// with a long lag overshoot. The loop is stable if speed < 2 sin(pi / (4 lag + 2)), as for a
-/// discrete integrator with delay.
+/// Returns the corrections with which the loop compensates for a disturbance, such as a change of
+/// the light. Disturbance and corrections are in stops, with one entry per frame; 0 means no
+/// disturbance. The first correction is `start`. Fast loops with a long lag overshoot. The loop is
+/// stable if speed < 2 sin(pi / (4 lagFrames + 2)), as for a discrete integrator with delay.
 std::vector<double> corrections(const ControlLoop& loop, std::span<const double> disturbance,
                                 double start);
 
@@ -49,10 +49,11 @@ struct AutomaticGain {
   ControlLoop whiteBalance;
   double firstStops = 0.0; ///< error of the exposure at frame 0, stops
   double levelStops = 0.0; ///< settled exposure relative to the nominal one, stops
-  /// Amplitude of the metering error due to objects that come and go, stops.
+  /// Amplitude of a periodic error in the measured brightness, stops. It represents objects that
+  /// enter and leave the image.
   double huntingStops = 0.0;
-  double huntingPeriod = 4.0; ///< seconds
-  double huntingPhase = 0.0;  ///< radians
+  double huntingPeriod = 4.0; ///< period of this error, seconds
+  double huntingPhase = 0.0;  ///< phase of this error, radians
   /// Constant error of blue and red, stops.
   Eigen::Vector2d whiteBalanceStops = Eigen::Vector2d::Zero();
 };

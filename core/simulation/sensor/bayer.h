@@ -14,9 +14,10 @@ struct PixelNoise {
   double readElectrons = 0.0; ///< standard deviation of the read noise, electrons
 };
 
-/// Returns the signal of pixels under a color filter array (CV_32FC1) for linear light (CV_32FC3,
-/// BGR). Rows alternate between red-green and green-blue (RGGB). Red and blue pixels are less
-/// sensitive than green ones, as with silicon behind color filters.
+/// Returns the signal of a sensor whose pixels lie under a color filter array (CV_32FC1). `linear`
+/// is the linear light on the sensor (CV_32FC3, BGR). Rows alternate between red-green and
+/// green-blue (RGGB). Red and blue pixels are less sensitive than green ones, as with silicon
+/// behind color filters.
 cv::Mat mosaic(const cv::Mat& linear);
 
 /// Adds noise to `raw` (CV_32FC1, 1 is full scale). The variance of the noise, relative to the

@@ -8,7 +8,7 @@
 
 namespace dewpoint::simulation {
 
-/// Number of entries in normalTable(), so that 16 random bits select one entry.
+/// Number of entries in normalTable(): 2^16, because 16 random bits select one entry.
 inline constexpr std::size_t kNormalCount = 65536;
 
 /// Returns a table of standard normal numbers for random selection. Drawing new numbers for every

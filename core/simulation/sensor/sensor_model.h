@@ -25,7 +25,7 @@ struct SensorModel {
   PixelNoise noise;
   double contrast = 1.0; ///< exponent applied to the nominal tone curve
   Sharpening sharpening;
-  int jpegQuality = 0; ///< 1 to 100; 0: not compressed
+  int jpegQuality = 0; ///< quality of the JPEG compression, 1 to 100; 0: no compression
 
   /// Returns whether the model changes the light before it is converted to gray levels.
   bool changesLight() const;

@@ -15,8 +15,8 @@ struct Shutter {
   double readoutSeconds = 0.0; ///< time from the first to the last row; 0: global shutter
 };
 
-/// Returns the time of `row` (of `rows`) relative to the frame time, in seconds. It is negative in
-/// the upper half.
+/// Returns the time of row `row` relative to the frame time, in seconds, for an image with `rows`
+/// rows. It is negative in the upper half of the image.
 double rowTime(const Shutter& shutter, int row, int rows);
 
 /// Rows [begin, end) that are rendered at one time.
@@ -33,8 +33,8 @@ std::vector<RowBand> rowBands(const Shutter& shutter, int rows);
 /// Flicker of lamps on alternating current, whose light oscillates at twice the mains frequency.
 struct Flicker {
   double frequency = 100.0; ///< frequency of the light, Hz
-  double depth = 0.0;       ///< amplitude relative to the mean light; 0: steady
-  double phase = 0.0;       ///< radians
+  double depth = 0.0; ///< amplitude of the oscillation relative to the mean light; 0: steady light
+  double phase = 0.0; ///< radians
 };
 
 /// Returns the light in each row relative to steady light: the mean of the oscillation over the

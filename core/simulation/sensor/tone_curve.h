@@ -28,9 +28,9 @@ cv::Mat linearImage(const cv::Mat& image);
 /// corresponds to 19 times the light at full scale.
 inline constexpr float kMaxLevel = 1020.0F;
 
-/// Performs the last steps of a camera: multiplies linear light (CV_32FC3) by the white balance
-/// gains (BGR), limits it to 1, applies the tone curve, and applies the exponent `contrast` (no
-/// effect if it is 1). Returns the gray levels (CV_32FC3, 0 to 255).
+/// Converts linear light (CV_32FC3) to the gray levels of a camera (CV_32FC3, 0 to 255). It
+/// multiplies the light by the white balance gains (BGR), limits it to 1, applies the tone curve,
+/// and finally applies the exponent `contrast` (no effect if it is 1).
 cv::Mat applyToneCurve(const cv::Mat& linear, const Eigen::Vector3d& whiteBalance, double contrast);
 
 } // namespace dewpoint::simulation

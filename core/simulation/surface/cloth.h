@@ -9,11 +9,11 @@ namespace dewpoint::simulation {
 enum class ClothPattern {
   Plain,   ///< one color
   Stripes, ///< bands of two colors across the length of a part
-  Checks,  ///< fields of two colors in all directions
+  Checks,  ///< fields of two colors that alternate in all directions
   Blotches ///< irregular spots of a second color
 };
 
-/// Single color, or two colors in a pattern. BGR in full light, [0, 255].
+/// Colors of a cloth: a single color, or two colors in a pattern. BGR in full light, [0, 255].
 struct Cloth {
   ClothPattern pattern = ClothPattern::Plain;
   Vector3f second{0.0F, 0.0F, 0.0F}; ///< second color; the first color is that of the part

@@ -8,11 +8,12 @@ namespace dewpoint::simulation {
 /// Number of samples per pixel side on a silhouette or on the border between two colors. Each
 /// sample covers a sixteenth of the pixel area.
 inline constexpr int kEdgeSamples = 4;
-/// Maximum number of instants at which one exposure is sampled. If a body moves by more than 24
-/// pixels during the exposure, the instants are farther apart than kPixelsPerInstant.
+/// Maximum number of times at which an exposure is sampled to draw motion blur. If a body moves by
+/// more than 24 pixels during the exposure, it moves by more than kPixelsPerInstant between two of
+/// these times.
 inline constexpr int kMaxInstants = 16;
-/// Maximum distance in pixels that a body moves between two successive instants at which an
-/// exposure is sampled, unless kMaxInstants is reached. Chosen to be less than the blur of a lens.
+/// Maximum distance in pixels that a body moves between two successive times at which an exposure
+/// is sampled, unless kMaxInstants is reached. Chosen to be less than the blur of a lens.
 inline constexpr double kPixelsPerInstant = 1.5;
 
 } // namespace dewpoint::simulation

@@ -7,8 +7,8 @@
 
 namespace dewpoint::simulation {
 
-/// Patch of another color where the angle between the surface normal and an axis is below a limit.
-/// On a ball, it is a spherical cap.
+/// Patch of another color. It covers the surface where the angle between the surface normal and
+/// `axis` is below a limit. On a ball, the patch is a spherical cap.
 struct SurfacePatch {
   Vector3f axis{0.0F, 0.0F, 1.0F};  ///< unit vector in the body's own axes
   float cosine = 1.0F;              ///< cosine of the largest angle; 0: half of the ball

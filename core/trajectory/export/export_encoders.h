@@ -27,7 +27,8 @@ EncodedFiles encodeNpz(const ExportTable& table, const std::string& name);
 /// Encodes VTK XML PolyData in ASCII: one polyline for each sequence of rows without a gap, with
 /// values at its points.
 EncodedFiles encodeVtp(const ExportTable& table, const std::string& name);
-/// Encodes a ParaView collection with one PolyData file per row, which ParaView can play over time.
+/// Encodes a ParaView collection. It has one PolyData file per row, and ParaView can play these
+/// files over time.
 EncodedFiles encodePvd(const ExportTable& table, const std::string& name);
 /// Encodes one JSON object per row.
 EncodedFiles encodeJsonLines(const ExportTable& table, const std::string& name);

@@ -13,8 +13,9 @@ namespace dewpoint::trajectory {
 /// One file of an export. The main file has the name that the user chose; the names of the others
 /// are derived from it.
 struct ExportFile {
+  /// Text that replaces the suffix of the name that the user chose; empty for the main file.
   std::string
-      nameSuffix; ///< appended to the chosen name without its suffix; empty for the main file
+      nameSuffix;
   std::string bytes;
 };
 

@@ -18,15 +18,15 @@ enum class GapRule {
 
 /// Upward axis of the file. Both choices are right-handed.
 enum class WorldAxes {
-  ZUp, ///< as in Dewpoint
-  YUp  ///< (x, y, z) of the file is (y, z, x) of Dewpoint, as in Pose2Sim and OpenSim
+  ZUp, ///< z points up, as in Dewpoint
+  YUp  ///< y points up, as in Pose2Sim and OpenSim: (x, y, z) of the file is (y, z, x) of Dewpoint
 };
 
 /// Unit of lengths in the file.
 enum class LengthUnit { Meter, Millimeter };
 
-/// First or last row of an export: a time in seconds, or a frame number. The row itself is
-/// exported.
+/// First or last row of an export: a time in seconds, or a frame number. The row at the bound is
+/// exported too.
 struct RangeBound {
   double value = 0.0;
   bool isFrame = false;
@@ -35,9 +35,9 @@ struct RangeBound {
 /// The user's choices for an export. Values that are not set take the default of the format.
 struct ExportOptions {
   std::string format = "csv";       ///< id of one of exportFormats()
-  std::vector<std::string> targets; ///< empty: all targets
-  std::optional<RangeBound> from;   ///< not set: from the beginning
-  std::optional<RangeBound> to;     ///< not set: to the end
+  std::vector<std::string> targets; ///< names of the targets to export; empty: all targets
+  std::optional<RangeBound> from;   ///< first row; not set: from the beginning
+  std::optional<RangeBound> to;     ///< last row; not set: to the end
   std::optional<double> rate;       ///< rows per second; not set: as recorded
   GapRule gaps = GapRule::LeaveEmpty;
   std::optional<WorldAxes> axes;

@@ -17,20 +17,22 @@ namespace dewpoint::trajectory {
 
 /// One target in one row. Lengths are in the unit and along the axes of the table.
 struct ExportCell {
-  bool present = false;   ///< if false, no other field is set
+  /// False: the target has no position in this row, and no other field is set.
+  bool present = false;
   bool filled = false;    ///< true if the position was interpolated over a gap
   bool corrected = false; ///< the user corrected the position in this frame
   bool ambiguous = false; ///< another object is about as likely to be the target
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
-  std::optional<Eigen::Matrix3d> covariance; ///< empty: not known
+  std::optional<Eigen::Matrix3d> covariance; ///< covariance of the position; empty: not known
   std::optional<Eigen::Vector3d> best;       ///< particle of highest weight; empty: not known
-  /// Extent of a target that is not a ball; empty: a ball, or not known.
+  /// Extent of a target that is not a ball, see TrajectorySample::extent. Empty if the target is a
+  /// ball or the extent is not known.
   std::optional<Eigen::Matrix3d> extent;
   double effectiveSampleSize = 0.0;
   int cameras = 0; ///< number of cameras that show the target
 };
 
-/// Contents of an export: one row per instant, one column per target.
+/// Contents of an export: one row per time, one column per target.
 struct ExportTable {
   std::vector<std::string> targets;
   std::vector<double> times;                  ///< seconds, ascending, one per row
@@ -52,14 +54,14 @@ struct ExportTable {
   std::vector<std::pair<std::string, std::string>> entries;
 
   std::size_t rowCount() const { return times.size(); }
-  /// Returns the number of target and row pairs without a position.
+  /// Returns the number of cells without a position.
   std::size_t gapCount() const;
   /// Returns "m" or "mm".
   const char* unitName() const { return unit == LengthUnit::Meter ? "m" : "mm"; }
 };
 
-/// Default values of a format for options that the user has not set, and its requirement for the
-/// rows.
+/// Values that an export format uses for options that the user has not set, and whether the format
+/// requires rows at equal time intervals.
 struct TableDefaults {
   WorldAxes axes = WorldAxes::ZUp;
   LengthUnit unit = LengthUnit::Meter;

@@ -21,7 +21,7 @@ struct ExportSummary {
   std::vector<std::filesystem::path> files; ///< files written, the main one last
   std::size_t rows = 0;
   std::size_t targets = 0;
-  std::size_t gaps = 0; ///< target and row pairs left empty
+  std::size_t gaps = 0; ///< number of cells (one target in one row) left empty
   bool canceled = false;
   /// Existing file that may not be overwritten. If it is set, nothing was written; otherwise it is
   /// empty.
@@ -43,10 +43,10 @@ struct ExportPreview {
 };
 
 /// Writes the trajectory to `file` in the format `options.format`. If the format uses several
-/// files, the others are written to the same folder. `file` is written last: to a temporary file in
-/// the same folder, which is flushed and then renamed. A canceled or failed export removes the
-/// files that it has created. Returns FileUnwritable, and the errors of makeExportTable() and of
-/// the format.
+/// files, the others are written to the same folder. `file` is written last: its text goes to a
+/// temporary file in the same folder, which is flushed and then renamed to `file`. A canceled or
+/// failed export removes the files that it has created. Returns FileUnwritable, and the errors of
+/// makeExportTable() and of the format.
 Result<ExportSummary> exportTrajectory(const Trajectory& trajectory, const ExportOptions& options,
                                        const std::filesystem::path& file,
                                        const ExportProgress& progress = {});

@@ -51,7 +51,8 @@ struct FigureDrawing {
     std::size_t target = 0;
     Eigen::AlignedBox2d within; ///< clipping rectangle
     std::vector<Eigen::Vector2d> path;
-    std::vector<Eigen::Vector2d> band; ///< closed outline, drawn below the path; may be empty
+    /// Closed outline of the band, drawn below the path; empty: no band.
+    std::vector<Eigen::Vector2d> band;
   };
   /// Bar in the legend with the color of a target.
   struct LegendKey {

@@ -42,7 +42,8 @@ withEqualScale(const AxisRange& horizontal, const AxisRange& vertical, double wi
 struct FigureCurve {
   std::size_t target = 0;
   std::vector<Eigen::Vector2d> path;
-  /// Closed outline of the band around the path; may be empty.
+  /// Closed outline of the band of two standard deviations around the path. Empty if the curve has
+  /// no band.
   std::vector<Eigen::Vector2d> band;
 };
 
@@ -57,7 +58,8 @@ struct FigurePanel {
 
 /// Contents of a trajectory's figure, in the unit and along the axes of the table.
 struct TrajectoryFigure {
-  std::array<FigurePanel, 3> overTime; ///< x, y and z, with bands of two standard deviations
+  /// Plots of x, y and z over time, with bands of two standard deviations.
+  std::array<FigurePanel, 3> overTime;
   /// Path seen from above, in a square with the same scale on both axes.
   FigurePanel fromAbove;
 };

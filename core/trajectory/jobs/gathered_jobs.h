@@ -13,9 +13,10 @@ namespace dewpoint::trajectory {
 
 /// A finished job, and its comparison with the ground truth if there was one.
 struct GatheredJob {
-  std::string folder; ///< as given by the user
+  std::string folder; ///< path of the output folder, as given by the user
   JobRecord record;
-  /// Without `cameras` and `bias`; empty if the job was not evaluated.
+  /// Comparison with the ground truth for each target, without `cameras` and `bias`. Empty if the
+  /// job was not evaluated.
   std::vector<Evaluation> evaluations;
 };
 

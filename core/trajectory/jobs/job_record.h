@@ -36,13 +36,13 @@ struct JobTarget {
 
 /// Identity of a job: two jobs with the same identity must give the same result.
 struct JobIdentity {
-  std::string recording; ///< name given by the user
-  std::string command;   ///< command of dewpoint-cli: track, people
+  std::string recording; ///< name that the user gave to the recording
+  std::string command;   ///< command of dewpoint-cli: "track" or "people"
   std::string method;
   std::uint64_t seed = 0;
   /// Parameters that differ from the method's defaults, for example "particles=200 kld_error=0".
   std::string settings;
-  std::string frames;  ///< range of frames: "0:60"; empty: all
+  std::string frames;  ///< range of frames, for example "0:60"; empty: all frames
   std::string version; ///< version of Dewpoint
 
   auto operator<=>(const JobIdentity&) const = default; // NOLINT(modernize-use-nullptr)
@@ -70,9 +70,9 @@ struct JobInput {
 };
 
 /// Returns a checksum of everything that a result depends on: `description` (project, method,
-/// parameters, seed, frames), and the size and modification time of each input, or of all files in
-/// an input that is a folder. For small input files (up to 1 MB), the content is used instead of
-/// size and modification time. Returns FileMissing or FileUnreadable.
+/// parameters, seed, frames) and the input files. If an input is a folder, all files in it are
+/// included. A file of up to 1 MB is included with its content, and a larger file with its size and
+/// modification time. Returns FileMissing or FileUnreadable.
 Result<std::string> jobKey(const std::string& description, const std::vector<JobInput>& inputs);
 
 /// Returns the text of done.json.

@@ -15,7 +15,8 @@ namespace {
 RequirementResult barOf(const std::vector<RequirementResult>& results, const std::string& grade,
                         const std::string& beginning) {
   const auto found = std::ranges::find_if(results, [&](const RequirementResult& result) {
-    return result.bar->grade == grade && result.bar->sentence.starts_with(beginning);
+    return result.requirement->grade == grade &&
+           result.requirement->sentence.starts_with(beginning);
   });
   EXPECT_NE(found, results.end()) << grade << ": " << beginning;
   return found == results.end() ? RequirementResult{&suiteRequirements().front()} : *found;
@@ -42,7 +43,7 @@ TEST(SuiteBars, AskOfAllThreeFiguresOfConsistencyTheSame) {
   const auto results = measureRequirements({});
   const auto limits = [&](const std::string& grade, const std::string& beginning) {
     const RequirementResult result = barOf(results, grade, beginning);
-    return std::pair(result.bar->low, result.bar->high);
+    return std::pair(result.requirement->low, result.requirement->high);
   };
   const std::string covered95 = "Truth inside the stated 95 % ellipsoid, median";
   const std::string covered50 = "Truth inside the stated 50 % ellipsoid, median";
@@ -72,9 +73,13 @@ TEST(SuiteBars, JudgeEveryFigureOfBeliefByMedianAndWorstInEveryGrade) {
   }
   // 75 % inside the 95 % ellipsoid: errors too large by 7.815 / 4.108 (chi-square with three
   // degrees of freedom, 95 and 75 %). 80 %: 7.815 / 4.642.
-  EXPECT_EQ(barOf(results, "real", "Truth inside the stated 95 % ellipsoid, worst").bar->low, 75.0);
-  EXPECT_EQ(barOf(results, "real", "Normalized estimation error squared, worst").bar->high, 5.7);
-  EXPECT_EQ(barOf(results, "room", "Normalized estimation error squared, worst").bar->high, 5.1);
+  EXPECT_EQ(
+      barOf(results, "real", "Truth inside the stated 95 % ellipsoid, worst").requirement->low,
+      75.0);
+  EXPECT_EQ(barOf(results, "real", "Normalized estimation error squared, worst").requirement->high,
+            5.7);
+  EXPECT_EQ(barOf(results, "room", "Normalized estimation error squared, worst").requirement->high,
+            5.1);
 }
 
 TEST(SuiteBars, OfAllRunsOfIdealAreOfTheFirstFamiliesAlone) {
@@ -114,9 +119,9 @@ TEST(SuiteBars, NobodyMayBeSureOfATie) {
   const RequirementResult sure = barOf(results, "room", "Sure of a tie");
   EXPECT_EQ(sure.value, 40.0);
   EXPECT_EQ(sure.scenario, "S19-even-start");
-  EXPECT_EQ(sure.bar->high, 0.5);
+  EXPECT_EQ(sure.requirement->high, 0.5);
   EXPECT_FALSE(sure.isMet());
-  EXPECT_EQ(barOf(results, "wild", "Sure of a tie").bar->high, 2.0);
+  EXPECT_EQ(barOf(results, "wild", "Sure of a tie").requirement->high, 2.0);
   EXPECT_FALSE(barOf(results, "ideal", "Sure of a tie").isMeasured());
 }
 
@@ -136,7 +141,7 @@ TEST(SuiteBars, BeliefIsJudgedByMedianAndWorstScenarioOfItsGrade) {
       barOf(results, "room", "Truth inside the stated 95 % ellipsoid, median of the scenarios");
   EXPECT_EQ(middle.value, 94.0);
   EXPECT_TRUE(middle.isMet());
-  EXPECT_TRUE(middle.bar->isAim);
+  EXPECT_TRUE(middle.requirement->isAim);
   const RequirementResult worst =
       barOf(results, "room", "Truth inside the stated 95 % ellipsoid, worst scenario");
   EXPECT_EQ(worst.value, 46.0);

@@ -52,7 +52,7 @@ TEST(BeliefMetrics, AreMeansOverRunsButForNeesAndCalibration) {
   }
   const auto cells = made.cells();
   ASSERT_EQ(cells.size(), 1U);
-  const auto figure = [&](const char* name) { return beliefMetric(name).of(cells[0].runs); };
+  const auto figure = [&](const char* name) { return beliefMetric(name).compute(cells[0].runs); };
   EXPECT_NEAR(figure("coverage95_percent"), 89.0, 1e-9);
   EXPECT_EQ(figure("nees"), 5.0);
   EXPECT_NEAR(figure("sure_and_wrong_percent"), 1.0, 1e-12);
@@ -75,7 +75,7 @@ TEST(BeliefMetrics, OfTiesAreOfTheScenariosThatHaveThem) {
   });
   ASSERT_NE(tie, figures.end());
   const ScenarioSummary& found =
-      summaries[0].figures[static_cast<std::size_t>(tie - figures.begin())];
+      summaries[0].metrics[static_cast<std::size_t>(tie - figures.begin())];
   EXPECT_EQ(found.median, 12.0) << "the other scenario has no tie";
   EXPECT_EQ(found.worstScenario, "S19-even-start");
 }
@@ -103,10 +103,10 @@ TEST(BeliefSummary, IsOneForEachGradeAndMethod) {
   EXPECT_EQ(room.method, "dewpoint");
   EXPECT_EQ(room.scenarios, 2U);
   EXPECT_EQ(room.runs, 2U);
-  ASSERT_EQ(room.figures.size(), beliefMetrics().size());
-  EXPECT_EQ(room.figures[1].median, 40.0) << "of 66 and 14";
-  EXPECT_EQ(room.figures[1].worst, 14.0);
-  EXPECT_EQ(room.figures[1].worstScenario, "S4-desk-cloud");
+  ASSERT_EQ(room.metrics.size(), beliefMetrics().size());
+  EXPECT_EQ(room.metrics[1].median, 40.0) << "of 66 and 14";
+  EXPECT_EQ(room.metrics[1].worst, 14.0);
+  EXPECT_EQ(room.metrics[1].worstScenario, "S4-desk-cloud");
   EXPECT_TRUE(summarizeBelief({}).empty());
 }
 

@@ -11,7 +11,7 @@ OfficeScene oneWalker() {
   simulation::Walker walker;
   walker.height = 1.8;
   walker.way = {{0.0, {-1.0, 0.2}}, {2.0, {1.0, 0.2}}};
-  walker.from = 0.5;
+  walker.presentFrom = 0.5;
   scene.people.push_back(walker);
   return scene;
 }

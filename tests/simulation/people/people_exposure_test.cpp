@@ -39,7 +39,7 @@ PeopleAt passingAt(double speed) {
 Illumination withLampFromTheLeft() {
   Illumination light;
   light.lamp = kOfficeLampPosition;
-  light.further.push_back({{-3.0F, 1.0F, 1.2F}, {0.2F, 0.4F, 0.8F}});
+  light.additionalLamps.push_back({{-3.0F, 1.0F, 1.2F}, {0.2F, 0.4F, 0.8F}});
   return light;
 }
 

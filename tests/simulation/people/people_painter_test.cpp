@@ -116,7 +116,7 @@ TEST(PeoplePainter, ALoadHidesABodyAndIsNone) {
 
 TEST(PeoplePainter, NobodyHasASilhouetteWhileNotThere) {
   Walker walker = standing(1.75, 0.0, 1.0);
-  walker.from = 1.0;
+  walker.presentFrom = 1.0;
   const OfficeRenderer renderer(sceneOf({walker}), views());
   EXPECT_EQ(cv::countNonZero(renderer.silhouette(0, 0, 0)), 0);
   EXPECT_GT(cv::countNonZero(renderer.silhouette(0, 15, 0)), 500);

@@ -135,7 +135,7 @@ TEST(Illumination, GainAndLampsAddUp) {
   const RelitBackground half = relightBackground(view, light);
   EXPECT_LT(cv::norm(half.ambient + half.direct, 0.5 * view.background, cv::NORM_INF), 0.01);
   light.roomGain = 1.0F;
-  light.further.push_back({{0.5F, 0.5F, 2.0F}, {0.0F, 0.0F, 0.4F}}); // red, from above
+  light.additionalLamps.push_back({{0.5F, 0.5F, 2.0F}, {0.0F, 0.0F, 0.4F}}); // red, from above
   const RelitBackground red = relightBackground(view, light);
   const cv::Vec3f before = view.background.at<cv::Vec3f>(110, 80);
   const cv::Vec3f after = cv::Mat(red.ambient + red.direct).at<cv::Vec3f>(110, 80);
@@ -160,7 +160,7 @@ TEST(Illumination, LampsFallOffBeyondTheirReach) {
   // On a floor 3 m below it; the room's own light is switched off.
   Illumination light;
   light.roomGain = 0.0F;
-  light.further = {lamp};
+  light.additionalLamps = {lamp};
   const LightField field{&light, 0.0};
   EXPECT_NEAR(field.at({0.0F, 0.0F, -2.0F}, Vector3f::UnitZ()).y(), 0.125F, 1e-6F);
   EXPECT_NEAR(field.at({0.0F, 0.0F, 0.0F}, Vector3f::UnitZ()).y(), 0.5F, 1e-6F);
@@ -190,12 +190,12 @@ TEST(Stage, IsMeteredInTheLightItHas) {
     return light;
   };
   // Half the level is 2^-1 in the tone curve of power 0.45: 1 / 0.45 = 2.22 stops of light.
-  EXPECT_NEAR(meteredStops(stage, 0, 0.0)[1], -2.222, 1e-3);
-  EXPECT_EQ(meteredStops(stage, 0, 2.0)[1], kDarkStops);
+  EXPECT_NEAR(meteredBrightnessStops(stage, 0, 0.0)[1], -2.222, 1e-3);
+  EXPECT_EQ(meteredBrightnessStops(stage, 0, 2.0)[1], kDarkStops);
   stage.light = nullptr;
   stage.illumination.roomGain = 2.0F;
   prepareLight(stage);
-  EXPECT_NEAR(meteredStops(stage, 0, 0.0)[2], 2.222, 1e-3);
+  EXPECT_NEAR(meteredBrightnessStops(stage, 0, 0.0)[2], 2.222, 1e-3);
 }
 
 TEST(Stage, PeopleWalkBehindBodies) {

@@ -39,7 +39,7 @@ bool withSideLight(ScenarioDraft& draft) {
   const auto lamp = lampBeside(draft, up, Eigen::Vector3d::Constant(strength));
   draft.adjustFaults = [lamp](SensingFaults& faults) {
     faults.illumination.roomGain = kRoomGain;
-    faults.illumination.further = {lamp};
+    faults.illumination.additionalLamps = {lamp};
   };
   return true;
 }
@@ -58,7 +58,7 @@ bool withColoredLamp(ScenarioDraft& draft) {
   const auto lamp = lampBeside(draft, up, strength * simulation::temperatureGain(kelvin));
   draft.adjustFaults = [lamp](SensingFaults& faults) {
     faults.illumination.roomGain = kRoomGain;
-    faults.illumination.further = {lamp};
+    faults.illumination.additionalLamps = {lamp};
   };
   return true;
 }

@@ -8,11 +8,12 @@
 
 namespace dewpoint::experiment::scenarios {
 
-/// Timing faults of a camera's frames. The time stamp of a frame is its arrival time minus the
-/// known delay. All delays in this struct are in addition to the known delay.
+/// Timing faults of a camera. Methods know a part of its delay: the time stamp of a frame is its
+/// arrival time minus this known delay. The delays in this struct come in addition and are unknown
+/// to methods.
 struct CameraTiming {
-  double delay = 0.0;       ///< seconds from mid-exposure to the time stamp
-  double clockDrift = 0.0;  ///< seconds by which the delay grows per second
+  double delay = 0.0;       ///< unknown delay: time from mid-exposure to the time stamp, seconds
+  double clockDrift = 0.0;  ///< seconds by which the unknown delay grows per second
   double jitter = 0.0;      ///< standard deviation of the errors of the time stamps, seconds
   double dropShare = 0.0;   ///< fraction of frames that do not arrive
   double doubleShare = 0.0; ///< fraction of frames that repeat the previous image
@@ -25,12 +26,12 @@ struct CameraTiming {
 /// Frame as it arrives: the image that it shows, and the error of its time stamp.
 struct FrameDelivery {
   std::int64_t shown = 0;  ///< number of the frame whose image arrives
-  double stampError = 0.0; ///< seconds
+  double stampError = 0.0; ///< error of the time stamp, seconds
 };
 
 /// Returns how frame `frame` of a camera arrives, or nothing if the frame is dropped. This is a
-/// pure function. `chances` is the camera's random stream for the frame. Frame 0 always arrives
-/// without faults.
+/// pure function. `chances` supplies the random numbers; it is the random stream of this camera and
+/// frame. Frame 0 always arrives and shows its own image.
 std::optional<FrameDelivery> deliveryOf(const CameraTiming& timing, std::int64_t frame,
                                         const RandomStream& chances);
 

@@ -157,12 +157,14 @@ simulation::Illumination drawIllumination(const GradeModel& model, const FaultCo
   const simulation::Vector3f side =
       beside(context, context.lampDistance, draw(kSideHeight, draws), draws);
   const auto white = static_cast<float>(draw(model.sideLamp, draws));
-  light.further.push_back({side, simulation::Vector3f::Constant(white), distanceTo(context, side)});
+  light.additionalLamps.push_back(
+      {side, simulation::Vector3f::Constant(white), distanceTo(context, side)});
   const simulation::Vector3f above =
       beside(context, context.lampDistance, draw(kWallHeight, draws), draws);
   const double strength = draw(model.coloredLamp, draws);
   const Eigen::Vector3d tint = simulation::temperatureGain(draw(model.coloredKelvin, draws));
-  light.further.push_back({above, (strength * tint).cast<float>(), distanceTo(context, above)});
+  light.additionalLamps.push_back(
+      {above, (strength * tint).cast<float>(), distanceTo(context, above)});
   simulation::MovingShadow shadow;
   const double heading = draws.uniform(0.0, kFullTurn);
   const Eigen::Vector3d direction{std::cos(heading), std::sin(heading), 0.0};

@@ -21,29 +21,30 @@ struct GradeModel {
   const char* name = "";
 
   // Lens and sensor.
-  Range psfSigmaPx;    ///< standard deviation of the lens blur, pixels
-  Range fullWell;      ///< number of electrons at full scale, with the gain that the light requires
-  Range readElectrons; ///< standard deviation of the read noise, electrons
-  Range contrast;      ///< exponent applied to the tone curve
-  Range sharpening;    ///< amount of the unsharp mask
-  Range sharpeningSigma; ///< standard deviation of the blur in the unsharp mask, pixels
-  Range jpegQuality;
+  Range psfSigmaPx; ///< standard deviation of the lens blur, pixels
+  /// PixelNoise::fullWell, electrons; accounts for the gain that the light in the room requires.
+  Range fullWell;
+  Range readElectrons;      ///< standard deviation of the read noise, electrons
+  Range contrast;           ///< SensorModel::contrast: exponent applied to the tone curve
+  Range sharpening;         ///< Sharpening::amount: strength of the unsharp mask
+  Range sharpeningSigma;    ///< standard deviation of the blur in the unsharp mask, pixels
+  Range jpegQuality;        ///< JPEG quality of the images, 1 to 100
   Range vignette;           ///< fraction of light lost in the corners
   double sideFalloff = 0.0; ///< largest fraction of light gained or lost toward a border
 
   // Exposure and white balance.
-  Range exposureSeconds;
-  Range levelStops;        ///< settled exposure relative to the nominal one, stops
+  Range exposureSeconds;   ///< exposure of each row, seconds
+  Range levelStops;        ///< settled exposure relative to the nominal one, stops (factors of two)
   Range firstStops;        ///< error of the exposure at frame 0, stops
   Range whiteBalanceStops; ///< constant error of blue and red, stops
-  Range huntingStops;      ///< amplitude of the metering error, stops
-  Range huntingPeriod;     ///< period of the metering error, seconds
-  Range loopSpeed;         ///< fraction of the error corrected per frame
-  Range loopLag;           ///< number of frames from a measurement to its effect
+  Range huntingStops;      ///< amplitude of a periodic error in the measured brightness, stops
+  Range huntingPeriod;     ///< period of this error, seconds
+  Range loopSpeed; ///< ControlLoop::speed: fraction of the error that is corrected per frame
+  Range loopLag;   ///< ControlLoop::lagFrames: number of frames from a measurement to its effect
 
+  // Light; drawn once per run.
   /// Light of a low, white lamp at the side of the target, as a fraction of full light at the
   /// target.
-  // Light; drawn once per run.
   Range sideLamp;
   /// Light of a colored lamp in the green channel, as a fraction of full light at the target.
   Range coloredLamp;
@@ -57,18 +58,18 @@ struct GradeModel {
   Range readoutSeconds; ///< time from the first to the last row of a rolling shutter
   Range delayFrames;    ///< unknown part of the delay, frames
   Range jitterSeconds;  ///< standard deviation of the errors of the time stamps, seconds
-  Range dropShare;
-  Range doubleShare;
+  Range dropShare;      ///< fraction of frames that do not arrive
+  Range doubleShare;    ///< fraction of frames that repeat the previous image
 
   // Calibration.
-  CalibrationError calibration; ///< standard deviations
+  CalibrationError calibration; ///< standard deviations of the errors
   Range driftRadians;           ///< final rotation of the camera since its calibration, radians
-  Range driftSettleSeconds;
+  Range driftSettleSeconds;     ///< time constant of this rotation, seconds
 };
 
-/// Horizontal distance of additional lamps from the target's initial position, meters. It is chosen
-/// so that the lamps are inside the walls of the room with the desk (kDeskRoomHalfSize) and behind
-/// the cameras.
+/// Default horizontal distance of additional lamps from the target's initial position, meters. It
+/// is chosen so that the lamps are inside the walls of the room with the desk (kDeskRoomHalfSize)
+/// and behind the cameras.
 inline constexpr double kLampDistance = 1.5;
 
 /// Returns the values of a grade. `Ideal` has no faults: all zeros.
@@ -96,8 +97,8 @@ simulation::SensorModel randomSensor(const GradeModel& model, const FaultContext
                                      RandomDraws& draws);
 
 /// Gives each camera a lens that is typical of consumer cameras. In grade `Ideal`, cameras remain
-/// pinhole cameras. Lenses are drawn from a few different ones only, so that runs can share
-/// rendered backgrounds.
+/// pinhole cameras. There are only a few different lenses to draw from, because runs with the same
+/// lenses share rendered backgrounds.
 void setRandomLenses(Grade grade, CameraRig& rig, RandomDraws& draws);
 
 } // namespace dewpoint::experiment::scenarios

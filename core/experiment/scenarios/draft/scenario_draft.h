@@ -32,8 +32,8 @@ struct ScenarioDraft {
   RandomDraws draws;
   CameraRig rig; ///< true calibration of the cameras
   simulation::Stage stage = {};
-  std::vector<std::size_t> targets = {}; ///< indices of the tracked bodies of the stage
-  bool radiusKnown = true;               ///< true if methods know the size of the targets
+  std::vector<std::size_t> targets = {}; ///< indices of the tracked bodies in Stage::bodies
+  bool radiusKnown = true;               ///< true if methods know the radius of the targets
   Eigen::Vector3d startCenter = Eigen::Vector3d::Zero();
   Eigen::Vector3d startHalfSize = Eigen::Vector3d::Zero();
   double framesPerSecond = simulation::kDefaultFrameRate;
@@ -59,10 +59,10 @@ struct ScenarioDraft {
   /// Scale factor for ball radii, at most 1. It is applied when the scenario is complete.
   double radiusScale = 1.0;
   int equalCandidates = 1; ///< see ScenarioRun::equalCandidates
-  /// True if, in grade `ideal`, calibration and time stamps are exact and methods know this.
+  /// True if calibration and time stamps are exact in grade `ideal`, and methods know this.
   bool exactWhenIdeal = true;
-  /// Sets what methods know about the targets, using the images of the finished run. If null,
-  /// methods know the color range of the pink ball.
+  /// Sets what methods know about the targets (ScenarioRun::targets), using the images of the
+  /// finished run. If null, methods know the color range of the pink ball.
   std::function<void(const ScenarioDraft&, ScenarioRun&)> teach = nullptr;
 
   /// Returns the radius of a ball of default size in the complete scenario, meters.

@@ -19,7 +19,7 @@ simulation::GainCurve gainsOf(const ScenarioDraft& draft, std::size_t camera,
   std::vector<Eigen::Vector3d> stops;
   stops.reserve(static_cast<std::size_t>(draft.frameCount));
   for (std::int64_t frame = 0; frame < draft.frameCount; ++frame) {
-    stops.push_back(simulation::meteredStops(draft.stage, camera, draft.timeOf(frame)));
+    stops.push_back(simulation::meteredBrightnessStops(draft.stage, camera, draft.timeOf(frame)));
   }
   return simulation::automaticGains(automatic, stops, draft.framesPerSecond);
 }

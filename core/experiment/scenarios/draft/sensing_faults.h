@@ -15,7 +15,7 @@ namespace dewpoint::experiment::scenarios {
 
 /// Standard deviations of the errors in the calibration that methods receive.
 struct CalibrationError {
-  double focal = 0.0;    ///< error of the focal length, as a fraction
+  double focal = 0.0;    ///< relative error of the focal length
   double position = 0.0; ///< error of the position per axis, meters
   double rotation = 0.0; ///< rotation error about a random axis, radians
   double radial = 0.0;   ///< error of the first radial distortion coefficient
@@ -27,9 +27,9 @@ Camera miscalibrated(Camera camera, const CalibrationError& error, RandomDraws& 
 
 /// Uneven light over an image, as fractions of the light in the center.
 struct UnevenLight {
-  double vignette = 0.0; ///< fraction lost in the corners
-  double right = 0.0;    ///< fraction gained from the center to the right border
-  double down = 0.0;     ///< fraction gained from the center to the lower border
+  double vignette = 0.0; ///< fraction of light lost in the corners
+  double right = 0.0;    ///< fraction of light gained from the center to the right border
+  double down = 0.0;     ///< fraction of light gained from the center to the lower border
 };
 
 /// Faults of one camera.

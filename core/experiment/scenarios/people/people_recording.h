@@ -15,8 +15,8 @@
 
 namespace dewpoint::experiment {
 
-/// Scene with people, as recorded by cameras with the faults of a grade: what methods may know, and
-/// the truth.
+/// Scene with people, as recorded by cameras with the faults of a grade. Methods may know only
+/// `rig` and the images; everything else is the truth.
 struct PeopleRecording {
   Grade grade = Grade::Ideal;
   OfficeScene scene; ///< scene, with the true calibration of the cameras

@@ -16,10 +16,10 @@ enum class PeopleClothes { Different, Similar };
 /// People in the simulated office, drawn from a seed.
 struct PeopleScenario {
   OfficeScene scene;
-  /// Times between which a method must keep the identities of all people, seconds: one time before
-  /// and one time after the people meet.
+  /// Time before the people meet, seconds. From then until `after`, a method must keep the
+  /// identities of all people.
   double before = 0.0;
-  double after = 0.0;
+  double after = 0.0; ///< time after the people have met, seconds
 };
 
 /// Returns the names of all scenarios. The scenarios of Mohedano et al. 2009 come first:

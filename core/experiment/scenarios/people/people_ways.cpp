@@ -35,7 +35,7 @@ bool isPathFree(const Walker& walker) {
 Walker numberedWalker(int number) {
   Walker walker;
   walker.name = fmt::format("person {}", number);
-  walker.from = kAppearTime;
+  walker.presentFrom = kAppearTime;
   return walker;
 }
 
@@ -134,7 +134,7 @@ void addVisitors(PeopleScenario& scenario, RandomDraws& draws) {
   std::size_t door = static_cast<std::size_t>(draws.uniform(0.0, 4.0));
   for (int k = 0; k < 3; ++k) {
     Walker walker = numberedWalker(k + 1);
-    walker.from = -1.0;
+    walker.presentFrom = -1.0;
     const auto& in = kDoors.at(door % 4);
     const auto& out = kDoors.at((door + 1 + static_cast<std::size_t>(draws.uniform(0.0, 3.0))) % 4);
     const double pace = draws.uniform(0.9, 1.2);

@@ -86,7 +86,7 @@ WildOffice wildOffice(const OfficeScene& scene, RandomDraws& draws) {
   for (const Camera& camera : scene.cameras) {
     office.rig.push_back(putUpElsewhere(camera, draws));
   }
-  hangPosters(scene, draws, office.design.further);
+  hangPosters(scene, draws, office.design.additionalFurniture);
   const Eigen::Vector3d paint = draws.pointInBox(Eigen::Vector3d::Constant(kDarkestPaint),
                                                  Eigen::Vector3d::Constant(kLightest));
   office.design.walls = Material{Pattern::Plaster, paint.cast<float>()};

@@ -9,9 +9,9 @@
 
 namespace dewpoint::experiment::scenarios {
 
-/// Closed path with a temporary detour. At `begin` seconds, the ball starts to move aside, which
-/// takes `reach` seconds. It stays aside for `hold` seconds and then returns to the closed path
-/// within `reach` seconds.
+/// Closed path with a temporary detour. At time `begin` (seconds), the ball starts to leave the
+/// path; after `reach` seconds, it has reached the offset `out`. For the next `hold` seconds, its
+/// offset changes to `back`. It then returns to the closed path within `reach` seconds.
 struct Detour {
   LissajousPath base;
   /// Offset from `base` when the ball has moved aside, meters.
@@ -28,7 +28,8 @@ struct Detour {
   Eigen::Vector3d operator()(double time) const;
 };
 
-/// Visibility of a ball in an image, given the image border and the objects at rest in the room.
+/// How much of a ball an image shows. The rest of the ball is outside the image, or hidden by
+/// objects at rest in the room.
 enum class Visibility { Nothing, Part, Whole };
 /// Returns how much of a ball (world frame, meters) is visible in the image of `view`.
 Visibility visibilityOf(const simulation::RoomView& view, const Eigen::Vector3d& center,

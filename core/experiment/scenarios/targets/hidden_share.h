@@ -17,8 +17,8 @@ namespace dewpoint::experiment::scenarios {
 double hiddenShare(const Eigen::Vector3d& eye, const Eigen::Vector3d& center, double radius,
                    const std::vector<simulation::MovingPart>& parts);
 
-/// Returns the fraction of a ball's disk, 0 to 1, in front of which or behind which there is one of
-/// the parts, as seen from the viewpoint `eye`.
+/// Returns the fraction of a ball's disk, 0 to 1, that overlaps with one of the parts as seen from
+/// the viewpoint `eye`. It does not matter whether the part is in front of the ball or behind it.
 double overlappedFraction(const Eigen::Vector3d& eye, const Eigen::Vector3d& center, double radius,
                           const std::vector<simulation::MovingPart>& parts);
 

@@ -19,13 +19,14 @@ enum class BallPattern {
   SixSpots,     ///< six spots on all sides, with half angles of 14 to 18 degrees
   Seams,        ///< two intersecting great circles, 5 to 7 mm wide on a ball of 70 mm diameter
   TwoColors,    ///< half of the ball has a second color
-  Highlight,    ///< no paint, but shiny, with a clipped highlight
+  Highlight,    ///< no paint; the ball is so shiny that its highlight is clipped
 };
 
 /// Rotation of a ball about an axis at a constant rate.
 struct Spin {
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ(); ///< unit vector, world
-  double rate = 0.0;                               ///< radians per second
+  /// Axis of the rotation: unit vector, world frame.
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
+  double rate = 0.0; ///< rate of the rotation, radians per second
   /// Returns the ball axes in the world frame, as rows, at a time in seconds.
   Eigen::Matrix3f axesAt(double time) const;
 };

@@ -10,8 +10,9 @@ namespace dewpoint::experiment::scenarios {
 /// Cameras of grade `wild`, and the scene scales that they require.
 struct WildRig {
   CameraRig rig;
-  double radiusScale = 1.0; ///< scale factor for ball radii, so that balls can be small in images
-  double pathScale = 1.0;   ///< scale factor for smooth paths, so that they stay inside the images
+  /// Scale factor for ball radii; below 1 if balls are to look small in the images.
+  double radiusScale = 1.0;
+  double pathScale = 1.0; ///< scale factor for smooth paths, which must stay inside the images
 };
 
 /// Number of rigs that are drawn before a scenario gives up. It is small because each rig requires
@@ -19,11 +20,11 @@ struct WildRig {
 inline constexpr int kMaxRigAttempts = 6;
 
 /// Draws a rig that differs from the scenario's rig. Each camera is moved by up to 0.3 radians
-/// around the center of the volume and by up to 15 % in distance, and is tilted. Focal length,
-/// resolution and ball size are chosen so that a target in the center of the volume is about as
-/// wide in the image as a number drawn from 4 pixels to half of the image's smaller side. The
-/// logarithm of this number is uniformly distributed. With each attempt (0 to kMaxRigAttempts - 1),
-/// targets larger than usual come closer to their usual size.
+/// around the center of the volume and by up to 15 % in distance, and is tilted. Then a target
+/// width is drawn, from 4 pixels to half of the image's smaller side; its logarithm is uniformly
+/// distributed. Focal length, resolution and ball size are chosen so that a target in the center of
+/// the volume has about this width in the image. A target that would appear larger than usual comes
+/// closer to its usual size with each `attempt` (0 to kMaxRigAttempts - 1).
 WildRig randomRig(const CameraRig& rig, simulation::Furnishing furnishing, int attempt,
                   RandomDraws& draws);
 

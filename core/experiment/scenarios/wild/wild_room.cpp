@@ -140,8 +140,8 @@ simulation::RoomDesign randomRoom(simulation::Furnishing furnishing, const Camer
                                   RandomDraws& draws, const Eigen::Vector3d& targetColor) {
   simulation::RoomDesign design;
   const Ground ground = groundOf(furnishing);
-  addClutter(ground, rig, targetColor, draws, design.further);
-  addPosters(furnishing, targetColor, draws, design.further);
+  addClutter(ground, rig, targetColor, draws, design.additionalFurniture);
+  addPosters(furnishing, targetColor, draws, design.additionalFurniture);
   const Eigen::Vector3d paint = draws.pointInBox(Eigen::Vector3d::Constant(kDarkestWall),
                                                  Eigen::Vector3d::Constant(kLightestChannel));
   const Vector3f likeTarget = drawColor(1.0, targetColor, draws);

@@ -94,8 +94,8 @@ TEST(ScenarioIllumination, ASecondLampIsABulbOrTheSky) {
         draftOf(experiment::scenarios::lampScenarios(), "S20-second-lamp", seed);
     const SensingFaults faults = faultsOf(draft);
     EXPECT_EQ(faults.illumination.roomGain, 0.8F);
-    ASSERT_EQ(faults.illumination.further.size(), 1U);
-    const simulation::AdditionalLamp& lamp = faults.illumination.further.front();
+    ASSERT_EQ(faults.illumination.additionalLamps.size(), 1U);
+    const simulation::AdditionalLamp& lamp = faults.illumination.additionalLamps.front();
     EXPECT_GE(lamp.color[1], 0.3F); // in green all color temperatures have their strength
     EXPECT_LE(lamp.color[1], 0.5F);
     const double red = rednessOf(Eigen::Vector3d(lamp.color.cast<double>()));
@@ -118,8 +118,8 @@ TEST(ScenarioIllumination, ASecondLampColorsTheImages) {
     const ScenarioDraft draft =
         draftOf(experiment::scenarios::lampScenarios(), "S20-second-lamp", seed);
     const ScenarioDraft lit = withFaults(draft);
-    const bool isWarm = lit.stage.illumination.further.at(0).color[2] >
-                        lit.stage.illumination.further.at(0).color[0];
+    const bool isWarm = lit.stage.illumination.additionalLamps.at(0).color[2] >
+                        lit.stage.illumination.additionalLamps.at(0).color[0];
     for (const std::size_t camera : {0U, 1U}) {
       const double change =
           rednessOf(imageOf(lit, camera, 0)) / rednessOf(imageOf(draft, camera, 0));

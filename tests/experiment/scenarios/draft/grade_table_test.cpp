@@ -99,11 +99,11 @@ const std::vector<TableRow<SensingFaults>>& runRows() {
       {"white lamp",
        {0, 0.8},
        {0, 1.2},
-       [](const Of& run) { return double(run.illumination.further.at(0).color[2]); }},
+       [](const Of& run) { return double(run.illumination.additionalLamps.at(0).color[2]); }},
       {"colored lamp, in green",
        {0, 0.2},
        {0, 0.4},
-       [](const Of& run) { return double(run.illumination.further.at(1).color[1]); }},
+       [](const Of& run) { return double(run.illumination.additionalLamps.at(1).color[1]); }},
       {"flicker",
        {0, 0.35},
        {0, 0.9},
@@ -181,7 +181,7 @@ TEST(GradeTable, RunsAreDrawnFromAllOfIt) {
     }
     for (const SensingFaults& run : runs) {
       EXPECT_FALSE(run.illumination.isDefault());
-      const simulation::AdditionalLamp& colored = run.illumination.further.at(1);
+      const simulation::AdditionalLamp& colored = run.illumination.additionalLamps.at(1);
       const double red = colored.color[2] / colored.color[0];
       EXPECT_LT(red, 1.001 * redness(grade == Grade::Room ? 2700.0 : 2200.0));
       EXPECT_GT(red, 0.999 * redness(grade == Grade::Room ? 9000.0 : 12000.0));

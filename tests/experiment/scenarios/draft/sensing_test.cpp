@@ -97,7 +97,8 @@ TEST(Grades, LampsLightTheTargetMoreThanFarWalls) {
   context.targetStart = {0.5, 0.5, 0.15};
   for (const Grade grade : {Grade::Room, Grade::Wild}) {
     RandomDraws draws(4, "lamp test");
-    for (const auto& lamp : randomFaults(gradeModel(grade), context, draws).illumination.further) {
+    for (const auto& lamp :
+         randomFaults(gradeModel(grade), context, draws).illumination.additionalLamps) {
       const float distance = (lamp.position - context.targetStart.cast<float>()).norm();
       EXPECT_FLOAT_EQ(lamp.falloff(distance), 1.0F);
       EXPECT_FLOAT_EQ(lamp.falloff(2.0F * distance), 0.25F);

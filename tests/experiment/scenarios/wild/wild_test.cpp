@@ -78,7 +78,7 @@ TEST(WildRoom, LeavesTheMiddleAndTheCamerasFree) {
     ASSERT_TRUE(design.lamp);
     EXPECT_GT(design.lamp->z(), 1.2F);
     EXPECT_LT(design.lamp->z(), 2.0F) << "below the ceiling, z = 2.05";
-    for (const simulation::Solid& solid : design.further.solids()) {
+    for (const simulation::Solid& solid : design.additionalFurniture.solids()) {
       ++objects;
       const auto apart = [&](double x, double y) {
         return std::hypot(solid.center.x() - x, solid.center.y() - y);
@@ -89,8 +89,8 @@ TEST(WildRoom, LeavesTheMiddleAndTheCamerasFree) {
       }
     }
     RandomDraws again(seed, "wild room test");
-    EXPECT_EQ(randomRoom(Furnishing::ClutteredDesk, rig, again).further.solids().size(),
-              design.further.solids().size());
+    EXPECT_EQ(randomRoom(Furnishing::ClutteredDesk, rig, again).additionalFurniture.solids().size(),
+              design.additionalFurniture.solids().size());
   }
   EXPECT_GT(objects, 20U * 7U);
 }
@@ -109,7 +109,7 @@ TEST(WildRoom, SomeOfItHasTheTargetsColor) {
     RandomDraws draws(seed, "wild color test");
     const simulation::RoomDesign design =
         randomRoom(Furnishing::ClutteredDesk, simulation::demoRig(), draws, blue);
-    for (const simulation::Solid& solid : design.further.solids()) {
+    for (const simulation::Solid& solid : design.additionalFurniture.solids()) {
       objects += isToneOf(solid.material.color, blue) ? 1 : 0;
     }
     walls += isToneOf(design.walls->color, blue) ? 1 : 0;
