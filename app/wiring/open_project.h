@@ -22,8 +22,8 @@ Trajectory truthOfScene(const Scene& scene);
 /// project are filled in from its scene. `moved`: as in `loadProject()`.
 Result<Project> resolveProject(const std::string& nameOrFile, const MovedFiles& moved = {});
 
-/// Completes a resolved project for tracking and checks it. Image sizes that no calibration gives
-/// are read from the sources, which are closed again.
+/// Completes a resolved project for tracking and checks it. If no calibration gives the size of a
+/// camera's images, it is read from the source, which is closed again.
 Result<Project> completedProject(Project project);
 
 /// Opens the sources of a resolved project, and its ground truth if that is known.

@@ -74,9 +74,9 @@ public:
   Status setText(std::string_view key, std::string_view text);
   /// Returns false for a key whose value is derived from the cameras and was not set.
   bool isGiven(std::string_view key) const;
-  /// Marks the present value of a key as given; does nothing for an unknown key.
+  /// Marks the current value of a key as given; does nothing for an unknown key.
   void markGiven(std::string_view key);
-  /// Marks the present values of all keys as given.
+  /// Marks the current values of all keys as given.
   void markAllGiven();
   /// Resets all given values of keys that can be derived from the cameras. They have their defaults
   /// until setDerived() is called.

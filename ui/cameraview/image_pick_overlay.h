@@ -57,9 +57,9 @@ Q_SIGNALS:
   void pointingEnded();
   /// Emitted when Esc is pressed, which ends picking.
   void cancelled();
-  /// Emitted when a plain click outside picking mode selects this view.
+  /// Emitted when a plain click outside picking mode selects this view. imageClicked() follows.
   void chosen();
-  /// Emitted with the position of that click in image pixels.
+  /// Emitted with the position, in image pixels, of a plain click outside picking mode.
   void imageClicked(const QPointF& pixel);
 
 protected:

@@ -73,7 +73,7 @@ private:
   QLabel* rate_;
   QToolButton* more_;
   RunDetails* details_;
-  /// Widgets in the order in which they are hidden when there is not enough room.
+  /// Widgets that are hidden when there is not enough room, in the order in which they are hidden.
   std::vector<QWidget*> hideOrder_;
   TrackSnapshotPtr snapshot_;
   TargetSpeed motion_;

@@ -42,16 +42,19 @@ public:
   void refresh();
   /// Sets the sentence shown while there are no data.
   void setEmptyText(const QString& sentence);
-  /// Sets whether only curves and axes are shown, for a stack whose surroundings explain it.
+  /// Sets whether only curves and axes are shown, for a stack that is explained by its
+  /// surroundings.
   void setCurvesOnly(bool bare);
   /// Sets the minimum length of the axis in iterations. A shorter run fills it gradually.
   void setMinIterations(int least) { navigation_->setMinIterations(least); }
   void setAxis(PlotAxis axis);
   PlotAxis axis() const { return navigation_->axis(); }
 
-  /// Shows the selected range, and selects what the user points at.
+  /// Connects the stack with the selection shared by all views: shows the selected range, and
+  /// changes the selection when the user selects a frame or a range in the plots.
   void link(Selection& selection);
-  /// Shows the frame under the pointer in both stacks.
+  /// Connects the cursors of two stacks: the frame under the pointer in one is also marked in the
+  /// other.
   void shareCursor(PlotStack& other);
   /// Sets the frame that all views show. Without a value, this is the newest frame.
   void setCurrentFrame(std::optional<std::int64_t> frame) { navigation_->setCurrentFrame(frame); }

@@ -32,7 +32,7 @@ public:
 
   /// Returns the images of this frame; null if there are none, or if they have been dropped.
   Result<FrameSetPtr> frames(std::int64_t frame) { return cache_->at(frame); }
-  /// Returns the displayable frame closest to this one; nothing before the first frame.
+  /// Returns the frame closest to this one that can be shown; nothing before the first frame.
   std::optional<std::int64_t> nearest(std::int64_t frame) const;
   /// Returns the next frame after this one that can be shown; nothing at the end.
   std::optional<std::int64_t> nextShowable(std::int64_t frame) const;
@@ -55,7 +55,7 @@ public:
     history_.forgetFrom(frame);
     probe_.reset();
   }
-  /// Removes all checkpoints, because another run continues from the present frame.
+  /// Removes all checkpoints, because another run continues from the current frame.
   void removeCheckpoints() {
     history_.removeCheckpoints();
     probe_.reset();
@@ -72,9 +72,9 @@ public:
   void setThreadCount(int threadCount);
 
 private:
-  /// Restores a run from a checkpoint at or before `frame`, or from the start of the method if the
-  /// method cannot be copied. Sets `next` to the frame that the run must begin next. Returns false
-  /// if the run starts from scratch at `frame`.
+  /// Restores a run from the last checkpoint at or before `frame`, or, if the method cannot be
+  /// copied, from the frame at which the method began. Sets `next` to the frame that the run must
+  /// begin next. Returns false if there is neither, so that the run starts from scratch at `frame`.
   bool restoreCheckpoint(TrackingRun& run, std::int64_t frame, std::int64_t& next) const;
   /// Tracks one past frame again, with the changes made during it.
   Status trackAgain(TrackingRun& run, const TrackedFrame& trackedFrame);

@@ -28,8 +28,8 @@ public:
   };
 
   DistractorSearch() = default;
-  /// Copies everything except the search in progress; the copy starts a new search. A run with a
-  /// time budget is not reproducible bit by bit anyway.
+  /// Copies everything except the search in progress; the copy starts a new search. Only runs with
+  /// a time budget have a search in progress, and such runs are not reproducible bit by bit anyway.
   DistractorSearch(const DistractorSearch& other);
   DistractorSearch& operator=(const DistractorSearch&) = delete;
   ~DistractorSearch() = default;

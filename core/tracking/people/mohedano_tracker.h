@@ -37,8 +37,8 @@ private:
     return {parameters_.at("mask_sigma"), parameters_.at("motion_floor")};
   }
 
-  /// Returns hue and saturation at a position in one of the cameras with motion there; `pick`, from
-  /// 0 to 1, selects the camera.
+  /// Returns hue and saturation at a position, in the image of one of the cameras that show motion
+  /// there; `pick`, from 0 to 1, selects the camera.
   Eigen::Vector2d colorAt(const Eigen::Vector3d& position, double pick) const;
   PersonObservation observation() const;
   void describe(const StateEstimate& estimate, const Belief& belief, PersonEstimate& person) const;

@@ -22,7 +22,8 @@ public:
   SlicedSearch(const CameraRig& rig, AdaptiveColor color, double radius, FrameSetPtr frames,
                const std::optional<WorldBox>& bounds = std::nullopt);
 
-  /// Returns the observation. The images must be passed to it before the first advance().
+  /// Returns the observation in which the search looks for candidates. Images must be passed to it
+  /// before the first advance().
   SphereObservation& observation() { return observation_; }
   const AdaptiveColor& color() const { return color_; }
 
@@ -46,8 +47,9 @@ private:
   std::vector<Candidate> candidates_;
 };
 
-/// Advances a search. When it is finished, returns its candidates and sets the search to null;
-/// until then returns none. Finds at most four candidates, because each requires an outline fit.
+/// Continues a search. When it is finished, returns its candidates and sets the search to null;
+/// until then returns none. Finds at most four candidates, because an outline must be fitted at
+/// each.
 std::vector<Candidate> advanceSearch(std::unique_ptr<SlicedSearch>& search,
                                      const CandidateSearch& candidates, TimeBudget& budget,
                                      std::size_t limit, bool urgent);

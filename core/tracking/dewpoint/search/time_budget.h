@@ -20,9 +20,9 @@ public:
   /// Kind of deferrable work.
   enum class Part { Labels, Spots, Candidates, Learning };
   static constexpr std::size_t kPartCount = 4;
-  /// Number of deferrals after which work is done anyway, so that a budget without time for this
-  /// work delays it but does not stop it. The value was chosen by judgment
-  /// (docs/method-dewpoint.md, section 10).
+  /// Number of deferrals after which work is done even without enough time. A budget that never
+  /// leaves enough time for this work therefore delays it, but does not stop it. The value was
+  /// chosen by judgment (docs/method-dewpoint.md, section 10).
   static constexpr int kMaxDeferrals = 30;
 
   /// Sets the milliseconds per iteration; 0 means no limit. A change discards all measured times.

@@ -28,8 +28,8 @@ public:
   /// degrees of freedom) from the prediction. `velocity` is that after the update, m/s.
   void learn(double squaredDistance, const Eigen::Vector3d& velocity);
 
-  /// Returns the covariance to add to the prediction for gating. It allows for the full
-  /// acceleration limit since the target was last visible.
+  /// Returns the covariance to add to the prediction when deciding which measurements can belong to
+  /// the target. It allows for the full acceleration limit since the target was last visible.
   const Gaussian6::Matrix& gatingCovariance() const { return gatingCovariance_; }
 
 private:
