@@ -10,8 +10,9 @@
 
 namespace dewpoint::app {
 
-/// Returns a project that tracks the balls of a simulated scene with the parameters of the paper;
-/// none is derived from the cameras. The scenes "converge" and "one-camera" have their own methods.
+/// Returns a project that tracks the balls of a simulated scene. All parameters have their
+/// defaults; none is derived from the cameras. The scenes "converge" and "one-camera" have their
+/// own methods.
 Project projectOfScene(const Scene& scene, const std::string& sceneName);
 
 /// Returns the true positions of all balls of a scene in every frame (meters), named like the

@@ -33,9 +33,9 @@ std::vector<int> newIndices(const std::vector<Target>& before, const std::vector
 bool areIndicesUnchanged(const std::vector<int>& numbers);
 
 /// Returns the first frame whose result differs after the boxes have changed from those of `before`
-/// to those of `after`: the first frame with a box that was added, changed, or removed from a
-/// target that still exists. A removed target is ignored, since it does not affect the others.
-/// Returns nothing if no result differs.
+/// to those of `after`. This is the first frame in which a box was added, changed or removed. Only
+/// targets that still exist count: a removed target does not affect the others. Returns nothing if
+/// no result differs.
 std::optional<std::int64_t> firstChangedFrame(const std::vector<Target>& before,
                                               const std::vector<Target>& after);
 

@@ -19,7 +19,7 @@ cv::Mat fittedImage(const cv::Mat& image, const cv::Size& size);
 
 /// Draws the contour of a mask onto a view of its image, which may have any size. The contour is a
 /// line in the color of the tint with a dark border. `view` is CV_8UC3 and not shared; `mask` and
-/// `tints` as above.
+/// `tints` are as for tintedImage().
 void outlineMask(cv::Mat& view, const cv::Mat& mask, const cv::Mat& tints);
 
 /// Returns an enlarged image in which each pixel is a square. Neither size is empty.

@@ -18,7 +18,7 @@ struct MethodPresentation {
   /// True if a click or a drag in an image sets a target's box; otherwise it sets the color.
   bool takesBoxes = false;
   bool showsBoxes = false;     ///< plots, table and export use image boxes; otherwise positions
-  bool hasBirdsEyeView = true; ///< has a bird's-eye view
+  bool hasBirdsEyeView = true; ///< positions can be shown in a bird's-eye view
   bool hasOverlays = true;     ///< masks and likelihood maps can be drawn over the images
   /// True if the method searches the project's volume of interest, if there is one, and continues
   /// from a position that the user sets for a target.

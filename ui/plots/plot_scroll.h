@@ -23,7 +23,7 @@ public:
 
   /// Sets the axis whose numbers are shown below. If it is null, no numbers are shown.
   void setAxis(QCPAxis* axis, PlotAxis kind);
-  /// Sets whether the name of that axis is also shown.
+  /// Sets whether the name of the axis is shown next to its numbers.
   void setNameShown(bool named);
   void setEmptyText(const QString& sentence);
   void showEmpty(bool isEmpty);

@@ -45,9 +45,9 @@ public:
   /// Returns whether to continue a long operation.
   using ShouldContinue = std::function<bool()>;
   /// Restores `run` to its state right before it began `frame`, by tracking from the nearest
-  /// checkpoint with the definition used at that time. Without a checkpoint before the frame, `run`
-  /// starts from scratch there. Nothing is removed from the history. Returns the frame reached,
-  /// which is `frame` unless `shouldContinue` returned false, or an error.
+  /// checkpoint with the definition used at that time. If there is no checkpoint before the frame,
+  /// `run` starts from scratch at the frame. Nothing is removed from the history. Returns the frame
+  /// reached, which is `frame` unless `shouldContinue` returned false, or an error.
   Result<std::int64_t> goBack(TrackingRun& run, std::int64_t frame,
                               const ShouldContinue& shouldContinue);
   /// Removes the results of this frame and later ones.
@@ -63,9 +63,9 @@ public:
   /// Calls History::beginTails().
   void beginTails(std::int64_t frame) { history_.beginTails(frame); }
 
-  /// Returns a separate run, restored to the state of `run` after this past frame. It provides
-  /// likelihood maps and motion masks, which the history does not store. Null if this is not
-  /// possible or `shouldContinue` returned false.
+  /// Returns a separate run in the state in which `run` was after `frame`, a past frame. It
+  /// provides likelihood maps and motion masks, which the history does not store. Null if this is
+  /// not possible or `shouldContinue` returned false.
   const TrackingRun* runAt(std::int64_t frame, const TrackingRun& run,
                            const ShouldContinue& shouldContinue);
   /// Sets the number of threads of the run returned by runAt().

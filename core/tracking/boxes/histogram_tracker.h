@@ -57,7 +57,7 @@ private:
   double sharpness_ = 0.0;
   double adaptation_ = 0.0;
   double hiddenBelow_ = 0.0;
-  /// Number of particles for the next image; `states_` has the particles of the present one.
+  /// Number of particles for the next image; `states_` has the particles of the current one.
   Eigen::Index particleCount_ = 0;
   std::uint64_t seed_ = 0;
   std::uint32_t frame_ = 0;

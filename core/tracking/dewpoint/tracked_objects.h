@@ -68,8 +68,9 @@ public:
   /// not evidence for `own`. Only objects that are mostly visible and have the color of `own` are
   /// considered. `own` need not be tracked yet.
   void explainOthers(SphereObservation& observation, const TrackedObject& own) const;
-  /// Does the same in the images from which the shape of a target is learned, but only for other
-  /// targets. Distractors are not considered: a supposed distractor may be a part of this target.
+  /// Like explainOthers(), but in the images from which the shape of a target is learned, and only
+  /// for other targets. Distractors are not considered: a supposed distractor may be a part of this
+  /// target.
   void explainOtherTargets(std::size_t target);
   /// Starts a search for an object over several frames, in the images of this frame. Pixels of
   /// other objects are first marked as explained. The object need not be tracked yet.

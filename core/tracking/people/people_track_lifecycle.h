@@ -100,7 +100,7 @@ private:
   void step(const FrameSet& frames, ThreadTeam& team);
   int createTrack(const Eigen::Vector3d& center);
   void removeTrack(int identity);
-  /// Assigns tracks to all present people.
+  /// Assigns tracks to all people who are present.
   void assignTracks();
   void prepare();
   Visibility visibilityOf(std::size_t person, std::size_t camera) const;
