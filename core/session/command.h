@@ -23,7 +23,8 @@ namespace dewpoint::session {
 namespace command {
 /// Starts or resumes playing.
 struct Play {};
-/// Pauses. If past frames are being tracked again (Rerun), the remaining ones are not.
+/// Pauses. If past frames are being tracked again (Rerun), this ends before the remaining ones are
+/// tracked.
 struct Pause {};
 /// Tracks the next frame with all its iterations, then pauses.
 struct StepFrame {};
@@ -45,9 +46,9 @@ struct SetMethod {
   std::optional<std::int64_t> from; ///< not set: from the first frame
 };
 /// Pauses and shows another frame. This can be an earlier frame, as it was tracked, or, in a
-/// recording, a later frame without results. The run itself stays at its frame. Play then continues
-/// from the frame shown: it replays frames up to the frame of the run, then tracks the following
-/// ones.
+/// recording, a later frame that was not tracked yet. The run itself stays at its frame. Play then
+/// continues from the frame shown: it replays frames up to the frame of the run, then tracks the
+/// following ones.
 struct ShowFrame {
   std::int64_t frame = 0;
 };
@@ -58,8 +59,8 @@ struct ReturnToNewestFrame {};
 /// are replaced. Pausing stops the rerun.
 struct Rerun {
   std::int64_t from = 0;
-  /// If true, the displayed frame does not change: frames tracked during the rerun are not
-  /// published, unless the rerun takes noticeably long.
+  /// If true, the frame that is shown does not change: frames are tracked again without being
+  /// published, unless this takes noticeably long.
   bool keepView = false;
 };
 /// Turns likelihood maps on or off (TargetSnapshot::maps).

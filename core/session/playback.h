@@ -112,8 +112,9 @@ public:
   void track();
   /// Notes that the estimates of the head are in the log.
   void record() { head_ = Head::Recorded; }
-  /// Notes that the run has reached frame `head`. If this is the goal of a rerun, the rerun ends;
-  /// the frame to show after it is returned, if there is one.
+  /// Notes that the run has reached frame `head`. If this frame is the goal of a rerun, ends the
+  /// rerun and returns the frame to show after it. Returns nothing if this is the head, or if no
+  /// rerun has ended.
   std::optional<std::int64_t> reach(std::int64_t head);
   /// Notes that the head is being tracked again from scratch.
   void forgetEstimates();

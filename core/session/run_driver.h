@@ -61,8 +61,8 @@ public:
   // Time travel.
   void show(std::int64_t frame) { playback_.show(timeTravel().nearest(frame), head()); }
   void returnToNewestFrame() { playback_.returnToNewestFrame(); }
-  /// Tracks again from this frame on. With `keepView`, the frame shown now is shown again
-  /// afterwards.
+  /// Tracks again from this frame on. If `keepView` is true, the frame shown now is shown again
+  /// afterward.
   void rerun(std::int64_t from, bool keepView = false) { rerun(from, nullptr, keepView); }
 
   // Changes. Tracks continue as far as possible.

@@ -32,8 +32,8 @@ public:
   void begin() { begun_ = Clock::now(); }
   /// Notes that a frame was taken.
   void noteArrival();
-  /// Sets the arrival time of the next tracked frame to now. Without this, the time for which the
-  /// run was paused would count as latency.
+  /// Sets the arrival time of the next tracked frame to now. Otherwise, the time for which the run
+  /// was paused would count as latency.
   void resetArrival();
 
   void iterated(const TrackingRun& run, double microseconds) override;

@@ -60,7 +60,7 @@ public:
   /// effect in the frame that is begun next.
   void applyLaterChanges();
   void setThreads(int threads);
-  /// Discards all tracks and the whole history. Without `seed`, the previous seed is used.
+  /// Discards all tracks and the whole history. If `seed` is empty, the previous seed is used.
   void restart(std::optional<std::uint64_t> seed);
 
 private:

@@ -13,7 +13,7 @@ namespace dewpoint::ui {
 class CameraListModel;
 
 /// Mouse and keyboard input of all camera images. A click or a dragged box goes to the tool that
-/// requested it. Without such a tool, it selects.
+/// requested it. If no tool did, it selects the camera, or the person at this pixel.
 class ImagePickTool : public QObject {
   Q_OBJECT
 public:

@@ -44,7 +44,7 @@ public:
   /// Pans by a fraction of the visible width.
   void pan(double share);
 
-  /// Sets the frame that all views show. Without a value, this is the newest frame.
+  /// Sets the frame that all views show. An empty value stands for the newest frame.
   void setCurrentFrame(std::optional<std::int64_t> frame);
   std::optional<std::int64_t> currentFrame() const { return currentFrame_; }
   /// Sets the frame under the pointer, here or in another view; nothing if there is none.

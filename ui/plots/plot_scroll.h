@@ -14,8 +14,8 @@ namespace dewpoint::ui {
 
 class PlotAxisStrip;
 
-/// Scroll area around a stack of plots. Without enough room, the plots scroll above the axis
-/// numbers, which stay in place. Without data, a sentence covers the plots.
+/// Scroll area around a stack of plots. If there is not enough room, the plots scroll above the
+/// axis numbers, which stay in place. While there are no data, a sentence covers the plots.
 class PlotScroll : public QWidget {
 public:
   /// Takes ownership of the plot.

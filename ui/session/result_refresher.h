@@ -28,7 +28,7 @@ public:
   void setQuickLimit(double seconds) { quickSeconds_ = seconds; }
   /// Reports that a setting of the run was changed.
   void edited();
-  /// Reports that the user plays, restarts or tracks again. No frames are then tracked
+  /// Reports that the user plays, restarts or tracks again. From then on, no frames are tracked
   /// again automatically until the next change.
   void suspend();
   /// Processes the newest snapshot. `wentBack` is true if the run has gone back to an earlier frame

@@ -68,7 +68,7 @@ public:
   /// Sets the playback speed of this run and of later runs.
   void setPace(const Pace& pace);
   const Pace& pace() const { return pace_; }
-  /// Shows a frame. Without a value, shows the run's current frame.
+  /// Shows a frame. If `frame` is empty, shows the frame that the run is at.
   void show(std::optional<qint64> frame);
   /// Restarts the run from the beginning, with a new seed or the same seed.
   void restart(bool newSeed);

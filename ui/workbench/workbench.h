@@ -20,8 +20,8 @@ class MessageBar;
 class Selection;
 class TargetListModel;
 
-/// Shared parts of the window that views and features are installed with. A feature receives them
-/// in its constructor or install function, creates its dock, connects its actions and subscribes to
+/// Shared parts of the window, which views and features use. A feature receives them in its
+/// constructor or install function, creates its dock, connects its actions and subscribes to
 /// snapshots. No other part of the window knows about the feature.
 struct Workbench {
   QMainWindow& window; ///< parent of docks, views and dialogs

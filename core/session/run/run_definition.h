@@ -49,7 +49,7 @@ struct RunDefinition {
 };
 using RunDefinitionPtr = std::shared_ptr<const RunDefinition>;
 
-/// Returns the two corners of a volume of interest as text, in meters.
+/// Returns the two corners of a volume of interest, in meters, as text.
 std::string volumeText(const WorldBox& volume);
 
 /// Returns whether the images are equal, pixel by pixel.

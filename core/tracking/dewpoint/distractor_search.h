@@ -41,7 +41,8 @@ public:
   /// Removes distractors that are lost, or hardly visible after several updates.
   static void removeLost(TrackedObjects& objects);
   /// Searches the images every few frames and adds at most one distractor per color. Called once
-  /// per frame, after all updates. With a time budget, a search is spread over several frames.
+  /// per frame, after all updates. If there is a time budget, a search is spread over several
+  /// frames.
   void search(const Context& context, ThreadTeam& team);
 
 private:

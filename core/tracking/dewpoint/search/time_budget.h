@@ -11,10 +11,10 @@
 
 namespace dewpoint::tracking {
 
-/// Clock of an iteration with a limited duration. Deferrable work is done if its usual duration (a
-/// running median) fits into the remaining time; otherwise it is deferred. Other work is reduced by
-/// using fewer particles. Without a budget, all work is done immediately, no clock is read, and a
-/// run is reproducible bit by bit.
+/// Clock of an iteration whose duration is limited by a budget. Deferrable work is done if its
+/// usual duration (a running median) fits into the remaining time; otherwise it is deferred. Other
+/// work is reduced by using fewer particles. If no budget is set, all work is done immediately, no
+/// clock is read, and a run is reproducible bit by bit.
 class TimeBudget {
 public:
   /// Kind of deferrable work.

@@ -77,8 +77,8 @@ public:
   /// Replaces all hypotheses by a hypothesis from another filter of this target, or by none if it
   /// is null. The other filter has already predicted and updated it.
   void setOnlyHypothesis(const TrackHypothesis* hypothesis);
-  /// Removes the hypotheses at occupied positions, unless the likeliest one has a probability above
-  /// one half.
+  /// Removes the hypotheses at positions that another target occupies. Removes none if the most
+  /// likely hypothesis has a probability above one half.
   void removeOccupied(const std::vector<OccupiedSphere>& occupied);
   /// If images cannot decide between several hypotheses, keeps only the most likely one; see
   /// resolveAmbiguity(). The probability that this choice is wrong lowers the existence probability
@@ -101,7 +101,7 @@ public:
   /// position. Returns nothing if there was none or if it is too old.
   std::optional<OccupiedSphere> expectedSphere() const;
   SphereEstimate estimate(SphereObservation& observation) const;
-  /// As ParticleCloud::particles().
+  /// Returns an even selection of particles, as ParticleCloud::particles() does.
   void particles(int limit, Eigen::ArrayXXd& positions, Eigen::ArrayXd& weights) const;
   /// Returns the size of its particles in bytes.
   std::size_t memoryBytes() const;
@@ -113,8 +113,8 @@ private:
   /// the hypothesis whether the images show its rim (TrackHypothesis::rimSeen). A hypothesis that
   /// may be part of a larger object gets at most the probability of a birth.
   double priorProbability(TrackHypothesis& hypothesis, SphereObservation& observation) const;
-  /// Returns the probability that an absent target appears at a position, or so close to it that
-  /// images cannot distinguish the two.
+  /// Returns the probability that an absent target appears at this position, or so close to it that
+  /// images cannot distinguish the two positions.
   double birthProbability(const Eigen::Vector3d& position, double radius) const;
   /// Removes hypotheses that are more than their radius outside the bounds, and those with an
   /// impossible radius.
