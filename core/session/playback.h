@@ -13,10 +13,11 @@ namespace dewpoint::session {
 /// without further commands, and which frame comes next. It has no thread, clock or image. The
 /// *head* is the last frame that the run has taken. At the head, the run is Paused, Playing or
 /// Ended. Viewing and Replaying show a frame other than the head. Rerunning tracks past frames
-/// again, up to the former head; the last of these frames is the goal. In the state Holding, this
-/// is on hold. The table gives the next state for each state (column) and event (row). The event
-/// "return to head" is returnToNewestFrame(). The row "advance, head" applies if the next frame is
-/// the head, the row "advance, none" if there is no next frame. A dash means no change:
+/// again, up to the former head; the last of these frames is the goal. Holding is the same, but on
+/// hold until it is resumed. The table gives the next state for each state (column) and event
+/// (row). The event "return to head" is returnToNewestFrame(). The row "advance, head" applies if
+/// the next frame is the head, the row "advance, none" if there is no next frame. A dash means no
+/// change:
 ///
 /// |                | Paused  | Playing | Ended   | Viewing   | Replaying | Rerunning | Holding   |
 /// | -------------- | ------- | ------- | ------- | --------- | --------- | --------- | --------- |

@@ -42,8 +42,8 @@ public:
   void refresh();
   /// Sets the sentence shown while there are no data.
   void setEmptyText(const QString& sentence);
-  /// Sets whether only curves and axes are shown, for a stack that is explained by its
-  /// surroundings.
+  /// Sets whether only curves and axes are shown. This suits a stack whose surroundings explain
+  /// what it shows.
   void setCurvesOnly(bool bare);
   /// Sets the minimum length of the axis in iterations. A shorter run fills it gradually.
   void setMinIterations(int least) { navigation_->setMinIterations(least); }

@@ -24,8 +24,9 @@ public:
   void recordSeen();
   int unseenSteps() const { return unseenSteps_; }
 
-  /// Learns from a measured position. `squaredDistance` is its squared Mahalanobis distance (three
-  /// degrees of freedom) from the prediction. `velocity` is that after the update, m/s.
+  /// Learns from a measured position. `squaredDistance` is the squared Mahalanobis distance (three
+  /// degrees of freedom) of this position from the prediction. `velocity` is the velocity of the
+  /// target after the update, m/s.
   void learn(double squaredDistance, const Eigen::Vector3d& velocity);
 
   /// Returns the covariance to add to the prediction when deciding which measurements can belong to
