@@ -30,7 +30,8 @@ public:
   /// Processes as many pieces as time allows, at least one if `urgent`, and finds at most `limit`
   /// candidates. Returns whether the search is finished.
   bool advance(const CandidateSearch& search, TimeBudget& budget, std::size_t limit, bool urgent);
-  /// Returns the result, as CandidateSearch::find(), after the search is finished.
+  /// Returns the candidates that CandidateSearch::find() would return. Call it after the search is
+  /// finished.
   const std::vector<Candidate>& candidates() const { return candidates_; }
 
 private:
