@@ -21,7 +21,8 @@ void addSelfTestCommand(CLI::App& app, int& exitCode);
 // calibrate/: camera calibration, and planning where another camera would help.
 void addCalibrateCommand(CLI::App& app, int& exitCode);
 void addCalibrationCommand(CLI::App& app, int& exitCode);
-/// Adds its command as a subcommand of `calibration`, which is created if it does not exist yet.
+/// Adds the command that writes a calibration board for printing, as a subcommand of `calibration`,
+/// which is created if it does not exist yet.
 void addPrintBoardCommand(CLI::App& app, int& exitCode);
 void addPlanCommand(CLI::App& app, int& exitCode);
 

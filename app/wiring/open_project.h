@@ -10,8 +10,9 @@
 
 namespace dewpoint::app {
 
-/// Returns a project that tracks the balls of a simulated scene with the parameters of the paper;
-/// none is derived from the cameras. The scenes "converge" and "one-camera" have their own methods.
+/// Returns a project that tracks the balls of a simulated scene. All parameters have their
+/// defaults; none is derived from the cameras. The scenes "converge" and "one-camera" have their
+/// own methods.
 Project projectOfScene(const Scene& scene, const std::string& sceneName);
 
 /// Returns the true positions of all balls of a scene in every frame (meters), named like the
@@ -22,8 +23,8 @@ Trajectory truthOfScene(const Scene& scene);
 /// project are filled in from its scene. `moved`: as in `loadProject()`.
 Result<Project> resolveProject(const std::string& nameOrFile, const MovedFiles& moved = {});
 
-/// Completes a resolved project for tracking and checks it. Image sizes that no calibration gives
-/// are read from the sources, which are closed again.
+/// Completes a resolved project for tracking and checks it. If no calibration gives the size of a
+/// camera's images, it is read from the source, which is closed again.
 Result<Project> completedProject(Project project);
 
 /// Opens the sources of a resolved project, and its ground truth if that is known.

@@ -21,16 +21,17 @@ struct ImageEllipse {
 
 /// Projection of one target into the image of one camera, in pixels.
 struct CameraOverlay {
-  /// Particles in front of the camera; an even selection if there are very many.
+  /// Projections of the particles in front of the camera. If there are very many, only an even
+  /// selection of them.
   std::vector<Eigen::Vector2f> particles;
   std::vector<float> weights; ///< relative to the largest weight: 0 to 1
   std::optional<Eigen::Vector2d> estimate;
   /// Ellipse that contains 95 % of the projected Gaussian (chi² 5.991, 2 d.o.f.).
   std::optional<ImageEllipse> ellipse;
   std::optional<ImageEllipse> outline; ///< outline of a target that is not a ball
-  std::optional<Eigen::Vector2d> best; ///< particle of highest weight
+  std::optional<Eigen::Vector2d> best; ///< projection of the particle of highest weight
   std::optional<Eigen::Vector2d> truth;
-  /// Box of an image target, for methods that track boxes; `estimate` and `ellipse` are then empty.
+  /// Box of an image target, for methods that track boxes. `estimate` and `ellipse` are then empty.
   std::optional<ImageBox> box;
   bool boxHidden = false; ///< the target is hidden; the box is at its estimated position
 };

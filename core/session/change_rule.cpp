@@ -10,20 +10,20 @@ double ChangeRule::expectedSeconds(const OldResults& old) {
              : static_cast<double>(old.newest - old.frames.front().first + 1) * old.secondsPerFrame;
 }
 
-ChangeRule::Decision ChangeRule::decide(const Situation& situation) {
-  const OldResults& old = situation.old;
-  if (situation.isLive || old.frames.empty()) {
+ChangeRule::Decision ChangeRule::decide(const SessionState& state) {
+  const OldResults& old = state.old;
+  if (state.isLive || old.frames.empty()) {
     return {};
   }
   const std::int64_t from = old.frames.front().first;
-  if (situation.isPlaying && !situation.isRerunning) {
+  if (state.isPlaying && !state.isRerunning) {
     return {Action::Mark, from};
   }
-  if (situation.isEdited) {
-    return {expectedSeconds(old) < situation.quick ? Action::TrackAgain : Action::Offer, from};
+  if (state.isEdited) {
+    return {expectedSeconds(old) < state.quick ? Action::TrackAgain : Action::Offer, from};
   }
   // A rerun under way may be what makes them new.
-  return {situation.isRerunning ? Action::Mark : Action::Offer, from};
+  return {state.isRerunning ? Action::Mark : Action::Offer, from};
 }
 
 } // namespace dewpoint::session

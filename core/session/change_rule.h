@@ -20,7 +20,7 @@ public:
   static constexpr double kQuickSeconds = 2.0;
 
   /// State of the session when the rule is applied.
-  struct Situation {
+  struct SessionState {
     bool isLive = false; ///< the cameras are live; their earlier images cannot be tracked again
     /// Frames are being tracked, or recorded frames are being shown, one after another.
     bool isPlaying = false;
@@ -41,8 +41,8 @@ public:
     bool operator==(const Decision&) const = default;
   };
 
-  /// Returns what to do in a situation.
-  static Decision decide(const Situation& situation);
+  /// Returns what to do in this state of the session.
+  static Decision decide(const SessionState& state);
   /// Returns the expected time for tracking again from the first old result, in seconds; 0 if
   /// unknown.
   static double expectedSeconds(const OldResults& old);

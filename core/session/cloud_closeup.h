@@ -28,10 +28,11 @@ struct CloudCloseup {
 /// if the position is unknown or there are no particles.
 std::optional<double> cloudSemiAxis(const TargetSnapshot& target);
 
-/// Returns the close-up seen along the given image axes (unit vectors, world frame). The image
-/// extends `half` pixels from its center in each direction. Its scale changes in steps, so that the
-/// image does not zoom with every change of the cloud. It shows an even selection of at most `most`
-/// particles. Returns nothing if cloudSemiAxis() returns nothing.
+/// Returns the close-up whose x axis points along `right` and whose upward direction is `up` (unit
+/// vectors, world frame). The image extends `half` pixels from its center in each direction. Its
+/// scale changes in steps, so that the image does not zoom with every change of the cloud. It shows
+/// an even selection of at most `most` particles. Returns nothing if cloudSemiAxis() returns
+/// nothing.
 std::optional<CloudCloseup> cloudCloseup(const TargetSnapshot& target, const Eigen::Vector3d& right,
                                          const Eigen::Vector3d& up, double half,
                                          Eigen::Index most = 1500);

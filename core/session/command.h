@@ -23,13 +23,14 @@ namespace dewpoint::session {
 namespace command {
 /// Starts or resumes playing.
 struct Play {};
-/// Pauses; an unfinished rerun is abandoned.
+/// Pauses. If past frames are being tracked again (Rerun), this ends before the remaining ones are
+/// tracked.
 struct Pause {};
 /// Tracks the next frame with all its iterations, then pauses.
 struct StepFrame {};
 /// Runs one filter iteration on the current frame of the run, then pauses.
 struct StepIteration {};
-/// Restarts the run at the first frame, without prior knowledge.
+/// Restarts the run from scratch at the first frame; all tracks are removed.
 struct Restart {
   std::optional<std::uint64_t> seed; ///< not set: the previous seed
 };
@@ -44,21 +45,22 @@ struct SetMethod {
   ParameterValues parameters;
   std::optional<std::int64_t> from; ///< not set: from the first frame
 };
-/// Pauses and shows another frame: an earlier frame as it was tracked, or, in a recording, a later
-/// frame without results. The run itself stays at its frame. Playing continues from the frame
-/// shown: it first replays recorded frames up to the frame of the run, then tracks.
+/// Pauses and shows another frame. This can be an earlier frame, as it was tracked, or, in a
+/// recording, a later frame that was not tracked yet. The run itself stays at its frame. Play then
+/// continues from the frame shown: it replays frames up to the frame of the run, then tracks the
+/// following ones.
 struct ShowFrame {
   std::int64_t frame = 0;
 };
 /// Shows the current frame of the run again.
-struct ReturnToHead {};
+struct ReturnToNewestFrame {};
 /// Tracks again from this frame up to the frame that the run had reached, as fast as possible, with
 /// the current parameters, colors and background images. The results recorded from this frame on
 /// are replaced. Pausing stops the rerun.
 struct Rerun {
   std::int64_t from = 0;
-  /// If true, the displayed frame does not change: frames tracked during the rerun are not
-  /// published, unless the rerun takes noticeably long.
+  /// If true, the frame that is shown does not change: frames are tracked again without being
+  /// published, unless this takes noticeably long.
   bool keepView = false;
 };
 /// Turns likelihood maps on or off (TargetSnapshot::maps).
@@ -75,14 +77,14 @@ struct SetTargets {
 struct SetCameras {
   CameraRig rig;
 };
-/// Changes the background images of the same cameras (loadBackgroundImages()); current estimates
-/// are kept.
+/// Replaces the background images of the cameras. `images` are those returned by
+/// loadBackgroundImages(). The current estimates are kept.
 struct SetBackgroundImages {
   std::vector<std::string> files; ///< paths as named in the project
   std::vector<cv::Mat> images;
 };
-/// Changes or removes the volume of interest from the next iteration on. It limits the creation of
-/// tracks from the next restart on.
+/// Changes or removes the volume of interest. Targets are limited to it from the next iteration on;
+/// the positions at which tracks are created, from the next restart on.
 struct SetVolumeOfInterest {
   std::optional<WorldBox> volume;
 };
@@ -95,11 +97,12 @@ struct ShowMasks {
 struct ShowShapes {
   bool shown = false;
 };
-/// Sets the number of filter threads from the next iteration on. It never changes the result.
+/// Sets the number of filter threads from the next iteration on. The results do not depend on this
+/// number.
 struct SetThreads {
   int threads = 0;
 };
-/// Sets the playback speed. It never changes the result.
+/// Sets the playback speed. The results do not depend on it.
 struct SetPace {
   Pace pace;
 };
@@ -108,13 +111,13 @@ struct SetPace {
 struct ShowBoard {
   bool shown = false;
 };
-/// Replaces all corrections for people; only methods for people use them. The run is tracked again
-/// from the first frame whose result differs.
+/// Replaces all person corrections; only tracking methods that find people automatically use them.
+/// Past frames are tracked again from the first frame whose corrections changed.
 struct SetPersonCorrections {
   std::vector<PersonCorrection> people; ///< ordered by frame
 };
-/// Replaces all position corrections; methods that cannot apply them ignore them. The run is
-/// tracked again from the first frame whose result differs.
+/// Replaces all position corrections; tracking methods that cannot apply them ignore them. Past
+/// frames are tracked again from the first frame whose corrections changed.
 struct SetCorrections {
   std::vector<PositionCorrection> corrections; ///< ordered by frame
 };
@@ -125,9 +128,9 @@ using Command =
     std::variant<command::Play, command::Pause, command::StepFrame, command::StepIteration,
                  command::Restart, command::SetParameters, command::SetMethod, command::SetTargets,
                  command::SetCameras, command::SetBackgroundImages, command::ShowMasks,
-                 command::ShowFrame, command::ReturnToHead, command::Rerun, command::ShowMaps,
-                 command::ShowShapes, command::ShowBoard, command::SetPersonCorrections,
-                 command::SetThreads, command::SetVolumeOfInterest, command::SetCorrections,
-                 command::SetPace>;
+                 command::ShowFrame, command::ReturnToNewestFrame, command::Rerun,
+                 command::ShowMaps, command::ShowShapes, command::ShowBoard,
+                 command::SetPersonCorrections, command::SetThreads, command::SetVolumeOfInterest,
+                 command::SetCorrections, command::SetPace>;
 
 } // namespace dewpoint::session

@@ -101,7 +101,7 @@ void Playback::show(std::optional<std::int64_t> frame, std::int64_t head) {
   }
 }
 
-void Playback::returnToHead() {
+void Playback::returnToNewestFrame() {
   if (!viewedFrame()) {
     return;
   }
@@ -115,7 +115,7 @@ void Playback::advance(std::optional<std::int64_t> next, std::int64_t head) {
   if (!next) {
     hold();
   } else if (*next == head) {
-    returnToHead();
+    returnToNewestFrame();
   } else if (auto* viewing = std::get_if<Viewing>(&state_)) {
     viewing->frame = *next;
   } else {

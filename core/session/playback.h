@@ -13,9 +13,11 @@ namespace dewpoint::session {
 /// without further commands, and which frame comes next. It has no thread, clock or image. The
 /// *head* is the last frame that the run has taken. At the head, the run is Paused, Playing or
 /// Ended. Viewing and Replaying show a frame other than the head. Rerunning tracks past frames
-/// again, up to the former head. Holding is a rerun that is on hold. The table gives the next state
-/// for each state (column) and event (row). The row "advance, head" applies if the next frame is
-/// the head, the row "advance, none" if there is no next frame. A dash means no change:
+/// again, up to the former head; the last of these frames is the goal. Holding is the same, but on
+/// hold until it is resumed. The table gives the next state for each state (column) and event
+/// (row). The event "return to head" is returnToNewestFrame(). The row "advance, head" applies if
+/// the next frame is the head, the row "advance, none" if there is no next frame. A dash means no
+/// change:
 ///
 /// |                | Paused  | Playing | Ended   | Viewing   | Replaying | Rerunning | Holding   |
 /// | -------------- | ------- | ------- | ------- | --------- | --------- | --------- | --------- |
@@ -35,8 +37,8 @@ namespace dewpoint::session {
 /// Ended.
 /// *: Ended if the input had ended before a frame other than the head was shown.
 /// **: Ended if the input had ended before the rerun; Playing if the run was Playing; otherwise
-/// Paused. A rerun that begins during another one ends in the state in which the other would have
-/// ended, and at the goal of the other if that is later than its own.
+/// Paused. If a rerun begins during another one, there is only one end, at the later of the two
+/// goals. It leads to the state to which the end of the first rerun would have led.
 class Playback {
 public:
   struct Paused {};
@@ -61,7 +63,7 @@ public:
   using State = std::variant<Paused, Playing, Ended, Viewing, Replaying, Rerunning, Holding>;
 
   const State& state() const { return state_; }
-  /// Returns the state as shown in a snapshot.
+  /// Returns the state in the form that snapshots contain.
   PlayState playState() const;
   /// Returns the frame that is shown instead of the head; nothing if the head is shown.
   std::optional<std::int64_t> viewedFrame() const;
@@ -76,11 +78,13 @@ public:
   void play();
   void pause(); ///< abandons the rest of a rerun
   void hold();  ///< like pause(), but a rerun can be resumed
-  /// Shows this frame and stops other activity. Shows the head if `frame` is empty or equal to it.
+  /// Shows this frame and stops other activity. If `frame` is empty or equal to `head`, shows the
+  /// head.
   void show(std::optional<std::int64_t> frame, std::int64_t head);
   /// Leaves Viewing or Replaying, and shows the head.
-  void returnToHead();
-  /// Shows the next frame when replaying; `next` is empty if there is none.
+  void returnToNewestFrame();
+  /// When replaying, shows the frame `next`. If `next` is empty, there is no further frame, and
+  /// replaying ends.
   void advance(std::optional<std::int64_t> next, std::int64_t head);
   /// Starts tracking the frames in `range` again. If another rerun is in progress, the new one
   /// continues to the goal of the other if that is later. `viewAfterwards` is the frame to show
@@ -88,12 +92,12 @@ public:
   void rerun(const RerunState& range, std::optional<std::int64_t> viewAfterwards);
   /// Starts tracking at a frame that was not tracked before.
   void continueTrackingAt(std::int64_t frame);
-  /// Notes that the end of the input was reached.
+  /// Notes that the input has ended.
   void endInput();
   /// Returns to the first frame. There is no head until that frame is taken.
   void restart();
 
-  /// Progress of the head's frame.
+  /// Progress of tracking at the head.
   enum class Head {
     None,    ///< no frame yet
     Taken,   ///< the frame is shown, but no iteration was made on it
@@ -109,10 +113,11 @@ public:
   void track();
   /// Notes that the estimates of the head are in the log.
   void record() { head_ = Head::Recorded; }
-  /// Notes that the run has reached frame `head`. If this is the goal of a rerun, the rerun ends;
-  /// the frame to show after it is returned, if there is one.
+  /// Notes that the run has reached frame `head`. If this frame is the goal of a rerun, ends the
+  /// rerun and returns the frame to show after it. Returns nothing if this is the head, or if no
+  /// rerun has ended.
   std::optional<std::int64_t> reach(std::int64_t head);
-  /// Notes that tracking restarts from scratch on the head's frame.
+  /// Notes that the head is being tracked again from scratch.
   void forgetEstimates();
 
   /// Content that the last snapshot still lacks.

@@ -11,8 +11,8 @@ namespace dewpoint::session {
 /// Playing speed of a recording, chosen by the user.
 struct Pace {
   double speed = 1.0; ///< factor relative to real time, between kSlowest and kFastest
-  /// If true, iterations are shown one by one until every target is held, to make convergence
-  /// visible.
+  /// If true, iterations are shown one by one until every target is held (isHeld()), so that
+  /// convergence is visible.
   bool slowUntilHeld = false;
 
   static constexpr double kSlowest = 1.0 / 30.0;
@@ -33,15 +33,15 @@ public:
   static constexpr double kSlowIterations = 5.0;
   /// Time during which the particles are shown before the first iteration.
   static constexpr Seconds kFirstIterationDelay{1.5};
-  /// Number of iterations (five seconds) after which a run plays at normal speed even if a target
-  /// is not held. The target may not be in the scene yet.
+  /// Number of iterations, shown in five seconds, after which a run plays at normal speed even if a
+  /// target is not held. That target may not be in the scene yet.
   static constexpr std::int64_t kMaxSlowIterations = 25;
 
   /// State of the session.
   struct Situation {
     double framesPerSecond = 30.0;
-    /// True if the session runs as fast as possible: it waits for new images from live cameras, or
-    /// tracks past frames again.
+    /// True if the session takes its steps as fast as possible: the cameras are live, so it waits
+    /// only for new images, or past frames are being tracked again.
     bool isAtFullSpeed = false;
     bool isReplaying = false;    ///< shows frames that were already tracked
     std::int64_t iterations = 0; ///< number of iterations in the current run

@@ -47,8 +47,8 @@ Result<FrameSetPtr> RunDriver::nextFrames() {
     return source_->next();
   }
   const std::int64_t next = playback_.nextFrame();
-  const auto frame = travel().nearest(next);
-  return frame && *frame >= next ? travel().frames(*frame) : Result<FrameSetPtr>(FrameSetPtr());
+  const auto frame = timeTravel().nearest(next);
+  return frame && *frame >= next ? timeTravel().frames(*frame) : Result<FrameSetPtr>(FrameSetPtr());
 }
 
 bool RunDriver::takeFrame() {
@@ -103,7 +103,7 @@ void RunDriver::advance(bool oneIteration) {
 }
 
 void RunDriver::showNext() {
-  playback_.advance(travel().nextShowable(*playback_.viewedFrame()), head());
+  playback_.advance(timeTravel().nextShowable(*playback_.viewedFrame()), head());
 }
 
 void RunDriver::play() {
@@ -125,7 +125,7 @@ void RunDriver::stepFrame() {
 }
 
 void RunDriver::stepIteration() {
-  playback_.returnToHead();
+  playback_.returnToNewestFrame();
   playback_.hold();
   if (!run().frames() && !takeFrame()) {
     return;
@@ -160,11 +160,11 @@ std::int64_t RunDriver::startFrame(const command::SetMethod& method, std::int64_
   const std::int64_t begin = family.tracksSameTargetsAs(methodFamily(method.method))
                                  ? family.firstFrameFor(run().targets(), from)
                                  : 0;
-  return travel().nearest(begin).value_or(from);
+  return timeTravel().nearest(begin).value_or(from);
 }
 
 void RunDriver::rerun(std::int64_t from, const command::SetMethod* method, bool keepView) {
-  const auto nearest = travel().nearest(from);
+  const auto nearest = timeTravel().nearest(from);
   if (!nearest) {
     return;
   }
@@ -184,11 +184,11 @@ void RunDriver::rerun(std::int64_t from, const command::SetMethod* method, bool 
     RunDefinition other = definition();
     other.method = method->method;
     other.parameters = method->parameters;
-    const TrackedFrame* last = travel().history().before(from);
+    const TrackedFrame* last = timeTravel().history().before(from);
     if (!replaceRun(std::move(other), last != nullptr ? last->totalIterations : 0)) {
       return;
     }
-    travel().removeCheckpoints();
+    timeTravel().removeCheckpoints();
   } else if (isPast) {
     if (const auto reached = current_.goBack(from, source_->isLive()); !reached) {
       note(reached.error());
@@ -198,7 +198,7 @@ void RunDriver::rerun(std::int64_t from, const command::SetMethod* method, bool 
     before = run().definition();
   }
   if (isPast) {
-    travel().forgetFrom(from);
+    timeTravel().forgetFrom(from);
     log_.goBack(from);
     recorder_.goBack(from);
     playback_.rerun(range, keepView ? playback_.viewedFrame() : std::nullopt);
@@ -247,10 +247,10 @@ void RunDriver::setTargets(const std::vector<Target>& targets) {
   }
   // Another number of targets: new beliefs, on the frame that the run stands at.
   log_.change(project());
-  travel().removeCheckpoints();
+  timeTravel().removeCheckpoints();
   playback_.forgetEstimates();
   if (frames) {
-    travel().beginTails(frames->index);
+    timeTravel().beginTails(frames->index);
     current_.begin(frames);
   }
 }
@@ -351,12 +351,12 @@ void RunDriver::setThreads(int wanted) {
 void RunDriver::showFrame(const SnapshotBuilder& builder, bool quickly, TrackSnapshot& snapshot) {
   if (const auto viewed = playback_.viewedFrame()) {
     snapshot.past = true;
-    const auto shown = builder.showPast(run(), travel(), *viewed, quickly, snapshot);
+    const auto shown = builder.showPast(run(), timeTravel(), *viewed, quickly, snapshot);
     if (shown) {
       return;
     }
     note(shown.error());
-    playback_.returnToHead();
+    playback_.returnToNewestFrame();
     snapshot.past = false;
   }
   const bool isRecorded = playback_.head() == Playback::Head::Recorded;
@@ -381,7 +381,7 @@ void RunDriver::fill(const SnapshotBuilder& builder, bool quickly, TrackSnapshot
     std::ranges::move(source_->notices(), std::back_inserter(snapshot.notices));
     snapshot.frameCount = source_->frameCount();
     snapshot.droppedFrames = source_->droppedFrames();
-    snapshot.history = travel().state();
+    snapshot.history = timeTravel().state();
   }
   std::ranges::move(motionWatch_.notices(), std::back_inserter(snapshot.notices));
   recorder_.addStatistics(snapshot);
@@ -392,7 +392,7 @@ void RunDriver::fill(const SnapshotBuilder& builder, bool quickly, TrackSnapshot
 void RunDriver::addMaps(const SnapshotBuilder& builder, TrackSnapshot& snapshot,
                         const TimeTravel::ShouldContinue& shouldContinue) {
   playback_.complete();
-  if (const TrackingRun* then = travel().runAt(snapshot.frame, run(), shouldContinue)) {
+  if (const TrackingRun* then = timeTravel().runAt(snapshot.frame, run(), shouldContinue)) {
     builder.addMaps(*then, snapshot);
   }
 }

@@ -50,7 +50,7 @@ public:
   void pause() { playback_.pause(); }
   /// Shows the next frame, after tracking it if necessary, and pauses.
   void stepFrame();
-  /// Runs one iteration on the head's frame.
+  /// Runs one iteration on the frame that the run is at.
   void stepIteration();
   /// Restarts the run. Returns false if there is nothing to track.
   bool restart(std::optional<std::uint64_t> seed);
@@ -59,10 +59,10 @@ public:
   void advance(bool oneIteration = false);
 
   // Time travel.
-  void show(std::int64_t frame) { playback_.show(travel().nearest(frame), head()); }
-  void returnToHead() { playback_.returnToHead(); }
-  /// Tracks again from this frame on. With `keepView`, the frame shown now is shown again
-  /// afterwards.
+  void show(std::int64_t frame) { playback_.show(timeTravel().nearest(frame), head()); }
+  void returnToNewestFrame() { playback_.returnToNewestFrame(); }
+  /// Tracks again from this frame on. If `keepView` is true, the frame shown now is shown again
+  /// afterward.
   void rerun(std::int64_t from, bool keepView = false) { rerun(from, nullptr, keepView); }
 
   // Changes. Tracks continue as far as possible.
@@ -85,11 +85,13 @@ public:
 
   /// Returns the definition for new frames.
   const RunDefinition& definition() const { return *current_.definition(); }
-  /// Fills in a snapshot, except for the data that only the publishing thread has. With `quickly`,
-  /// a preview is sufficient if loading the images takes a long time.
+  /// Fills in a snapshot, except for the data that only the publishing thread has. If `quickly` is
+  /// true, the images of a past frame may be previews (small images scaled up) when the full images
+  /// are not available immediately.
   void fill(const SnapshotBuilder& builder, bool quickly, TrackSnapshot& snapshot);
-  /// Adds likelihood maps or motion masks to a snapshot of a past frame. This requires tracking up
-  /// to that frame, which stops if `shouldContinue` returns false.
+  /// Adds likelihood maps or motion masks to a snapshot of a past frame. For this, the run is
+  /// tracked again up to that frame. If `shouldContinue` returns false, the tracking stops and
+  /// nothing is added.
   void addMaps(const SnapshotBuilder& builder, TrackSnapshot& snapshot,
                const TimeTravel::ShouldContinue& shouldContinue);
 
@@ -98,17 +100,18 @@ private:
   std::int64_t head() const { return current_.head(); }
   TrackingRun& run() { return current_.run(); }
   const TrackingRun& run() const { return current_.run(); }
-  TimeTravel& travel() { return current_.travel(); }
-  const TimeTravel& travel() const { return current_.travel(); }
-  /// Replaces the run by a new one from scratch with another definition. Returns false and changes
-  /// nothing if it cannot be created.
+  TimeTravel& timeTravel() { return current_.timeTravel(); }
+  const TimeTravel& timeTravel() const { return current_.timeTravel(); }
+  /// Replaces the run by a new one that starts from scratch with another definition and counts its
+  /// iterations from `iterations`. Returns false and changes nothing if the new run cannot be
+  /// created.
   bool replaceRun(RunDefinition definition, std::int64_t iterations);
   /// Returns the project with the current definition.
   Project project() const { return definition().appliedTo(project_); }
 
   Result<FrameSetPtr> nextFrames();
-  /// Takes the next frame set. Returns false at the end, after an error, or if no image has arrived
-  /// (live).
+  /// Takes the next frame set. Returns false at the end of the input, after an error, or if live
+  /// cameras have delivered no image.
   bool takeFrame();
   void iterateFrame(FrameStep step = FrameStep::WholeFrame);
   void showNext();
@@ -122,9 +125,10 @@ private:
   /// tracked.
   std::int64_t startFrame(const command::SetMethod& method, std::int64_t from) const;
   void changeBoxes(RunDefinition wanted);
-  /// Replaces the corrections. `canApply` is true if the method can apply them. Tracks again from
-  /// the first frame whose result differs. If corrections are only added at the head's frame,
-  /// returns the added ones, to be applied there.
+  /// Replaces the corrections; `canApply` is true if the method can apply them. Usually, tracks
+  /// again from the first frame whose corrections changed, and returns nothing. If the only change
+  /// is that corrections were added in the frame that the run is at, returns the added ones, and
+  /// the caller applies them to that frame.
   template <class Correction>
   std::vector<Correction> replaceCorrections(std::vector<Correction> RunDefinition::*member,
                                              const std::vector<Correction>& wanted, bool canApply);

@@ -253,7 +253,7 @@ Latency RunLog::latency() const {
   return {taken.quantile(0.5), taken.quantile(0.99), taken.longest()};
 }
 
-std::pair<Project, RunStatistics> RunLog::run() const {
+std::pair<Project, RunStatistics> RunLog::runReportData() const {
   const std::lock_guard lock(mutex_);
   return {project_, statistics_};
 }

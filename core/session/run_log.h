@@ -24,8 +24,8 @@ public:
   /// Maximum number of iteration records; about 40 MB with four cameras.
   static constexpr std::size_t kMaxRecords = 100000;
   RunLog();
-  /// Clears the log. The records appended next are results of `project` in its present state,
-  /// tracked with `threads` filter threads.
+  /// Clears the log. The records appended next are results of `project` as it is now, tracked with
+  /// `threads` filter threads.
   void restart(const Project& project, int threads = 1);
   /// Sets the project after its parameters or corrections have changed. If no frame is recorded
   /// yet, the header of the trajectory is also replaced by that of `project`.
@@ -34,12 +34,13 @@ public:
   /// Appends the samples of one frame. If this frame is already the last one in the log, its former
   /// samples are replaced.
   void append(const std::vector<TrajectorySample>& samples);
-  /// Appends the boxes of one frame, or replaces them, in the same way as samples.
+  /// Appends the boxes of one frame. If this frame is already the last one in the log, its former
+  /// boxes are replaced.
   void append(const std::vector<BoxSample>& samples);
   /// Adds the duration of one filter iteration, in seconds per target.
   void countIteration(double seconds);
-  /// Adds a finished frame: seconds since its arrival, and since the arrival of the run's first
-  /// frame.
+  /// Adds a finished frame. `sinceArrival` is the time in seconds since this frame arrived,
+  /// `sinceFirst` since the first frame of the run arrived.
   void countFrame(double sinceArrival, double sinceFirst);
   /// Sets whether the end of the input was reached.
   void setFinished(bool finished);
@@ -47,25 +48,27 @@ public:
   void setThreads(int threads);
   /// Removes the records of this frame and later ones; readers receive all records again.
   void goBack(std::int64_t frame);
-  /// Renumbers the targets: the former target k becomes numbers[k] of `count` targets, or is
-  /// removed if this is -1. Readers receive all records again.
+  /// Changes the indices of the targets: the target that had index k gets index numbers[k], or is
+  /// removed if this is -1. There are `count` targets afterward. Readers receive all records again.
   void renumber(const std::vector<int>& numbers, std::size_t count);
-  /// Returns the iteration records from `position` on, and updates both arguments. Beyond
-  /// kMaxRecords, older records are thinned out progressively.
+  /// Returns the iteration records from `position` on, and moves `position` past them. `generation`
+  /// identifies the log that the reader knows: if the log was cleared or went back since then,
+  /// `generation` is updated and the records are returned from the beginning. If there are more
+  /// than kMaxRecords records, every second one of the older ones is removed, repeatedly.
   LogUpdate<IterationRecord> since(std::uint64_t& generation, std::size_t& position) const;
   static constexpr std::size_t kMaxFrames = 50000;
-  /// Like since(), but for tracked frames. Beyond kMaxFrames, older frames are thinned out
-  /// progressively.
+  /// Like since(), but for tracked frames, of which at most kMaxFrames are kept in the same way.
   LogUpdate<FrameRecord> framesSince(std::uint64_t& generation, std::size_t& position) const;
   /// Appends one frame, or replaces the last one if it is the same frame.
   void append(const FrameRecord& record);
-  /// Appends the people of one frame, or replaces those of the last one if it is the same frame.
-  /// Beyond kMaxPeopleFrames (about 100 MB with two people), older frames are thinned out
-  /// progressively.
+  /// Appends the people of one frame. If this frame is already the last one in the log, its former
+  /// people are replaced. At most kMaxPeopleFrames frames are kept (about 100 MB with two people):
+  /// if there are more, every second one of the older frames is removed, repeatedly.
   void append(PeopleFramePtr people);
   static constexpr std::size_t kMaxPeopleFrames = 10000;
   std::vector<PeopleFramePtr> people() const;
-  /// Notes a change in this frame after which the run no longer matches the header.
+  /// Adds `change` to the header of the trajectory: a description of what has changed from this
+  /// frame on. Earlier descriptions for this frame and later ones are removed.
   void note(std::int64_t frame, const std::string& change);
   Trajectory trajectory() const;
   /// Returns the samples added to the trajectory. `position` is the index of the first sample in
@@ -81,7 +84,7 @@ public:
   OldResults oldResults() const;
   Latency latency() const;
   /// Returns the data for run.json.
-  std::pair<Project, RunStatistics> run() const;
+  std::pair<Project, RunStatistics> runReportData() const;
 
 private:
   mutable std::mutex mutex_;

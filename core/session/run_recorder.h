@@ -32,8 +32,8 @@ public:
   void begin() { begun_ = Clock::now(); }
   /// Notes that a frame was taken.
   void noteArrival();
-  /// Sets the arrival of the next tracked frame to now, so that the waiting time of a paused run
-  /// does not count as latency.
+  /// Sets the arrival time of the next tracked frame to now. Otherwise, the time for which the run
+  /// was paused would count as latency.
   void resetArrival();
 
   void iterated(const TrackingRun& run, double microseconds) override;
@@ -43,14 +43,15 @@ public:
 
   /// Adds frame rate, time per iteration, latency and time budget to a snapshot.
   void addStatistics(TrackSnapshot& snapshot) const;
-  /// Reports to the log which results did not come from the current settings.
+  /// Informs the log which results came from settings other than `now`.
   void updateOldResults(const RunDefinition& now) const;
 
 private:
   using Clock = std::chrono::steady_clock;
 
   std::vector<IterationRecord> records(const TrackingRun& run) const;
-  /// Counts an iteration with this duration in milliseconds against the current time budget.
+  /// Counts an iteration that took this many milliseconds in the statistics of the current time
+  /// budget.
   void countAgainstBudget(const ParameterValues& parameters, double milliseconds);
 
   RunLog& log_;

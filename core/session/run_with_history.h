@@ -25,14 +25,14 @@ public:
   /// `iterations`. If the run cannot be created, nothing changes. Recorded results are kept.
   Status replace(RunDefinition definition, std::int64_t iterations);
   /// Starts recording the run's history over the frames of `source`, using at most `bytes` of
-  /// memory (0: default limit).
+  /// memory; 0 stands for the default limit.
   void keepHistory(FrameSetSource& source, std::size_t bytes);
 
   bool exists() const { return run_.has_value(); }
   TrackingRun& run() { return *run_; }
   const TrackingRun& run() const { return *run_; }
-  TimeTravel& travel() { return *travel_; }
-  const TimeTravel& travel() const { return *travel_; }
+  TimeTravel& timeTravel() { return *travel_; }
+  const TimeTravel& timeTravel() const { return *travel_; }
   /// Returns null before keepHistory().
   const History* history() const { return travel_ ? &travel_->history() : nullptr; }
   /// Returns the definition for new frames; never null. The run uses a different definition only
@@ -51,16 +51,16 @@ public:
   bool change(RunDefinition wanted);
   /// Applies a correction for people or of a position in the current frame.
   void change(const RunChange& runChange);
-  /// Restores the state of the run right before it began a frame. If a recording is tracked again
-  /// from before the first iteration of the run, a new run with the current definition is created
-  /// instead. Tracking a recording again from its beginning therefore gives the same result as
-  /// opening it again. Recorded results are kept.
+  /// Restores the state of the run right before it began a frame. There is one exception: if a
+  /// recording is tracked again from before the first iteration of the run, a new run with the
+  /// current definition is created. Tracking a recording again from its beginning therefore gives
+  /// the same result as opening it again. Recorded results are kept.
   Status goBack(std::int64_t frame, bool isLive);
   /// After goBack(), applies the changes that were made later than the restored state. They take
   /// effect in the frame that is begun next.
   void applyLaterChanges();
   void setThreads(int threads);
-  /// Discards all tracks and the whole history. Without `seed`, the previous seed is used.
+  /// Discards all tracks and the whole history. If `seed` is empty, the previous seed is used.
   void restart(std::optional<std::uint64_t> seed);
 
 private:

@@ -59,7 +59,7 @@ Result<std::size_t> Session::saveTrajectory(const std::filesystem::path& file) c
 }
 
 RunRecord Session::record() const {
-  auto [project, figures] = impl_->loop.log().run();
+  auto [project, figures] = impl_->loop.log().runReportData();
   const TrackSnapshotPtr last = newest();
   figures.droppedFrames = last->droppedFrames;
   for (const Error& notice : last->notices) {

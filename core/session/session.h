@@ -54,20 +54,21 @@ public:
   void onSnapshot(std::function<void()> wake);
   /// Returns the newest snapshot; never null.
   TrackSnapshotPtr newest() const;
-  /// Returns the iterations logged at or after `position`, which is a running count since the last
-  /// restart, and moves `position` past them. If the run has restarted in the meantime, `position`
-  /// is first reset to 0 and the result has `restarted` set.
+  /// Returns the iterations logged at or after `position`, and moves `position` past them.
+  /// `position` counts the iterations since the last restart. `generation` identifies the run that
+  /// the caller knows; both start at 0. If the run has restarted or gone back since the last call,
+  /// `generation` is updated, all iterations are returned, and `restarted` is set in the result.
   LogUpdate<IterationRecord> iterationsSince(std::uint64_t& generation,
                                              std::size_t& position) const;
   /// Like iterationsSince(), but for tracked frames: status, existence probability and missing
   /// cameras.
   LogUpdate<FrameRecord> framesSince(std::uint64_t& generation, std::size_t& position) const;
-  /// Returns the samples added to the trajectory since `position`, which starts at 0 and is updated
-  /// as in iterationsSince().
+  /// Returns the samples added to the trajectory since `position`. Both arguments start at 0 and
+  /// are updated as in iterationsSince().
   LogUpdate<TrajectorySample> samplesSince(std::uint64_t& generation, std::size_t& position) const;
   /// Like samplesSince(), but for the boxes of methods that track boxes.
   LogUpdate<BoxSample> boxesSince(std::uint64_t& generation, std::size_t& position) const;
-  /// Returns all boxes so far.
+  /// Returns all boxes of the run so far.
   BoxTrack boxTrack() const;
   /// Returns which results came from settings other than those of the newest snapshot.
   OldResults oldResults() const;
@@ -75,9 +76,9 @@ public:
   Trajectory trajectory() const;
   /// Writes the trajectory as CSV and returns the number of samples.
   Result<std::size_t> saveTrajectory(const std::filesystem::path& file) const;
-  /// Returns the present results of the run.
+  /// Returns the results of the run so far.
   RunRecord record() const;
-  /// Writes the present results to a folder; see RunRecord.
+  /// Writes the results of the run so far to a folder; see RunRecord.
   Status saveRun(const std::filesystem::path& folder) const;
   /// Returns the trajectory so far and, if the method tracks people, the people of its frames.
   PeopleRecord peopleRecord() const;
@@ -105,15 +106,15 @@ public:
   void setMethod(const std::string& method, const ParameterValues& parameters) {
     send(command::SetMethod{method, parameters, std::nullopt});
   }
-  /// Changes the method from this frame on; earlier results are kept.
+  /// Changes the method from this frame on. The results of earlier frames are kept.
   void setMethodFrom(std::int64_t frame, const std::string& method,
                      const ParameterValues& parameters) {
     send(command::SetMethod{method, parameters, frame});
   }
   void showFrame(std::int64_t frame) { send(command::ShowFrame{frame}); }
-  void returnToHead() { send(command::ReturnToHead{}); }
+  void returnToNewestFrame() { send(command::ReturnToNewestFrame{}); }
   void rerunFrom(std::int64_t frame) { send(command::Rerun{frame}); }
-  /// Like rerunFrom(), but the displayed frame does not change.
+  /// Like rerunFrom(), but the frame that is shown does not change.
   void rerunKeepingView(std::int64_t frame) { send(command::Rerun{frame, true}); }
   void setMasksShown(bool shown) { send(command::ShowMasks{shown}); }
   void setLikelihoodMapsShown(bool shown) { send(command::ShowMaps{shown}); }

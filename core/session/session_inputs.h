@@ -26,7 +26,8 @@ struct SessionInputs {
   /// Background image of each camera (loadBackgroundImages()); may be empty.
   std::vector<cv::Mat> backgroundImages = {};
   /// Memory limit, in bytes, for the data needed to go back in the run: images of live cameras,
-  /// particles and copies. 0: 1 GB for live cameras, half of that for recordings.
+  /// particles, and copies of the tracker. If it is 0, the limit is 1 GB for live cameras and half
+  /// of that for recordings.
   std::size_t historyBytes = 0;
   /// Initial number of filter threads, which never changes the result. 0: default of
   /// base::filterThreadCount().
@@ -41,7 +42,7 @@ struct SessionRequest {
 
   std::filesystem::path file;
   std::optional<Project> project;
-  MovedFiles moved; ///< present locations of files that have moved from where `file` names them
+  MovedFiles moved; ///< current locations of files that are no longer where the project names them
 };
 
 } // namespace dewpoint::session

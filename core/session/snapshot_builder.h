@@ -31,8 +31,8 @@ public:
   /// `isRecorded` is true if it contains the current estimates.
   void showCurrent(const TrackingRun& run, const History* history, bool isRecorded,
                    TrackSnapshot& snapshot) const;
-  /// Fills `snapshot` with another frame. If `quickly` is true, its images may be previews. Fails
-  /// if the frame cannot be read.
+  /// Fills `snapshot` with another frame. If `quickly` is true, the images may be previews (small
+  /// images scaled up). Fails if the frame cannot be read.
   Status showPast(const TrackingRun& run, TimeTravel& travel, std::int64_t frame, bool quickly,
                   TrackSnapshot& snapshot) const;
   /// Returns whether the snapshot shows a past frame, and the options request content that only
@@ -43,7 +43,8 @@ public:
   void addMaps(const TrackingRun& run, TrackSnapshot& snapshot) const;
 
 private:
-  /// Adds the content that every snapshot has; `tailEnd` is the last frame of the trajectory tails.
+  /// Adds the content that every snapshot has. `tailEnd` is the last frame whose position is part
+  /// of the targets' tails (their drawn recent paths).
   static void show(const TrackedFrame& trackedFrame, const TrackingRun& run, const History* history,
                    std::int64_t tailEnd, TrackSnapshot& snapshot);
   /// Adds histograms and masks, which are computed from the images of a frame, and also body shapes

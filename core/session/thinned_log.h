@@ -13,8 +13,9 @@
 namespace dewpoint::session {
 
 /// Log of at most `most` records, in order of arrival. When there are more, every second group of
-/// the older half is removed, repeatedly. Old records therefore become sparser with age, and the
-/// newest are complete. Consecutive records of one group (same `group(record)`) stay together.
+/// the older half is removed, repeatedly. A group consists of consecutive records with the same
+/// `group(record)`. The newest records are therefore complete, and the older ones are increasingly
+/// sparse.
 template <class Record> class ThinnedLog {
 public:
   using GroupOf = std::int64_t (*)(const Record&);

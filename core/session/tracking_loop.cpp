@@ -214,8 +214,8 @@ TrackingLoop::Publish TrackingLoop::handle(const command::ShowFrame& request) {
   return Publish::Quickly;
 }
 
-TrackingLoop::Publish TrackingLoop::handle(const command::ReturnToHead&) {
-  driver_.returnToHead();
+TrackingLoop::Publish TrackingLoop::handle(const command::ReturnToNewestFrame&) {
+  driver_.returnToNewestFrame();
   return Publish::Now;
 }
 

@@ -33,7 +33,7 @@ private:
   /// When to publish a snapshot after a command.
   enum class Publish {
     Now,
-    Quickly,  ///< immediately; a preview is sufficient
+    Quickly,  ///< immediately; the images may be previews
     Throttled ///< at most as often as the screen is refreshed
   };
   /// Executes a command. A command type without its own handle() does not compile.
@@ -58,7 +58,7 @@ private:
   Publish handle(const command::ShowShapes& request);
   Publish handle(const command::ShowBoard& request);
   Publish handle(const command::ShowFrame& request);
-  Publish handle(const command::ReturnToHead& request);
+  Publish handle(const command::ReturnToNewestFrame& request);
   Publish handle(const command::Rerun& request);
 
   const Playback& playback() const { return driver_.playback(); }
@@ -70,8 +70,9 @@ private:
   void takeDueStep();
   /// Schedules the first step after playing has started or its settings have changed.
   void scheduleFirstStep();
-  /// Returns how to publish during normal playback: not every frame while past frames are tracked
-  /// again or frames are played faster than real time.
+  /// Returns how to publish while frames are tracked or replayed. If past frames are tracked again
+  /// or the playback is faster than real time, this is Throttled: not every frame is published.
+  /// Otherwise it is Now.
   Publish playbackPublish() const;
   void publish(Publish how);
   void addMaps(const std::stop_token& stop);

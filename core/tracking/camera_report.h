@@ -34,8 +34,9 @@ enum class CameraStatus {
 /// One camera's report on a target.
 struct CameraReport {
   CameraStatus status = CameraStatus::None;
-  /// For Distractor, the distance between its outline and the expected one; for Elsewhere, the
-  /// distance to the nearest pixel of the color. In pixels; 0 if they touch.
+  /// Distance in pixels; 0 if the two touch. For Distractor, it is the distance between the outline
+  /// of the other object and the expected outline; for Elsewhere, the distance to the nearest pixel
+  /// of the color.
   double pixels = 0.0;
 };
 

@@ -5,7 +5,7 @@
 
 namespace dewpoint::tracking {
 
-/// Longest time between two frames that motion models use, in seconds. Longer gaps are limited to
+/// Longest time between two frames that motion models use, in seconds. For longer gaps they use
 /// this value, since motion before such a gap tells nothing about the scene after it.
 inline constexpr double kLongestGap = 1.0;
 /// Assumed time since the previous frame, in seconds, if it cannot be computed from the frame

@@ -72,11 +72,12 @@ public:
   Status set(std::string_view key, double value);
   /// Like set(), but parses the value from text, as on the command line.
   Status setText(std::string_view key, std::string_view text);
-  /// Returns false for a key whose value is derived from the cameras and was not set.
+  /// Returns whether the value of a key was set. It was not if the value is the default that may be
+  /// replaced by a value derived from the cameras. Always true for keys that are never derived.
   bool isGiven(std::string_view key) const;
-  /// Marks the present value of a key as given; does nothing for an unknown key.
+  /// Marks the current value of a key as given; does nothing for an unknown key.
   void markGiven(std::string_view key);
-  /// Marks the present values of all keys as given.
+  /// Marks the current values of all keys as given.
   void markAllGiven();
   /// Resets all given values of keys that can be derived from the cameras. They have their defaults
   /// until setDerived() is called.

@@ -28,7 +28,8 @@ StartVolume startVolume(const ParameterValues& parameters);
 /// Returns the part of a start volume inside a box, or the whole box if they do not overlap.
 StartVolume within(const StartVolume& start, const WorldBox& box);
 
-/// Key of the size of the room in which a target may appear, for methods that have this parameter.
+/// Key of the parameter for the size of the room in which a target may appear. Not all methods have
+/// this parameter.
 inline constexpr const char* kSearchSizeKey = "search_size";
 
 /// Returns the parameters used by a method. Parameters that were not given and are declared as

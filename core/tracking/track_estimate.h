@@ -40,8 +40,9 @@ struct SphereEstimate {
   /// the target was not found in them, or the method does not measure it.
   std::optional<Gaussian3> measurement;
   bool degenerate = false; ///< no particle had a usable weight; all weights were set equal
-  /// Evidence of each camera at the mean, in the order of the rig; empty if the method provides
-  /// none or the position is unknown.
+  /// Likelihood, existence probability and visible fraction at the mean for each camera, in the
+  /// order of the cameras in the rig; empty if the method does not compute them or the position is
+  /// unknown.
   std::vector<CameraEvidence> cameras;
   /// Colors in use in each camera if they adapt to the light; empty while all cameras use the
   /// colors of the target.
@@ -73,8 +74,8 @@ struct PersonEstimate {
   int camerasSeeing = 0;             ///< number of cameras with foreground of this person
   double existenceProbability = 1.0; ///< falls from 1 to 0 while no camera sees the person
   double age = 0.0;                  ///< seconds since the track was created
-  /// True if another person is near. Image content that cannot be assigned to one of the two is
-  /// then not learned.
+  /// True if another person is near. The method then learns nothing from image content that may
+  /// belong to either of the two.
   bool interacting = false;
   double height = 0.0; ///< meters; 0 if the method does not estimate it
   /// Hue and saturation of the person, in [0, 1], if the method estimates them.
@@ -111,7 +112,8 @@ std::optional<Eigen::Vector3d> bestParticleOf(const TrackEstimate& estimate);
 /// Returns the extent (m²) of a target that is not a ball, as in geometry::Ellipsoid; otherwise
 /// nothing.
 std::optional<Eigen::Matrix3d> extentOf(const TrackEstimate& estimate);
-/// Returns each camera's evidence for the position; empty if the method provides none.
+/// Returns the likelihood, existence probability and visible fraction for each camera at the
+/// estimated position; empty if the method does not compute them.
 const std::vector<CameraEvidence>& cameraEvidenceOf(const TrackEstimate& estimate);
 /// Returns the colors in use in each camera if they adapt to the light; otherwise empty.
 const std::vector<ColorRanges>& colorsOf(const TrackEstimate& estimate);

@@ -29,10 +29,10 @@ public:
   virtual void beginFrame(FrameSetPtr frames) = 0;
   /// Runs one filter iteration for all tracks.
   virtual void iterate(ThreadTeam& team) = 0;
-  /// Returns the number of tracks: the defined targets, or all those found so far. A track keeps
-  /// its index.
+  /// Returns the number of tracks: one per defined target, or, if the method finds its targets, one
+  /// per target found so far. A track keeps its index.
   virtual std::size_t trackCount() const = 0;
-  /// Returns the present estimate of a track below trackCount().
+  /// Returns the current estimate of track number `track`, which must be less than trackCount().
   virtual TrackEstimate estimate(std::size_t track) const = 0;
 
 protected:

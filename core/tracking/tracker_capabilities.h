@@ -67,8 +67,9 @@ public:
 class VolumeBounded {
 public:
   virtual ~VolumeBounded() = default;
-  /// Sets the volume from the next iteration on; without a value, it is unlimited. New tracks begin
-  /// inside it from the next restart on, or immediately if no frame has been processed yet.
+  /// Sets the volume from the next iteration on; without a value, the space is unlimited. New
+  /// tracks begin inside the volume from the next restart on, or immediately if no frame has been
+  /// processed yet.
   virtual void setVolumeOfInterest(const std::optional<WorldBox>& volume) = 0;
 };
 
@@ -76,9 +77,9 @@ public:
 class BackgroundImageUsing {
 public:
   virtual ~BackgroundImageUsing() = default;
-  /// Sets one image per camera (CV_8UC3, in the order of the rig); an image that is not known is
-  /// empty. The images take effect at the next restart. Methods for people then need no learning
-  /// phase.
+  /// Sets one image per camera (CV_8UC3, in the order of the cameras in the rig); an image that is
+  /// not known is empty. The images take effect at the next restart. Methods for people then need
+  /// no learning phase.
   virtual void setBackgroundImages(const std::vector<cv::Mat>& images) = 0;
 };
 
@@ -111,8 +112,8 @@ public:
 class CameraReporting {
 public:
   virtual ~CameraReporting() = default;
-  /// Returns the reports after the iterations of a frame, in the order of the rig; empty before the
-  /// first frame.
+  /// Returns one report per camera on a track in the current frame, in the order of the cameras in
+  /// the rig; empty before the first frame. Call it after the last iteration of the frame.
   virtual std::vector<CameraReport> cameraReports(std::size_t track) const = 0;
 };
 
@@ -120,7 +121,7 @@ public:
 class CandidateReporting {
 public:
   virtual ~CandidateReporting() = default;
-  /// Returns the candidates of the last iteration.
+  /// Returns the candidate positions found in the last iteration.
   virtual std::vector<CandidatePosition> positionCandidates(std::size_t track) const = 0;
 };
 
@@ -137,9 +138,9 @@ public:
 class MotionMapping {
 public:
   virtual ~MotionMapping() = default;
-  /// Returns one map per camera: log D of the last frame (Mohedano et al. 2009, equation 8) over
-  /// the whole image, which may be smaller than the camera image. The area is empty if there is no
-  /// mask.
+  /// Returns one map per camera: log D of the last frame (Mohedano et al. 2009, equation 8). Each
+  /// map covers the whole image, which may be smaller than the camera image. The area of a map is
+  /// empty if its camera has no mask.
   virtual std::vector<LikelihoodMap> motionLikelihoods() const = 0;
 };
 

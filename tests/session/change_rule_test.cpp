@@ -22,11 +22,11 @@ OldResults old(std::vector<ResultRange> frames, double secondsPerFrame) {
 TEST(ChangeRule, WhatIsDone) {
   struct Case {
     std::string name;
-    ChangeRule::Situation situation;
+    ChangeRule::SessionState situation;
     ChangeRule::Decision expected;
   };
   const auto situation = [](bool edited, OldResults results) {
-    return ChangeRule::Situation{.isEdited = edited, .old = std::move(results)};
+    return ChangeRule::SessionState{.isEdited = edited, .old = std::move(results)};
   };
   std::vector<Case> cases{
       {"nothing is old", situation(true, old({}, kFast)), {Action::Nothing, 0}},

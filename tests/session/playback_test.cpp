@@ -83,8 +83,8 @@ TEST(PlaybackTable, ShowTheHead) {
   EXPECT_EQ(after([](Playback& playback) { playback.show(std::nullopt, kHead); }), expected);
 }
 
-TEST(PlaybackTable, ReturnToHead) {
-  EXPECT_EQ(after([](Playback& playback) { playback.returnToHead(); }),
+TEST(PlaybackTable, ReturnToNewestFrame) {
+  EXPECT_EQ(after([](Playback& playback) { playback.returnToNewestFrame(); }),
             (Row{"Paused", "Playing", "Ended", "Paused", "Playing", "Rerunning", "Holding"}));
 }
 
@@ -132,7 +132,7 @@ TEST(PlaybackTable, EndInput) {
 TEST(Playback, AnEndedRunIsEndedAgainAfterAnotherFrame) {
   const std::vector<std::function<void(Playback&)>> waysBack{
       [](Playback& playback) { playback.show(kHead, kHead); },
-      [](Playback& playback) { playback.returnToHead(); },
+      [](Playback& playback) { playback.returnToNewestFrame(); },
       [](Playback& playback) { playback.advance(kHead, kHead); }};
   for (const auto& goBack : waysBack) {
     for (const bool plays : {false, true}) {

@@ -53,10 +53,10 @@ TEST_F(ARememberedRun, GoesOnFromAnEarlierFrameWithTheSameBits) {
   }
   EXPECT_EQ(runWithHistory_.head(), kRememberedFrames - 1);
   runWithHistory_.setThreads(3);
-  ASSERT_TRUE(runWithHistory_.travel().goBack(runWithHistory_.run(), 8, [] { return true; }));
-  runWithHistory_.travel().forgetFrom(8);
+  ASSERT_TRUE(runWithHistory_.timeTravel().goBack(runWithHistory_.run(), 8, [] { return true; }));
+  runWithHistory_.timeTravel().forgetFrom(8);
   for (std::int64_t k = 8; k < kRememberedFrames; ++k) {
-    const auto frames = runWithHistory_.travel().frames(k);
+    const auto frames = runWithHistory_.timeTravel().frames(k);
     ASSERT_TRUE(frames);
     const TrajectorySample again = track(*frames);
     const TrajectorySample& before = first[static_cast<std::size_t>(k)];
@@ -74,11 +74,11 @@ TEST_F(ARememberedRun, CatchesUpWithWhatChangedSinceTheFrameItGoesBackTo) {
   }
   const double radius = runWithHistory_.definition()->targets[0].radius;
   growTarget();
-  ASSERT_TRUE(runWithHistory_.travel().goBack(runWithHistory_.run(), 8, [] { return true; }));
+  ASSERT_TRUE(runWithHistory_.timeTravel().goBack(runWithHistory_.run(), 8, [] { return true; }));
   EXPECT_EQ(runWithHistory_.run().definition()->targets[0].radius, radius); // as it was then
   EXPECT_GT(runWithHistory_.definition()->targets[0].radius, radius);
-  runWithHistory_.travel().forgetFrom(8);
-  track(*runWithHistory_.travel().frames(8));
+  runWithHistory_.timeTravel().forgetFrom(8);
+  track(*runWithHistory_.timeTravel().frames(8));
   EXPECT_EQ(runWithHistory_.run().definition(), runWithHistory_.definition());
 }
 
@@ -90,7 +90,7 @@ TEST_F(ARememberedRun, LooksBackWithAsManyThreadsAsItTracksWith) {
   }
   const auto threadsAt = [this](std::int64_t frame) {
     const TrackingRun* then =
-        runWithHistory_.travel().runAt(frame, runWithHistory_.run(), [] { return true; });
+        runWithHistory_.timeTravel().runAt(frame, runWithHistory_.run(), [] { return true; });
     return then != nullptr ? then->threadCount() : 0;
   };
   EXPECT_EQ(threadsAt(8), 1);

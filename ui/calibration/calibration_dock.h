@@ -12,7 +12,7 @@ class QTabWidget;
 
 namespace dewpoint::ui {
 
-/// Name of a widget property: a widget that has it is scrolled into view when it appears.
+/// Name of a widget property. A widget with this property is scrolled into view when it appears.
 inline constexpr auto kRevealed = "revealed";
 
 /// Panel for calibrating cameras, with one page per method. The camera views next to it stay live.
@@ -40,7 +40,8 @@ protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-  /// Adjusts the width to the widest page, whose fields may have been shown or hidden.
+  /// Adjusts the width to the widest page. Called after fields of a page may have been shown or
+  /// hidden.
   void adjustWidth();
 
   QTabWidget* tabs_;

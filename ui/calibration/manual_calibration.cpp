@@ -104,8 +104,8 @@ bool ManualCalibration::setGrid(const QString& step, const ReferenceGrid& grid,
       .has_value();
 }
 
-void ManualCalibration::setOpacity(double opacity) {
-  opacity_ = std::clamp(opacity, 0.0, 1.0);
+void ManualCalibration::setGridOpacity(double opacity) {
+  gridOpacity_ = std::clamp(opacity, 0.0, 1.0);
   Q_EMIT changed();
 }
 

@@ -54,8 +54,8 @@ public:
   bool setGrid(const QString& step, const ReferenceGrid& grid, const std::string& mergeKey);
 
   // Appearance of the views.
-  double opacity() const { return opacity_; }
-  void setOpacity(double opacity);
+  double gridOpacity() const { return gridOpacity_; }
+  void setGridOpacity(double opacity);
   bool areEdgesShown() const { return edges_; }
   void setEdgesShown(bool shown);
   bool isFlipped() const { return flipped_; }
@@ -65,8 +65,8 @@ public:
 
   // Dragging in images.
   const std::vector<Eigen::Vector3d>& pins(int camera) const;
-  /// Pins the grid point at a pixel, or removes the pin already there. `reach` is the search radius
-  /// in pixels.
+  /// If there is a pin at most `reach` pixels from `pixel`, removes it. Otherwise pins the grid
+  /// point there, if there is one within this distance.
   void togglePin(int camera, const Eigen::Vector2d& pixel, double reach);
   void clearPins(int camera);
   void beginDrag(int camera, const Eigen::Vector2d& pixel, double reach);
@@ -92,7 +92,7 @@ public:
   /// Changes the focal length by `percent` percent.
   void nudgeFocal(double percent, bool repeated);
 
-  /// Replaces the state of a camera in a step named `step`.
+  /// Replaces the state of a camera in a document step named `step`.
   void change(int camera, const QString& step, const Camera& changed,
               const std::string& mergeKey = {});
   void endMerging();
@@ -134,7 +134,7 @@ private:
   bool active_ = false;
   CameraRig before_;
   ReferenceGrid defaultGrid_; ///< used while the project has no grid
-  double opacity_ = 0.8;
+  double gridOpacity_ = 0.8;
   bool edges_ = false;
   bool flipped_ = false;
   std::vector<std::vector<Eigen::Vector3d>> pins_;

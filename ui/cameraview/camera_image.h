@@ -31,7 +31,7 @@ struct CameraImageSource {
   cv::Mat mask;   ///< as in `TrackSnapshot::masks`; ignored if its size differs from the image size
   bool isOfMotion = false; ///< the mask shows moving pixels instead of targets
   QRect part;              ///< part of the image to draw, pixels
-  QSize size;              ///< size of that part on the screen, device pixels
+  QSize size;              ///< size of `part` on the screen, device pixels
   bool isZoomed = false;   ///< draws enlarged pixels as squares
   TrackSnapshotPtr maps;   ///< snapshot whose likelihood maps are drawn; null for none
 

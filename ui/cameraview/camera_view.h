@@ -101,7 +101,7 @@ private:
   /// Returns whether the view is visible, in a window that is not minimized.
   bool isVisibleOnScreen() const;
   void refresh();
-  /// Stops drawing while the view is not visible, and discards the pixels of an earlier frame.
+  /// Stops drawing because the view is not visible, and discards the pixels of an earlier frame.
   void stopDrawing();
   /// Shows the newest snapshot and returns true if its pixels are ready. Otherwise starts drawing
   /// them.

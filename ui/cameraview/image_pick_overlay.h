@@ -57,9 +57,11 @@ Q_SIGNALS:
   void pointingEnded();
   /// Emitted when Esc is pressed, which ends picking.
   void cancelled();
-  /// Emitted when a plain click outside picking mode selects this view.
+  /// Emitted when the user presses the mouse button on the image, or picks a pixel with the
+  /// keyboard. Either selects the camera of this view.
   void chosen();
-  /// Emitted with the position of that click in image pixels.
+  /// Emitted with the position, in image pixels, of a plain click outside picking mode. It follows
+  /// chosen().
   void imageClicked(const QPointF& pixel);
 
 protected:

@@ -13,7 +13,7 @@ namespace dewpoint::ui {
 class CameraListModel;
 
 /// Mouse and keyboard input of all camera images. A click or a dragged box goes to the tool that
-/// requested it. Without such a tool, it selects.
+/// requested it. If no tool did, it selects the camera, or the person at this pixel.
 class ImagePickTool : public QObject {
   Q_OBJECT
 public:
@@ -39,8 +39,9 @@ Q_SIGNALS:
   void picked(int camera, const QRectF& region, Qt::KeyboardModifiers modifiers);
   /// Emitted when Esc is pressed, which ends picking.
   void cancelled();
-  /// Emitted after a plain click outside picking mode, with the camera and the position in image
-  /// pixels.
+  /// Emitted when the user presses the mouse button on a camera image, or picks a pixel with the
+  /// keyboard (`cameraChosen`). For a plain click outside picking mode, the position in image
+  /// pixels follows (`imageClicked`).
   void cameraChosen(int camera);
   void imageClicked(int camera, const QPointF& pixel);
 

@@ -42,7 +42,7 @@ public:
   /// Returns the part of the image to draw, in pixels: the visible part plus a small margin, or the
   /// whole image if it is fitted.
   QRect part(const ZoomSizes& sizes) const;
-  /// Returns the size of that part in device pixels.
+  /// Returns the size of part() on the screen, in device pixels.
   QSize partSize(const ZoomSizes& sizes) const;
 
 private:

@@ -27,9 +27,9 @@ std::optional<double> insetSide(const QRectF& area);
 /// nothing if the cloud is too large for an inset of whole pixels.
 std::optional<int> insetFactor(double diameter, double side);
 
-/// Returns a square in a corner of the view area: the first corner far enough from the target,
-/// starting at the lower left, or else the farthest one. It avoids the `taken` rectangles if
-/// possible.
+/// Returns a square in a corner of the view area. It is the first corner, starting at the lower
+/// left, that is far enough from the target; if there is none, it is the farthest corner. Corners
+/// that overlap the `taken` rectangles are avoided if possible.
 QRectF insetRect(const QRectF& area, double side, const QPointF& target,
                  const std::vector<QRectF>& taken);
 

@@ -27,8 +27,8 @@ class Document;
 class ImagePickTool;
 class LearnModes;
 
-/// Panel for the color of the selected target: picker, color samples and assessment. With methods
-/// that track boxes, a click sets the target's box instead of its color.
+/// Panel for the color of the selected target: picker, color samples and assessment. If the method
+/// tracks boxes, a click sets the target's box instead of its color.
 class ColorPanel : public QWidget {
   Q_OBJECT
 public:
@@ -36,7 +36,7 @@ public:
   ColorPanel(Document& document, ImagePickTool& pick, QWidget* parent = nullptr);
 
   void setSnapshot(const TrackSnapshotPtr& snapshot);
-  /// Sets the target whose color is shown. With -1, the next click creates a new target.
+  /// Sets the target whose color is shown. If it is -1, the next click creates a new target.
   void setTarget(int target);
   /// Sets whether a plain click in a view learns the color.
   void setPicking(bool picking);

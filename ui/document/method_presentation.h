@@ -13,15 +13,16 @@ struct TrackSnapshot;
 namespace dewpoint::ui {
 
 /// Window options for a method, in addition to those of its family (`tracking::MethodFamily`).
-/// There is one row per kind of target. No other part of the window depends on the kind of target.
+/// There is one set of options per kind of target. No other part of the window depends on the kind
+/// of target.
 struct MethodPresentation {
   /// True if a click or a drag in an image sets a target's box; otherwise it sets the color.
   bool takesBoxes = false;
   bool showsBoxes = false;     ///< plots, table and export use image boxes; otherwise positions
-  bool hasBirdsEyeView = true; ///< has a bird's-eye view
+  bool hasBirdsEyeView = true; ///< positions can be shown in a bird's-eye view
   bool hasOverlays = true;     ///< masks and likelihood maps can be drawn over the images
-  /// True if the method searches the project's volume of interest, if there is one, and continues
-  /// from a position that the user sets for a target.
+  /// True if the method does two things: it limits its search to the project's volume of interest,
+  /// if there is one, and it continues from a position that the user sets for a target.
   bool searchesVolume = true;
   bool countsPeople = false; ///< lists people and shows how many are present
 };

@@ -40,8 +40,8 @@ private:
   void chooseFolder();
   void start();
   void askToReplace(bool ask);
-  /// Asks whether to replace the existing file `name` in the folder. If the question is not
-  /// visible, or another folder was selected meanwhile, reports that nothing was written.
+  /// Asks whether to replace the existing file `name` in the folder. If the dialog is not visible,
+  /// or another folder has been selected, it does not ask, and reports that nothing was written.
   void askAbout(const std::filesystem::path& folder, const char* name);
   std::filesystem::path chosenFolder() const;
 

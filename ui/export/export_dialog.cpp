@@ -157,7 +157,7 @@ void ExportDialog::setHasOldResults(bool has) {
 }
 
 void ExportDialog::updatePreview() {
-  if (running_ || preview_->isBusy() || !form_->isLive() ||
+  if (running_ || preview_->isBusy() || !form_->exportsLiveEstimates() ||
       trajectory_->samples.size() > kMostToFollow) {
     return;
   }

@@ -34,7 +34,8 @@ public:
 
   /// Reads and shows the current state of the run.
   void refresh();
-  /// Proposes to export only this time range (seconds). No range withdraws the proposal.
+  /// Proposes to export only this time range (seconds). If `seconds` is empty, the proposal is
+  /// withdrawn.
   void setSelectedRange(std::optional<std::pair<double, double>> seconds);
   /// Sets whether part of the run has results from earlier settings. The preview shows a warning
   /// about them.
@@ -62,9 +63,9 @@ private:
   void formatChanged();
   void chooseFile();
   void start();
-  /// Asks before replacing existing files; any change withdraws the question. The export checks in
-  /// its own thread whether the files exist. If something changes before the check ends, the
-  /// question is not shown, and the dialog reports that nothing was written.
+  /// Asks before replacing existing files. Any change of the choices withdraws the question. The
+  /// export checks in its own thread whether the files exist. If the choices change before this
+  /// check ends, the question is not shown, and the dialog reports that nothing was written.
   void askToReplace(const QString& file);
   void withdrawQuestion();
   /// Updates the preview while the run continues.

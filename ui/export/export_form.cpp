@@ -189,7 +189,7 @@ QString ExportForm::suffix() const {
       formats[static_cast<std::size_t>(std::max(0, format_->currentIndex()))].suffix.data());
 }
 
-bool ExportForm::isLive() const {
+bool ExportForm::exportsLiveEstimates() const {
   return estimates_->currentIndex() == 0;
 }
 

@@ -25,12 +25,13 @@ public:
   ExportOptions options() const;
   /// Returns the file name suffix of the selected format, including the dot.
   QString suffix() const;
-  /// Returns whether the live estimates are exported.
-  bool isLive() const;
+  /// Returns whether the estimates made during the run are exported, and not those smoothed
+  /// afterward.
+  bool exportsLiveEstimates() const;
   /// Lists the targets in a trajectory. If the list is unchanged, its check marks are kept.
   void setTargetsOf(const Trajectory& trajectory);
-  /// Proposes to export only this time range (seconds). No range withdraws the proposal
-  /// unless the user has edited it.
+  /// Proposes to export only this time range (seconds). If `seconds` is empty, the proposal is
+  /// withdrawn, unless the user has edited the range.
   void setSelectedRange(std::optional<std::pair<double, double>> seconds);
   /// Resets all choices for another project.
   void resetChoices();

@@ -80,7 +80,7 @@ void exportTrajectory(const Workbench& bench, const TimelineModel& time) {
     QObject::connect(&bench.document, &Document::replaced, dialog, resetChoices);
     resetChoices();
     const auto sayOld = [dialog, results = &bench.session.results()] {
-      dialog->setHasOldResults(!results->old().frames.empty());
+      dialog->setHasOldResults(!results->oldResults().frames.empty());
     };
     QObject::connect(&bench.session.results(), &ResultRefresher::oldResultsChanged, dialog, sayOld);
     sayOld();

@@ -34,7 +34,7 @@ public:
   void setExporting(bool exporting);
   /// Drops a pending request. A preview in progress continues.
   void dropRequest();
-  /// Sets whether part of the run has results from earlier settings. The pane then shows a note.
+  /// Sets whether part of the run has results from earlier settings. If so, the pane shows a note.
   void setHasOldResults(bool has);
   void retranslateUi();
 

@@ -17,7 +17,7 @@ class BackgroundJob;
 std::filesystem::path crashFolder();
 
 /// Makes a crash of this process leave a report in `crashFolder()`: version, signal, last actions
-/// and messages, stack. Without the folder there is no report.
+/// and messages, stack. If the folder does not exist, no report is written.
 void enableCrashReports();
 
 /// Notes the user's actions and the window's messages for the report of a crash. When there are

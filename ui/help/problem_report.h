@@ -16,7 +16,7 @@ namespace dewpoint::ui {
 
 class BackgroundJob;
 
-/// What a report of a problem tells of the window.
+/// Facts about the window that a problem report contains.
 struct ProblemFacts {
   QStringList messages; ///< the last messages shown
   QString project;      ///< short description of the open project

@@ -10,11 +10,11 @@
 
 namespace dewpoint::ui {
 
-/// Tests what only the window needs: Qt and VTK versions, graphics, languages. Call it in the GUI
-/// thread. It takes about a second.
+/// Tests what only the window needs: the versions of Qt and VTK, graphics, and languages. Call it
+/// in the GUI thread. It takes about a second.
 std::vector<SelfTestLine> graphicsSelfTest();
 
-/// Returns the parts that `runSelfTest()` uses on this computer. `opener` opens the demo.
+/// Returns the inputs of `runSelfTest()` for this computer. `opener` opens the demo.
 SelfTestInputs selfTestParts(const ProjectOpener& opener);
 
 /// Returns the lines as text, one per line.

@@ -6,8 +6,8 @@
 
 namespace dewpoint::ui {
 
-/// Offers to locate files that were moved, so that their project cannot be opened. The project then
-/// opens with the new paths, which are stored when the user saves it.
+/// Offers to locate moved files without which a project cannot be opened. The project is then
+/// opened with the new paths. They are stored in the project file when the user saves it.
 class MissingFilesOffer : public QObject {
   Q_OBJECT
 public:

@@ -13,7 +13,7 @@ OldResultsOffer::OldResultsOffer(const Workbench& bench) : QObject(&bench.window
   ResultRefresher* results = &bench_.session.results();
   connect(results, &ResultRefresher::offered, this, &OldResultsOffer::offer);
   const auto update = [this, results] {
-    bench_.action("actionTrackAgain")->setEnabled(!results->old().frames.empty());
+    bench_.action("actionTrackAgain")->setEnabled(!results->oldResults().frames.empty());
   };
   connect(results, &ResultRefresher::oldResultsChanged, this, update);
   bench_.onTriggered("actionTrackAgain", results, [results] { results->trackAgain(); });

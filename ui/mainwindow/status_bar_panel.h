@@ -30,8 +30,8 @@ using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
 /// Status bar with the target's state, its position with uncertainty, its speed, the reason why it
 /// is not held, and the frame shown. A button opens RunDetails, which shows values for experts.
-/// Values keep their positions while they change. Without enough room, the rightmost values are
-/// hidden first.
+/// Values keep their positions while they change. If there is not enough room, the rightmost values
+/// are hidden first.
 class StatusBarPanel : public QWidget {
   Q_OBJECT
 public:
@@ -39,10 +39,10 @@ public:
 
   /// Sets the frame shown. If it is null, no values are shown.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
-  /// Sets the index of the selected target. With -1, the target that needs attention is shown.
+  /// Sets the index of the selected target. If it is -1, the target that needs attention is shown.
   void setTarget(int target);
-  /// Returns the state shown: that of the described target or, if there is only one target, that of
-  /// the snapshot (holdState()).
+  /// Returns the state shown. If there is only one target, this is the state of the snapshot
+  /// (holdState()); otherwise, the state of the target described.
   HoldState state() const { return state_; }
 
   QSize minimumSizeHint() const override;
@@ -73,7 +73,7 @@ private:
   QLabel* rate_;
   QToolButton* more_;
   RunDetails* details_;
-  /// Widgets in the order in which they are hidden when there is not enough room.
+  /// Widgets that are hidden when there is not enough room, in the order in which they are hidden.
   std::vector<QWidget*> hideOrder_;
   TrackSnapshotPtr snapshot_;
   TargetSpeed motion_;

@@ -25,7 +25,7 @@ WindowMenus::WindowMenus(const Workbench& bench, Owners owners)
     : QObject(&bench.window), bench_(bench), owners_(std::move(owners)),
       palette_(new CommandPalette(bench.actions, &bench.window)) {
   palette_->setExtraEntries([this] { return extraPaletteEntries(); });
-  bench_.onTriggered("actionPalette", this, [this] { openPalette(); });
+  bench_.onTriggered("actionPalette", this, [this] { openCommandPalette(); });
   bench_.onTriggered("actionShortcuts", this, [this] { openShortcuts(); });
 }
 

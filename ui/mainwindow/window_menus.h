@@ -25,7 +25,7 @@ public:
 
   /// Creates all menus. Call it again after a language change.
   void make();
-  void openPalette() { palette_->open(); }
+  void openCommandPalette() { palette_->open(); }
   void openShortcuts();
 
 private:

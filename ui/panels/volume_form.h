@@ -19,9 +19,9 @@ namespace dewpoint::ui {
 class Document;
 
 /// Fields for the volume of interest, which limits the search for targets to a box given by two
-/// corners. Without a box, the fields show the volume that the cameras see, and editing a number
-/// starts from that volume. Every change is a step of the document. The texts keep the language in
-/// which the form was created.
+/// corners. While the project has no such box, the fields show the volume that the cameras see, and
+/// editing a number starts from that volume. Every change is a step of the document. The texts keep
+/// the language in which the form was created.
 class VolumeForm : public QWidget {
   Q_OBJECT
 public:

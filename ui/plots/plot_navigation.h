@@ -44,7 +44,7 @@ public:
   /// Pans by a fraction of the visible width.
   void pan(double share);
 
-  /// Sets the frame that all views show. Without a value, this is the newest frame.
+  /// Sets the frame that all views show. An empty value stands for the newest frame.
   void setCurrentFrame(std::optional<std::int64_t> frame);
   std::optional<std::int64_t> currentFrame() const { return currentFrame_; }
   /// Sets the frame under the pointer, here or in another view; nothing if there is none.
@@ -52,7 +52,8 @@ public:
   std::optional<std::int64_t> hovered() const { return hovered_; }
   void setSelectedRange(std::optional<SelectedRange> selectedRange);
   std::optional<SelectedRange> selectedRange() const { return selectedRange_; }
-  /// Sets the part of the axis that is being dragged over and will be zoomed to.
+  /// Sets the part of the axis over which the user is dragging. The stack zooms to it at the end of
+  /// the drag.
   void setDragged(std::optional<std::pair<double, double>> part);
   std::optional<std::pair<double, double>> dragged() const { return dragged_; }
 

@@ -31,7 +31,7 @@ public:
   /// Returns the minimum height (pixels) at which the title, readout and two axis numbers are
   /// readable.
   int minimumHeightFor(const QFont& font) const;
-  /// Returns the weight with which the row shares the height with the other rows.
+  /// Returns the row's share of the total height, relative to the shares of the other rows.
   double heightShare() const;
   /// Draws the data within the range of the x axis, and fits the y axis to the data.
   void fill(const PlotSeries& series, PlotAxis axis);

@@ -14,8 +14,8 @@ namespace dewpoint::ui {
 
 class PlotAxisStrip;
 
-/// Scroll area around a stack of plots. Without enough room, the plots scroll above the axis
-/// numbers, which stay in place. Without data, a sentence covers the plots.
+/// Scroll area around a stack of plots. If there is not enough room, the plots scroll above the
+/// axis numbers, which stay in place. While there are no data, a sentence covers the plots.
 class PlotScroll : public QWidget {
 public:
   /// Takes ownership of the plot.
@@ -23,7 +23,7 @@ public:
 
   /// Sets the axis whose numbers are shown below. If it is null, no numbers are shown.
   void setAxis(QCPAxis* axis, PlotAxis kind);
-  /// Sets whether the name of that axis is also shown.
+  /// Sets whether the name of the axis is shown next to its numbers.
   void setNameShown(bool named);
   void setEmptyText(const QString& sentence);
   void showEmpty(bool isEmpty);

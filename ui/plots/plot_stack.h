@@ -22,10 +22,10 @@ class PlotPointer;
 class PlotRow;
 class PlotScroll;
 
-/// Stack of plots that share an axis of iterations or time, a cursor and a range. Without enough
-/// room, the plots scroll above the axis numbers. Without data, a sentence is shown. New data are
-/// drawn at most a few times per second, no matter how often `refresh()` is called. The whole run
-/// is shown unless part of the axis is selected.
+/// Stack of plots that share an axis of iterations or time, a cursor and a range. If there is not
+/// enough room, the plots scroll above the axis numbers. While there are no data, a sentence is
+/// shown. New data are drawn at most a few times per second, no matter how often `refresh()` is
+/// called. The whole run is shown unless part of the axis is selected.
 class PlotStack : public QWidget {
   Q_OBJECT
 public:
@@ -42,18 +42,21 @@ public:
   void refresh();
   /// Sets the sentence shown while there are no data.
   void setEmptyText(const QString& sentence);
-  /// Sets whether only curves and axes are shown, for a stack whose surroundings explain it.
+  /// Sets whether only curves and axes are shown. This suits a stack whose surroundings explain
+  /// what it shows.
   void setCurvesOnly(bool bare);
   /// Sets the minimum length of the axis in iterations. A shorter run fills it gradually.
   void setMinIterations(int least) { navigation_->setMinIterations(least); }
   void setAxis(PlotAxis axis);
   PlotAxis axis() const { return navigation_->axis(); }
 
-  /// Shows the selected range, and selects what the user points at.
+  /// Connects the stack with the selection shared by all views: shows the selected range, and
+  /// changes the selection when the user selects a frame or a range in the plots.
   void link(Selection& selection);
-  /// Shows the frame under the pointer in both stacks.
+  /// Connects the cursors of two stacks: the frame under the pointer in one is also marked in the
+  /// other.
   void shareCursor(PlotStack& other);
-  /// Sets the frame that all views show. Without a value, this is the newest frame.
+  /// Sets the frame that all views show. An empty value stands for the newest frame.
   void setCurrentFrame(std::optional<std::int64_t> frame) { navigation_->setCurrentFrame(frame); }
   /// Sets the frame under the pointer, here or in another view; nothing if there is none.
   void setHovered(std::optional<std::int64_t> frame) { navigation_->setHovered(frame); }

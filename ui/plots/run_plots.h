@@ -24,8 +24,8 @@ std::vector<PlotDeclaration> runPlots(const QStringList& cameras);
 std::vector<PlotDeclaration> boxRunPlots();
 /// Returns the number of values per row in the series from which these plots are drawn.
 std::size_t runPlotColumns(int cameraCount);
-/// Returns the spread in a row of such a series, combined over all axes: meters, or pixels for
-/// bounding boxes.
+/// Returns the spread in a row of the series of a run's plots, combined over all axes: meters, or
+/// pixels for bounding boxes.
 double spreadOf(const PlotSeries& series, std::size_t row);
 /// Adds one iteration to the series of its target.
 void appendTo(PlotSeries& series, const IterationRecord& record);

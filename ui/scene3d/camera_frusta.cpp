@@ -32,9 +32,9 @@ CameraFrusta::CameraFrusta(vtkRenderer* renderer)
 
 void CameraFrusta::show(const CameraRig& rig, double length) {
   glyphs_.clear();
-  Strokes edges;
-  Strokes faces;
-  Strokes plumbs;
+  LinesAndFaces edges;
+  LinesAndFaces faces;
+  LinesAndFaces plumbs;
   for (std::size_t index = 0; index < rig.size(); ++index) {
     const Camera& camera = rig[index];
     if (!usable(camera)) {

@@ -68,7 +68,7 @@ void FadingLine::setColors(const SceneColor& line, const SceneColor& outline) {
 }
 
 void FadingLine::draw() {
-  Strokes strokes;
+  LinesAndFaces strokes;
   Fade fade(color_, 1.0);
   Fade outlineFade(outlineColor_, kOutlineOpacity);
   for (auto begin = points_.begin(); begin != points_.end();) {

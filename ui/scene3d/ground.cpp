@@ -18,7 +18,7 @@ constexpr const char* kAxisNames[3] = {"x", "y", "z"};
 void gridLines(const Eigen::AlignedBox2d& extent, int u, int v, double level, double step,
                vtkPolyData* data) {
   const int axes[2] = {u, v};
-  Strokes strokes;
+  LinesAndFaces strokes;
   for (int i = 0; i < 2; ++i) {
     const auto first = std::llround(std::ceil(extent.min()[i] / step - 1e-6));
     const auto last = std::llround(std::floor(extent.max()[i] / step + 1e-6));
@@ -107,7 +107,7 @@ void Ground::drawPlane() {
   const double z = planeHeight_;
   const Eigen::Vector2d low = extent_.min();
   const Eigen::Vector2d high = extent_.max();
-  Strokes strokes;
+  LinesAndFaces strokes;
   strokes.face({{low.x(), low.y(), z},
                 {high.x(), low.y(), z},
                 {high.x(), high.y(), z},
@@ -156,7 +156,7 @@ void Ground::drawAxes() {
   for (int axis = 0; axis < 3; ++axis) {
     const Eigen::Vector3d base(0.0, 0.0, 0.001 * size);
     const Eigen::Vector3d tip = base + Eigen::Vector3d::Unit(axis) * length;
-    Strokes strokes;
+    LinesAndFaces strokes;
     strokes.line(base, tip);
     strokes.writeTo(axisData_[axis]);
     names_[axis].clear();

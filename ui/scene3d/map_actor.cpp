@@ -80,7 +80,7 @@ double MapActor::valueAt(std::size_t cell) const {
 }
 
 void MapActor::drawBox() {
-  Strokes strokes;
+  LinesAndFaces strokes;
   if (map_) {
     const Eigen::AlignedBox3d box = volume();
     const auto corner = [&](int k) {

@@ -16,7 +16,7 @@ class MeanPath {
 public:
   static constexpr std::size_t kMaxPositions = 60; ///< number of positions
 
-  /// Adds the next snapshot. A snapshot from the past, or from a restarted run, starts a new path.
+  /// Adds the next snapshot. A snapshot of a past frame, or of a restarted run, starts a new path.
   void add(const TrackSnapshot& snapshot);
   /// Returns a target's path in world coordinates (meters), oldest first; empty for a held target.
   const std::vector<Eigen::Vector3d>& of(std::size_t target) const;

@@ -10,8 +10,8 @@ namespace {
 constexpr double kAboveFloor = 0.004; ///< meters, so that curves are not drawn into the floor
 
 void fillHull(const ConvexHull& hull, vtkPolyData* faces, vtkPolyData* edges) {
-  Strokes filled;
-  Strokes lines;
+  LinesAndFaces filled;
+  LinesAndFaces lines;
   for (const auto& face : hull.faces) {
     std::vector<Eigen::Vector3d> corners;
     corners.reserve(face.size());
@@ -31,7 +31,7 @@ void fillHull(const ConvexHull& hull, vtkPolyData* faces, vtkPolyData* edges) {
 }
 
 void drawCurves(const std::vector<LevelCurve>& curves, vtkPolyData* data) {
-  Strokes strokes;
+  LinesAndFaces strokes;
   for (const LevelCurve& curve : curves) {
     std::vector<Eigen::Vector3d> points;
     points.reserve(curve.size());

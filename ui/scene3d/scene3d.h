@@ -18,9 +18,10 @@ namespace dewpoint::ui {
 
 class SceneParts;
 
-/// 3D scene of the room: ground grid and axes, cameras, particles, estimates, tails, ground truth.
-/// Uses VTK without Qt: the owner of a render window adds `renderer()` to it. World coordinates,
-/// meters, z up. Not thread safe. Creating it needs no OpenGL context, but rendering does.
+/// 3D scene of the room: ground grid and axes, cameras, particles, estimates, tails (the drawn
+/// recent paths of the targets), ground truth. Uses VTK without Qt: the owner of a render window
+/// adds `renderer()` to it. World coordinates, meters, z up. Not thread safe. Creating it needs no
+/// OpenGL context, but rendering does.
 class Scene3d {
 public:
   enum class View {

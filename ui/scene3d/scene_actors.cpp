@@ -100,25 +100,25 @@ std::array<unsigned char, 3> colorBytes(const SceneColor& color) {
   return bytes;
 }
 
-Strokes::Strokes() = default;
+LinesAndFaces::LinesAndFaces() = default;
 
-void Strokes::line(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+void LinesAndFaces::line(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   polyline({from, to});
 }
 
-void Strokes::polyline(const std::vector<Eigen::Vector3d>& points) {
+void LinesAndFaces::polyline(const std::vector<Eigen::Vector3d>& points) {
   if (points.size() > 1 && allFinite(points)) {
     lines_.push_back(points);
   }
 }
 
-void Strokes::face(const std::vector<Eigen::Vector3d>& corners) {
+void LinesAndFaces::face(const std::vector<Eigen::Vector3d>& corners) {
   if (corners.size() > 2 && allFinite(corners)) {
     faces_.push_back(corners);
   }
 }
 
-void Strokes::writeTo(vtkPolyData* data) const {
+void LinesAndFaces::writeTo(vtkPolyData* data) const {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> lines;
   vtkNew<vtkCellArray> faces;

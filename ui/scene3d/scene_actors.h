@@ -51,18 +51,18 @@ struct ScreenScale {
 void addNew(vtkRenderer* renderer, vtkProp* prop);
 /// Creates an unlit actor for lines or faces.
 vtkSmartPointer<vtkActor> flatActor(vtkPolyData* data);
-/// Creates such an actor, initially hidden, and adds it. Actors are blended in the order of
-/// addition.
+/// Like flatActor(), but the actor is initially hidden, and it is added to the renderer. Actors are
+/// blended in the order in which they are added.
 vtkSmartPointer<vtkActor> addNewActor(vtkRenderer* renderer, vtkPolyData* data);
 /// Sets an actor's color and opacity (0 to 1).
 void paint(vtkActor* actor, const SceneColor& color, double opacity = 1.0);
 /// Returns red, green and blue, 0 to 255.
 std::array<unsigned char, 3> colorBytes(const SceneColor& color);
 
-/// Builder for poly data of lines and faces.
-class Strokes {
+/// Collects lines and faces, and writes them to VTK poly data.
+class LinesAndFaces {
 public:
-  Strokes();
+  LinesAndFaces();
   void line(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
   void polyline(const std::vector<Eigen::Vector3d>& points);
   void face(const std::vector<Eigen::Vector3d>& corners);

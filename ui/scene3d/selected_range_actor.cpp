@@ -21,7 +21,7 @@ SelectedRangeActor::~SelectedRangeActor() {
 }
 
 void SelectedRangeActor::show(const std::vector<std::vector<Eigen::Vector3d>>& strokes) {
-  Strokes drawn;
+  LinesAndFaces drawn;
   for (const auto& stroke : strokes) {
     if (stroke.size() > 1) {
       drawn.polyline(stroke);

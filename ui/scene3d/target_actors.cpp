@@ -36,7 +36,7 @@ constexpr GlassLook kGhost{0.07, 0.4}; ///< not held
 /// Three great circles of the unit ball.
 void unitRings(vtkPolyData* data) {
   constexpr int kSteps = 72;
-  Strokes strokes;
+  LinesAndFaces strokes;
   for (int axis = 0; axis < 3; ++axis) {
     std::vector<Eigen::Vector3d> ring;
     for (int i = 0; i <= kSteps; ++i) {
@@ -223,7 +223,7 @@ void TargetActors::drawTruth(const ScreenScale& scale) {
       std::max(scale.meters(truth_, kSmallestBodyPx), radius_) + scale.meters(truth_, 1.0);
   const double outer = inner + scale.meters(truth_, 7.0);
   const double nearer = 1.5 * cloudRadius_ + 3.0 * outer;
-  Strokes hairs;
+  LinesAndFaces hairs;
   for (int axis = 0; axis < 3; ++axis) {
     // Along the line of sight a hair would be a dot on the estimate.
     if (std::abs(scale.direction[axis]) > 0.97) {
@@ -250,7 +250,7 @@ void TargetActors::drawBest(const ScreenScale& scale) {
     const Eigen::Vector3d corner = *best_ + pixel * (right * scale.right + up * scale.up);
     corners.push_back(scale.movedCloser(corner, nearer));
   }
-  Strokes triangle;
+  LinesAndFaces triangle;
   triangle.polyline(corners);
   triangle.writeTo(bestData_);
 }

@@ -17,7 +17,7 @@ WireActor::~WireActor() {
 }
 
 void WireActor::show(const std::vector<std::vector<Eigen::Vector3d>>& lines) {
-  Strokes drawn;
+  LinesAndFaces drawn;
   extent_.setEmpty();
   for (const auto& line : lines) {
     drawn.polyline(line);

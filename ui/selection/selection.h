@@ -27,9 +27,9 @@ public:
 
   /// Returns the frame shown in all views, or -1 before the first frame.
   qint64 currentFrame() const { return currentFrame_; }
-  /// Returns the time of that frame in seconds.
+  /// Returns the time of the current frame in seconds.
   double seconds() const { return seconds_; }
-  /// Returns whether that frame is untracked or earlier than the run's current frame.
+  /// Returns whether the frame shown is untracked, or earlier than the frame that the run is at.
   bool isPast() const { return past_; }
   const std::optional<SelectedRange>& selectedRange() const { return selectedRange_; }
   /// Returns the index of the selected target or camera, or -1 if none is selected.

@@ -56,7 +56,7 @@ void ResultRefresher::suspend() {
   quiet_->stop();
 }
 
-void ResultRefresher::see(const TrackSnapshot& snapshot, bool wentBack) {
+void ResultRefresher::processSnapshot(const TrackSnapshot& snapshot, bool wentBack) {
   isLive_ = !snapshot.frameCount.has_value();
   isPlaying_ = snapshot.state == PlayState::Playing;
   isRerunning_ = snapshot.rerun.has_value();

@@ -28,18 +28,19 @@ public:
   void setQuickLimit(double seconds) { quickSeconds_ = seconds; }
   /// Reports that a setting of the run was changed.
   void edited();
-  /// Reports that the user plays, restarts or tracks again. No frames are then tracked
+  /// Reports that the user plays, restarts or tracks again. From then on, no frames are tracked
   /// again automatically until the next change.
   void suspend();
-  /// Processes the newest snapshot. `wentBack` is true if the run's log has restarted.
-  void see(const TrackSnapshot& snapshot, bool wentBack);
+  /// Processes the newest snapshot. `wentBack` is true if the run has gone back to an earlier frame
+  /// or restarted since the last one.
+  void processSnapshot(const TrackSnapshot& snapshot, bool wentBack);
   /// Tracks again from the first old result on. The frame shown stays the same.
   void trackAgain();
 
   /// Returns the results that do not match the current settings; none for live cameras.
-  const OldResults& old() const { return old_; }
-  /// Returns whether frames are being tracked again while the view stays the same and the snapshots
-  /// do not show the progress.
+  const OldResults& oldResults() const { return old_; }
+  /// Returns whether frames are being tracked again without any sign of it in the snapshots, so
+  /// that the view stays the same.
   bool isRefreshing() const { return refreshing_ != Refreshing::No && !isRerunning_; }
 
 Q_SIGNALS:

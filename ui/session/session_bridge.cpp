@@ -23,7 +23,7 @@ SessionBridge::~SessionBridge() {
   ProjectLoader::destroyInBackground(release()); // its threads may hang in a dead camera
 }
 
-TrackSnapshotPtr SessionBridge::asSeen(const TrackSnapshotPtr& snapshot) {
+TrackSnapshotPtr SessionBridge::withFilledFrames(const TrackSnapshotPtr& snapshot) {
   return frameFiller_->filled(snapshot);
 }
 

@@ -29,7 +29,7 @@ public:
 
   Session& session() { return *session_; }
   /// Returns a snapshot as camera views show it; see LiveFrameFiller.
-  TrackSnapshotPtr asSeen(const TrackSnapshotPtr& snapshot);
+  TrackSnapshotPtr withFilledFrames(const TrackSnapshotPtr& snapshot);
   /// Releases the session and stops its wake-ups, so that another thread can join its thread.
   std::unique_ptr<Session> release();
 

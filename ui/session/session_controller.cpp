@@ -205,7 +205,7 @@ TrackSnapshotPtr SessionController::withFilledFrames(const TrackSnapshotPtr& sna
   }
   if (snapshot != filledFrom_) {
     filledFrom_ = snapshot;
-    filled_ = bridge_->asSeen(snapshot);
+    filled_ = bridge_->withFilledFrames(snapshot);
   }
   return filled_;
 }
@@ -216,7 +216,7 @@ void SessionController::publish(const TrackSnapshotPtr& snapshot) {
   const LoggedFrames frames{session.framesSince(frames_.generation, frames_.position)};
   Q_EMIT framesLogged(frames);
   Q_EMIT snapshotChanged(snapshot);
-  results_->see(*snapshot, frames.restarted);
+  results_->processSnapshot(*snapshot, frames.restarted);
   Q_EMIT iterationsLogged({session.iterationsSince(iterations_.generation, iterations_.position)});
 }
 
@@ -277,7 +277,7 @@ void SessionController::show(std::optional<qint64> frame) {
   } else if (frame) {
     bridge_->session().showFrame(*frame);
   } else {
-    bridge_->session().returnToHead();
+    bridge_->session().returnToNewestFrame();
   }
 }
 

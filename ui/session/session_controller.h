@@ -68,7 +68,7 @@ public:
   /// Sets the playback speed of this run and of later runs.
   void setPace(const Pace& pace);
   const Pace& pace() const { return pace_; }
-  /// Shows a frame. Without a value, shows the run's current frame.
+  /// Shows a frame. If `frame` is empty, shows the frame that the run is at.
   void show(std::optional<qint64> frame);
   /// Restarts the run from the beginning, with a new seed or the same seed.
   void restart(bool newSeed);
@@ -80,8 +80,9 @@ public:
   /// from earlier settings.
   ResultRefresher& results() { return *results_; }
   /// Starts the run after a color was learned, because a user who points at an object wants to see
-  /// it tracked. If more than the beginning of a recording has been tracked, the recording stays at
-  /// its current frame, and the rule for changes applies.
+  /// it tracked. There is one exception: if more than the beginning of a recording has been
+  /// tracked, the run stays at its current frame, and the ResultRefresher decides whether to track
+  /// again.
   void startAfterLearning(bool isNew);
   /// Starts the run after a target got its box. Only the first box starts the run: users often set
   /// more boxes on the same image, and a run that the user has stopped stays where it is.

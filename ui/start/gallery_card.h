@@ -43,7 +43,7 @@ protected:
 private:
   QFont titleFont() const;
   QString lineShown() const;
-  /// Returns the height of the title and line, one above the other, in pixels.
+  /// Returns the height in pixels of the title with the describing line below it.
   int textHeight(int width) const;
   void paintTexts(QPainter& painter, const QRect& area) const;
   void paintPicture(QPainter& painter, const QRect& area);

@@ -11,7 +11,7 @@ namespace dewpoint::ui {
 /// Returns the reason why a camera does not confirm a target, in a few words ("hidden"), or an
 /// empty string if the camera confirms it.
 QString cameraReasonText(const CameraReport& report);
-/// Returns the reason in the form shown with that camera's image ("hidden here").
+/// Returns the reason in the form that is shown with the image of the camera ("hidden here").
 QString cameraReasonHereText(const CameraReport& report);
 /// Returns whether this report means that the camera does not see the target at all, although the
 /// camera has an image.

@@ -5,7 +5,8 @@
 
 namespace dewpoint::ui {
 
-/// Draws a diamond in a target's ribbon at each frame for which the user set a correction.
+/// Draws a diamond in a target's ribbon (the band that shows its states) at each frame for which
+/// the user set a correction.
 void paintCorrections(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
                       const TimelineRows& rows, const QPalette& palette);
 

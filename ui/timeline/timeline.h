@@ -17,8 +17,9 @@ class Document;
 class MarkerEditor;
 
 /// Timeline of the run: the state of each target, missing camera images, markers, and the current
-/// frame. A drag moves through time. A drag on the axis (or with Shift) selects a range. The wheel
-/// zooms. Arrow keys move by frames, page keys by seconds, Home and End to the ends.
+/// frame. Dragging shows the frame under the pointer. Dragging on the axis, or with Shift, selects
+/// a range. The wheel zooms. The arrow keys move by frames, the page keys by seconds, and Home and
+/// End to the first and last frame.
 class Timeline : public QWidget {
   Q_OBJECT
 public:
@@ -49,7 +50,8 @@ public:
   void zoomOut();
 
   const TimelineModel& model() const { return model_; }
-  /// Returns the center of a frame in the ribbons, in widget coordinates.
+  /// Returns the point at the middle of a frame's time, in the row of the first target, in widget
+  /// coordinates.
   QPoint positionOf(qint64 frame) const;
 
   QSize sizeHint() const override { return {600, std::max(110, minimumHeight_)}; }

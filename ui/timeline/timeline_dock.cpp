@@ -76,7 +76,7 @@ Timeline* installTimeline(const Workbench& bench) {
   bench.connectView(timeline);
   QObject::connect(&bench.session.results(), &ResultRefresher::oldResultsChanged, timeline,
                    [timeline, results = &bench.session.results()] {
-                     timeline->setOldResults(results->old().frames);
+                     timeline->setOldResults(results->oldResults().frames);
                    });
   QObject::connect(&bench.session, &SessionController::snapshotChanged, timeline,
                    [bench, timeline](const TrackSnapshotPtr& snapshot) {

@@ -15,7 +15,8 @@ namespace dewpoint::ui {
 
 /// Data that a timeline shows, except the selection.
 struct TimelineModel {
-  /// In increasing frame order; of old frames, only some have a record.
+  /// Records of the tracked frames, in increasing frame order. Of old frames, only some have a
+  /// record.
   std::vector<FrameRecord> records;
   QStringList targets;
   QStringList cameras;
@@ -30,8 +31,8 @@ struct TimelineModel {
 
   /// Adds new log records. If a frame is repeated, the new record replaces the old one.
   void append(const std::vector<FrameRecord>& more, bool restarted);
-  /// Returns one past the last frame that a record represents. This is the frame of the next
-  /// record, unless untracked frames lie between them.
+  /// Returns the frame after the last frame that a record represents. This is the frame of the next
+  /// record, unless there are untracked frames between them.
   qint64 endOf(std::size_t record) const;
   /// Returns the record that represents a frame: its own, or that of an earlier frame if the
   /// records are spaced that far apart there. Returns null if there is none.

@@ -33,10 +33,10 @@ struct TimelineRows {
   QRectF camera(int row) const;
 };
 
-/// Draws a timeline: ribbons, missing images, markers, the range, the play head, and a thin line at
-/// the frame under the pointer (`hovered`; negative for none). Ribbon styles: held is a thin line,
-/// ambiguous is dotted, searching is hatched, lost is crossed, and results of earlier settings are
-/// pale.
+/// Draws a timeline: the ribbons (bands that show the states of the targets), missing images,
+/// markers, the selected range, the current frame, and a thin line at the frame under the pointer
+/// (`hovered`; negative for none). In a ribbon, held is a thin line, ambiguous is dotted, searching
+/// is hatched, and lost is crossed. Results of earlier settings are pale.
 void paintTimeline(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
                    const TimelineRows& rows, const Selection& selection, qint64 hovered,
                    const QPalette& palette);

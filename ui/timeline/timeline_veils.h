@@ -5,11 +5,12 @@
 
 namespace dewpoint::ui {
 
-/// Draws a veil over the frames whose results are known but can no longer be shown.
+/// Draws a translucent veil over the frames whose results are known but can no longer be shown.
 void paintForgottenFrames(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
                           const TimelineRows& rows, const QPalette& palette);
 
-/// Draws a hatched veil over the ribbons where the results are from earlier settings.
+/// Draws a hatched translucent veil over those parts of the ribbons that show results from earlier
+/// settings.
 void paintOldResults(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
                      const TimelineRows& rows, const QPalette& palette);
 

@@ -5,7 +5,7 @@
 #include "ui/selection/selection.h"
 #include "ui/text/retranslation.h"
 #include "ui/trajectory/box_model.h"
-#include "ui/trajectory/table_head.h"
+#include "ui/trajectory/frame_row_delegate.h"
 
 #include <QLabel>
 #include <QTableView>
@@ -29,7 +29,7 @@ BoxPanel::BoxPanel(Selection& selection, QWidget* parent)
   summary_->setWordWrap(true);
   table_->setObjectName(QStringLiteral("boxTable"));
   table_->setModel(model_);
-  head_ = new TableHead(table_, selection, [this](qint64 frame) {
+  head_ = new FrameRowDelegate(table_, selection, [this](qint64 frame) {
     const auto& samples = model_->samples();
     const auto first = std::ranges::lower_bound(samples, frame, {}, &BoxSample::frame);
     const auto last = std::ranges::upper_bound(samples, frame, {}, &BoxSample::frame);

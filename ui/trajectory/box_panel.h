@@ -19,7 +19,7 @@ namespace dewpoint::ui {
 
 class BoxModel;
 class Selection;
-class TableHead;
+class FrameRowDelegate;
 
 /// Bounding boxes of a run whose method tracks boxes, in a table that follows the frame shown.
 class BoxPanel : public QWidget {
@@ -52,7 +52,7 @@ private:
 
   BoxModel* model_;
   QTableView* table_;
-  TableHead* head_ = nullptr;
+  FrameRowDelegate* head_ = nullptr;
   QLabel* summary_;
   Source source_;
   std::uint64_t generation_ = 0;

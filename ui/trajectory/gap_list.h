@@ -11,8 +11,8 @@
 
 namespace dewpoint::ui {
 
-/// List of the gaps in a trajectory, with start, end and length. It contains the newest kMaxGaps
-/// gaps.
+/// List of the gaps in a trajectory (frames without a position), with start, end and length. It
+/// contains the newest kMaxGaps gaps.
 class GapList : public QTableWidget {
   Q_OBJECT
 public:

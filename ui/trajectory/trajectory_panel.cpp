@@ -8,8 +8,8 @@
 #include "ui/plots/plot_stack.h"
 #include "ui/text/retranslation.h"
 #include "ui/trajectory/box_panel.h"
+#include "ui/trajectory/frame_row_delegate.h"
 #include "ui/trajectory/gap_list.h"
-#include "ui/trajectory/table_head.h"
 #include "ui/trajectory/trajectory_model.h"
 
 #include <QAction>
@@ -81,7 +81,7 @@ TrajectoryPanel::~TrajectoryPanel() = default;
 void TrajectoryPanel::makeTable() {
   table_->setObjectName(QStringLiteral("trajectoryTable"));
   table_->setModel(model_);
-  head_ = new TableHead(table_, selection_, [this](qint64 frame) {
+  head_ = new FrameRowDelegate(table_, selection_, [this](qint64 frame) {
     return model_->rowsOf(SelectedRange{frame, frame});
   });
   onRetranslate(table_, [this] {

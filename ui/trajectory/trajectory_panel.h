@@ -30,7 +30,7 @@ class ActionRegistry;
 class BoxPanel;
 class GapList;
 class PlotStack;
-class TableHead;
+class FrameRowDelegate;
 class TrajectoryModel;
 
 /// Trajectory of the run: a table that follows the frame shown, plots of speed and height over
@@ -98,7 +98,7 @@ private:
   Selection& selection_;
   TrajectoryModel* model_;
   QTableView* table_;
-  TableHead* head_ = nullptr;
+  FrameRowDelegate* head_ = nullptr;
   GapList* gaps_;
   QLabel* summary_;
   PlotStack* plots_;

@@ -119,8 +119,8 @@ public Q_SLOTS:
 
 Q_SIGNALS:
   void viewChanged(dewpoint::ui::Scene3d::View view);
-  /// Emitted after a click on a target's tail, with the closest position in it (meters). `extend`:
-  /// Shift was held down.
+  /// Emitted after a click on a target's tail (its drawn recent path), with the closest position in
+  /// the tail (meters). `extend`: Shift was held down.
   void tailClicked(int target, const Eigen::Vector3d& position, bool extend);
   /// Emitted after a click on the floor in placing mode, with world x and y in meters.
   void floorClicked(const Eigen::Vector2d& position);

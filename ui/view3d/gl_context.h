@@ -24,8 +24,8 @@ public:
   /// message for users.
   std::string start();
   bool isCurrent() const;
-  /// Makes the context current unless it already is. A second call would bypass VTK's state cache
-  /// and produce empty images.
+  /// Makes the context current unless it already is. Making it current twice would bypass VTK's
+  /// state cache and produce empty images.
   void makeCurrent();
   void doneCurrent();
 

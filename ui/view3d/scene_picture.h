@@ -41,8 +41,8 @@ public:
   /// Returns whether the image is outdated.
   bool isStale() const { return stale_; }
   bool isUpToDate() const { return !stale_ && !timer_.isActive(); }
-  /// Returns the reason why there is no 3D view, or an empty string if there is one. Known after
-  /// the first attempt to draw.
+  /// Returns the reason why there is no 3D view, or an empty string if the view works. It is known
+  /// after the first attempt to draw.
   const std::string& failure() const { return failure_; }
 
   /// Passes a mouse event to the trackball camera. `position` is in view coordinates.

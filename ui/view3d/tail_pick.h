@@ -8,15 +8,15 @@
 
 namespace dewpoint::ui {
 
-/// Position in a target's tail, meters.
+/// Position in the tail of a target (its drawn recent path), in meters.
 struct TailPosition {
   int target = -1;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
 };
 
-/// Returns the position in any tail that appears closest to `position` in the rendered image, or
-/// nothing if none is within `reach`. `reach` is in device pixels; `position` is in device pixels
-/// to the right of and above the image center.
+/// Of all points of the targets' tails (their drawn recent paths), returns the one whose projection
+/// is closest to `position` in the rendered image; nothing if none is closer than `reach`. `reach`
+/// and `position` are in device pixels; `position` is to the right of and above the image center.
 std::optional<TailPosition> nearestTailPosition(const TrackSnapshot& snapshot, const Scene3d& scene,
                                                 const Eigen::Vector2d& position, double reach);
 

@@ -45,8 +45,8 @@ public:
   QString text() const;
   /// Removes the current message.
   void dismiss();
-  /// Removes an outdated error or warning after other work has begun. If `notices` is true, also
-  /// removes a notice. Questions stay.
+  /// Removes an error or a warning that is outdated because other work has begun. If `notices` is
+  /// true, also removes a notice. Questions stay.
   void forget(bool notices);
   /// Returns the last messages in this window, oldest first, each with its time.
   const QStringList& recent() const { return recent_; }

@@ -33,8 +33,8 @@ public:
   int cameraColumns() const { return cameraColumns_; }
   /// Sets the number of columns that the next `place()` uses.
   void setCameraColumns(int columns) { cameraColumns_ = columns; }
-  /// Returns the number of columns with the largest images. Without cameras, returns the current
-  /// number.
+  /// Returns the number of columns with which the images are largest. If there are no cameras,
+  /// returns the current number.
   int bestCameraColumns() const;
   /// Resizes the docks to suit the window. The camera views must already be placed in
   /// bestCameraColumns() columns.

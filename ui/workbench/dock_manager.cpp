@@ -5,7 +5,7 @@
 #include "ui/document/document.h"
 #include "ui/session/session_controller.h"
 #include "ui/widgets/dock_title.h"
-#include "ui/workbench/dock_names.h"
+#include "ui/workbench/dock_name_placement.h"
 
 #include <QKeyEvent>
 #include <QMainWindow>
@@ -26,7 +26,8 @@ constexpr int kForSize = 1;
 DockManager::DockManager(QMainWindow& window, Document& document, const SessionController& session,
                          QObject* parent)
     : QObject(parent), window_(window), document_(document), session_(session),
-      names_(new DockNames(window, this)), arrangement_(window, document), heightsBelow_(window) {
+      names_(new DockNamePlacement(window, this)), arrangement_(window, document),
+      heightsBelow_(window) {
   window_.setDockNestingEnabled(true);
   window_.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
   window_.installEventFilter(this);

@@ -15,7 +15,7 @@ class QMainWindow;
 
 namespace dewpoint::ui {
 
-class DockNames;
+class DockNamePlacement;
 class Document;
 class SessionController;
 
@@ -42,11 +42,12 @@ public:
   /// Restores the default arrangement, including hidden camera views, and discards the document's
   /// layout.
   void reset();
-  /// Resizes the views to suit the window once the layout has settled; does nothing if the user has
-  /// rearranged them.
+  /// Resizes the views to suit the window, once the layout has settled. Does nothing if the user
+  /// has rearranged the views.
   void distributeDockSizesSoon();
-  /// Call this with `kept` true before the height above the views changes, and with false
-  /// afterward. The images then shrink or grow, and the docks below them keep their heights.
+  /// Call this with `kept` set to true before the height of the area above the views changes, and
+  /// with false afterward. The images then shrink or grow, and the docks below them keep their
+  /// heights.
   void keepHeightsBelow(bool kept);
   /// Stores the layout of all views in the document, even while one is maximized or a page hides
   /// them.
@@ -90,7 +91,7 @@ private:
   QMainWindow& window_;
   Document& document_;
   const SessionController& session_;
-  DockNames* names_;
+  DockNamePlacement* names_;
   DockArrangement arrangement_;
   bool suitsSize_ = true;    ///< the user has not rearranged the views
   bool arranging_ = false;   ///< docks are being moved by the program, not by the user
@@ -99,7 +100,7 @@ private:
   HeldHeights heightsBelow_; ///< heights of the lower docks while messages come and go
   ViewDock* maximized_ = nullptr;
   QByteArray layoutBeforeMaximized_;
-  /// Docks when one was maximized, and whether each was hidden.
+  /// All docks at the time when one was maximized, each with whether it was hidden.
   std::vector<std::pair<ViewDock*, bool>> hiddenBeforeMaximized_;
   QByteArray layoutBehindPages_; ///< layout of the views while a page hides them
 };

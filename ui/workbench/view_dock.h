@@ -52,7 +52,8 @@ public:
   void setShownByUser(bool wanted);
   /// Returns whether no part of the dock is visible, because it is behind another tab or hidden.
   bool isBehind() const { return behind_; }
-  /// Shows the dock in front of its tabs, and stores this as the user's choice.
+  /// Shows the dock in front of the docks that are tabbed with it, and stores as the user's choice
+  /// that it is shown.
   void bringToFront();
   /// Moves the dock into its own window, next to its former position and in front, or puts it back.
   void toggleFloating();

@@ -20,8 +20,8 @@ class MessageBar;
 class Selection;
 class TargetListModel;
 
-/// Shared parts of the window that views and features are installed with. A feature receives them
-/// in its constructor or install function, creates its dock, connects its actions and subscribes to
+/// Shared parts of the window, which views and features use. A feature receives them in its
+/// constructor or install function, creates its dock, connects its actions and subscribes to
 /// snapshots. No other part of the window knows about the feature.
 struct Workbench {
   QMainWindow& window; ///< parent of docks, views and dialogs
@@ -40,8 +40,8 @@ struct Workbench {
   void onToggled(ActionId id, QObject* context, std::function<void(bool)> run) const;
   /// Enables these actions only while a project is open and no page covers it.
   void requireRun(std::initializer_list<ActionId> ids) const;
-  /// Enables these actions only while, in addition, `suits` returns true. `suits` is called again
-  /// when a run begins or ends, and when the method changes.
+  /// Like requireRun(ids), but the actions are enabled only if `suits` also returns true. It is
+  /// called again when a run begins or ends, and when the method changes.
   void requireRun(std::initializer_list<ActionId> ids, const std::function<bool()>& suits) const;
   /// Shows a dialog in front of the window.
   static void present(QWidget* dialog);

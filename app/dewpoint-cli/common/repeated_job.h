@@ -26,7 +26,7 @@ void addJobOptions(CLI::App& command, JobOptions& options);
 /// Returns the name of a job in combined tables, and a key computed from everything its result
 /// depends on. `command` is the command of dewpoint-cli, `project` the project with all options
 /// applied, and `more` a description of the other options. The key is empty if the files of the
-/// project cannot be read; opening them reports the error.
+/// project cannot be read; the error is then reported when they are opened for tracking.
 JobRecord makeJobRecord(const std::string& command, const Project& project,
                         const std::string& label, const std::string& frames,
                         const std::string& more);

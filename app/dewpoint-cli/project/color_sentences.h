@@ -17,9 +17,9 @@ std::string describeRange(const ColorRange& range);
 std::vector<std::string> describeAssessment(const ColorAssessment& assessment,
                                             const std::vector<std::string>& cameras);
 
-/// Returns a sentence about the target radius found from the click (`shown`, meters) if it differs
-/// from `given` (meters; 0: unknown). Returns an empty string if they agree or if no radius was
-/// found.
+/// Returns a sentence about the radius of the target, `shown` (meters), which was found at the
+/// click, if it differs from `given` (meters; 0: unknown). Returns an empty string if they agree or
+/// if no radius was found.
 std::string describeRadius(double given, const std::optional<double>& shown);
 
 } // namespace dewpoint::app

@@ -15,8 +15,8 @@ public:
   virtual ~FrameCache() = default;
   /// Adds a frame set that was taken from the source; frame numbers must increase.
   virtual void add(const FrameSetPtr& frames) = 0;
-  /// Returns the images of this frame; null if it does not exist, or if its images, from live
-  /// cameras, were dropped to save memory.
+  /// Returns the images of this frame. Null if the frame does not exist, or if it came from live
+  /// cameras and its images were dropped to save memory.
   virtual Result<FrameSetPtr> at(std::int64_t frame) = 0;
   /// Returns a preview of a frame: the full images if they are available immediately, otherwise
   /// small images scaled up (`exact` is then false). Null if there is none.

@@ -31,7 +31,7 @@ struct TrackedTarget {
   Eigen::ArrayXXf particles; ///< rows of x, y, z; meters
   Eigen::ArrayXf weights;    ///< one per row, linear
   std::vector<CandidatePosition> positionCandidates;
-  std::vector<CameraReport> reasons; ///< per camera: reason why it does not confirm the target
+  std::vector<CameraReport> reasons; ///< per camera: whether it confirms the target, or why not
   TargetStatus status = TargetStatus::Searching;
   BoxParticles boxParticles; ///< particles of a BoxEstimate
   /// Time in seconds when the target was last held; the time of this frame if it is held now.

@@ -17,8 +17,9 @@ namespace dewpoint::session {
 /// cyclically.
 cv::Scalar identityColor(int identity);
 
-/// Returns the images of all cameras next to each other, each `width` pixels wide, with the outline
-/// of every person's 95 % volume and the person's identity (CV_8UC3). Missing images are black.
+/// Returns the images of all cameras next to each other as one image (CV_8UC3), with the outline of
+/// every person's 95 % volume and the person's identity. Each camera's image is `width` pixels
+/// wide, and black if it is missing.
 cv::Mat peopleOverlay(const PeopleFinding& people, const FrameSet& frames, const CameraRig& rig,
                       int width);
 

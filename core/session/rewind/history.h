@@ -24,7 +24,8 @@ struct HistoryLimits {
   std::size_t sum() const { return frames + trackedFrames + checkpoints; }
 };
 
-/// Returns the position of an estimate in a tail: its mean, or NaN if the target is not held.
+/// Returns the point that an estimate adds to the tail of its target (the drawn recent path): the
+/// mean, or NaN if the target is not held.
 Eigen::Vector3d tailPosition(const TrackEstimate& estimate);
 
 /// Results of every frame tracked so far, and checkpoints (copies of the method) from which each
@@ -43,14 +44,14 @@ public:
   void changed(std::int64_t frame, int iterations, const RunChange& change);
   /// Stores the results of a frame that was tracked, or tracked again.
   void record(TrackedFrame trackedFrame);
-  /// Removes results, checkpoints and changes of this frame and later ones; a checkpoint right
-  /// before it is kept.
+  /// Removes the results, checkpoints and changes of this frame and later ones. A checkpoint right
+  /// before this frame is kept.
   void forgetFrom(std::int64_t frame);
   /// Removes all checkpoints because the method has changed.
   void removeCheckpoints();
   /// Makes tails begin at this frame, so that they do not continue earlier estimates.
   void beginTails(std::int64_t frame) { tailBegins_.insert(frame); }
-  /// Removes everything before this frame, whose images no longer exist.
+  /// Removes everything before this frame, because the images of earlier frames no longer exist.
   void forgetBefore(std::int64_t frame);
 
   /// Returns a frame; null if it was not tracked.
@@ -65,9 +66,9 @@ public:
   /// Largest number of positions in a tail.
   static constexpr std::size_t kTailLength = 256;
   /// Returns the tail of a target up to and including frame `end`: the last kTailLength values of
-  /// tailPosition(), oldest first. The tail does not reach back beyond the last beginTails() at or
-  /// before `frame`, which is `end`, or the following frame if that is not yet recorded. Empty for
-  /// boxes and for targets that are gone.
+  /// tailPosition(), oldest first. `frame` is `end` itself, or the next frame while its results are
+  /// not recorded yet. The tail begins no earlier than the last beginTails() at or before `frame`.
+  /// Empty for boxes and for targets that are gone.
   std::vector<Eigen::Vector3d> tail(std::size_t target, std::int64_t frame, std::int64_t end) const;
 
   /// State of the run from which a later frame can be reached by tracking.
@@ -78,7 +79,7 @@ public:
   /// Returns the last checkpoint at or before this frame; null if there is none.
   const Checkpoint* checkpointFor(std::int64_t frame) const;
   /// Returns the frame at which the method began from scratch, and the definition with which it
-  /// did. The state has no tracker. Empty before the first frame.
+  /// began. The state in this checkpoint has no tracker. Empty before the first frame.
   const std::optional<Checkpoint>& methodStart() const { return methodStart_; }
   /// Returns the changes made in `frame` after `iterations` iterations on this frame, in order.
   std::vector<RunChange> changesAt(std::int64_t frame, int iterations) const;

@@ -32,7 +32,7 @@ public:
 
   /// Returns the images of this frame; null if there are none, or if they have been dropped.
   Result<FrameSetPtr> frames(std::int64_t frame) { return cache_->at(frame); }
-  /// Returns the displayable frame closest to this one; nothing before the first frame.
+  /// Returns the frame closest to this one that can be shown; nothing before the first frame.
   std::optional<std::int64_t> nearest(std::int64_t frame) const;
   /// Returns the next frame after this one that can be shown; nothing at the end.
   std::optional<std::int64_t> nextShowable(std::int64_t frame) const;
@@ -45,9 +45,9 @@ public:
   /// Returns whether to continue a long operation.
   using ShouldContinue = std::function<bool()>;
   /// Restores `run` to its state right before it began `frame`, by tracking from the nearest
-  /// checkpoint with the definition used at that time. Without a checkpoint before the frame, `run`
-  /// starts from scratch there. Nothing is removed from the history. Returns the frame reached,
-  /// which is `frame` unless `shouldContinue` returned false, or an error.
+  /// checkpoint with the definition used at that time. If there is no checkpoint before the frame,
+  /// `run` starts from scratch at the frame. Nothing is removed from the history. Returns the frame
+  /// reached, which is `frame` unless `shouldContinue` returned false, or an error.
   Result<std::int64_t> goBack(TrackingRun& run, std::int64_t frame,
                               const ShouldContinue& shouldContinue);
   /// Removes the results of this frame and later ones.
@@ -55,7 +55,7 @@ public:
     history_.forgetFrom(frame);
     probe_.reset();
   }
-  /// Removes all checkpoints, because another run continues from the present frame.
+  /// Removes all checkpoints, because another run continues from the current frame.
   void removeCheckpoints() {
     history_.removeCheckpoints();
     probe_.reset();
@@ -63,18 +63,18 @@ public:
   /// Calls History::beginTails().
   void beginTails(std::int64_t frame) { history_.beginTails(frame); }
 
-  /// Returns a separate run, restored to the state of `run` after this past frame. It provides
-  /// likelihood maps and motion masks, which the history does not store. Null if this is not
-  /// possible or `shouldContinue` returned false.
+  /// Returns a separate run in the state in which `run` was after `frame`, a past frame. It
+  /// provides likelihood maps and motion masks, which the history does not store. Null if this is
+  /// not possible or `shouldContinue` returned false.
   const TrackingRun* runAt(std::int64_t frame, const TrackingRun& run,
                            const ShouldContinue& shouldContinue);
   /// Sets the number of threads of the run returned by runAt().
   void setThreadCount(int threadCount);
 
 private:
-  /// Restores a run from a checkpoint at or before `frame`, or from the start of the method if the
-  /// method cannot be copied. Sets `next` to the frame that the run must begin next. Returns false
-  /// if the run starts from scratch at `frame`.
+  /// Restores a run from the last checkpoint at or before `frame`, or, if the method cannot be
+  /// copied, from the frame at which the method began. Sets `next` to the frame that the run must
+  /// begin next. Returns false if there is neither, so that the run starts from scratch at `frame`.
   bool restoreCheckpoint(TrackingRun& run, std::int64_t frame, std::int64_t& next) const;
   /// Tracks one past frame again, with the changes made during it.
   Status trackAgain(TrackingRun& run, const TrackedFrame& trackedFrame);

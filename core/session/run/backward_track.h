@@ -39,9 +39,9 @@ Result<std::vector<PositionCorrection>> trackBackwards(FrameSetSource& source,
                                                        const BackwardProgress& progress);
 
 /// Returns the project with the results of trackBackwards() for each correction made by the user,
-/// in frame order. They replace all earlier corrections obtained by tracking backward. The
-/// estimates before each correction are computed by tracking up to it. `backgroundImages` as for
-/// RunDefinition::of().
+/// in frame order. These results replace all earlier corrections that came from tracking backward.
+/// The estimates before each correction are computed by tracking the recording up to it.
+/// `backgroundImages` are as for RunDefinition::of().
 Result<Project> withBackwardCorrections(const Project& project, FrameSetSource& source,
                                         const std::vector<cv::Mat>& backgroundImages, int threads,
                                         const BackwardProgress& progress);

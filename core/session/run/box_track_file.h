@@ -30,9 +30,9 @@ struct BoxTrack {
 /// are in pixels from the upper left corner of the image.
 std::string boxCsv(const BoxTrack& track);
 
-/// Returns the text format of the MOT challenge (Leal-Taixé et al. 2015): frame, identity, left,
-/// top, width, height, confidence, -1, -1, -1. Frames, identities and pixel coordinates are counted
-/// from 1. The confidence is the similarity. Hidden targets have no row.
+/// Returns the boxes in the text format of the MOT challenge (Leal-Taixé et al. 2015): frame,
+/// identity, left, top, width, height, confidence, -1, -1, -1. Frames, identities and pixel
+/// coordinates are counted from 1. The confidence is the similarity. Hidden targets have no row.
 std::string boxMotText(const BoxTrack& track);
 
 /// Writes boxes.csv and boxes_mot.txt to an existing folder.

@@ -21,20 +21,20 @@ public:
   /// TrackingRun::create().
   static Result<FrameFeed> create(const Project& project, int threads);
 
-  /// Tracks one frame, captured at `time` (seconds). `images` has one image per camera in project
-  /// order: CV_8UC3 (blue, green, red), of the size in the calibration, or empty for a camera
-  /// without an image. The images are kept for a while without a copy, so their pixels must not be
-  /// changed afterward. On an error, BadValue names "images" or "time" (which must increase), and
+  /// Tracks one frame, captured at `time` (seconds), which must increase. `images` has one image
+  /// per camera in project order: CV_8UC3 (blue, green, red), of the size in the calibration, or
+  /// empty for a camera without an image. The images are kept for a while without a copy, so their
+  /// pixels must not be changed afterward. On an error, BadValue names "images" or "time", and
   /// nothing has changed.
   Status step(const std::vector<cv::Mat>& images, double time);
 
-  /// Return the present estimates of all targets: positions in the room or, for methods that track
+  /// Return the current estimates of all targets: positions in the room or, for methods that track
   /// boxes, boxes in the images. Empty before the first step.
   std::vector<TrajectorySample> samples() const { return run_.samples(); }
   std::vector<BoxSample> boxes() const { return run_.boxSamples(); }
   const TrackingRun& run() const { return run_; }
   std::int64_t steps() const { return steps_; }
-  /// Restarts from scratch; times may also start again.
+  /// Restarts from scratch. The time of the next frame may then be earlier.
   void restart();
 
 private:

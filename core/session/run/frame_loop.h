@@ -25,7 +25,7 @@ public:
 };
 using FrameObservers = std::span<FrameObserver* const>;
 
-/// Amount of tracking in one step.
+/// How much of a frame is tracked in one step.
 enum class FrameStep { WholeFrame, OneIteration };
 
 /// Runs the remaining iterations of the run's current frame, or only the next one, and calls the

@@ -10,9 +10,10 @@
 
 namespace dewpoint::session {
 
-/// Source that delivers the frames of a recording from a given last frame back to the first, as if
-/// time ran backward. Frame `last` is delivered first, with its own number and time; numbers and
-/// times increase from there. Frames are read in blocks, since videos are made to be read forward.
+/// Source that delivers the frames of a recording from frame `last` back to the first, as if time
+/// ran backward. Frame `last` is delivered with its own number and time; the numbers and times of
+/// the following frames increase from there. Frames are read in blocks, since videos are made to be
+/// read forward.
 class ReversedFrames final : public FrameSetSource {
 public:
   ReversedFrames(FrameSetSource& source, std::int64_t last);

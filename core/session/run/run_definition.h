@@ -38,7 +38,7 @@ struct RunDefinition {
   /// Returns the project with the values of this definition in place of its own.
   Project appliedTo(Project project) const;
 
-  /// Derives parameters that the user has not set from the cameras (effectiveParameters()).
+  /// Derives from the cameras the parameters that the user has not set (effectiveParameters()).
   /// Required after a change of cameras, parameters or volume of interest; of() includes it.
   void useCameras();
 
@@ -49,15 +49,15 @@ struct RunDefinition {
 };
 using RunDefinitionPtr = std::shared_ptr<const RunDefinition>;
 
-/// Returns the two corners of a volume of interest as text, in meters.
+/// Returns the two corners of a volume of interest, in meters, as text.
 std::string volumeText(const WorldBox& volume);
 
 /// Returns whether the images are equal, pixel by pixel.
 bool areSameImages(const std::vector<cv::Mat>& a, const std::vector<cv::Mat>& b);
 
-/// Returns the differences between `after` and `before` as text for the header of a trajectory;
-/// empty if there are none. Corrections of positions are omitted because they are marked in the
-/// rows of the trajectory.
+/// Returns how `after` differs from `before`, as text for the header of a trajectory; empty if
+/// there is no difference. Corrections of positions are omitted because they are marked in the rows
+/// of the trajectory.
 std::string differences(const RunDefinition& before, const RunDefinition& after);
 
 } // namespace dewpoint::session

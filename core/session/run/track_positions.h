@@ -20,15 +20,15 @@ inline constexpr double kPositionsPerSecond = 30.0;
 /// has neither a time nor a frame number.
 Result<bool> addMissingTimes(Trajectory& measured, double rate);
 
-/// Returns whether trackPositions() takes this parameter from the first position of each target:
-/// start_x, start_y, start_z.
+/// Returns whether trackPositions() sets this parameter to a coordinate of each target's first
+/// position: true for start_x, start_y and start_z.
 bool isStartPositionParameter(std::string_view key);
 
 /// Runs the `dynamics` method on measured 3D positions instead of images (Barrera et al. 2005,
-/// section III-C). Every target of `measured` has its own filter, which runs the method's
-/// iterations on each sample and starts at the target's first position. A sample that is not valid
-/// or whose position is NaN counts as not measured. Returns BadValue if the first position is
-/// farther away than the method's parameters allow.
+/// section III-C). Every target of `measured` has its own filter. It starts at the target's first
+/// position and runs the method's iterations on each sample. A sample that is not valid or whose
+/// position is NaN counts as not measured. Returns BadValue if a coordinate of a first position is
+/// outside the range of start_x, start_y or start_z.
 Result<Trajectory> trackPositions(const Trajectory& measured, const ParameterValues& parameters,
                                   std::uint64_t seed);
 

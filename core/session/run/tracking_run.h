@@ -41,8 +41,8 @@ using RunChange = std::variant<DefinitionChange, PeopleChange, PositionCorrectio
 /// command line use it. Not thread-safe.
 class TrackingRun {
 public:
-  /// Creates a run with `threadCount` threads, which never change the result. Returns NotFound for
-  /// an unknown method.
+  /// Creates a run with `threadCount` threads; the result does not depend on their number. Returns
+  /// NotFound for an unknown method.
   static Result<TrackingRun> create(RunDefinitionPtr definition, int threadCount);
   /// Creates the run of a project. `backgroundImages` are those returned by loadBackgroundImages(),
   /// or none.
@@ -52,13 +52,13 @@ public:
   static TrackingRun of(std::unique_ptr<Tracker> tracker, RunDefinitionPtr definition,
                         int threadCount);
 
-  /// Returns the present definition; never null.
+  /// Returns the current definition; never null.
   const RunDefinitionPtr& definition() const { return definition_; }
   /// Returns whether this run can continue with a definition: it must have the same method and
   /// image sizes, and the same number of targets unless the method can change it. Otherwise, a new
   /// run is needed.
   bool accepts(const RunDefinition& definition) const;
-  /// Discards all tracks.
+  /// Discards all tracks; they start from scratch with this seed.
   void restart(std::uint64_t seed);
   /// Applies another definition from the next iteration on; accepts() must be true for it. Tracks
   /// continue. Only the differences are passed to the tracker. Another seed takes effect at the
@@ -74,7 +74,7 @@ public:
     std::int64_t iterations = 0;
     std::size_t bytes = 0;
   };
-  /// Returns the present state; it has no tracker if the method cannot be copied.
+  /// Returns the current state; it has no tracker if the method cannot be copied.
   State save() const;
   /// Restores a state, which must have a tracker.
   void restore(const State& state);
@@ -96,7 +96,8 @@ public:
   /// applied.
   double iterate();
 
-  /// Returns the effect of a correction in the current frame; empty unless the method finds people.
+  /// Returns what a correction changes in the current frame; nothing if the method does not find
+  /// people.
   PeopleChange effectOf(const PersonCorrection& correction);
   /// Returns errors for the corrections for people that could not be applied since the last call.
   std::vector<Error> takeCorrectionErrors() { return std::exchange(correctionErrors_, {}); }
@@ -122,11 +123,13 @@ public:
   /// weights.
   void particles(std::size_t target, int limit, Eigen::ArrayXXd& positions,
                  Eigen::ArrayXd& weights) const;
-  /// Returns the present estimates without 3D particles. Status and reasons are copied from
-  /// `recorded`, the stored TrackedFrame of this frame, which is null if the frame was not tracked.
+  /// Creates a record of the current estimates, without 3D particles but with up to
+  /// `boxParticleLimit` particles per box. Status and reasons are copied from `recorded`, the
+  /// TrackedFrame stored for this frame; null if the frame was not tracked.
   TrackedFrame currentFrame(const TrackedFrame* recorded, int boxParticleLimit) const;
-  /// Returns the data stored for the current frame; `previous` is the frame before, null at the
-  /// beginning.
+  /// Creates the record of the current frame, with up to `particleLimit` particles per target.
+  /// `previous` is the record of the previous frame, from which the time each target was last held
+  /// is continued; null for the first frame.
   TrackedFrame trackedFrame(int particleLimit, const TrackedFrame* previous) const;
   /// Returns the number of iterations on the current frame.
   int frameIterations() const { return frameIterations_; }
@@ -134,7 +137,7 @@ public:
   std::size_t trackedCount() const;
 
 private:
-  /// Returns the common part of both kinds of tracked frames.
+  /// Returns what currentFrame() and trackedFrame() have in common.
   TrackedFrame commonTrackedFrame(const TrackedFrame* before, int boxParticleLimit) const;
   void applyCorrection(const PeopleChange& people);
   void correctPeople();

@@ -31,9 +31,10 @@ std::vector<SightLine> sightLines(const TrackSnapshot& snapshot, const TargetSna
 std::vector<ImageLine> clickedRay(const TrackSnapshot& snapshot, const PointClick& click,
                                   int camera);
 
-/// Returns both ends of the line of sight through a clicked pixel, for display: the camera center,
-/// and a point 25 % farther away than `position`, which was computed from the click. The line
-/// therefore visibly passes through the position. Empty if the camera does not exist.
+/// Returns the two ends of the line of sight through a clicked pixel, for display. One end is the
+/// camera center. The other is 25 % farther away than `position`, the position computed from the
+/// click, so that the line visibly passes through this position. Empty if the camera does not
+/// exist.
 std::vector<Eigen::Vector3d> clickedRayEnds(const TrackSnapshot& snapshot, const PointClick& click,
                                             const Eigen::Vector3d& position);
 

@@ -28,7 +28,8 @@ struct TargetSnapshot {
   TrackEstimate estimate;
   Eigen::ArrayXXd particles; ///< up to 10,000 rows of x, y, z; meters
   Eigen::ArrayXd weights;    ///< one per row, linear
-  /// Positions in the last frames, oldest first; NaN where the target was not held.
+  /// Positions in the last frames, which are drawn as a tail, oldest first; NaN where the target
+  /// was not held.
   std::vector<Eigen::Vector3d> tail;
   std::optional<Eigen::Vector3d> truth;
   TargetStatus status = TargetStatus::Searching;
@@ -36,7 +37,8 @@ struct TargetSnapshot {
   BoxParticles boxParticles;                    ///< particles of a BoxEstimate
   /// Histograms of a BoxEstimate; null if there is no image.
   std::shared_ptr<const ColorHistograms> histograms;
-  /// Per camera: reason why it does not confirm the target (describeReasons()); may be empty.
+  /// Per camera: whether it confirms the target, and the reason if it does not (describeReasons());
+  /// may be empty.
   std::vector<CameraReport> reasons;
   /// Candidate positions of this frame; may be empty.
   std::vector<CandidatePosition> positionCandidates;
@@ -89,16 +91,18 @@ struct TrackSnapshot {
   std::shared_ptr<const CameraRig> rig;
   MethodFamily family; ///< family of the method that produced these results
   FrameSetPtr frames;  ///< null before the first frame
-  /// Per camera: image of the scene without targets; empty if it is not known.
+  /// Per camera: the background image, which shows the scene without targets; empty if it is not
+  /// known.
   std::vector<cv::Mat> backgroundImages;
-  /// Per camera, CV_8UC1: 255 - k marks the color of target k. Empty unless requested.
+  /// Per camera, CV_8UC1: the value 255 - k marks pixels that have the color of target k. Empty
+  /// unless requested.
   std::vector<cv::Mat> masks;
   bool masksShowMotion = false; ///< masks show motion instead of color; 255: moving
   /// Likelihood of motion at each pixel, per camera, for methods that compute it; empty unless
   /// requested.
   std::vector<LikelihoodMap> motionMaps;
   std::vector<TargetSnapshot> targets;
-  /// State of each camera; empty except for methods for people.
+  /// State of each camera, only for methods for people; empty for other methods.
   std::vector<PeopleCameraState> peopleCameras;
   std::int64_t frame = -1; ///< number of the frame shown
   bool past = false;       ///< the frame shown is not the current frame of the run
@@ -111,7 +115,7 @@ struct TrackSnapshot {
   std::optional<std::int64_t> frameCount;
   std::int64_t iterations = 0;           ///< filter iterations since the (re)start
   double framesPerSecond = 0.0;          ///< achieved frame rate
-  double microsecondsPerIteration = 0.0; ///< running median
+  double microsecondsPerIteration = 0.0; ///< median of the last iterations, per target
   Latency latency;
   BudgetStatistics budget;
   std::int64_t droppedFrames = 0;
@@ -144,8 +148,8 @@ struct IterationRecord {
   int particleCount = 0;
   double existenceProbability = 0.0; ///< over all cameras
   bool held = false;                 ///< see isHeld()
-  /// Likelihood, existence probability and visible fraction per camera, in the order of the rig;
-  /// empty if the method does not compute them.
+  /// Likelihood, existence probability and visible fraction per camera, in the order of the cameras
+  /// in the rig; empty if the method does not compute them.
   std::vector<CameraEvidence> cameras = {};
   /// Similarity of a box (BoxEstimate::similarity); the spread is then in pixels.
   std::optional<double> similarity = std::nullopt;

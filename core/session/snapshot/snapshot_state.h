@@ -19,8 +19,9 @@ const Camera* cameraOf(const TrackSnapshot& snapshot, int camera);
 HoldState holdState(TargetStatus status);
 /// Returns the state of a target; for a box, also whether it is hidden or does not exist yet.
 HoldState holdState(const TargetSnapshot& target);
-/// Returns the worst state of all targets: lost, searching, ambiguous, hidden, held. Returns
-/// NoImages or NoTarget if there are none, and NotTracked for a past frame that was not tracked.
+/// Returns the worst state of all targets. From worst to best, the states are: lost, searching,
+/// ambiguous, hidden, held. Returns NoImages or NoTarget if there are no images or no targets, and
+/// NotTracked for a past frame that was not tracked.
 HoldState holdState(const TrackSnapshot& snapshot);
 /// Returns the worst state of the targets that one camera shows; a box counts only in the camera in
 /// which it is tracked.
@@ -30,8 +31,8 @@ HoldState holdState(const TrackSnapshot& snapshot, int camera);
 /// is not held, otherwise the first. Persons who have left come last. Null if there is no target.
 const TargetSnapshot* targetToExplain(const TrackSnapshot& snapshot, int preferred);
 
-/// Returns the first held target in the view of a camera: its estimate, or its box in that camera,
-/// lies within the image. Null if there is none.
+/// Returns the first target that is held and visible in the image of a camera: its estimate, or its
+/// box in that camera, lies within the image. Null if there is none.
 const TargetSnapshot* heldTargetInView(const TrackSnapshot& snapshot, int camera);
 
 /// Returns the pixel of a camera at which a target's position appears, even if it lies outside the
@@ -47,7 +48,7 @@ std::optional<Gaussian3> positionEstimate(const TrackSnapshot& snapshot, int tar
 int targetNear(const TrackSnapshot& snapshot, int count, int camera, const Eigen::Vector2d& pixel,
                double reach);
 
-/// Returns the notice about a camera's present problem; null if no problem is known.
+/// Returns the notice about a camera's current problem; null if no problem is known.
 const Error* noticeOf(const TrackSnapshot& snapshot, int camera);
 
 /// One person of a snapshot; valid as long as the snapshot exists.

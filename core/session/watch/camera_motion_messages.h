@@ -14,7 +14,8 @@ namespace dewpoint::session {
 enum class CameraMotionStage {
   Waiting, ///< its new pose is being computed
   Solved,  ///< its new pose is known
-  /// Its pose is still unknown after kPoseSearchTimeout because its images do not determine it.
+  /// Its new pose is still unknown after kPoseSearchTimeout, because its images do not determine
+  /// the pose.
   Unsolvable,
   Back ///< it is back in its calibrated pose
 };

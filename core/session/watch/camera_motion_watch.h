@@ -16,17 +16,18 @@ namespace dewpoint::session {
 struct CameraMotionReport {
   CameraMotionEvent event;
   bool back = false; ///< the camera is back in its former pose
-  /// How far targets have recently been from where the other cameras expect them in this camera's
-  /// image, in pixels.
+  /// Recent distance in this camera's image, in pixels, between targets and the positions at which
+  /// the other cameras expect them.
   std::optional<double> targetPixels;
-  /// Present pose of the camera, for the project, from the measured rotation and the sightings of
-  /// tracked targets since the motion. Recomputed about once a second.
+  /// Current pose of the camera, which can replace the one in the project. It is computed about
+  /// once a second from the measured rotation and from where the camera has seen tracked targets
+  /// since the motion.
   std::optional<MovedCameraPose> newPose;
 };
 
-/// Detects during a run whether cameras have moved (CameraMotionDetector), and how far targets in
-/// the image are from their positions according to the other cameras. Computes a new pose for each
-/// moved camera.
+/// Detects during a run which cameras have moved (CameraMotionDetector). For each moved camera, it
+/// also computes a new pose, and how far targets in its image are from their positions according to
+/// the other cameras.
 class CameraMotionWatch {
 public:
   explicit CameraMotionWatch(const CameraRig& rig);
@@ -58,7 +59,8 @@ private:
   CameraRig rig_;
   CameraMotionDetector detector_;
   ReprojectionResiduals sightings_;
-  /// For each camera: frame of the motion that its calibration already includes.
+  /// For each camera: frame of the motion after which its calibration was made; empty if there is
+  /// none.
   std::vector<std::optional<std::int64_t>> solvedAt_;
   std::size_t eventsSeen_ = 0;
   std::vector<CameraMotionReport> reports_;
@@ -69,7 +71,7 @@ private:
   double resumeTime_ = -1e18; ///< seconds
 };
 
-/// Returns the pose of a camera that moved, computed from its present rotation `turn` and from the
+/// Returns the pose of a camera that moved, computed from its current rotation `turn` and from the
 /// sightings at or after `since` (seconds).
 Result<MovedCameraPose> estimatePoseAfterMotion(const Camera& camera, const CameraRotation& turn,
                                                 const std::deque<ReprojectionResidual>& sightings,

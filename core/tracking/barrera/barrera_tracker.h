@@ -24,8 +24,7 @@ public:
   void setCameras(const CameraRig& rig);
   void beginFrame(FrameSetPtr frames);
   SphereEstimate iterate(ThreadTeam& team);
-  /// Like RandomWalkTracker::correct(), but the result includes the evidence of the cameras at this
-  /// position.
+  /// Like RandomWalkTracker::correct(), but SphereEstimate::cameras is filled in for this position.
   SphereEstimate correct(const Gaussian3& position);
   /// Returns the approximate size of a copy in bytes.
   std::size_t memoryBytes() const;
@@ -36,10 +35,11 @@ public:
 
 private:
   void passImages();
-  /// Returns the evidence of the window at a point (meters, world frame) in each camera. The odds
-  /// compare its likelihood with that of a window without matching pixels, 1/25.
+  /// Returns what each camera's image says about a target at a point (meters, world frame). The
+  /// existence probability compares the likelihood of the color window there with that of a window
+  /// without matching pixels, 1/25.
   std::vector<CameraEvidence> evidence(const Eigen::Vector3d& point) const;
-  /// Adds the evidence of the cameras at the mean to an estimate.
+  /// Fills in SphereEstimate::cameras for the mean of an estimate.
   void addEvidence(SphereEstimate& estimate) const;
 
   std::vector<Projector> projectors_;

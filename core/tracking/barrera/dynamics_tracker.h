@@ -24,8 +24,8 @@ public:
   void setCameras(const CameraRig& rig);
   /// Sets the images and measures the position in them.
   void beginFrame(FrameSetPtr frames);
-  /// Sets the position measured in frame `frame` (world frame, meters) instead of images. Without a
-  /// position, the cloud spreads.
+  /// Sets the position measured in frame `frame` (world frame, meters), in place of images. Without
+  /// a position, the particles only move at random, so the cloud spreads.
   void beginFrame(std::int64_t frame, const std::optional<Eigen::Vector3d>& measured);
   SphereEstimate iterate(ThreadTeam& team);
   /// Returns for each camera whether it confirms the target, and the reason if it does not.

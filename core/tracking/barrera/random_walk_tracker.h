@@ -25,7 +25,7 @@ public:
   /// the start volume at the next restart.
   void configure(const ParameterValues& parameters);
   /// Limits the positions of the target from the next iteration on; without a value, they are
-  /// unlimited. If the estimate lies outside, the particles restart inside the volume.
+  /// unlimited. If the estimate lies outside the volume, the particles restart inside it.
   void setVolumeOfInterest(const std::optional<WorldBox>& volume);
   /// Discards everything and starts from scratch.
   void restart(std::uint64_t seed);
@@ -44,8 +44,8 @@ protected:
   /// `parameters` must declare particles, motion_sigma, iterations_per_frame and the start volume.
   explicit RandomWalkTracker(const ParameterValues& parameters);
 
-  /// Runs one iteration. The result does not yet include the evidence of the cameras and the values
-  /// derived from it.
+  /// Runs one iteration. In the returned estimate, SphereEstimate::cameras and the values derived
+  /// from it are not filled in yet.
   template <ObservationModel O> SphereEstimate step(const O& observation, ThreadTeam& team);
   /// Returns whether a position (world frame, meters) lies in the volume of interest, if there is
   /// one.

@@ -16,10 +16,11 @@
 
 namespace dewpoint::tracking {
 
-/// Method that tracks boxes in a run with several cameras and targets: one filter per target, on
-/// the images of its box's camera. A target is tracked from the frame of its box on. Tracking
-/// starts when the run reaches this frame, or immediately if the run is already at this frame;
-/// before that, the target is absent. There is one step per image.
+/// Method that tracks boxes in a run with several cameras and targets. Each target has its own
+/// filter, which processes the images of the camera in which the box was set. A target is tracked
+/// from the frame of its box on. Tracking starts when the run reaches this frame, or immediately if
+/// the run is already at this frame; before that, the target is absent. There is one step per
+/// image.
 template <BoxFilter F>
 class BoxTargets final : public Tracker,
                          public Configurable,
@@ -37,8 +38,8 @@ public:
 
   void configure(const ParameterValues& parameters) override;
   /// Sets the targets; their number may change. If it does, targets that existed before are
-  /// recognized by name, otherwise by index. Those with an unchanged box continue; others start
-  /// from scratch.
+  /// recognized by their names; if it does not, by their indices. Targets with an unchanged box
+  /// continue; others start from scratch.
   void setTargets(const std::vector<Target>& targets) override;
   bool canChangeTargetCount() const override { return true; }
   void restart(std::uint64_t seed) override;
@@ -70,9 +71,10 @@ private:
     std::vector<double> reference; ///< histogram of the box in its own frame
   };
 
-  /// Returns null if the camera of the box delivered no image.
+  /// Returns the image of the camera in which a box was set; null if this camera delivered no
+  /// image.
   const cv::Mat* imageOf(const TargetBox& box) const;
-  /// Starts tracking a target whose box belongs to the run's present frame.
+  /// Starts tracking a target whose box was set in the current frame of the run.
   void start(std::size_t target);
   void step(TrackedBox& one, ThreadTeam& team) const;
 

@@ -7,10 +7,10 @@
 
 namespace dewpoint::tracking {
 
-/// Returns the centers of the boxes of this size over which the sums of `map` are largest, the
-/// largest first. There are at most `most`, each with a sum of at least `least`, and no two overlap
-/// by more than a quarter in both directions. Tries all positions on a grid with a spacing of a
-/// quarter of the box.
+/// Finds boxes of this size that have a large sum of `map` inside, and returns their centers, the
+/// largest sum first. Returns at most `most` centers. Every sum is at least `least`, and no two
+/// boxes overlap by more than a quarter both horizontally and vertically. Tries the positions on a
+/// grid with a spacing of a quarter of the box.
 std::vector<Eigen::Vector2d> colorPeaks(const TargetMap& map, double width, double height,
                                         std::size_t most, double least);
 

@@ -50,7 +50,7 @@ struct MethodFamily {
   /// True if masks and maps show motion, in every frame with images, whether it is tracked or not.
   bool masksMotion = false;
   /// True if targets can be edited in frames that were already tracked. The following frames are
-  /// then tracked again immediately, and past frames show the present targets.
+  /// then tracked again immediately, and past frames show the edited targets.
   bool tracksAgainOnEdit = false;
   /// Describes a target in words, as the method uses it.
   std::string (*describe)(const Target& target) = nullptr;
@@ -142,9 +142,9 @@ std::vector<std::string_view> methodPages();
 /// Returns the parameters of a method; empty for an unknown method.
 std::span<const ParameterDeclaration> methodParameters(std::string_view method);
 /// Returns the defaults of a method, with the changes made in `previous`. A value that was changed
-/// from its default is kept if this method has the key and allows the value. If the default was
-/// given explicitly in `previous`, the default of this method counts as given too, so it is not
-/// derived from the cameras.
+/// from its default is kept if this method has the key and allows the value. If the default value
+/// was given explicitly in `previous`, the default of this method counts as given too; it is then
+/// not derived from the cameras.
 ParameterValues carryOverParameters(const ParameterValues& previous, std::string_view method);
 /// Returns MissingKey if the method has a parameter that `parameters` do not declare.
 Status checkParameters(std::string_view method, const ParameterValues& parameters);

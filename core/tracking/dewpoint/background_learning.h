@@ -26,14 +26,15 @@ std::vector<BackgroundModel::ExcludedCircle> excludedCircles(const TrackedObject
 bool noTargetIsElsewhere(const TrackedObjects& objects, std::size_t cameraCount,
                          const std::vector<SphereEstimate>& estimates);
 
-/// Discards the familiar pixels at a position (meters, world frame) where a target is. They were
-/// learned as background by mistake.
+/// Makes the background model forget pixels of the target's color at a position (meters, world
+/// frame) where a target is. They were learned as background by mistake.
 void forgetFamiliarPixelsAt(const TrackedObject& object, const Eigen::Vector3d& position,
                             FrameImages& images);
 
 /// Adds `interval`, the time in seconds since the last frame, to the time for which each target has
-/// not been found. When a target has not been found for `patience` seconds, discards the familiar
-/// pixels, since the target may have been anywhere during that time.
+/// not been found. If a target has not been found for `patience` seconds, makes the background
+/// model forget all pixels of the target's color that it learned as background: the target may have
+/// been there.
 void forgetFamiliarPixelsOfLostTargets(TrackedObjects& objects, FrameImages& images,
                                        double interval, double patience);
 

@@ -121,7 +121,7 @@ void DewpointTracker::correctPosition(std::size_t target, const Gaussian3& posit
   if (!estimates_[target].measurement) {
     estimates_[target].measurement = position; // what the user measured in this frame
   }
-  for (const std::size_t other : objects_.removeOthersAt(target)) {
+  for (const std::size_t other : objects_.clearPositionOf(target)) {
     updateEstimate(other);
   }
 }

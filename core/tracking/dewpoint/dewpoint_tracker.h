@@ -42,8 +42,8 @@ public:
   void setTargets(const std::vector<Target>& targets) override;
   bool canChangeTargetCount() const override { return false; }
   void setCameras(const CameraRig& rig) override;
-  /// Limits the positions of targets. Distractors are tracked everywhere, so that pixels they
-  /// explain are not counted as evidence inside the volume.
+  /// Limits the positions of targets. Distractors are tracked everywhere: the pixels that they
+  /// explain must not count as evidence for a target inside the volume.
   void setVolumeOfInterest(const std::optional<WorldBox>& volume) override;
   void correctPosition(std::size_t target, const Gaussian3& position, ThreadTeam& team) override;
   void setBackgroundImages(const std::vector<cv::Mat>& images) override;
@@ -68,9 +68,9 @@ private:
   BernoulliTrackSettings trackSettings() const;
   double secondsSinceLastFrame() const;
   void predictTracks();
-  /// Adapts the colors of targets that are not tracked to the present light.
+  /// Adapts the colors of targets that are not tracked to the current light.
   void extendColorsToLight();
-  /// Runs the measurement updates of all tracks, starting with the most probable objects.
+  /// Updates all tracks with the images of the frame, starting with the most probable objects.
   void updateTracks(ThreadTeam& team);
   void updateTrack(std::size_t index, ThreadTeam& team);
   void updateAsBall(std::size_t index, ThreadTeam& team);

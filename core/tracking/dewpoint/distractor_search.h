@@ -28,8 +28,8 @@ public:
   };
 
   DistractorSearch() = default;
-  /// Copies everything except the search in progress; the copy starts a new search. A run with a
-  /// time budget is not reproducible bit by bit anyway.
+  /// Copies everything except the search in progress; the copy starts a new search. Only runs with
+  /// a time budget have a search in progress, and such runs are not reproducible bit by bit anyway.
   DistractorSearch(const DistractorSearch& other);
   DistractorSearch& operator=(const DistractorSearch&) = delete;
   ~DistractorSearch() = default;
@@ -41,7 +41,8 @@ public:
   /// Removes distractors that are lost, or hardly visible after several updates.
   static void removeLost(TrackedObjects& objects);
   /// Searches the images every few frames and adds at most one distractor per color. Called once
-  /// per frame, after all updates. With a time budget, a search is spread over several frames.
+  /// per frame, after all updates. If there is a time budget, a search is spread over several
+  /// frames.
   void search(const Context& context, ThreadTeam& team);
 
 private:

@@ -25,7 +25,8 @@ public:
   const FrameSetPtr& frames() const { return frames_; }
   /// Returns the image of a camera; null if there is none.
   FramePtr frame(std::size_t camera) const;
-  /// Returns the time in seconds from the frame's time to the capture of a camera's image.
+  /// Returns the time in seconds from the time of the frame to the time at which a camera captured
+  /// its image.
   double timeOffset(std::size_t camera) const;
   /// Passes the images to an observation. The images, the backgrounds and the color must remain
   /// valid while the observation is used.
@@ -37,7 +38,7 @@ public:
   /// from the next resetBackgrounds() on.
   void setBackgroundImages(const std::vector<cv::Mat>& images);
   void resetBackgrounds();
-  /// Makes the present light the reference for colors.
+  /// Makes the current light the reference for colors.
   void resetReferenceLight();
   /// Adapts the backgrounds to the light of the frame. Call it before the images are passed to an
   /// observation.

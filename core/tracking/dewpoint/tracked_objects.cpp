@@ -230,7 +230,7 @@ void TrackedObjects::suppressIfAtTarget(std::size_t distractor) {
   }
 }
 
-std::vector<std::size_t> TrackedObjects::removeOthersAt(std::size_t target) {
+std::vector<std::size_t> TrackedObjects::clearPositionOf(std::size_t target) {
   const TrackHypothesis* const own = objects_[target].track.best();
   std::vector<std::size_t> changed;
   for (std::size_t k = objects_.size(); own->outlineFound && k-- > 0;) {

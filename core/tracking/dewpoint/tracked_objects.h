@@ -12,8 +12,8 @@
 namespace dewpoint::tracking {
 
 /// All objects that the `dewpoint` method tracks in one run: the targets in the order of the
-/// project, then the distractors. No two of them can be at one position, and a pixel is evidence
-/// for only one of them.
+/// project, then the distractors (other objects that look like a target). No two of them can be at
+/// one position, and a pixel counts as evidence for only one of them.
 class TrackedObjects {
 public:
   TrackedObjects(const std::vector<Target>& targets, const CameraRig& rig);
@@ -60,30 +60,33 @@ public:
   /// its color must be balls. Otherwise a part of a larger target could be mistaken for a
   /// distractor.
   bool mayHaveDistractors(std::size_t target) const;
-  /// Returns whether all targets have a certain position and are mostly visible.
+  /// Returns whether the position of every target is nearly certain and every target is mostly
+  /// visible.
   bool allTargetsVisible() const;
 
-  /// In the labels of an observation, marks the pixels of other objects as explained if these are
-  /// mostly visible and have the color of `own`. These pixels are then not evidence for `own`,
-  /// which need not be tracked yet.
+  /// Marks pixels of other objects as explained in the labels of an observation, so that they are
+  /// not evidence for `own`. Only objects that are mostly visible and have the color of `own` are
+  /// considered. `own` need not be tracked yet.
   void explainOthers(SphereObservation& observation, const TrackedObject& own) const;
-  /// Does the same in the images from which the shape of a target is learned, but only for other
-  /// targets, not for distractors: a supposed distractor may be a part of this target.
+  /// Like explainOthers(), but in the images from which the shape of a target is learned, and only
+  /// for other targets. Distractors are not considered: a supposed distractor may be a part of this
+  /// target.
   void explainOtherTargets(std::size_t target);
-  /// Starts a search for an object over several frames, on the images of this frame, with the other
-  /// objects explained. The object need not be tracked yet.
+  /// Starts a search for an object over several frames, in the images of this frame. Pixels of
+  /// other objects are first marked as explained. The object need not be tracked yet.
   std::unique_ptr<SlicedSearch> startSearch(const TrackedObject& own,
                                             const FrameImages& images) const;
-  /// Suppresses a distractor's position if the distractor has moved onto a target that was clearly
-  /// visible in the last update. What it found there was the target itself.
+  /// Makes a distractor's position improbable if the distractor has moved onto a target that was
+  /// clearly visible in the last update. What the distractor found there was the target itself.
   void suppressIfAtTarget(std::size_t distractor);
   /// If the outline of a target was found where the user has placed it, removes distractors and
   /// hypotheses of other targets at its position. Returns the indices of those other targets.
-  std::vector<std::size_t> removeOthersAt(std::size_t target);
-  /// If two objects are at one position, suppresses the one with the smaller log likelihood ratio.
+  std::vector<std::size_t> clearPositionOf(std::size_t target);
+  /// If two objects are at one position, makes that position improbable for the one with the
+  /// smaller log likelihood ratio.
   void resolveConflicts();
-  /// Removes the hypotheses of targets at occupied positions, and selects one of several hypotheses
-  /// that images cannot distinguish.
+  /// Removes the hypotheses of targets at positions that other objects occupy. If the images cannot
+  /// distinguish several hypotheses of a target, keeps only one of them.
   void resolveIdentities();
 
 private:

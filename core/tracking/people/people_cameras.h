@@ -23,7 +23,8 @@ class PeopleCameras {
 public:
   PeopleCameras(const CameraRig& rig, const PeopleSettings& settings);
 
-  /// Returns whether all background models can be copied. Otherwise a copy would have none.
+  /// Returns whether all background models can be copied. If not, a copy of this object has no
+  /// background models.
   bool canBeCopied() const;
   /// Returns the approximate size of a copy in bytes.
   std::size_t memoryBytes() const;

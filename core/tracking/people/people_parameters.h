@@ -30,12 +30,15 @@ inline constexpr double kPieceFloor = -0.25;
 struct PeopleSettings {
   PeopleArea area;
   ForegroundSettings foreground; ///< in frames of 1/30 s until the frame rate is known
-  double learningTime = 1.0;     ///< seconds
-  double memory = 40.0;          ///< seconds
+  /// time at the start for which only the background is learned, seconds
+  double learningTime = 1.0;
+  double memory = 40.0; ///< time after which a new object counts as background, seconds
   /// Maximum image width in pixels; larger images are reduced to it; 0: unchanged.
   int imageWidth = 0;
-  double birthTime = 0.2;    ///< seconds
-  double survivalTime = 0.6; ///< seconds
+  /// time for which a new person must be visible before a track begins, seconds
+  double birthTime = 0.2;
+  /// time for which a person seen by fewer than two cameras stays, seconds
+  double survivalTime = 0.6;
   bool births = true;
 };
 

@@ -11,7 +11,7 @@
 
 namespace dewpoint::tracking {
 
-/// Draws a standing body into a mask (CV_8UC1) with this value.
+/// Draws a standing body into a mask (CV_8UC1): sets its pixels to `value`.
 void drawSilhouette(const BodySilhouette& silhouette, unsigned char value, cv::Mat& mask);
 
 /// Finds new people: foreground that no tracked person explains and on which the views of several
@@ -20,7 +20,7 @@ void drawSilhouette(const BodySilhouette& silhouette, unsigned char value, cv::M
 /// time to become a person.
 class PeopleTrackInitiation {
 public:
-  /// Prepares the grid; candidates are kept.
+  /// Prepares the grid of positions on the floor. Positions that may become a person are kept.
   void setCameras(const PeopleCameras& cameras, const PeopleArea& area, double height);
   void restart() { candidates_.clear(); }
   /// Returns the approximate size of a copy in bytes.

@@ -75,8 +75,8 @@ protected:
   /// Processes new images: moves and weights all particles, and fills in `people_`.
   virtual void update(ThreadTeam& team) = 0;
   virtual MotionSmoothing motionSmoothing() const { return {}; }
-  /// Returns whether foreground covered by other people is ignored when deciding whether a person
-  /// is visible.
+  /// Returns whether foreground pixels that other people cover are ignored when deciding whether a
+  /// person is visible.
   virtual bool ignoresCoveredForeground() const = 0;
 
   RandomKey keyOf(int identity) const;
@@ -100,7 +100,7 @@ private:
   void step(const FrameSet& frames, ThreadTeam& team);
   int createTrack(const Eigen::Vector3d& center);
   void removeTrack(int identity);
-  /// Assigns tracks to all present people.
+  /// Assigns tracks to all people who are present.
   void assignTracks();
   void prepare();
   Visibility visibilityOf(std::size_t person, std::size_t camera) const;

@@ -18,7 +18,8 @@ inline constexpr double kBodyKernel = 0.06;
 Eigen::ArrayXd densityAtPoints(const BodyCloud& body, double sigma = kBodyKernel);
 
 /// Returns the smallest volume that contains `probability` of a person, as the convex hull of the
-/// points of highest density (section 2, equation 2). Empty for an empty body.
+/// points of highest density (Mohedano et al. 2009, section 2, equation 2). Empty for an empty
+/// body.
 ConvexHull bodyHull(const BodyCloud& body, double probability = kVolumeProbability,
                     double sigma = kBodyKernel);
 

@@ -106,7 +106,7 @@ TEST_P(TimeTravelTest, ShowsEveryMomentAsItWas) {
     }
     EXPECT_LE(now->history.bytes, now->history.maxBytes + (std::size_t{1} << 20));
   }
-  session.returnToHead();
+  session.returnToNewestFrame();
   ASSERT_TRUE(shows(session, kTravelFrames - 1));
   EXPECT_FALSE(session.newest()->past);
   EXPECT_EQ(session.trajectory().samples.size(),

@@ -47,7 +47,7 @@ private:
   void trackSome(Again again = Again::Quick);
   ResultRefresher& results() { return window_->workbench().session.results(); }
   bool areOld(const std::vector<ResultRange>& frames) {
-    return waitFor([&] { return results().old().frames == frames; });
+    return waitFor([&] { return results().oldResults().frames == frames; });
   }
   /// All results are of these settings: with this value of a parameter.
   bool areRenewed(const char* key, double value) {
@@ -56,8 +56,8 @@ private:
       const auto entry =
           std::ranges::find(header, std::string(key), &std::pair<std::string, std::string>::first);
       return entry != header.end() && std::stod(entry->second) == value &&
-             results().old().frames.empty() && results().old().newest == kTrackedAtFirst - 1 &&
-             !results().isRefreshing();
+             results().oldResults().frames.empty() &&
+             results().oldResults().newest == kTrackedAtFirst - 1 && !results().isRefreshing();
     });
   }
   const Eigen::Vector3d& mean() const {
@@ -73,8 +73,8 @@ void SettingsChangeTest::trackSome(Again again) {
   for (qint64 frame = 1; frame < kTrackedAtFirst; ++frame) {
     action("actionNextFrame")->trigger();
   }
-  QVERIFY(waitFor([this] { return results().old().newest == kTrackedAtFirst - 1; }));
-  QVERIFY(results().old().frames.empty());
+  QVERIFY(waitFor([this] { return results().oldResults().newest == kTrackedAtFirst - 1; }));
+  QVERIFY(results().oldResults().frames.empty());
   QVERIFY(!action("actionTrackAgain")->isEnabled());
 }
 
@@ -134,7 +134,8 @@ void SettingsChangeTest::anotherTargetIsTrackedOverAllFrames() {
   const auto areRecorded = [this](std::size_t targets) {
     return waitFor([&] {
       const auto& records = find<Timeline>("timeline")->model().records;
-      return results().old().frames.empty() && records.size() == std::size_t{kTrackedAtFirst} &&
+      return results().oldResults().frames.empty() &&
+             records.size() == std::size_t{kTrackedAtFirst} &&
              std::ranges::all_of(records, [&](const FrameRecord& record) {
                return record.targets.size() == targets;
              });
@@ -154,18 +155,19 @@ void SettingsChangeTest::aChangeWhilePlayingHoldsFromThereOn() {
   QVERIFY(waitFor([this] { return shown().history.head > kTrackedAtFirst + 2; }));
   const double before = window_->document().project().parameters.at("particles");
   QVERIFY(window_->document().setParameter("particles", before + 100.0));
-  QVERIFY(waitFor([this] { return !results().old().frames.empty(); }));
-  const ResultRange old = results().old().frames.front();
+  QVERIFY(waitFor([this] { return !results().oldResults().frames.empty(); }));
+  const ResultRange old = results().oldResults().frames.front();
   QCOMPARE(old.first, 0);
   QVERIFY(waitFor([&] { return shown().history.head > old.last + 2; })); // it goes on
-  QCOMPARE(results().old().frames, std::vector<ResultRange>{old});
+  QCOMPARE(results().oldResults().frames, std::vector<ResultRange>{old});
   QCOMPARE(messageText(), QString());
   action("actionPlay")->trigger();
   QVERIFY(waitFor([this] { return shown().state == PlayState::Paused; }));
   QVERIFY(
       waitFor([this] { return messageText().contains(QStringLiteral("settings have changed")); }));
   letTimePass(500);
-  QCOMPARE(results().old().frames, std::vector<ResultRange>{old}); // nobody asked to track it again
+  QCOMPARE(results().oldResults().frames,
+           std::vector<ResultRange>{old}); // nobody asked to track it again
 }
 
 void SettingsChangeTest::severalChangesAreOne() {

@@ -7,8 +7,8 @@
 #include "ui/actions/window_actions.h"
 #include "ui/plots/plot_stack.h"
 #include "ui/plots/run_plots.h"
+#include "ui/trajectory/frame_row_delegate.h"
 #include "ui/trajectory/gap_list.h"
-#include "ui/trajectory/table_head.h"
 #include "ui/trajectory/trajectory_panel.h"
 
 #include <QApplication>
@@ -64,7 +64,7 @@ private:
     return table().viewport()->rect().contains(table().visualRect(table().model()->index(row, 0)));
   }
   std::pair<int, int> markedRows() {
-    return static_cast<TableHead*>(table().itemDelegate())->rows();
+    return static_cast<FrameRowDelegate*>(table().itemDelegate())->rows();
   }
   QTableView& table() { return *panel_->findChild<QTableView*>(QStringLiteral("trajectoryTable")); }
 

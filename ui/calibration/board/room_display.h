@@ -33,7 +33,7 @@ private:
   QLabel* advice_;
   QLabel* count_;
   QProgressBar* held_;
-  std::size_t captured_ = 0; ///< views when it was refreshed last
+  std::size_t captured_ = 0; ///< number of captured views at the last refresh
 };
 
 } // namespace dewpoint::ui

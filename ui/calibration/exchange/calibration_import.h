@@ -37,8 +37,8 @@ private:
   void applyError(const Error& error);
   void highlightQuestion(ImportQuestion question);
   void fillCameras();
-  /// If names do not match, shows a combo box for each camera of the project. `inFile` are the
-  /// names in the file; empty if they are not known.
+  /// If the names in the file do not match the cameras of the project, shows a combo box for each
+  /// camera of the project. `inFile` are the names in the file; empty if they are not known.
   void fillNames(const QStringList& inFile);
 
   Document& document_;

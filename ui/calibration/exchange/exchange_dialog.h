@@ -37,8 +37,8 @@ Q_SIGNALS:
   void failed(const QString& sentence);
 
 protected:
-  /// Function that computes the preview in another thread. It returns a function that shows the
-  /// preview, which runs in the GUI thread.
+  /// Function that computes the preview in another thread. The function that it returns shows the
+  /// preview, and runs in the GUI thread.
   using Preview = std::function<std::function<void()>()>;
   virtual Preview preview() = 0;
   virtual void accepted() = 0;

@@ -55,7 +55,7 @@ private:
   QPushButton* open_;
   QPushButton* back_;
   QPushButton* next_;
-  bool choosing_ = false; ///< the user wants another way than the present one
+  bool choosing_ = false; ///< the user wants to choose another way
 };
 
 } // namespace dewpoint::ui

@@ -105,7 +105,7 @@ void GridForm::connectFields() {
     connect(field, &QDoubleSpinBox::editingFinished, &manual_, &ManualCalibration::endMerging);
   }
   connect(opacity_, &QSlider::valueChanged, this,
-          [this](int percent) { manual_.setOpacity(percent / 100.0); });
+          [this](int percent) { manual_.setGridOpacity(percent / 100.0); });
   connect(edges_, &QCheckBox::toggled, &manual_, &ManualCalibration::setEdgesShown);
   connect(flip_, &QPushButton::pressed, this, [this] { manual_.setFlipped(true); });
   connect(flip_, &QPushButton::released, this, [this] { manual_.setFlipped(false); });

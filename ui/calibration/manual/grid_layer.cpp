@@ -321,7 +321,7 @@ void GridLayer::paintEvent(QPaintEvent*) {
   painter.setClipRect(view_->shownArea());
   drawEdges(painter);
   const Camera camera = manual_.shownCamera(camera_);
-  paintGrid(painter, projectGrid(camera, manual_.grid()), placement, manual_.opacity());
+  paintGrid(painter, projectGrid(camera, manual_.grid()), placement, manual_.gridOpacity());
   const Projector projector(camera);
   for (const Eigen::Vector3d& pin : manual_.pins(camera_)) {
     if (const auto at = projector.project(pin)) {

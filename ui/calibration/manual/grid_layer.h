@@ -27,7 +27,8 @@ public:
 
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   int camera() const { return camera_; }
-  /// Returns whether the edges belong to the newest image. Also true while edges are hidden.
+  /// Returns whether the edges drawn over the image were detected in the newest image. Also true
+  /// while no edges are shown.
   bool isDrawn() const;
 
 protected:

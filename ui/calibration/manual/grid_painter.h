@@ -40,8 +40,8 @@ struct PaintedPoint {
 /// Draws a measured point. The selected point and the worst point are highlighted.
 void paintPoint(QPainter& painter, const PaintedPoint& point);
 
-/// Returns the edges of an image scaled to `size`, in one bright color on a transparent background.
-/// Slow for large images. May be called from any thread.
+/// Returns the edges found in `image`, in one bright color on a transparent background of size
+/// `size`. Slow for large images. May be called from any thread.
 QImage edgeImage(const cv::Mat& image, const QSize& size);
 
 } // namespace dewpoint::ui

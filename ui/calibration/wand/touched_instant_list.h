@@ -13,8 +13,8 @@ namespace dewpoint::ui {
 
 class WandCalibrator;
 
-/// Lists the frames in which the ball touched the floor, touched one end of a known distance, or
-/// fell freely. The user can add the frame shown and remove frames.
+/// Lists the frames that the user marked because the ball touched the floor, touched one end of a
+/// known distance, or fell freely. The user can add the frame shown and remove frames.
 class TouchedInstantList : public QWidget {
   Q_OBJECT
 public:

@@ -129,7 +129,7 @@ void WandCalibrator::startWaving() {
   waving_ = session;
   session->setFrameTap(
       [collector = collector_](const FrameSetPtr& frames) { collector->offer(frames); });
-  session->returnToHead();
+  session->returnToNewestFrame();
   session->play();
   tick_.start();
   Q_EMIT changed();

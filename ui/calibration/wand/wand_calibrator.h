@@ -46,8 +46,8 @@ public:
   // Returns the frames in which the ball touched the floor, touched one end of a known distance, or
   // fell freely.
   const std::vector<MarkedInstant>& touchedInstants() const { return touchedInstants_; }
-  /// Marks the frame shown with this event. A new end of the distance, or a new end of the fall,
-  /// replaces the previous one.
+  /// Marks the frame shown as a frame in which this event happens. If the event is an end of the
+  /// known distance or of the fall, the frame replaces the one that was marked as this end before.
   void addTouchedInstant(WandEvent role);
   void removeTouchedInstant(std::size_t index);
   /// Shows the images of the marked frame with this index in touchedInstants().

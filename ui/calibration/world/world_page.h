@@ -64,7 +64,8 @@ private:
   /// Buttons of the steps.
   std::vector<std::pair<WorldStep, QPushButton*>> steps_;
   bool filling_ = false;
-  bool distanceEntered_ = false; ///< the distance is the user's, not the present one of the marks
+  /// the user entered the distance; otherwise it is computed from the marks
+  bool distanceEntered_ = false;
 };
 
 } // namespace dewpoint::ui

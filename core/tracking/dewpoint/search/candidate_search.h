@@ -35,8 +35,8 @@ public:
 
   /// Returns the best candidates, best first: at most `limit`, no two closer than a radius, and
   /// none outside the bounds. If the radius is unknown, it is estimated from the images, and the
-  /// observation's radius is ignored. The observation is left with an arbitrary radius. Labels the
-  /// whole images.
+  /// observation's radius is ignored. Afterward, the observation has an arbitrary radius, and all
+  /// pixels of its images are labeled.
   std::vector<Candidate> find(SphereObservation& observation, bool radiusKnown, std::size_t limit,
                               const std::optional<WorldBox>& bounds = std::nullopt) const;
   /// Returns the spots in one camera's image, which must be fully labeled. This is the first step

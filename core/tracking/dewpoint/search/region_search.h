@@ -17,7 +17,7 @@ struct RegionCandidate {
   Eigen::Vector3d center = Eigen::Vector3d::Zero(); ///< meters, world frame
   double radius = 0.0; ///< meters, of a ball as large as the regions in the images
   double misfit = 0.0; ///< sum of squared deviations of rays and sizes, in standard deviations
-  /// Logarithm of how much rarer regions of this size are than regions of the smallest size.
+  /// Logarithm of how many times rarer regions of this size are than regions of the smallest size.
   double logRarity = 0.0;
 };
 

@@ -22,14 +22,16 @@ public:
   SlicedSearch(const CameraRig& rig, AdaptiveColor color, double radius, FrameSetPtr frames,
                const std::optional<WorldBox>& bounds = std::nullopt);
 
-  /// Returns the observation. The images must be passed to it before the first advance().
+  /// Returns the observation in which the search looks for candidates. Images must be passed to it
+  /// before the first advance().
   SphereObservation& observation() { return observation_; }
   const AdaptiveColor& color() const { return color_; }
 
   /// Processes as many pieces as time allows, at least one if `urgent`, and finds at most `limit`
   /// candidates. Returns whether the search is finished.
   bool advance(const CandidateSearch& search, TimeBudget& budget, std::size_t limit, bool urgent);
-  /// Returns the result, as CandidateSearch::find(), after the search is finished.
+  /// Returns the candidates that CandidateSearch::find() would return. Call it after the search is
+  /// finished.
   const std::vector<Candidate>& candidates() const { return candidates_; }
 
 private:
@@ -46,8 +48,9 @@ private:
   std::vector<Candidate> candidates_;
 };
 
-/// Advances a search. When it is finished, returns its candidates and sets the search to null;
-/// until then returns none. Finds at most four candidates, because each requires an outline fit.
+/// Continues a search. When it is finished, returns its candidates and sets the search to null;
+/// until then returns none. Finds at most four candidates, because an outline must be fitted at
+/// each.
 std::vector<Candidate> advanceSearch(std::unique_ptr<SlicedSearch>& search,
                                      const CandidateSearch& candidates, TimeBudget& budget,
                                      std::size_t limit, bool urgent);

@@ -11,18 +11,18 @@
 
 namespace dewpoint::tracking {
 
-/// Clock of an iteration with a limited duration. Deferrable work is done if its usual duration (a
-/// running median) fits into the remaining time; otherwise it is deferred. Other work is reduced by
-/// using fewer particles. Without a budget, all work is done immediately, no clock is read, and a
-/// run is reproducible bit by bit.
+/// Clock of an iteration whose duration is limited by a budget. Deferrable work is done if its
+/// usual duration (a running median) fits into the remaining time; otherwise it is deferred. Other
+/// work is reduced by using fewer particles. If no budget is set, all work is done immediately, no
+/// clock is read, and a run is reproducible bit by bit.
 class TimeBudget {
 public:
   /// Kind of deferrable work.
   enum class Part { Labels, Spots, Candidates, Learning };
   static constexpr std::size_t kPartCount = 4;
-  /// Number of deferrals after which work is done anyway, so that a budget without time for this
-  /// work delays it but does not stop it. The value was chosen by judgment
-  /// (docs/method-dewpoint.md, section 10).
+  /// Number of deferrals after which work is done even without enough time. A budget that never
+  /// leaves enough time for this work therefore delays it, but does not stop it. The value was
+  /// chosen by judgment (docs/method-dewpoint.md, section 10).
   static constexpr int kMaxDeferrals = 30;
 
   /// Sets the milliseconds per iteration; 0 means no limit. A change discards all measured times.

@@ -24,12 +24,13 @@ public:
   void recordSeen();
   int unseenSteps() const { return unseenSteps_; }
 
-  /// Learns from a measured position. `squaredDistance` is its squared Mahalanobis distance (three
-  /// degrees of freedom) from the prediction. `velocity` is that after the update, m/s.
+  /// Learns from a measured position. `squaredDistance` is the squared Mahalanobis distance (three
+  /// degrees of freedom) of this position from the prediction. `velocity` is the velocity of the
+  /// target after the update, m/s.
   void learn(double squaredDistance, const Eigen::Vector3d& velocity);
 
-  /// Returns the covariance to add to the prediction for gating. It allows for the full
-  /// acceleration limit since the target was last visible.
+  /// Returns the covariance to add to the prediction when deciding which measurements can belong to
+  /// the target. It allows for the full acceleration limit since the target was last visible.
   const Gaussian6::Matrix& gatingCovariance() const { return gatingCovariance_; }
 
 private:

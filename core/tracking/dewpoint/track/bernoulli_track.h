@@ -54,8 +54,9 @@ public:
   /// ends with its last hypothesis.
   void setCreatesHypotheses(bool creates) { createsHypotheses_ = creates; }
   void setTarget(const Target& target);
-  /// Limits the positions of the target from the next update on; without a value, they are
-  /// unlimited. The start volume and the search particles are limited from the next restart on.
+  /// Limits the positions of the target; without a value, they are unlimited. Hypotheses are
+  /// limited from the next update on, the start volume and the search particles from the next
+  /// restart on.
   void setBounds(const std::optional<WorldBox>& bounds) { bounds_ = bounds; }
   /// Removes all hypotheses. The target is expected in the start volume first, then elsewhere.
   void restart(const StartVolume& start, std::uint64_t seed);
@@ -69,20 +70,20 @@ public:
   /// Replaces all hypotheses by one at this position, with probability 0.98.
   void initializeAt(const Eigen::Vector3d& position, double radius, SphereObservation& observation,
                     const RandomKey& key, ThreadTeam& team);
-  /// Corrects the position (m, m²): replaces all hypotheses by one with probability 0.98 and the
-  /// present radius, and updates it with the images of the frame.
+  /// Corrects the position (m, m²). Replaces all hypotheses by one with probability 0.98 and the
+  /// current radius, and updates it with the images of the frame.
   void correct(const Gaussian3& position, SphereObservation& observation, const RandomKey& key,
                ThreadTeam& team);
   /// Replaces all hypotheses by a hypothesis from another filter of this target, or by none if it
   /// is null. The other filter has already predicted and updated it.
   void setOnlyHypothesis(const TrackHypothesis* hypothesis);
-  /// Removes the hypotheses at occupied positions, unless the likeliest one has a probability above
-  /// one half.
+  /// Removes the hypotheses at positions that another target occupies. Removes none if the most
+  /// likely hypothesis has a probability above one half.
   void removeOccupied(const std::vector<OccupiedSphere>& occupied);
-  /// Of several hypotheses between which images cannot decide, keeps only the most likely one; see
-  /// resolveAmbiguity(). The probability of a wrong choice lowers the existence probability in
-  /// estimate(), except with `identicalTargets`: other targets then look the same, so that any of
-  /// the positions is correct.
+  /// If images cannot decide between several hypotheses, keeps only the most likely one; see
+  /// resolveAmbiguity(). The probability that this choice is wrong lowers the existence probability
+  /// in estimate(). It does not if `identicalTargets` is true: other targets then look the same, so
+  /// that any of the positions is correct.
   void resolveIdentity(bool identicalTargets);
   /// Multiplies the probability of the most likely hypothesis by 0.001, because another object was
   /// found at its position.
@@ -100,7 +101,7 @@ public:
   /// position. Returns nothing if there was none or if it is too old.
   std::optional<OccupiedSphere> expectedSphere() const;
   SphereEstimate estimate(SphereObservation& observation) const;
-  /// As ParticleCloud::particles().
+  /// Returns an even selection of particles, as ParticleCloud::particles() does.
   void particles(int limit, Eigen::ArrayXXd& positions, Eigen::ArrayXd& weights) const;
   /// Returns the size of its particles in bytes.
   std::size_t memoryBytes() const;
@@ -108,12 +109,12 @@ public:
 private:
   void updateHypotheses(SphereObservation& observation, const RandomKey& key, ThreadTeam& team,
                         std::vector<double>& logMasses);
-  /// Returns the probability of a hypothesis before the images of this frame are used, and stores
-  /// in the hypothesis whether they show its rim. A hypothesis that may be part of a larger object
-  /// gets at most the probability of a birth.
+  /// Returns the probability of a hypothesis before the images of this frame are used. Stores in
+  /// the hypothesis whether the images show its rim (TrackHypothesis::rimSeen). A hypothesis that
+  /// may be part of a larger object gets at most the probability of a birth.
   double priorProbability(TrackHypothesis& hypothesis, SphereObservation& observation) const;
-  /// Returns the probability that an absent target appears at a position, or so close to it that
-  /// images cannot distinguish the two.
+  /// Returns the probability that an absent target appears at this position, or so close to it that
+  /// images cannot distinguish the two positions.
   double birthProbability(const Eigen::Vector3d& position, double radius) const;
   /// Removes hypotheses that are more than their radius outside the bounds, and those with an
   /// impossible radius.
@@ -121,9 +122,9 @@ private:
   void addNewHypotheses(SphereObservation& observation, const CandidateSource& search,
                         const std::vector<OccupiedSphere>& occupied, const RandomKey& key,
                         ThreadTeam& team, std::vector<double>& logMasses);
-  /// Adjusts the masses of the first hypotheses of a target. Their log likelihood ratio is not
-  /// limited by kSaturationShare, neighboring hypotheses do not count against them, and the
-  /// mismatch of their size is subtracted.
+  /// Adjusts the masses (probabilities before normalization) of the first hypotheses of a target.
+  /// Their log likelihood ratio is not limited by kSaturationShare, neighboring hypotheses do not
+  /// count against them, and the mismatch of their size is subtracted.
   void scoreInitialHypotheses(SphereObservation& observation, std::vector<double>& logMasses) const;
   /// Returns a hypothesis of unknown velocity, without particles.
   TrackHypothesis newHypothesis(const Gaussian3& position, double radius, double logRadiusVariance);

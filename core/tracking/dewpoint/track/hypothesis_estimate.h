@@ -24,9 +24,9 @@ namespace dewpoint::tracking {
 SphereEstimate sphereEstimateFrom(const TrackHypothesis& hypothesis, double identityAmbiguity,
                                   const SystematicErrors& errors, SphereObservation& observation);
 
-/// As above, but without images. `seeingCenters` are the optical centers of the cameras that see
-/// the target (meters, world frame), and `ofShape` (m²) is the covariance of an additional
-/// systematic error.
+/// Like sphereEstimateFrom(), but without images. `seeingCenters` are the optical centers of the
+/// cameras that see the target (meters, world frame), and `ofShape` (m²) is the covariance of an
+/// additional systematic error.
 SphereEstimate estimateFrom(const TrackHypothesis& hypothesis, double identityAmbiguity,
                             const std::vector<Eigen::Vector3d>& seeingCenters,
                             const SystematicErrors& errors, const Eigen::Matrix3d& ofShape);

@@ -41,8 +41,8 @@ void limitOneCameraHypotheses(std::vector<TrackHypothesis>& hypotheses);
 /// (TrackHypothesis::hasRim() is false) to 0.9.
 void limitHypothesesWithoutRim(std::vector<TrackHypothesis>& hypotheses);
 
-/// Returns the part of the log likelihood ratio that is not counted: what exceeds kSaturationShare
-/// of the fully visible value.
+/// Returns the part of the log likelihood ratio that is not counted: the excess over
+/// kSaturationShare times the log likelihood ratio of a fully visible target.
 double evidenceBeyondSaturation(const TrackHypothesis& hypothesis);
 
 /// Returns the probability of the most likely of several hypotheses that compete with each other
@@ -52,9 +52,9 @@ double evidenceBeyondSaturation(const TrackHypothesis& hypothesis);
 double shareOfLargest(std::span<const double> logMasses, double absence);
 
 /// Returns whether the images must be searched for the target. This is the case if there is no
-/// hypothesis, or if the most likely one can be seen by only one of several cameras, has less than
-/// 0.98 of all mass, or has less than 0.55 of the log likelihood ratio that it would have if fully
-/// visible.
+/// hypothesis. It is also the case if the most likely hypothesis can be seen by only one of several
+/// cameras, has less than 0.98 of all mass, or has less than 0.55 of the log likelihood ratio that
+/// it would have if fully visible.
 bool mustSearch(const std::vector<TrackHypothesis>& hypotheses,
                 const std::vector<double>& logMasses);
 
@@ -62,8 +62,8 @@ bool mustSearch(const std::vector<TrackHypothesis>& hypotheses,
 void normalizeMasses(std::vector<TrackHypothesis>& hypotheses,
                      const std::vector<double>& logMasses);
 
-/// Returns whether hypotheses other than the first (the most likely) fit about as well, given that
-/// the target is more likely than not at one of them.
+/// Returns whether the target is more likely than not at one of the hypotheses, but others fit
+/// about as well as the first (the most likely).
 bool isUndecided(const std::vector<TrackHypothesis>& hypotheses);
 
 /// Returns the covariance (m²) of the target's position for the mixture of all hypotheses, about
@@ -74,8 +74,9 @@ Eigen::Matrix3d mixtureCovariance(const std::vector<TrackHypothesis>& hypotheses
 /// the more likely one, and keeps at most six, none less likely than 1e-8.
 void mergeAndPrune(std::vector<TrackHypothesis>& hypotheses);
 
-/// Returns whether a sphere with this position and radius would overlap an occupied one. Spheres of
-/// radii a and b cannot be closer than a + b; 0.7 of that is allowed for errors of both.
+/// Returns whether a sphere with this position and radius would overlap an occupied one. Two
+/// spheres overlap if their distance is less than 0.7 times the sum of their radii. The factor
+/// allows for errors of both positions and radii.
 bool isOccupied(const Eigen::Vector3d& position, double radius,
                 const std::vector<OccupiedSphere>& occupied);
 

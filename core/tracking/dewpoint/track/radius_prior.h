@@ -29,7 +29,7 @@ public:
   double expected() const;
   /// Returns the variance of the radius' logarithm at the start of a fit; 0 for a trusted radius.
   double logVariance() const { return isTrusted() ? 0.0 : unknownLogVariance(); }
-  /// Returns this variance for an unknown radius.
+  /// Returns the variance of the logarithm of an unknown radius.
   static double unknownLogVariance();
   /// Returns the cost in nats of a radius that differs from the expected one: half the squared
   /// distance of the logarithms in standard deviations. It has an upper limit, because the given

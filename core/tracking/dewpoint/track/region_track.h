@@ -67,7 +67,8 @@ private:
   };
 
   EllipsoidFit fitAt(const State& state, RegionObservation& observation) const;
-  /// Returns the logarithm of the factor by which the odds that the target is there change.
+  /// Measures the target in the images and updates `state`. Returns the logarithm of the factor by
+  /// which the odds that the target is there change.
   double measure(State& state, RegionObservation& observation) const;
   void accept(State& state, const EllipsoidFit& fit) const;
   void search(RegionObservation& observation, const std::vector<OccupiedSphere>& occupied);

@@ -12,8 +12,9 @@
 
 namespace dewpoint::tracking {
 
-/// Belief about whether a target is a ball. It follows from the target's definition, or from the
-/// regions of its color, whose log odds accumulate over time.
+/// Belief about whether a target is a ball. If the target's definition leaves this open, it is
+/// learned from the regions of the target's color in the images: each gives log odds, which are
+/// added up over time.
 class ShapeBelief {
 public:
   explicit ShapeBelief(const Target& target) { setTarget(target); }
@@ -27,7 +28,7 @@ public:
   bool isDecidedByImages() const { return shape_ == TargetShape::Auto; }
   /// Returns whether nothing has been learned yet, or the log odds are too small to decide.
   bool isUnclear() const;
-  /// Returns the log odds of any shape relative to a ball, in nats.
+  /// Returns the log odds, in nats, of an object of any shape relative to a ball.
   double logOdds() const { return logOdds_; }
 
   /// Learns from the regions that show a target of this radius (meters) at this position,

@@ -25,8 +25,8 @@ inline constexpr double kGate = 5.0;
 /// Distance between measurement and prediction, in standard deviations, beyond which the learned
 /// process noise does not explain the motion: the target has changed its velocity suddenly.
 inline constexpr double kManeuverGate = 4.0;
-/// Information added to an information matrix so that it can be inverted, 1/m²: a standard
-/// deviation of one meter. Origin not recorded.
+/// Information (inverse covariance, 1/m²) added to an information matrix so that it can be
+/// inverted. It corresponds to a standard deviation of one meter. Origin not recorded.
 inline constexpr double kMinInformation = 1.0;
 
 } // namespace dewpoint::tracking

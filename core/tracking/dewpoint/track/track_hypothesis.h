@@ -32,8 +32,9 @@ struct TrackHypothesis {
   bool oneCameraOnly = false;
   /// Probability at the time when more than one camera could last see it.
   double provenProbability = 0.0;
-  /// True if a camera has shown the rim since the birth of the hypothesis, or the user has
-  /// confirmed its position. Until then, it may be part of a larger object.
+  /// True if a camera has shown the rim of the target (where its color ends) since the birth of the
+  /// hypothesis, or the user has confirmed its position. Until then, the hypothesis may be part of
+  /// a larger object.
   bool rimSeen = false;
   /// Time in seconds since the rim was last shown or the position was last confirmed.
   double secondsSinceRim = 0.0;
@@ -62,13 +63,15 @@ struct TrackHypothesis {
   // Fractions of the fully visible log likelihood ratio. The values were chosen by judgment and not
   // measured (docs/method-dewpoint.md, sections 5 to 7).
 
-  /// Fraction above which the log likelihood ratio is not counted. Small differences in fit between
-  /// two nearly fully visible positions depend on light and pixels, and would accumulate from frame
-  /// to frame.
+  /// Fraction of the log likelihood ratio of a fully visible target; any excess over it is not
+  /// counted. Small differences in fit between two nearly fully visible positions depend on light
+  /// and pixels, and would accumulate from frame to frame.
   static constexpr double kSaturationShare = 0.75;
-  /// Fraction above which an object with the target's color and size is certainly there.
+  /// Fraction of the log likelihood ratio of a fully visible target above which an object with the
+  /// target's color and size is certainly there.
   static constexpr double kMostlyVisibleShare = 0.55;
-  /// Fraction above which at least a part of the target is visible.
+  /// Fraction of the log likelihood ratio of a fully visible target above which at least a part of
+  /// the target is visible.
   static constexpr double kPartlyVisibleShare = 0.25;
 
   /// Time in seconds for which a rim is remembered: about as long as a passing object covers a
@@ -117,9 +120,9 @@ void drawParticles(TrackHypothesis& hypothesis, SphereObservation& observation, 
 double measurementUpdate(TrackHypothesis& hypothesis, SphereObservation& observation,
                          Eigen::Index count, const RandomKey& key, ThreadTeam& team);
 
-/// Returns the increase of the log likelihood ratio of hypothesis `own` if pixels inside the
-/// outlines of the other mostly visible hypotheses are not counted against it. A second object of
-/// the same color that touches it in an image is not evidence against it.
+/// Returns by how much the log likelihood ratio of hypothesis `own` increases if pixels inside the
+/// outlines of the other mostly visible hypotheses do not count against it. A second object of the
+/// same color that touches it in an image is not evidence against it.
 double explainedRingGain(const std::vector<TrackHypothesis>& all, std::size_t own,
                          SphereObservation& observation);
 

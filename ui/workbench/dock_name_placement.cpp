@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/workbench/dock_names.h"
+#include "ui/workbench/dock_name_placement.h"
 
 #include "ui/widgets/dock_title.h"
 #include "ui/workbench/view_dock.h"
@@ -11,21 +11,22 @@
 
 namespace dewpoint::ui {
 
-DockNames::DockNames(QMainWindow& window, QObject* parent) : QObject(parent), window_(window) {}
+DockNamePlacement::DockNamePlacement(QMainWindow& window, QObject* parent)
+    : QObject(parent), window_(window) {}
 
-void DockNames::addDock(ViewDock* dock) {
-  connect(dock, &QDockWidget::dockLocationChanged, this, &DockNames::showSoon);
-  connect(dock, &QDockWidget::topLevelChanged, this, &DockNames::showSoon);
-  connect(dock, &QDockWidget::visibilityChanged, this, &DockNames::showSoon);
+void DockNamePlacement::addDock(ViewDock* dock) {
+  connect(dock, &QDockWidget::dockLocationChanged, this, &DockNamePlacement::showSoon);
+  connect(dock, &QDockWidget::topLevelChanged, this, &DockNamePlacement::showSoon);
+  connect(dock, &QDockWidget::visibilityChanged, this, &DockNamePlacement::showSoon);
 }
 
-void DockNames::showSoon() {
+void DockNamePlacement::showSoon() {
   if (!std::exchange(isScheduled_, true)) {
-    QMetaObject::invokeMethod(this, &DockNames::show, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(this, &DockNamePlacement::show, Qt::QueuedConnection);
   }
 }
 
-void DockNames::show() {
+void DockNamePlacement::show() {
   isScheduled_ = false;
   for (ViewDock* dock : window_.findChildren<ViewDock*>()) {
     const auto neighbors = window_.tabifiedDockWidgets(dock);

@@ -18,14 +18,14 @@ class Selection;
 /// and scrolls them into view. It does not scroll while a range is selected. If the user scrolls
 /// these rows out of view, it stops scrolling until they are scrolled back or a frame is requested.
 /// All rows have the same height.
-class TableHead : public QStyledItemDelegate {
+class FrameRowDelegate : public QStyledItemDelegate {
   Q_OBJECT
 public:
   /// Returns the rows [first, last) of a frame. If the frame has no rows, both values are the index
   /// where they would be.
   using RowsOf = std::function<std::pair<int, int>(qint64 frame)>;
 
-  TableHead(QTableView* table, Selection& selection, RowsOf rowsOf);
+  FrameRowDelegate(QTableView* table, Selection& selection, RowsOf rowsOf);
 
   /// Updates after the rows of the table or the frame shown have changed.
   void refresh();

@@ -12,10 +12,10 @@ namespace dewpoint::ui {
 class ViewDock;
 
 /// Shows the name of each view only once: in its tab if it has one, otherwise in its title.
-class DockNames : public QObject {
+class DockNamePlacement : public QObject {
   Q_OBJECT
 public:
-  DockNames(QMainWindow& window, QObject* parent);
+  DockNamePlacement(QMainWindow& window, QObject* parent);
 
   /// Starts to manage where the name of this dock is shown.
   void addDock(ViewDock* dock);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/trajectory/table_head.h"
+#include "ui/trajectory/frame_row_delegate.h"
 
 #include "ui/selection/selection.h"
 #include "ui/style/tabular_font.h"
@@ -16,19 +16,20 @@ namespace {
 constexpr float kMarkStrength = 0.25F; ///< of the color of what is selected
 } // namespace
 
-TableHead::TableHead(QTableView* table, Selection& selection, RowsOf rowsOf)
+FrameRowDelegate::FrameRowDelegate(QTableView* table, Selection& selection, RowsOf rowsOf)
     : QStyledItemDelegate(table), table_(table), selection_(selection), rowsOf_(std::move(rowsOf)) {
   prepare();
   const QScrollBar* bar = table->verticalScrollBar();
-  connect(bar, &QScrollBar::valueChanged, this, &TableHead::onScrolled);
-  connect(bar, &QScrollBar::rangeChanged, this, &TableHead::follow); // more rows, or less room
-  connect(&selection, &Selection::currentFrameChanged, this, &TableHead::refresh);
+  connect(bar, &QScrollBar::valueChanged, this, &FrameRowDelegate::onScrolled);
+  connect(bar, &QScrollBar::rangeChanged, this,
+          &FrameRowDelegate::follow); // more rows, or less room
+  connect(&selection, &Selection::currentFrameChanged, this, &FrameRowDelegate::refresh);
   const auto followAgain = [this] { following_ = true; };
   connect(&selection, &Selection::frameRequested, this, followAgain);
   connect(&selection, &Selection::liveFrameRequested, this, followAgain);
 }
 
-void TableHead::prepare() {
+void FrameRowDelegate::prepare() {
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::ContiguousSelection);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -47,7 +48,7 @@ void TableHead::prepare() {
   table_->horizontalHeader()->setHighlightSections(false);
 }
 
-void TableHead::refresh() {
+void FrameRowDelegate::refresh() {
   const qint64 frame = selection_.currentFrame();
   const auto rows = frame < 0 ? std::pair(0, 0) : rowsOf_(frame);
   if (rows != rows_) {
@@ -57,7 +58,7 @@ void TableHead::refresh() {
   follow();
 }
 
-int TableHead::rowToShow() const {
+int FrameRowDelegate::rowToShow() const {
   const int end = table_->model()->rowCount() - 1;
   if (selection_.currentFrame() < 0) {
     return end;
@@ -66,18 +67,18 @@ int TableHead::rowToShow() const {
   return std::min(std::max(first, last - 1), end);
 }
 
-int TableHead::visibleRowCount() const {
+int FrameRowDelegate::visibleRowCount() const {
   const int height = std::max(1, table_->verticalHeader()->defaultSectionSize());
   return std::max(1, table_->viewport()->height() / height);
 }
 
-bool TableHead::isRowVisible(int row) const {
+bool FrameRowDelegate::isRowVisible(int row) const {
   const QScrollBar* bar = table_->verticalScrollBar();
   const bool isEnd = bar->value() == bar->maximum() && row == table_->model()->rowCount() - 1;
   return isEnd || (row >= bar->value() && row < bar->value() + visibleRowCount());
 }
 
-void TableHead::follow() {
+void FrameRowDelegate::follow() {
   const int row = rowToShow();
   if (!following_ || moving_ || row < 0 || selection_.selectedRange()) {
     return;
@@ -92,14 +93,15 @@ void TableHead::follow() {
   moving_ = false;
 }
 
-void TableHead::onScrolled() {
+void FrameRowDelegate::onScrolled() {
   if (!moving_) {
     const int row = rowToShow();
     following_ = row < 0 || isRowVisible(row);
   }
 }
 
-void TableHead::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const {
+void FrameRowDelegate::initStyleOption(QStyleOptionViewItem* option,
+                                       const QModelIndex& index) const {
   QStyledItemDelegate::initStyleOption(option, index);
   option->font = tabularFont(option->font);
   if (index.row() >= rows_.first && index.row() < rows_.second) {
