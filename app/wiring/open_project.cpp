@@ -2,7 +2,7 @@
 #include "app/wiring/open_project.h"
 
 #include "app/wiring/open_office.h"
-#include "core/capture/live_frame_source.h"
+#include "core/capture/gstreamer/open_live.h"
 #include "core/capture/recording.h"
 #include "core/geometry/projector.h"
 #include "core/project/project_check.h"

@@ -23,6 +23,8 @@ const std::vector<PlantedViolation>& plantedViolations() {
       {"core/simulation/sensor/a.h", "core/simulation/people/b.h"},
       {"core/simulation/surface/a.h", "core/simulation/room/b.h"},
       {"core/capture/a.h", "core/calibration/formats/b.h"},
+      {"core/capture/a.h", "core/capture/gstreamer/b.h"},
+      {"core/capture/gstreamer/a.h", "core/project/project.h"},
       {"core/calibration/board/a.h", "core/calibration/quality/b.h"},
       {"core/calibration/bundle/a.h", "core/calibration/board/b.h"},
       {"core/calibration/formats/a.h", "core/calibration/wand/b.h"},

@@ -30,6 +30,7 @@ const std::map<std::string, std::map<std::string, Names>, std::less<>>& roomTabl
   static const std::map<std::string, std::map<std::string, Names>, std::less<>> kTable = {
       {"color", {{"", {}}, {"likelihood", {""}}}},
       {"trajectory", {{"", {}}, {"export", {""}}, {"figure", {"", "export"}}, {"jobs", {""}}}},
+      {"capture", {{"", {}}, {"gstreamer", {""}}}},
       {"observation",
        {{"background", {}},
         {"boxes", {}},
