@@ -105,16 +105,6 @@ Result<std::unique_ptr<FrameSetSource>> openSimulation(const Scene& scene) {
   return openRecording(cameras, scene.framesPerSecond);
 }
 
-std::vector<LiveCamera> liveCamerasOf(const Project& project) {
-  std::vector<LiveCamera> cameras;
-  for (const auto& camera : project.cameras) {
-    const auto& intrinsics = camera.camera.intrinsics;
-    cameras.push_back({camera.camera.name, camera.location, camera.rotateDegrees, intrinsics.width,
-                       intrinsics.height, camera.mirrored, camera.delay});
-  }
-  return cameras;
-}
-
 using SeenSizes = std::vector<std::optional<cv::Size>>;
 
 bool isComplete(const SeenSizes& sizes) {
@@ -183,6 +173,16 @@ Result<std::unique_ptr<FrameSetSource>> openSource(Project& project) {
 }
 
 } // namespace
+
+std::vector<LiveCamera> liveCamerasOf(const Project& project) {
+  std::vector<LiveCamera> cameras;
+  for (const auto& camera : project.cameras) {
+    const auto& intrinsics = camera.camera.intrinsics;
+    cameras.push_back({camera.camera.name, camera.location, camera.rotateDegrees, intrinsics.width,
+                       intrinsics.height, camera.mirrored, camera.delay});
+  }
+  return cameras;
+}
 
 Project projectOfScene(const Scene& scene, const std::string& sceneName) {
   Project project;

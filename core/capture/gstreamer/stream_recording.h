@@ -5,6 +5,7 @@
 #include "core/capture/capture_instant.h"
 #include "core/capture/gstreamer/encoded_feed.h"
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
@@ -71,7 +72,7 @@ private:
 
   EncodedFeedPtr feed_;
   std::shared_ptr<Writer> writer_; ///< shared with the threads of GStreamer
-  bool stopped_ = false;
+  std::atomic<bool> stopped_ = false;
 };
 
 } // namespace dewpoint::capture
