@@ -106,7 +106,8 @@ const std::vector<Names>& windowFloors() {
       {"workbench"},
       {"cameraview", "view3d", "plots", "timeline"},
       {"panels", "trajectory"},
-      {"calibration", "color", "correction", "people", "export", "experiments", "start", "help"},
+      {"calibration", "color", "correction", "people", "export", "experiments", "start", "help",
+       "recording"},
       {"mainwindow"},
   };
   return kFloors;
