@@ -26,6 +26,9 @@ cv::Mat converted(GstVideoFrame& frame) {
                                 static_cast<guint>(height)) == FALSE) {
     return {};
   }
+  wanted.fps_n = frame.info.fps_n; // a converter changes neither
+  wanted.fps_d = frame.info.fps_d;
+  wanted.interlace_mode = frame.info.interlace_mode;
   const std::unique_ptr<GstVideoConverter, void (*)(GstVideoConverter*)> converter(
       gst_video_converter_new(&frame.info, &wanted, nullptr), gst_video_converter_free);
   GstBuffer* buffer = gst_buffer_new_allocate(nullptr, wanted.size, nullptr);

@@ -32,7 +32,7 @@ constexpr int kWaitingIntraImages = 2;
 constexpr int kWaitingInterImages = 30;
 
 /// A value in the text of a pipeline.
-std::string quoted(std::string_view value) {
+std::string quotedValue(std::string_view value) {
   std::string text = "\"";
   for (const char letter : value) {
     if (letter == '"' || letter == '\\') {
@@ -101,7 +101,7 @@ PipelineText devicePipeline(const LiveCamera& camera, const std::string& path) {
   // Compressed first: uncompressed images of several cameras rarely fit on one USB bus.
   PipelineText pipeline =
       made(fmt::format("v4l2src device={} ! capsfilter caps=\"image/jpeg{};video/x-raw{}\"",
-                       quoted(path), size, size),
+                       quotedValue(path), size, size),
            TimeOrigin::Driver, kWaitingIntraImages, {"v4l2src"});
   pipeline.device = path;
   return pipeline;
@@ -110,17 +110,18 @@ PipelineText devicePipeline(const LiveCamera& camera, const std::string& path) {
 PipelineText httpPipeline(const AddressParts& address) {
   std::string source = fmt::format("souphttpsrc location={} is-live=true do-timestamp=true "
                                    "timeout={} retries=0 iradio-mode=false",
-                                   quoted(address.withoutUser()), kNetworkTimeoutSeconds);
+                                   quotedValue(address.withoutUser()), kNetworkTimeoutSeconds);
   if (!address.user.empty()) {
-    source += fmt::format(" user-id={} user-pw={}", quoted(address.user), quoted(address.password));
+    source += fmt::format(" user-id={} user-pw={}", quotedValue(address.user),
+                          quotedValue(address.password));
   }
   return made(source, TimeOrigin::Arrival, kWaitingIntraImages, {"souphttpsrc"});
 }
 
 PipelineText rtspPipeline(const std::string& location) {
   return made(fmt::format("rtspsrc location={} latency={} timeout={} tcp-timeout={}",
-                          quoted(location), kJitterMilliseconds, kNetworkTimeoutSeconds * 1000000,
-                          kNetworkTimeoutSeconds * 1000000),
+                          quotedValue(location), kJitterMilliseconds,
+                          kNetworkTimeoutSeconds * 1000000, kNetworkTimeoutSeconds * 1000000),
               TimeOrigin::Sender, kWaitingInterImages, {"rtspsrc"});
 }
 
@@ -140,7 +141,7 @@ constexpr std::array<RtpPayload, 4> kRtpPayloads{{
 
 std::string udpSource(const AddressParts& address) {
   return fmt::format("udpsrc address={} port={} buffer-size=4194304",
-                     quoted(address.host.empty() ? "0.0.0.0" : address.host),
+                     quotedValue(address.host.empty() ? "0.0.0.0" : address.host),
                      address.port.value_or(0));
 }
 
@@ -178,7 +179,7 @@ Result<PipelineText> addressPipeline(const LiveCamera& camera) {
     return rtspPipeline(camera.location);
   }
   if (scheme == "srt") {
-    return made(fmt::format("srtsrc uri={}", quoted(camera.location)), TimeOrigin::Sender,
+    return made(fmt::format("srtsrc uri={}", quotedValue(camera.location)), TimeOrigin::Sender,
                 kWaitingInterImages, {"srtsrc"});
   }
   if (scheme != "udp" && scheme != "rtp") {
@@ -347,10 +348,14 @@ std::string recordingPipelineText(const std::string& mediaType, bool lossless,
                                   const std::string& file) {
   std::string format;
   if (mediaType == "video/x-raw") {
-    // The formats that players and FFmpeg read uncompressed.
+    // The formats that players and FFmpeg read uncompressed; a JPEG has the full range of values,
+    // which the encoder does not convert.
     format = lossless ? " ! videoconvert ! "
                         "capsfilter caps=\"video/x-raw,format={YUY2,I420,UYVY,GRAY8}\""
-                      : fmt::format(" ! videoconvert ! jpegenc quality={}", kJpegQuality);
+                      : fmt::format(" ! videoconvert ! capsfilter caps=\"video/x-raw,"
+                                    "format={{I420,Y42B,Y444}},colorimetry=(string)1:4:0:0\""
+                                    " ! jpegenc quality={}",
+                                    kJpegQuality);
   } else if (mediaType == "video/x-h264" || mediaType == "video/x-h265") {
     const bool isH264 = mediaType == "video/x-h264";
     format = fmt::format(" ! {} ! {},stream-format={},alignment=au",
@@ -361,7 +366,7 @@ std::string recordingPipelineText(const std::string& mediaType, bool lossless,
                      " ! matroskamux name=muxer writing-app=Dewpoint"
                      " min-cluster-duration=250000000 max-cluster-duration=1000000000"
                      " ! filesink name=file location={} buffer-mode=unbuffered",
-                     format, quoted(file));
+                     format, quotedValue(file));
 }
 
 } // namespace dewpoint::capture

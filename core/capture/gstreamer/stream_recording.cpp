@@ -191,9 +191,11 @@ void StreamRecording::Writer::receive(const std::shared_ptr<Writer>& self,
   if (image.captured.time < zero) {
     return;
   }
+  GstBuffer* original = gst_sample_get_buffer(image.sample.get());
+  const bool isKey = !GST_BUFFER_FLAG_IS_SET(original, GST_BUFFER_FLAG_DELTA_UNIT);
   {
     std::scoped_lock lock(mutex);
-    if (isStopped) {
+    if (isStopped || (received == 0 && !isKey)) { // it begins with a key frame
       return;
     }
     ++received;
@@ -211,8 +213,6 @@ void StreamRecording::Writer::receive(const std::shared_ptr<Writer>& self,
     needsKey = isInter;
     return;
   }
-  GstBuffer* original = gst_sample_get_buffer(image.sample.get());
-  const bool isKey = !GST_BUFFER_FLAG_IS_SET(original, GST_BUFFER_FLAG_DELTA_UNIT);
   GstClockTime time =
       static_cast<GstClockTime>(std::chrono::nanoseconds(image.captured.time - zero).count());
   if ((needsKey && !isKey) || !hasRoom(time)) {
