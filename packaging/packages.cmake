@@ -27,6 +27,10 @@ list(JOIN headers ", " headers)
 # What a window wants to have, but starts without; a server for tests is not among it.
 dewpoint_packages_of(wanted run FALSE)
 list(FILTER wanted EXCLUDE REGEX "^(xvfb|xauth|python3-.*)$")
+# Live cameras need the plugins of GStreamer, with a window and without.
+set(plugins ${wanted})
+list(FILTER plugins INCLUDE REGEX "^gstreamer")
+list(JOIN plugins ", " plugins)
 list(JOIN wanted ", " wanted)
 
 # The changelog as Debian writes it.
@@ -73,6 +77,7 @@ endif()
 dewpoint_describe_package(cli dewpoint-cli science "track colored objects in 3D on the command line"
   "${what}\nThis package has the command line, which needs neither a display nor Qt.")
 set(CPACK_DEBIAN_CLI_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_CLI_PACKAGE_RECOMMENDS "${plugins}")
 set(CPACK_DEBIAN_CLI_PACKAGE_SUGGESTS "dewpoint, dewpoint-doc")
 if(TARGET dewpoint_python)
   dewpoint_describe_package(python python3-dewpoint python "track colored objects in 3D from Python"

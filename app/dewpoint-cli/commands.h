@@ -33,6 +33,9 @@ void addTrackPositionsCommand(CLI::App& app, int& exitCode);
 void addTrackBoxCommand(CLI::App& app, int& exitCode);
 void addPeopleCommand(CLI::App& app, int& exitCode);
 
+// live/: live cameras.
+void addRecordCommand(CLI::App& app, int& exitCode);
+
 // trajectory/: commands for the results of a run.
 void addEvaluateCommand(CLI::App& app, int& exitCode);
 void addExportCommand(CLI::App& app, int& exitCode);

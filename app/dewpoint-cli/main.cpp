@@ -28,6 +28,7 @@ int run(int argc, char** argv) {
   addTrackBackwardsCommand(app, exitCode);
   addTrackPositionsCommand(app, exitCode);
   addTrackBoxCommand(app, exitCode);
+  addRecordCommand(app, exitCode);
   addEvaluateCommand(app, exitCode);
   addSimulateCommand(app, exitCode);
   addExperimentCommand(app, exitCode);

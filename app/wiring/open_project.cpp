@@ -2,7 +2,7 @@
 #include "app/wiring/open_project.h"
 
 #include "app/wiring/open_office.h"
-#include "core/capture/live_frame_source.h"
+#include "core/capture/gstreamer/open_live.h"
 #include "core/capture/recording.h"
 #include "core/geometry/projector.h"
 #include "core/project/project_check.h"
@@ -105,16 +105,6 @@ Result<std::unique_ptr<FrameSetSource>> openSimulation(const Scene& scene) {
   return openRecording(cameras, scene.framesPerSecond);
 }
 
-std::vector<LiveCamera> liveCamerasOf(const Project& project) {
-  std::vector<LiveCamera> cameras;
-  for (const auto& camera : project.cameras) {
-    const auto& intrinsics = camera.camera.intrinsics;
-    cameras.push_back({camera.camera.name, camera.location, camera.rotateDegrees, intrinsics.width,
-                       intrinsics.height, camera.mirrored, camera.delay});
-  }
-  return cameras;
-}
-
 using SeenSizes = std::vector<std::optional<cv::Size>>;
 
 bool isComplete(const SeenSizes& sizes) {
@@ -140,7 +130,8 @@ SeenSizes seenSizes(FrameSetSource& source, const std::vector<std::size_t>& came
 
 /// Cameras that nobody has calibrated may send images of any size: what is guessed of them takes
 /// the size that comes.
-Result<std::unique_ptr<FrameSetSource>> openLiveCameras(Project& project) {
+Result<std::unique_ptr<FrameSetSource>> openLiveCameras(Project& project,
+                                                        const std::vector<EncodedFeedPtr>& feeds) {
   std::vector<LiveCamera> cameras = liveCamerasOf(project);
   std::vector<std::size_t> guessed;
   for (std::size_t k = 0; k < cameras.size(); ++k) {
@@ -149,7 +140,7 @@ Result<std::unique_ptr<FrameSetSource>> openLiveCameras(Project& project) {
       cameras[k].width = cameras[k].height = 0;
     }
   }
-  auto source = openLive(cameras);
+  auto source = openLive(cameras, feeds);
   if (!source || guessed.empty()) {
     return source;
   }
@@ -159,7 +150,7 @@ Result<std::unique_ptr<FrameSetSource>> openLiveCameras(Project& project) {
       guessCalibration(project, guessed[k], *sizes[k]);
     }
   }
-  return isComplete(sizes) ? std::move(source) : openLive(liveCamerasOf(project));
+  return isComplete(sizes) ? std::move(source) : openLive(liveCamerasOf(project), feeds);
 }
 
 Result<std::unique_ptr<FrameSetSource>> openRecordings(const Project& project) {
@@ -170,7 +161,9 @@ Result<std::unique_ptr<FrameSetSource>> openRecordings(const Project& project) {
   return openRecording(cameras, project.framesPerSecond);
 }
 
-Result<std::unique_ptr<FrameSetSource>> openSource(Project& project) {
+/// `feeds` gets those of live cameras.
+Result<std::unique_ptr<FrameSetSource>> openSource(Project& project,
+                                                   std::vector<EncodedFeedPtr>& feeds) {
   const auto live = std::count_if(project.cameras.begin(), project.cameras.end(), isLive);
   if (live == 0) {
     return openRecordings(project);
@@ -179,10 +172,22 @@ Result<std::unique_ptr<FrameSetSource>> openSource(Project& project) {
     return failure(ErrorCode::Mismatch, project.file.string(), "camera",
                    "live cameras and recordings cannot be mixed in one project");
   }
-  return openLiveCameras(project);
+  feeds.resize(project.cameras.size());
+  std::ranges::generate(feeds, [] { return std::make_shared<EncodedFeed>(); });
+  return openLiveCameras(project, feeds);
 }
 
 } // namespace
+
+std::vector<LiveCamera> liveCamerasOf(const Project& project) {
+  std::vector<LiveCamera> cameras;
+  for (const auto& camera : project.cameras) {
+    const auto& intrinsics = camera.camera.intrinsics;
+    cameras.push_back({camera.camera.name, camera.location, camera.rotateDegrees, intrinsics.width,
+                       intrinsics.height, camera.mirrored, camera.delay});
+  }
+  return cameras;
+}
 
 Project projectOfScene(const Scene& scene, const std::string& sceneName) {
   Project project;
@@ -287,7 +292,7 @@ Result<SessionInputs> openInputs(Project wanted) {
     }
     inputs.source = std::move(*source);
   } else {
-    auto source = openSource(project);
+    auto source = openSource(project, inputs.feeds);
     if (!source) {
       return tl::make_unexpected(source.error());
     }

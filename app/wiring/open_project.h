@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/capture/live_camera.h"
 #include "core/project/project.h"
 #include "core/session/session.h"
 #include "core/simulation/scene/scene.h"
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace dewpoint::app {
 
@@ -29,6 +31,9 @@ Result<Project> completedProject(Project project);
 
 /// Opens the sources of a resolved project, and its ground truth if that is known.
 Result<SessionInputs> openInputs(Project project);
+
+/// Returns the live cameras of a project, in its order.
+std::vector<LiveCamera> liveCamerasOf(const Project& project);
 
 /// Resolves a project and opens its inputs, as "Open" in the window does.
 Result<SessionInputs> openProject(const SessionRequest& request);

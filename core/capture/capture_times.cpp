@@ -168,7 +168,23 @@ Status TimeTable::readLine(std::string_view line) {
   return {};
 }
 
+/// Without a last line that was cut off while it was written.
+std::string_view wholeLines(std::string_view text) {
+  return text.starts_with(kRecordedTimesHeading) ? text.substr(0, text.rfind('\n') + 1) : text;
+}
+
 } // namespace
+
+TableCompleteness completenessOf(const std::string& file) {
+  const auto text = readTableText(file);
+  if (!text || !text->starts_with(kRecordedTimesHeading)) {
+    return TableCompleteness::Unknown;
+  }
+  const std::string_view lines = wholeLines(*text);
+  const std::size_t last = lines.rfind('\n', lines.size() - 2) + 1;
+  return lines.substr(last).starts_with(kRecordedTimesEnd) ? TableCompleteness::Complete
+                                                           : TableCompleteness::CutOff;
+}
 
 std::vector<std::string> captureTimeIds(const std::string& camera, const std::string& file) {
   std::vector<std::string> names{camera};
@@ -189,7 +205,7 @@ Result<CaptureTimes> readCaptureTimes(const std::string& file, const std::vector
     return tl::make_unexpected(error);
   }
   TimeTable table(file, field);
-  if (auto read = table.read(*text); !read) {
+  if (auto read = table.read(wholeLines(*text)); !read) {
     return tl::make_unexpected(read.error());
   }
   CaptureTimes times;

@@ -12,6 +12,24 @@ namespace dewpoint::capture {
 /// is the same for all cameras in the recording.
 using CaptureTimes = std::vector<double>;
 
+/// First line of a table that grew with its recording; ...
+inline constexpr const char* kRecordedTimesHeading =
+    "# Capture times of a recording; a last line with the number of images ends it";
+/// ... and the beginning of its last line, without which the recording was cut off.
+inline constexpr const char* kRecordedTimesEnd = "# complete, images:";
+
+/// What a table says about whether it has the time of every image.
+enum class TableCompleteness {
+  Unknown,  ///< it was not written by a recording of this program
+  Complete, ///< it has exactly the images of its video, which has their times, too
+  /// The recording was cut off, by a full disk or because the program was killed: either the table
+  /// or the video has some more images.
+  CutOff,
+};
+
+/// Returns what a table of capture times says about its completeness; Unknown if it cannot be read.
+TableCompleteness completenessOf(const std::string& file);
+
 /// Returns the names by which a table of capture times may identify a camera: its name, the number
 /// at the end of its file name, and the number at the end of its name.
 std::vector<std::string> captureTimeIds(const std::string& camera, const std::string& file);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/time.h"
+#include "core/capture/capture_instant.h"
 
 #include <opencv2/core/mat.hpp>
 
@@ -17,6 +18,8 @@ struct Frame {
   std::int64_t index = 0;  ///< frame number of this camera, from 0
   TimeStamp captureTime{}; ///< capture time by the camera's own clock
   cv::Mat image;           ///< CV_8UC3; blue, green, red
+  /// Where a live camera's capture time comes from; not used for recordings.
+  TimeOrigin origin = TimeOrigin::Arrival;
 };
 using FramePtr = std::shared_ptr<const Frame>;
 

@@ -10,8 +10,9 @@ namespace dewpoint::capture {
 /// Camera that delivers live images.
 struct LiveCamera {
   std::string name;
-  /// Camera number or /dev/videoN (V4L2), URL such as http://host/stream or rtsp://... (FFmpeg), or
-  /// "gst:" followed by a GStreamer pipeline that ends in an appsink.
+  /// Camera number, /dev/videoN or another path below /dev (V4L2), URL such as http://host/stream
+  /// or rtsp://..., "gst:" followed by a GStreamer pipeline, or "test:" followed by the name of a
+  /// test pattern (see gstreamer/pipeline_text.h).
   std::string location;
   int rotateDegrees = 0; ///< clockwise: 0, 90, 180 or 270
   int width = 0;         ///< expected after the rotation, pixels; 0: width of the first image

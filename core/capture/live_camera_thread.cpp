@@ -146,7 +146,14 @@ void LiveCameraThread::run(const std::stop_token& stop, Shared& shared) {
         setDisconnected(shared, opened.error() + "; trying again");
       } else {
         readAll(stop, shared, *stream, progress);
-        setDisconnected(shared, "trying to connect again");
+        const std::string reason = stream->lostReason();
+        const bool ended = stream->hasEnded();
+        setDisconnected(shared, ended            ? reason
+                                : reason.empty() ? "trying to connect again"
+                                                 : reason + "; trying to connect again");
+        if (ended) {
+          return;
+        }
       }
     } catch (const std::exception& problem) {
       setDisconnected(shared, problem.what());
@@ -169,13 +176,15 @@ void LiveCameraThread::readAll(const std::stop_token& stop, Shared& shared, Live
     const auto grabbed = Clock::now();
     const cv::Mat picture = stream.retrieve();
     if (!picture.empty() && !stop.stop_requested()) {
-      publish(shared, picture, grabbed, progress);
+      publish(shared, picture, grabbed,
+              stream.captureTime().value_or(CaptureInstant{grabbed, TimeOrigin::Arrival}),
+              progress);
     }
   }
 }
 
 void LiveCameraThread::publish(Shared& shared, const cv::Mat& picture, Clock::time_point grabbed,
-                               Progress& progress) {
+                               const CaptureInstant& captured, Progress& progress) {
   progress.pause = kFirstPause;
   if (progress.lastGrab && grabbed > *progress.lastGrab) {
     const double interval = std::chrono::duration<double>(grabbed - *progress.lastGrab).count();
@@ -202,8 +211,8 @@ void LiveCameraThread::publish(Shared& shared, const cv::Mat& picture, Clock::ti
     shared.problem.reset();
   }
   shared.frames.put(std::make_shared<Frame>(
-      Frame{progress.frames++, std::chrono::duration_cast<TimeStamp>(grabbed - shared.zero),
-            std::move(*image)}));
+      Frame{progress.frames++, std::chrono::duration_cast<TimeStamp>(captured.time - shared.zero),
+            std::move(*image), captured.origin}));
   shared.wakeSignal->notify();
 }
 

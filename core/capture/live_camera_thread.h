@@ -97,7 +97,7 @@ private:
   static void readAll(const std::stop_token& stop, Shared& shared, LiveStream& stream,
                       Progress& progress);
   static void publish(Shared& shared, const cv::Mat& picture, Clock::time_point grabbed,
-                      Progress& progress);
+                      const CaptureInstant& captured, Progress& progress);
   static void setProblem(Shared& shared, Error problem);
   static void setDisconnected(Shared& shared, const std::string& detail);
 

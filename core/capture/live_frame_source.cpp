@@ -27,7 +27,7 @@ FramePtr inTime(FramePtr frame, TimeStamp delay) {
     return frame;
   }
   return std::make_shared<const Frame>(
-      Frame{frame->index, frame->captureTime - delay, frame->image});
+      Frame{frame->index, frame->captureTime - delay, frame->image, frame->origin});
 }
 
 std::vector<TimeStamp> delaysOf(const std::vector<LiveCamera>& cameras) {
@@ -167,15 +167,6 @@ Result<std::unique_ptr<FrameSetSource>> openLive(const std::vector<LiveCamera>& 
   } catch (const std::exception& problem) { // the system has no more threads
     return failure(ErrorCode::DeviceUnavailable, "", "camera", problem.what());
   }
-}
-
-Result<std::unique_ptr<FrameSetSource>> openLive(const std::vector<LiveCamera>& cameras) {
-  for (const LiveCamera& camera : cameras) {
-    if (auto known = checkLocation(camera); !known) {
-      return tl::make_unexpected(known.error());
-    }
-  }
-  return openLive(cameras, makeVideoStream);
 }
 
 } // namespace dewpoint::capture

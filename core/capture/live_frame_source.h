@@ -15,13 +15,10 @@ namespace dewpoint::capture {
 /// camera. Returns immediately. Only settings that can never work (an empty or unknown location, a
 /// rotation that is not a multiple of 90 degrees) are errors. A camera that cannot be opened
 /// (DeviceUnavailable), has stopped delivering (ConnectionLost) or sends images of a different size
-/// (Mismatch) is reported as a notice for as long as the problem lasts. The time of a frame is the
-/// time right after it was grabbed, by the steady clock, minus the camera's delay. It is measured
-/// from the call of this function.
-Result<std::unique_ptr<FrameSetSource>> openLive(const std::vector<LiveCamera>& cameras);
-
-/// Same as openLive(cameras), but connects through `factory`, for other kinds of devices or for
-/// fakes in tests.
+/// (Mismatch) is reported as a notice for as long as the problem lasts. The time of a frame is its
+/// capture time as reported by the connection (LiveStream::captureTime()), or else the time right
+/// after the grab, relative to this call, minus the camera's delay. `factory` makes the connections
+/// (see gstreamer/open_live.h for those of the program).
 Result<std::unique_ptr<FrameSetSource>> openLive(const std::vector<LiveCamera>& cameras,
                                                  const LiveStreamFactory& factory);
 

@@ -2,13 +2,9 @@
 #include "core/capture/live_stream.h"
 
 #include "core/base/text_number.h"
-#include "core/capture/image_shape.h"
-#include "core/capture/redacted_location.h"
 
 #include <opencv2/videoio.hpp>
 
-#include <algorithm>
-#include <array>
 #include <filesystem>
 #include <optional>
 #include <string_view>
@@ -22,7 +18,6 @@ namespace {
 constexpr int kOpenTimeoutMilliseconds = 3000;
 /// ... and reading from it.
 constexpr int kReadTimeoutMilliseconds = 2000;
-constexpr std::string_view kPipelinePrefix = "gst:";
 constexpr std::string_view kDevicePrefix = "/dev/video";
 
 std::optional<int> deviceNumber(std::string_view location) {
@@ -33,24 +28,13 @@ std::optional<int> deviceNumber(std::string_view location) {
   return number && *number >= 0 ? number : std::nullopt;
 }
 
-bool isStream(std::string_view location) {
-  constexpr std::array<std::string_view, 9> kSchemes{"http://",  "https://", "rtsp://",
-                                                     "rtsps://", "rtmp://",  "udp://",
-                                                     "rtp://",   "tcp://",   "srt://"};
-  return std::ranges::any_of(kSchemes, [&](auto scheme) { return location.starts_with(scheme); });
-}
-
 class VideoStream final : public LiveStream {
 public:
   explicit VideoStream(LiveCamera camera) : camera_(std::move(camera)) {}
 
   tl::expected<void, std::string> open() override {
     const std::string& location = camera_.location;
-    if (location.starts_with(kPipelinePrefix)) {
-      return opened(video_.open(location.substr(kPipelinePrefix.size()), cv::CAP_GSTREAMER),
-                    "the GStreamer pipeline cannot be started");
-    }
-    if (isStream(location)) {
+    if (location.find("://") != std::string::npos) {
       return opened(video_.open(location, cv::CAP_FFMPEG,
                                 {cv::CAP_PROP_OPEN_TIMEOUT_MSEC, kOpenTimeoutMilliseconds,
                                  cv::CAP_PROP_READ_TIMEOUT_MSEC, kReadTimeoutMilliseconds}),
@@ -94,18 +78,6 @@ private:
 };
 
 } // namespace
-
-Status checkLocation(const LiveCamera& camera) {
-  const std::string_view location = camera.location;
-  const bool pipeline =
-      location.starts_with(kPipelinePrefix) && location.size() > kPipelinePrefix.size();
-  if (pipeline || isStream(location) || deviceNumber(location)) {
-    return {};
-  }
-  return failure(ErrorCode::BadValue, redactedLocation(camera.location), cameraField(camera.name),
-                 "expected a device number, /dev/videoN, a stream address such as http://... or "
-                 "rtsp://..., or gst: and a GStreamer pipeline");
-}
 
 LiveStreamPtr makeVideoStream(const LiveCamera& camera) {
   return std::make_unique<VideoStream>(camera);

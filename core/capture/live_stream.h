@@ -2,17 +2,20 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/capture/capture_instant.h"
 #include "core/capture/live_camera.h"
 
 #include <opencv2/core/mat.hpp>
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace dewpoint::capture {
 
-/// Connection to one device, used by one thread only. Any call may block for a long time.
+/// Connection to one device, used by one thread only. A call may block for a long time where the
+/// library in use has no time-out.
 class LiveStream {
 public:
   virtual ~LiveStream() = default;
@@ -22,6 +25,14 @@ public:
   virtual bool grab() = 0;
   /// Returns the image that was just grabbed, in its own memory; empty if it cannot be decoded.
   virtual cv::Mat retrieve() = 0;
+  /// Returns the capture time of the image that was just grabbed, or nothing if the device does not
+  /// report it. Capture times increase.
+  virtual std::optional<CaptureInstant> captureTime() const { return std::nullopt; }
+  /// Returns why grab() returned false, in words that follow a colon; empty if unknown.
+  virtual std::string lostReason() const { return {}; }
+  /// Returns whether the source has delivered all its images, so that there is no point in opening
+  /// it again.
+  virtual bool hasEnded() const { return false; }
 };
 
 using LiveStreamPtr = std::unique_ptr<LiveStream>;
@@ -29,10 +40,8 @@ using LiveStreamPtr = std::unique_ptr<LiveStream>;
 /// to connect.
 using LiveStreamFactory = std::function<LiveStreamPtr(const LiveCamera&)>;
 
-/// Checks whether the program supports this type of location.
-Status checkLocation(const LiveCamera& camera);
-
-/// Creates the OpenCV connection for the camera's location.
+/// Creates the OpenCV connection for the camera's location: a V4L2 device by its number, or a
+/// network address through FFmpeg. The images are decoded, and their time is that of their arrival.
 LiveStreamPtr makeVideoStream(const LiveCamera& camera);
 
 } // namespace dewpoint::capture

@@ -103,7 +103,8 @@ Result<FrameReaderPtr> openReader(const RecordedCamera& camera) {
   const std::string field = cameraField(camera.name);
   switch (camera.kind) {
   case RecordedCamera::Kind::Video:
-    return openVideoReader(camera.path, field);
+    return openVideoReader(camera.path, field,
+                           recordedStamps(camera.times, captureTimeIds(camera.name, camera.path)));
   case RecordedCamera::Kind::Images:
     return openImageFolderReader(camera.path, field);
   case RecordedCamera::Kind::Generated:
@@ -112,6 +113,7 @@ Result<FrameReaderPtr> openReader(const RecordedCamera& camera) {
   return openGeneratedReader(camera, field);
 }
 
+/// A recording that was cut off has some more times than images, or the other way round.
 Status addTimes(const RecordedCamera& description, CaptureSchedule::CameraImages& pictures) {
   if (description.times.empty()) {
     return {};
@@ -121,6 +123,10 @@ Status addTimes(const RecordedCamera& description, CaptureSchedule::CameraImages
                                 captureTimeIds(description.name, description.path), field);
   if (!times) {
     return tl::make_unexpected(times.error());
+  }
+  if (completenessOf(description.times) == TableCompleteness::CutOff) {
+    pictures.count = std::min<std::int64_t>(pictures.count, std::ssize(*times));
+    times->resize(static_cast<std::size_t>(pictures.count));
   }
   if (std::ssize(*times) != pictures.count) {
     return failure(
@@ -183,7 +189,7 @@ void noteDifferences(const std::vector<Camera>& cameras, std::vector<Error>& not
   const Camera* reference = nullptr;
   for (const Camera& camera : cameras) {
     const double rate = camera.reader->framesPerSecond();
-    if (rate <= 0) {
+    if (rate <= 0 || camera.pictures.times) { // with times, what the video announces is not used
       continue;
     }
     if (reference == nullptr) {

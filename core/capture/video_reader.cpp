@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <opencv2/videoio.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <utility>
@@ -20,8 +21,8 @@ constexpr double kMostFrames = 3.2e9;
 
 class VideoReader final : public FrameReader {
 public:
-  VideoReader(std::string path, std::string field)
-      : path_(std::move(path)), field_(std::move(field)) {}
+  VideoReader(std::string path, std::string field, std::optional<RecordedStamps> recorded)
+      : path_(std::move(path)), field_(std::move(field)), recorded_(std::move(recorded)) {}
 
   Status open();
   std::int64_t frameCount() const override { return count_; }
@@ -37,6 +38,9 @@ private:
   bool isFrame(std::int64_t frame) const;
   void readHeader();
   void countFrames();
+  void countPackets();
+  bool seekByStamp(std::int64_t frame);
+  double recordedStamp(std::int64_t frame) const;
   tl::unexpected<Error> unreadable(std::string detail) const {
     return failure(ErrorCode::FileUnreadable, path_, field_, std::move(detail));
   }
@@ -44,6 +48,7 @@ private:
 
   std::string path_;
   std::string field_;
+  std::optional<RecordedStamps> recorded_;
   cv::VideoCapture video_;
   std::int64_t count_ = 0;
   bool counted_ = false; ///< counted frame by frame: the header says nothing, nor can it seek
@@ -84,6 +89,16 @@ void VideoReader::countFrames() {
   reopen();
 }
 
+/// Counts without decoding.
+void VideoReader::countPackets() {
+  if (video_.open(std::filesystem::absolute(path_).string(), cv::CAP_FFMPEG,
+                  {cv::CAP_PROP_FORMAT, -1})) {
+    for (count_ = 0; video_.grab(); ++count_) {
+    }
+  }
+  reopen();
+}
+
 Status VideoReader::open() {
   std::error_code ignored;
   if (!std::filesystem::exists(path_, ignored)) {
@@ -97,7 +112,13 @@ Status VideoReader::open() {
       return unreadable("it is not a video, is cut off, or has an unknown format");
     }
     readHeader();
-    if (counted_) {
+    if (recorded_ && recorded_->isComplete) {
+      count_ = std::ssize(recorded_->times);
+      counted_ = false;
+    } else if (recorded_) {
+      counted_ = true;
+      countPackets();
+    } else if (counted_) {
       countFrames();
     }
   } catch (const std::exception& problem) {
@@ -121,8 +142,39 @@ bool VideoReader::isFrame(std::int64_t frame) const {
   return std::abs(video_.get(cv::CAP_PROP_POS_MSEC) - expected) < 0.4 * interval;
 }
 
+/// Time stamp of a frame by the table of its recording, milliseconds.
+double VideoReader::recordedStamp(std::int64_t frame) const {
+  const auto& times = recorded_->times;
+  return stamps_.front() + 1000.0 * (times[static_cast<std::size_t>(frame)] - times.front());
+}
+
+/// Jumps to shortly before a frame, and goes on to it. Afterwards the frame is grabbed.
+bool VideoReader::seekByStamp(std::int64_t frame) {
+  // OpenCV counts frames by their time and the mean rate; a few more for what lies between.
+  constexpr int kFramesBefore = 4;
+  constexpr int kMostSteps = 24;
+  constexpr double kRounding = 1.5; // milliseconds; the container has whole ones
+  const double sought = recordedStamp(frame);
+  const double nominal = sought / 1000.0 * rate_ - kFramesBefore;
+  if (counted_ || rate_ <= 0 || nominal < 1 ||
+      !video_.set(cv::CAP_PROP_POS_FRAMES, std::floor(nominal))) {
+    return false;
+  }
+  for (int step = 0; step < kMostSteps && video_.grab(); ++step) {
+    const double stamp = video_.get(cv::CAP_PROP_POS_MSEC);
+    if (stamp > sought - kRounding) {
+      position_ = frame + 1;
+      return stamp < sought + kRounding;
+    }
+  }
+  return false;
+}
+
 /// Jumps, and looks whether it arrived. Afterwards the frame is grabbed.
 bool VideoReader::seekTo(std::int64_t frame) {
+  if (recorded_ && !stamps_.empty()) {
+    return seekByStamp(frame);
+  }
   if (counted_ || !video_.set(cv::CAP_PROP_POS_FRAMES, static_cast<double>(frame))) {
     return false;
   }
@@ -182,8 +234,22 @@ Result<cv::Mat> VideoReader::missing(std::int64_t frame) const {
 
 } // namespace
 
-Result<FrameReaderPtr> openVideoReader(const std::string& path, const std::string& field) {
-  auto reader = std::make_unique<VideoReader>(path, field);
+std::optional<RecordedStamps> recordedStamps(const std::string& table,
+                                             const std::vector<std::string>& ids) {
+  const TableCompleteness completeness =
+      table.empty() ? TableCompleteness::Unknown : completenessOf(table);
+  if (completeness == TableCompleteness::Unknown) {
+    return std::nullopt;
+  }
+  auto times = readCaptureTimes(table, ids, "");
+  return times ? std::optional(
+                     RecordedStamps{std::move(*times), completeness == TableCompleteness::Complete})
+               : std::nullopt;
+}
+
+Result<FrameReaderPtr> openVideoReader(const std::string& path, const std::string& field,
+                                       std::optional<RecordedStamps> recorded) {
+  auto reader = std::make_unique<VideoReader>(path, field, std::move(recorded));
   if (auto opened = reader->open(); !opened) {
     return tl::make_unexpected(opened.error());
   }

@@ -16,6 +16,10 @@
 #include <utility>
 #include <vector>
 
+namespace dewpoint::capture {
+class EncodedFeed;
+} // namespace dewpoint::capture
+
 namespace dewpoint::session {
 
 /// Inputs of a run, chosen by the application.
@@ -32,6 +36,9 @@ struct SessionInputs {
   /// Initial number of filter threads, which never changes the result. 0: default of
   /// base::filterThreadCount().
   int threads = 0;
+  /// Images of each live camera as it sends them, in the order of the project, for TakeRecorder;
+  /// empty for recordings.
+  std::vector<std::shared_ptr<capture::EncodedFeed>> feeds = {};
 };
 
 /// Request to open a project: either a project file (the demo if empty), or an unsaved project.

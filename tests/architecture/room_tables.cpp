@@ -30,6 +30,7 @@ const std::map<std::string, std::map<std::string, Names>, std::less<>>& roomTabl
   static const std::map<std::string, std::map<std::string, Names>, std::less<>> kTable = {
       {"color", {{"", {}}, {"likelihood", {""}}}},
       {"trajectory", {{"", {}}, {"export", {""}}, {"figure", {"", "export"}}, {"jobs", {""}}}},
+      {"capture", {{"", {}}, {"gstreamer", {""}}}},
       {"observation",
        {{"background", {}},
         {"boxes", {}},
@@ -70,6 +71,7 @@ const std::map<std::string, std::map<std::string, Names>, std::less<>>& roomTabl
         {"snapshot", {"frames", "people", "watch"}},
         {"rewind", {"frames", "run", "snapshot"}},
         {"selftest", {"", "frames", "run"}},
+        {"take", {}},
         {"", {"frames", "people", "run", "watch", "snapshot", "rewind"}}}},
       {"simulation",
        {{"surface", {}},
@@ -104,7 +106,8 @@ const std::vector<Names>& windowFloors() {
       {"workbench"},
       {"cameraview", "view3d", "plots", "timeline"},
       {"panels", "trajectory"},
-      {"calibration", "color", "correction", "people", "export", "experiments", "start", "help"},
+      {"calibration", "color", "correction", "people", "export", "experiments", "start", "help",
+       "recording"},
       {"mainwindow"},
   };
   return kFloors;
@@ -129,6 +132,7 @@ const std::map<std::string, Names, std::less<>>& commandTable() {
       {"project", {"common"}},
       {"calibrate", {"common"}},
       {"track", {"common", "project"}},
+      {"live", {"common"}},
       {"trajectory", {"common"}},
       {"simulate", {"common"}},
       {"experiment", {"common", "simulate"}},

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/capture/gstreamer/open_live.h"
 #include "core/capture/live_frame_source.h"
 #include "core/capture/live_stream.h"
 #include "tests/capture/mjpeg_server.h"
@@ -248,7 +249,9 @@ TEST(LiveFrameSource, settingsThatCannotWorkAreRefused) {
     ASSERT_FALSE(source) << location;
     EXPECT_EQ(source.error().code, ErrorCode::BadValue);
   }
-  for (const char* location : {"0", "/dev/video2", "rtsp://host/a", "gst:videotestsrc ! appsink"}) {
+  for (const char* location :
+       {"0", "/dev/video2", "rtsp://host/a", "gst:videotestsrc ! appsink", "test:ball",
+        "/dev/v4l/by-id/usb-camera-video-index0", "srt://host:9"}) {
     EXPECT_TRUE(checkLocation(camera(location))) << location;
   }
   LiveCamera tilted = camera("0");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/capture/live_frame_source.h"
+#include "core/capture/gstreamer/open_live.h"
 #include "core/capture/redacted_location.h"
 
 #include <gtest/gtest.h>

@@ -61,6 +61,7 @@ inline constexpr auto kActionNames = std::to_array<std::string_view>({
     "actionPreviousMark",
     "actionNextMark",
     "actionZoomToSpan",
+    "actionRecord",
     "actionRestart",
     "actionRestartNewSeed",
     "actionFilterThreads",

@@ -197,6 +197,11 @@ std::vector<ActionDeclaration> runActions() {
       {"actionRestartNewSeed", group, QT_TRANSLATE_NOOP("Actions", "Restart with a new seed"),
        QT_TRANSLATE_NOOP("Actions", "Start over with other random numbers"), "restart-new",
        Qt::SHIFT | Qt::Key_R},
+      {"actionRecord", group, QT_TRANSLATE_NOOP("Actions", "Record"),
+       QT_TRANSLATE_NOOP("Actions",
+                         "Record the live cameras into a folder that opens as a project, "
+                         "or stop recording"),
+       "record", Qt::Key_F9, true},
       {"actionFilterThreads", group, QT_TRANSLATE_NOOP("Actions", "Filter threads…"),
        QT_TRANSLATE_NOOP("Actions", "Choose how many threads share the work of the filter"),
        nullptr, Qt::CTRL | Qt::ALT | Qt::Key_F},

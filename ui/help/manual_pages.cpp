@@ -50,6 +50,7 @@ QStringList manualPages() {
                        QStringLiteral("color.md"),
                        QStringLiteral("calibration.md"),
                        QStringLiteral("people.md"),
+                       QStringLiteral("recording.md"),
                        QStringLiteral("time-travel.md"),
                        QStringLiteral("plots.md"),
                        QStringLiteral("export.md"),

@@ -39,6 +39,7 @@
 #include "ui/plots/plot_dock.h"
 #include "ui/plots/plot_panel.h"
 #include "ui/plots/plot_stack.h"
+#include "ui/recording/take_controller.h"
 #include "ui/selection/selection.h"
 #include "ui/text/language.h"
 #include "ui/timeline/timeline.h"
@@ -132,6 +133,8 @@ void MainWindow::installFeatures() {
   installCalibrationExchange(bench);
   installExport(bench, *timeline);
   installExperiments(bench);
+  auto* takes = new TakeController(bench);
+  connect(takes, &TakeController::openRequested, this, &MainWindow::openProject);
   new RunAlerts(bench, calibration->manual());
   new OldResultsOffer(bench);
   installRunActions(bench);

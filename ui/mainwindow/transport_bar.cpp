@@ -24,6 +24,7 @@ public:
 
 private:
   void add(QAction* action);
+  void placeRecord(const Workbench& bench);
 };
 
 TransportBar::TransportBar(const Workbench& bench) {
@@ -46,6 +47,7 @@ TransportBar::TransportBar(const Workbench& bench) {
     static_cast<QToolButton*>(widgetForAction(bench.action(id)))
         ->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   }
+  placeRecord(bench);
   const qsizetype place = actions().indexOf(bench.action("actionPlay"));
   insertWidget(actions().at(place + 1), new SpeedButton(bench));
   onRetranslate(this, [this, play = bench.action("actionPlay"),
@@ -54,6 +56,22 @@ TransportBar::TransportBar(const Workbench& bench) {
     const int widest = std::max(fontMetrics().horizontalAdvance(tr("Play")),
                                 fontMetrics().horizontalAdvance(tr("Pause")));
     widgetForAction(play)->setMinimumWidth(widest + 44); // the others stay where they are
+  });
+}
+
+/// The button is there only for live cameras: recordings need the room for other buttons.
+void TransportBar::placeRecord(const Workbench& bench) {
+  QAction* record = bench.action("actionRecord");
+  connect(&bench.session, &SessionController::runStarted, this, [this, record, bench] {
+    if (bench.session.feeds().empty()) {
+      removeAction(record);
+    } else if (!actions().contains(record)) {
+      insertAction(bench.action("actionLearnColor"), record);
+      QWidget* button = widgetForAction(record);
+      button->setObjectName(QStringLiteral("actionRecordButton"));
+      button->setFocusPolicy(Qt::NoFocus);
+      static_cast<QToolButton*>(button)->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    }
   });
 }
 

@@ -79,6 +79,8 @@ void WindowMenus::make() {
        "actionRestart",
        "actionRestartNewSeed",
        nullptr,
+       "actionRecord",
+       nullptr,
        "actionFilterThreads",
        "actionExperiments"});
   add(tr("&Help"), "menuHelp",

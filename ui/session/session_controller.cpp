@@ -158,6 +158,7 @@ void SessionController::start(const OpenRequest& request, SessionInputs inputs) 
       inputs.project.targets.empty() && !methodFamily(inputs.project.method).findsTargets();
   const bool waits = !inputs.source->isLive() && (request.unsaved || wantsTarget);
   inputs.threads = Preferences().filterThreadCount();
+  feeds_ = std::exchange(inputs.feeds, {});
   // Of the window, not of this: it goes after the views, which look at the session to the end.
   bridge_ = new SessionBridge(std::move(inputs), parent());
   results_->watch(&bridge_->session());
@@ -190,6 +191,7 @@ void SessionController::endRun() {
   filled_.reset();
   frames_ = {};
   iterations_ = {};
+  feeds_.clear();
   Q_EMIT runEnded(); // first: what is cleared may look at the run
   Q_EMIT snapshotChanged(nullptr);
   selection_.clear();

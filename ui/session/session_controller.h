@@ -10,7 +10,11 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
+namespace dewpoint::capture {
+class EncodedFeed;
+} // namespace dewpoint::capture
 namespace dewpoint::project {
 struct Project;
 } // namespace dewpoint::project
@@ -59,6 +63,9 @@ public:
   /// Returns the newest snapshot given to the views, or null before the first one.
   const TrackSnapshotPtr& shown() const { return shown_; }
   bool isPlaying() const;
+  /// Returns the images of the run's live cameras as they come, for TakeRecorder; empty for
+  /// recordings.
+  const std::vector<std::shared_ptr<capture::EncodedFeed>>& feeds() const { return feeds_; }
   /// Returns a snapshot as camera views show it: delayed live cameras keep their last image.
   TrackSnapshotPtr withFilledFrames(const TrackSnapshotPtr& snapshot);
 
@@ -158,6 +165,7 @@ private:
   TrackSnapshotPtr filled_;
   LogCursor frames_;
   LogCursor iterations_;
+  std::vector<std::shared_ptr<capture::EncodedFeed>> feeds_;
 };
 
 } // namespace dewpoint::ui

@@ -61,8 +61,12 @@ public:
       examination_.add(FindingKind::RecordingMissing, {name_, camera_.location}, field_);
       return;
     }
-    auto reader = camera_.source == SourceKind::Video ? openVideoReader(camera_.location, "")
-                                                      : openImageFolderReader(camera_.location, "");
+    auto reader =
+        camera_.source == SourceKind::Video
+            ? openVideoReader(camera_.location, "",
+                              recordedStamps(camera_.times,
+                                             captureTimeIds(camera_.camera.name, camera_.location)))
+            : openImageFolderReader(camera_.location, "");
     if (!reader) {
       examination_.addIn(camera_.location, FindingKind::RecordingUnreadable,
                          {name_, withoutFile(reader.error())});

@@ -81,7 +81,13 @@ void readTables(Examination& examination) {
     if (!times) {
       examination.addIn(camera.times, FindingKind::TimesUnusable,
                         {name, withoutFile(times.error())});
-    } else if (footage.isOpen && std::ssize(*times) != footage.frames) {
+      continue;
+    }
+    if (footage.isOpen && completenessOf(camera.times) == TableCompleteness::CutOff) {
+      footage.frames = std::min<std::int64_t>(footage.frames, std::ssize(*times));
+      times->resize(static_cast<std::size_t>(footage.frames));
+    }
+    if (footage.isOpen && std::ssize(*times) != footage.frames) {
       examination.addIn(camera.times, FindingKind::TimesCountDiffers,
                         {name, std::to_string(times->size()), std::to_string(footage.frames)});
     } else {

@@ -149,7 +149,8 @@ SourceKind guessSourceKind(const std::string& location) {
   if (isNumber || location.starts_with("/dev/")) {
     return SourceKind::Device;
   }
-  if (location.starts_with("gst:") || location.find("://") != std::string::npos) {
+  if (location.starts_with("gst:") || location.starts_with("test:") ||
+      location.find("://") != std::string::npos) {
     return SourceKind::Stream;
   }
   std::error_code problem;

@@ -197,6 +197,7 @@ TEST(GuessedSource, GoesByWhatTheTextLooksLike) {
   EXPECT_EQ(guessSourceKind("/dev/video2"), SourceKind::Device);
   EXPECT_EQ(guessSourceKind("http://camera.local/video"), SourceKind::Stream);
   EXPECT_EQ(guessSourceKind("gst:videotestsrc ! appsink"), SourceKind::Stream);
+  EXPECT_EQ(guessSourceKind("test:ball"), SourceKind::Stream);
   EXPECT_EQ(guessSourceKind("left.mp4"), SourceKind::Video);
   EXPECT_EQ(guessSourceKind(testing::TempDir()), SourceKind::Images);
 }

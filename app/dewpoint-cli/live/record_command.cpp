@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dewpoint-cli/commands.h"
+#include "app/dewpoint-cli/common/exit_code.h"
+#include "app/dewpoint-cli/common/interruption.h"
+#include "app/dewpoint-cli/common/progress.h"
+#include "app/wiring/open_project.h"
+#include "core/capture/gstreamer/open_live.h"
+#include "core/session/take/take_recorder.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace dewpoint::app {
+namespace {
+
+using namespace std::chrono_literals;
+using RecordClock = std::chrono::steady_clock;
+
+/// How long a take waits for cameras that have not sent an image yet.
+constexpr auto kCameraPatience = 3s;
+/// After which all streams are called ended, although their cameras could come back.
+constexpr auto kEndPatience = 2s;
+constexpr double kMegabyte = 1e6;
+
+struct RecordOptions {
+  std::string project;
+  std::string folder;
+  std::optional<double> seconds;
+  std::string notes;
+  bool lossless = false;
+};
+
+using Feeds = std::vector<EncodedFeedPtr>;
+
+/// Prints new problems of cameras, each once while it lasts.
+class NoticePrinter {
+public:
+  void show(const std::vector<Error>& notices) {
+    std::vector<std::string> now;
+    for (const Error& notice : notices) {
+      now.push_back(sentence(notice));
+      if (std::ranges::find(shown_, now.back()) == shown_.end()) {
+        fmt::print(stderr, "dewpoint-cli: {}.\n", now.back());
+      }
+    }
+    shown_ = std::move(now);
+  }
+
+private:
+  std::vector<std::string> shown_;
+};
+
+bool allSend(const Feeds& feeds) {
+  return std::ranges::all_of(feeds, [](const auto& feed) { return feed->imageCount() > 0; });
+}
+
+/// Whether all streams have ended and none has come back.
+bool allEnded(const Feeds& feeds) {
+  return std::ranges::all_of(feeds, [](const auto& feed) {
+    const auto since = feed->endedSince();
+    return since && RecordClock::now() - *since > kEndPatience;
+  });
+}
+
+/// Reads images, which nobody uses, until `done`.
+template <class Done>
+Status watchCameras(FrameSetSource& source, NoticePrinter& notices, Done done) {
+  while (!done() && !interruptionRequested()) {
+    if (auto next = source.next(); !next) {
+      return tl::make_unexpected(next.error());
+    }
+    notices.show(source.notices());
+  }
+  return {};
+}
+
+/// Whether no camera that sends images can be recorded any more, as when the disk is full.
+bool isBroken(const TakeStatus& take) {
+  const auto broken = [](const TakeStatus::CameraStatus& camera) {
+    return camera.counts.problem && camera.counts.problem->code == ErrorCode::FileUnwritable;
+  };
+  return std::ranges::any_of(take.cameras, broken) &&
+         std::ranges::all_of(take.cameras, [&](const TakeStatus::CameraStatus& camera) {
+           return broken(camera) || camera.counts.images == 0;
+         });
+}
+
+/// Prints what each camera has recorded; returns whether all of them have.
+bool printSummary(const TakeStatus& take) {
+  bool complete = true;
+  fmt::print("Take {}: {:.1f} s in {}\n", take.number, take.seconds, take.folder.string());
+  for (const TakeStatus::CameraStatus& camera : take.cameras) {
+    const RecordedCounts& counts = camera.counts;
+    if (counts.images == 0) {
+      fmt::print("{}: no images\n", camera.name);
+      fmt::print(stderr, "dewpoint-cli: camera '{}' sent no images.\n", camera.name);
+      complete = false;
+      continue;
+    }
+    fmt::print("{}: {} images, {} dropped, {:.2f} per second, {:.1f} MB, times by {}\n",
+               camera.name, counts.images, counts.dropped, counts.framesPerSecond,
+               static_cast<double>(counts.bytes) / kMegabyte, originName(counts.origin));
+  }
+  return complete;
+}
+
+int recordTake(const RecordOptions& options, const Project& project, FrameSetSource& source,
+               const Feeds& feeds) {
+  NoticePrinter notices;
+  const auto opened = RecordClock::now();
+  if (auto waited = watchCameras(
+          source, notices,
+          [&] { return allSend(feeds) || RecordClock::now() - opened > kCameraPatience; });
+      !waited) {
+    return report(waited.error());
+  }
+  auto take = TakeRecorder::start(
+      project, feeds, options.folder,
+      {options.lossless ? RawStorage::Lossless : RawStorage::Jpeg, options.notes});
+  if (!take) {
+    return report(take.error());
+  }
+  const auto begin = RecordClock::now();
+  Progress progress("recording (s)", static_cast<std::int64_t>(options.seconds.value_or(0.0)));
+  auto lastLook = begin;
+  const Status watched = watchCameras(source, notices, [&] {
+    const double seconds = std::chrono::duration<double>(RecordClock::now() - begin).count();
+    if ((options.seconds && seconds >= *options.seconds) || allEnded(feeds)) {
+      return true;
+    }
+    if (RecordClock::now() - lastLook < 200ms) {
+      return false;
+    }
+    lastLook = RecordClock::now();
+    progress.show(static_cast<std::int64_t>(seconds));
+    return isBroken((*take)->status()); // nothing more can be recorded
+  });
+  progress.finish();
+  const Status stopped = (*take)->stop();
+  const bool complete = printSummary((*take)->status());
+  if (!stopped) {
+    return report(stopped.error());
+  }
+  if (!watched) {
+    return report(watched.error());
+  }
+  return complete ? kExitDone : kExitEndedEarly;
+}
+
+int record(const RecordOptions& options) {
+  auto project = resolveProject(options.project);
+  if (!project) {
+    return report(project.error());
+  }
+  const auto isLive = [](const ProjectCamera& camera) {
+    return camera.source == SourceKind::Device || camera.source == SourceKind::Stream;
+  };
+  if (project->cameras.empty() || !std::ranges::all_of(project->cameras, isLive)) {
+    return report({ErrorCode::Mismatch, options.project, "camera",
+                   "only live cameras can be recorded (device or stream)"});
+  }
+  catchInterruption();
+  Feeds feeds(project->cameras.size());
+  std::ranges::generate(feeds, [] { return std::make_shared<EncodedFeed>(); });
+  auto source = openLive(liveCamerasOf(*project), feeds);
+  if (!source) {
+    return report(source.error());
+  }
+  return recordTake(options, *project, **source, feeds);
+}
+
+} // namespace
+
+void addRecordCommand(CLI::App& app, int& exitCode) {
+  auto* command = app.add_subcommand(
+      "record", "Record the live cameras of a project into a folder that opens as a project.");
+  auto options = std::make_shared<RecordOptions>();
+  command->add_option("PROJECT", options->project, "Project file (TOML) with live cameras")
+      ->required();
+  command
+      ->add_option("--out", options->folder,
+                   "Folder for takes; each gets a folder of its own: take-001, take-002, ...")
+      ->required();
+  command
+      ->add_option("--seconds", options->seconds,
+                   "Stop after this time (default: at Ctrl+C, or when all streams have ended)")
+      ->check(CLI::Range(0.1, 1e7));
+  command->add_option("--take-notes", options->notes, "Text that is kept with the take");
+  command->add_flag("--lossless", options->lossless,
+                    "Store uncompressed images unchanged, not as JPEG of quality 95");
+  command->callback([options, &exitCode] { exitCode = record(*options); });
+}
+
+} // namespace dewpoint::app

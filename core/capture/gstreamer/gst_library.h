@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <memory>
+#include <string>
+
+struct _GError;
+struct _GstElement;
+struct _GstMessage;
+struct _GstSample;
+
+namespace dewpoint::capture {
+
+/// Starts GStreamer once per process, without messages on stderr unless GST_DEBUG asks for them.
+/// Returns whether that worked.
+bool startGStreamer();
+
+/// Returns whether this computer has an element. Starts GStreamer.
+bool hasGstElement(const std::string& name);
+
+struct GstObjectRelease {
+  void operator()(_GstElement* element) const;
+};
+struct GstSampleRelease {
+  void operator()(_GstSample* sample) const;
+};
+/// Elements and samples of which one reference is owned.
+using GstElementPtr = std::unique_ptr<_GstElement, GstObjectRelease>;
+using GstSamplePtr = std::unique_ptr<_GstSample, GstSampleRelease>;
+
+/// Makes a pipeline that runs by the monotonic clock of this computer, which is the steady clock.
+/// Returns null and a reason if the text is not valid, or an element is missing.
+GstElementPtr makePipeline(const std::string& text, std::string& reason);
+
+/// Returns the reason in an error of GStreamer, in words that follow a colon, without line breaks
+/// and without secrets in addresses.
+std::string gstReason(const _GError& error);
+
+/// Returns the reason in a message of type error; see gstReason().
+std::string gstReasonOf(_GstMessage* message);
+
+} // namespace dewpoint::capture

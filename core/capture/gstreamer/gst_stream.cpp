@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/capture/gstreamer/gst_stream.h"
+
+#include "core/capture/gstreamer/gst_image.h"
+
+#include <filesystem>
+#include <gst/app/gstappsink.h>
+#include <gst/gst.h>
+#include <string_view>
+#include <utility>
+
+namespace dewpoint::capture {
+
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr auto kStreamSilence = 2s; ///< after which a stream is lost
+constexpr auto kLongestGrab = 1s;   ///< of a stream of which no image can be made yet
+constexpr auto kPullSlice = 50ms;   ///< between two looks at errors
+
+using SteadyClock = std::chrono::steady_clock;
+
+/// The time stamp of a sample by the steady clock.
+std::optional<SteadyClock::time_point> stampOf(GstSample* sample, GstElement* element) {
+  GstBuffer* buffer = gst_sample_get_buffer(sample);
+  GstSegment* segment = gst_sample_get_segment(sample);
+  const GstClockTime base = gst_element_get_base_time(element);
+  if (buffer == nullptr || segment == nullptr || segment->format != GST_FORMAT_TIME ||
+      !GST_CLOCK_TIME_IS_VALID(GST_BUFFER_PTS(buffer)) || !GST_CLOCK_TIME_IS_VALID(base)) {
+    return std::nullopt;
+  }
+  const GstClockTime running =
+      gst_segment_to_running_time(segment, GST_FORMAT_TIME, GST_BUFFER_PTS(buffer));
+  if (!GST_CLOCK_TIME_IS_VALID(running)) {
+    return std::nullopt;
+  }
+  return SteadyClock::time_point(std::chrono::nanoseconds(base + running));
+}
+
+/// The appsink in a user's pipeline.
+GstElement* ownSinkOf(GstElement* pipeline) {
+  GstElement* found = nullptr;
+  GstIterator* sinks = gst_bin_iterate_sinks(GST_BIN(pipeline));
+  GValue item = G_VALUE_INIT;
+  while (found == nullptr && gst_iterator_next(sinks, &item) == GST_ITERATOR_OK) {
+    auto* element = static_cast<GstElement*>(g_value_get_object(&item));
+    found = GST_IS_APP_SINK(element) ? element : nullptr;
+    g_value_reset(&item);
+  }
+  g_value_unset(&item);
+  gst_iterator_free(sinks);
+  return found;
+}
+
+} // namespace
+
+/// What the thread of the encoded branch and that of the camera share.
+struct GstStream::EncodedBranch {
+  EncodedBranch(EncodedFeedPtr destination, TimeOrigin origin)
+      : feed(std::move(destination)), clock(origin) {}
+
+  EncodedFeedPtr feed;
+  BufferClock clock; ///< used only by the thread of the branch
+  std::atomic<Clock::rep> lastData = 0;
+  std::atomic<bool> hasData = false;
+
+  void setData(Clock::time_point now) {
+    lastData = now.time_since_epoch().count();
+    hasData = true;
+  }
+
+  static GstFlowReturn receive(GstAppSink* sink, gpointer data) {
+    const auto& branch = *static_cast<std::shared_ptr<EncodedBranch>*>(data);
+    const auto arrival = Clock::now();
+    const std::shared_ptr<GstSample> sample(gst_app_sink_pull_sample(sink), [](GstSample* owned) {
+      if (owned != nullptr) {
+        gst_sample_unref(owned);
+      }
+    });
+    if (!sample) {
+      return GST_FLOW_EOS;
+    }
+    branch->setData(arrival);
+    if (branch->feed) {
+      const auto stamp = stampOf(sample.get(), GST_ELEMENT(sink));
+      branch->feed->put({sample, branch->clock.next(stamp, arrival)});
+    }
+    return GST_FLOW_OK;
+  }
+};
+
+GstStream::GstStream(PipelineText pipeline, EncodedFeedPtr feed)
+    : pipelineText_(std::move(pipeline)), feed_(std::move(feed)),
+      branch_(std::make_shared<EncodedBranch>(feed_, pipelineText_.origin)),
+      clock_(pipelineText_.origin) {}
+
+GstStream::~GstStream() = default;
+
+tl::expected<void, std::string> GstStream::prepare() {
+  if (pipeline_) {
+    return {};
+  }
+  std::error_code problem;
+  if (!pipelineText_.device.empty() && !std::filesystem::exists(pipelineText_.device, problem)) {
+    return tl::make_unexpected(std::string("no such device is plugged in"));
+  }
+  std::string reason;
+  pipeline_ = makePipeline(pipelineText_.text, reason);
+  if (!pipeline_) {
+    return tl::make_unexpected("the GStreamer pipeline cannot be made: " + reason);
+  }
+  GstElement* pipeline = pipeline_.get();
+  const auto named = [&](const char* name) {
+    GstElement* element = gst_bin_get_by_name(GST_BIN(pipeline), name);
+    if (element != nullptr) {
+      gst_object_unref(element); // the pipeline keeps it
+    }
+    return element;
+  };
+  imageSink_ = pipelineText_.hasOwnSink ? ownSinkOf(pipeline) : named(kImageSinkName);
+  if (imageSink_ == nullptr) {
+    return tl::make_unexpected(std::string("the GStreamer pipeline has no appsink at its end"));
+  }
+  if (GstElement* sink = named(kEncodedSinkName)) {
+    GstAppSinkCallbacks callbacks{};
+    callbacks.new_sample = &EncodedBranch::receive;
+    gst_app_sink_set_callbacks(
+        GST_APP_SINK(sink), &callbacks, new std::shared_ptr<EncodedBranch>(branch_),
+        [](gpointer data) { delete static_cast<std::shared_ptr<EncodedBranch>*>(data); });
+  }
+  return {};
+}
+
+tl::expected<void, std::string> GstStream::open() {
+  if (auto prepared = prepare(); !prepared) {
+    return prepared;
+  }
+  branch_->lastData = Clock::now().time_since_epoch().count();
+  const bool failed =
+      gst_element_set_state(pipeline_.get(), GST_STATE_PLAYING) == GST_STATE_CHANGE_FAILURE;
+  const auto deadline = Clock::now() + kStreamSilence;
+  while (isAlive() && !failed && Clock::now() < deadline) {
+    first_ = pull(kPullSlice);
+    if (first_ || branch_->hasData) {
+      return {};
+    }
+  }
+  if (lost_.empty()) {
+    lost_ = failed ? "it cannot be started" : "no answer for two seconds";
+  }
+  return tl::make_unexpected(lost_);
+}
+
+bool GstStream::isSilent() const {
+  return Clock::now() - Clock::time_point(Clock::duration(branch_->lastData)) > kStreamSilence;
+}
+
+bool GstStream::isAlive() {
+  GstBus* bus = gst_element_get_bus(pipeline_.get());
+  GstMessage* message =
+      gst_bus_pop_filtered(bus, static_cast<GstMessageType>(GST_MESSAGE_ERROR | GST_MESSAGE_EOS));
+  gst_object_unref(bus);
+  const bool isError = message != nullptr && GST_MESSAGE_TYPE(message) == GST_MESSAGE_ERROR;
+  if (isError) {
+    lost_ = gstReasonOf(message);
+  }
+  if (message != nullptr) {
+    gst_message_unref(message);
+  }
+  ended_ = !isError && (message != nullptr || gst_app_sink_is_eos(GST_APP_SINK(imageSink_)));
+  if (ended_) {
+    lost_ = "the stream has ended";
+    if (feed_) {
+      feed_->setEnded();
+    }
+  }
+  return !isError && !ended_;
+}
+
+GstSamplePtr GstStream::pull(Clock::duration patience) {
+  GstSamplePtr sample(gst_app_sink_try_pull_sample(
+      GST_APP_SINK(imageSink_),
+      static_cast<GstClockTime>(std::chrono::nanoseconds(patience).count())));
+  if (sample && pipelineText_.hasOwnSink) {
+    branch_->setData(Clock::now());
+  }
+  return sample;
+}
+
+void GstStream::take(GstSamplePtr sample) {
+  sample_ = std::move(sample);
+  captured_ = clock_.next(stampOf(sample_.get(), imageSink_), Clock::now());
+  if (pipelineText_.hasOwnSink && feed_) {
+    feed_->put(
+        {std::shared_ptr<GstSample>(gst_sample_ref(sample_.get()), gst_sample_unref), *captured_});
+  }
+}
+
+bool GstStream::grab() {
+  sample_.reset();
+  captured_.reset();
+  const auto deadline = Clock::now() + kLongestGrab;
+  while (Clock::now() < deadline) {
+    if (GstSamplePtr sample = first_ ? std::move(first_) : pull(kPullSlice)) {
+      if (mediaTypeOf(*sample) != "video/x-raw") {
+        lost_ = "its appsink gets " + mediaTypeOf(*sample) + "; put a decoder before it";
+        return false;
+      }
+      take(std::move(sample));
+      return true;
+    }
+    if (!isAlive()) {
+      return false;
+    }
+    if (isSilent()) {
+      lost_ = "no data for two seconds";
+      return false;
+    }
+  }
+  return true;
+}
+
+cv::Mat GstStream::retrieve() {
+  return sample_ ? imageOf(*sample_) : cv::Mat();
+}
+
+} // namespace dewpoint::capture

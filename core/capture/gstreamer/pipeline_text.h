@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/capture/capture_instant.h"
+#include "core/capture/live_camera.h"
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace dewpoint::capture {
+
+/// Name of the sink that receives decoded images, in pipelines made by pipelineText().
+inline constexpr const char* kImageSinkName = "dewpoint_images";
+/// Name of the sink that receives every image as it came, before it is decoded.
+inline constexpr const char* kEncodedSinkName = "dewpoint_encoded";
+
+/// GStreamer pipeline of one camera, as text for gst_parse_launch().
+///
+///     source ! parsebin ! tee ! queue that drops old images ! decoder ! videoconvert ! BGR appsink
+///                         tee ! queue ! appsink for recording
+///
+/// Recording has the second branch for itself, so that a slow view never costs it an image.
+struct PipelineText {
+  std::string text;
+  TimeOrigin origin = TimeOrigin::Arrival; ///< what the time stamps of its images mean
+  /// True if the pipeline is the user's and ends in an appsink: decoded images come from there, and
+  /// there is no branch for recording.
+  bool hasOwnSink = false;
+  std::string device{};                ///< path of the V4L2 device; empty if there is none
+  bool isFinite = false;               ///< it ends by itself after some images
+  std::vector<std::string> elements{}; ///< elements that it needs
+};
+
+/// Returns the pipeline for the location of a camera:
+///
+/// - a number, /dev/videoN, or another path below /dev such as /dev/v4l/by-id/...: V4L2. If the
+///   camera has a size, that size is requested from the device.
+/// - rtsp://, rtsps://: RTSP. http://, https://: multipart MJPEG and other formats that GStreamer
+///   recognizes. srt://: SRT.
+/// - udp://host:port: MPEG-TS over UDP. rtp://host:port: RTP over UDP, MPEG-TS unless the option
+///   `encoding` (JPEG, H264, H265 or MP2T) names another payload; `payload` is its number.
+/// - gst:PIPELINE: a pipeline that ends in an appsink, or in raw or encoded video without a sink.
+/// - test:PATTERN?width=640&height=480&rate=30&encoding=raw&frames=0: a pattern of videotestsrc,
+///   such as test:ball. `encoding` is raw, mjpeg or h264; `frames` is the number of images after
+///   which it ends (0: never).
+///
+/// Nothing is opened. The location may contain a password, and so does the text. Errors: BadValue
+/// with the redacted location.
+Result<PipelineText> pipelineText(const LiveCamera& camera);
+
+/// Returns whether a location is of a kind that only FFmpeg can open (rtmp://, tcp://).
+bool isOnlyForFfmpeg(std::string_view location);
+
+/// Returns the pipeline that writes images of a stream into a Matroska file named `file`.
+/// `mediaType`: of the images, for example image/jpeg or video/x-raw. Encoded images are stored
+/// unchanged. Raw images are stored as JPEG of quality 95, or unchanged if `lossless`. The images
+/// enter through the appsrc named "source"; the muxer is named "muxer".
+std::string recordingPipelineText(const std::string& mediaType, bool lossless,
+                                  const std::string& file);
+
+} // namespace dewpoint::capture

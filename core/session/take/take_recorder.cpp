@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/take/take_recorder.h"
+
+#include "core/base/text_file.h"
+#include "core/base/text_number.h"
+#include "core/capture/image_shape.h"
+#include "core/project/project_save.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <condition_variable>
+#include <ctime>
+#include <set>
+#include <utility>
+
+namespace dewpoint::session {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr auto kWatchInterval = 100ms;
+constexpr std::string_view kFolderPrefix = "take-";
+/// Images after which the first one is surely in the file, not only in the table.
+constexpr std::int64_t kEnoughImages = 2;
+
+/// The next number after all takes in a folder.
+int nextTakeNumber(const fs::path& parent) {
+  int last = 0;
+  std::error_code problem;
+  for (fs::directory_iterator entry(parent, problem); !problem && entry != fs::directory_iterator();
+       entry.increment(problem)) {
+    const std::string name = entry->path().filename().string();
+    if (name.starts_with(kFolderPrefix)) {
+      last = std::max(last, toNumber<int>(name.substr(kFolderPrefix.size())).value_or(0));
+    }
+  }
+  return last + 1;
+}
+
+struct TakeFolder {
+  fs::path path;
+  int number = 0;
+};
+
+Result<TakeFolder> makeTakeFolder(const fs::path& parent) {
+  std::error_code problem;
+  const fs::path base = fs::absolute(parent, problem).lexically_normal();
+  fs::create_directories(base, problem);
+  for (int number = nextTakeNumber(base); !problem; ++number) {
+    const fs::path folder = base / fmt::format("{}{:03}", kFolderPrefix, number);
+    if (fs::create_directory(folder, problem)) { // not if another program was faster
+      return TakeFolder{folder, number};
+    }
+  }
+  return failure(ErrorCode::FileUnwritable, base.string(), "", problem.message());
+}
+
+/// A file name of a camera's name, without its ending, that is not in `used` yet.
+std::string fileNameOf(const std::string& camera, std::set<std::string>& used) {
+  std::string name;
+  for (const char letter : camera) {
+    const auto byte = static_cast<unsigned char>(letter);
+    const bool isPlain = byte >= 0x80 || std::isalnum(byte) != 0 || letter == '_' || letter == '-';
+    name += isPlain ? letter : '-';
+  }
+  name = name.empty() ? "camera" : name;
+  std::string unique = name;
+  for (int k = 2; !used.insert(unique).second; ++k) {
+    unique = fmt::format("{}-{}", name, k);
+  }
+  return unique;
+}
+
+bool isLive(const ProjectCamera& camera) {
+  return camera.source == SourceKind::Device || camera.source == SourceKind::Stream;
+}
+
+/// The project of the recordings of a live project.
+Project recordedProject(Project project, const fs::path& folder, int number) {
+  std::set<std::string> used;
+  for (ProjectCamera& camera : project.cameras) {
+    const std::string name = fileNameOf(camera.camera.name, used);
+    camera.source = SourceKind::Video;
+    camera.location = (folder / (name + ".mkv")).string();
+    camera.times = (folder / (name + ".csv")).string();
+  }
+  project.name = fmt::format("{}{}take {}", project.name, project.name.empty() ? "" : ", ", number);
+  project.framesPerSecond = 0.0; // that of the times
+  project.truth.reset();
+  project.markers.clear(); // they belong to frames of another recording
+  project.people.clear();
+  project.corrections.clear();
+  return project;
+}
+
+} // namespace
+
+TakeRecorder::TakeRecorder(Project project, fs::path folder, int number, TakeOptions options)
+    : project_(recordedProject(std::move(project), folder, number)), folder_(std::move(folder)),
+      number_(number), options_(std::move(options)),
+      date_(fmt::format("{:%Y-%m-%dT%H:%M:%S%z}", fmt::localtime(std::time(nullptr)))),
+      named_(project_.cameras.size()) {}
+
+Result<std::unique_ptr<TakeRecorder>> TakeRecorder::start(const Project& project,
+                                                          const std::vector<EncodedFeedPtr>& feeds,
+                                                          const fs::path& parent,
+                                                          const TakeOptions& options) {
+  if (project.cameras.empty() || !std::ranges::all_of(project.cameras, isLive)) {
+    return failure(ErrorCode::Mismatch, project.file.string(), "camera",
+                   "only live cameras can be recorded (device or stream)");
+  }
+  auto folder = makeTakeFolder(parent);
+  if (!folder) {
+    return tl::make_unexpected(folder.error());
+  }
+  std::unique_ptr<TakeRecorder> take(
+      new TakeRecorder(project, folder->path, folder->number, options));
+  if (auto written = take->writeNotes(false); !written) {
+    return tl::make_unexpected(written.error());
+  }
+  for (std::size_t k = 0; k < take->project_.cameras.size() && k < feeds.size(); ++k) {
+    const ProjectCamera& camera = take->project_.cameras[k];
+    take->recordings_.push_back(std::make_unique<StreamRecording>(
+        feeds[k], StreamFiles{camera.location, camera.times}, options.raw, take->begin_,
+        cameraField(camera.camera.name)));
+  }
+  take->watch_ =
+      std::jthread([take = take.get()](const std::stop_token& stop) { take->watch(stop); });
+  return take;
+}
+
+TakeRecorder::~TakeRecorder() {
+  stop();
+}
+
+void TakeRecorder::watch(const std::stop_token& stop) {
+  std::mutex mutex;
+  std::condition_variable_any stopped;
+  while (!stop.stop_requested()) {
+    updateProject();
+    std::unique_lock lock(mutex);
+    stopped.wait_for(lock, stop, kWatchInterval, [] { return false; });
+  }
+}
+
+void TakeRecorder::note(const Status& written) {
+  std::scoped_lock lock(mutex_);
+  if (!written && !problem_) {
+    problem_ = written.error();
+  }
+}
+
+void TakeRecorder::updateProject() {
+  std::vector<bool> present(recordings_.size());
+  for (std::size_t k = 0; k < recordings_.size(); ++k) {
+    present[k] = recordings_[k]->counts().images >= kEnoughImages;
+  }
+  if (present == named_) {
+    return;
+  }
+  Project shown = project_;
+  shown.cameras.clear();
+  for (std::size_t k = 0; k < present.size(); ++k) {
+    if (present[k]) {
+      shown.cameras.push_back(project_.cameras[k]);
+    }
+  }
+  if (shown.cameras.size() < project_.cameras.size()) {
+    shown.points.clear(); // they name cameras by number
+  }
+  const Status written = saveProject(shown, folder_ / "project.toml");
+  note(written);
+  if (written) {
+    named_ = std::move(present);
+  }
+}
+
+Status TakeRecorder::writeNotes(bool finished) const {
+  const TakeStatus now = status();
+  nlohmann::ordered_json json;
+  json["version"] = DEWPOINT_VERSION;
+  json["take"] = number_;
+  json["project"] = project_.name;
+  json["started"] = date_;
+  json["notes"] = options_.notes;
+  json["finished"] = finished;
+  json["seconds"] = now.seconds;
+  json["cameras"] = nlohmann::ordered_json::array();
+  for (const TakeStatus::CameraStatus& camera : now.cameras) {
+    nlohmann::ordered_json& one = json["cameras"].emplace_back();
+    one["name"] = camera.name;
+    one["video"] = camera.video;
+    one["images"] = camera.counts.images;
+    one["dropped"] = camera.counts.dropped;
+    one["bytes"] = camera.counts.bytes;
+    one["frames_per_second"] = camera.counts.framesPerSecond;
+    one["time_origin"] = originName(camera.counts.origin);
+    if (camera.counts.problem) {
+      one["problem"] = camera.counts.problem->detail;
+    }
+  }
+  return writeTextFile(folder_ / "take.json",
+                       json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
+                           "\n");
+}
+
+TakeStatus TakeRecorder::status() const {
+  TakeStatus status;
+  status.number = number_;
+  status.folder = folder_;
+  for (std::size_t k = 0; k < recordings_.size(); ++k) {
+    const ProjectCamera& camera = project_.cameras[k];
+    status.cameras.push_back({camera.camera.name, fs::path(camera.location).filename().string(),
+                              recordings_[k]->counts()});
+  }
+  std::error_code problem;
+  const fs::space_info space = fs::space(folder_, problem);
+  status.freeBytes = problem ? 0 : space.available;
+  std::scoped_lock lock(mutex_);
+  status.seconds = duration_.value_or(std::chrono::duration<double>(Clock::now() - begin_).count());
+  status.problem = problem_;
+  return status;
+}
+
+Status TakeRecorder::stop() {
+  {
+    std::scoped_lock lock(mutex_);
+    if (duration_) {
+      return {};
+    }
+    duration_ = std::chrono::duration<double>(Clock::now() - begin_).count();
+  }
+  watch_ = {}; // joins
+  {
+    std::vector<std::jthread> stopping; // each may take most of a second
+    for (const auto& recording : recordings_) {
+      stopping.emplace_back([&recording] { recording->stop(); });
+    }
+  }
+  updateProject();
+  note(writeNotes(true));
+  const TakeStatus now = status();
+  for (const TakeStatus::CameraStatus& camera : now.cameras) {
+    if (camera.counts.problem && camera.counts.problem->code == ErrorCode::FileUnwritable) {
+      return tl::make_unexpected(*camera.counts.problem);
+    }
+  }
+  return now.problem ? Status(tl::make_unexpected(*now.problem)) : Status();
+}
+
+} // namespace dewpoint::session

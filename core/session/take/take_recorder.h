@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/capture/gstreamer/encoded_feed.h"
+#include "core/capture/gstreamer/stream_recording.h"
+#include "core/project/project.h"
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace dewpoint::session {
+
+/// Choices for a take.
+struct TakeOptions {
+  RawStorage raw = RawStorage::Jpeg;
+  std::string notes; ///< free text, kept in take.json
+};
+
+/// A take so far.
+struct TakeStatus {
+  struct CameraStatus {
+    std::string name;
+    std::string video; ///< file name in the folder
+    RecordedCounts counts;
+  };
+
+  int number = 0; ///< from 1
+  std::filesystem::path folder;
+  double seconds = 0.0;              ///< since its start, or its whole duration
+  std::vector<CameraStatus> cameras; ///< in the order of the project
+  std::uint64_t freeBytes = 0;       ///< left on the disk
+  /// Why take.json or project.toml could not be written.
+  std::optional<Error> problem;
+};
+
+/// Records the streams of all cameras of a project into one new folder, take-001, take-002, ...:
+///
+/// - for each camera a video, NAME.mkv, and its capture times, NAME.csv (StreamRecording);
+/// - project.toml, a project of these recordings with the calibration, targets, colors and
+/// parameters
+///   of the live project. It names the cameras that have sent images so far, so that it can be
+///   opened during the take, and after the program was killed;
+/// - take.json: number, notes, date, and how many images of each camera were recorded and dropped.
+class TakeRecorder {
+public:
+  /// Creates the folder in `parent` and starts to record. `feeds`: those of the project's cameras,
+  /// in their order. Errors: FileUnwritable, and Mismatch if the project is not live.
+  static Result<std::unique_ptr<TakeRecorder>> start(const Project& project,
+                                                     const std::vector<EncodedFeedPtr>& feeds,
+                                                     const std::filesystem::path& parent,
+                                                     const TakeOptions& options);
+  TakeRecorder(const TakeRecorder&) = delete;
+  TakeRecorder& operator=(const TakeRecorder&) = delete;
+  /// Stops if that was not done.
+  ~TakeRecorder();
+
+  /// May be called from any thread.
+  TakeStatus status() const;
+  /// Ends the take in less than about 1 s and completes its files. Returns the first problem of a
+  /// file.
+  Status stop();
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  TakeRecorder(Project project, std::filesystem::path folder, int number, TakeOptions options);
+  void watch(const std::stop_token& stop);
+  /// Writes project.toml if further cameras have sent images.
+  void updateProject();
+  Status writeNotes(bool finished) const;
+  void note(const Status& written);
+
+  Project project_; ///< of the recordings of all cameras
+  std::filesystem::path folder_;
+  int number_;
+  TakeOptions options_;
+  std::string date_; ///< local time at the start
+  Clock::time_point begin_ = Clock::now();
+  std::vector<std::unique_ptr<StreamRecording>> recordings_;
+  std::vector<bool> named_; ///< whether project.toml has the camera; used by one thread at a time
+
+  mutable std::mutex mutex_; ///< guards the members below
+  std::optional<double> duration_;
+  std::optional<Error> problem_;
+
+  std::jthread watch_; ///< last, so that it ends first
+};
+
+} // namespace dewpoint::session

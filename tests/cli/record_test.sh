@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Live cameras are recorded into a folder that opens as a project. Test patterns stand for cameras.
+. "$(dirname "$0")/common.sh"
+
+cat >live.toml <<'TOML'
+format = 2
+name = "desk"
+method = "histogram"
+[[camera]]
+name = "left"
+stream = "test:ball?width=320&height=240&encoding=mjpeg"
+[[camera]]
+name = "right"
+stream = "test:smpte?width=320&height=240&rate=15"
+TOML
+
+expectExit 0 record live.toml --out takes --seconds 2 --take-notes "first one"
+expectText out.txt "Take 1: " takes/take-001 "left: " "right: " "0 dropped" "times by driver"
+for file in left.mkv left.csv right.mkv right.csv project.toml take.json; do
+  [[ -s takes/take-001/$file ]] || fail "$file is missing"
+done
+expectText takes/take-001/take.json '"finished": true' '"notes": "first one"'
+rows=$(rowCount takes/take-001/left.csv)
+((rows >= 50 && rows <= 66)) || fail "$rows images in 2 s at 30 per second"
+rows=$(rowCount takes/take-001/right.csv)
+((rows >= 25 && rows <= 34)) || fail "$rows images in 2 s at 15 per second"
+
+# It opens, every image can be read, and the times are those of the images.
+"$cli" doctor takes/take-001/project.toml --every-frame --json >doctor.txt 2>/dev/null || true
+! grep -qE 'recording-|times-' doctor.txt || fail "the doctor objects: $(cat doctor.txt)"
+
+# The next take has the next number; a camera that is not there is reported, the others are recorded.
+sed 's|^stream = "test:smpte.*|device = "/dev/video987"|' live.toml >silent.toml
+expectExit $kEndedEarly record silent.toml --out takes --seconds 1
+expectText err.txt "camera 'right'" "no images"
+expectText out.txt "Take 2: " "right: no images"
+expectText takes/take-002/project.toml left.mkv
+! grep -q right takes/take-002/project.toml || fail "a camera without images is in the project"
+
+# The end of all streams, and Ctrl+C, end a take as its time does.
+sed 's|?width|?frames=20\&width|' live.toml >short.toml
+expectExit 0 record short.toml --out takes
+expectText takes/take-003/take.json '"finished": true'
+"$cli" record live.toml --out takes >out.txt 2>err.txt &
+process=$!
+for _ in $(seq 100); do
+  [[ -s takes/take-004/project.toml ]] && break
+  sleep 0.1
+done
+kill -INT $process
+wait $process || fail "Ctrl+C ended it with $?: $(cat err.txt)"
+expectText takes/take-004/take.json '"finished": true'
+
+expectExit $kBadInput record demo --out o
+expectSentence "only live cameras"
+expectExit $kOutput record live.toml --out /proc/none --seconds 1
+expectSentence /proc/none
+expectExit $kUsage record live.toml --out o --seconds 0
+expectSentence --seconds

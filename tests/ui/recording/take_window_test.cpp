@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Live cameras recorded from the real window: the button, what the status bar says, and the take
+// that opens as a project.
+#include "core/project/project_save.h"
+#include "core/session/snapshot/snapshot.h"
+#include "core/simulation/scene/scene_renderer.h"
+#include "tests/capture/mjpeg_server.h"
+#include "tests/ui/window_fixture.h"
+#include "tests/ui/window_test.h"
+#include "ui/document/document.h"
+#include "ui/recording/take_controller.h"
+#include "ui/recording/take_text.h"
+#include "ui/session/session_controller.h"
+#include "ui/widgets/message_bar.h"
+#include "ui/workbench/workbench.h"
+
+#include <QFile>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QToolBar>
+#include <QToolButton>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+
+namespace dewpoint::tests {
+
+class TakeWindowTest : public QObject, private test::WindowFixture {
+  Q_OBJECT
+
+private Q_SLOTS:
+  void initTestCase();
+  void cleanup();
+  void aTakeOpensAsAProject();
+  void closingTheProjectCompletesTheTake();
+  void aFolderThatCannotBeMadeIsSaid();
+  void recordingsHaveNoButton();
+  void durationsAreShownAsOnAClock();
+
+private:
+  TakeController& takes() { return *window_->findChild<TakeController*>(); }
+  /// Opens a project of two network cameras.
+  void openLive();
+  /// Records until each camera has sent so many images.
+  bool records(std::int64_t images);
+
+  Scene scene_ = demoScene();
+  std::array<cv::Mat, 2> pictures_;
+  std::unique_ptr<test::MjpegServer> left_;
+  std::unique_ptr<test::MjpegServer> right_;
+};
+
+void TakeWindowTest::initTestCase() {
+  QVERIFY(folder_.isValid());
+  const SceneRenderer renderer(scene_);
+  pictures_ = {renderer.render(0, 0), renderer.render(1, 0)};
+}
+
+void TakeWindowTest::cleanup() {
+  window_.reset(); // before its cameras are gone
+  left_.reset();
+  right_.reset();
+}
+
+void TakeWindowTest::openLive() {
+  left_ = std::make_unique<test::MjpegServer>([this](auto&&...) { return pictures_[0]; });
+  right_ = std::make_unique<test::MjpegServer>([this](auto&&...) { return pictures_[1]; });
+  Project project = projectOfScene(scene_, "");
+  project.cameras[0].source = project.cameras[1].source = SourceKind::Stream;
+  project.cameras[0].location = left_->address();
+  project.cameras[1].location = right_->address();
+  QVERIFY(saveProject(project, path("live.toml")));
+  makeWindow({.play = false});
+  open(path("live.toml"));
+}
+
+bool TakeWindowTest::records(std::int64_t images) {
+  QTest::mouseClick(find<QToolButton>("actionRecordButton"), Qt::LeftButton);
+  return waitFor([&] {
+    const TakeStatus take = takes().status();
+    return !take.cameras.empty() && std::ranges::all_of(take.cameras, [&](const auto& camera) {
+      return camera.counts.images >= images;
+    });
+  });
+}
+
+void TakeWindowTest::aTakeOpensAsAProject() {
+  openLive();
+  QVERIFY(records(20));
+  auto* label = find<QLabel>("takeLabel");
+  QVERIFY(waitFor([&] { return label->isVisible(); }));
+  QVERIFY2(label->text().contains(QStringLiteral("take 1")), qPrintable(label->text()));
+  QVERIFY(find<QAction>("actionRecord")->isChecked());
+  QSignalSpy stopped(&takes(), &TakeController::stopped);
+  QTest::mouseClick(find<QToolButton>("actionRecordButton"), Qt::LeftButton);
+  QVERIFY(stopped.wait(kTimeoutMs));
+  QVERIFY(!label->isVisible());
+  QVERIFY(!find<QAction>("actionRecord")->isChecked());
+  QVERIFY2(messageText().contains(QStringLiteral("live-takes")), qPrintable(messageText()));
+  QTest::mouseClick(find<QPushButton>("messageAnswer0"), Qt::LeftButton);
+  QVERIFY(waitFor([&] {
+    const auto shown = window_->shown();
+    return shown != nullptr && shown->frameCount.value_or(0) >= 15;
+  }));
+  const Project& take = window_->workbench().document.project();
+  QCOMPARE(take.targets.size(), scene_.balls.size());
+  QCOMPARE(take.cameras.size(), std::size_t(2));
+  // The next take has the next number.
+  QVERIFY(QFile::exists(file("live-takes/take-001/take.json")));
+}
+
+void TakeWindowTest::closingTheProjectCompletesTheTake() {
+  openLive();
+  QVERIFY(records(5));
+  QSignalSpy stopped(&takes(), &TakeController::stopped);
+  action("actionCloseProject")->trigger();
+  QVERIFY(stopped.wait(kTimeoutMs));
+  const auto take = stopped.first().first().value<TakeStatus>();
+  QVERIFY(std::filesystem::exists(take.folder / "project.toml"));
+  QVERIFY(!action("actionRecord")->isEnabled());
+}
+
+void TakeWindowTest::aFolderThatCannotBeMadeIsSaid() {
+  openLive();
+  std::filesystem::remove_all(path("live-takes"));
+  QFile inTheWay(file("live-takes"));
+  QVERIFY(inTheWay.open(QIODevice::WriteOnly));
+  QTest::mouseClick(find<QToolButton>("actionRecordButton"), Qt::LeftButton);
+  QVERIFY(waitFor([&] { return messageText().contains(QStringLiteral("live-takes")); }));
+  QVERIFY(!takes().isRecording());
+  QVERIFY(!action("actionRecord")->isChecked());
+  QVERIFY(inTheWay.remove());
+}
+
+void TakeWindowTest::recordingsHaveNoButton() {
+  makeWindow({.play = false});
+  openDemo();
+  QVERIFY(!action("actionRecord")->isEnabled());
+  QVERIFY(!find<QToolBar>("transportBar")->actions().contains(action("actionRecord")));
+}
+
+void TakeWindowTest::durationsAreShownAsOnAClock() {
+  QCOMPARE(clockText(7.9), QStringLiteral("0:07"));
+  QCOMPARE(clockText(754.0), QStringLiteral("12:34"));
+  QCOMPARE(clockText(3723.0), QStringLiteral("1:02:03"));
+}
+
+DEWPOINT_WINDOW_TEST(TakeWindowTest)
+
+} // namespace dewpoint::tests
+
+#include "take_window_test.moc"

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/recording/take_controller.h"
+
+#include "core/project/project.h"
+#include "ui/document/document.h"
+#include "ui/recording/take_text.h"
+#include "ui/text/error_sentence.h"
+#include "ui/widgets/message_bar.h"
+
+#include <QAction>
+#include <QDesktopServices>
+#include <QLabel>
+#include <QMainWindow>
+#include <QStandardPaths>
+#include <QStatusBar>
+#include <QUrl>
+
+#include <chrono>
+#include <utility>
+
+namespace dewpoint::ui {
+
+namespace {
+/// How often the label is updated. Chosen: seconds are seen to count.
+constexpr std::chrono::milliseconds kUpdate(250);
+} // namespace
+
+TakeController::TakeController(const Workbench& bench)
+    : QObject(&bench.window), bench_(bench), action_(bench.action("actionRecord")),
+      label_(new QLabel(&bench.window)), job_(new BackgroundJob(this)) {
+  label_->setObjectName(QStringLiteral("takeLabel"));
+  label_->hide();
+  bench_.window.statusBar()->addPermanentWidget(label_);
+  connect(action_, &QAction::triggered, this, &TakeController::toggle);
+  connect(&timer_, &QTimer::timeout, this, &TakeController::showStatus);
+  connect(&bench_.session, &SessionController::runStarted, this, &TakeController::updateAction);
+  connect(&bench_.session, &SessionController::runEnded, this, [this] {
+    stop(tr("The recording ended, because its cameras were closed."));
+    updateAction();
+  });
+  connect(job_, &BackgroundJob::ended, this, &TakeController::updateAction);
+  updateAction();
+}
+
+std::filesystem::path TakeController::takesFolder() const {
+  const auto& file = bench_.document.project().file;
+  if (!file.empty()) {
+    return file.parent_path() / (file.stem().string() + "-takes");
+  }
+  const QString videos = QStandardPaths::writableLocation(QStandardPaths::MoviesLocation);
+  return std::filesystem::path(videos.toStdString()) / "Dewpoint";
+}
+
+TakeStatus TakeController::status() const {
+  return recorder_ != nullptr ? recorder_->status() : TakeStatus();
+}
+
+void TakeController::toggle(bool record) {
+  if (record) {
+    start();
+  } else {
+    stop({});
+  }
+}
+
+void TakeController::start() {
+  using Started = Result<std::unique_ptr<TakeRecorder>>;
+  const bool starts = job_->start(
+      [this, project = bench_.document.project(), feeds = bench_.session.feeds(),
+       folder = takesFolder()](const BackgroundJob::Progress&) -> std::function<void()> {
+        auto take = std::make_shared<Started>(TakeRecorder::start(project, feeds, folder, {}));
+        return [this, take] {
+          if (!*take) {
+            bench_.messages.showError(errorText(take->error()));
+            return;
+          }
+          recorder_ = std::move(**take);
+          shownProblem_.clear();
+          timer_.start(kUpdate);
+          showStatus();
+          Q_EMIT started();
+        };
+      });
+  action_->setEnabled(!starts);
+}
+
+void TakeController::stop(const QString& reason) {
+  const auto recorder = std::exchange(recorder_, nullptr);
+  if (recorder == nullptr) {
+    return;
+  }
+  timer_.stop();
+  label_->hide();
+  action_->setEnabled(false);
+  // Completing the files takes up to a second.
+  job_->start([this, recorder, reason](const BackgroundJob::Progress&) -> std::function<void()> {
+    (void)recorder->stop(); // its problem is in the status
+    return [this, take = recorder->status(), reason] { finish(take, reason); };
+  });
+}
+
+void TakeController::finish(const TakeStatus& take, const QString& reason) {
+  const QString folder = QString::fromStdString(take.folder.string());
+  QString text = tr("Take %1 (%2) is in %3.").arg(take.number).arg(clockText(take.seconds), folder);
+  if (!reason.isEmpty()) {
+    text.prepend(reason + QLatin1Char(' '));
+  }
+  if (const QString problem = takeProblem(take); !problem.isEmpty()) {
+    text += QLatin1Char(' ') + tr("Problem: %1").arg(problem);
+  }
+  bench_.messages.ask(
+      text,
+      {{tr("Open take"), [this, take] { Q_EMIT openRequested(take.folder / "project.toml"); }},
+       {tr("Show folder"), [folder] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); }}});
+  Q_EMIT stopped(take);
+}
+
+void TakeController::showStatus() {
+  const TakeStatus take = status();
+  label_->setText(QStringLiteral("● ") + takeLine(take));
+  label_->setToolTip(takeDetails(take));
+  label_->show();
+  const QString problem = takeProblem(take);
+  if (!problem.isEmpty() && problem != shownProblem_) {
+    bench_.messages.showWarning(problem);
+  }
+  shownProblem_ = problem;
+}
+
+void TakeController::updateAction() {
+  action_->setEnabled(!bench_.session.feeds().empty() && !job_->isRunning());
+  action_->setChecked(isRecording());
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/take/take_recorder.h"
+#include "ui/jobs/background_job.h"
+#include "ui/workbench/workbench.h"
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+
+#include <filesystem>
+#include <memory>
+
+class QLabel;
+
+namespace dewpoint::ui {
+
+/// Records the live cameras of the run: starts and stops takes (actionRecord), shows in the status
+/// bar what has been recorded, and says where a take is. A take goes on while the run is paused or
+/// restarted; it ends when the project is closed or its cameras are opened again. Closing the
+/// window completes it.
+class TakeController : public QObject {
+  Q_OBJECT
+public:
+  explicit TakeController(const Workbench& bench);
+
+  bool isRecording() const { return recorder_ != nullptr; }
+  /// Returns the folder in which the takes of the open project are: beside its file, or for an
+  /// unsaved project in the user's folder for videos.
+  std::filesystem::path takesFolder() const;
+  /// Returns what the current take has recorded so far; empty while nothing is recorded.
+  TakeStatus status() const;
+
+Q_SIGNALS:
+  /// Emitted when the first files of a take exist.
+  void started();
+  /// Emitted when the files of a take are complete.
+  void stopped(const TakeStatus& take);
+  /// Emitted when the user wants to open a take. `project` is its project file.
+  void openRequested(const std::filesystem::path& project);
+
+private:
+  void toggle(bool record);
+  void start();
+  void stop(const QString& reason);
+  void finish(const TakeStatus& take, const QString& reason);
+  void showStatus();
+  void updateAction();
+
+  Workbench bench_;
+  QAction* action_;
+  QLabel* label_;
+  QTimer timer_; ///< updates the label
+  BackgroundJob* job_;
+  std::shared_ptr<TakeRecorder> recorder_;
+  QString shownProblem_;
+};
+
+} // namespace dewpoint::ui

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/recording/take_text.h"
+
+#include "core/session/take/take_recorder.h"
+#include "ui/text/error_sentence.h"
+#include "ui/text/quantity_text.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
+
+#include <cstdint>
+
+namespace dewpoint::ui {
+
+namespace {
+
+std::int64_t bytesOf(const TakeStatus& take) {
+  std::int64_t bytes = 0;
+  for (const auto& camera : take.cameras) {
+    bytes += camera.counts.bytes;
+  }
+  return bytes;
+}
+
+std::int64_t droppedOf(const TakeStatus& take) {
+  std::int64_t dropped = 0;
+  for (const auto& camera : take.cameras) {
+    dropped += camera.counts.dropped;
+  }
+  return dropped;
+}
+
+QString sizeText(std::uint64_t bytes) {
+  return QLocale().formattedDataSize(static_cast<qint64>(bytes), 0, QLocale::DataSizeSIFormat);
+}
+
+/// How long the disk lasts at the present rate; empty while that is not known.
+QString timeLeft(const TakeStatus& take) {
+  constexpr double kKnownAfter = 2.0; // seconds
+  constexpr double kLongest = 99.0 * 3600.0;
+  const auto bytes = static_cast<double>(bytesOf(take));
+  if (take.seconds < kKnownAfter || bytes <= 0.0) {
+    return {};
+  }
+  const double left = static_cast<double>(take.freeBytes) * take.seconds / bytes;
+  return left > kLongest ? QString()
+                         : QCoreApplication::translate("TakeText", "%1 left").arg(clockText(left));
+}
+
+} // namespace
+
+QString clockText(double seconds) {
+  const auto whole = static_cast<qint64>(seconds);
+  const QChar zero(u'0');
+  const qint64 hours = whole / 3600;
+  const QString minutes = hours > 0 ? QStringLiteral("%1").arg(whole / 60 % 60, 2, 10, zero)
+                                    : QString::number(whole / 60 % 60);
+  const QString rest = QStringLiteral("%1:%2").arg(minutes).arg(whole % 60, 2, 10, zero);
+  return hours > 0 ? QStringLiteral("%1:%2").arg(hours).arg(rest) : rest;
+}
+
+QString takeLine(const TakeStatus& take) {
+  QStringList parts{QCoreApplication::translate("TakeText", "Recording take %1").arg(take.number),
+                    clockText(take.seconds)};
+  const auto dropped = static_cast<int>(droppedOf(take));
+  parts += QCoreApplication::translate("TakeText", "%n dropped image(s)", nullptr, dropped);
+  parts += QCoreApplication::translate("TakeText", "%1 free").arg(sizeText(take.freeBytes));
+  if (const QString left = timeLeft(take); !left.isEmpty()) {
+    parts += left;
+  }
+  return parts.join(QStringLiteral(" · "));
+}
+
+QString takeDetails(const TakeStatus& take) {
+  QStringList lines;
+  for (const auto& camera : take.cameras) {
+    const RecordedCounts& counts = camera.counts;
+    lines += QCoreApplication::translate("TakeText", "%1: %2 images, %3, %4 dropped, %5")
+                 .arg(QString::fromStdString(camera.name))
+                 .arg(counts.images)
+                 .arg(rateText(counts.framesPerSecond))
+                 .arg(counts.dropped)
+                 .arg(sizeText(static_cast<std::uint64_t>(counts.bytes)));
+  }
+  return lines.join(QLatin1Char('\n'));
+}
+
+QString takeProblem(const TakeStatus& take) {
+  if (take.problem) {
+    return errorText(*take.problem);
+  }
+  for (const auto& camera : take.cameras) {
+    if (camera.counts.problem) {
+      return errorText(*camera.counts.problem);
+    }
+  }
+  return {};
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <QString>
+
+namespace dewpoint::session {
+struct TakeStatus;
+} // namespace dewpoint::session
+
+namespace dewpoint::ui {
+
+/// Returns one line: number of the take, its duration, dropped images, and the disk space left.
+QString takeLine(const TakeStatus& take);
+/// Returns one line for each camera: images, rate and dropped images.
+QString takeDetails(const TakeStatus& take);
+/// Returns the first problem of a take as a sentence; empty if there is none.
+QString takeProblem(const TakeStatus& take);
+/// Returns a duration as minutes and seconds, or hours, minutes and seconds: "0:07", "1:02:03".
+QString clockText(double seconds);
+
+} // namespace dewpoint::ui
