@@ -50,7 +50,7 @@ public:
   void zoomOut();
 
   const TimelineModel& model() const { return model_; }
-  /// Returns the point at the middle of a frame's time, in the row of the first target, in widget
+  /// Returns the point at the center of a frame's time, in the row of the first target, in widget
   /// coordinates.
   QPoint positionOf(qint64 frame) const;
 
