@@ -21,8 +21,8 @@ struct MethodPresentation {
   bool showsBoxes = false;     ///< plots, table and export use image boxes; otherwise positions
   bool hasBirdsEyeView = true; ///< positions can be shown in a bird's-eye view
   bool hasOverlays = true;     ///< masks and likelihood maps can be drawn over the images
-  /// True if the method does two things: it limits its search to the project's volume of interest,
-  /// if there is one, and it continues from a position that the user sets for a target.
+  /// True if the method limits its search to the project's volume of interest, if there is one, and
+  /// also continues from a position that the user sets for a target.
   bool searchesVolume = true;
   bool countsPeople = false; ///< lists people and shows how many are present
 };
