@@ -22,7 +22,7 @@ struct MethodPresentation {
   bool hasBirdsEyeView = true; ///< positions can be shown in a bird's-eye view
   bool hasOverlays = true;     ///< masks and likelihood maps can be drawn over the images
   /// True if the method limits its search to the project's volume of interest, if there is one, and
-  /// continues from a position that the user sets for a target.
+  /// also continues from a position that the user sets for a target.
   bool searchesVolume = true;
   bool countsPeople = false; ///< lists people and shows how many are present
 };

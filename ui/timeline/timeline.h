@@ -50,8 +50,8 @@ public:
   void zoomOut();
 
   const TimelineModel& model() const { return model_; }
-  /// Returns the point at the center of a frame's time, in the row of the first target, in widget
-  /// coordinates.
+  /// Returns the point at the center of a frame's time span, in the row of the first target, in
+  /// widget coordinates.
   QPoint positionOf(qint64 frame) const;
 
   QSize sizeHint() const override { return {600, std::max(110, minimumHeight_)}; }
