@@ -17,7 +17,8 @@ public:
   /// Returns a scale from dark violet through magenta to bright yellow-white. These colors are rare
   /// in a room.
   static ParticleRamp heat();
-  /// Returns a scale of shades of one color, which distinguishes the particles of several targets.
+  /// Returns a scale of shades of `color`. Used if there are several targets: each has its own
+  /// color, so that their particles can be told apart.
   static ParticleRamp tinted(const QColor& color);
 
   /// Returns the color of a weight, given relative to the largest weight (0 to 1).

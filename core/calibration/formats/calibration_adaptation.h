@@ -35,11 +35,11 @@ struct CalibrationAdaptation {
 /// for any other text.
 std::optional<SizeFit> parseSizeFit(const std::string& text);
 
-/// Returns the camera for images of `width` x `height` pixels that were made from images of the
-/// calibrated size in the way `fit`. Every world point moves together with the image content. A
-/// rotation of the image therefore also rotates the pose. Pixel centers are at integer coordinates,
-/// so scaling by s maps column u to s (u + 1/2) - 1/2. Error: Mismatch if a rotated image would
-/// have another size, or if the principal point would be outside the image.
+/// Adapts a calibrated camera to images of `width` x `height` pixels; `fit` says how these were
+/// made from images of the calibrated size. Every world point is still projected onto the same
+/// image content, so if the image was rotated, the pose is rotated, too. Pixel centers are at
+/// integer coordinates, so scaling by s maps column u to s (u + 1/2) - 1/2. Error: Mismatch if a
+/// rotated image would have another size, or if the principal point would be outside the image.
 Result<Camera> fittedToSize(const Camera& camera, int width, int height, SizeFit fit);
 
 /// Returns a sentence such as "left: cropped from 1920 x 1088 to 1920 x 1080 pixels.".

@@ -34,8 +34,8 @@ using GstSamplePtr = std::unique_ptr<_GstSample, GstSampleRelease>;
 /// Returns null and a reason if the text is not valid, or an element is missing.
 GstElementPtr makePipeline(const std::string& text, std::string& reason);
 
-/// Returns the reason in an error of GStreamer, in words that follow a colon, without line breaks
-/// and without secrets in addresses.
+/// Returns the message of a GStreamer error as one line that can be appended after a colon: without
+/// line breaks, and without passwords in addresses.
 std::string gstReason(const _GError& error);
 
 /// Returns the reason in a message of type error; see gstReason().

@@ -8,10 +8,10 @@
 
 namespace dewpoint::experiment {
 
-/// Accuracy of followed boxes over all frames after the first, whose box is given.
+/// Accuracy of tracked boxes over all frames after the first, whose box is given.
 struct BoxMetrics {
-  /// Root mean square distance between found and true centers, pixels; after a follower has given
-  /// up, its last box is used.
+  /// Root mean square distance between found and true centers, pixels. In frames in which the
+  /// tracker has given up, its last box is used.
   double rmse = 0.0;
   /// Area under the success curve (Wu, Lim and Yang 2013), see measureBoxes().
   double success = 0.0;
@@ -19,10 +19,11 @@ struct BoxMetrics {
   double precision = 0.0;
 };
 
-/// Compares the boxes that a follower found with the true boxes. Both have one entry per frame,
-/// beginning with the first frame. An entry of `found` is empty where the follower has given up.
-/// `radius` is in pixels. The success curve is the fraction of frames whose overlap is above a
-/// threshold, at 0, 0.05, ..., 1. Frames in which the follower has given up have an overlap of 0.
+/// Compares the boxes found by a box tracker with the true boxes. Both have one entry per frame,
+/// beginning with the first frame. Entries of `found` are empty in frames in which the tracker has
+/// given up; their overlap counts as 0. The precision is the fraction of frames in which the found
+/// center is within `radius` pixels of the true center. The success curve is the fraction of frames
+/// whose overlap is above a threshold, for the thresholds 0, 0.05, ..., 1.
 BoxMetrics measureBoxes(std::span<const std::optional<ImageBox>> found,
                         std::span<const ImageBox> truth, double radius);
 

@@ -24,7 +24,8 @@ struct FigureExperiment {
   std::string_view title;    ///< name in menus and reports
   std::string_view sentence; ///< what it shows, and its source
   int runs;                  ///< default number of seeds per case
-  /// Runs the experiment. Returns FileUnwritable before any computation starts, or Canceled.
+  /// Runs the experiment. Errors: FileUnwritable, which is detected before any computation starts;
+  /// Canceled.
   Status (*run)(const ExperimentOptions& options);
   std::string_view report = "report.html"; ///< report file in the output folder
   bool takesRecordings = false;

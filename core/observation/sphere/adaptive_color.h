@@ -58,8 +58,9 @@ public:
   bool adapt(std::size_t camera, const cv::Mat& image, const SphereImage& outline,
              const std::vector<SphereImage>& others, double share);
 
-  /// Number of initial updates of a range that only measure its colors: a third of a second. Chosen
-  /// by judgment (docs/method-dewpoint.md, section 8).
+  /// Number of updates at the start that do not change a range: they only measure the colors of the
+  /// target in the initial light. Ten updates take a third of a second at 30 images per second.
+  /// Chosen by judgment (docs/method-dewpoint.md, section 8).
   static constexpr int kReferenceUpdates = 10;
 
 private:

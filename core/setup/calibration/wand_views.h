@@ -56,9 +56,9 @@ struct WandOptions {
   double initialRotationError = 0.06; ///< possible error of the camera orientations, radians
 };
 
-/// Creates the calibration problem for a project: the initial rig (the cameras of the project), the
-/// radii of the balls, and the source of the scale. The caller must add the views. Returns an error
-/// for an unknown target or a stick without length.
+/// Creates the calibration problem for a project and options, without views, which the caller adds.
+/// The initial rig and the radii of the balls come from the project; everything else comes from the
+/// options. Errors: an unknown target; a stick without length.
 Result<WandProblem> wandProblem(const Project& project, const WandOptions& options);
 /// Returns one color classifier per ball, made from the color of the target that is named in the
 /// options.

@@ -37,8 +37,8 @@ std::vector<double> gridLines(const AxisRange& range);
 std::pair<AxisRange, AxisRange>
 withEqualScale(const AxisRange& horizontal, const AxisRange& vertical, double width, double height);
 
-/// Curve through consecutive rows of a target without a gap, as points (horizontal, vertical) of a
-/// panel.
+/// Part of the curve of one target, between two gaps in its rows. The points are (horizontal,
+/// vertical), in the units of the axes of the panel.
 struct FigureCurve {
   std::size_t target = 0;
   std::vector<Eigen::Vector2d> path;

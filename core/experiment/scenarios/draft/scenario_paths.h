@@ -21,9 +21,11 @@ inline constexpr std::int64_t kDefaultFrameCount = 180;
 inline const Eigen::Vector3d kPathLow{0.46, 0.46, 0.12};
 inline const Eigen::Vector3d kPathHigh{0.56, 0.58, 0.18};
 
-/// Duration of one round of the smooth path, seconds. On this path, a ball moves at 0.1 to 0.3 m/s.
+/// Duration of one round of a slow closed path, seconds. On such a path, a ball moves at 0.1 to 0.3
+/// m/s.
 inline constexpr double kSlowPathPeriod = 6.0;
-/// Duration of one round of the fast path, seconds. On this path, a ball moves five times as fast.
+/// Duration of one round of a fast closed path, seconds. On such a path, a ball moves five times as
+/// fast as on a slow one.
 inline constexpr double kFastPathPeriod = 1.2;
 
 /// Closed path. Each coordinate k (1: x, 2: y, 3: z) is center[k] + extent[k] * sin(k a +

@@ -26,8 +26,7 @@ double overlappedFraction(const Eigen::Vector3d& eye, const Eigen::Vector3d& cen
 simulation::MovingPart boxPart(const simulation::StageBody& box, double time = 0.0);
 
 /// Number of frames between two checks of hiddenShare() or overlappedFraction() in a scenario. In
-/// that time, a ball on a smooth path moves by about its radius, which changes the fraction by a
-/// few hundredths.
+/// that time, a ball on a slow path moves by less than its radius.
 inline constexpr std::int64_t kFractionCheckInterval = 3;
 
 /// Number of points on the disk. With this number, fractions are accurate to about a hundredth.
