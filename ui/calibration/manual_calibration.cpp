@@ -145,7 +145,7 @@ void ManualCalibration::togglePin(int camera, const Eigen::Vector2d& pixel, doub
   if (there != pins.end()) {
     pins.erase(there);
   } else if (pins.size() >= static_cast<std::size_t>(kMaxHeldPoints)) {
-    Q_EMIT remark(tr("Three points are already held. Click one of them to release it"));
+    Q_EMIT remark(tr("At most three grid points can be held in place. To release one, click it"));
   } else if (const auto point = gridPointAt(seen, grid(), pixel, reach)) {
     pins.push_back(*point);
   }

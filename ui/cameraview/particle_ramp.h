@@ -18,7 +18,7 @@ public:
   /// in a room.
   static ParticleRamp heat();
   /// Returns a scale of shades of `color`. Used if there are several targets: each has its own
-  /// color, so that their particles can be told apart.
+  /// color, which distinguishes its particles from those of the others.
   static ParticleRamp tinted(const QColor& color);
 
   /// Returns the color of a weight, given relative to the largest weight (0 to 1).

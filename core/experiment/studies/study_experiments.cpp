@@ -159,7 +159,7 @@ std::span<const FigureExperiment> studyExperiments() {
           "Two people walk past each other, seen by only two of the four cameras.",
           [](const ExperimentOptions& options) { return studyScenario("two-cameras", options); }),
       sceneOfPeople(
-          "people-contact", "People who come close",
+          "people-contact", "People who come close to each other",
           "Two people come within 0.15 to 0.28 m of each other, stand there, and go back.",
           [](const ExperimentOptions& options) { return studyScenario("contact", options); }),
       sceneOfPeople(

@@ -255,8 +255,8 @@ void CalibrationImportDialog::applyResult(const Result<CalibrationImport>& made)
     lines << tr("The calibration uses other camera names. The cameras were matched by order.");
   }
   if (made->lensOnly) {
-    lines << tr(
-        "The file contains no pose: only the intrinsics are imported, and the pose is kept.");
+    lines << tr("The file contains no pose. Only the intrinsics are imported; the camera keeps its "
+                "current pose.");
   }
   QStringList names;
   for (int camera = 0; camera < cameras_.rowCount(); ++camera) {

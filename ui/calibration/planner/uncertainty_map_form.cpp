@@ -171,8 +171,10 @@ void UncertaintyMapForm::retranslateUi() {
   pixel_->setSuffix(QStringLiteral(" px"));
   slice_->setText(tr("Layer at"));
   slice_->setToolTip(tr("Show the map in a horizontal layer"));
-  name(heightSlider_, tr("Height of the layer"), tr("Height of the layer above the floor"));
-  name(height_, tr("Height of the layer in meters"), tr("Height of the layer above the floor"));
+  name(heightSlider_, tr("Height of the layer above the floor"),
+       tr("Height of the layer above the floor"));
+  name(height_, tr("Height of the layer above the floor, in meters"),
+       tr("Height of the layer above the floor"));
   height_->setSuffix(QStringLiteral(" m"));
   volume_->setText(tr("Surfaces around good and fair regions"));
   volume_->setToolTip(tr("Show surfaces in the room. For the error: around the regions with at "
