@@ -22,6 +22,8 @@ constexpr auto kReadTimeout = 1s; ///< with a read that does not return, when th
 // Tuned; where no source is named here or in the docs, the origin is not recorded.
 /// Weight of the newest interval in a camera's rate.
 constexpr double kRateSmoothing = 0.1;
+/// By which share the longest latency of late is forgotten with each image. A judgment.
+constexpr double kLatencyDecay = 0.02;
 
 } // namespace
 
@@ -193,6 +195,8 @@ void LiveCameraThread::publish(Shared& shared, const cv::Mat& picture, Clock::ti
         old > 0 ? 1.0 / ((1 - kRateSmoothing) / old + kRateSmoothing * interval) : 1.0 / interval;
   }
   progress.lastGrab = grabbed;
+  const double latency = std::chrono::duration<double>(grabbed - captured.time).count();
+  shared.latency = std::max(latency, shared.latency + kLatencyDecay * (latency - shared.latency));
   {
     std::scoped_lock lock(shared.mutex);
     shared.lastGrab = grabbed;

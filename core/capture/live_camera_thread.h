@@ -65,6 +65,9 @@ public:
   std::optional<Error> problem() const;
   /// Returns the smoothed frame rate in images per second; 0 before the second image.
   double framesPerSecond() const { return shared_->rate; }
+  /// Returns the time from the capture of an image to its arrival in seconds, nearly the longest of
+  /// late; 0 if the connection does not report capture times.
+  double latency() const { return shared_->latency; }
 
 private:
   /// Maximum number of frames that wait to be read. A camera sends fewer frames than this between
@@ -80,6 +83,7 @@ private:
 
     FrameQueue frames{kMaxFrames};
     std::atomic<double> rate{0};
+    std::atomic<double> latency{0};
 
     mutable std::mutex mutex; ///< guards all members below
     std::condition_variable_any changed;

@@ -91,7 +91,8 @@ void LiveFrameSource::collect() {
   for (std::size_t k = 0; k < cameras_.size(); ++k) {
     const double rate = cameras_[k].framesPerSecond();
     pairing_.setExpected(k, cameras_[k].delivers(),
-                         rate > 0.0 ? timeStamp(1.0 / rate) : TimeStamp{});
+                         rate > 0.0 ? timeStamp(1.0 / rate) : TimeStamp{},
+                         timeStamp(cameras_[k].latency()));
     for (FramePtr& frame : cameras_[k].takeFrames()) {
       pairing_.add(k, inTime(std::move(frame), delays_[k]));
     }

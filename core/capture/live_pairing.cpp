@@ -39,8 +39,10 @@ LivePairing::LivePairing(const std::vector<TimeStamp>& delays) {
   }
 }
 
-void LivePairing::setExpected(std::size_t camera, bool delivers, TimeStamp interval) {
+void LivePairing::setExpected(std::size_t camera, bool delivers, TimeStamp interval,
+                              TimeStamp latency) {
   cameras_[camera].delivers = delivers;
+  cameras_[camera].latency = latency;
   cameras_[camera].interval = interval;
 }
 
@@ -69,7 +71,7 @@ TimeStamp LivePairing::window() const {
 }
 
 TimeStamp LivePairing::deadlineOf(const Camera& camera, TimeStamp begin) const {
-  return begin + camera.delay + kLateTimeout;
+  return begin + camera.delay + camera.latency + kLateTimeout;
 }
 
 bool LivePairing::canStillAdd(const Camera& camera, TimeStamp begin, TimeStamp now) const {
@@ -79,7 +81,8 @@ bool LivePairing::canStillAdd(const Camera& camera, TimeStamp begin, TimeStamp n
   if (!camera.last || camera.interval == TimeStamp{}) {
     return true;
   }
-  const bool stopped = now - camera.delay - *camera.last > kStopped * camera.interval;
+  const bool stopped =
+      now - camera.delay - camera.latency - *camera.last > kStopped * camera.interval;
   const TimeStamp earliest =
       camera.interval - std::min(kMostJitter, times(kJitterShare, camera.interval));
   const bool comesLater = *camera.last + earliest > begin + window();

@@ -30,8 +30,10 @@ public:
   /// `delays`: for each camera, the time from the capture of an image to its arrival.
   explicit LivePairing(const std::vector<TimeStamp>& delays);
 
-  /// Sets whether a camera is expected to deliver frames, and its frame interval (0 if unknown).
-  void setExpected(std::size_t camera, bool delivers, TimeStamp interval);
+  /// Sets whether a camera is expected to deliver frames, its frame interval (0 if unknown), and
+  /// its latency: the time from the capture time that its driver or sender reports to the arrival,
+  /// in addition to its delay. 0 if the capture time is that of the arrival.
+  void setExpected(std::size_t camera, bool delivers, TimeStamp interval, TimeStamp latency = {});
   /// Adds a frame with its capture time. A frame older than the last group taken is dropped.
   void add(std::size_t camera, FramePtr frame);
 
@@ -49,6 +51,7 @@ private:
     TimeStamp delay{};
     bool delivers = false;
     TimeStamp interval{};
+    TimeStamp latency{};
     std::optional<TimeStamp> last = std::nullopt; ///< capture time of the newest frame so far
     std::deque<FramePtr> waiting = {};
   };

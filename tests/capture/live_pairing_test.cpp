@@ -148,6 +148,32 @@ TEST(LivePairing, AKnownDelayIsMadeUpFor) {
   EXPECT_GE(fullGroups(blind), 114);
 }
 
+// A network camera reports when its images were captured; they arrive 150 ms later.
+TEST(LivePairing, TheLatencyOfReportedTimesIsWaitedFor) {
+  constexpr int kFrames = 60;
+  constexpr TimeStamp kInterval = 33ms;
+  constexpr TimeStamp kLatency = 150ms;
+  LivePairing pairing({TimeStamp{}, TimeStamp{}});
+  pairing.setExpected(0, true, kInterval);
+  pairing.setExpected(1, true, kInterval, kLatency);
+  int complete = 0;
+  for (TimeStamp now{}; now < kFrames * kInterval; now += 1ms) {
+    if (now % kInterval == TimeStamp{}) {
+      pairing.add(0, frameAt(now / kInterval, now));
+    }
+    if (const TimeStamp shown = now - kLatency;
+        shown >= TimeStamp{} && shown % kInterval == TimeStamp{}) {
+      pairing.add(1, frameAt(shown / kInterval, shown));
+    }
+    while (const auto frames = pairing.take(now)) {
+      EXPECT_TRUE((*frames)[0] && (*frames)[1]);
+      complete += (*frames)[0] && (*frames)[1] ? 1 : 0;
+    }
+  }
+  EXPECT_GE(complete, kFrames - 7);
+  EXPECT_EQ(pairing.dropped(), 0);
+}
+
 TEST(LivePairing, ASlowCameraCostsAFastOneNothing) {
   for (const double slow : {10.0, 15.0, 25.0}) {
     const Played played = play({{}, {.rate = slow, .phase = 0.005}}, 4.0);

@@ -48,3 +48,14 @@ expectExit $kOutput track-box scene/camera-1 --box 150,100,30,30 --out small/box
 expectSentence small/boxes/boxes.csv
 expectExit $kOutput simulate still --frames 30 --out small
 expectSentence small/camera-1.mkv 'cannot be written'
+
+# A take of a live camera: what was recorded before can be opened.
+rm -rf small/*
+printf 'format = 2\nmethod = "histogram"\n[[camera]]\nname = "left"\nstream = "%s"\n' \
+  'test:ball?width=160&height=120&rate=15&encoding=mjpeg' >live.toml
+expectExit $kOutput record live.toml --out small/takes --seconds 30
+expectSentence small/takes/take-001/left "pace left"
+[[ $(rowCount small/takes/take-001/left.csv) -gt 3 ]] || fail "nothing was recorded"
+cp -r small/takes kept-takes
+"$cli" doctor kept-takes/take-001/project.toml --every-frame --json >doctor.txt 2>/dev/null || true
+! grep -qE '"recording-|"times-' doctor.txt || fail "the doctor objects: $(cat doctor.txt)"

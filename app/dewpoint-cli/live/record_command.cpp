@@ -94,7 +94,7 @@ bool isBroken(const TakeStatus& take) {
 }
 
 /// Prints what each camera has recorded; returns whether all of them have.
-bool printSummary(const TakeStatus& take) {
+bool printTake(const TakeStatus& take) {
   bool complete = true;
   fmt::print("Take {}: {:.1f} s in {}\n", take.number, take.seconds, take.folder.string());
   for (const TakeStatus::CameraStatus& camera : take.cameras) {
@@ -145,7 +145,7 @@ int recordTake(const RecordOptions& options, const Project& project, FrameSetSou
   });
   progress.finish();
   const Status stopped = (*take)->stop();
-  const bool complete = printSummary((*take)->status());
+  const bool complete = printTake((*take)->status());
   if (!stopped) {
     return report(stopped.error());
   }

@@ -31,7 +31,8 @@ const char* knownReason(const GError& error) {
     }
   }
   if (error.domain == GST_STREAM_ERROR && error.code == GST_STREAM_ERROR_CODEC_NOT_FOUND) {
-    return "this computer has no decoder for the stream";
+    return "this computer has no decoder for the stream; the package gstreamer1.0-libav has more "
+           "of them";
   }
   if (error.domain == GST_STREAM_ERROR && error.code == GST_STREAM_ERROR_FAILED) {
     return "no video stream answers, or it breaks off";

