@@ -26,8 +26,9 @@ void addCalibrationCommand(CLI::App& app, int& exitCode);
 void addPrintBoardCommand(CLI::App& app, int& exitCode);
 void addPlanCommand(CLI::App& app, int& exitCode);
 
-// track/: tracking in recordings.
+// track/: tracking in recordings and live.
 void addTrackCommand(CLI::App& app, int& exitCode);
+void addLiveCommand(CLI::App& app, int& exitCode);
 void addTrackBackwardsCommand(CLI::App& app, int& exitCode);
 void addTrackPositionsCommand(CLI::App& app, int& exitCode);
 void addTrackBoxCommand(CLI::App& app, int& exitCode);

@@ -25,6 +25,7 @@ int run(int argc, char** argv) {
   addDoctorCommand(app, exitCode);
   addSelfTestCommand(app, exitCode);
   addTrackCommand(app, exitCode);
+  addLiveCommand(app, exitCode);
   addTrackBackwardsCommand(app, exitCode);
   addTrackPositionsCommand(app, exitCode);
   addTrackBoxCommand(app, exitCode);

@@ -52,6 +52,9 @@ using namespace capture;
 using namespace trajectory;
 using namespace camera_motion;
 } // namespace dewpoint::session
+namespace dewpoint::broadcast {
+using namespace session;
+} // namespace dewpoint::broadcast
 namespace dewpoint::experiment {
 using namespace session;
 using namespace setup;
@@ -63,6 +66,7 @@ using namespace setup;
 using namespace experiment;
 } // namespace dewpoint::ui
 namespace dewpoint::app {
+using namespace broadcast;
 using namespace experiment;
 using namespace ui;
 } // namespace dewpoint::app

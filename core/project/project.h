@@ -6,6 +6,7 @@
 #include "core/geometry/reference_grid.h"
 #include "core/geometry/world_box.h"
 #include "core/project/calibration_record.h"
+#include "core/project/output_settings.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "core/tracking/parameters.h"
 #include "core/tracking/target.h"
@@ -121,6 +122,7 @@ struct Project {
   std::vector<PersonCorrection> people;     ///< corrections for people, ordered by frame
   /// Corrections of target positions, ordered by frame.
   std::vector<PositionCorrection> corrections;
+  OutputSettings output;  ///< where results go while a run lasts; it never changes them
   WorldRecord calibrated; ///< where the floor and the scale come from, as far as is known
   std::string layout;     ///< view layout saved by the window; empty: default layout
 

@@ -39,6 +39,7 @@ ProjectChanges changesBetween(const Project& before, const Project& after) {
   changes.points = before.points != after.points;
   changes.people = before.people != after.people;
   changes.corrections = before.corrections != after.corrections;
+  changes.output = before.output != after.output;
   changes.records = before.calibrated != after.calibrated ||
                     !std::ranges::equal(before.cameras, after.cameras, {},
                                         &ProjectCamera::calibrated, &ProjectCamera::calibrated);

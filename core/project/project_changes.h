@@ -23,13 +23,15 @@ struct ProjectChanges {
   bool corrections = false;      ///< corrections of target positions
   bool backgroundImages = false; ///< background images; never true if `sources` is
   bool records = false;          ///< where the calibration comes from
+  bool output = false;           ///< where results go while a run lasts
   bool sources = false;          ///< the set of cameras, and the sources of images and ground truth
 
   /// Returns whether any field is true. `boxes` is not tested, because `targets` is also true if
   /// `boxes` is.
   bool any() const {
     return name || method || seed || parameters || targets || calibration || sources || markers ||
-           grid || points || people || corrections || backgroundImages || volume || records;
+           grid || points || people || corrections || backgroundImages || volume || records ||
+           output;
   }
 };
 

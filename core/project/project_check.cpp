@@ -3,6 +3,7 @@
 
 #include "core/project/project_corrections.h"
 #include "core/project/project_format.h"
+#include "core/project/project_output.h"
 #include "core/project/project_people.h"
 #include "core/project/project_room.h"
 #include "core/tracking/catalog/method_catalog.h"
@@ -145,9 +146,10 @@ Status checkProject(const Project& project) {
   if (auto good = checkCameras(project); !good) {
     return good;
   }
-  return checkRoom(project).and_then([&] { return checkPeople(project); }).and_then([&] {
-    return checkCorrections(project);
-  });
+  return checkRoom(project)
+      .and_then([&] { return checkPeople(project); })
+      .and_then([&] { return checkCorrections(project); })
+      .and_then([&] { return checkOutput(project.output); });
 }
 
 Status checkMethodTargets(const Project& project) {

@@ -55,6 +55,7 @@ std::string runInputText(const Project& project) {
   run.points.clear();
   run.truth.reset();
   run.layout.clear();
+  run.output = {};
   return projectText(run, folderOf(project));
 }
 

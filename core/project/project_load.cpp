@@ -10,6 +10,7 @@
 #include "core/project/project_corrections.h"
 #include "core/project/project_format.h"
 #include "core/project/project_migration.h"
+#include "core/project/project_output.h"
 #include "core/project/project_paths.h"
 #include "core/project/project_people.h"
 #include "core/project/project_records.h"
@@ -249,6 +250,7 @@ Result<Project> loadProject(const std::filesystem::path& file, const MovedFiles&
   readPeople(reader, file.string(), project);
   readCorrections(reader, file.string(), project);
   project.calibrated = readWorldRecord(reader, file.string());
+  readOutput(reader, file.string(), project);
   readWindow(reader, file.string(), project);
   if (auto error = reader.finish()) {
     return tl::make_unexpected(std::move(*error));

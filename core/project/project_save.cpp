@@ -7,6 +7,7 @@
 #include "core/project/project_comments.h"
 #include "core/project/project_corrections.h"
 #include "core/project/project_format.h"
+#include "core/project/project_output.h"
 #include "core/project/project_people.h"
 #include "core/project/project_records.h"
 #include "core/project/project_room.h"
@@ -123,6 +124,7 @@ std::string projectText(const Project& project, const std::filesystem::path& fol
   text += worldRecordText(project.calibrated);
   text += peopleText(project);
   text += correctionsText(project);
+  text += outputText(project.output);
   if (!project.layout.empty()) {
     text +=
         "\n[window]   # how its views were laid out\nlayout = " + tomlQuoted(project.layout) + "\n";

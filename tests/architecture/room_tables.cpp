@@ -21,6 +21,7 @@ const std::map<std::string, Names, std::less<>>& floorTable() {
       {"project", {"calibration", "tracking", "base"}},
       {"setup", {"project", "capture", "trajectory", "camera_motion"}},
       {"session", {"tracking", "camera_motion", "capture", "project", "trajectory", "calibration"}},
+      {"broadcast", {"session"}},
       {"experiment", {"session", "setup", "simulation"}},
   };
   return kTable;
@@ -73,6 +74,11 @@ const std::map<std::string, std::map<std::string, Names>, std::less<>>& roomTabl
         {"selftest", {"", "frames", "run"}},
         {"take", {}},
         {"", {"frames", "people", "run", "watch", "snapshot", "rewind"}}}},
+      {"broadcast",
+       {{"message", {}},
+        {"format", {"message"}},
+        {"transport", {"message"}},
+        {"", {"format", "message", "transport"}}}},
       {"simulation",
        {{"surface", {}},
         {"room", {"surface"}},

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/broadcast/message/frame_message.h"
+
+#include "core/geometry/seen_volume.h"
+#include "core/session/snapshot/sight_lines.h"
+#include "core/session/snapshot/snapshot_state.h"
+#include "core/trajectory/motion.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace dewpoint::broadcast {
+namespace {
+
+constexpr double kMillimetersPerMeter = 1000.0;
+
+/// The box around a box in other coordinates, whose axes are those of the first one, permuted.
+WorldBox mapped(const WorldBox& box, const Eigen::Matrix3d& matrix) {
+  const Eigen::Vector3d one = matrix * box.min;
+  const Eigen::Vector3d other = matrix * box.max;
+  return {one.cwiseMin(other), one.cwiseMax(other)};
+}
+
+TrajectorySample sampleOfTarget(const TrackSnapshot& snapshot, const TargetSnapshot& target) {
+  TrajectorySample sample;
+  const auto position = positionOf(target.estimate);
+  sample.frame = snapshot.frame;
+  sample.time = seconds(snapshot.frames->time);
+  sample.valid = position && position->mean.allFinite() && isHeld(target.estimate);
+  sample.position = sample.valid ? position->mean : Eigen::Vector3d::Zero();
+  return sample;
+}
+
+/// The same samples, numbered so that frames which were skipped are no gap.
+std::vector<TrajectorySample> renumbered(std::vector<TrajectorySample> samples) {
+  std::int64_t number = 0;
+  std::int64_t before = samples.empty() ? 0 : samples.front().frame;
+  for (TrajectorySample& sample : samples) {
+    number += trajectory::isInterrupted(before, sample.frame) ? 2 : 1;
+    before = std::exchange(sample.frame, number);
+  }
+  return samples;
+}
+
+std::vector<int> camerasSeeing(const TrackSnapshot& snapshot, const TargetSnapshot& target) {
+  std::vector<int> cameras;
+  for (const SightLine& line : sightLines(snapshot, target)) {
+    if (line.sees) {
+      cameras.push_back(line.camera);
+    }
+  }
+  return cameras;
+}
+
+} // namespace
+
+Eigen::Matrix3d OutputCoordinates::fromWorld() const {
+  Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity();
+  if (axes == OutputAxes::YUp) {
+    matrix << 0, 1, 0, 0, 0, 1, 1, 0, 0;
+  } else if (axes == OutputAxes::YUpLeftHanded) {
+    matrix << 1, 0, 0, 0, 0, 1, 0, 1, 0;
+  }
+  return unit == OutputUnit::Millimeter ? Eigen::Matrix3d(kMillimetersPerMeter * matrix) : matrix;
+}
+
+const char* stateWord(HoldState state) {
+  switch (state) {
+  case HoldState::Held:
+    return "held";
+  case HoldState::Ambiguous:
+    return "ambiguous";
+  case HoldState::Hidden:
+    return "hidden";
+  case HoldState::Lost:
+    return "lost";
+  case HoldState::Gone:
+  case HoldState::Nobody:
+  case HoldState::NoBox:
+  case HoldState::NoTarget:
+    return "gone";
+  case HoldState::NoImages:
+  case HoldState::NotTracked:
+  case HoldState::Searching:
+  case HoldState::Missing:
+  case HoldState::Learning:
+    break;
+  }
+  return "searching";
+}
+
+RigMessage rigMessageOf(const TrackSnapshot& snapshot, const OutputCoordinates& coordinates,
+                        const std::optional<WorldBox>& volume) {
+  RigMessage message;
+  message.coordinates = coordinates;
+  const Eigen::Matrix3d fromWorld = coordinates.fromWorld();
+  for (const Camera& camera : *snapshot.rig) {
+    message.cameras.push_back({camera.name, fromWorld * camera.center(),
+                               (fromWorld * camera.opticalAxis()).normalized()});
+  }
+  const auto box = volume ? volume : seenVolume(*snapshot.rig);
+  message.volume = mapped(box.value_or(message.volume), fromWorld);
+  return message;
+}
+
+void RecentPositions::add(const TrackSnapshot& snapshot) {
+  if (snapshot.frame <= frame_ || snapshot.seed != seed_) {
+    trails_.clear();
+  }
+  frame_ = snapshot.frame;
+  seed_ = snapshot.seed;
+  for (const TargetSnapshot& target : snapshot.targets) {
+    Trail& trail = trails_[target.target.name];
+    trail.samples.push_back(sampleOfTarget(snapshot, target));
+    if (trail.samples.size() > kPositions) {
+      trail.samples.erase(trail.samples.begin());
+    }
+    const auto before = std::exchange(trail.velocity, std::nullopt);
+    if (const PersonEstimate* person = std::get_if<PersonEstimate>(&target.estimate)) {
+      trail.velocity = person->velocity;
+    } else {
+      const std::size_t last = trail.samples.size() - 1;
+      trail.velocity = trajectory::velocityAt(renumbered(trail.samples), last, kPositions - 1);
+    }
+    const std::size_t count = trail.samples.size();
+    const double step =
+        count < 2 ? 0.0 : trail.samples[count - 1].time - trail.samples[count - 2].time;
+    const bool isKnown = before && trail.velocity && step > 0.0;
+    trail.acceleration = isKnown ? Eigen::Vector3d((*trail.velocity - *before) / step)
+                                 : Eigen::Vector3d(Eigen::Vector3d::Zero());
+  }
+}
+
+std::optional<Eigen::Vector3d> RecentPositions::velocity(const std::string& target) const {
+  const auto found = trails_.find(target);
+  return found == trails_.end() ? std::nullopt : found->second.velocity;
+}
+
+Eigen::Vector3d RecentPositions::acceleration(const std::string& target) const {
+  const auto found = trails_.find(target);
+  return found == trails_.end() ? Eigen::Vector3d::Zero() : found->second.acceleration;
+}
+
+FrameMessage frameMessageOf(const TrackSnapshot& snapshot, const RecentPositions& recent,
+                            const RigMessagePtr& rig) {
+  FrameMessage message;
+  message.frame = snapshot.frame;
+  message.time = seconds(snapshot.frames->time);
+  message.rig = rig;
+  const Eigen::Matrix3d fromWorld = rig->coordinates.fromWorld();
+  for (std::size_t k = 0; k < snapshot.targets.size(); ++k) {
+    const TargetSnapshot& target = snapshot.targets[k];
+    if (isAbsent(target.estimate)) {
+      continue; // a person who has left
+    }
+    const PersonEstimate* person = std::get_if<PersonEstimate>(&target.estimate);
+    TargetMessage& sent = message.targets.emplace_back();
+    sent.id = person != nullptr ? person->identity : static_cast<int>(k) + 1;
+    sent.name = target.target.name;
+    sent.state = stateWord(session::holdState(target));
+    sent.existence = existenceProbabilityOf(target.estimate);
+    const auto position = positionOf(target.estimate);
+    if (!position || !position->mean.allFinite() || !isHeld(target.estimate)) {
+      continue;
+    }
+    sent.position = fromWorld * position->mean;
+    sent.covariance = fromWorld * position->covariance * fromWorld.transpose();
+    if (const auto velocity = recent.velocity(sent.name)) {
+      sent.velocity = fromWorld * *velocity;
+      sent.acceleration = fromWorld * recent.acceleration(sent.name);
+    }
+    sent.cameras = camerasSeeing(snapshot, target);
+  }
+  return message;
+}
+
+} // namespace dewpoint::broadcast

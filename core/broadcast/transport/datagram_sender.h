@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/broadcast/transport/file_descriptor.h"
+#include "core/broadcast/transport/outlet.h"
+
+#include <atomic>
+#include <memory>
+#include <string>
+
+namespace dewpoint::broadcast {
+
+/// Sends each piece as one UDP datagram to one receiver, which need not exist. There is no opening.
+class DatagramSender final : public Outlet {
+public:
+  /// `address` is HOST:PORT; broadcast and multicast addresses are possible. `title` is used in the
+  /// report. BadValue if the address is unknown.
+  static Result<std::unique_ptr<DatagramSender>> open(const std::string& address,
+                                                      const std::string& title);
+
+  void setOpening(const std::string& /*opening*/) override {}
+  void send(const std::vector<std::string>& pieces) override;
+  OutletReport report() const override;
+
+private:
+  DatagramSender(FileDescriptor socket, std::string place)
+      : socket_(std::move(socket)), place_(std::move(place)) {}
+
+  FileDescriptor socket_;
+  std::string place_;
+  std::atomic<std::int64_t> sent_ = 0;
+  std::atomic<std::int64_t> dropped_ = 0;
+};
+
+} // namespace dewpoint::broadcast

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/broadcast/transport/file_descriptor.h"
+#include "core/broadcast/transport/outlet.h"
+
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <string>
+
+namespace dewpoint::broadcast {
+
+/// Writes lines to a file, a named pipe or standard output. A pipe is opened again and again until
+/// a program reads it; each reader gets the opening first. Lines that do not fit into a pipe are
+/// dropped as a whole. The thread that calls send() no longer receives SIGPIPE.
+class LineFile final : public Outlet {
+public:
+  /// A `file` that does not exist is created, and an existing one is replaced; "-" is standard
+  /// output. FileUnwritable if this is not possible.
+  static Result<std::unique_ptr<LineFile>> open(const std::filesystem::path& file);
+
+  void setOpening(const std::string& opening) override;
+  void send(const std::vector<std::string>& pieces) override;
+  OutletReport report() const override;
+
+private:
+  explicit LineFile(std::filesystem::path file) : file_(std::move(file)) {}
+  bool isReady();
+  void write(const std::string& piece);
+  /// Notes that nothing can be written at present.
+  void fail(int reason);
+
+  std::filesystem::path file_;
+  FileDescriptor own_;    ///< not standard output, which stays open
+  int number_ = -1;       ///< -1: no program reads the pipe
+  bool isPipe_ = false;   ///< writing could wait
+  bool isNamed_ = false;  ///< a named pipe, which can be opened again
+  bool isBroken_ = false; ///< nothing more can be written
+  std::string opening_;
+  bool isOpened_ = false;    ///< the present reader has got the opening
+  mutable std::mutex mutex_; ///< of the report
+  OutletReport report_;
+};
+
+} // namespace dewpoint::broadcast

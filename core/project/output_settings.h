@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace dewpoint::project {
+
+/// Axes of the positions that leave the program while it runs.
+enum class OutputAxes {
+  ZUp,          ///< as in Dewpoint: right-handed, z up
+  YUp,          ///< right-handed, y up: (y, z, x) of Dewpoint, as in the export formats
+  YUpLeftHanded ///< left-handed, y up: (x, z, y) of Dewpoint, as in Unity
+};
+
+/// Unit of the lengths that leave the program while it runs.
+enum class OutputUnit { Meter, Millimeter };
+
+/// Results that leave the program while it runs: the table [output] of a project file. An output
+/// that is not set is off.
+struct OutputSettings {
+  OutputAxes axes = OutputAxes::ZUp;
+  OutputUnit unit = OutputUnit::Meter;
+  double rate = 30.0;                     ///< largest number of frames per second; 0: all frames
+  std::string osc;                        ///< receiver of OSC messages as HOST:PORT (UDP)
+  std::string tuio;                       ///< receiver of TUIO 1.1 3D cursors as HOST:PORT (UDP)
+  std::optional<std::uint16_t> tcp;       ///< port for JSON lines; 0: any free port
+  std::optional<std::uint16_t> websocket; ///< port for WebSocket and page; 0: any free port
+  std::string csv;                  ///< file or named pipe for CSV lines; "-": standard output
+  std::string listen = "127.0.0.1"; ///< address of this computer that the ports are opened on
+  /// Word that remote commands must contain; empty: remote commands are off. `${NAME}` stands for
+  /// an environment variable, which is read when the outputs are opened.
+  std::string token;
+
+  static constexpr double kMaxRate = 1000.0;
+  static constexpr std::size_t kMinTokenBytes = 8;
+  static constexpr std::size_t kMaxTokenBytes = 256;
+
+  /// Returns whether at least one output is on.
+  bool any() const {
+    return !osc.empty() || !tuio.empty() || !csv.empty() || tcp.has_value() ||
+           websocket.has_value();
+  }
+
+  bool operator==(const OutputSettings&) const = default;
+};
+
+} // namespace dewpoint::project

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/broadcast/transport/datagram_sender.h"
+#include "tests/broadcast/test_socket.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace dewpoint::tests {
+namespace {
+
+using broadcast::DatagramSender;
+
+TEST(DatagramSender, SendsEachPieceAsOneDatagram) {
+  TestSocket receiver = TestSocket::receiver();
+  auto sender =
+      DatagramSender::open("127.0.0.1:" + std::to_string(receiver.port()), "OSC messages");
+  ASSERT_TRUE(sender);
+  (*sender)->send({"one"});
+  EXPECT_EQ(receiver.readUntil("one"), "one");
+  (*sender)->send({"two", "three"});
+  EXPECT_EQ(receiver.readUntil("three"), "twothree");
+  EXPECT_EQ((*sender)->report().sent, 3);
+  EXPECT_TRUE((*sender)->report().place.starts_with("OSC messages to 127.0.0.1:"));
+}
+
+TEST(DatagramSender, NobodyNeedsToListen) {
+  std::uint16_t port = 0;
+  { port = TestSocket::receiver().port(); }
+  auto sender = DatagramSender::open("127.0.0.1:" + std::to_string(port), "OSC messages");
+  ASSERT_TRUE(sender);
+  for (int k = 0; k < 100; ++k) {
+    (*sender)->send({"x"});
+  }
+  (*sender)->send({std::string(100'000, 'x')}); // larger than any datagram
+  EXPECT_GE((*sender)->report().dropped, 1);
+}
+
+TEST(DatagramSender, AnUnknownAddressIsReported) {
+  EXPECT_FALSE(DatagramSender::open("no port", "OSC messages"));
+  EXPECT_FALSE(DatagramSender::open("no.such.host.invalid:9000", "OSC messages"));
+}
+
+} // namespace
+} // namespace dewpoint::tests
