@@ -3,12 +3,21 @@
 # needs are found by dpkg-shlibdeps; what cannot be found by it comes from packages.txt.
 set(maintainer "Dewpoint maintainers <maintainers@dewpoint.example>")
 
+# The release that this is, as in the last column of packages.txt.
+file(STRINGS /etc/os-release release REGEX "^(ID|VERSION_ID)=")
+string(REGEX REPLACE "^.*;?ID=\"?([a-z]+)\"?.*$" "\\1" id "${release}")
+string(REGEX REPLACE "^.*VERSION_ID=\"?([0-9.]+)\"?.*$" "\\1" number "${release}")
+set(DEWPOINT_DISTRIBUTION ${id}-${number})
+
 # dewpoint_packages_of(<variable> <purpose> <with versions>): rows of packages.txt
 function(dewpoint_packages_of variable purpose versions)
   file(STRINGS ${CMAKE_CURRENT_SOURCE_DIR}/packages.txt rows REGEX "^[a-z0-9].* ${purpose} ")
   set(packages)
   foreach(row IN LISTS rows)
-    string(REGEX MATCH "^([^ ]+) +[a-z]+ +([^ ]+)" row "${row}")
+    string(REGEX MATCH "^([^ ]+) +[a-z]+ +([^ ]+) *([^ ]*)" row "${row}")
+    if(CMAKE_MATCH_3 AND NOT CMAKE_MATCH_3 STREQUAL DEWPOINT_DISTRIBUTION)
+      continue()
+    endif()
     if(versions)
       list(APPEND packages "${CMAKE_MATCH_1} (>= ${CMAKE_MATCH_2})")
     else()

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/board/board_picture.h"
 
+#include "core/calibration/board/marker_dictionary.h"
 #include "core/geometry/ray.h"
-
-#include <opencv2/aruco.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -23,16 +22,11 @@ std::size_t indexOf(int column, int row, int columns) {
 
 /// The cells of all markers a board needs, with their border, row by row.
 std::vector<std::vector<char>> markerCells(const BoardDescription& board, int& cells) {
-  const auto& names = markerDictionaries();
-  const auto number = std::ranges::find(names, board.dictionary) - names.begin();
-  const auto dictionary = cv::aruco::getPredefinedDictionary(
-      static_cast<cv::aruco::PREDEFINED_DICTIONARY_NAME>(number));
-  cells = dictionary->markerSize + 2;
+  const MarkerDictionary dictionary(board.dictionary);
+  cells = dictionary.cells() + 2;
   std::vector<std::vector<char>> markers;
-  for (int id = 0; id < (board.columns * board.rows + 1) / 2 && id < dictionary->bytesList.rows;
-       ++id) {
-    const cv::Mat bits = cv::aruco::Dictionary::getBitsFromByteList(
-        dictionary->bytesList.rowRange(id, id + 1), dictionary->markerSize);
+  for (int id = 0; id < (board.columns * board.rows + 1) / 2 && id < dictionary.size(); ++id) {
+    const cv::Mat bits = dictionary.cellsOf(id);
     std::vector<char> marker(indexOf(0, cells, cells), 1);
     for (int row = 0; row < bits.rows; ++row) {
       for (int column = 0; column < bits.cols; ++column) {

@@ -2,8 +2,8 @@
 #include "core/calibration/board/charuco_corners.h"
 
 #include "core/calibration/board/corner_refinement.h"
+#include "core/calibration/board/marker_dictionary.h"
 
-#include <opencv2/aruco.hpp>
 #include <opencv2/calib3d.hpp>
 
 #include <algorithm>
@@ -40,13 +40,7 @@ struct SeenMarker {
 
 std::vector<SeenMarker> seenMarkers(const cv::Mat& gray, const BoardDescription& board,
                                     const std::vector<std::pair<int, int>>& squares) {
-  const auto& names = markerDictionaries();
-  const auto number = std::ranges::find(names, board.dictionary) - names.begin();
-  const auto dictionary = cv::aruco::getPredefinedDictionary(
-      static_cast<cv::aruco::PREDEFINED_DICTIONARY_NAME>(number));
-  std::vector<std::vector<cv::Point2f>> outlines;
-  std::vector<int> ids;
-  cv::aruco::detectMarkers(gray, dictionary, outlines, ids);
+  const auto [outlines, ids, others] = MarkerDictionary(board.dictionary).detect(gray);
   std::vector<SeenMarker> seen;
   const float half = static_cast<float>(0.5 * board.markerSize / board.squareSize);
   for (std::size_t k = 0; k < ids.size(); ++k) {

@@ -2,8 +2,8 @@
 #include "core/calibration/board/marker_reading.h"
 
 #include "core/calibration/board/board.h"
+#include "core/calibration/board/marker_dictionary.h"
 
-#include <opencv2/aruco.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
@@ -39,13 +39,6 @@ struct CodeTable {
   std::unordered_map<std::uint64_t, Entry> entries;
 };
 
-cv::Ptr<cv::aruco::Dictionary> dictionaryOf(const std::string& name) {
-  const auto& names = markerDictionaries();
-  const auto number = std::ranges::find(names, name) - names.begin();
-  return cv::aruco::getPredefinedDictionary(
-      static_cast<cv::aruco::PREDEFINED_DICTIONARY_NAME>(number));
-}
-
 /// The cells (CV_8UC1, 0: black) as one number, row by row.
 std::uint64_t numberOfCells(const cv::Mat& cells) {
   std::uint64_t number = 0;
@@ -58,12 +51,11 @@ std::uint64_t numberOfCells(const cv::Mat& cells) {
 }
 
 CodeTable makeCodeTable(const std::string& name) {
-  const auto dictionary = dictionaryOf(name);
+  const MarkerDictionary dictionary(name);
   CodeTable table;
-  table.cells = dictionary->markerSize;
-  for (int id = 0; id < dictionary->bytesList.rows; ++id) {
-    cv::Mat cells = cv::aruco::Dictionary::getBitsFromByteList(
-        dictionary->bytesList.rowRange(id, id + 1), table.cells);
+  table.cells = dictionary.cells();
+  for (int id = 0; id < dictionary.size(); ++id) {
+    cv::Mat cells = dictionary.cellsOf(id);
     for (int rotation = 0; rotation < 4; ++rotation) {
       table.entries.try_emplace(numberOfCells(cells), CodeTable::Entry{id, rotation});
       cv::rotate(cells.clone(), cells, cv::ROTATE_90_CLOCKWISE);
@@ -85,13 +77,9 @@ const std::vector<CodeTable>& codeTables() {
 
 /// The quadrilaterals in an image that may be markers, clockwise.
 std::vector<MarkerOutline> quadrilateralsIn(const cv::Mat& gray) {
-  const auto parameters = cv::aruco::DetectorParameters::create();
-  parameters->minMarkerDistanceRate = 0.01; // a square close around a marker does not replace it
-  std::vector<std::vector<cv::Point2f>> found;
-  std::vector<std::vector<cv::Point2f>> others;
-  std::vector<int> ids;
-  cv::aruco::detectMarkers(gray, dictionaryOf(markerCodes().front()), found, ids, parameters,
-                           others);
+  constexpr double kMinDistanceRate = 0.01; // a square close around a marker does not replace it
+  auto [found, ids, others] =
+      MarkerDictionary(markerCodes().front()).detect(gray, kMinDistanceRate);
   found.insert(found.end(), others.begin(), others.end());
   std::vector<MarkerOutline> outlines;
   for (const auto& corners : found) {
