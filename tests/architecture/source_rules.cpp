@@ -110,10 +110,11 @@ std::string windowArrow(const std::string& room, const std::string& inner,
                         const std::string& include) {
   const std::vector<std::string> target = split(include);
   if (target[0] == "core") {
-    static const Names kOpen = {"session", "setup", "base"};
+    static const Names kOpen = {"session", "setup", "broadcast", "base"};
     return (target.size() > 2 && kOpen.contains(target[1])) || windowHeaders().contains(include)
                ? ""
-               : "ui sees core/session, core/setup and the value types they hand out only";
+               : "ui sees core/session, core/setup, core/broadcast and the value types they hand "
+                 "out only";
   }
   if (target[0] != "ui") {
     return "ui stands below " + target[0];

@@ -62,6 +62,8 @@ inline constexpr auto kActionNames = std::to_array<std::string_view>({
     "actionNextMark",
     "actionZoomToSpan",
     "actionRecord",
+    "actionSendResults",
+    "actionOutputs",
     "actionRestart",
     "actionRestartNewSeed",
     "actionFilterThreads",

@@ -202,6 +202,13 @@ std::vector<ActionDeclaration> runActions() {
                          "Record the live cameras into a folder that opens as a project, "
                          "or stop recording"),
        "record", Qt::Key_F9, true},
+      {"actionSendResults", group, QT_TRANSLATE_NOOP("Actions", "Send results"),
+       QT_TRANSLATE_NOOP("Actions", "Send positions to other programs while the run lasts, or stop "
+                                    "sending; nothing is sent until you choose this"),
+       nullptr, Qt::SHIFT | Qt::Key_F9, true},
+      {"actionOutputs", group, QT_TRANSLATE_NOOP("Actions", "Outputs…"),
+       QT_TRANSLATE_NOOP("Actions", "Choose where results are sent while a run lasts: TCP, "
+                                    "WebSocket, OSC, TUIO, CSV")},
       {"actionFilterThreads", group, QT_TRANSLATE_NOOP("Actions", "Filter threads…"),
        QT_TRANSLATE_NOOP("Actions", "Choose how many threads share the work of the filter"),
        nullptr, Qt::CTRL | Qt::ALT | Qt::Key_F},

@@ -4,6 +4,7 @@
 #include "core/project/project.h"
 #include "ui/actions/action_registry.h"
 #include "ui/actions/window_actions.h"
+#include "ui/broadcast/output_controller.h"
 #include "ui/calibration/board/board_installer.h"
 #include "ui/calibration/calibration_mode.h"
 #include "ui/calibration/exchange/exchange_installer.h"
@@ -133,6 +134,7 @@ void MainWindow::installFeatures() {
   installCalibrationExchange(bench);
   installExport(bench, *timeline);
   installExperiments(bench);
+  new OutputController(bench);
   auto* takes = new TakeController(bench);
   connect(takes, &TakeController::openRequested, this, &MainWindow::openProject);
   new RunAlerts(bench, calibration->manual());

@@ -80,6 +80,8 @@ void WindowMenus::make() {
        "actionRestartNewSeed",
        nullptr,
        "actionRecord",
+       "actionSendResults",
+       "actionOutputs",
        nullptr,
        "actionFilterThreads",
        "actionExperiments"});

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/broadcast/output_controller.h"
+
+#include "core/project/project.h"
+#include "ui/broadcast/output_dialog.h"
+#include "ui/document/document.h"
+#include "ui/text/error_sentence.h"
+#include "ui/widgets/message_bar.h"
+
+#include <QAction>
+#include <QLabel>
+#include <QMainWindow>
+#include <QPointer>
+#include <QStatusBar>
+#include <QStringList>
+
+#include <chrono>
+#include <utility>
+
+namespace dewpoint::ui {
+
+namespace {
+constexpr std::chrono::seconds kUpdate(1);
+} // namespace
+
+OutputController::OutputController(const Workbench& bench)
+    : QObject(&bench.window), bench_(bench), action_(bench.action("actionSendResults")),
+      label_(new QLabel(&bench.window)), job_(new BackgroundJob(this)) {
+  label_->setObjectName(QStringLiteral("outputLabel"));
+  label_->hide();
+  bench_.window.statusBar()->addPermanentWidget(label_);
+  connect(action_, &QAction::triggered, this, &OutputController::toggle);
+  connect(&timer_, &QTimer::timeout, this, &OutputController::showStatus);
+  bench_.onTriggered("actionOutputs", this, [this] {
+    auto* dialog = bench_.window.findChild<OutputDialog*>();
+    if (dialog == nullptr) {
+      dialog = new OutputDialog(bench_.document, &bench_.window);
+      dialog->setAttribute(Qt::WA_DeleteOnClose);
+    }
+    Workbench::present(dialog);
+  });
+  bench_.requireRun({"actionOutputs"});
+  connect(&bench_.session, &SessionController::snapshotChanged, this,
+          [this](const TrackSnapshotPtr& snapshot) {
+            if (broadcaster_ != nullptr && snapshot != nullptr) {
+              broadcaster_->offer(snapshot);
+            }
+          });
+  connect(&bench_.session, &SessionController::runStarted, this, &OutputController::updateAction);
+  connect(&bench_.session, &SessionController::closed, this, [this] {
+    wanted_ = false;
+    close();
+  });
+  connect(&bench_.document, &Document::replaced, this, [this] {
+    wanted_ = false; // another project has outputs that nobody has switched on
+    close();
+  });
+  connect(&bench_.document, &Document::changed, this, [this] {
+    if (bench_.document.project().output != opened_ && wanted_) {
+      close();
+      open();
+    }
+    updateAction();
+  });
+  connect(job_, &BackgroundJob::ended, this, &OutputController::updateAction);
+  updateAction();
+}
+
+std::vector<broadcast::OutletReport> OutputController::reports() const {
+  return broadcaster_ != nullptr ? broadcaster_->reports() : std::vector<broadcast::OutletReport>();
+}
+
+void OutputController::toggle(bool send) {
+  wanted_ = send;
+  if (!send) {
+    close();
+  } else if (bench_.document.project().output.any()) {
+    open();
+  } else {
+    wanted_ = false;
+    bench_.action("actionOutputs")->trigger(); // there is nothing to send to yet
+  }
+  updateAction();
+}
+
+void OutputController::open() {
+  using Opened = Result<std::unique_ptr<broadcast::Broadcaster>>;
+  const Project& project = bench_.document.project();
+  opened_ = project.output;
+  if (!opened_.any()) {
+    return;
+  }
+  broadcast::BroadcastInputs inputs;
+  inputs.settings = project.output;
+  inputs.folder = project.file.parent_path();
+  inputs.volume = project.volumeOfInterest;
+  const QPointer<OutputController> self(this);
+  inputs.receiver = [self](const broadcast::RemoteCommand& command) -> Status {
+    // Called by a thread of the outputs, which must not wait for the window.
+    QMetaObject::invokeMethod(
+        self, [self, command] { self->receive(command); }, Qt::QueuedConnection);
+    return {};
+  };
+  // Names of other computers are looked up, which takes time.
+  job_->start([this, inputs](const BackgroundJob::Progress&) -> std::function<void()> {
+    auto opened = std::make_shared<Opened>(broadcast::Broadcaster::open(inputs));
+    return [this, opened] {
+      if (!*opened) {
+        wanted_ = false;
+        bench_.messages.showError(errorText(opened->error()));
+      } else if (wanted_) {
+        broadcaster_ = std::move(**opened);
+        broadcaster_->offer(bench_.session.shown());
+        timer_.start(kUpdate);
+        showStatus();
+      }
+      updateAction();
+      Q_EMIT changed();
+    };
+  });
+}
+
+void OutputController::close() {
+  const auto closing = std::exchange(broadcaster_, nullptr);
+  timer_.stop();
+  label_->hide();
+  opened_ = {};
+  updateAction();
+  if (closing != nullptr) {
+    Q_EMIT changed();
+  }
+}
+
+void OutputController::receive(const broadcast::RemoteCommand& command) {
+  QAction* record = bench_.action("actionRecord");
+  switch (command.action) {
+  case broadcast::RemoteAction::Start:
+    bench_.session.play();
+    break;
+  case broadcast::RemoteAction::Stop:
+    if (bench_.session.isPlaying()) {
+      bench_.session.togglePlay();
+    }
+    break;
+  case broadcast::RemoteAction::StartRecording:
+  case broadcast::RemoteAction::StopRecording:
+    if (record->isEnabled() &&
+        record->isChecked() != (command.action == broadcast::RemoteAction::StartRecording)) {
+      record->trigger();
+    }
+    break;
+  }
+}
+
+void OutputController::showStatus() {
+  QStringList lines;
+  int clients = 0;
+  bool troubled = false;
+  for (const broadcast::OutletReport& report : reports()) {
+    clients += report.clients;
+    troubled = troubled || !report.problem.empty();
+    lines += tr("%1: %2 sent, %3 dropped")
+                 .arg(QString::fromStdString(report.place))
+                 .arg(report.sent)
+                 .arg(report.dropped);
+    if (!report.problem.empty()) {
+      lines += QStringLiteral("  ") + QString::fromStdString(report.problem);
+    }
+  }
+  label_->setText(
+      (troubled ? QStringLiteral("▲ ") : QStringLiteral("◉ ")) +
+      (clients > 0 ? tr("Sending, %n program(s) connected", nullptr, clients) : tr("Sending")));
+  label_->setToolTip(lines.join(QLatin1Char('\n')));
+  label_->show();
+}
+
+void OutputController::updateAction() {
+  action_->setEnabled(bench_.session.isRunning() && !job_->isRunning());
+  action_->setChecked(isSending());
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/broadcast/broadcaster.h"
+#include "ui/jobs/background_job.h"
+#include "ui/workbench/workbench.h"
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+
+#include <memory>
+#include <vector>
+
+class QLabel;
+
+namespace dewpoint::ui {
+
+/// Sends the results of the run to other programs (actionSendResults), as the project's outputs
+/// say. Nothing is sent until the user switches it on, also not for a project that has outputs. A
+/// change of the outputs opens them again. Remote commands with the right token play, pause and
+/// record.
+class OutputController : public QObject {
+  Q_OBJECT
+public:
+  explicit OutputController(const Workbench& bench);
+
+  bool isSending() const { return broadcaster_ != nullptr; }
+  /// Returns how each output is doing; empty while nothing is sent.
+  std::vector<broadcast::OutletReport> reports() const;
+
+Q_SIGNALS:
+  /// Emitted when sending has begun or ended, or when the outputs could not be opened.
+  void changed();
+
+private:
+  void toggle(bool send);
+  void open();
+  void close();
+  void receive(const broadcast::RemoteCommand& command);
+  void showStatus();
+  void updateAction();
+
+  Workbench bench_;
+  QAction* action_;
+  QLabel* label_;
+  QTimer timer_; ///< updates the label
+  BackgroundJob* job_;
+  std::shared_ptr<broadcast::Broadcaster> broadcaster_;
+  OutputSettings opened_; ///< settings of the open outputs
+  bool wanted_ = false;   ///< the user has switched sending on
+};
+
+} // namespace dewpoint::ui
