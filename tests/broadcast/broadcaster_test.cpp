@@ -111,7 +111,7 @@ TEST(Broadcaster, OpensEverythingOfTheSettings) {
   (*broadcaster)->offer(trackedFrame(3));
   const std::string lines = client.readUntil("\"frame\":3");
   EXPECT_TRUE(lines.starts_with(R"({"type":"rig","axes":"z-up")")) << lines;
-  EXPECT_NE(osc.readUntil("/dewpoint/frame").find("/dewpoint/target"), std::string::npos);
+  EXPECT_NE(osc.readUntil("/dewpoint/target").find("/dewpoint/frame"), std::string::npos);
   EXPECT_NE(tuio.readUntil("alive").find("/tuio/3Dcur"), std::string::npos);
 }
 

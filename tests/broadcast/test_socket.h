@@ -15,7 +15,6 @@
 #include <string_view>
 #include <sys/socket.h>
 #include <thread>
-#include <utility>
 
 namespace dewpoint::tests {
 
@@ -73,11 +72,15 @@ public:
   void closeOwnSide() { ::shutdown(socket_.number(), SHUT_WR); }
 
   /// Reads until the received text contains this one, the other side closes or 20 s are over.
-  /// Returns everything since the last call.
+  /// Returns what was received up to the end of this text, or all of it.
   std::string readUntil(std::string_view text) {
     while (received_.find(text) == std::string::npos && readMore()) {
     }
-    return std::exchange(received_, {});
+    const auto found = received_.find(text);
+    const auto end = found == std::string::npos ? received_.size() : found + text.size();
+    std::string read = received_.substr(0, end);
+    received_.erase(0, end);
+    return read;
   }
   /// Reads until the other side closes; returns whether it does within 20 s.
   bool isClosedByOther() {

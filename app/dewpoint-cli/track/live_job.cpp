@@ -4,6 +4,7 @@
 #include "app/dewpoint-cli/common/exit_code.h"
 #include "app/dewpoint-cli/common/interruption.h"
 #include "app/dewpoint-cli/track/live_recorder.h"
+#include "core/base/units.h"
 #include "core/broadcast/broadcaster.h"
 #include "core/session/session.h"
 #include "core/session/snapshot/snapshot_state.h"
@@ -107,7 +108,7 @@ public:
     fmt::print(out_, "frames                  {:>10}\n", snapshot.frame + 1);
     fmt::print(out_, "frames sent             {:>10}\n", broadcaster.sentFrames());
     fmt::print(out_, "images dropped          {:>10}\n", snapshot.droppedFrames);
-    fmt::print(out_, "latency p99             {:>7.1f} ms\n", 1e3 * snapshot.latency.p99);
+    fmt::print(out_, "latency p99             {:>7.1f} ms\n", inMilliseconds(snapshot.latency.p99));
     std::fflush(out_);
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/broadcast/message/frame_message.h"
 
+#include "core/base/units.h"
 #include "core/geometry/seen_volume.h"
 #include "core/session/snapshot/sight_lines.h"
 #include "core/session/snapshot/snapshot_state.h"
@@ -11,8 +12,6 @@
 
 namespace dewpoint::broadcast {
 namespace {
-
-constexpr double kMillimetersPerMeter = 1000.0;
 
 /// The box around a box in other coordinates, whose axes are those of the first one, permuted.
 WorldBox mapped(const WorldBox& box, const Eigen::Matrix3d& matrix) {
@@ -61,7 +60,7 @@ Eigen::Matrix3d OutputCoordinates::fromWorld() const {
   } else if (axes == OutputAxes::YUpLeftHanded) {
     matrix << 1, 0, 0, 0, 0, 1, 0, 1, 0;
   }
-  return unit == OutputUnit::Millimeter ? Eigen::Matrix3d(kMillimetersPerMeter * matrix) : matrix;
+  return unit == OutputUnit::Millimeter ? Eigen::Matrix3d(inMillimeters(1.0) * matrix) : matrix;
 }
 
 const char* stateWord(HoldState state) {

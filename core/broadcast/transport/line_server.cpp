@@ -23,7 +23,7 @@
 namespace dewpoint::broadcast {
 namespace {
 
-constexpr int kWaitingConnections = 16;
+constexpr int kWaitingConnections = 128;
 /// Pieces between two turns of the thread, which has nothing to wait for.
 constexpr std::size_t kMaxPending = 4096;
 
@@ -127,8 +127,9 @@ private:
       for (LineClient& client : clients_) {
         serve(client, polled[k++].revents);
       }
-      if (polled[1].revents != 0) {
-        accept();
+      // Several at once, but not for as long as somebody connects.
+      for (int taken = 0; polled[1].revents != 0 && taken < kWaitingConnections && accept();
+           ++taken) {
       }
       std::erase_if(clients_, [](const LineClient& client) { return !client.isOpen(); });
       clientCount_ = static_cast<int>(clients_.size());
@@ -166,16 +167,19 @@ private:
     }
   }
 
-  void accept() {
+  /// Returns whether there was a connection.
+  bool accept() {
     FileDescriptor socket(
         ::accept4(listening_.number(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
     if (!socket.isOpen()) {
-      // Out of descriptors: until one is free, the connection would wake the thread all the time.
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
-      return;
+      if (errno == EMFILE || errno == ENFILE) {
+        // Until a descriptor is free, the connection would wake the thread all the time.
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      }
+      return false;
     }
     if (clients_.size() >= kMaxClients) {
-      return;
+      return true;
     }
     watchConnection(socket.number());
     LineClient& client = clients_.emplace_back(std::move(socket));
@@ -183,6 +187,7 @@ private:
     if (!opening_.empty()) {
       client.push(std::make_shared<const std::string>(opening_));
     }
+    return true;
   }
 
   FileDescriptor listening_;

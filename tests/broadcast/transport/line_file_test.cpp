@@ -56,13 +56,14 @@ TEST(LineFile, APipeWaitsForNobodyAndGreetsEachReader) {
   (*file)->send({"lost\n"}); // nobody reads it
   EXPECT_EQ((*file)->report().clients, 0);
   for (int reader = 0; reader < 2; ++reader) {
-    const FileDescriptor pipe(::open(path.c_str(), O_RDONLY | O_NONBLOCK));
+    FileDescriptor pipe(::open(path.c_str(), O_RDONLY | O_NONBLOCK));
     (*file)->send({"a\n"});
     EXPECT_EQ(textIn(pipe), "header\na\n");
     EXPECT_EQ((*file)->report().clients, 1);
+    pipe.close();
+    (*file)->send({"b\n"}); // the reader has gone: no signal ends the program
+    EXPECT_EQ((*file)->report().clients, 0);
   }
-  (*file)->send({"b\n"}); // the reader has gone: no signal ends the program
-  EXPECT_EQ((*file)->report().clients, 0);
 }
 
 TEST(LineFile, AFullPipeLosesWholeLines) {
