@@ -6,12 +6,14 @@
 #include "app/wiring/open_project.h"
 #include "core/capture/gstreamer/open_live.h"
 #include "core/session/take/take_recorder.h"
+#include "core/setup/new_project/new_project.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -57,10 +59,6 @@ public:
 private:
   std::vector<std::string> shown_;
 };
-
-bool allSend(const Feeds& feeds) {
-  return std::ranges::all_of(feeds, [](const auto& feed) { return feed->imageCount() > 0; });
-}
 
 /// Whether all streams have ended and none has come back.
 bool allEnded(const Feeds& feeds) {
@@ -112,14 +110,47 @@ bool printTake(const TakeStatus& take) {
   return complete;
 }
 
-int recordTake(const RecordOptions& options, const Project& project, FrameSetSource& source,
+/// A camera that nobody has calibrated may send images of any size, and takes its guess from them.
+bool isGuessed(const Project& project, std::size_t camera) {
+  return hasGuessedPose(project, camera) && hasGuessedLens(project, camera);
+}
+
+std::vector<LiveCamera> camerasToRecord(const Project& project) {
+  std::vector<LiveCamera> cameras = liveCamerasOf(project);
+  for (std::size_t k = 0; k < cameras.size(); ++k) {
+    if (isGuessed(project, k)) {
+      cameras[k].width = cameras[k].height = 0;
+    }
+  }
+  return cameras;
+}
+
+/// Waits for the first image of each camera, but not for long.
+Status awaitCameras(Project& project, FrameSetSource& source, NoticePrinter& notices) {
+  std::vector<bool> seen(project.cameras.size());
+  const auto deadline = RecordClock::now() + kCameraPatience;
+  while (!std::ranges::all_of(seen, std::identity()) && RecordClock::now() < deadline &&
+         !interruptionRequested()) {
+    const auto set = source.next();
+    if (!set) {
+      return tl::make_unexpected(set.error());
+    }
+    notices.show(source.notices());
+    for (std::size_t k = 0; *set && k < seen.size(); ++k) {
+      const FramePtr& frame = (*set)->frames[k];
+      if (frame && !seen[k] && isGuessed(project, k)) {
+        guessCalibration(project, k, frame->image.size());
+      }
+      seen[k] = seen[k] || frame;
+    }
+  }
+  return {};
+}
+
+int recordTake(const RecordOptions& options, Project project, FrameSetSource& source,
                const Feeds& feeds) {
   NoticePrinter notices;
-  const auto opened = RecordClock::now();
-  if (auto waited = watchCameras(
-          source, notices,
-          [&] { return allSend(feeds) || RecordClock::now() - opened > kCameraPatience; });
-      !waited) {
+  if (auto waited = awaitCameras(project, source, notices); !waited) {
     return report(waited.error());
   }
   auto take = TakeRecorder::start(
@@ -167,14 +198,17 @@ int record(const RecordOptions& options) {
     return report({ErrorCode::Mismatch, options.project, "camera",
                    "only live cameras can be recorded (device or stream)"});
   }
+  if (auto guessed = guessMissingCameras(*project); !guessed) {
+    return report(guessed.error());
+  }
   catchInterruption();
   Feeds feeds(project->cameras.size());
   std::ranges::generate(feeds, [] { return std::make_shared<EncodedFeed>(); });
-  auto source = openLive(liveCamerasOf(*project), feeds);
+  auto source = openLive(camerasToRecord(*project), feeds);
   if (!source) {
     return report(source.error());
   }
-  return recordTake(options, *project, **source, feeds);
+  return recordTake(options, std::move(*project), **source, feeds);
 }
 
 } // namespace

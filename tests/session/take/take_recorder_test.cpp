@@ -29,6 +29,9 @@ Project liveProject(const std::string& right) {
     camera.camera.name = name;
     camera.camera.intrinsics.width = 640;
     camera.camera.intrinsics.height = 480;
+    camera.camera.intrinsics.focalX = camera.camera.intrinsics.focalY = 500;
+    camera.camera.intrinsics.centerX = 320;
+    camera.camera.intrinsics.centerY = 240;
     camera.source = SourceKind::Stream;
     camera.location = location;
     camera.delay = 0.02;
