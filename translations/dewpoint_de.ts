@@ -92,10 +92,6 @@
         <translation>Tastenkürzel…</translation>
     </message>
     <message>
-        <source>See and change all shortcuts</source>
-        <translation>Alle Tastenkürzel sehen und ändern</translation>
-    </message>
-    <message>
         <source>Run</source>
         <translation>Lauf</translation>
     </message>
@@ -248,10 +244,6 @@
         <translation>Ab hier erneut verfolgen</translation>
     </message>
     <message>
-        <source>Starting at the frame shown, track again with the current method, parameters and colors; pause to stop</source>
-        <translation>Ab dem gezeigten Bild mit aktuellem Verfahren, aktuellen Parametern und Farben erneut verfolgen; Pause beendet es</translation>
-    </message>
-    <message>
         <source>Add marker</source>
         <translation>Marke setzen</translation>
     </message>
@@ -288,24 +280,12 @@
         <translation>Auf die gewählte Spanne zoomen</translation>
     </message>
     <message>
-        <source>Show only the selected span in the timeline</source>
-        <translation>In der Zeitleiste nur die gewählte Spanne zeigen</translation>
-    </message>
-    <message>
         <source>Show likelihood map</source>
         <translation>Likelihood-Karte zeigen</translation>
     </message>
     <message>
-        <source>Show the likelihood of each position around the target, and the candidate positions</source>
-        <translation>Die Likelihood jeder Position um das Ziel und die in Frage kommenden Positionen zeigen</translation>
-    </message>
-    <message>
         <source>Show best particle</source>
         <translation>Bestes Partikel zeigen</translation>
-    </message>
-    <message>
-        <source>Mark each target&apos;s highest-weight particle (MAP) with a triangle in all views</source>
-        <translation>Das Partikel mit dem höchsten Gewicht (MAP) jedes Ziels in allen Ansichten mit einem Dreieck markieren</translation>
     </message>
     <message>
         <source>Plots</source>
@@ -356,10 +336,6 @@
         <translation>Zeit pro Schritt zeigen</translation>
     </message>
     <message>
-        <source>Duration of each filter iteration per target, in microseconds</source>
-        <translation>Dauer jeder Filteriteration je Ziel, in Mikrosekunden</translation>
-    </message>
-    <message>
         <source>Plot over time</source>
         <translation>Über der Zeit auftragen</translation>
     </message>
@@ -388,10 +364,6 @@
         <translation>Kurven als Bild speichern…</translation>
     </message>
     <message>
-        <source>Save the plots as shown, as SVG or PNG</source>
-        <translation>Die Kurven wie gezeigt als SVG oder PNG speichern</translation>
-    </message>
-    <message>
         <source>Copy trajectory as CSV</source>
         <translation>Bahn als CSV kopieren</translation>
     </message>
@@ -404,24 +376,12 @@
         <translation>Von Hand kalibrieren…</translation>
     </message>
     <message>
-        <source>Adjust the cameras until a grid matches the real scene in their images</source>
-        <translation>Die Kameras einstellen, bis ein Gitter in ihren Bildern zur wirklichen Szene passt</translation>
-    </message>
-    <message>
         <source>Import calibration…</source>
         <translation>Kalibrierung importieren…</translation>
     </message>
     <message>
-        <source>Load the calibration of the cameras from a file of another tool</source>
-        <translation>Die Kalibrierung der Kameras aus einer Datei eines anderen Programms laden</translation>
-    </message>
-    <message>
         <source>Export calibration…</source>
         <translation>Kalibrierung exportieren…</translation>
-    </message>
-    <message>
-        <source>Save the calibration of the cameras for another tool</source>
-        <translation>Die Kalibrierung der Kameras für ein anderes Programm speichern</translation>
     </message>
     <message>
         <source>Calibrate with wand…</source>
@@ -464,10 +424,6 @@
         <translation>Fehlerkarte zeigen</translation>
     </message>
     <message>
-        <source>Show the expected position error of a target at each point of the bird&apos;s-eye view</source>
-        <translation>In der Vogelperspektive den erwarteten Positionsfehler eines Ziels an jedem Punkt zeigen</translation>
-    </message>
-    <message>
         <source>Add planned camera</source>
         <translation>Geplante Kamera hinzufügen</translation>
     </message>
@@ -494,10 +450,6 @@
     <message>
         <source>Experiments…</source>
         <translation>Experimente …</translation>
-    </message>
-    <message>
-        <source>Reproduce the figures of the papers and write a report</source>
-        <translation>Die Abbildungen der Artikel reproduzieren und einen Bericht schreiben</translation>
     </message>
     <message>
         <source>Set box</source>
@@ -532,10 +484,6 @@
         <translation>Volumen der Personen zeigen</translation>
     </message>
     <message>
-        <source>Show the hull that contains 95 % of each person, and contour lines of the person&apos;s density on the floor</source>
-        <translation>Die Hülle zeigen, die 95 % jeder Person enthält, und Höhenlinien ihrer Dichte auf dem Boden</translation>
-    </message>
-    <message>
         <source>Filter threads…</source>
         <translation>Filter-Threads…</translation>
     </message>
@@ -564,10 +512,6 @@
         <translation>Den Suchraum zeigen</translation>
     </message>
     <message>
-        <source>Show the box in which targets are searched for, in the images and in the bird&apos;s-eye view</source>
-        <translation>Den Quader, in dem Ziele gesucht werden, in den Bildern und in der Vogelperspektive zeigen</translation>
-    </message>
-    <message>
         <source>File</source>
         <translation>Datei</translation>
     </message>
@@ -576,24 +520,12 @@
         <translation>Erneut verfolgen</translation>
     </message>
     <message>
-        <source>Track again all frames that have results from earlier settings</source>
-        <translation>Alle Bilder erneut verfolgen, deren Ergebnisse von früheren Einstellungen stammen</translation>
-    </message>
-    <message>
         <source>Slower</source>
         <translation>Langsamer</translation>
     </message>
     <message>
-        <source>Play the recording more slowly, down to 1/30</source>
-        <translation>Die Aufnahme langsamer abspielen, bis hinab zu 1/30</translation>
-    </message>
-    <message>
         <source>Faster</source>
         <translation>Schneller</translation>
-    </message>
-    <message>
-        <source>Play the recording faster, up to eight times</source>
-        <translation>Die Aufnahme schneller abspielen, bis zu achtmal so schnell</translation>
     </message>
     <message>
         <source>Normal speed</source>
@@ -612,16 +544,8 @@
         <translation>Lupe zeigen</translation>
     </message>
     <message>
-        <source>Show an enlarged inset when a target&apos;s particles are too close together to tell apart</source>
-        <translation>Einen vergrößerten Ausschnitt zeigen, wenn die Partikel eines Ziels zu dicht beieinander liegen</translation>
-    </message>
-    <message>
         <source>Show lines of sight</source>
         <translation>Sichtlinien zeigen</translation>
-    </message>
-    <message>
-        <source>Draw a line from each camera to the target in the bird&apos;s-eye view; it is dashed if the camera cannot see the target</source>
-        <translation>In der Vogelperspektive eine Linie von jeder Kamera zum Ziel zeichnen; sie ist gestrichelt, wenn die Kamera das Ziel nicht sieht</translation>
     </message>
     <message>
         <source>Zoom in</source>
@@ -660,10 +584,6 @@
         <translation>3D-Ansicht</translation>
     </message>
     <message>
-        <source>Bird&apos;s-eye view in perspective; drag to orbit</source>
-        <translation>Vogelperspektive in Perspektive, frei drehbar</translation>
-    </message>
-    <message>
         <source>Fit everything in view</source>
         <translation>Alles einpassen</translation>
     </message>
@@ -690,10 +610,6 @@
     <message>
         <source>Plot position</source>
         <translation>Position zeigen</translation>
-    </message>
-    <message>
-        <source>Position along x, y and z with a band of two standard deviations, and the truth where it is known</source>
-        <translation>Position entlang x, y und z mit einem Band von zwei Standardabweichungen, dazu die Wahrheit, wo sie bekannt ist</translation>
     </message>
     <message>
         <source>Help</source>
@@ -760,10 +676,6 @@
         <translation>Boden und Ursprung festlegen …</translation>
     </message>
     <message>
-        <source>Set the floor, the origin, the axes and the scale of the calibrated cameras from points marked in the images</source>
-        <translation>Boden, Ursprung, Achsen und Maßstab der kalibrierten Kameras mit Punkten festlegen, die in den Bildern markiert werden</translation>
-    </message>
-    <message>
         <source>Calibrate…</source>
         <translation>Kalibrieren…</translation>
     </message>
@@ -775,6 +687,126 @@
         <source>Play the first iterations of a run one by one, until every target is being tracked (five seconds at most)</source>
         <translation>Die ersten Iterationen eines Laufs einzeln abspielen, bis jedes Ziel verfolgt wird (höchstens fünf Sekunden)</translation>
     </message>
+    <message>
+        <source>See and change all keyboard shortcuts</source>
+        <translation>Alle Tastenkürzel sehen und ändern</translation>
+    </message>
+    <message>
+        <source>Adjust the calibration of the cameras until a grid drawn over their images matches the real scene</source>
+        <translation>Die Kalibrierung der Kameras einstellen, bis ein über ihre Bilder gezeichnetes Gitter zur wirklichen Szene passt</translation>
+    </message>
+    <message>
+        <source>Set the floor, the origin, the axes and the scale of the room with points that you mark in the images</source>
+        <translation>Boden, Ursprung, Achsen und Maßstab des Raums mit Punkten festlegen, die Sie in den Bildern markieren</translation>
+    </message>
+    <message>
+        <source>Load the calibration of the cameras from a file that another program wrote</source>
+        <translation>Die Kalibrierung der Kameras aus einer Datei laden, die ein anderes Programm geschrieben hat</translation>
+    </message>
+    <message>
+        <source>Save the calibration of the cameras for another program</source>
+        <translation>Die Kalibrierung der Kameras für ein anderes Programm speichern</translation>
+    </message>
+    <message>
+        <source>In the bird&apos;s-eye view, show the position error to expect for a target at each point</source>
+        <translation>In der Vogelperspektive zeigen, welcher Positionsfehler für ein Ziel an jedem Punkt zu erwarten ist</translation>
+    </message>
+    <message>
+        <source>Track again from the frame shown, with the current method, parameters and colors. To stop, press pause</source>
+        <translation>Ab dem gezeigten Bild erneut verfolgen, mit dem aktuellen Verfahren und den aktuellen Parametern und Farben. Pause beendet es</translation>
+    </message>
+    <message>
+        <source>Track all frames again that still have results from earlier settings</source>
+        <translation>Alle Bilder erneut verfolgen, deren Ergebnisse noch von früheren Einstellungen stammen</translation>
+    </message>
+    <message>
+        <source>Play the recording more slowly, down to 1/30 of the normal speed</source>
+        <translation>Die Aufnahme langsamer abspielen, bis hinab zu 1/30 der normalen Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Play the recording faster, up to eight times the normal speed</source>
+        <translation>Die Aufnahme schneller abspielen, bis zur achtfachen normalen Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Fill the timeline with the selected span of the recording</source>
+        <translation>Die Zeitleiste mit der gewählten Spanne der Aufnahme füllen</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Record the live cameras into a folder that opens as a project, or stop recording</source>
+        <translation>Die Livekameras in einen Ordner aufnehmen, der sich als Projekt öffnen lässt, oder die Aufnahme beenden</translation>
+    </message>
+    <message>
+        <source>Send results</source>
+        <translation>Ergebnisse senden</translation>
+    </message>
+    <message>
+        <source>Send positions to other programs while the run lasts, or stop sending; nothing is sent until you choose this</source>
+        <translation>Positionen während des Laufs an andere Programme senden, oder das Senden beenden; vorher wird nichts gesendet</translation>
+    </message>
+    <message>
+        <source>Outputs…</source>
+        <translation>Ausgänge…</translation>
+    </message>
+    <message>
+        <source>Choose where results are sent while a run lasts: TCP, WebSocket, OSC, TUIO, CSV</source>
+        <translation>Wählen, wohin Ergebnisse während eines Laufs gesendet werden: TCP, WebSocket, OSC, TUIO, CSV</translation>
+    </message>
+    <message>
+        <source>Reproduce figures of the papers that describe the methods, and write a report</source>
+        <translation>Abbildungen der Artikel, die die Verfahren beschreiben, reproduzieren und einen Bericht schreiben</translation>
+    </message>
+    <message>
+        <source>Show how likely each position around the target is, and circle the positions that the method considers</source>
+        <translation>Zeigen, wie wahrscheinlich jede Position um das Ziel ist, und die Positionen einkreisen, die das Verfahren in Betracht zieht</translation>
+    </message>
+    <message>
+        <source>In all views, mark the particle of each target that has the highest weight (MAP) with a triangle</source>
+        <translation>In allen Ansichten das Partikel jedes Ziels, das das höchste Gewicht hat (MAP), mit einem Dreieck markieren</translation>
+    </message>
+    <message>
+        <source>When a target&apos;s particles are too close together to tell apart, show them enlarged</source>
+        <translation>Wenn die Partikel eines Ziels so dicht beieinander liegen, dass man sie nicht unterscheiden kann, sie vergrößert zeigen</translation>
+    </message>
+    <message>
+        <source>In the bird&apos;s-eye view, draw a line from each camera to the target. The line is dashed if the camera cannot see the target</source>
+        <translation>In der Vogelperspektive eine Linie von jeder Kamera zum Ziel zeichnen. Die Linie ist gestrichelt, wenn die Kamera das Ziel nicht sieht</translation>
+    </message>
+    <message>
+        <source>Draw the volume of interest in the images and in the bird&apos;s-eye view: targets are searched for only inside this box</source>
+        <translation>Den Suchraum in den Bildern und in der Vogelperspektive zeichnen: Ziele werden nur in diesem Quader gesucht</translation>
+    </message>
+    <message>
+        <source>Show the hull that encloses 95 % of each person&apos;s volume, and contour lines of the density on the floor</source>
+        <translation>Die Hülle zeigen, die 95 % des Volumens jeder Person umschließt, und Höhenlinien der Dichte auf dem Boden</translation>
+    </message>
+    <message>
+        <source>Bird&apos;s-eye view in perspective; drag to rotate it</source>
+        <translation>Vogelperspektive in Perspektive; zum Drehen ziehen</translation>
+    </message>
+    <message>
+        <source>Position along x, y and z, with a band of plus and minus two standard deviations, and the truth if it is known</source>
+        <translation>Position entlang x, y und z, mit einem Band von plus und minus zwei Standardabweichungen, und die Wahrheit, wenn sie bekannt ist</translation>
+    </message>
+    <message>
+        <source>Time that one filter iteration takes for one target, in microseconds</source>
+        <translation>Zeit, die eine Filteriteration für ein Ziel braucht, in Mikrosekunden</translation>
+    </message>
+    <message>
+        <source>Save a picture of the plots as they look now, as SVG or PNG</source>
+        <translation>Die Kurven so, wie sie jetzt aussehen, als SVG oder PNG speichern</translation>
+    </message>
+    <message>
+        <source>Check project…</source>
+        <translation>Projekt prüfen…</translation>
+    </message>
+    <message>
+        <source>Check the recordings, times, calibration, colors and method of the project for problems</source>
+        <translation>Aufnahmen, Zeiten, Kalibrierung, Farben und Verfahren des Projekts auf Probleme prüfen</translation>
+    </message>
 </context>
 <context>
     <name>AssessedRegions</name>
@@ -783,16 +815,12 @@
         <translation>passt auch</translation>
     </message>
     <message>
-        <source>recognized as the target (Alt-click if not)</source>
-        <translation>als Ziel erkannt (sonst Alt+Klick)</translation>
+        <source>recognized as the target (if it is not, Alt-click it)</source>
+        <translation>als Ziel erkannt (wenn es das nicht ist: Alt+Klick darauf)</translation>
     </message>
 </context>
 <context>
     <name>BoardText</name>
-    <message>
-        <source>%1: RMS %2, focal length %3, %4 images; accuracy %5</source>
-        <translation>%1: RMS %2, Brennweite %3, %4 Bilder; Genauigkeit %5</translation>
-    </message>
     <message>
         <source>The board&apos;s corners cover only %1 % of the image: show the board in every part of the image, and tilt it too.</source>
         <translation>Die Ecken der Tafel decken nur %1 % des Bildes ab: Zeigen Sie die Tafel in jedem Teil des Bildes, und neigen Sie sie auch.</translation>
@@ -802,24 +830,12 @@
         <translation>%1 behält ihre Position: Sie hat die Tafel nie gesehen.</translation>
     </message>
     <message>
-        <source>%1: RMS %2</source>
-        <translation>%1: RMS %2</translation>
-    </message>
-    <message>
-        <source>%1: RMS %2, position ±%3, direction ±%4</source>
-        <translation>%1: RMS %2, Position ±%3, Richtung ±%4</translation>
-    </message>
-    <message>
         <source>Intrinsics</source>
         <translation>Intrinsische Parameter</translation>
     </message>
     <message>
         <source>%1 keeps its intrinsics: %2</source>
         <translation>%1 behält ihre intrinsischen Parameter: %2</translation>
-    </message>
-    <message>
-        <source>Positions: RMS %1 over %2 board poses</source>
-        <translation>Positionen: RMS %1 über %2 Lagen der Tafel</translation>
     </message>
     <message>
         <source>upper left</source>
@@ -930,10 +946,6 @@
         <translation>scharf, Kantenbreite %1</translation>
     </message>
     <message>
-        <source>%1 of at least %2 views</source>
-        <translation>%1 von mindestens %2 Ansichten</translation>
-    </message>
-    <message>
         <source>%1 views, accuracy %2 (goal: %3)</source>
         <translation>%1 Ansichten, Genauigkeit %2 (Ziel: %3)</translation>
     </message>
@@ -974,16 +986,36 @@
         <translation>altes Layout</translation>
     </message>
     <message>
-        <source>black and white exchanged</source>
-        <translation>Schwarz und Weiß vertauscht</translation>
+        <source>%1: RMS reprojection error %2, focal length %3, accuracy %5, from %4 images</source>
+        <translation>%1: RMS-Rückprojektionsfehler %2, Brennweite %3, Genauigkeit %5, aus %4 Bildern</translation>
     </message>
     <message>
-        <source>%1 of %2 images searched show %3, but mirrored: change the mirroring of these cameras. Use this board?</source>
-        <translation>%1 von %2 durchsuchten Bildern zeigen %3, aber gespiegelt: Ändern Sie die Spiegelung dieser Kameras. Diese Tafel verwenden?</translation>
+        <source>%1: RMS reprojection error %2, position ±%3, direction ±%4</source>
+        <translation>%1: RMS-Rückprojektionsfehler %2, Position ±%3, Richtung ±%4</translation>
     </message>
     <message>
-        <source>%1 of %2 images searched show %3. Use this board?</source>
-        <translation>%1 von %2 durchsuchten Bildern zeigen: %3. Diese Tafel verwenden?</translation>
+        <source>%1: RMS reprojection error %2</source>
+        <translation>%1: RMS-Rückprojektionsfehler %2</translation>
+    </message>
+    <message>
+        <source>Positions: RMS reprojection error %1, from %2 board poses</source>
+        <translation>Positionen: RMS-Rückprojektionsfehler %1, aus %2 Lagen der Tafel</translation>
+    </message>
+    <message>
+        <source>%1 views; at least %2 are needed</source>
+        <translation>%1 Ansichten; mindestens %2 sind nötig</translation>
+    </message>
+    <message>
+        <source>inverted colors</source>
+        <translation>Farben umgekehrt</translation>
+    </message>
+    <message>
+        <source>%1 of the %2 searched images show %3, but mirrored. Change the mirroring of the cameras that took these images. Use this board?</source>
+        <translation>%1 der %2 durchsuchten Bilder zeigen %3, aber gespiegelt. Ändern Sie die Spiegelung der Kameras, die diese Bilder aufgenommen haben. Diese Tafel verwenden?</translation>
+    </message>
+    <message>
+        <source>%1 of the %2 searched images show %3. Use this board?</source>
+        <translation>%1 der %2 durchsuchten Bilder zeigen %3. Diese Tafel verwenden?</translation>
     </message>
 </context>
 <context>
@@ -1000,32 +1032,8 @@
 <context>
     <name>CalibrationText</name>
     <message>
-        <source>%1 fits when its video is shifted in time: the video is probably %2 frames late. Synchronize the videos, or calibrate with a wand and “Find time offsets”.</source>
-        <translation>%1 passt, wenn ihr Video zeitlich verschoben wird: Es ist wahrscheinlich %2 Bilder zu spät. Synchronisieren Sie die Videos, oder kalibrieren Sie mit dem Stab und „Zeitversätze suchen“.</translation>
-    </message>
-    <message>
-        <source>%1 fits when its video is shifted in time: the video is probably %2 frames early. Synchronize the videos, or calibrate with a wand and “Find time offsets”.</source>
-        <translation>%1 passt, wenn ihr Video zeitlich verschoben wird: Es ist wahrscheinlich %2 Bilder zu früh. Synchronisieren Sie die Videos, oder kalibrieren Sie mit dem Stab und „Zeitversätze suchen“.</translation>
-    </message>
-    <message>
-        <source>%1 fits one pose before %2 and another pose after that time: the camera was probably moved. Calibrate with the later part only.</source>
-        <translation>%1 passt vor %2 zu einer Lage und danach zu einer anderen: Die Kamera wurde wahrscheinlich bewegt. Kalibrieren Sie nur mit dem späteren Teil.</translation>
-    </message>
-    <message>
-        <source>%1 fits only with flipped images: its video is probably mirrored or upside down. Set the rotation and mirroring of its images.</source>
-        <translation>%1 passt nur mit umgekehrten Bildern: Ihr Video ist wahrscheinlich gespiegelt oder steht auf dem Kopf. Stellen Sie Drehung und Spiegelung ihrer Bilder ein.</translation>
-    </message>
-    <message>
-        <source>%1 fits with %2 times the given focal length: its zoom or crop was probably changed. Calibrate its intrinsics again.</source>
-        <translation>%1 passt mit dem %2-fachen der angegebenen Brennweite: Wahrscheinlich wurde ihr Zoom oder ihr Ausschnitt geändert. Kalibrieren Sie ihre intrinsischen Parameter neu.</translation>
-    </message>
-    <message>
         <source>The intrinsics of %1 are probably for another resolution: its images are %2 times as large. Convert the intrinsics, or record at the calibrated size.</source>
         <translation>Die intrinsischen Parameter von %1 gelten wahrscheinlich für eine andere Auflösung: ihre Bilder sind %2-mal so groß. Rechnen Sie die Parameter um, oder nehmen Sie in der kalibrierten Größe auf.</translation>
-    </message>
-    <message>
-        <source>In this volume: position ±%1 (95 %)</source>
-        <translation>In diesem Raum: Position ±%1 (95 %)</translation>
     </message>
     <message>
         <source>, scale ±%1 %</source>
@@ -1048,36 +1056,60 @@
         <translation>Alle Kameras sehen anscheinend die Rückseite der Tafel oder des Bodens: Die Punkte sind wahrscheinlich gespiegelt. Prüfen Sie die Richtung der Achsen, und dass der Druck nicht seitenverkehrt ist.</translation>
     </message>
     <message>
-        <source>The corners form a board with %1 squares in a row: the number of squares is probably wrong. Count them and correct the board.</source>
-        <translation>Die Ecken bilden eine Tafel mit %1 Feldern in einer Reihe: Die Zahl der Felder ist wahrscheinlich falsch. Zählen Sie nach, und berichtigen Sie die Tafel.</translation>
-    </message>
-    <message>
-        <source>The given size of the squares is %1 times what the cameras see: measure a row with a ruler (prints are often rescaled).</source>
-        <translation>Die angegebene Größe der Felder ist das %1-fache dessen, was die Kameras sehen: Messen Sie eine Reihe mit dem Lineal (Drucke werden oft skaliert).</translation>
-    </message>
-    <message>
-        <source>The images fit when shifted by %1 along both axes: the calibration probably counts pixels from their corners, not their centers. Convert the principal points.</source>
-        <translation>Die Bilder passen, wenn sie um %1 in beiden Achsen verschoben werden: Die Kalibrierung zählt Pixel wahrscheinlich von ihren Ecken statt von ihren Mitten aus. Rechnen Sie die Hauptpunkte um.</translation>
-    </message>
-    <message>
         <source>, upward direction not measured yet (page Floor)</source>
         <translation>, Richtung nach oben noch nicht gemessen (Seite Boden)</translation>
-    </message>
-    <message>
-        <source>In this volume: position unknown</source>
-        <translation>In diesem Volumen: Position unbekannt</translation>
     </message>
     <message>
         <source>Everything fits when %1 and %2 are exchanged: their videos are probably swapped. Exchange the two files.</source>
         <translation>Alles passt, wenn %1 und %2 vertauscht werden: wahrscheinlich sind ihre Videos verwechselt. Tauschen Sie die beiden Dateien.</translation>
     </message>
     <message>
-        <source>The given length is %1 times what the cameras see: millimeters and meters are probably mixed up.</source>
-        <translation>Die angegebene Länge ist das %1-fache dessen, was die Kameras sehen: wahrscheinlich sind Millimeter und Meter verwechselt.</translation>
+        <source>%1 agrees with the other cameras only if its video is shifted in time: the video is probably %2 frames late. Synchronize the videos, or calibrate with a wand and “Find time offsets”.</source>
+        <translation>%1 stimmt nur dann mit den anderen Kameras überein, wenn ihr Video zeitlich verschoben wird: Es ist wahrscheinlich %2 Bilder zu spät. Synchronisieren Sie die Videos, oder kalibrieren Sie mit dem Stab und „Zeitversätze suchen“.</translation>
     </message>
     <message>
-        <source>The given length is %1 times what the cameras see: it is probably in inches (1 inch = 2.54 cm).</source>
-        <translation>Die angegebene Länge ist das %1-fache dessen, was die Kameras sehen: wahrscheinlich ist sie in Zoll (1 Zoll = 2,54 cm).</translation>
+        <source>%1 agrees with the other cameras only if its video is shifted in time: the video is probably %2 frames early. Synchronize the videos, or calibrate with a wand and “Find time offsets”.</source>
+        <translation>%1 stimmt nur dann mit den anderen Kameras überein, wenn ihr Video zeitlich verschoben wird: Es ist wahrscheinlich %2 Bilder zu früh. Synchronisieren Sie die Videos, oder kalibrieren Sie mit dem Stab und „Zeitversätze suchen“.</translation>
+    </message>
+    <message>
+        <source>The images of %1 fit one pose before %2 and another pose after that time: the camera was probably moved. Calibrate with the later part of the recording only.</source>
+        <translation>Die Bilder von %1 passen vor %2 zu einer Lage und danach zu einer anderen: Die Kamera wurde wahrscheinlich bewegt. Kalibrieren Sie nur mit dem späteren Teil der Aufnahme.</translation>
+    </message>
+    <message>
+        <source>The images of %1 fit only if they are flipped: the video is probably mirrored or upside down. Set the rotation and mirroring of these images.</source>
+        <translation>Die Bilder von %1 passen nur, wenn sie umgekehrt werden: Das Video ist wahrscheinlich gespiegelt oder steht auf dem Kopf. Stellen Sie Drehung und Spiegelung dieser Bilder ein.</translation>
+    </message>
+    <message>
+        <source>The images of %1 fit a focal length that is %2 times the given one: the zoom or crop of the camera was probably changed. Calibrate its intrinsics again.</source>
+        <translation>Die Bilder von %1 passen zum %2-fachen der angegebenen Brennweite: Wahrscheinlich wurde der Zoom oder der Ausschnitt der Kamera geändert. Kalibrieren Sie ihre intrinsischen Parameter neu.</translation>
+    </message>
+    <message>
+        <source>In the calibrated volume: position ±%1 (95 %)</source>
+        <translation>Im kalibrierten Raum: Position ±%1 (95 %)</translation>
+    </message>
+    <message>
+        <source>In the calibrated volume: position unknown</source>
+        <translation>Im kalibrierten Raum: Position unbekannt</translation>
+    </message>
+    <message>
+        <source>The length that you entered is %1 times the length that the cameras see: millimeters and meters are probably mixed up.</source>
+        <translation>Die von Ihnen eingegebene Länge ist das %1-fache der Länge, die die Kameras sehen: wahrscheinlich sind Millimeter und Meter verwechselt.</translation>
+    </message>
+    <message>
+        <source>The length that you entered is %1 times the length that the cameras see: you probably entered it in inches (1 inch = 2.54 cm).</source>
+        <translation>Die von Ihnen eingegebene Länge ist das %1-fache der Länge, die die Kameras sehen: wahrscheinlich haben Sie sie in Zoll eingegeben (1 Zoll = 2,54 cm).</translation>
+    </message>
+    <message>
+        <source>The corners form a board with %1 squares in a row, so the number of squares that you entered is probably wrong. Count the squares and correct the number.</source>
+        <translation>Die Ecken bilden eine Tafel mit %1 Feldern in einer Reihe, also ist die von Ihnen eingegebene Zahl der Felder wahrscheinlich falsch. Zählen Sie die Felder, und berichtigen Sie die Zahl.</translation>
+    </message>
+    <message>
+        <source>The size of the squares that you entered is %1 times the size that the cameras see. Measure a row with a ruler: prints are often rescaled.</source>
+        <translation>Die von Ihnen eingegebene Größe der Felder ist das %1-fache der Größe, die die Kameras sehen. Messen Sie eine Reihe mit dem Lineal: Drucke werden oft skaliert.</translation>
+    </message>
+    <message>
+        <source>The images fit only if they are shifted by %1 along both axes: the calibration probably has its origin at the corner of the first pixel, not at its center. Convert the principal points.</source>
+        <translation>Die Bilder passen nur, wenn sie um %1 in beiden Achsen verschoben werden: Der Nullpunkt der Kalibrierung liegt wahrscheinlich an der Ecke des ersten Pixels statt in dessen Mitte. Rechnen Sie die Hauptpunkte um.</translation>
     </message>
 </context>
 <context>
@@ -1179,16 +1211,16 @@
         <translation>Der Radius des Ziels ist anscheinend etwa %1.</translation>
     </message>
     <message>
-        <source>The target&apos;s radius seems to be about %1, but %2 is given. Is that the diameter?</source>
-        <translation>Der Radius des Ziels ist anscheinend etwa %1, angegeben ist %2. Ist das der Durchmesser?</translation>
-    </message>
-    <message>
-        <source>The target&apos;s radius seems to be about %1, but %2 is given.</source>
-        <translation>Der Radius des Ziels ist anscheinend etwa %1, angegeben ist %2.</translation>
-    </message>
-    <message>
         <source>The marked spot is part of a larger object of the same color. Only this spot is tracked, as a ball with radius %1.</source>
         <translation>Die markierte Stelle gehört zu einem größeren Objekt derselben Farbe. Nur diese Stelle wird verfolgt, als Ball mit Radius %1.</translation>
+    </message>
+    <message>
+        <source>The target&apos;s radius seems to be about %1, but %2 was entered. Is this the diameter?</source>
+        <translation>Der Radius des Ziels ist anscheinend etwa %1, eingegeben wurde aber %2. Ist das der Durchmesser?</translation>
+    </message>
+    <message>
+        <source>The target&apos;s radius seems to be about %1, but %2 was entered.</source>
+        <translation>Der Radius des Ziels ist anscheinend etwa %1, eingegeben wurde aber %2.</translation>
     </message>
 </context>
 <context>
@@ -1235,22 +1267,6 @@
     <message>
         <source>at the bottom right</source>
         <translation>unten rechts</translation>
-    </message>
-    <message>
-        <source>Stands out well (%1 of 100 points).</source>
-        <translation>Hebt sich gut ab (%1 von 100 Punkten).</translation>
-    </message>
-    <message>
-        <source>Stands out (%1 of 100 points).</source>
-        <translation>Hebt sich ab (%1 von 100 Punkten).</translation>
-    </message>
-    <message>
-        <source>Hard to tell apart (%1 of 100 points).</source>
-        <translation>Schwer zu unterscheiden (%1 von 100 Punkten).</translation>
-    </message>
-    <message>
-        <source>Hardly stands out (%1 of 100 points).</source>
-        <translation>Hebt sich kaum ab (%1 von 100 Punkten).</translation>
     </message>
     <message>
         <source>black</source>
@@ -1325,10 +1341,6 @@
         <translation>Das Ziel ist fast grau: Eine kräftigere Farbe würde helfen.</translation>
     </message>
     <message>
-        <source>The clicked region fills much of the image: click only the target, or drag a box on it.</source>
-        <translation>Der angeklickte Bereich füllt einen großen Teil des Bildes: Klicken Sie nur das Ziel an, oder ziehen Sie einen Rahmen darauf.</translation>
-    </message>
-    <message>
         <source>%1 % of the pixels match. Shift-click the target to see how well it stands out.</source>
         <translation>%1 % der Pixel passen. Umschalt-Klick auf das Ziel zeigt, wie gut es sich abhebt.</translation>
     </message>
@@ -1349,16 +1361,8 @@
         <translation>Mehrere Objekte haben diese Farbe: Eine andere Farbe würde helfen.</translation>
     </message>
     <message>
-        <source>You clicked only a speck: drag a box on the whole target.</source>
-        <translation>Sie haben nur einen Fleck angeklickt: Ziehen Sie einen Rahmen auf dem ganzen Ziel.</translation>
-    </message>
-    <message>
         <source>Only %1 % of the target matches, and %2 % of the background matches too.</source>
         <translation>Nur %1 % des Ziels passen, und auch %2 % des Hintergrunds passen.</translation>
-    </message>
-    <message>
-        <source>A range that covers the whole target would match %1 % of the background.</source>
-        <translation>Ein Bereich, der das ganze Ziel umfasst, würde auf %1 % des Hintergrunds passen.</translation>
     </message>
     <message numerus="yes">
         <source>%n objects have this color and size: follow all of them, or cover the others.</source>
@@ -1366,6 +1370,34 @@
             <numerusform>%n Objekt hat diese Farbe und Größe: Verfolgen Sie es, oder bedecken Sie die anderen.</numerusform>
             <numerusform>%n Objekte haben diese Farbe und Größe: Verfolgen Sie alle, oder bedecken Sie die anderen.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The color stands out well (%1 of 100 points).</source>
+        <translation>Die Farbe hebt sich gut ab (%1 von 100 Punkten).</translation>
+    </message>
+    <message>
+        <source>The color stands out (%1 of 100 points).</source>
+        <translation>Die Farbe hebt sich ab (%1 von 100 Punkten).</translation>
+    </message>
+    <message>
+        <source>The color is hard to tell from the background (%1 of 100 points).</source>
+        <translation>Die Farbe ist schwer vom Hintergrund zu unterscheiden (%1 von 100 Punkten).</translation>
+    </message>
+    <message>
+        <source>The color hardly stands out (%1 of 100 points).</source>
+        <translation>Die Farbe hebt sich kaum ab (%1 von 100 Punkten).</translation>
+    </message>
+    <message>
+        <source>The clicked region fills much of the image: click only the target, or drag a box around the target.</source>
+        <translation>Der angeklickte Bereich füllt einen großen Teil des Bildes: Klicken Sie nur das Ziel an, oder ziehen Sie einen Rahmen um das Ziel.</translation>
+    </message>
+    <message>
+        <source>You clicked only a speck: drag a box around the whole target.</source>
+        <translation>Sie haben nur einen kleinen Fleck angeklickt: Ziehen Sie einen Rahmen um das ganze Ziel.</translation>
+    </message>
+    <message>
+        <source>A color range that covers the whole target would match %1 % of the background.</source>
+        <translation>Ein Farbbereich, der das ganze Ziel umfasst, würde auf %1 % des Hintergrunds passen.</translation>
     </message>
 </context>
 <context>
@@ -1470,18 +1502,6 @@
         <translation>Barrera et al. 2005, Abbildung 6: Das Objekt springt bei Iteration 30 um 2 m.</translation>
     </message>
     <message>
-        <source>Barrera et al. 2005, figure 7: the error for the jump of figure 6 and motion sigmas from 0.001 to 0.3 m, as an image.</source>
-        <translation>Barrera et al. 2005, Abbildung 7: der Fehler beim Sprung aus Abbildung 6 für Bewegungs-Sigmas von 0,001 bis 0,3 m, als Bild.</translation>
-    </message>
-    <message>
-        <source>Barrera et al. 2005, figure 8: the cloud at six instants, with a small and a large motion sigma.</source>
-        <translation>Barrera et al. 2005, Abbildung 8: die Wolke in sechs Momenten, mit kleinem und großem Bewegungs-Sigma.</translation>
-    </message>
-    <message>
-        <source>Barrera et al. 2005, section III-B: the share of runs that converge, for several start volumes and for starts behind the ball.</source>
-        <translation>Barrera et al. 2005, Abschnitt III-B: der Anteil der Läufe, die konvergieren, für mehrere Startvolumen und für Starts hinter dem Ball.</translation>
-    </message>
-    <message>
         <source>Barrera et al. 2005, section III-B: with one camera, the cloud moves away from the camera.</source>
         <translation>Barrera et al. 2005, Abschnitt III-B: Mit nur einer Kamera entfernt sich die Wolke von der Kamera.</translation>
     </message>
@@ -1502,10 +1522,6 @@
         <translation>Fehler nach einem Sprung</translation>
     </message>
     <message>
-        <source>Error over iteration and motion sigma</source>
-        <translation>Fehler über Iteration und Bewegungs-Sigma</translation>
-    </message>
-    <message>
         <source>Particles from above</source>
         <translation>Partikel von oben</translation>
     </message>
@@ -1522,24 +1538,8 @@
         <translation>Bewegungsmasken und Bewegungswahrscheinlichkeit</translation>
     </message>
     <message>
-        <source>The cone of one camera</source>
-        <translation>Der Kegel einer Kamera</translation>
-    </message>
-    <message>
-        <source>Where the cloud may start</source>
-        <translation>Wo die Wolke beginnen darf</translation>
-    </message>
-    <message>
         <source>Boxes: error, success and precision</source>
         <translation>Rahmen: Fehler, Erfolg und Genauigkeit</translation>
-    </message>
-    <message>
-        <source>Mohedano et al. 2009: people enter and leave; how long estimates exist without a person, and how long people have no estimate.</source>
-        <translation>Mohedano u. a. 2009: Personen kommen und gehen; wie lange Schätzungen ohne Person bestehen und wie lange Personen ohne Schätzung sind.</translation>
-    </message>
-    <message>
-        <source>Mohedano et al. 2009: two people meet and walk on; motion alone may mix them up, color tells them apart when their clothes differ.</source>
-        <translation>Mohedano u. a. 2009: Zwei Personen begegnen sich und gehen weiter; die Bewegung allein kann sie verwechseln, die Farbe hält sie auseinander, wenn ihre Kleidung verschieden ist.</translation>
     </message>
     <message>
         <source>Mohedano et al. 2009: two people meet, stop and walk back.</source>
@@ -1566,14 +1566,6 @@
         <translation>Personen, die sich treffen und umkehren</translation>
     </message>
     <message>
-        <source>Sugandi et al. 2009, section 4: compares 100 and 300 particles, method histogram and four OpenCV trackers on the same clips.</source>
-        <translation>Sugandi u. a. 2009, Abschnitt 4: vergleicht 100 und 300 Partikel, das Verfahren histogram und vier Verfolger von OpenCV auf denselben Filmen.</translation>
-    </message>
-    <message>
-        <source>Mohedano et al. 2009: two people far apart. This is the easy case: no method may mix them up.</source>
-        <translation>Mohedano u. a. 2009: zwei Personen, weit voneinander entfernt: der leichte Fall, in dem kein Verfahren sie verwechseln darf.</translation>
-    </message>
-    <message>
         <source>People who stay apart</source>
         <translation>Personen, die Abstand halten</translation>
     </message>
@@ -1596,10 +1588,6 @@
     <message>
         <source>People of different heights</source>
         <translation>Verschieden große Personen</translation>
-    </message>
-    <message>
-        <source>A child of 0.9 to 1.3 m, one person of 1.3 to 1.6 m and one of 1.88 to 2 m walk about.</source>
-        <translation>Ein Kind von 0,9 bis 1,3 m, eine Person von 1,3 bis 1,6 m und eine von 1,88 bis 2 m gehen umher.</translation>
     </message>
     <message>
         <source>People who sit and crouch</source>
@@ -1634,10 +1622,6 @@
         <translation>Zwei Personen gehen aneinander vorbei; nur zwei der vier Kameras sehen sie.</translation>
     </message>
     <message>
-        <source>People who come close</source>
-        <translation>Personen, die sich sehr nahe kommen</translation>
-    </message>
-    <message>
         <source>Two people come within 0.15 to 0.28 m of each other, stand there, and go back.</source>
         <translation>Zwei Personen nähern sich auf 0,15 bis 0,28 m, bleiben stehen und gehen zurück.</translation>
     </message>
@@ -1664,6 +1648,54 @@
     <message>
         <source>Two people in striped, checked or blotched shirts walk past each other.</source>
         <translation>Zwei Personen in gestreiften, karierten oder gefleckten Hemden gehen aneinander vorbei.</translation>
+    </message>
+    <message>
+        <source>Barrera et al. 2005, figure 7: the error after the jump of figure 6, for motion sigmas from 0.001 to 0.3 m, drawn as an image.</source>
+        <translation>Barrera et al. 2005, Abbildung 7: der Fehler nach dem Sprung aus Abbildung 6 für Bewegungs-Sigmas von 0,001 bis 0,3 m, als Bild gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Barrera et al. 2005, figure 8: the cloud in six iterations, with a small and with a large motion sigma.</source>
+        <translation>Barrera et al. 2005, Abbildung 8: die Wolke in sechs Iterationen, mit kleinem und mit großem Bewegungs-Sigma.</translation>
+    </message>
+    <message>
+        <source>Barrera et al. 2005, section III-B: the share of runs that converge, for start volumes of several sizes and for start points behind the ball.</source>
+        <translation>Barrera et al. 2005, Abschnitt III-B: der Anteil der Läufe, die konvergieren, für Startvolumen verschiedener Größe und für Startpunkte hinter dem Ball.</translation>
+    </message>
+    <message>
+        <source>Error over the iterations, for different motion sigmas</source>
+        <translation>Fehler über die Iterationen, für verschiedene Bewegungs-Sigmas</translation>
+    </message>
+    <message>
+        <source>Mohedano et al. 2009: people enter and leave. Measures how long there are estimates without a person, and people without an estimate.</source>
+        <translation>Mohedano u. a. 2009: Personen kommen und gehen. Misst, wie lange es Schätzungen ohne Person und Personen ohne Schätzung gibt.</translation>
+    </message>
+    <message>
+        <source>Mohedano et al. 2009: two people far apart. This is the easy case: no method should mix them up.</source>
+        <translation>Mohedano u. a. 2009: zwei Personen, weit voneinander entfernt. Das ist der leichte Fall: Kein Verfahren sollte sie verwechseln.</translation>
+    </message>
+    <message>
+        <source>Mohedano et al. 2009: two people meet and walk on. A method that uses only motion may mix them up; color tells them apart if their clothes differ.</source>
+        <translation>Mohedano u. a. 2009: Zwei Personen begegnen sich und gehen weiter. Ein Verfahren, das nur die Bewegung nutzt, kann sie verwechseln; die Farbe hält sie auseinander, wenn ihre Kleidung verschieden ist.</translation>
+    </message>
+    <message>
+        <source>People who come close to each other</source>
+        <translation>Menschen, die einander nahe kommen</translation>
+    </message>
+    <message>
+        <source>Sugandi et al. 2009, section 4: compares method sugandi with 100 and with 300 particles, method histogram, and four trackers of OpenCV, all on the same clips.</source>
+        <translation>Sugandi u. a. 2009, Abschnitt 4: vergleicht das Verfahren sugandi mit 100 und mit 300 Partikeln, das Verfahren histogram und vier Verfolger von OpenCV, alle auf denselben Filmen.</translation>
+    </message>
+    <message>
+        <source>Three people walk about: a child 0.9 to 1.3 m tall, a person 1.3 to 1.6 m tall and a person 1.88 to 2 m tall.</source>
+        <translation>Drei Personen gehen umher: ein Kind von 0,9 bis 1,3 m Größe, eine Person von 1,3 bis 1,6 m und eine von 1,88 bis 2 m Größe.</translation>
+    </message>
+    <message>
+        <source>Where one camera finds the color</source>
+        <translation>Wo eine Kamera die Farbe findet</translation>
+    </message>
+    <message>
+        <source>Where the cloud can start and converge</source>
+        <translation>Wo die Wolke beginnen und konvergieren kann</translation>
     </message>
 </context>
 <context>
@@ -1709,10 +1741,6 @@
         <translation>Z zeigt nach oben, Achsen wie im Projekt</translation>
     </message>
     <message>
-        <source>Y points up: x, y, z are y, z, x of the project</source>
-        <translation>Y zeigt nach oben: x, y, z sind y, z, x des Projekts</translation>
-    </message>
-    <message>
         <source>Lengths in %1, times in s, covariances in %1². %2.</source>
         <translation>Längen in %1, Zeiten in s, Kovarianzen in %1². %2.</translation>
     </message>
@@ -1728,6 +1756,10 @@
         <source>Targets: %1, rows: %2 at %3 per second, %4.</source>
         <translation>Ziele: %1, Zeilen: %2 bei %3 pro Sekunde, %4.</translation>
     </message>
+    <message>
+        <source>Y points up: x, y, z of the file are y, z, x of the project</source>
+        <translation>Y zeigt nach oben: x, y, z der Datei sind y, z, x des Projekts</translation>
+    </message>
 </context>
 <context>
     <name>ExportDialog</name>
@@ -1742,6 +1774,416 @@
     <message>
         <source>Exported %1 rows to %2.</source>
         <translation>%1 Zeilen nach %2 exportiert.</translation>
+    </message>
+</context>
+<context>
+    <name>Finding</name>
+    <message>
+        <source>%1 and %2 have the same pose.</source>
+        <translation>%1 und %2 haben dieselbe Lage.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 frames of %3 pixels, %4.</source>
+        <translation>%1 hat %2 Bilder mit %3 Pixeln, %4.</translation>
+    </message>
+    <message>
+        <source>%1 is %2 m below the floor (z = 0).</source>
+        <translation>%1 liegt %2 m unter dem Boden (z = 0).</translation>
+    </message>
+    <message>
+        <source>%1 sees nothing that another camera sees.</source>
+        <translation>%1 sieht nichts, was eine andere Kamera sieht.</translation>
+    </message>
+    <message>
+        <source>A file of the project is missing: %1.</source>
+        <translation>Eine Datei des Projekts fehlt: %1.</translation>
+    </message>
+    <message>
+        <source>According to their tables of times, the cameras never recorded at the same time.</source>
+        <translation>Nach ihren Zeittabellen haben die Kameras nie gleichzeitig aufgenommen.</translation>
+    </message>
+    <message>
+        <source>Add a target, or choose a method that finds targets by itself.</source>
+        <translation>Fügen Sie ein Ziel hinzu, oder wählen Sie ein Verfahren, das Ziele selbst findet.</translation>
+    </message>
+    <message>
+        <source>Add cameras, or choose another method.</source>
+        <translation>Fügen Sie Kameras hinzu, oder wählen Sie ein anderes Verfahren.</translation>
+    </message>
+    <message>
+        <source>Calibrate both again; one pose was probably copied from the other.</source>
+        <translation>Kalibrieren Sie beide neu; wahrscheinlich wurde die Lage der einen von der anderen kopiert.</translation>
+    </message>
+    <message>
+        <source>Calibrate them with a board, a wand or measured points.</source>
+        <translation>Kalibrieren Sie sie mit einer Tafel, einem Stab oder gemessenen Punkten.</translation>
+    </message>
+    <message>
+        <source>Calibrate them, or choose a method that tracks boxes in images.</source>
+        <translation>Kalibrieren Sie sie, oder wählen Sie ein Verfahren, das Rahmen in Bildern verfolgt.</translation>
+    </message>
+    <message>
+        <source>Check late_by; it is in seconds.</source>
+        <translation>Prüfen Sie late_by; die Angabe ist in Sekunden.</translation>
+    </message>
+    <message>
+        <source>Check that the camera sees the target, and its exposure and white balance.</source>
+        <translation>Prüfen Sie, ob die Kamera das Ziel sieht, und prüfen Sie Belichtung und Weißabgleich.</translation>
+    </message>
+    <message>
+        <source>Check that the times in all tables are from the same clock.</source>
+        <translation>Prüfen Sie, ob die Zeiten in allen Tabellen von derselben Uhr stammen.</translation>
+    </message>
+    <message>
+        <source>Check that this is the recording they were made for.</source>
+        <translation>Prüfen Sie, ob sie für diese Aufnahme gemacht wurden.</translation>
+    </message>
+    <message>
+        <source>Check that z points up and is 0 on the floor, unless you placed the origin elsewhere.</source>
+        <translation>Prüfen Sie, ob z nach oben zeigt und am Boden 0 ist, sofern Sie den Ursprung nicht woandershin gelegt haben.</translation>
+    </message>
+    <message>
+        <source>Click on it in an image, or use the command learn-color.</source>
+        <translation>Klicken Sie es in einem Bild an, oder verwenden Sie den Befehl learn-color.</translation>
+    </message>
+    <message>
+        <source>Convert them to the same rate, or give each camera a table of times.</source>
+        <translation>Bringen Sie alle auf dieselbe Bildrate, oder geben Sie Zeittabellen an.</translation>
+    </message>
+    <message>
+        <source>Copy it again, or convert it with FFmpeg.</source>
+        <translation>Kopieren Sie sie noch einmal, oder wandeln Sie sie mit FFmpeg um.</translation>
+    </message>
+    <message>
+        <source>Copy it again, or repair it with FFmpeg (ffmpeg -i IN -c copy OUT).</source>
+        <translation>Kopieren Sie es noch einmal, oder reparieren Sie es mit FFmpeg (ffmpeg -i EINGABE -c copy AUSGABE).</translation>
+    </message>
+    <message>
+        <source>Copy the folder again; otherwise the camera has no image in these frames.</source>
+        <translation>Kopieren Sie den Ordner noch einmal; sonst hat die Kamera zu diesen Zeitpunkten kein Bild.</translation>
+    </message>
+    <message>
+        <source>Copy the recording again, or use only the frames before it.</source>
+        <translation>Kopieren Sie die Aufnahme noch einmal, oder verwenden Sie nur die Bilder davor.</translation>
+    </message>
+    <message>
+        <source>Correct late_by; it is in seconds.</source>
+        <translation>Korrigieren Sie late_by; die Angabe ist in Sekunden.</translation>
+    </message>
+    <message>
+        <source>Correct the file, or remove truth from the project.</source>
+        <translation>Korrigieren Sie die Datei, oder entfernen Sie truth aus dem Projekt.</translation>
+    </message>
+    <message>
+        <source>Correct the line in a text editor, or make a new project.</source>
+        <translation>Korrigieren Sie die Zeile in einem Texteditor, oder erstellen Sie ein neues Projekt.</translation>
+    </message>
+    <message>
+        <source>Correct the table, or remove times from this camera.</source>
+        <translation>Korrigieren Sie die Tabelle, oder entfernen Sie times bei dieser Kamera.</translation>
+    </message>
+    <message>
+        <source>Corrections for frames that the recording does not have: %1.</source>
+        <translation>Korrekturen für Bilder, die es in der Aufnahme nicht gibt: %1.</translation>
+    </message>
+    <message>
+        <source>Draw it in an earlier frame.</source>
+        <translation>Ziehen Sie ihn in einem früheren Bild.</translation>
+    </message>
+    <message>
+        <source>Draw one in an image.</source>
+        <translation>Ziehen Sie in einem Bild einen Rahmen.</translation>
+    </message>
+    <message>
+        <source>Frame %2 of %1 cannot be read: %3.</source>
+        <translation>Bild %2 von %1 kann nicht gelesen werden: %3.</translation>
+    </message>
+    <message>
+        <source>Give every camera one, or none.</source>
+        <translation>Geben Sie für alle Kameras eine an oder für keine.</translation>
+    </message>
+    <message>
+        <source>Give the radius in meters.</source>
+        <translation>Geben Sie den Radius in Metern an.</translation>
+    </message>
+    <message>
+        <source>Import it again, or calibrate again.</source>
+        <translation>Importieren Sie sie noch einmal, oder kalibrieren Sie neu.</translation>
+    </message>
+    <message>
+        <source>Import the calibration again with the right unit (calibration convert --unit).</source>
+        <translation>Importieren Sie die Kalibrierung noch einmal mit der richtigen Einheit (calibration convert --unit).</translation>
+    </message>
+    <message>
+        <source>In the first %1 s, the images do not fit the calibration: %2.</source>
+        <translation>In den ersten %1 s passen die Bilder nicht zur Kalibrierung: %2.</translation>
+    </message>
+    <message>
+        <source>Judging by the numbers in the file names, %2 of %3 images of %1 are missing, the first one after %4.</source>
+        <translation>Nach den Nummern in den Dateinamen fehlen Bilder von %1 (%2 von %3), das erste nach %4.</translation>
+    </message>
+    <message>
+        <source>Learn the color again in an image of this recording.</source>
+        <translation>Lernen Sie die Farbe in einem Bild dieser Aufnahme neu.</translation>
+    </message>
+    <message>
+        <source>Learn the color again, with samples that do not reach beyond the target.</source>
+        <translation>Lernen Sie die Farbe neu, mit Proben, die nicht über das Ziel hinausreichen.</translation>
+    </message>
+    <message>
+        <source>Learn the color again.</source>
+        <translation>Lernen Sie die Farbe neu.</translation>
+    </message>
+    <message>
+        <source>Make one project of the live cameras and another one of the recordings.</source>
+        <translation>Erstellen Sie ein Projekt mit den Livekameras und ein zweites mit den Aufnahmen.</translation>
+    </message>
+    <message>
+        <source>Make room, or write to another disk with --out.</source>
+        <translation>Schaffen Sie Platz, oder schreiben Sie mit --out auf ein anderes Laufwerk.</translation>
+    </message>
+    <message>
+        <source>Move the volume, or remove it.</source>
+        <translation>Verschieben Sie den Suchraum, oder entfernen Sie ihn.</translation>
+    </message>
+    <message>
+        <source>No part of the volume of interest is seen by enough cameras (at least %1).</source>
+        <translation>Kein Teil des Suchraums ist in genügend Kameras zu sehen (mindestens %1).</translation>
+    </message>
+    <message>
+        <source>No pixel can have the color of target %1: its range is too narrow.</source>
+        <translation>Kein Pixel kann die Farbe von Ziel %1 haben: Ihr Bereich ist zu eng.</translation>
+    </message>
+    <message>
+        <source>Nothing can be tracked: %1.</source>
+        <translation>Es kann nichts verfolgt werden: %1.</translation>
+    </message>
+    <message>
+        <source>Nothing can be written to the folder of the project.</source>
+        <translation>In den Ordner des Projekts kann nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>Only %1 GB are free for results.</source>
+        <translation>Für Ergebnisse sind nur %1 GB frei.</translation>
+    </message>
+    <message>
+        <source>Only %1 MB are free for results.</source>
+        <translation>Für Ergebnisse sind nur %1 MB frei.</translation>
+    </message>
+    <message>
+        <source>Only the first %2 frames are used; check that all begin at the same time.</source>
+        <translation>Nur die ersten %2 Bilder werden verwendet; prüfen Sie, ob alle Aufnahmen gleichzeitig beginnen.</translation>
+    </message>
+    <message>
+        <source>Open the project to see whether images arrive.</source>
+        <translation>Öffnen Sie das Projekt, um zu sehen, ob Bilder ankommen.</translation>
+    </message>
+    <message>
+        <source>Other cameras have a table of times, but %1 has none.</source>
+        <translation>Andere Kameras haben eine Zeittabelle, %1 hat keine.</translation>
+    </message>
+    <message>
+        <source>Plug it in, or choose another one.</source>
+        <translation>Schließen Sie es an, oder wählen Sie ein anderes.</translation>
+    </message>
+    <message>
+        <source>Put it back, or correct the path in the project file.</source>
+        <translation>Legen Sie sie wieder an ihren Ort, oder korrigieren Sie den Pfad in der Projektdatei.</translation>
+    </message>
+    <message>
+        <source>Remove frames_per_second unless the video is wrong.</source>
+        <translation>Entfernen Sie frames_per_second, sofern die Angabe im Video nicht falsch ist.</translation>
+    </message>
+    <message>
+        <source>Set frames_per_second; speeds depend on it.</source>
+        <translation>Setzen Sie frames_per_second; Geschwindigkeiten hängen davon ab.</translation>
+    </message>
+    <message>
+        <source>Set rotate to 90 or 270 for this camera.</source>
+        <translation>Setzen Sie rotate bei dieser Kamera auf 90 oder 270.</translation>
+    </message>
+    <message>
+        <source>Simulated cameras: %1.</source>
+        <translation>Simulierte Kameras: %1.</translation>
+    </message>
+    <message>
+        <source>Solve this problem, then check again.</source>
+        <translation>Beheben Sie das genannte Problem, und prüfen Sie dann erneut.</translation>
+    </message>
+    <message>
+        <source>Some cameras are live and others are recordings.</source>
+        <translation>Einige Kameras sind live, andere sind Aufnahmen.</translation>
+    </message>
+    <message>
+        <source>Take it again, or remove empty_room from this camera.</source>
+        <translation>Nehmen Sie es neu auf, oder entfernen Sie empty_room bei dieser Kamera.</translation>
+    </message>
+    <message>
+        <source>Target %1 has a radius of %2 m, which is larger than a person.</source>
+        <translation>Ziel %1 hat einen Radius von %2 m und wäre damit größer als ein Mensch.</translation>
+    </message>
+    <message>
+        <source>Target %1 has no box to start from.</source>
+        <translation>Ziel %1 hat keinen Rahmen, mit dem die Verfolgung beginnen könnte.</translation>
+    </message>
+    <message>
+        <source>Target %1 has no color yet.</source>
+        <translation>Ziel %1 hat noch keine Farbe.</translation>
+    </message>
+    <message>
+        <source>The background image of %1 cannot be used: %2.</source>
+        <translation>Das Hintergrundbild von %1 ist nicht verwendbar: %2.</translation>
+    </message>
+    <message>
+        <source>The box of target %1 is in frame %2, but the last frame is frame %3.</source>
+        <translation>Der Rahmen von Ziel %1 gehört zu Bild %2, das letzte Bild ist aber Bild %3.</translation>
+    </message>
+    <message>
+        <source>The calibration cannot be right: %1.</source>
+        <translation>Die Kalibrierung kann nicht stimmen: %1.</translation>
+    </message>
+    <message>
+        <source>The calibration is plausible (cameras: %1, largest distance: %2 m).</source>
+        <translation>Die Kalibrierung ist plausibel (Kameras: %1, größter Abstand: %2 m).</translation>
+    </message>
+    <message>
+        <source>The cameras are %1 m apart: their positions are probably in units of %2 m.</source>
+        <translation>Die Kameras sind %1 m voneinander entfernt: Ihre Positionen sind wahrscheinlich in Einheiten von %2 m angegeben.</translation>
+    </message>
+    <message>
+        <source>The cameras are not calibrated: their poses are guesses, so tracked positions mean nothing.</source>
+        <translation>Die Kameras sind nicht kalibriert: Ihre Lagen sind nur angenommen, verfolgte Positionen haben deshalb keine Bedeutung.</translation>
+    </message>
+    <message>
+        <source>The color of target %1 covers %2 % of the images of %3.</source>
+        <translation>Die Farbe von Ziel %1 bedeckt %2 % der Bilder von %3.</translation>
+    </message>
+    <message>
+        <source>The color of target %1 covers %2 % of the images.</source>
+        <translation>Die Farbe von Ziel %1 bedeckt %2 % der Bilder.</translation>
+    </message>
+    <message>
+        <source>The color of target %1 was found in none of the %2 images that were checked.</source>
+        <translation>Die Farbe von Ziel %1 war in keinem der %2 geprüften Bilder zu finden.</translation>
+    </message>
+    <message>
+        <source>The color of target %1 was found in none of the images of %2 that were checked.</source>
+        <translation>Die Farbe von Ziel %1 war in keinem der geprüften Bilder von %2 zu finden.</translation>
+    </message>
+    <message>
+        <source>The delay of %1 is %2 s, which is unusual.</source>
+        <translation>Die Verzögerung von %1 beträgt %2 s, das ist ungewöhnlich.</translation>
+    </message>
+    <message>
+        <source>The delay of %1, %2 s, is longer than its recording, so it has no image.</source>
+        <translation>Die Verzögerung von %1, %2 s, ist länger als ihre Aufnahme; deshalb hat sie kein Bild.</translation>
+    </message>
+    <message>
+        <source>The device of %1 is connected.</source>
+        <translation>Das Gerät von %1 ist angeschlossen.</translation>
+    </message>
+    <message>
+        <source>The device of %1 is not connected: %2.</source>
+        <translation>Das Gerät von %1 ist nicht angeschlossen: %2.</translation>
+    </message>
+    <message>
+        <source>The frame rate of the images is not given; %1 frames per second are assumed.</source>
+        <translation>Die Bildrate der Bilder ist nirgends angegeben; angenommen werden %1 Bilder je Sekunde.</translation>
+    </message>
+    <message>
+        <source>The images of %1 have %2 pixels, but its calibration is for %3.</source>
+        <translation>Die Bilder von %1 haben %2 Pixel, die Kalibrierung gilt aber für %3.</translation>
+    </message>
+    <message>
+        <source>The method %1 can work with this project.</source>
+        <translation>Das Verfahren %1 kann mit diesem Projekt arbeiten.</translation>
+    </message>
+    <message>
+        <source>The method %1 needs at least %2 cameras; this project has %3.</source>
+        <translation>Das Verfahren %1 braucht mindestens %2 Kameras; vorhanden: %3.</translation>
+    </message>
+    <message>
+        <source>The method %1 needs calibrated cameras.</source>
+        <translation>Das Verfahren %1 braucht kalibrierte Kameras.</translation>
+    </message>
+    <message>
+        <source>The project can be read.</source>
+        <translation>Das Projekt ist lesbar.</translation>
+    </message>
+    <message>
+        <source>The project cannot be opened: %1.</source>
+        <translation>Das Projekt lässt sich nicht öffnen: %1.</translation>
+    </message>
+    <message>
+        <source>The project cannot be read: %1.</source>
+        <translation>Das Projekt kann nicht gelesen werden: %1.</translation>
+    </message>
+    <message>
+        <source>The project says %1 frames per second, but the video of %2 has %3.</source>
+        <translation>Das Projekt nennt %1 Bilder je Sekunde, das Video von %2 hat aber %3.</translation>
+    </message>
+    <message>
+        <source>The recording of %1 cannot be opened: %2.</source>
+        <translation>Die Aufnahme von %1 lässt sich nicht öffnen: %2.</translation>
+    </message>
+    <message>
+        <source>The recording of %1 is missing: %2.</source>
+        <translation>Die Aufnahme von %1 fehlt: %2.</translation>
+    </message>
+    <message>
+        <source>The recordings differ in length: %1.</source>
+        <translation>Die Aufnahmen sind verschieden lang: %1.</translation>
+    </message>
+    <message>
+        <source>The recordings have different frame rates: %1.</source>
+        <translation>Die Aufnahmen haben verschiedene Bildraten: %1.</translation>
+    </message>
+    <message>
+        <source>The stream of %1 was not tested: the check opens no network connections.</source>
+        <translation>Der Strom von %1 wurde nicht getestet: Die Prüfung öffnet keine Netzwerkverbindung.</translation>
+    </message>
+    <message>
+        <source>The table of times of %1 cannot be used: %2.</source>
+        <translation>Die Zeittabelle von %1 ist nicht verwendbar: %2.</translation>
+    </message>
+    <message>
+        <source>The table of times of %1 has %2 times, but there are %3 images.</source>
+        <translation>Die Zeittabelle von %1 hat %2 Zeiten, es gibt aber %3 Bilder.</translation>
+    </message>
+    <message>
+        <source>The true positions cannot be read: %1.</source>
+        <translation>Die wahren Positionen können nicht gelesen werden: %1.</translation>
+    </message>
+    <message>
+        <source>The video of %1 is cut off: %2.</source>
+        <translation>Das Video von %1 ist abgeschnitten: %2.</translation>
+    </message>
+    <message>
+        <source>There is room for results: %1 GB are free.</source>
+        <translation>Für Ergebnisse ist Platz: %1 GB sind frei.</translation>
+    </message>
+    <message>
+        <source>Turn it toward the target, or calibrate it again.</source>
+        <translation>Drehen Sie sie zum Ziel, oder kalibrieren Sie sie neu.</translation>
+    </message>
+    <message>
+        <source>Use the calibration of these images, or images of the calibrated size.</source>
+        <translation>Verwenden Sie die Kalibrierung dieser Bilder oder Bilder der kalibrierten Größe.</translation>
+    </message>
+    <message>
+        <source>Use the table that belongs to this recording.</source>
+        <translation>Verwenden Sie die Tabelle, die zu dieser Aufnahme gehört.</translation>
+    </message>
+    <message>
+        <source>Write results to another folder with --out.</source>
+        <translation>Schreiben Sie die Ergebnisse mit --out in einen anderen Ordner.</translation>
+    </message>
+</context>
+<context>
+    <name>FindingText</name>
+    <message>
+        <source>camera “%1”</source>
+        <translation>Kamera „%1“</translation>
     </message>
 </context>
 <context>
@@ -1802,40 +2244,20 @@
         <translation>Von Hand, mit einem Gitter</translation>
     </message>
     <message>
-        <source>You need: one known length, such as a table or floor tiles. A first result in minutes.</source>
-        <translation>Nötig: eine bekannte Länge, zum Beispiel ein Tisch oder Bodenfliesen. Ein erstes Ergebnis in wenigen Minuten.</translation>
-    </message>
-    <message>
         <source>Measured points</source>
         <translation>Gemessene Punkte</translation>
-    </message>
-    <message>
-        <source>You need: a tape measure and six points that the cameras see. Good for cameras that are mounted in a room.</source>
-        <translation>Nötig: ein Maßband und sechs Punkte, die die Kameras sehen. Gut für Kameras, die fest in einem Raum montiert sind.</translation>
     </message>
     <message>
         <source>Printed board</source>
         <translation>Gedruckte Kalibriertafel</translation>
     </message>
     <message>
-        <source>You need: a printed board that you can carry through the room. The most accurate lenses.</source>
-        <translation>Nötig: eine gedruckte Kalibriertafel, die Sie durch den Raum tragen können. Die genauesten Objektivwerte.</translation>
-    </message>
-    <message>
         <source>Wand: a ball, or a stick with two balls</source>
         <translation>Stab: ein Ball oder ein Stab mit zwei Bällen</translation>
     </message>
     <message>
-        <source>You need: rough camera positions and a ball to wave. The most accurate positions in a large room.</source>
-        <translation>Nötig: ungefähre Kamerapositionen und ein Ball zum Schwenken. Die genauesten Positionen in einem großen Raum.</translation>
-    </message>
-    <message>
         <source>File of another tool</source>
         <translation>Datei eines anderen Programms</translation>
-    </message>
-    <message>
-        <source>You need: a calibration of these cameras, for images of this size.</source>
-        <translation>Nötig: eine Kalibrierung dieser Kameras für Bilder dieser Größe.</translation>
     </message>
     <message>
         <source>File</source>
@@ -1844,10 +2266,6 @@
     <message>
         <source>Import the file</source>
         <translation>Datei importieren</translation>
-    </message>
-    <message>
-        <source>Choose the file. The dialog asks for what the file does not say, such as the unit, and shows how far each camera would move.</source>
-        <translation>Wählen Sie die Datei. Der Dialog fragt nach dem, was die Datei nicht sagt, zum Beispiel der Einheit, und zeigt, wie weit sich jede Kamera bewegen würde.</translation>
     </message>
     <message>
         <source>Import calibration…</source>
@@ -1862,10 +2280,6 @@
         <translation>Kalibriertafel drucken</translation>
     </message>
     <message>
-        <source>Describe the board on the page Board, and print it at 100 %. Check the scale bar with a ruler, and glue the sheet to something stiff and flat. If you have a board, describe it and go on.</source>
-        <translation>Beschreiben Sie die Kalibriertafel auf der Seite Tafel und drucken Sie sie mit 100 %. Prüfen Sie den Maßstab mit einem Lineal und kleben Sie das Blatt auf etwas Steifes und Ebenes. Wenn Sie schon eine Tafel haben, beschreiben Sie sie und gehen Sie weiter.</translation>
-    </message>
-    <message>
         <source>Go to the page Board</source>
         <translation>Zur Seite Tafel</translation>
     </message>
@@ -1878,16 +2292,8 @@
         <translation>Objektive kalibrieren</translation>
     </message>
     <message>
-        <source>Choose Intrinsics on the page Board. Show the board to each camera: close, tilted to all sides, and in the corners of the image. Hold it still each time. With a recording, press Calibrate.</source>
-        <translation>Wählen Sie auf der Seite Tafel die intrinsischen Parameter. Zeigen Sie jeder Kamera die Tafel: nah, nach allen Seiten geneigt und in den Ecken des Bildes. Halten Sie sie jedes Mal still. Bei einer Aufzeichnung drücken Sie Kalibrieren.</translation>
-    </message>
-    <message>
         <source>Set the field of view</source>
         <translation>Bildwinkel einstellen</translation>
-    </message>
-    <message>
-        <source>Enter the field of view or the focal length of each camera, for example from its data sheet. A calibration of the lens with a board is more accurate, but not necessary for a start.</source>
-        <translation>Geben Sie den Bildwinkel oder die Brennweite jeder Kamera ein, zum Beispiel aus dem Datenblatt. Eine Kalibrierung des Objektivs mit einer Tafel ist genauer, für den Anfang aber nicht nötig.</translation>
     </message>
     <message>
         <source>Go to the page By hand</source>
@@ -1902,20 +2308,12 @@
         <translation>Gitter über den Raum legen</translation>
     </message>
     <message>
-        <source>Give the grid the size of an object that you know. In each image, drag the grid until it lies on the real object. Click a point of the grid to hold it in place.</source>
-        <translation>Geben Sie dem Gitter die Größe von etwas, das Sie kennen. Ziehen Sie das Gitter in jedem Bild, bis es auf dem wirklichen Gegenstand liegt. Klicken Sie einen Punkt des Gitters an, um ihn festzuhalten.</translation>
-    </message>
-    <message>
         <source>Points</source>
         <translation>Punkte</translation>
     </message>
     <message>
         <source>Measure points and click them</source>
         <translation>Punkte messen und anklicken</translation>
-    </message>
-    <message>
-        <source>Add points with positions in meters, and click each point in the images. Each camera needs four, better six that do not lie in one plane.</source>
-        <translation>Fügen Sie Punkte mit Positionen in Metern hinzu und klicken Sie jeden Punkt in den Bildern an. Jede Kamera braucht vier, besser sechs, die nicht in einer Ebene liegen.</translation>
     </message>
     <message>
         <source>Positions</source>
@@ -1926,16 +2324,8 @@
         <translation>Kameras berechnen</translation>
     </message>
     <message>
-        <source>Press Compute cameras below the table of points. If one point fits badly, the page says which.</source>
-        <translation>Drücken Sie Kameras berechnen unter der Punkttabelle. Passt ein Punkt schlecht, sagt die Seite, welcher.</translation>
-    </message>
-    <message>
         <source>Find the camera positions</source>
         <translation>Kamerapositionen finden</translation>
-    </message>
-    <message>
-        <source>Choose Positions on the page Board. Show the board to at least two cameras at a time, in many parts of the volume. Lay it on the floor once, and press Set floor from board.</source>
-        <translation>Wählen Sie Positionen auf der Seite Tafel. Zeigen Sie die Tafel mindestens zwei Kameras gleichzeitig, in vielen Teilen des Raums. Legen Sie sie einmal auf den Boden und drücken Sie Boden aus Tafel setzen.</translation>
     </message>
     <message>
         <source>Rough</source>
@@ -1944,10 +2334,6 @@
     <message>
         <source>Place the cameras roughly</source>
         <translation>Kameras ungefähr platzieren</translation>
-    </message>
-    <message>
-        <source>Drag the grid in each image, or the cameras in the bird&apos;s-eye view, until the cameras are within about 12 cm of their places.</source>
-        <translation>Ziehen Sie das Gitter in jedem Bild oder die Kameras in der Vogelperspektive, bis die Kameras auf etwa 12 cm genau stehen.</translation>
     </message>
     <message>
         <source>Ball</source>
@@ -1974,10 +2360,6 @@
         <translation>Stab schwenken</translation>
     </message>
     <message>
-        <source>On the page Wand, choose what you wave and where the scale comes from. Wave slowly, through all of the volume, for half a minute, and press Refine cameras.</source>
-        <translation>Geben Sie auf der Seite Stab an, was Sie schwenken und woher der Maßstab kommt. Schwenken Sie eine halbe Minute lang langsam durch den ganzen Raum und drücken Sie Kameras verfeinern.</translation>
-    </message>
-    <message>
         <source>Go to the page Wand</source>
         <translation>Zur Seite Stab</translation>
     </message>
@@ -1988,10 +2370,6 @@
     <message>
         <source>Set floor and origin</source>
         <translation>Boden und Ursprung setzen</translation>
-    </message>
-    <message>
-        <source>Mark three points of the floor in two images each: A becomes the origin, and the x axis points to B. Then press Set floor from A, B and C.</source>
-        <translation>Markieren Sie drei Punkte des Bodens in je zwei Bildern: A wird der Ursprung, und die x-Achse zeigt zu B. Drücken Sie dann Boden aus A, B und C festlegen.</translation>
     </message>
     <message>
         <source>Go to the page Floor</source>
@@ -2006,10 +2384,6 @@
         <translation>Gemessene Länge prüfen</translation>
     </message>
     <message>
-        <source>Measure a distance in the room, as long as possible. Mark its ends as A and B, enter the distance, and press Check. If it differs, Set scale makes it right.</source>
-        <translation>Messen Sie eine möglichst lange Strecke im Raum. Markieren Sie ihre Enden als A und B, geben Sie die Länge ein und drücken Sie Prüfen. Weicht sie ab, korrigiert Maßstab festlegen das.</translation>
-    </message>
-    <message>
         <source>Not done yet.</source>
         <translation>Noch nicht erledigt.</translation>
     </message>
@@ -2018,24 +2392,92 @@
         <translation>Erledigt.</translation>
     </message>
     <message>
-        <source>Done: differs by %1.</source>
-        <translation>Erledigt: Abweichung %1.</translation>
-    </message>
-    <message>
-        <source>%1 of %2 cameras.</source>
-        <translation>%1 von %2 Kameras.</translation>
-    </message>
-    <message>
-        <source>%1 of %2 cameras, largest error %3.</source>
-        <translation>%1 von %2 Kameras, größter Fehler %3.</translation>
-    </message>
-    <message>
         <source>the z axis does not seem to point up</source>
         <translation>die z-Achse zeigt anscheinend nicht nach oben</translation>
     </message>
     <message>
-        <source>%1, ±%2: too inexact</source>
+        <source>%1, ±%2: too inaccurate</source>
         <translation>%1, ±%2: zu ungenau</translation>
+    </message>
+    <message>
+        <source>You need one known length, such as the length of a table or of a floor tile. You get a first result within minutes.</source>
+        <translation>Sie brauchen eine bekannte Länge, zum Beispiel die eines Tischs oder einer Bodenfliese. In wenigen Minuten haben Sie ein erstes Ergebnis.</translation>
+    </message>
+    <message>
+        <source>You need a tape measure and six points that the cameras see. This way suits cameras that are mounted in a room.</source>
+        <translation>Sie brauchen ein Maßband und sechs Punkte, die die Kameras sehen. Dieser Weg eignet sich für Kameras, die fest in einem Raum montiert sind.</translation>
+    </message>
+    <message>
+        <source>You need a printed board that you can carry through the room. This way calibrates the lenses most accurately.</source>
+        <translation>Sie brauchen eine gedruckte Kalibriertafel, die Sie durch den Raum tragen können. Dieser Weg kalibriert die Objektive am genauesten.</translation>
+    </message>
+    <message>
+        <source>You need rough camera positions and a ball to wave. This way gives the most accurate camera positions in a large room.</source>
+        <translation>Sie brauchen ungefähre Kamerapositionen und einen Ball zum Schwenken. Dieser Weg liefert in einem großen Raum die genauesten Kamerapositionen.</translation>
+    </message>
+    <message>
+        <source>You need a calibration file for these cameras and for images of this size.</source>
+        <translation>Sie brauchen eine Kalibrierungsdatei für diese Kameras und für Bilder dieser Größe.</translation>
+    </message>
+    <message>
+        <source>Choose the file. If it lacks something, such as the unit, the dialog asks you for it. The dialog also shows how far each camera would move.</source>
+        <translation>Wählen Sie die Datei. Fehlt etwas in ihr, zum Beispiel die Einheit, fragt der Dialog Sie danach. Der Dialog zeigt auch, wie weit sich jede Kamera bewegen würde.</translation>
+    </message>
+    <message>
+        <source>Describe the board on the page Board, and print it at 100 %. Check the scale bar with a ruler, and glue the sheet to something stiff and flat. If you already have a board, just describe it and go on to the next step.</source>
+        <translation>Beschreiben Sie die Kalibriertafel auf der Seite Tafel und drucken Sie sie mit 100 %. Prüfen Sie den Maßstab mit einem Lineal und kleben Sie das Blatt auf etwas Steifes und Ebenes. Wenn Sie schon eine Tafel haben, beschreiben Sie sie nur und gehen Sie zum nächsten Schritt.</translation>
+    </message>
+    <message>
+        <source>On the page Board, choose Intrinsics. With live cameras, press Start and show the board to each camera: close, tilted to all sides, and in the corners of the image. Hold it still each time. If you have already recorded this, just press Calibrate.</source>
+        <translation>Wählen Sie auf der Seite Tafel die intrinsischen Parameter. Mit angeschlossenen Kameras drücken Sie Beginnen und zeigen jeder Kamera die Tafel: nah, nach allen Seiten geneigt und in den Ecken des Bildes. Halten Sie sie jedes Mal still. Wenn Sie das schon aufgenommen haben, drücken Sie nur Kalibrieren.</translation>
+    </message>
+    <message>
+        <source>Enter the field of view or the focal length of each camera, for example from its data sheet. Calibrating the lens with a board is more accurate, but you do not need it to begin.</source>
+        <translation>Geben Sie den Bildwinkel oder die Brennweite jeder Kamera ein, zum Beispiel aus dem Datenblatt. Das Objektiv mit einer Tafel zu kalibrieren ist genauer, aber für den Anfang nicht nötig.</translation>
+    </message>
+    <message>
+        <source>Give the grid the size of a real object that you have measured. In each image, drag the grid until it lies on this object. Click a point of the grid to hold it in place.</source>
+        <translation>Geben Sie dem Gitter die Größe eines wirklichen Gegenstands, den Sie gemessen haben. Ziehen Sie das Gitter in jedem Bild, bis es auf diesem Gegenstand liegt. Klicken Sie einen Punkt des Gitters an, um ihn festzuhalten.</translation>
+    </message>
+    <message>
+        <source>Add points whose positions in the room you have measured, in meters. Then click each point in the images. Each camera needs at least four points, or better six that do not all lie in one plane.</source>
+        <translation>Fügen Sie Punkte hinzu, deren Positionen im Raum Sie gemessen haben, in Metern. Klicken Sie dann jeden Punkt in den Bildern an. Jede Kamera braucht mindestens vier Punkte, besser sechs, die nicht alle in einer Ebene liegen.</translation>
+    </message>
+    <message>
+        <source>Press Compute cameras below the table of points. If a point fits badly, the page tells you which one.</source>
+        <translation>Drücken Sie Kameras berechnen unter der Punkttabelle. Passt ein Punkt schlecht, sagt Ihnen die Seite, welcher es ist.</translation>
+    </message>
+    <message>
+        <source>On the page Board, choose Camera positions. With live cameras, press Start and show the board to at least two cameras at a time, in many parts of the volume. Lay it on the floor once, and press Set floor from board. If you have already recorded this, enter the frame with the board on the floor and press Calibrate.</source>
+        <translation>Wählen Sie auf der Seite Tafel die Kamerapositionen. Mit angeschlossenen Kameras drücken Sie Beginnen und zeigen die Tafel mindestens zwei Kameras gleichzeitig, in vielen Teilen des Raums. Legen Sie sie einmal auf den Boden und drücken Sie Boden aus Tafel setzen. Wenn Sie das schon aufgenommen haben, geben Sie das Bild mit der Tafel auf dem Boden an und drücken Sie Kalibrieren.</translation>
+    </message>
+    <message>
+        <source>Drag the grid in each image, or the cameras in the bird&apos;s-eye view, until each camera is within about 12 cm of its real position.</source>
+        <translation>Ziehen Sie das Gitter in jedem Bild oder die Kameras in der Vogelperspektive, bis jede Kamera höchstens etwa 12 cm von ihrer wirklichen Position entfernt ist.</translation>
+    </message>
+    <message>
+        <source>On the page Wand, choose what you wave and where the scale comes from. With live cameras, press Start waving and wave slowly through the whole volume for half a minute. Then press Refine cameras. If you have already recorded this, just press Refine cameras.</source>
+        <translation>Geben Sie auf der Seite Stab an, was Sie schwenken und woher der Maßstab kommt. Mit angeschlossenen Kameras drücken Sie Schwenken beginnen und schwenken eine halbe Minute lang langsam durch den ganzen Raum. Drücken Sie dann Kameras verfeinern. Wenn Sie das schon aufgenommen haben, drücken Sie nur Kameras verfeinern.</translation>
+    </message>
+    <message>
+        <source>Mark three points of the floor as A, B and C, each in at least two images. A becomes the origin, and the x axis points from A to B. Then press Set floor from A, B and C.</source>
+        <translation>Markieren Sie drei Punkte des Bodens als A, B und C, jeden in mindestens zwei Bildern. A wird der Ursprung, und die x-Achse zeigt von A nach B. Drücken Sie dann Boden aus A, B und C festlegen.</translation>
+    </message>
+    <message>
+        <source>Measure a distance in the room, as long as possible. Mark its ends as A and B, enter the distance, and press Check. If the calibration gives a different distance, press Set scale to correct the calibration.</source>
+        <translation>Messen Sie eine möglichst lange Strecke im Raum. Markieren Sie ihre Enden als A und B, geben Sie die Länge ein und drücken Sie Prüfen. Ergibt die Kalibrierung eine andere Länge, drücken Sie Maßstab festlegen, um die Kalibrierung zu berichtigen.</translation>
+    </message>
+    <message>
+        <source>Done: the distance differs by %1.</source>
+        <translation>Erledigt: Die Länge weicht um %1 ab.</translation>
+    </message>
+    <message>
+        <source>Done for %1 of %2 cameras.</source>
+        <translation>Erledigt für %1 von %2 Kameras.</translation>
+    </message>
+    <message>
+        <source>Done for %1 of %2 cameras. The largest error is %3.</source>
+        <translation>Erledigt für %1 von %2 Kameras. Der größte Fehler ist %3.</translation>
     </message>
 </context>
 <context>
@@ -2100,10 +2542,6 @@
         <translation>%1 oder mehr</translation>
     </message>
     <message>
-        <source>blank: none</source>
-        <translation>leer: keine</translation>
-    </message>
-    <message>
         <source>blank: fewer than two cameras</source>
         <translation>leer: weniger als zwei Kameras</translation>
     </message>
@@ -2114,6 +2552,10 @@
     <message>
         <source>Expected error (1 σ)</source>
         <translation>Erwarteter Fehler (1 σ)</translation>
+    </message>
+    <message>
+        <source>blank: no camera</source>
+        <translation>leer: keine Kamera</translation>
     </message>
 </context>
 <context>
@@ -2156,10 +2598,6 @@
     <message>
         <source>Balls, hands and other colored objects</source>
         <translation>Bälle, Hände und andere farbige Objekte</translation>
-    </message>
-    <message>
-        <source>Tracks colors and size of the target, and finds it again after it was hidden.</source>
-        <translation>Verfolgt Farben und Größe des Ziels und findet es wieder, wenn es verdeckt war.</translation>
     </message>
     <message>
         <source>For comparison: mixes up people who come close to each other.</source>
@@ -2208,6 +2646,10 @@
     <message>
         <source>The most accurate: decides whether the target is a ball or has another shape.</source>
         <translation>Das genaueste: entscheidet, ob das Ziel ein Ball ist oder eine andere Form hat.</translation>
+    </message>
+    <message>
+        <source>Tracks the target by its colors, follows its size, and finds it again after it was hidden.</source>
+        <translation>Verfolgt das Ziel an seinen Farben, folgt seiner Größe und findet es wieder, wenn es verdeckt war.</translation>
     </message>
 </context>
 <context>
@@ -2308,16 +2750,8 @@
         <translation>Mindestzahl der Partikel</translation>
     </message>
     <message>
-        <source>How far the particles may be from the distribution that they represent (Kullback-Leibler divergence): smaller values use more particles when they are spread out; 0 always uses the largest number.</source>
-        <translation>Wie weit die Partikel von der Verteilung abweichen dürfen, die sie darstellen (Kullback-Leibler-Divergenz): Kleinere Werte benutzen mehr Partikel, wenn diese weit gestreut sind; 0 benutzt immer die größte Anzahl.</translation>
-    </message>
-    <message>
         <source>How long a target still counts as present when no camera can see its expected position.</source>
         <translation>Wie lange ein Ziel noch als vorhanden gilt, wenn keine Kamera seine erwartete Position sehen kann.</translation>
-    </message>
-    <message>
-        <source>Smallest number of particles of each target, used when all particles agree.</source>
-        <translation>Kleinste Zahl der Partikel je Ziel, benutzt, wenn alle Partikel übereinstimmen.</translation>
     </message>
     <message>
         <source>Largest number of particles of each target.</source>
@@ -2376,10 +2810,6 @@
         <translation>Verdeckt unterhalb</translation>
     </message>
     <message>
-        <source>How different from the reference the colors may be (Bhattacharyya distance): smaller values trust the best particles more.</source>
-        <translation>Wie verschieden von der Vorlage die Farben sein dürfen (Bhattacharyya-Abstand): Kleinere Werte trauen den besten Partikeln mehr.</translation>
-    </message>
-    <message>
         <source>How far particles move at random along each axis between images, in multiples of the target size, in addition to their constant velocity.</source>
         <translation>Wie weit sich Partikel von Bild zu Bild entlang jeder Achse zufällig bewegen, in Vielfachen der Zielgröße, zusätzlich zu ihrer gleichbleibenden Geschwindigkeit.</translation>
     </message>
@@ -2388,20 +2818,8 @@
         <translation>Wie weit sich Partikel von Bild zu Bild entlang jeder Achse zufällig bewegen, zusätzlich zu ihrer gleichbleibenden Geschwindigkeit: Größere Werte folgen plötzlichen Bewegungen, streuen aber weiter.</translation>
     </message>
     <message>
-        <source>Largest distance of the target from its predicted position, in multiples of the target size; positions farther away count as unlikely.</source>
-        <translation>Größte Entfernung des Ziels von seiner vorhergesagten Position, in Vielfachen der Zielgröße; weiter entfernte Positionen gelten als unwahrscheinlich.</translation>
-    </message>
-    <message>
         <source>How strongly positions with more of the target&apos;s colors are preferred.</source>
         <translation>Wie stark Positionen mit mehr Farben des Ziels bevorzugt werden.</translation>
-    </message>
-    <message>
-        <source>How much the ratio of width to height may change between images (logarithm); 0 keeps the initial ratio.</source>
-        <translation>Wie sehr sich das Verhältnis von Breite zu Höhe von Bild zu Bild ändern darf (Logarithmus); 0 behält das anfängliche Verhältnis.</translation>
-    </message>
-    <message>
-        <source>How much the size of the box may change between images (logarithm); 0 keeps the initial size.</source>
-        <translation>Wie sehr sich die Größe des Rahmens von Bild zu Bild ändern darf (Logarithmus); 0 behält die anfängliche Größe.</translation>
     </message>
     <message>
         <source>Jump reach</source>
@@ -2438,10 +2856,6 @@
     <message>
         <source>The target counts as hidden and keeps its position if less than this share of its usual colors is found.</source>
         <translation>Das Ziel gilt als verdeckt und behält seine Position, wenn weniger als dieser Anteil seiner üblichen Farben gefunden wird.</translation>
-    </message>
-    <message>
-        <source>1: tracks everyone that several cameras see; 0: tracks only people that you add by hand.</source>
-        <translation>1: verfolgt jede Person, die mehrere Kameras sehen; 0: verfolgt nur Personen, die Sie von Hand hinzufügen.</translation>
     </message>
     <message>
         <source>Time after which a new object that stays in place counts as background.</source>
@@ -2504,10 +2918,6 @@
         <translation>Boden z</translation>
     </message>
     <message>
-        <source>Half the size of the tracked floor area; a person who crosses its border has left.</source>
-        <translation>Halbe Größe der beobachteten Bodenfläche; eine Person, die ihren Rand überschreitet, ist gegangen.</translation>
-    </message>
-    <message>
         <source>Assumed height of a person whose height is not known yet.</source>
         <translation>Angenommene Größe einer Person, deren Größe noch nicht bekannt ist.</translation>
     </message>
@@ -2520,28 +2930,12 @@
         <translation>Wie lange eine Person noch als anwesend gilt, wenn weniger als zwei Kameras sie sehen.</translation>
     </message>
     <message>
-        <source>How long foreground that belongs to no tracked person must last before a new track is created.</source>
-        <translation>Wie lange Vordergrund, der zu keiner verfolgten Person gehört, bestehen muss, bevor eine neue Spur entsteht.</translation>
-    </message>
-    <message>
-        <source>How long the cameras only learn the background at the start; nobody should be in view.</source>
-        <translation>Wie lange die Kameras am Anfang nur den Hintergrund lernen; niemand sollte im Bild sein.</translation>
-    </message>
-    <message>
         <source>Number of particles of each person.</source>
         <translation>Zahl der Partikel jeder Person.</translation>
     </message>
     <message>
         <source>Number of points that represent the volume of each person.</source>
         <translation>Zahl der Punkte, die das Volumen jeder Person darstellen.</translation>
-    </message>
-    <message>
-        <source>How moving regions are found: 0 one Gaussian per pixel (fast), 1 OpenCV&apos;s MOG2, 2 OpenCV&apos;s KNN.</source>
-        <translation>Wie bewegte Bereiche gefunden werden: 0 eine Normalverteilung je Pixel (schnell), 1 MOG2 von OpenCV, 2 KNN von OpenCV.</translation>
-    </message>
-    <message>
-        <source>Weight of a camera that sees a whole person: larger values rely more on the masks.</source>
-        <translation>Wie viel eine Kamera zählt, die eine ganze Person sieht: Größere Werte vertrauen den Masken mehr.</translation>
     </message>
     <message>
         <source>How much the colors of clothes count compared with the masks when people are close to each other.</source>
@@ -2596,10 +2990,6 @@
         <translation>Maskenglättung</translation>
     </message>
     <message>
-        <source>Center of the tracked floor area.</source>
-        <translation>Mitte der beobachteten Bodenfläche.</translation>
-    </message>
-    <message>
         <source>Min. motion likelihood</source>
         <translation>Kleinste Bewegungs-Likelihood</translation>
     </message>
@@ -2618,14 +3008,6 @@
     <message>
         <source>Sigma of the Gaussian that smooths the motion masks (the paper: 4 px).</source>
         <translation>Sigma der Gauß-Glättung der Bewegungsmasken (im Artikel: 4 px).</translation>
-    </message>
-    <message>
-        <source>Standard deviation of a measured hue, in [0, 1].</source>
-        <translation>Standardabweichung eines gemessenen Farbtons, in [0, 1].</translation>
-    </message>
-    <message>
-        <source>Standard deviation of a measured saturation, in [0, 1].</source>
-        <translation>Standardabweichung einer gemessenen Sättigung, in [0, 1].</translation>
     </message>
     <message>
         <source>Standard deviation of the noise on each component of the velocity, per frame.</source>
@@ -2648,10 +3030,6 @@
         <translation>Geschwindigkeitsrauschen</translation>
     </message>
     <message>
-        <source>Lowest brightness of a shadow, as a share of the background&apos;s brightness, at the same hue. Anything darker is foreground.</source>
-        <translation>Kleinste Helligkeit eines Schattens, als Anteil der Helligkeit des Hintergrunds, bei gleichem Farbton. Was dunkler ist, ist Vordergrund.</translation>
-    </message>
-    <message>
         <source>Calibration error</source>
         <translation>Fehler der Kalibrierung</translation>
     </message>
@@ -2660,12 +3038,76 @@
         <translation>Fehler der Richtungen, in denen die Kameras Objekte sehen. Er ist Teil der angegebenen Unsicherheit einer Position. 0,25 passt zu einer Kalibrierung von Hand.</translation>
     </message>
     <message>
-        <source>Error of the times of the images. It is part of the reported uncertainty of a moving target. 8 suits webcams.</source>
-        <translation>Fehler der Zeiten der Bilder. Er ist Teil der angegebenen Unsicherheit eines bewegten Ziels. 8 passt zu Webcams.</translation>
-    </message>
-    <message>
         <source>Time error</source>
         <translation>Fehler der Zeit</translation>
+    </message>
+    <message>
+        <source>1 tracks every person that several cameras see. 0 tracks only people that you add by hand.</source>
+        <translation>1 verfolgt jede Person, die mehrere Kameras sehen. 0 verfolgt nur Personen, die Sie von Hand hinzufügen.</translation>
+    </message>
+    <message>
+        <source>Center of the tracked floor area along this axis.</source>
+        <translation>Mitte der beobachteten Bodenfläche entlang dieser Achse.</translation>
+    </message>
+    <message>
+        <source>Error of the times at which the images were taken. It is part of the reported uncertainty of a moving target. 8 suits webcams.</source>
+        <translation>Fehler der Zeiten, zu denen die Bilder aufgenommen wurden. Er ist Teil der angegebenen Unsicherheit eines bewegten Ziels. 8 passt zu Webcams.</translation>
+    </message>
+    <message>
+        <source>Half the size of the tracked floor area along this axis. A person who crosses the border of the area counts as having left.</source>
+        <translation>Halbe Größe der beobachteten Bodenfläche entlang dieser Achse. Eine Person, die den Rand der Fläche überschreitet, gilt als gegangen.</translation>
+    </message>
+    <message>
+        <source>How far the particles may deviate from the distribution that they represent (Kullback-Leibler divergence). A smaller value uses more particles when the cloud is spread out; 0 always uses the largest number.</source>
+        <translation>Wie weit die Partikel von der Verteilung abweichen dürfen, die sie darstellen (Kullback-Leibler-Divergenz). Ein kleinerer Wert benutzt mehr Partikel, wenn die Wolke weit gestreut ist; 0 benutzt immer die größte Anzahl.</translation>
+    </message>
+    <message>
+        <source>How far the target may be from its predicted position, in multiples of the target size. Positions that are farther away count as unlikely.</source>
+        <translation>Wie weit das Ziel von seiner vorhergesagten Position entfernt sein darf, in Vielfachen der Zielgröße. Weiter entfernte Positionen gelten als unwahrscheinlich.</translation>
+    </message>
+    <message>
+        <source>How long a moving region that belongs to no tracked person must be visible before a new track is created.</source>
+        <translation>Wie lange ein bewegter Bereich, der zu keiner verfolgten Person gehört, sichtbar sein muss, bevor eine neue Spur entsteht.</translation>
+    </message>
+    <message>
+        <source>How long the cameras only learn the background at the start. Nobody should be in view during this time.</source>
+        <translation>Wie lange die Kameras am Anfang nur den Hintergrund lernen. In dieser Zeit sollte niemand im Bild sein.</translation>
+    </message>
+    <message>
+        <source>How moving regions are found. 0: one Gaussian for each pixel (fast). 1: MOG2 of OpenCV. 2: KNN of OpenCV.</source>
+        <translation>Wie bewegte Bereiche gefunden werden. 0: eine Normalverteilung je Pixel (schnell). 1: MOG2 von OpenCV. 2: KNN von OpenCV.</translation>
+    </message>
+    <message>
+        <source>How much each camera that sees a whole person counts: larger values rely more on the masks.</source>
+        <translation>Wie viel jede Kamera zählt, die eine ganze Person sieht: Größere Werte vertrauen den Masken mehr.</translation>
+    </message>
+    <message>
+        <source>How much the colors of a particle&apos;s box may differ from the reference colors (Bhattacharyya distance): smaller values trust the best particles more.</source>
+        <translation>Wie sehr die Farben im Rahmen eines Partikels von den Farben der Vorlage abweichen dürfen (Bhattacharyya-Abstand): Kleinere Werte trauen den besten Partikeln mehr.</translation>
+    </message>
+    <message>
+        <source>How much the ratio of width to height may change between images, as the standard deviation of its logarithm; 0 keeps the initial ratio.</source>
+        <translation>Wie sehr sich das Verhältnis von Breite zu Höhe von Bild zu Bild ändern darf, als Standardabweichung seines Logarithmus; 0 behält das anfängliche Verhältnis.</translation>
+    </message>
+    <message>
+        <source>How much the size of the box may change between images, as the standard deviation of its logarithm; 0 keeps the initial size.</source>
+        <translation>Wie sehr sich die Größe des Rahmens von Bild zu Bild ändern darf, als Standardabweichung ihres Logarithmus; 0 behält die anfängliche Größe.</translation>
+    </message>
+    <message>
+        <source>Lowest brightness of a shadow, as a share of the background&apos;s brightness at the same hue. Anything darker counts as a moving region.</source>
+        <translation>Kleinste Helligkeit eines Schattens, als Anteil der Helligkeit des Hintergrunds bei gleichem Farbton. Alles Dunklere gilt als bewegter Bereich.</translation>
+    </message>
+    <message>
+        <source>Smallest number of particles of each target, used when all particles are close together.</source>
+        <translation>Kleinste Zahl der Partikel je Ziel, benutzt, wenn alle Partikel dicht beieinander liegen.</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a measured hue; hues range from 0 to 1.</source>
+        <translation>Standardabweichung eines gemessenen Farbtons; Farbtöne reichen von 0 bis 1.</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a measured saturation; saturations range from 0 to 1.</source>
+        <translation>Standardabweichung einer gemessenen Sättigung; Sättigungen reichen von 0 bis 1.</translation>
     </message>
 </context>
 <context>
@@ -2936,6 +3378,32 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
     </message>
 </context>
 <context>
+    <name>TakeText</name>
+    <message>
+        <source>%1 left</source>
+        <translation>noch %1</translation>
+    </message>
+    <message>
+        <source>Recording take %1</source>
+        <translation>Aufnahme %1 läuft</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n dropped image(s)</source>
+        <translation>
+            <numerusform>%n verlorenes Bild</numerusform>
+            <numerusform>%n verlorene Bilder</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 free</source>
+        <translation>%1 frei</translation>
+    </message>
+    <message>
+        <source>%1: %2 images, %3, %4 dropped, %5</source>
+        <translation>%1: %2 Bilder, %3, %4 verloren, %5</translation>
+    </message>
+</context>
+<context>
     <name>Timeline</name>
     <message>
         <source>Frame %1, %2</source>
@@ -3067,16 +3535,16 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>Ein Stab hat zwei Bälle verschiedener Farben: Lernen Sie die zweite Farbe (Umschalt+L).</translation>
     </message>
     <message>
-        <source>Both ends of the wand are the same target: choose another target.</source>
-        <translation>Beide Enden des Stabs sind dasselbe Ziel: Wählen Sie ein anderes.</translation>
-    </message>
-    <message>
         <source>The scale comes from a known distance: add the times at which the ball is at each end of this distance.</source>
         <translation>Der Maßstab kommt von einer bekannten Strecke: Fügen Sie die Zeitpunkte hinzu, zu denen der Ball an jedem Ende dieser Strecke ist.</translation>
     </message>
     <message>
         <source>A fall needs two times: one at which the ball starts to fall, and one at which it is still falling.</source>
         <translation>Ein Fall braucht zwei Zeitpunkte: einen, zu dem der Ball zu fallen beginnt, und einen, zu dem er noch fällt.</translation>
+    </message>
+    <message>
+        <source>Both ends of the wand are the same target: choose another target for one of them.</source>
+        <translation>Beide Enden des Stabs sind dasselbe Ziel: Wählen Sie für eines davon ein anderes Ziel.</translation>
     </message>
 </context>
 <context>
@@ -3269,10 +3737,6 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>Suche die Tafel: %p %</translation>
     </message>
     <message>
-        <source>Solving</source>
-        <translation>Berechne</translation>
-    </message>
-    <message>
         <source>Save the report</source>
         <translation>Bericht speichern</translation>
     </message>
@@ -3293,10 +3757,6 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>Tafel suchen</translation>
     </message>
     <message>
-        <source>Find out which board the images show: its kind, squares and dictionary. Sizes in millimeters must be measured</source>
-        <translation>Feststellen, welche Tafel die Bilder zeigen: Art, Felder und Wörterbuch. Längen in Millimetern müssen gemessen werden</translation>
-    </message>
-    <message>
         <source>Use this board</source>
         <translation>Diese Tafel verwenden</translation>
     </message>
@@ -3305,8 +3765,16 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>Alle Bilder durchsuchen</translation>
     </message>
     <message>
-        <source>%1 of %2 images searched show the board as it is described.</source>
-        <translation>%1 von %2 durchsuchten Bildern zeigen die Tafel so, wie sie beschrieben ist.</translation>
+        <source>Find out which board the images show: its kind, its squares and its dictionary. Images do not show its size: measure its squares yourself</source>
+        <translation>Feststellen, welche Tafel die Bilder zeigen: ihre Art, ihre Felder und ihr Wörterbuch. Ihre Größe zeigen Bilder nicht: Messen Sie ihre Felder selbst</translation>
+    </message>
+    <message>
+        <source>Computing</source>
+        <translation>Berechne</translation>
+    </message>
+    <message>
+        <source>%1 of the %2 searched images show the board that you described.</source>
+        <translation>%1 der %2 durchsuchten Bilder zeigen die Tafel, die Sie beschrieben haben.</translation>
     </message>
 </context>
 <context>
@@ -3324,8 +3792,34 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>Mit einer Tafel kalibrieren</translation>
     </message>
     <message>
-        <source>No board was found. Show the whole board, sharp and evenly lit.</source>
-        <translation>Keine Tafel gefunden. Zeigen Sie die ganze Tafel, scharf und gleichmäßig beleuchtet.</translation>
+        <source>No board was found. Show the whole board in focus and in even light, then press Find board again.</source>
+        <translation>Keine Tafel gefunden. Zeigen Sie die ganze Tafel scharf und in gleichmäßigem Licht, und drücken Sie noch einmal Tafel suchen.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::BoardFloor</name>
+    <message>
+        <source>Searching the images shown for the board…</source>
+        <translation>Die Tafel wird in den gezeigten Bildern gesucht…</translation>
+    </message>
+    <message>
+        <source>No camera sees the board %1 well enough. Show images in which it lies on the floor, or describe it on the page Board.</source>
+        <translation>Keine Kamera sieht die Tafel %1 gut genug. Zeigen Sie Bilder, in denen sie auf dem Boden liegt, oder beschreiben Sie sie auf der Seite Tafel.</translation>
+    </message>
+    <message>
+        <source>The cameras were changed meanwhile. Press the button again.</source>
+        <translation>Die Kameras wurden inzwischen geändert. Drücken Sie den Knopf noch einmal.</translation>
+    </message>
+    <message>
+        <source>Set the floor from the board</source>
+        <translation>Boden aus der Tafel setzen</translation>
+    </message>
+    <message numerus="yes">
+        <source>The floor is set from the board, which %n camera(s) can see (error %1). The world was rotated by %2.</source>
+        <translation>
+            <numerusform>Der Boden ist aus der Tafel gesetzt, die %n Kamera sieht (Fehler %1). Die Welt wurde um %2 gedreht.</numerusform>
+            <numerusform>Der Boden ist aus der Tafel gesetzt, die %n Kameras sehen (Fehler %1). Die Welt wurde um %2 gedreht.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3355,10 +3849,6 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>Art der Tafel</translation>
     </message>
     <message>
-        <source>A ChArUco board may be partly hidden or outside the image; a chessboard must be completely visible</source>
-        <translation>ChArUco-Tafeln dürfen teilweise verdeckt oder außerhalb des Bildes sein; Schachbretter müssen ganz zu sehen sein</translation>
-    </message>
-    <message>
         <source>Squares across, down</source>
         <translation>Felder quer, hoch</translation>
     </message>
@@ -3383,10 +3873,6 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>Seite eines Feldes</translation>
     </message>
     <message>
-        <source>Measure a long row on the print with a ruler and divide by the number of squares</source>
-        <translation>Messen Sie eine lange Zeile am Ausdruck mit dem Lineal, und teilen Sie durch die Zahl der Felder</translation>
-    </message>
-    <message>
         <source>Unit of the sizes</source>
         <translation>Einheit der Größen</translation>
     </message>
@@ -3399,10 +3885,6 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>Seite eines Markers</translation>
     </message>
     <message>
-        <source>Side of the black square around the pattern</source>
-        <translation>Seite des schwarzen Quadrats um das Muster</translation>
-    </message>
-    <message>
         <source>Dictionary of the markers</source>
         <translation>Wörterbuch der Marker</translation>
     </message>
@@ -3413,10 +3895,6 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
     <message>
         <source>Legacy layout (even rows)</source>
         <translation>Altes Layout (gerade Zeilenzahl)</translation>
-    </message>
-    <message>
-        <source>For ChArUco boards with an even number of rows from software older than OpenCV 4.6: the first square is white</source>
-        <translation>Für ChArUco-Tafeln mit gerader Zeilenzahl aus Software vor OpenCV 4.6: Das erste Feld ist weiß</translation>
     </message>
     <message>
         <source>Inverted colors</source>
@@ -3449,6 +3927,22 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
     <message>
         <source>Dictionary</source>
         <translation>Wörterbuch</translation>
+    </message>
+    <message>
+        <source>A ChArUco board may be partly hidden, or partly outside the image; a chessboard must be completely visible</source>
+        <translation>Eine ChArUco-Tafel darf teilweise verdeckt sein oder teilweise außerhalb des Bildes liegen; ein Schachbrett muss ganz zu sehen sein</translation>
+    </message>
+    <message>
+        <source>Measure a long row on the print with a ruler, and divide its length by the number of its squares</source>
+        <translation>Messen Sie eine lange Zeile am Ausdruck mit dem Lineal, und teilen Sie ihre Länge durch die Zahl ihrer Felder</translation>
+    </message>
+    <message>
+        <source>Length of one side of a marker, with its black border</source>
+        <translation>Länge einer Seite eines Markers, mit seinem schwarzen Rand</translation>
+    </message>
+    <message>
+        <source>For ChArUco boards with an even number of rows that were made with software older than OpenCV 4.6: their first square is white</source>
+        <translation>Für ChArUco-Tafeln mit gerader Zeilenzahl, die mit Software vor OpenCV 4.6 hergestellt wurden: Ihr erstes Feld ist weiß</translation>
     </message>
 </context>
 <context>
@@ -3494,16 +3988,8 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>Fischauge</translation>
     </message>
     <message>
-        <source>5 for most lenses, 8 for wide-angle lenses, fisheye above about 120°</source>
-        <translation>5 für die meisten Objektive; 8 für weitwinklige; Fischauge ab etwa 120°</translation>
-    </message>
-    <message>
         <source>Frame with the board on the floor</source>
         <translation>Bild mit der Tafel auf dem Boden</translation>
-    </message>
-    <message>
-        <source>This frame defines the world coordinates: X along the rows, Y toward the upper edge, Z up. Without it, the first camera keeps its position</source>
-        <translation>Dieses Bild legt die Weltkoordinaten fest: X entlang der Zeilen, Y zur Oberkante, Z nach oben. Ohne es behält die erste Kamera ihre Position</translation>
     </message>
     <message>
         <source>Frame number with the board on the floor</source>
@@ -3545,6 +4031,14 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <source>Guidance ends when the position of each camera is this accurate</source>
         <translation>Die Anleitung endet, wenn die Position jeder Kamera so genau ist</translation>
     </message>
+    <message>
+        <source>5 coefficients for most lenses, 8 for wide-angle lenses, fisheye for a field of view above about 120°</source>
+        <translation>5 Koeffizienten für die meisten Objektive, 8 für weitwinklige, Fischauge für einen Bildwinkel über etwa 120°</translation>
+    </message>
+    <message>
+        <source>The board as it lies in this video frame defines the world coordinates: X along its rows, Y toward its upper edge, Z up from the floor. Without such a frame, the first camera keeps its position</source>
+        <translation>Die Tafel, wie sie in diesem Bild des Videos liegt, legt die Weltkoordinaten fest: X entlang ihrer Zeilen, Y zu ihrer Oberkante, Z vom Boden nach oben. Ohne ein solches Bild behält die erste Kamera ihre Position</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::BoardLive</name>
@@ -3571,10 +4065,6 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
     <message>
         <source>Set floor from board</source>
         <translation>Boden aus Tafel setzen</translation>
-    </message>
-    <message>
-        <source>Use the board on the floor to define the world coordinates: X along its rows, Y toward its upper edge, Z up</source>
-        <translation>Mit der Tafel auf dem Boden die Weltkoordinaten festlegen: X entlang ihrer Zeilen, Y zu ihrer Oberkante, Z nach oben</translation>
     </message>
     <message>
         <source>Next: positions</source>
@@ -3620,16 +4110,16 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <source>Show what to do next in large letters that can be read from across the room, with a sound for each captured view</source>
         <translation>In großen, quer durch den Raum lesbaren Buchstaben zeigen, was als Nächstes zu tun ist, mit einem Ton für jede aufgenommene Ansicht</translation>
     </message>
+    <message>
+        <source>Define the world coordinates with the board that lies on the floor now: X along its rows, Y toward its upper edge, Z up from the floor</source>
+        <translation>Die Weltkoordinaten mit der Tafel festlegen, die jetzt auf dem Boden liegt: X entlang ihrer Zeilen, Y zu ihrer Oberkante, Z vom Boden nach oben</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::BoxExportDialog</name>
     <message>
         <source>Export boxes</source>
         <translation>Rahmen exportieren</translation>
-    </message>
-    <message>
-        <source>Two files are written: boxes.csv (a row per target and frame: box, center, similarity, seen or hidden) and boxes_mot.txt (the format of the MOT challenge). All in pixels.</source>
-        <translation>Zwei Dateien werden geschrieben: boxes.csv (eine Zeile je Ziel und Bild: Rahmen, Mitte, Ähnlichkeit, gesehen oder verdeckt) und boxes_mot.txt (das Format der MOT Challenge). Alles in Pixeln.</translation>
     </message>
     <message>
         <source>First lines of boxes.csv</source>
@@ -3682,6 +4172,10 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
     <message>
         <source>Replace</source>
         <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>Two files are written. In boxes.csv, each row has the box of one target in one frame, its center, its similarity, and whether the target was seen or hidden. The file boxes_mot.txt has the format of the MOT challenge. All lengths are in pixels.</source>
+        <translation>Zwei Dateien werden geschrieben. In boxes.csv enthält jede Zeile den Rahmen eines Ziels in einem Bild, seine Mitte, seine Ähnlichkeit und ob das Ziel gesehen oder verdeckt war. Die Datei boxes_mot.txt hat das Format der MOT Challenge. Alle Längen sind in Pixeln.</translation>
     </message>
 </context>
 <context>
@@ -3759,10 +4253,6 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>Streuung, px</translation>
     </message>
     <message>
-        <source>Root mean square distance of the particles to their mean</source>
-        <translation>Mittlerer quadratischer Abstand (RMS) der Partikel von ihrem Mittel</translation>
-    </message>
-    <message>
         <source>state</source>
         <translation>Zustand</translation>
     </message>
@@ -3773,6 +4263,10 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
     <message>
         <source>● tracking</source>
         <translation>● verfolgt</translation>
+    </message>
+    <message>
+        <source>Root mean square distance of the particles from their mean</source>
+        <translation>Mittlerer quadratischer Abstand (RMS) der Partikel von ihrem Mittel</translation>
     </message>
 </context>
 <context>
@@ -3928,24 +4422,24 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>Zentimeter</translation>
     </message>
     <message>
-        <source>%1: largest reprojection difference %2 (refitted)</source>
-        <translation>%1: größter Unterschied der Rückprojektion %2 (neu angepasst)</translation>
-    </message>
-    <message>
-        <source>%1: largest reprojection difference %2</source>
-        <translation>%1: größter Unterschied der Rückprojektion %2</translation>
-    </message>
-    <message>
-        <source>%1: %2 of 81 test directions no longer map to a pixel</source>
-        <translation>%1: %2 von 81 Prüfrichtungen fallen auf kein Pixel mehr</translation>
-    </message>
-    <message>
         <source>%1 exists and will be replaced.</source>
         <translation>%1 gibt es schon und wird ersetzt.</translation>
     </message>
     <message>
         <source>Saved %1.</source>
         <translation>%1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>%1: projected points change by at most %2 (the lens was fitted again to what the format can store)</source>
+        <translation>%1: projizierte Punkte ändern sich um höchstens %2 (das Objektiv wurde neu an das angepasst, was das Format speichern kann)</translation>
+    </message>
+    <message>
+        <source>%1: projected points change by at most %2</source>
+        <translation>%1: projizierte Punkte ändern sich um höchstens %2</translation>
+    </message>
+    <message>
+        <source>%1: with the exported lens, %2 of 81 tested directions no longer have a pixel</source>
+        <translation>%1: mit dem exportierten Objektiv haben %2 von 81 geprüften Richtungen kein Pixel mehr</translation>
     </message>
 </context>
 <context>
@@ -4091,16 +4585,8 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>Die Kalibrierung verwendet andere Kameranamen. Die Kameras wurden nach Reihenfolge zugeordnet.</translation>
     </message>
     <message>
-        <source>The file contains no pose: only the intrinsics are imported, and the pose is kept.</source>
-        <translation>Die Datei enthält keine Lage: Nur die intrinsischen Parameter werden übernommen, und die Lage bleibt.</translation>
-    </message>
-    <message>
         <source>%1 (in the file: %2): moves by %3 and rotates by %4</source>
         <translation>%1 (in der Datei: %2): verschiebt sich um %3 und dreht sich um %4</translation>
-    </message>
-    <message>
-        <source>Largest reprojection difference from the file: %1</source>
-        <translation>Größter Unterschied der Rückprojektion zur Datei: %1</translation>
     </message>
     <message>
         <source>Import calibration</source>
@@ -4113,14 +4599,6 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
     <message>
         <source>match automatically</source>
         <translation>automatisch zuordnen</translation>
-    </message>
-    <message>
-        <source>The camera of the file that each camera of the project uses</source>
-        <translation>Die Kamera der Datei, die jede Kamera des Projekts verwendet</translation>
-    </message>
-    <message>
-        <source>equal the calibrated ones</source>
-        <translation>gleich den kalibrierten</translation>
     </message>
     <message>
         <source>cropped on all sides</source>
@@ -4147,10 +4625,6 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>Die Bilder sind</translation>
     </message>
     <message>
-        <source>How images of another size differ from those that were calibrated</source>
-        <translation>Wie sich Bilder anderer Größe von den kalibrierten unterscheiden</translation>
-    </message>
-    <message>
         <source>Names in the file</source>
         <translation>Namen in der Datei</translation>
     </message>
@@ -4161,6 +4635,26 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
     <message>
         <source>Probably a mistake: %1</source>
         <translation>Wahrscheinlich ein Fehler: %1</translation>
+    </message>
+    <message>
+        <source>For each camera of the project: the camera of the file whose calibration it uses</source>
+        <translation>Für jede Kamera des Projekts: die Kamera der Datei, deren Kalibrierung sie verwendet</translation>
+    </message>
+    <message>
+        <source>the same as when calibrated</source>
+        <translation>wie bei der Kalibrierung</translation>
+    </message>
+    <message>
+        <source>How the images of the project differ from those of the calibration, if they have another size</source>
+        <translation>Wie sich die Bilder des Projekts von denen der Kalibrierung unterscheiden, wenn sie eine andere Größe haben</translation>
+    </message>
+    <message>
+        <source>The file contains no pose. Only the intrinsics are imported; the camera keeps its current pose.</source>
+        <translation>Die Datei enthält keine Lage. Nur die Intrinsik wird importiert; die Kamera behält ihre jetzige Lage.</translation>
+    </message>
+    <message>
+        <source>Compared with the file, projected points change by at most %1</source>
+        <translation>Verglichen mit der Datei ändern sich projizierte Punkte um höchstens %1</translation>
     </message>
 </context>
 <context>
@@ -4280,10 +4774,6 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>Bei drei gehaltenen Punkten die Brennweite anpassen</translation>
     </message>
     <message>
-        <source>Three held points fix the pose. Dragging then changes the focal length, and the pose follows</source>
-        <translation>Drei gehaltene Punkte legen die Lage fest. Ziehen ändert dann die Brennweite, und die Lage folgt</translation>
-    </message>
-    <message>
         <source>Keys</source>
         <translation>Tasten</translation>
     </message>
@@ -4298,10 +4788,6 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
     <message>
         <source>Effect of the keys</source>
         <translation>Wirkung der Tasten</translation>
-    </message>
-    <message>
-        <source>Arrows or W A S D, with Q and E or the page keys: 1 cm or 0.2° a step. Shift: ten times as much; Ctrl with arrows and page keys: a tenth.</source>
-        <translation>Pfeile oder W A S D, dazu Q und E oder die Bildtasten: 1 cm oder 0,2° je Schritt. Umschalt: das Zehnfache; Strg mit Pfeilen und Bildtasten: ein Zehntel.</translation>
     </message>
     <message>
         <source>camera axes</source>
@@ -4382,6 +4868,14 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
     <message>
         <source>pitch</source>
         <translation>Nicken</translation>
+    </message>
+    <message>
+        <source>Three held points fix the pose. With this option, dragging changes the focal length, and the pose is adapted so that the three points stay in place</source>
+        <translation>Drei gehaltene Punkte legen die Lage fest. Mit dieser Option ändert Ziehen die Brennweite, und die Lage wird so angepasst, dass die drei Punkte an ihrem Ort bleiben</translation>
+    </message>
+    <message>
+        <source>The arrow keys, the page keys and W, A, S, D, Q and E move or turn the camera by 1 cm or 0.2° a step. With Shift, the steps are ten times as large. With Ctrl, the steps of the arrow and page keys are a tenth as large.</source>
+        <translation>Die Pfeiltasten, die Bildtasten und W, A, S, D, Q und E bewegen oder drehen die Kamera um 1 cm oder 0,2° je Schritt. Mit Umschalt sind die Schritte zehnmal so groß. Mit Strg sind die Schritte der Pfeil- und Bildtasten ein Zehntel so groß.</translation>
     </message>
 </context>
 <context>
@@ -4720,12 +5214,12 @@ bei %4, %5, %6</translation>
         <translation>Die Farbe des Ziels an dieser Stelle lernen</translation>
     </message>
     <message>
-        <source>Add this color to the target&apos;s (Shift-click does the same)</source>
-        <translation>Diese Farbe zu denen des Ziels hinzufügen (Umschalt-Klick tut dasselbe)</translation>
+        <source>Add this color to the colors of the target (Shift-click does the same)</source>
+        <translation>Diese Farbe zu den Farben des Ziels hinzufügen (Umschalt-Klick tut dasselbe)</translation>
     </message>
     <message>
-        <source>Learn that the target does not have this color (or Alt-click)</source>
-        <translation>Lernen, dass das Ziel diese Farbe nicht hat (auch per Alt-Klick)</translation>
+        <source>Learn that the target does not have this color (Alt-click does the same)</source>
+        <translation>Lernen, dass das Ziel diese Farbe nicht hat (Alt-Klick tut dasselbe)</translation>
     </message>
 </context>
 <context>
@@ -4770,10 +5264,6 @@ bei %4, %5, %6</translation>
         <translation>Ein neues Ziel</translation>
     </message>
     <message>
-        <source>Drag the ring and the bars, or press Learn and click the target.</source>
-        <translation>Ziehen Sie den Ring und die Balken, oder drücken Sie „Lernen“, und klicken Sie das Ziel an.</translation>
-    </message>
-    <message>
         <source>Click the object to track in any camera image.</source>
         <translation>Klicken Sie in einem Kamerabild das Objekt an, das verfolgt werden soll.</translation>
     </message>
@@ -4801,6 +5291,10 @@ bei %4, %5, %6</translation>
         <source>Remove color</source>
         <translation>Farbe entfernen</translation>
     </message>
+    <message>
+        <source>To set the target&apos;s color, drag the ring and the bars, or press Learn and click the target.</source>
+        <translation>Um die Farbe des Ziels einzustellen, ziehen Sie den Ring und die Balken, oder drücken Sie „Lernen“, und klicken Sie das Ziel an.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::ColorPicker</name>
@@ -4825,22 +5319,6 @@ bei %4, %5, %6</translation>
         <translation>Letzter Farbton, 0 bis 360 Grad</translation>
     </message>
     <message>
-        <source>Least saturation, 0 to 1</source>
-        <translation>Kleinste Sättigung, 0 bis 1</translation>
-    </message>
-    <message>
-        <source>Greatest saturation, 0 to 1</source>
-        <translation>Größte Sättigung, 0 bis 1</translation>
-    </message>
-    <message>
-        <source>Least intensity, 0 to 1</source>
-        <translation>Kleinste Intensität, 0 bis 1</translation>
-    </message>
-    <message>
-        <source>Greatest intensity, 0 to 1</source>
-        <translation>Größte Intensität, 0 bis 1</translation>
-    </message>
-    <message>
         <source>Drag the ends or the center. Keyboard: Tab selects a handle, arrow keys move it (ten times as far with Shift)</source>
         <translation>Ziehen Sie die Enden oder die Mitte. Tastatur: Tab wählt einen Griff, Pfeiltasten bewegen ihn (mit Umschalt zehnmal so weit)</translation>
     </message>
@@ -4855,6 +5333,22 @@ bei %4, %5, %6</translation>
     <message>
         <source>Range of intensity</source>
         <translation>Bereich der Intensität</translation>
+    </message>
+    <message>
+        <source>Smallest saturation, 0 to 1</source>
+        <translation>Kleinste Sättigung, 0 bis 1</translation>
+    </message>
+    <message>
+        <source>Largest saturation, 0 to 1</source>
+        <translation>Größte Sättigung, 0 bis 1</translation>
+    </message>
+    <message>
+        <source>Smallest intensity, 0 to 1</source>
+        <translation>Kleinste Intensität, 0 bis 1</translation>
+    </message>
+    <message>
+        <source>Largest intensity, 0 to 1</source>
+        <translation>Größte Intensität, 0 bis 1</translation>
     </message>
 </context>
 <context>
@@ -4880,16 +5374,16 @@ bei %4, %5, %6</translation>
         <translation>%1, Bild %2, bei %3, %4</translation>
     </message>
     <message>
-        <source>found: %1, frame %2, at %3, %4</source>
-        <translation>gefunden: %1, Bild %2, bei %3, %4</translation>
-    </message>
-    <message>
         <source>Shift-click in an image to add a sample, Alt-click or Ctrl+Shift-click to exclude one. Samples marked “found” were detected in other cameras.</source>
         <translation>Umschalt+Klick in einem Bild fügt eine Probe hinzu, Alt+Klick oder Strg+Umschalt+Klick schließt eine aus. Mit „gefunden“ bezeichnete Proben wurden in anderen Kameras erkannt.</translation>
     </message>
     <message>
-        <source>Remove the selected sample and learn from the others (Del). A found sample becomes an excluded one.</source>
-        <translation>Die gewählte Probe entfernen und aus den übrigen lernen (Entf). Eine gefundene Probe wird zu einer ausgeschlossenen.</translation>
+        <source>Remove the selected sample and learn from the others (Del). If the sample is marked “found”, it becomes an excluded sample.</source>
+        <translation>Die gewählte Probe entfernen und aus den übrigen lernen (Entf). Ist die Probe mit „gefunden“ bezeichnet, wird sie zu einer ausgeschlossenen Probe.</translation>
+    </message>
+    <message>
+        <source>found by Dewpoint: %1, frame %2, at %3, %4</source>
+        <translation>von Dewpoint gefunden: %1, Bild %2, bei %3, %4</translation>
     </message>
 </context>
 <context>
@@ -4914,10 +5408,6 @@ bei %4, %5, %6</translation>
 <context>
     <name>dewpoint::ui::CorrectionMode</name>
     <message>
-        <source>Drag the target to its true position in an image; do the same in another image to fix its depth. Press Esc to finish.</source>
-        <translation>Ziehen Sie das Ziel in einem Bild an seine wahre Position; dasselbe in einem zweiten Bild legt die Tiefe fest. Esc beendet es.</translation>
-    </message>
-    <message>
         <source>Correct position</source>
         <translation>Position korrigieren</translation>
     </message>
@@ -4933,6 +5423,10 @@ bei %4, %5, %6</translation>
         <source>Set the target&apos;s position in this frame to this point; tracking continues from there</source>
         <translation>Die Position des Ziels in diesem Bild auf diesen Punkt setzen; von dort wird weiter verfolgt</translation>
     </message>
+    <message>
+        <source>Drag the target to its true position in one image. To set its depth as well, do the same in a second image. Press Esc to finish.</source>
+        <translation>Ziehen Sie das Ziel in einem Bild an seine wahre Position. Um auch die Tiefe festzulegen, tun Sie dasselbe in einem zweiten Bild. Esc beendet es.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::CorrectionTool</name>
@@ -4945,16 +5439,16 @@ bei %4, %5, %6</translation>
         <translation>Bild von %1: Pfeiltasten bewegen ein Kreuz, Eingabe setzt die Position des Ziels dort</translation>
     </message>
     <message>
-        <source>Frames are being tracked again: wait until that is done, or pause.</source>
-        <translation>Bilder werden neu verfolgt: Warten Sie, bis das fertig ist, oder halten Sie an.</translation>
-    </message>
-    <message>
         <source>There is no target yet: learn its color first.</source>
         <translation>Es gibt noch kein Ziel: Lernen Sie zuerst seine Farbe.</translation>
     </message>
     <message>
-        <source>Select a target in the list first, or drag its estimate.</source>
-        <translation>Wählen Sie zuerst ein Ziel in der Liste, oder ziehen Sie seine Schätzung.</translation>
+        <source>Frames are being tracked again: wait until tracking has finished, or pause it.</source>
+        <translation>Bilder werden neu verfolgt: Warten Sie, bis die Verfolgung fertig ist, oder halten Sie sie an.</translation>
+    </message>
+    <message>
+        <source>Select a target in the panel Target first, or drag the estimate of a target.</source>
+        <translation>Wählen Sie zuerst im Bereich „Ziel“ ein Ziel, oder ziehen Sie die Schätzung eines Ziels.</translation>
     </message>
 </context>
 <context>
@@ -4962,6 +5456,17 @@ bei %4, %5, %6</translation>
     <message>
         <source>%1: %2 detections, in %3 of %4 regions of the image</source>
         <translation>%1: %2 Erkennungen in %3 von %4 Teilen des Bildes</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::CrashReports</name>
+    <message>
+        <source>Dewpoint closed unexpectedly last time and left a report of what happened.</source>
+        <translation>Dewpoint wurde beim letzten Mal unerwartet beendet. Ein Bericht darüber liegt vor.</translation>
+    </message>
+    <message>
+        <source>Show report</source>
+        <translation>Bericht zeigen</translation>
     </message>
 </context>
 <context>
@@ -5005,8 +5510,8 @@ bei %4, %5, %6</translation>
         <translation>Videos hierher ziehen oder hinzufügen</translation>
     </message>
     <message>
-        <source>One per camera; also folders of images, and a calibration file</source>
-        <translation>Eines je Kamera; auch Ordner mit Bildern und eine Kalibrierungsdatei</translation>
+        <source>One video per camera, or image folders; also a calibration file</source>
+        <translation>Ein Video je Kamera oder Bildordner; auch eine Kalibrierungsdatei</translation>
     </message>
 </context>
 <context>
@@ -5057,10 +5562,6 @@ bei %4, %5, %6</translation>
     <message>
         <source>Experiments</source>
         <translation>Experimente</translation>
-    </message>
-    <message>
-        <source>Number of seeds. More seeds take longer and give more certain results.</source>
-        <translation>Wie viele Startzahlen: Mehr dauern länger und sind sicherer</translation>
     </message>
     <message>
         <source>Folder for the report, its pictures and its numbers</source>
@@ -5169,6 +5670,10 @@ bei %4, %5, %6</translation>
     <message>
         <source>Choose the folder of the recordings</source>
         <translation>Den Ordner der Aufnahmen wählen</translation>
+    </message>
+    <message>
+        <source>How often each case is run, each time with another seed. More runs take longer and give more certain results.</source>
+        <translation>Wie oft jeder Fall gerechnet wird, jedes Mal mit einer anderen Startzahl. Mehr Läufe dauern länger und liefern sicherere Ergebnisse.</translation>
     </message>
 </context>
 <context>
@@ -5285,32 +5790,16 @@ bei %4, %5, %6</translation>
         <translation>Schätzungen</translation>
     </message>
     <message>
-        <source>Live: as estimated during the run. Smoothed: from all frames, before and after</source>
-        <translation>Live: wie während des Laufs geschätzt. Geglättet: aus allen Bildern, davor und danach</translation>
-    </message>
-    <message>
         <source>From</source>
         <translation>Von</translation>
-    </message>
-    <message>
-        <source>First time, 0 to 1,000,000 s</source>
-        <translation>Erster Zeitpunkt, 0 bis 1.000.000 s</translation>
     </message>
     <message>
         <source>To</source>
         <translation>Bis</translation>
     </message>
     <message>
-        <source>Last time, 0 to 1,000,000 s</source>
-        <translation>Letzter Zeitpunkt, 0 bis 1.000.000 s</translation>
-    </message>
-    <message>
         <source>Rate</source>
         <translation>Rate</translation>
-    </message>
-    <message>
-        <source>Rows per second, 0.001 to 10,000; interpolated</source>
-        <translation>Zeilen pro Sekunde, 0,001 bis 10.000; interpoliert</translation>
     </message>
     <message>
         <source>Gaps</source>
@@ -5369,10 +5858,6 @@ bei %4, %5, %6</translation>
         <translation>Angaben zum Lauf</translation>
     </message>
     <message>
-        <source>Method, seed, parameters, units and axes as comments in the file</source>
-        <translation>Verfahren, Startwert, Parameter, Einheiten und Achsen als Kommentare in der Datei</translation>
-    </message>
-    <message>
         <source>live</source>
         <translation>live</translation>
     </message>
@@ -5407,6 +5892,26 @@ bei %4, %5, %6</translation>
     <message>
         <source>millimeters</source>
         <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>Live: as estimated during the run. Smoothed: estimated after the run, from all earlier and later frames</source>
+        <translation>Live: wie während des Laufs geschätzt. Geglättet: nach dem Lauf aus allen früheren und späteren Bildern geschätzt</translation>
+    </message>
+    <message>
+        <source>Earliest time to export, 0 to 1,000,000 s</source>
+        <translation>Frühester Zeitpunkt, der exportiert wird, 0 bis 1.000.000 s</translation>
+    </message>
+    <message>
+        <source>Latest time to export, 0 to 1,000,000 s</source>
+        <translation>Spätester Zeitpunkt, der exportiert wird, 0 bis 1.000.000 s</translation>
+    </message>
+    <message>
+        <source>Rows per second, 0.001 to 10,000. Positions between frames are interpolated</source>
+        <translation>Zeilen pro Sekunde, 0,001 bis 10.000. Positionen zwischen den Bildern werden interpoliert</translation>
+    </message>
+    <message>
+        <source>Write the method, seed, parameters, units and axes into the file as comments</source>
+        <translation>Verfahren, Startwert, Parameter, Einheiten und Achsen als Kommentare in die Datei schreiben</translation>
     </message>
 </context>
 <context>
@@ -5538,10 +6043,6 @@ bei %4, %5, %6</translation>
         <translation>Ursprung %1</translation>
     </message>
     <message>
-        <source>Corner at which the grid&apos;s axes start, in meters</source>
-        <translation>Ecke, an der die Achsen des Gitters beginnen, in Metern</translation>
-    </message>
-    <message>
         <source>Spacing, rotation</source>
         <translation>Abstand, Drehung</translation>
     </message>
@@ -5590,8 +6091,12 @@ bei %4, %5, %6</translation>
         <translation>Das Gitter vor Ihren Änderungen zeigen</translation>
     </message>
     <message>
-        <source>Hold down (or hold B over an image) to show the grid as it was when the calibration was opened</source>
-        <translation>Gedrückt halten (oder B über einem Bild), um das Gitter zu zeigen, wie es beim Öffnen der Kalibrierung war</translation>
+        <source>Position of the corner at which the axes of the grid start, in meters</source>
+        <translation>Position der Ecke, an der die Achsen des Gitters beginnen, in Metern</translation>
+    </message>
+    <message>
+        <source>Hold down this button to show the grid as it was when the calibration was opened. Or hold down B while the pointer is over an image</source>
+        <translation>Diese Schaltfläche gedrückt halten, um das Gitter zu zeigen, wie es beim Öffnen der Kalibrierung war. Oder B gedrückt halten, während der Zeiger über einem Bild ist</translation>
     </message>
 </context>
 <context>
@@ -5611,10 +6116,6 @@ bei %4, %5, %6</translation>
 </context>
 <context>
     <name>dewpoint::ui::GuidePage</name>
-    <message>
-        <source>The camera positions are only guesses. Calibrate the cameras, so that 3D positions mean something.</source>
-        <translation>Die Kamerapositionen sind nur geraten. Kalibrieren Sie die Kameras, damit 3D-Positionen etwas bedeuten.</translation>
-    </message>
     <message>
         <source>Calibrate…</source>
         <translation>Kalibrieren…</translation>
@@ -5680,10 +6181,6 @@ bei %4, %5, %6</translation>
         <translation>○ Genauigkeit im kalibrierten Raum: nicht gemessen</translation>
     </message>
     <message>
-        <source>✓ Measured length: %1, found %2</source>
-        <translation>✓ Gemessene Länge: %1, gefunden %2</translation>
-    </message>
-    <message>
         <source>Step %1 of %2: %3</source>
         <translation>Schritt %1 von %2: %3</translation>
     </message>
@@ -5692,16 +6189,24 @@ bei %4, %5, %6</translation>
         <translation>Anderer Weg…</translation>
     </message>
     <message>
-        <source>Show all ways to calibrate. What is known about the cameras stays.</source>
-        <translation>Alle Wege zur Kalibrierung zeigen. Was über die Kameras bekannt ist, bleibt.</translation>
-    </message>
-    <message>
         <source>Choose a way to calibrate</source>
         <translation>Weg zur Kalibrierung wählen</translation>
     </message>
     <message>
-        <source>✓ measured with this program: ± is the standard deviation. ○ entered, set by hand or read from a file: nobody checked it. ⚠ only a guess, or too inexact.</source>
-        <translation>✓ mit diesem Programm gemessen: ± ist die Standardabweichung. ○ eingegeben, von Hand eingestellt oder aus einer Datei gelesen: nicht überprüft. ⚠ nur geraten oder zu ungenau.</translation>
+        <source>The camera positions are only guesses. Calibrate the cameras to get correct 3D positions.</source>
+        <translation>Die Kamerapositionen sind nur geraten. Kalibrieren Sie die Kameras, um richtige 3D-Positionen zu erhalten.</translation>
+    </message>
+    <message>
+        <source>✓ measured with this program; ± is the standard deviation. ○ entered, set by hand or read from a file, and not checked. ⚠ only a guess, or too inaccurate.</source>
+        <translation>✓ mit diesem Programm gemessen; ± ist die Standardabweichung. ○ eingegeben, von Hand eingestellt oder aus einer Datei gelesen und nicht überprüft. ⚠ nur geraten oder zu ungenau.</translation>
+    </message>
+    <message>
+        <source>Show all ways to calibrate. The calibration so far is kept.</source>
+        <translation>Alle Wege zur Kalibrierung zeigen. Die bisherige Kalibrierung bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>✓ Length check: you measured %1, the calibration gives %2</source>
+        <translation>✓ Längenprüfung: Sie haben %1 gemessen, die Kalibrierung ergibt %2</translation>
     </message>
 </context>
 <context>
@@ -5798,12 +6303,6 @@ Shift-click works at any time.</source>
 Umschalt-Klick geht jederzeit.</translation>
     </message>
     <message>
-        <source>Click the target in a camera image, or drag a box on it,
-to learn its color again.</source>
-        <translation>Das Ziel in einem Kamerabild anklicken oder einen Rahmen darauf ziehen,
-um seine Farbe neu zu lernen.</translation>
-    </message>
-    <message>
         <source>Click another part of the target, or the target in different light.
 Shift-click works at any time.</source>
         <translation>Eine andere Stelle des Ziels anklicken, oder das Ziel in anderem Licht.
@@ -5815,6 +6314,12 @@ Alt-click or Ctrl+Shift-click works at any time.</source>
         <translation>Etwas anklicken, das auch passt, aber nicht das Ziel ist.
 Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
     </message>
+    <message>
+        <source>Click the target in a camera image, or drag a box around it,
+to learn its color again.</source>
+        <translation>Klicken Sie das Ziel in einem Kamerabild an, oder ziehen Sie einen
+Rahmen darum, um seine Farbe neu zu lernen.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::LegendPicture</name>
@@ -5825,10 +6330,6 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
     <message>
         <source>Solid ellipse: the target is inside with a probability of 95 %. A smaller ellipse is more certain.</source>
         <translation>Durchgezogene Ellipse: Das Ziel ist mit einer Wahrscheinlichkeit von 95 % darin. Eine kleinere Ellipse ist sicherer.</translation>
-    </message>
-    <message>
-        <source>Dashed ellipse: the size of the target itself, where it is not a ball.</source>
-        <translation>Gestrichelte Ellipse: die Größe des Ziels selbst, wo es kein Ball ist.</translation>
     </message>
     <message>
         <source>White diamond: the true position of the target, known only in simulated scenes such as the demo.</source>
@@ -5850,6 +6351,10 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <source>Tinted and outlined: regions with the color of the target (View › Show mask).</source>
         <translation>Getönt und umrandet: Bereiche mit der Farbe des Ziels (Ansicht › Maske zeigen).</translation>
     </message>
+    <message>
+        <source>Dashed ellipse: the size of the target itself, if the target is not a ball.</source>
+        <translation>Gestrichelte Ellipse: die Größe des Ziels selbst, wenn das Ziel kein Ball ist.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::MainWindow</name>
@@ -5865,10 +6370,6 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
 <context>
     <name>dewpoint::ui::ManualCalibration</name>
     <message>
-        <source>Three points are already held. Click one of them to release it</source>
-        <translation>Drei Punkte sind schon gehalten. Klicken Sie einen davon an, um ihn loszulassen</translation>
-    </message>
-    <message>
         <source>Drag the grid in %1</source>
         <translation>Gitter in %1 ziehen</translation>
     </message>
@@ -5883,10 +6384,6 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
     <message>
         <source>Limit reached: no nearby pose keeps the held points in place</source>
         <translation>Grenze erreicht: Keine Lage in der Nähe hält die gehaltenen Punkte an ihrem Ort</translation>
-    </message>
-    <message>
-        <source>Three held points fix the pose. Release one of them, or let the focal length change</source>
-        <translation>Drei gehaltene Punkte legen die Lage fest. Lassen Sie einen davon los, oder lassen Sie die Brennweite anpassen</translation>
     </message>
     <message>
         <source>right</source>
@@ -5919,6 +6416,14 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
     <message>
         <source>%1 focal length %2 %</source>
         <translation>%1 Brennweite %2 %</translation>
+    </message>
+    <message>
+        <source>At most three grid points can be held in place. To release one, click it</source>
+        <translation>Es können höchstens drei Gitterpunkte festgehalten werden. Klicken Sie auf einen, um ihn loszulassen</translation>
+    </message>
+    <message>
+        <source>Three held points fix the pose. Release one of them, or turn on “Also fit the focal length when three points are held”</source>
+        <translation>Drei gehaltene Punkte legen die Lage fest. Lassen Sie einen davon los, oder schalten Sie „Bei drei gehaltenen Punkten die Brennweite anpassen“ ein</translation>
     </message>
 </context>
 <context>
@@ -6177,12 +6682,161 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
 <context>
     <name>dewpoint::ui::OldResultsOffer</name>
     <message>
-        <source>Settings changed since this run.</source>
-        <translation>Die Einstellungen haben sich seit diesem Lauf geändert.</translation>
-    </message>
-    <message>
         <source>Track again</source>
         <translation>Erneut verfolgen</translation>
+    </message>
+    <message>
+        <source>The settings have changed since these frames were tracked.</source>
+        <translation>Die Einstellungen haben sich geändert, seit diese Bilder verfolgt wurden.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::OutputController</name>
+    <message>
+        <source>%1: %2 sent, %3 dropped</source>
+        <translation>%1: %2 gesendet, %3 verworfen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Sending, %n program(s) connected</source>
+        <translation>
+            <numerusform>Sendet, %n Programm verbunden</numerusform>
+            <numerusform>Sendet, %n Programme verbunden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Sending</source>
+        <translation>Sendet</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::OutputDialog</name>
+    <message>
+        <source>Change outputs</source>
+        <translation>Ausgänge ändern</translation>
+    </message>
+    <message>
+        <source>Outputs – Dewpoint</source>
+        <translation>Ausgänge – Dewpoint</translation>
+    </message>
+    <message>
+        <source>Where results go while a run lasts. Nothing is sent before you choose Run › Send results.</source>
+        <translation>Wohin Ergebnisse während eines Laufs gehen. Gesendet wird erst, wenn Sie Lauf › Ergebnisse senden wählen.</translation>
+    </message>
+    <message>
+        <source>JSON lines, TCP port</source>
+        <translation>JSON-Zeilen, TCP-Port</translation>
+    </message>
+    <message>
+        <source>Programs that connect to this port get one line of JSON for each frame</source>
+        <translation>Programme, die sich mit diesem Port verbinden, erhalten für jedes Bild eine Zeile JSON</translation>
+    </message>
+    <message>
+        <source>TCP port</source>
+        <translation>TCP-Port</translation>
+    </message>
+    <message>
+        <source>WebSocket and web page, port</source>
+        <translation>WebSocket und Webseite, Port</translation>
+    </message>
+    <message>
+        <source>A page that shows the targets in a browser, and a WebSocket for programs</source>
+        <translation>Eine Seite, die die Ziele im Browser zeigt, und ein WebSocket für Programme</translation>
+    </message>
+    <message>
+        <source>WebSocket port</source>
+        <translation>WebSocket-Port</translation>
+    </message>
+    <message>
+        <source>OSC to</source>
+        <translation>OSC an</translation>
+    </message>
+    <message>
+        <source>Computer and UDP port that OSC messages are sent to, such as 127.0.0.1:9000. Empty: off</source>
+        <translation>Rechner und UDP-Port, an die OSC-Nachrichten gehen, etwa 127.0.0.1:9000. Leer: aus</translation>
+    </message>
+    <message>
+        <source>TUIO to</source>
+        <translation>TUIO an</translation>
+    </message>
+    <message>
+        <source>Computer and UDP port that TUIO 1.1 3D cursors are sent to, such as 127.0.0.1:3333. Empty: off</source>
+        <translation>Rechner und UDP-Port, an die TUIO-1.1-3D-Cursor gehen, etwa 127.0.0.1:3333. Leer: aus</translation>
+    </message>
+    <message>
+        <source>CSV file</source>
+        <translation>CSV-Datei</translation>
+    </message>
+    <message>
+        <source>File or named pipe that gets one line for each target and frame. Empty: off</source>
+        <translation>Datei oder benannte Pipe, die für jedes Ziel und Bild eine Zeile erhält. Leer: aus</translation>
+    </message>
+    <message>
+        <source>Ports are open to</source>
+        <translation>Ports sind offen für</translation>
+    </message>
+    <message>
+        <source>Which computers can connect to the ports. Anyone in the network can then see the results</source>
+        <translation>Welche Rechner sich mit den Ports verbinden können. Im Netzwerk kann dann jeder die Ergebnisse sehen</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Achsen</translation>
+    </message>
+    <message>
+        <source>Axes of the positions that are sent</source>
+        <translation>Achsen der gesendeten Positionen</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Unit of the positions that are sent</source>
+        <translation>Einheit der gesendeten Positionen</translation>
+    </message>
+    <message>
+        <source>Frames per second, at most</source>
+        <translation>Höchstens Bilder pro Sekunde</translation>
+    </message>
+    <message>
+        <source>Largest number of frames per second that are sent. 0: all frames</source>
+        <translation>Größte Zahl von Bildern pro Sekunde, die gesendet werden. 0: alle Bilder</translation>
+    </message>
+    <message>
+        <source>Token for remote commands</source>
+        <translation>Token für Fernbefehle</translation>
+    </message>
+    <message>
+        <source>Programs that send this word can start, stop and record. At least %1 characters. Empty: commands are ignored</source>
+        <translation>Programme, die dieses Wort senden, können starten, anhalten und aufnehmen. Mindestens %1 Zeichen. Leer: Befehle werden ignoriert</translation>
+    </message>
+    <message>
+        <source>this computer only</source>
+        <translation>nur diesen Rechner</translation>
+    </message>
+    <message>
+        <source>all computers in the network</source>
+        <translation>alle Rechner im Netzwerk</translation>
+    </message>
+    <message>
+        <source>z up, right-handed (as in Dewpoint)</source>
+        <translation>z nach oben, rechtshändig (wie in Dewpoint)</translation>
+    </message>
+    <message>
+        <source>y up, right-handed</source>
+        <translation>y nach oben, rechtshändig</translation>
+    </message>
+    <message>
+        <source>y up, left-handed (as in Unity)</source>
+        <translation>y nach oben, linkshändig (wie in Unity)</translation>
+    </message>
+    <message>
+        <source>meters</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>millimeters</source>
+        <translation>Millimeter</translation>
     </message>
 </context>
 <context>
@@ -6223,10 +6877,6 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Das ist mehr als „%1“: Stattdessen wird %2 verwendet.</translation>
     </message>
     <message>
-        <source>This is less than “%1”, which therefore has no effect.</source>
-        <translation>Das ist weniger als „%1“, das daher nicht wirkt.</translation>
-    </message>
-    <message>
         <source>Tracking method. Changing it restarts tracking; other settings are kept.</source>
         <translation>Verfahren der Verfolgung. Ein Wechsel beginnt die Verfolgung neu; andere Einstellungen bleiben.</translation>
     </message>
@@ -6250,6 +6900,10 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <source>Some values in this group differ from their defaults.</source>
         <translation>Einige Werte hier weichen von ihren Vorgaben ab.</translation>
     </message>
+    <message>
+        <source>This is less than “%1”, so “%1” has no effect.</source>
+        <translation>Das ist weniger als „%1“, daher hat „%1“ keine Wirkung.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::PeopleDock</name>
@@ -6262,28 +6916,8 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Klicken Sie eine Person in einem Kamerabild an, oder den Boden in der Vogelperspektive. Esc bricht ab.</translation>
     </message>
     <message>
-        <source>Folder for the people tables</source>
-        <translation>Ordner für die Tabellen der Personen</translation>
-    </message>
-    <message>
-        <source>%1 contains tables of another run. Replace them?</source>
-        <translation>%1 enthält Tabellen eines anderen Laufs. Ersetzen?</translation>
-    </message>
-    <message>
         <source>Replace</source>
         <translation>Ersetzen</translation>
-    </message>
-    <message>
-        <source>That run has ended. Its people tables were not saved.</source>
-        <translation>Dieser Lauf ist beendet. Seine Tabellen der Personen wurden nicht gespeichert.</translation>
-    </message>
-    <message>
-        <source>Saved people&apos;s positions, volumes, hulls and densities in %1 (frames: %2).</source>
-        <translation>Positionen, Volumen, Hüllen und Dichten der Personen wurden in %1 gespeichert (Bilder: %2).</translation>
-    </message>
-    <message>
-        <source>Saving the people tables…</source>
-        <translation>Die Tabellen der Personen werden gespeichert…</translation>
     </message>
     <message>
         <source>Add a person</source>
@@ -6292,6 +6926,26 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
     <message>
         <source>Remove a person</source>
         <translation>Person entfernen</translation>
+    </message>
+    <message>
+        <source>Folder for the people&apos;s volumes</source>
+        <translation>Ordner für die Volumen der Personen</translation>
+    </message>
+    <message>
+        <source>%1 already contains files of an earlier export. Replace them?</source>
+        <translation>%1 enthält bereits Dateien eines früheren Exports. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>The run has ended, so the people&apos;s volumes were not saved.</source>
+        <translation>Der Lauf ist beendet, daher wurden die Volumen der Personen nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>Saving the people&apos;s volumes…</source>
+        <translation>Die Volumen der Personen werden gespeichert…</translation>
+    </message>
+    <message>
+        <source>Saved the positions, volumes, hulls and densities of the people in %1 (frames: %2).</source>
+        <translation>Positionen, Volumen, Hüllen und Dichten der Personen wurden in %1 gespeichert (Bilder: %2).</translation>
     </message>
 </context>
 <context>
@@ -6307,10 +6961,6 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
     <message>
         <source>No.</source>
         <translation>Nr.</translation>
-    </message>
-    <message>
-        <source>Number of the person; nobody else gets it in this run</source>
-        <translation>Nummer der Person; sie wird in diesem Lauf nicht noch einmal vergeben</translation>
     </message>
     <message>
         <source>Position</source>
@@ -6349,10 +6999,6 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Volumen</translation>
     </message>
     <message>
-        <source>Volume in cubic meters of the hull that contains 95 % of the person; empty while hulls are not shown</source>
-        <translation>Volumen der Hülle, die 95 % der Person enthält, in Kubikmetern; leer, solange keine Hüllen gezeigt werden</translation>
-    </message>
-    <message>
         <source>Time</source>
         <translation>Zeit</translation>
     </message>
@@ -6363,10 +7009,6 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
     <message>
         <source>Near</source>
         <translation>Nah</translation>
-    </message>
-    <message>
-        <source>Another person is so close that colors are not learned</source>
-        <translation>Eine andere Person ist so nah, dass keine Farben gelernt werden</translation>
     </message>
     <message>
         <source>Learning the background: %1 %. Keep the scene empty.</source>
@@ -6387,6 +7029,18 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
     <message>
         <source>Another person is close</source>
         <translation>Eine andere Person ist nah</translation>
+    </message>
+    <message>
+        <source>Number of the person. No other person gets the same number in this run</source>
+        <translation>Nummer der Person. Keine andere Person bekommt in diesem Lauf dieselbe Nummer</translation>
+    </message>
+    <message>
+        <source>Volume of the hull that encloses 95 % of the person, in cubic meters. Empty unless “Show people&apos;s volumes” is on</source>
+        <translation>Volumen der Hülle, die 95 % der Person umschließt, in Kubikmetern. Leer, solange die Volumen der Personen nicht gezeigt werden</translation>
+    </message>
+    <message>
+        <source>Another person is so close that the colors of this person are not learned</source>
+        <translation>Eine andere Person ist so nah, dass die Farben dieser Person nicht gelernt werden</translation>
     </message>
 </context>
 <context>
@@ -6439,10 +7093,6 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Geplante Kamera</translation>
     </message>
     <message>
-        <source>The planned camera that the numbers below belong to</source>
-        <translation>Die geplante Kamera, zu der die Zahlen darunter gehören</translation>
-    </message>
-    <message>
         <source>Position x, y, z</source>
         <translation>Position x, y, z</translation>
     </message>
@@ -6467,10 +7117,6 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Geplante Kamera blickt auf %1</translation>
     </message>
     <message>
-        <source>A point on its line of sight, in meters</source>
-        <translation>Ein Punkt auf ihrer Blickrichtung, in Metern</translation>
-    </message>
-    <message>
         <source>Field of view</source>
         <translation>Blickwinkel</translation>
     </message>
@@ -6483,24 +7129,8 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Bildbreite</translation>
     </message>
     <message>
-        <source>Width of its image in pixels</source>
-        <translation>Breite ihres Bildes in Pixeln</translation>
-    </message>
-    <message>
         <source>Image height</source>
         <translation>Bildhöhe</translation>
-    </message>
-    <message>
-        <source>Height of its image in pixels</source>
-        <translation>Höhe ihres Bildes in Pixeln</translation>
-    </message>
-    <message>
-        <source>Distance of walls and ceiling</source>
-        <translation>Abstand von Wänden und Decke</translation>
-    </message>
-    <message>
-        <source>Distance of the walls and the ceiling</source>
-        <translation>Abstand der Wände und der Decke</translation>
     </message>
     <message>
         <source>The search places the camera on four walls and a ceiling at this distance from the volume</source>
@@ -6533,6 +7163,30 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
     <message>
         <source>Search the walls and the ceiling for the position where another camera would help most (%1)</source>
         <translation>An Wänden und Decke die Position suchen, an der eine weitere Kamera am meisten helfen würde (%1)</translation>
+    </message>
+    <message>
+        <source>The planned camera whose values are shown and changed below</source>
+        <translation>Die geplante Kamera, deren Werte unten gezeigt und geändert werden</translation>
+    </message>
+    <message>
+        <source>A point that the planned camera looks at, in meters</source>
+        <translation>Ein Punkt, auf den die geplante Kamera blickt, in Metern</translation>
+    </message>
+    <message>
+        <source>Width of the planned camera&apos;s image, in pixels</source>
+        <translation>Breite des Bildes der geplanten Kamera, in Pixeln</translation>
+    </message>
+    <message>
+        <source>Height of the planned camera&apos;s image, in pixels</source>
+        <translation>Höhe des Bildes der geplanten Kamera, in Pixeln</translation>
+    </message>
+    <message>
+        <source>Distance to walls and ceiling</source>
+        <translation>Abstand zu Wänden und Decke</translation>
+    </message>
+    <message>
+        <source>Distance to the walls and the ceiling</source>
+        <translation>Abstand zu den Wänden und der Decke</translation>
     </message>
 </context>
 <context>
@@ -6589,8 +7243,8 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Kurven erscheinen, sobald die Verfolgung läuft.</translation>
     </message>
     <message>
-        <source>The target whose numbers are plotted: the one selected in Target, or the first.</source>
-        <translation>Das Ziel, dessen Zahlen gezeigt werden: das unter „Ziel“ gewählte oder das erste.</translation>
+        <source>The target whose values are plotted: the target selected in the panel Target, or the first target if none is selected.</source>
+        <translation>Das Ziel, dessen Werte gezeichnet werden: das im Bereich „Ziel“ gewählte, oder das erste, wenn keines gewählt ist.</translation>
     </message>
 </context>
 <context>
@@ -6602,18 +7256,6 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
 </context>
 <context>
     <name>dewpoint::ui::PointCalibrator</name>
-    <message>
-        <source>%1 is rotated and mirrored: turn its images clockwise by %2 degrees, then mirror them</source>
-        <translation>%1 ist gedreht und gespiegelt: ihre Bilder um %2 Grad im Uhrzeigersinn drehen, dann spiegeln</translation>
-    </message>
-    <message>
-        <source>%1 is mirrored</source>
-        <translation>%1 ist gespiegelt</translation>
-    </message>
-    <message>
-        <source>%1 is rotated: turn its images clockwise by %2 degrees</source>
-        <translation>%1 ist gedreht: ihre Bilder um %2 Grad im Uhrzeigersinn drehen</translation>
-    </message>
     <message>
         <source>point %1</source>
         <translation>Punkt %1</translation>
@@ -6690,6 +7332,18 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <source>Set orientation of %1</source>
         <translation>Ausrichtung von %1 setzen</translation>
     </message>
+    <message>
+        <source>The images of %1 are rotated and mirrored: turn them clockwise by %2 degrees, then mirror them</source>
+        <translation>Die Bilder von %1 sind gedreht und gespiegelt: drehen Sie sie um %2 Grad im Uhrzeigersinn, und spiegeln Sie sie dann</translation>
+    </message>
+    <message>
+        <source>The images of %1 are mirrored</source>
+        <translation>Die Bilder von %1 sind gespiegelt</translation>
+    </message>
+    <message>
+        <source>The images of %1 are rotated: turn them clockwise by %2 degrees</source>
+        <translation>Die Bilder von %1 sind gedreht: drehen Sie sie um %2 Grad im Uhrzeigersinn</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::PointsTable</name>
@@ -6750,24 +7404,12 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>In Bildern anklicken</translation>
     </message>
     <message>
-        <source>Click the selected point in every image that shows it. Corners are found to a fraction of a pixel (Alt: exactly where you click). Press Esc to finish.</source>
-        <translation>Klicken Sie den gewählten Punkt in jedem Bild an, das ihn zeigt. Ecken werden auf Bruchteile eines Pixels gefunden (Alt: genau dort, wo Sie klicken). Esc beendet es.</translation>
-    </message>
-    <message>
         <source>Remove click</source>
         <translation>Klick entfernen</translation>
     </message>
     <message>
-        <source>Remove the click on this point in the selected camera</source>
-        <translation>Den Klick auf diesen Punkt in der gewählten Kamera entfernen</translation>
-    </message>
-    <message>
         <source>Compute focal lengths</source>
         <translation>Brennweiten berechnen</translation>
-    </message>
-    <message>
-        <source>For cameras with six or more points</source>
-        <translation>Für Kameras mit sechs oder mehr Punkten</translation>
     </message>
     <message>
         <source>Compute cameras</source>
@@ -6788,6 +7430,18 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
     <message>
         <source>Rotate or mirror the images of this camera and compute its pose again</source>
         <translation>Die Bilder dieser Kamera drehen oder spiegeln und ihre Lage neu berechnen</translation>
+    </message>
+    <message>
+        <source>Click the selected point in every image that shows it. Near a corner, the click moves exactly onto the corner; hold Alt to prevent this. Press Esc to finish.</source>
+        <translation>Klicken Sie den gewählten Punkt in jedem Bild an, das ihn zeigt. Nahe einer Ecke springt der Klick genau auf die Ecke; halten Sie Alt gedrückt, um das zu verhindern. Esc beendet es.</translation>
+    </message>
+    <message>
+        <source>Remove the click on the selected point from the image of the selected camera</source>
+        <translation>Den Klick auf den gewählten Punkt aus dem Bild der gewählten Kamera entfernen</translation>
+    </message>
+    <message>
+        <source>Also compute the focal length of each camera in which you clicked six or more points</source>
+        <translation>Auch die Brennweite jeder Kamera berechnen, in der Sie sechs oder mehr Punkte angeklickt haben</translation>
     </message>
 </context>
 <context>
@@ -6813,8 +7467,8 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Einige dieser Ergebnisse stammen von früheren Einstellungen.</translation>
     </message>
     <message>
-        <source>The preview was stopped. It starts again at the next change.</source>
-        <translation>Die Vorschau wurde angehalten. Sie beginnt bei der nächsten Änderung von vorn.</translation>
+        <source>The preview was stopped. It starts again when you change a setting.</source>
+        <translation>Die Vorschau wurde angehalten. Sie beginnt von vorn, wenn Sie eine Einstellung ändern.</translation>
     </message>
 </context>
 <context>
@@ -6822,10 +7476,6 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
     <message>
         <source>Report a problem – Dewpoint</source>
         <translation>Problem melden – Dewpoint</translation>
-    </message>
-    <message>
-        <source>Write to whoever gave you Dewpoint. Describe what you did, what you expected and what happened. Attach the text below and, if you can, the project file and a screenshot. Nothing is sent automatically.</source>
-        <translation>Schreiben Sie an die Stelle, von der Sie Dewpoint haben. Beschreiben Sie, was Sie getan haben, was Sie erwartet haben und was geschah. Fügen Sie den Text unten an und, wenn möglich, die Projektdatei und ein Bildschirmfoto. Nichts wird automatisch gesendet.</translation>
     </message>
     <message>
         <source>Text for the report</source>
@@ -6838,6 +7488,108 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
     <message>
         <source>Copy the text, to be pasted into a mail or a form</source>
         <translation>Den Text kopieren, zum Einfügen in eine Mail oder ein Formular</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation>Dieses Fenster schließen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Run self-test</source>
+        <translation>Selbsttest ausführen</translation>
+    </message>
+    <message>
+        <source>Stop the self-test</source>
+        <translation>Den Selbsttest abbrechen</translation>
+    </message>
+    <message>
+        <source>Test graphics, codecs, cameras and disk, and track a simulated scene for a few seconds</source>
+        <translation>Grafik, Codecs, Kameras und Laufwerk testen und einige Sekunden lang eine simulierte Szene verfolgen</translation>
+    </message>
+    <message>
+        <source>Write to whoever gave you Dewpoint. Describe what you did, what you expected and what happened. Run the self-test. Attach the text below and, if you can, the project file and a screenshot. Nothing is sent automatically.</source>
+        <translation>Schreiben Sie an die Stelle, von der Sie Dewpoint haben. Beschreiben Sie, was Sie getan haben, was Sie erwartet haben und was geschah. Führen Sie den Selbsttest aus. Fügen Sie den Text unten an und, wenn möglich, die Projektdatei und ein Bildschirmfoto. Nichts wird automatisch gesendet.</translation>
+    </message>
+    <message>
+        <source>Progress of the self-test</source>
+        <translation>Fortschritt des Selbsttests</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::ProjectCheckDialog</name>
+    <message>
+        <source>Checking recordings, times, calibration, colors and method…</source>
+        <translation>Prüfe Aufnahmen, Zeiten, Kalibrierung, Farben und Verfahren…</translation>
+    </message>
+    <message>
+        <source>The check was canceled.</source>
+        <translation>Die Prüfung wurde abgebrochen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n problem(s) must be solved before this project can be tracked.</source>
+        <translation>
+            <numerusform>Bevor mit diesem Projekt verfolgt werden kann, muss %n Problem gelöst werden.</numerusform>
+            <numerusform>Bevor mit diesem Projekt verfolgt werden kann, müssen %n Probleme gelöst werden.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No problems, but look at the points marked ◆.</source>
+        <translation>Keine Probleme. Die mit ◆ markierten Punkte sind vielleicht nicht so, wie Sie es wollen.</translation>
+    </message>
+    <message>
+        <source>No problems.</source>
+        <translation>Keine Probleme.</translation>
+    </message>
+    <message>
+        <source>Check project – Dewpoint</source>
+        <translation>Projekt prüfen – Dewpoint</translation>
+    </message>
+    <message>
+        <source>Result of the check</source>
+        <translation>Ergebnis der Prüfung</translation>
+    </message>
+    <message>
+        <source>Progress of the check</source>
+        <translation>Fortschritt der Prüfung</translation>
+    </message>
+    <message>
+        <source>Read every frame</source>
+        <translation>Jedes Bild lesen</translation>
+    </message>
+    <message>
+        <source>Also find damaged frames in the middle of a recording. This takes longer</source>
+        <translation>Auch beschädigte Bilder mitten in einer Aufnahme finden. Das dauert länger</translation>
+    </message>
+    <message>
+        <source>Check again</source>
+        <translation>Erneut prüfen</translation>
+    </message>
+    <message>
+        <source>Check the project as it is now</source>
+        <translation>Das Projekt prüfen, wie es jetzt ist</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop the check</source>
+        <translation>Die Prüfung abbrechen</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the result as text, in English, for a question or a report</source>
+        <translation>Das Ergebnis als englischen Text kopieren, für eine Frage oder eine Meldung</translation>
     </message>
     <message>
         <source>Close</source>
@@ -6998,8 +7750,8 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
 <context>
     <name>dewpoint::ui::RigPlanner</name>
     <message>
-        <source>With %1 here (x %2, y %3, z %4), the error is at most %6 in %5 of the volume, instead of %7.</source>
-        <translation>Mit %1 hier (x %2, y %3, z %4) ist der Fehler in %5 des Raums höchstens %6, statt in %7.</translation>
+        <source>With %1 here (x %2, y %3, z %4), the error is at most %6 in %5 of the volume. Without this camera, that part is %7.</source>
+        <translation>Mit %1 hier (x %2, y %3, z %4) ist der Fehler in %5 des Raums höchstens %6. Ohne diese Kamera ist dieser Anteil %7.</translation>
     </message>
 </context>
 <context>
@@ -7264,10 +8016,6 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Eine Sekunde lang verdeckt</translation>
     </message>
     <message>
-        <source>A box passes in front of the ball. One camera is enough to keep tracking it.</source>
-        <translation>Eine Kiste zieht vor dem Ball vorbei. Eine Kamera genügt, um ihn zu halten.</translation>
-    </message>
-    <message>
         <source>Three more balls of the same color lie around. Only one moves.</source>
         <translation>Drei weitere Bälle derselben Farbe liegen herum. Nur einer bewegt sich.</translation>
     </message>
@@ -7335,6 +8083,10 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <source>Four identical balls</source>
         <translation>Vier gleiche Bälle</translation>
     </message>
+    <message>
+        <source>A box passes in front of the ball. One camera is enough to keep tracking the ball.</source>
+        <translation>Eine Kiste zieht vor dem Ball vorbei. Eine Kamera genügt, um den Ball weiter zu verfolgen.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::StatusBarPanel</name>
@@ -7349,10 +8101,6 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
     <message>
         <source>ended</source>
         <translation>am Ende</translation>
-    </message>
-    <message>
-        <source>Frame shown, of all frames</source>
-        <translation>Gezeigtes Bild, von allen Bildern</translation>
     </message>
     <message>
         <source>%1 /s</source>
@@ -7419,10 +8167,6 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>± %1</translation>
     </message>
     <message>
-        <source>Uncertainty of the position: the standard deviation in 3D, x, y and z combined (the plots show each of them)</source>
-        <translation>Unsicherheit der Position: die Standardabweichung in 3D, x, y und z zusammen (die Kurven zeigen sie einzeln)</translation>
-    </message>
-    <message>
         <source>%1 m/s</source>
         <translation>%1 m/s</translation>
     </message>
@@ -7442,6 +8186,14 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <source>Tracking: the cameras confirm the estimate. Ambiguous: another object fits about as well. Lost: not tracked for more than a second.</source>
         <translation>Verfolgt: Die Kameras bestätigen die Schätzung. Mehrdeutig: Ein anderes Objekt passt etwa genauso gut. Verloren: seit mehr als einer Sekunde nicht verfolgt.</translation>
     </message>
+    <message>
+        <source>Number of the frame shown, and number of all frames</source>
+        <translation>Nummer des gezeigten Bildes und Zahl aller Bilder</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the position: the standard deviations in x, y and z combined. The plots show each of the three</source>
+        <translation>Unsicherheit der Position: die Standardabweichungen in x, y und z zusammen. Die Kurven zeigen jede der drei</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::StepStrip</name>
@@ -7452,6 +8204,29 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
     <message>
         <source>Step %1: %2. %3</source>
         <translation>Schritt %1: %2. %3</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::TakeController</name>
+    <message>
+        <source>The recording ended, because its cameras were closed.</source>
+        <translation>Die Aufnahme wurde beendet, weil ihre Kameras geschlossen wurden.</translation>
+    </message>
+    <message>
+        <source>Take %1 (%2) is in %3.</source>
+        <translation>Aufnahme %1 (%2) liegt in %3.</translation>
+    </message>
+    <message>
+        <source>Problem: %1</source>
+        <translation>Problem: %1</translation>
+    </message>
+    <message>
+        <source>Open take</source>
+        <translation>Aufnahme öffnen</translation>
+    </message>
+    <message>
+        <source>Show folder</source>
+        <translation>Ordner zeigen</translation>
     </message>
 </context>
 <context>
@@ -7499,10 +8274,6 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
     <message>
         <source>any</source>
         <translation>beliebig</translation>
-    </message>
-    <message>
-        <source>Ball: the outline is a circle in every image. Any: the size is learned, and the center is the center of the color. Automatic: determined from the images. Only method dewpoint uses this.</source>
-        <translation>Ball: Der Umriss ist in jedem Bild ein Kreis. Beliebig: Die Größe wird gelernt, und der Mittelpunkt ist der Mittelpunkt der Farbe. Automatisch: aus den Bildern bestimmt. Nur das Verfahren dewpoint verwendet dies.</translation>
     </message>
     <message>
         <source>No target yet. In any camera image, click the object to track.</source>
@@ -7586,6 +8357,10 @@ Effektive Stichprobengröße %8 von %9</translation>
         <source>Learn</source>
         <translation>Lernen</translation>
     </message>
+    <message>
+        <source>Ball: the outline of the target is a circle in every image. Any: the size of the target is learned, and its position is the center of the region that has its color. Automatic: the shape is determined from the images. Only method dewpoint uses this setting.</source>
+        <translation>Ball: Der Umriss des Ziels ist in jedem Bild ein Kreis. Beliebig: Die Größe des Ziels wird gelernt, und seine Position ist die Mitte des Bereichs, der seine Farbe hat. Automatisch: Die Form wird aus den Bildern bestimmt. Nur das Verfahren dewpoint verwendet diese Einstellung.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::ThreadCountDialog</name>
@@ -7656,16 +8431,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Was der Ball zu diesem Zeitpunkt tut</translation>
     </message>
     <message>
-        <source>The upward direction comes from three positions on the floor, or from a fall</source>
-        <translation>Die Richtung nach oben ergibt sich aus drei Positionen auf dem Boden oder aus einem Fall</translation>
-    </message>
-    <message>
         <source>Add current time</source>
         <translation>Aktuelle Zeit hinzufügen</translation>
-    </message>
-    <message>
-        <source>Add the time of the images shown to the list; the ball must do this in them</source>
-        <translation>Die Zeit der gezeigten Bilder zur Liste hinzufügen; der Ball muss dies in ihnen tun</translation>
     </message>
     <message>
         <source>Remove time</source>
@@ -7686,6 +8453,14 @@ Effektive Stichprobengröße %8 von %9</translation>
     <message>
         <source>%1 – %2</source>
         <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>The upward direction is computed from three positions at which the ball touches the floor, or from a fall of the ball</source>
+        <translation>Die Richtung nach oben wird aus drei Positionen berechnet, an denen der Ball den Boden berührt, oder aus einem Fall des Balls</translation>
+    </message>
+    <message>
+        <source>Add the time of the images shown to the list. In these images, the ball must do what you selected</source>
+        <translation>Die Zeit der gezeigten Bilder zur Liste hinzufügen. In diesen Bildern muss der Ball tun, was Sie gewählt haben</translation>
     </message>
 </context>
 <context>
@@ -7743,16 +8518,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Kameras</translation>
     </message>
     <message>
-        <source>Cameras that see the target</source>
-        <translation>Kameras, die das Ziel sehen</translation>
-    </message>
-    <message>
         <source>existence</source>
         <translation>Existenz</translation>
-    </message>
-    <message>
-        <source>Probability that the target is at the estimated position</source>
-        <translation>Wahrscheinlichkeit, dass das Ziel an der geschätzten Position ist</translation>
     </message>
     <message>
         <source>state</source>
@@ -7777,6 +8544,14 @@ Effektive Stichprobengröße %8 von %9</translation>
     <message>
         <source>Tracking: the cameras confirm the estimate. Ambiguous: another object fits about as well. Corrected: you set the position</source>
         <translation>Verfolgt: Die Kameras bestätigen die Schätzung. Mehrdeutig: Ein anderes Objekt passt etwa genauso gut. Korrigiert: Sie haben die Position gesetzt</translation>
+    </message>
+    <message>
+        <source>Number of cameras that see the target</source>
+        <translation>Zahl der Kameras, die das Ziel sehen</translation>
+    </message>
+    <message>
+        <source>Existence probability: how likely it is that the target is there and tracked, 0 to 1</source>
+        <translation>Existenzwahrscheinlichkeit: wie wahrscheinlich es ist, dass das Ziel da ist und verfolgt wird, 0 bis 1</translation>
     </message>
 </context>
 <context>
@@ -7894,24 +8669,12 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Die Karte in einer waagrechten Schicht zeigen</translation>
     </message>
     <message>
-        <source>Height of the layer</source>
-        <translation>Höhe der Schicht</translation>
-    </message>
-    <message>
         <source>Height of the layer above the floor</source>
         <translation>Höhe der Schicht über dem Boden</translation>
     </message>
     <message>
-        <source>Height of the layer in meters</source>
-        <translation>Höhe der Schicht in Metern</translation>
-    </message>
-    <message>
         <source>Surfaces around good and fair regions</source>
         <translation>Flächen um gute und brauchbare Bereiche</translation>
-    </message>
-    <message>
-        <source>Show surfaces in the room around the regions where the error is at most 0.4, 1 and 2 times the acceptable error, or that two, three and four cameras see</source>
-        <translation>Im Raum Flächen um die Bereiche zeigen, in denen der Fehler höchstens das 0,4-, 1- und 2-fache des zulässigen Fehlers ist, oder die zwei, drei und vier Kameras sehen</translation>
     </message>
     <message>
         <source>Volume from x, y, z</source>
@@ -7926,16 +8689,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Raum von %1</translation>
     </message>
     <message>
-        <source>Lower corner of the volume, in meters</source>
-        <translation>Untere Ecke des Raums, in Metern</translation>
-    </message>
-    <message>
         <source>Volume to %1</source>
         <translation>Raum bis %1</translation>
-    </message>
-    <message>
-        <source>Upper corner of the volume, in meters</source>
-        <translation>Obere Ecke des Raums, in Metern</translation>
     </message>
     <message>
         <source>Use reference grid</source>
@@ -7946,8 +8701,24 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Der Raum über dem Bezugsgitter, bis zur höchsten Kamera</translation>
     </message>
     <message>
-        <source>Error within %2 in %1 of the volume; %3 seen by fewer than two cameras</source>
-        <translation>Fehler bis %2 in %1 des Raums; %3 von weniger als zwei Kameras gesehen</translation>
+        <source>Height of the layer above the floor, in meters</source>
+        <translation>Höhe der Schicht über dem Boden in Metern</translation>
+    </message>
+    <message>
+        <source>Show surfaces in the room. For the error: around the regions with at most 0.4, 1 and 2 times the acceptable error. For the number of cameras: around the regions that two, three and four cameras see</source>
+        <translation>Flächen im Raum zeigen. Beim Fehler: um die Bereiche mit höchstens dem 0,4-, 1- und 2-fachen des zulässigen Fehlers. Bei der Zahl der Kameras: um die Bereiche, die zwei, drei und vier Kameras sehen</translation>
+    </message>
+    <message>
+        <source>Smallest x, y and z of the volume, in meters</source>
+        <translation>Kleinste Werte von x, y und z des Raums, in Metern</translation>
+    </message>
+    <message>
+        <source>Largest x, y and z of the volume, in meters</source>
+        <translation>Größte Werte von x, y und z des Raums, in Metern</translation>
+    </message>
+    <message>
+        <source>The error is at most %2 in %1 of the volume. Fewer than two cameras see %3 of the volume</source>
+        <translation>Der Fehler ist in %1 des Raums höchstens %2. Weniger als zwei Kameras sehen %3 des Raums</translation>
     </message>
 </context>
 <context>
@@ -8027,14 +8798,6 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Suchraum bis %1</translation>
     </message>
     <message>
-        <source>Lower corner of the volume of interest, in meters; targets are searched for only inside it</source>
-        <translation>Untere Ecke des Suchraums, in Metern; Ziele werden nur in ihm gesucht</translation>
-    </message>
-    <message>
-        <source>Upper corner of the volume of interest, in meters; targets are searched for only inside it</source>
-        <translation>Obere Ecke des Suchraums, in Metern; Ziele werden nur in ihm gesucht</translation>
-    </message>
-    <message>
         <source>Compute from cameras</source>
         <translation>Aus den Kameras</translation>
     </message>
@@ -8074,16 +8837,20 @@ Effektive Stichprobengröße %8 von %9</translation>
         <source>Change volume of interest</source>
         <translation>Suchraum ändern</translation>
     </message>
+    <message>
+        <source>Smallest x, y and z of the volume of interest, in meters. Targets are searched for only inside this box</source>
+        <translation>Kleinste Werte von x, y und z des Suchraums, in Metern. Ziele werden nur in diesem Quader gesucht</translation>
+    </message>
+    <message>
+        <source>Largest x, y and z of the volume of interest, in meters. Targets are searched for only inside this box</source>
+        <translation>Größte Werte von x, y und z des Suchraums, in Metern. Ziele werden nur in diesem Quader gesucht</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::WandCalibrationPage</name>
     <message>
         <source>Align the cameras by hand until they are roughly right. Then wave the ball, or a wand with two balls, through the whole volume, and refine.</source>
         <translation>Richten Sie die Kameras von Hand aus, bis sie ungefähr stimmen. Schwenken Sie dann den Ball oder einen Stab mit zwei Bällen durch den ganzen Raum, und verfeinern Sie.</translation>
-    </message>
-    <message>
-        <source>Align the cameras by hand until they are roughly right. A recording in which you wave a ball, or a wand with two balls, through the whole volume then refines them.</source>
-        <translation>Richten Sie die Kameras von Hand aus, bis sie ungefähr stimmen. Eine Aufnahme, in der Sie einen Ball oder einen Stab mit zwei Bällen durch den ganzen Raum schwenken, verfeinert sie dann.</translation>
     </message>
     <message>
         <source>Floor</source>
@@ -8100,6 +8867,10 @@ Effektive Stichprobengröße %8 von %9</translation>
     <message>
         <source>Saved %1.</source>
         <translation>%1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>Align the cameras by hand until they are roughly right. Then refine them with a recording in which you wave a ball, or a wand with two balls, through the whole volume.</source>
+        <translation>Richten Sie die Kameras von Hand aus, bis sie ungefähr stimmen. Verfeinern Sie sie dann mit einer Aufnahme, in der Sie einen Ball oder einen Stab mit zwei Bällen durch den ganzen Raum schwenken.</translation>
     </message>
 </context>
 <context>
@@ -8236,10 +9007,6 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Zeitversätze suchen</translation>
     </message>
     <message>
-        <source>For cameras that do not take their images at the same instants</source>
-        <translation>Für Kameras, die ihre Bilder nicht gleichzeitig aufnehmen</translation>
-    </message>
-    <message>
         <source>Find focal lengths</source>
         <translation>Brennweiten suchen</translation>
     </message>
@@ -8262,6 +9029,10 @@ Effektive Stichprobengröße %8 von %9</translation>
     <message>
         <source>Use only the part of the recording that is selected in the timeline</source>
         <translation>Nur den Teil der Aufnahme verwenden, der in der Zeitleiste gewählt ist</translation>
+    </message>
+    <message>
+        <source>For cameras that do not take their images at the same time</source>
+        <translation>Für Kameras, die ihre Bilder nicht gleichzeitig aufnehmen</translation>
     </message>
 </context>
 <context>
@@ -8291,10 +9062,6 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Vorher</translation>
     </message>
     <message>
-        <source>Hold down to draw the grid with the previous cameras</source>
-        <translation>Gedrückt halten, um das Gitter mit den vorigen Kameras zu zeichnen</translation>
-    </message>
-    <message>
         <source>Use it anyway</source>
         <translation>Trotzdem verwenden</translation>
     </message>
@@ -8305,10 +9072,6 @@ Effektive Stichprobengröße %8 von %9</translation>
     <message>
         <source>Save report…</source>
         <translation>Bericht speichern…</translation>
-    </message>
-    <message>
-        <source>A page with all numbers, residuals as arrows, coverage and a 3D drawing</source>
-        <translation>Eine Seite mit allen Zahlen, Residuen als Pfeilen, Abdeckung und einer 3D-Zeichnung</translation>
     </message>
     <message>
         <source>Refined cameras</source>
@@ -8351,10 +9114,6 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Die Kameras sind unverändert.</translation>
     </message>
     <message>
-        <source>Solutions from parts of the recording vary %1 times more than noise predicts. The stated accuracy includes this.</source>
-        <translation>Lösungen aus Teilen der Aufnahme schwanken %1-mal mehr, als das Rauschen erwarten lässt. Die angegebene Genauigkeit enthält das.</translation>
-    </message>
-    <message>
         <source>The fall gives a gravity of %1 m/s² (9.81 is expected).</source>
         <translation>Der Fall ergibt eine Schwerkraft von %1 m/s² (9,81 wird erwartet).</translation>
     </message>
@@ -8379,12 +9138,24 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Zusätzliche Verzögerung der Bilder dieser Kamera gegenüber der ersten Kamera</translation>
     </message>
     <message>
-        <source>The result is less accurate than the initial camera positions (error up to %1): wave through more of the volume.</source>
-        <translation>Das Ergebnis ist ungenauer als die anfänglichen Kamerapositionen (Fehler bis %1): Schwenken Sie durch einen größeren Teil des Raums.</translation>
-    </message>
-    <message>
         <source>Camera delays are saved in the project and used to synchronize images from now on.</source>
         <translation>Die Verzögerungen der Kameras sind im Projekt gespeichert und synchronisieren ab jetzt die Bilder.</translation>
+    </message>
+    <message>
+        <source>Hold down this button to draw the grid with the previous cameras</source>
+        <translation>Diese Schaltfläche gedrückt halten, um das Gitter mit den vorigen Kameras zu zeichnen</translation>
+    </message>
+    <message>
+        <source>Save a page with all numbers, the residuals as arrows, the coverage and a 3D drawing</source>
+        <translation>Eine Seite mit allen Zahlen, den Residuen als Pfeilen, der Abdeckung und einer 3D-Zeichnung speichern</translation>
+    </message>
+    <message>
+        <source>The result is less accurate than the initial camera positions, whose error is given as up to %1. Wave through more of the volume.</source>
+        <translation>Das Ergebnis ist weniger genau als die anfänglichen Kamerapositionen, deren Fehler mit bis zu %1 angegeben ist. Schwenken Sie durch mehr vom Raum.</translation>
+    </message>
+    <message>
+        <source>Calibrations from different parts of the recording differ by %1 times as much as the noise of the images explains. The stated accuracy takes this into account.</source>
+        <translation>Kalibrierungen aus verschiedenen Teilen der Aufnahme weichen %1-mal so stark voneinander ab, wie das Rauschen der Bilder erklärt. Die angegebene Genauigkeit berücksichtigt das.</translation>
     </message>
 </context>
 <context>
@@ -8414,20 +9185,20 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Noch nichts gesammelt.</translation>
     </message>
     <message>
-        <source>%1 collected.</source>
-        <translation>%1 gesammelt.</translation>
-    </message>
-    <message>
         <source>Every camera has seen the ball often enough: stop waving, or refine.</source>
         <translation>Jede Kamera hat den Ball oft genug gesehen: Schwenken beenden oder verfeinern.</translation>
     </message>
     <message>
-        <source>Keep waving: each camera should see the ball 150 times, spread over half of its image.</source>
-        <translation>Weiter schwenken: Jede Kamera soll den Ball 150-mal sehen, verteilt über die Hälfte ihres Bildes.</translation>
-    </message>
-    <message>
         <source>Frames skipped because they arrived too fast: %1.</source>
         <translation>Übersprungene Bilder, weil sie zu schnell kamen: %1.</translation>
+    </message>
+    <message>
+        <source>Positions collected for %1.</source>
+        <translation>%1 lang Positionen gesammelt.</translation>
+    </message>
+    <message>
+        <source>Keep waving: each camera should see the ball at least 150 times, spread over at least half of its image.</source>
+        <translation>Weiter schwenken: Jede Kamera soll den Ball mindestens 150-mal sehen, verteilt über mindestens die Hälfte ihres Bildes.</translation>
     </message>
 </context>
 <context>
@@ -8543,14 +9314,6 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>A, B und C liegen auf einer Geraden. Markieren Sie Punkte, die über den Boden verteilt sind.</translation>
     </message>
     <message>
-        <source>The line from A to B is not nearly horizontal.</source>
-        <translation>Die Linie von A nach B ist nicht annähernd waagerecht.</translation>
-    </message>
-    <message>
-        <source>A is directly above or below B.</source>
-        <translation>A liegt genau über oder unter B.</translation>
-    </message>
-    <message>
         <source>The floor is set: A is the origin, and the x axis points to B. The world was rotated by %1.</source>
         <translation>Der Boden ist festgelegt: A ist der Ursprung, und die x-Achse zeigt zu B. Die Welt wurde um %1 gedreht.</translation>
     </message>
@@ -8575,12 +9338,20 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Alle Kameras verschieben</translation>
     </message>
     <message>
-        <source>A to B: %1 found, %2 measured. The calibration is off by %3 %.</source>
-        <translation>A bis B: %1 gefunden, %2 gemessen. Die Kalibrierung weicht um %3 % ab.</translation>
-    </message>
-    <message>
         <source>Check a distance</source>
         <translation>Strecke prüfen</translation>
+    </message>
+    <message>
+        <source>The line from A to B is far from horizontal.</source>
+        <translation>Die Linie von A nach B ist weit davon entfernt, waagerecht zu sein.</translation>
+    </message>
+    <message>
+        <source>A is directly above or below B, so the x axis cannot point from A to B.</source>
+        <translation>A liegt genau über oder unter B, daher kann die x-Achse nicht von A nach B zeigen.</translation>
+    </message>
+    <message>
+        <source>From A to B, the calibration gives %1; you measured %2. The calibration is off by %3 %.</source>
+        <translation>Von A nach B ergibt die Kalibrierung %1; Sie haben %2 gemessen. Die Kalibrierung weicht um %3 % ab.</translation>
     </message>
 </context>
 <context>
@@ -8588,10 +9359,6 @@ Effektive Stichprobengröße %8 von %9</translation>
     <message>
         <source>Floor</source>
         <translation>Boden</translation>
-    </message>
-    <message>
-        <source>Set where the floor is, which point is the origin, and the scale. The cameras keep their positions relative to each other.</source>
-        <translation>Legen Sie fest, wo der Boden ist, welcher Punkt der Ursprung ist, und den Maßstab. Die Kameras behalten ihre Lage zueinander.</translation>
     </message>
     <message>
         <source>⚠ The z axis does not seem to point up.</source>
@@ -8658,10 +9425,6 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Aufrichten</translation>
     </message>
     <message>
-        <source>Rotate the world by quarter turns until the images are upright</source>
-        <translation>Die Welt um Vierteldrehungen drehen, bis die Bilder aufrecht sind</translation>
-    </message>
-    <message>
         <source>Set floor from A, B and C</source>
         <translation>Boden aus A, B und C festlegen</translation>
     </message>
@@ -8714,10 +9477,6 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Wie weit sich alle Kameras entlang %1 verschieben, in Metern</translation>
     </message>
     <message>
-        <source>Rotate all cameras by 90° about the %1 axis, counterclockwise when it points to you</source>
-        <translation>Alle Kameras um 90° um die %1-Achse drehen, gegen den Uhrzeigersinn, wenn sie auf Sie zeigt</translation>
-    </message>
-    <message>
         <source>Quarter turn about %1</source>
         <translation>Vierteldrehung um %1</translation>
     </message>
@@ -8728,10 +9487,6 @@ Effektive Stichprobengröße %8 von %9</translation>
     <message>
         <source>Rotation about the vertical</source>
         <translation>Drehung um die Senkrechte</translation>
-    </message>
-    <message>
-        <source>How far all cameras rotate about the vertical through the origin before they move, counterclockwise as seen from above</source>
-        <translation>Wie weit sich alle Kameras vor dem Verschieben um die Senkrechte durch den Ursprung drehen, von oben gesehen gegen den Uhrzeigersinn</translation>
     </message>
     <message>
         <source>Move</source>
@@ -8762,16 +9517,40 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>In Bildern markieren</translation>
     </message>
     <message>
-        <source>Click the selected point in two or more images. Corners are found to a fraction of a pixel (Alt: exactly where you click). Press Esc to finish.</source>
-        <translation>Den gewählten Punkt in mindestens zwei Bildern anklicken. Ecken werden auf Bruchteile eines Pixels gefunden (Alt: genau an der Klickstelle). Mit Esc beenden.</translation>
-    </message>
-    <message>
         <source>Check</source>
         <translation>Prüfen</translation>
     </message>
     <message>
-        <source>Compare the distance from A to B with the measured one. Nothing moves.</source>
-        <translation>Die Strecke von A nach B mit der gemessenen vergleichen. Nichts bewegt sich.</translation>
+        <source>Set the floor, the origin and the scale of the room. The cameras keep their positions relative to each other.</source>
+        <translation>Legen Sie den Boden, den Ursprung und den Maßstab des Raums fest. Die Kameras behalten ihre Lage zueinander.</translation>
+    </message>
+    <message>
+        <source>Compare the distance from A to B in the calibration with the distance that you measured. Nothing is changed.</source>
+        <translation>Die Strecke von A nach B in der Kalibrierung mit der vergleichen, die Sie gemessen haben. Nichts wird geändert.</translation>
+    </message>
+    <message>
+        <source>Set floor from the board shown</source>
+        <translation>Boden aus der gezeigten Tafel setzen</translation>
+    </message>
+    <message>
+        <source>Use a board that lies flat on the floor in the images shown. Its first corner becomes the origin, and the x axis runs along its rows. Describe the board on the page Board.</source>
+        <translation>Eine Tafel verwenden, die in den gezeigten Bildern flach auf dem Boden liegt. Ihre erste Ecke wird der Ursprung, und die x-Achse verläuft entlang ihrer Reihen. Beschreiben Sie die Tafel auf der Seite Tafel.</translation>
+    </message>
+    <message>
+        <source>Rotate the world by quarter turns until its upward direction points up in the images</source>
+        <translation>Die Welt um Vierteldrehungen drehen, bis ihre Aufwärtsrichtung in den Bildern nach oben zeigt</translation>
+    </message>
+    <message>
+        <source>Rotate all cameras by 90° about the %1 axis, counterclockwise if the axis points toward you</source>
+        <translation>Alle Kameras um 90° um die %1-Achse drehen, gegen den Uhrzeigersinn, wenn die Achse auf Sie zeigt</translation>
+    </message>
+    <message>
+        <source>Angle by which all cameras rotate about the vertical through the origin, counterclockwise as seen from above. They rotate first and move then</source>
+        <translation>Winkel, um den sich alle Kameras um die Senkrechte durch den Ursprung drehen, von oben gesehen gegen den Uhrzeigersinn. Zuerst drehen sie sich, dann bewegen sie sich</translation>
+    </message>
+    <message>
+        <source>Click the selected point in two or more images. Near a corner, the click moves exactly onto the corner; hold Alt to prevent this. Press Esc to finish.</source>
+        <translation>Klicken Sie den gewählten Punkt in mindestens zwei Bildern an. Nahe einer Ecke springt der Klick genau auf die Ecke; halten Sie Alt gedrückt, um das zu verhindern. Esc beendet es.</translation>
     </message>
 </context>
 </TS>

@@ -12,6 +12,26 @@
     </message>
 </context>
 <context>
+    <name>TakeText</name>
+    <message numerus="yes">
+        <source>%n dropped image(s)</source>
+        <translation>
+            <numerusform>%n dropped image</numerusform>
+            <numerusform>%n dropped images</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::BoardFloor</name>
+    <message numerus="yes">
+        <source>The floor is set from the board, which %n camera(s) can see (error %1). The world was rotated by %2.</source>
+        <translation>
+            <numerusform>The floor is set from the board, which %n camera can see (error %1). The world was rotated by %2.</numerusform>
+            <numerusform>The floor is set from the board, which %n cameras can see (error %1). The world was rotated by %2.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::BoxPanel</name>
     <message numerus="yes">
         <source>%n boxes, in pixels of the image</source>
@@ -82,6 +102,26 @@
         <translation>
             <numerusform>%n file of this project was not found: %1.</numerusform>
             <numerusform>%n files of this project were not found: %1.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::OutputController</name>
+    <message numerus="yes">
+        <source>Sending, %n program(s) connected</source>
+        <translation>
+            <numerusform>Sending, %n program connected</numerusform>
+            <numerusform>Sending, %n programs connected</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::ProjectCheckDialog</name>
+    <message numerus="yes">
+        <source>%n problem(s) must be solved before this project can be tracked.</source>
+        <translation>
+            <numerusform>%n problem must be solved before this project can be tracked.</numerusform>
+            <numerusform>%n problems must be solved before this project can be tracked.</numerusform>
         </translation>
     </message>
 </context>

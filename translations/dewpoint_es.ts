@@ -92,10 +92,6 @@
         <translation>Atajos…</translation>
     </message>
     <message>
-        <source>See and change all shortcuts</source>
-        <translation>Ver y cambiar todos los atajos</translation>
-    </message>
-    <message>
         <source>Run</source>
         <translation>Ejecución</translation>
     </message>
@@ -248,10 +244,6 @@
         <translation>Seguir de nuevo desde aquí</translation>
     </message>
     <message>
-        <source>Starting at the frame shown, track again with the current method, parameters and colors; pause to stop</source>
-        <translation>Seguir de nuevo desde el fotograma mostrado con el método, los parámetros y los colores actuales; la pausa lo detiene</translation>
-    </message>
-    <message>
         <source>Add marker</source>
         <translation>Añadir marca</translation>
     </message>
@@ -288,24 +280,12 @@
         <translation>Ampliar el tramo seleccionado</translation>
     </message>
     <message>
-        <source>Show only the selected span in the timeline</source>
-        <translation>Mostrar en la línea de tiempo solo el tramo seleccionado</translation>
-    </message>
-    <message>
         <source>Show likelihood map</source>
         <translation>Mostrar mapa de verosimilitud</translation>
     </message>
     <message>
-        <source>Show the likelihood of each position around the target, and the candidate positions</source>
-        <translation>Mostrar la verosimilitud de cada posición alrededor del objetivo y las posiciones candidatas</translation>
-    </message>
-    <message>
         <source>Show best particle</source>
         <translation>Mostrar la mejor partícula</translation>
-    </message>
-    <message>
-        <source>Mark each target&apos;s highest-weight particle (MAP) with a triangle in all views</source>
-        <translation>Marcar con un triángulo, en todas las vistas, la partícula de mayor peso (MAP) de cada objetivo</translation>
     </message>
     <message>
         <source>Plots</source>
@@ -356,10 +336,6 @@
         <translation>Mostrar tiempo por paso</translation>
     </message>
     <message>
-        <source>Duration of each filter iteration per target, in microseconds</source>
-        <translation>Duración de cada iteración del filtro por objetivo, en microsegundos</translation>
-    </message>
-    <message>
         <source>Plot over time</source>
         <translation>Representar en el tiempo</translation>
     </message>
@@ -388,10 +364,6 @@
         <translation>Guardar gráficos como imagen…</translation>
     </message>
     <message>
-        <source>Save the plots as shown, as SVG or PNG</source>
-        <translation>Guardar los gráficos como se muestran, en SVG o PNG</translation>
-    </message>
-    <message>
         <source>Copy trajectory as CSV</source>
         <translation>Copiar trayectoria como CSV</translation>
     </message>
@@ -404,24 +376,12 @@
         <translation>Calibrar a mano…</translation>
     </message>
     <message>
-        <source>Adjust the cameras until a grid matches the real scene in their images</source>
-        <translation>Ajustar las cámaras hasta que una cuadrícula coincida con la escena real en sus imágenes</translation>
-    </message>
-    <message>
         <source>Import calibration…</source>
         <translation>Importar calibración…</translation>
     </message>
     <message>
-        <source>Load the calibration of the cameras from a file of another tool</source>
-        <translation>Cargar la calibración de las cámaras de un archivo de otro programa</translation>
-    </message>
-    <message>
         <source>Export calibration…</source>
         <translation>Exportar calibración…</translation>
-    </message>
-    <message>
-        <source>Save the calibration of the cameras for another tool</source>
-        <translation>Guardar la calibración de las cámaras para otro programa</translation>
     </message>
     <message>
         <source>Calibrate with wand…</source>
@@ -464,10 +424,6 @@
         <translation>Mostrar mapa de errores</translation>
     </message>
     <message>
-        <source>Show the expected position error of a target at each point of the bird&apos;s-eye view</source>
-        <translation>Mostrar en la vista de pájaro el error de posición esperado de un objetivo en cada punto</translation>
-    </message>
-    <message>
         <source>Add planned camera</source>
         <translation>Añadir cámara planeada</translation>
     </message>
@@ -494,10 +450,6 @@
     <message>
         <source>Experiments…</source>
         <translation>Experimentos…</translation>
-    </message>
-    <message>
-        <source>Reproduce the figures of the papers and write a report</source>
-        <translation>Reproducir las figuras de los artículos y escribir un informe</translation>
     </message>
     <message>
         <source>Set box</source>
@@ -532,10 +484,6 @@
         <translation>Mostrar volúmenes de las personas</translation>
     </message>
     <message>
-        <source>Show the hull that contains 95 % of each person, and contour lines of the person&apos;s density on the floor</source>
-        <translation>Mostrar la envolvente que contiene el 95 % de cada persona y las curvas de nivel de su densidad en el suelo</translation>
-    </message>
-    <message>
         <source>Filter threads…</source>
         <translation>Hilos del filtro…</translation>
     </message>
@@ -564,10 +512,6 @@
         <translation>Mostrar el volumen de interés</translation>
     </message>
     <message>
-        <source>Show the box in which targets are searched for, in the images and in the bird&apos;s-eye view</source>
-        <translation>Mostrar la caja en la que se buscan objetivos, en las imágenes y en la vista de pájaro</translation>
-    </message>
-    <message>
         <source>File</source>
         <translation>Archivo</translation>
     </message>
@@ -576,24 +520,12 @@
         <translation>Seguir de nuevo</translation>
     </message>
     <message>
-        <source>Track again all frames that have results from earlier settings</source>
-        <translation>Seguir de nuevo todos los fotogramas con resultados de ajustes anteriores</translation>
-    </message>
-    <message>
         <source>Slower</source>
         <translation>Más lento</translation>
     </message>
     <message>
-        <source>Play the recording more slowly, down to 1/30</source>
-        <translation>Reproducir la grabación más despacio, hasta 1/30</translation>
-    </message>
-    <message>
         <source>Faster</source>
         <translation>Más rápido</translation>
-    </message>
-    <message>
-        <source>Play the recording faster, up to eight times</source>
-        <translation>Reproducir la grabación más rápido, hasta ocho veces</translation>
     </message>
     <message>
         <source>Normal speed</source>
@@ -612,16 +544,8 @@
         <translation>Mostrar lupa</translation>
     </message>
     <message>
-        <source>Show an enlarged inset when a target&apos;s particles are too close together to tell apart</source>
-        <translation>Mostrar un recuadro ampliado cuando las partículas de un objetivo están demasiado juntas</translation>
-    </message>
-    <message>
         <source>Show lines of sight</source>
         <translation>Mostrar líneas de visión</translation>
-    </message>
-    <message>
-        <source>Draw a line from each camera to the target in the bird&apos;s-eye view; it is dashed if the camera cannot see the target</source>
-        <translation>Dibujar en la vista de pájaro una línea de cada cámara al objetivo; es discontinua si la cámara no ve el objetivo</translation>
     </message>
     <message>
         <source>Zoom in</source>
@@ -660,10 +584,6 @@
         <translation>Vista 3D</translation>
     </message>
     <message>
-        <source>Bird&apos;s-eye view in perspective; drag to orbit</source>
-        <translation>Vista de pájaro en perspectiva, con giro libre</translation>
-    </message>
-    <message>
         <source>Fit everything in view</source>
         <translation>Ajustar todo a la vista</translation>
     </message>
@@ -690,10 +610,6 @@
     <message>
         <source>Plot position</source>
         <translation>Mostrar posición</translation>
-    </message>
-    <message>
-        <source>Position along x, y and z with a band of two standard deviations, and the truth where it is known</source>
-        <translation>Posición en x, y y z con una banda de dos desviaciones típicas, y la verdad donde se conoce</translation>
     </message>
     <message>
         <source>Help</source>
@@ -760,10 +676,6 @@
         <translation>Definir suelo y origen…</translation>
     </message>
     <message>
-        <source>Set the floor, the origin, the axes and the scale of the calibrated cameras from points marked in the images</source>
-        <translation>Definir el suelo, el origen, los ejes y la escala de las cámaras calibradas con puntos marcados en las imágenes</translation>
-    </message>
-    <message>
         <source>Calibrate…</source>
         <translation>Calibrar…</translation>
     </message>
@@ -775,6 +687,126 @@
         <source>Play the first iterations of a run one by one, until every target is being tracked (five seconds at most)</source>
         <translation>Reproducir una a una las primeras iteraciones de una ejecución, hasta que todos los objetivos estén seguidos (cinco segundos como máximo)</translation>
     </message>
+    <message>
+        <source>See and change all keyboard shortcuts</source>
+        <translation>Ver y cambiar todos los atajos de teclado</translation>
+    </message>
+    <message>
+        <source>Adjust the calibration of the cameras until a grid drawn over their images matches the real scene</source>
+        <translation>Ajustar la calibración de las cámaras hasta que una cuadrícula dibujada sobre sus imágenes coincida con la escena real</translation>
+    </message>
+    <message>
+        <source>Set the floor, the origin, the axes and the scale of the room with points that you mark in the images</source>
+        <translation>Definir el suelo, el origen, los ejes y la escala de la sala con puntos que marca en las imágenes</translation>
+    </message>
+    <message>
+        <source>Load the calibration of the cameras from a file that another program wrote</source>
+        <translation>Cargar la calibración de las cámaras de un archivo escrito por otro programa</translation>
+    </message>
+    <message>
+        <source>Save the calibration of the cameras for another program</source>
+        <translation>Guardar la calibración de las cámaras para otro programa</translation>
+    </message>
+    <message>
+        <source>In the bird&apos;s-eye view, show the position error to expect for a target at each point</source>
+        <translation>Mostrar en la vista de pájaro el error de posición que cabe esperar para un objetivo en cada punto</translation>
+    </message>
+    <message>
+        <source>Track again from the frame shown, with the current method, parameters and colors. To stop, press pause</source>
+        <translation>Seguir de nuevo desde el fotograma mostrado, con el método, los parámetros y los colores actuales. Para detenerlo, pulse pausa</translation>
+    </message>
+    <message>
+        <source>Track all frames again that still have results from earlier settings</source>
+        <translation>Seguir de nuevo todos los fotogramas que aún tienen resultados de ajustes anteriores</translation>
+    </message>
+    <message>
+        <source>Play the recording more slowly, down to 1/30 of the normal speed</source>
+        <translation>Reproducir la grabación más despacio, hasta 1/30 de la velocidad normal</translation>
+    </message>
+    <message>
+        <source>Play the recording faster, up to eight times the normal speed</source>
+        <translation>Reproducir la grabación más rápido, hasta ocho veces la velocidad normal</translation>
+    </message>
+    <message>
+        <source>Fill the timeline with the selected span of the recording</source>
+        <translation>Llenar la línea de tiempo con el tramo seleccionado de la grabación</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Grabar</translation>
+    </message>
+    <message>
+        <source>Record the live cameras into a folder that opens as a project, or stop recording</source>
+        <translation>Grabar las cámaras en directo en una carpeta que se abre como proyecto, o detener la grabación</translation>
+    </message>
+    <message>
+        <source>Send results</source>
+        <translation>Enviar resultados</translation>
+    </message>
+    <message>
+        <source>Send positions to other programs while the run lasts, or stop sending; nothing is sent until you choose this</source>
+        <translation>Enviar posiciones a otros programas durante la ejecución, o dejar de enviar; no se envía nada hasta que lo elija</translation>
+    </message>
+    <message>
+        <source>Outputs…</source>
+        <translation>Salidas…</translation>
+    </message>
+    <message>
+        <source>Choose where results are sent while a run lasts: TCP, WebSocket, OSC, TUIO, CSV</source>
+        <translation>Elegir adónde se envían los resultados durante una ejecución: TCP, WebSocket, OSC, TUIO, CSV</translation>
+    </message>
+    <message>
+        <source>Reproduce figures of the papers that describe the methods, and write a report</source>
+        <translation>Reproducir figuras de los artículos que describen los métodos y escribir un informe</translation>
+    </message>
+    <message>
+        <source>Show how likely each position around the target is, and circle the positions that the method considers</source>
+        <translation>Mostrar la verosimilitud de cada posición alrededor del objetivo y rodear con un círculo las posiciones que el método considera</translation>
+    </message>
+    <message>
+        <source>In all views, mark the particle of each target that has the highest weight (MAP) with a triangle</source>
+        <translation>En todas las vistas, marcar con un triángulo la partícula de cada objetivo que tiene el mayor peso (MAP)</translation>
+    </message>
+    <message>
+        <source>When a target&apos;s particles are too close together to tell apart, show them enlarged</source>
+        <translation>Cuando las partículas de un objetivo están demasiado juntas para distinguirlas, mostrarlas ampliadas</translation>
+    </message>
+    <message>
+        <source>In the bird&apos;s-eye view, draw a line from each camera to the target. The line is dashed if the camera cannot see the target</source>
+        <translation>Dibujar en la vista de pájaro una línea de cada cámara al objetivo. La línea es discontinua si la cámara no ve el objetivo</translation>
+    </message>
+    <message>
+        <source>Draw the volume of interest in the images and in the bird&apos;s-eye view: targets are searched for only inside this box</source>
+        <translation>Dibujar el volumen de interés en las imágenes y en la vista de pájaro: los objetivos se buscan solo dentro de esta caja</translation>
+    </message>
+    <message>
+        <source>Show the hull that encloses 95 % of each person&apos;s volume, and contour lines of the density on the floor</source>
+        <translation>Mostrar la envolvente que encierra el 95 % del volumen de cada persona y las curvas de nivel de la densidad en el suelo</translation>
+    </message>
+    <message>
+        <source>Bird&apos;s-eye view in perspective; drag to rotate it</source>
+        <translation>Vista de pájaro en perspectiva; arrastre para girarla</translation>
+    </message>
+    <message>
+        <source>Position along x, y and z, with a band of plus and minus two standard deviations, and the truth if it is known</source>
+        <translation>Posición en x, y y z, con una banda de más y menos dos desviaciones típicas, y la verdad si se conoce</translation>
+    </message>
+    <message>
+        <source>Time that one filter iteration takes for one target, in microseconds</source>
+        <translation>Tiempo que tarda una iteración del filtro con un objetivo, en microsegundos</translation>
+    </message>
+    <message>
+        <source>Save a picture of the plots as they look now, as SVG or PNG</source>
+        <translation>Guardar una imagen de los gráficos tal como se ven ahora, en SVG o PNG</translation>
+    </message>
+    <message>
+        <source>Check project…</source>
+        <translation>Comprobar el proyecto…</translation>
+    </message>
+    <message>
+        <source>Check the recordings, times, calibration, colors and method of the project for problems</source>
+        <translation>Buscar problemas en las grabaciones, los tiempos, la calibración, los colores y el método del proyecto</translation>
+    </message>
 </context>
 <context>
     <name>AssessedRegions</name>
@@ -783,16 +815,12 @@
         <translation>también coincide</translation>
     </message>
     <message>
-        <source>recognized as the target (Alt-click if not)</source>
-        <translation>reconocido como objetivo (si no, Alt+clic)</translation>
+        <source>recognized as the target (if it is not, Alt-click it)</source>
+        <translation>reconocido como objetivo (si no lo es, Alt+clic en él)</translation>
     </message>
 </context>
 <context>
     <name>BoardText</name>
-    <message>
-        <source>%1: RMS %2, focal length %3, %4 images; accuracy %5</source>
-        <translation>%1: RMS %2, distancia focal %3, %4 imágenes; precisión %5</translation>
-    </message>
     <message>
         <source>The board&apos;s corners cover only %1 % of the image: show the board in every part of the image, and tilt it too.</source>
         <translation>Las esquinas del tablero cubren solo el %1 % de la imagen: muestre el tablero en todas las partes de la imagen e inclínelo también.</translation>
@@ -802,24 +830,12 @@
         <translation>%1 conserva su posición: nunca vio el tablero.</translation>
     </message>
     <message>
-        <source>%1: RMS %2</source>
-        <translation>%1: RMS %2</translation>
-    </message>
-    <message>
-        <source>%1: RMS %2, position ±%3, direction ±%4</source>
-        <translation>%1: RMS %2, posición ±%3, dirección ±%4</translation>
-    </message>
-    <message>
         <source>Intrinsics</source>
         <translation>Parámetros intrínsecos</translation>
     </message>
     <message>
         <source>%1 keeps its intrinsics: %2</source>
         <translation>%1 conserva sus parámetros intrínsecos: %2</translation>
-    </message>
-    <message>
-        <source>Positions: RMS %1 over %2 board poses</source>
-        <translation>Posiciones: RMS %1 en %2 poses del tablero</translation>
     </message>
     <message>
         <source>upper left</source>
@@ -930,10 +946,6 @@
         <translation>nítido, ancho de borde %1</translation>
     </message>
     <message>
-        <source>%1 of at least %2 views</source>
-        <translation>%1 de al menos %2 vistas</translation>
-    </message>
-    <message>
         <source>%1 views, accuracy %2 (goal: %3)</source>
         <translation>%1 vistas, precisión %2 (meta: %3)</translation>
     </message>
@@ -974,16 +986,36 @@
         <translation>disposición antigua</translation>
     </message>
     <message>
-        <source>black and white exchanged</source>
-        <translation>blanco y negro intercambiados</translation>
+        <source>%1: RMS reprojection error %2, focal length %3, accuracy %5, from %4 images</source>
+        <translation>%1: error de reproyección RMS %2, distancia focal %3, precisión %5, con %4 imágenes</translation>
     </message>
     <message>
-        <source>%1 of %2 images searched show %3, but mirrored: change the mirroring of these cameras. Use this board?</source>
-        <translation>%1 de %2 imágenes examinadas muestran %3, pero reflejado: cambie el reflejo de estas cámaras. ¿Usar este tablero?</translation>
+        <source>%1: RMS reprojection error %2, position ±%3, direction ±%4</source>
+        <translation>%1: error de reproyección RMS %2, posición ±%3, dirección ±%4</translation>
     </message>
     <message>
-        <source>%1 of %2 images searched show %3. Use this board?</source>
-        <translation>%1 de %2 imágenes examinadas muestran %3. ¿Usar este tablero?</translation>
+        <source>%1: RMS reprojection error %2</source>
+        <translation>%1: error de reproyección RMS %2</translation>
+    </message>
+    <message>
+        <source>Positions: RMS reprojection error %1, from %2 board poses</source>
+        <translation>Posiciones: error de reproyección RMS %1, con %2 poses del tablero</translation>
+    </message>
+    <message>
+        <source>%1 views; at least %2 are needed</source>
+        <translation>%1 vistas; se necesitan al menos %2</translation>
+    </message>
+    <message>
+        <source>inverted colors</source>
+        <translation>colores invertidos</translation>
+    </message>
+    <message>
+        <source>%1 of the %2 searched images show %3, but mirrored. Change the mirroring of the cameras that took these images. Use this board?</source>
+        <translation>%1 de las %2 imágenes examinadas muestran %3, pero reflejado. Cambie el reflejo de las cámaras que tomaron estas imágenes. ¿Usar este tablero?</translation>
+    </message>
+    <message>
+        <source>%1 of the %2 searched images show %3. Use this board?</source>
+        <translation>%1 de las %2 imágenes examinadas muestran %3. ¿Usar este tablero?</translation>
     </message>
 </context>
 <context>
@@ -1000,32 +1032,8 @@
 <context>
     <name>CalibrationText</name>
     <message>
-        <source>%1 fits when its video is shifted in time: the video is probably %2 frames late. Synchronize the videos, or calibrate with a wand and “Find time offsets”.</source>
-        <translation>%1 encaja si su vídeo se desplaza en el tiempo: probablemente va %2 fotogramas tarde. Sincronice los vídeos o calibre con la varita y «Buscar desfases de tiempo».</translation>
-    </message>
-    <message>
-        <source>%1 fits when its video is shifted in time: the video is probably %2 frames early. Synchronize the videos, or calibrate with a wand and “Find time offsets”.</source>
-        <translation>%1 encaja si su vídeo se desplaza en el tiempo: probablemente va %2 fotogramas adelantado. Sincronice los vídeos o calibre con la varita y «Buscar desfases de tiempo».</translation>
-    </message>
-    <message>
-        <source>%1 fits one pose before %2 and another pose after that time: the camera was probably moved. Calibrate with the later part only.</source>
-        <translation>%1 encaja con una pose antes de %2 y con otra después: probablemente la cámara se movió. Calibre solo con la parte posterior.</translation>
-    </message>
-    <message>
-        <source>%1 fits only with flipped images: its video is probably mirrored or upside down. Set the rotation and mirroring of its images.</source>
-        <translation>%1 solo encaja con las imágenes volteadas: su vídeo probablemente está reflejado o boca abajo. Ajuste el giro y el reflejo de sus imágenes.</translation>
-    </message>
-    <message>
-        <source>%1 fits with %2 times the given focal length: its zoom or crop was probably changed. Calibrate its intrinsics again.</source>
-        <translation>%1 encaja con %2 veces la distancia focal indicada: probablemente cambió su zoom o su recorte. Calibre de nuevo sus parámetros intrínsecos.</translation>
-    </message>
-    <message>
         <source>The intrinsics of %1 are probably for another resolution: its images are %2 times as large. Convert the intrinsics, or record at the calibrated size.</source>
         <translation>Los parámetros intrínsecos de %1 son probablemente de otra resolución: sus imágenes son %2 veces mayores. Convierta los parámetros o grabe con el tamaño calibrado.</translation>
-    </message>
-    <message>
-        <source>In this volume: position ±%1 (95 %)</source>
-        <translation>En este volumen: posición ±%1 (95 %)</translation>
     </message>
     <message>
         <source>, scale ±%1 %</source>
@@ -1048,36 +1056,60 @@
         <translation>Todas las cámaras parecen ver el reverso del tablero o del suelo: probablemente sus puntos están reflejados. Compruebe la dirección de los ejes y que la impresión no esté invertida.</translation>
     </message>
     <message>
-        <source>The corners form a board with %1 squares in a row: the number of squares is probably wrong. Count them and correct the board.</source>
-        <translation>Las esquinas forman un tablero con %1 casillas por fila: el número de casillas probablemente es erróneo. Cuéntelas y corrija el tablero.</translation>
-    </message>
-    <message>
-        <source>The given size of the squares is %1 times what the cameras see: measure a row with a ruler (prints are often rescaled).</source>
-        <translation>El tamaño indicado de las casillas es %1 veces lo que ven las cámaras: mida una fila con una regla (las impresiones suelen cambiar de escala).</translation>
-    </message>
-    <message>
-        <source>The images fit when shifted by %1 along both axes: the calibration probably counts pixels from their corners, not their centers. Convert the principal points.</source>
-        <translation>Las imágenes encajan desplazadas %1 en ambos ejes: probablemente la calibración cuenta los píxeles desde sus esquinas y no desde sus centros. Convierta los puntos principales.</translation>
-    </message>
-    <message>
         <source>, upward direction not measured yet (page Floor)</source>
         <translation>, dirección vertical aún sin medir (página Suelo)</translation>
-    </message>
-    <message>
-        <source>In this volume: position unknown</source>
-        <translation>En este volumen: posición desconocida</translation>
     </message>
     <message>
         <source>Everything fits when %1 and %2 are exchanged: their videos are probably swapped. Exchange the two files.</source>
         <translation>Todo encaja al intercambiar %1 y %2: probablemente sus vídeos están cambiados. Intercambie los dos archivos.</translation>
     </message>
     <message>
-        <source>The given length is %1 times what the cameras see: millimeters and meters are probably mixed up.</source>
-        <translation>La longitud indicada es %1 veces la que ven las cámaras: probablemente se confundieron milímetros y metros.</translation>
+        <source>%1 agrees with the other cameras only if its video is shifted in time: the video is probably %2 frames late. Synchronize the videos, or calibrate with a wand and “Find time offsets”.</source>
+        <translation>%1 solo concuerda con las demás cámaras si su vídeo se desplaza en el tiempo: probablemente va %2 fotogramas tarde. Sincronice los vídeos o calibre con la varita y «Buscar desfases de tiempo».</translation>
     </message>
     <message>
-        <source>The given length is %1 times what the cameras see: it is probably in inches (1 inch = 2.54 cm).</source>
-        <translation>La longitud indicada es %1 veces la que ven las cámaras: probablemente está en pulgadas (1 pulgada = 2,54 cm).</translation>
+        <source>%1 agrees with the other cameras only if its video is shifted in time: the video is probably %2 frames early. Synchronize the videos, or calibrate with a wand and “Find time offsets”.</source>
+        <translation>%1 solo concuerda con las demás cámaras si su vídeo se desplaza en el tiempo: probablemente va %2 fotogramas adelantado. Sincronice los vídeos o calibre con la varita y «Buscar desfases de tiempo».</translation>
+    </message>
+    <message>
+        <source>The images of %1 fit one pose before %2 and another pose after that time: the camera was probably moved. Calibrate with the later part of the recording only.</source>
+        <translation>Las imágenes de %1 encajan con una pose antes de %2 y con otra después: probablemente la cámara se movió. Calibre solo con la parte posterior de la grabación.</translation>
+    </message>
+    <message>
+        <source>The images of %1 fit only if they are flipped: the video is probably mirrored or upside down. Set the rotation and mirroring of these images.</source>
+        <translation>Las imágenes de %1 solo encajan si se voltean: el vídeo probablemente está reflejado o boca abajo. Ajuste el giro y el reflejo de estas imágenes.</translation>
+    </message>
+    <message>
+        <source>The images of %1 fit a focal length that is %2 times the given one: the zoom or crop of the camera was probably changed. Calibrate its intrinsics again.</source>
+        <translation>Las imágenes de %1 encajan con una distancia focal %2 veces la indicada: probablemente cambió el zoom o el recorte de la cámara. Calibre de nuevo sus parámetros intrínsecos.</translation>
+    </message>
+    <message>
+        <source>In the calibrated volume: position ±%1 (95 %)</source>
+        <translation>En el volumen calibrado: posición ±%1 (95 %)</translation>
+    </message>
+    <message>
+        <source>In the calibrated volume: position unknown</source>
+        <translation>En el volumen calibrado: posición desconocida</translation>
+    </message>
+    <message>
+        <source>The length that you entered is %1 times the length that the cameras see: millimeters and meters are probably mixed up.</source>
+        <translation>La longitud que introdujo es %1 veces la que ven las cámaras: probablemente se confundieron milímetros y metros.</translation>
+    </message>
+    <message>
+        <source>The length that you entered is %1 times the length that the cameras see: you probably entered it in inches (1 inch = 2.54 cm).</source>
+        <translation>La longitud que introdujo es %1 veces la que ven las cámaras: probablemente la introdujo en pulgadas (1 pulgada = 2,54 cm).</translation>
+    </message>
+    <message>
+        <source>The corners form a board with %1 squares in a row, so the number of squares that you entered is probably wrong. Count the squares and correct the number.</source>
+        <translation>Las esquinas forman un tablero con %1 casillas por fila, así que el número de casillas que introdujo probablemente es erróneo. Cuente las casillas y corrija el número.</translation>
+    </message>
+    <message>
+        <source>The size of the squares that you entered is %1 times the size that the cameras see. Measure a row with a ruler: prints are often rescaled.</source>
+        <translation>El tamaño de las casillas que introdujo es %1 veces el que ven las cámaras. Mida una fila con una regla: las impresiones suelen cambiar de escala.</translation>
+    </message>
+    <message>
+        <source>The images fit only if they are shifted by %1 along both axes: the calibration probably has its origin at the corner of the first pixel, not at its center. Convert the principal points.</source>
+        <translation>Las imágenes solo encajan desplazadas %1 en ambos ejes: probablemente el origen de la calibración está en la esquina del primer píxel y no en su centro. Convierta los puntos principales.</translation>
     </message>
 </context>
 <context>
@@ -1179,16 +1211,16 @@
         <translation>El radio del objetivo parece ser de unos %1.</translation>
     </message>
     <message>
-        <source>The target&apos;s radius seems to be about %1, but %2 is given. Is that the diameter?</source>
-        <translation>El radio del objetivo parece ser de unos %1, pero se indicó %2. ¿Es ese el diámetro?</translation>
-    </message>
-    <message>
-        <source>The target&apos;s radius seems to be about %1, but %2 is given.</source>
-        <translation>El radio del objetivo parece ser de unos %1, pero se indicó %2.</translation>
-    </message>
-    <message>
         <source>The marked spot is part of a larger object of the same color. Only this spot is tracked, as a ball with radius %1.</source>
         <translation>El punto marcado es parte de un objeto mayor del mismo color. Solo se sigue este punto, como una bola con radio %1.</translation>
+    </message>
+    <message>
+        <source>The target&apos;s radius seems to be about %1, but %2 was entered. Is this the diameter?</source>
+        <translation>El radio del objetivo parece ser de unos %1, pero se introdujo %2. ¿Es ese el diámetro?</translation>
+    </message>
+    <message>
+        <source>The target&apos;s radius seems to be about %1, but %2 was entered.</source>
+        <translation>El radio del objetivo parece ser de unos %1, pero se introdujo %2.</translation>
     </message>
 </context>
 <context>
@@ -1235,22 +1267,6 @@
     <message>
         <source>at the bottom right</source>
         <translation>abajo a la derecha</translation>
-    </message>
-    <message>
-        <source>Stands out well (%1 of 100 points).</source>
-        <translation>Destaca bien (%1 de 100 puntos).</translation>
-    </message>
-    <message>
-        <source>Stands out (%1 of 100 points).</source>
-        <translation>Destaca (%1 de 100 puntos).</translation>
-    </message>
-    <message>
-        <source>Hard to tell apart (%1 of 100 points).</source>
-        <translation>Difícil de distinguir (%1 de 100 puntos).</translation>
-    </message>
-    <message>
-        <source>Hardly stands out (%1 of 100 points).</source>
-        <translation>Apenas destaca (%1 de 100 puntos).</translation>
     </message>
     <message>
         <source>black</source>
@@ -1325,10 +1341,6 @@
         <translation>El objetivo es casi gris: un color más vivo ayudaría.</translation>
     </message>
     <message>
-        <source>The clicked region fills much of the image: click only the target, or drag a box on it.</source>
-        <translation>La zona elegida llena gran parte de la imagen: haga clic solo en el objetivo o dibuje un recuadro sobre él.</translation>
-    </message>
-    <message>
         <source>%1 % of the pixels match. Shift-click the target to see how well it stands out.</source>
         <translation>Coincide el %1 % de los píxeles. Mayús-clic en el objetivo para ver cuánto destaca.</translation>
     </message>
@@ -1349,16 +1361,8 @@
         <translation>Varios objetos tienen este color: otro color ayudaría.</translation>
     </message>
     <message>
-        <source>You clicked only a speck: drag a box on the whole target.</source>
-        <translation>Hizo clic solo en una mota: dibuje un recuadro sobre todo el objetivo.</translation>
-    </message>
-    <message>
         <source>Only %1 % of the target matches, and %2 % of the background matches too.</source>
         <translation>Solo coincide el %1 % del objetivo, y también el %2 % del fondo.</translation>
-    </message>
-    <message>
-        <source>A range that covers the whole target would match %1 % of the background.</source>
-        <translation>Un rango que abarque todo el objetivo coincidiría con el %1 % del fondo.</translation>
     </message>
     <message numerus="yes">
         <source>%n objects have this color and size: follow all of them, or cover the others.</source>
@@ -1366,6 +1370,34 @@
             <numerusform>%n objeto tiene este color y tamaño: sígalo o cubra los otros.</numerusform>
             <numerusform>%n objetos tienen este color y tamaño: sígalos todos o cubra los otros.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The color stands out well (%1 of 100 points).</source>
+        <translation>El color destaca bien (%1 de 100 puntos).</translation>
+    </message>
+    <message>
+        <source>The color stands out (%1 of 100 points).</source>
+        <translation>El color destaca (%1 de 100 puntos).</translation>
+    </message>
+    <message>
+        <source>The color is hard to tell from the background (%1 of 100 points).</source>
+        <translation>El color es difícil de distinguir del fondo (%1 de 100 puntos).</translation>
+    </message>
+    <message>
+        <source>The color hardly stands out (%1 of 100 points).</source>
+        <translation>El color apenas destaca (%1 de 100 puntos).</translation>
+    </message>
+    <message>
+        <source>The clicked region fills much of the image: click only the target, or drag a box around the target.</source>
+        <translation>La región en la que hizo clic llena gran parte de la imagen: haga clic solo en el objetivo o arrastre un recuadro alrededor del objetivo.</translation>
+    </message>
+    <message>
+        <source>You clicked only a speck: drag a box around the whole target.</source>
+        <translation>Hizo clic solo en una mota: arrastre un recuadro alrededor de todo el objetivo.</translation>
+    </message>
+    <message>
+        <source>A color range that covers the whole target would match %1 % of the background.</source>
+        <translation>Un rango de color que abarque todo el objetivo coincidiría con el %1 % del fondo.</translation>
     </message>
 </context>
 <context>
@@ -1470,18 +1502,6 @@
         <translation>Barrera et al. 2005, figura 6: el objeto salta 2 m en la iteración 30.</translation>
     </message>
     <message>
-        <source>Barrera et al. 2005, figure 7: the error for the jump of figure 6 and motion sigmas from 0.001 to 0.3 m, as an image.</source>
-        <translation>Barrera et al. 2005, figura 7: el error con el salto de la figura 6 para sigmas de movimiento de 0,001 a 0,3 m, como imagen.</translation>
-    </message>
-    <message>
-        <source>Barrera et al. 2005, figure 8: the cloud at six instants, with a small and a large motion sigma.</source>
-        <translation>Barrera et al. 2005, figura 8: la nube en seis instantes, con sigma de movimiento pequeña y grande.</translation>
-    </message>
-    <message>
-        <source>Barrera et al. 2005, section III-B: the share of runs that converge, for several start volumes and for starts behind the ball.</source>
-        <translation>Barrera et al. 2005, sección III-B: la proporción de ejecuciones que convergen, para varios volúmenes iniciales y para inicios detrás de la pelota.</translation>
-    </message>
-    <message>
         <source>Barrera et al. 2005, section III-B: with one camera, the cloud moves away from the camera.</source>
         <translation>Barrera et al. 2005, sección III-B: con una sola cámara, la nube se aleja de la cámara.</translation>
     </message>
@@ -1502,10 +1522,6 @@
         <translation>Error tras un salto</translation>
     </message>
     <message>
-        <source>Error over iteration and motion sigma</source>
-        <translation>Error según la iteración y la sigma de movimiento</translation>
-    </message>
-    <message>
         <source>Particles from above</source>
         <translation>Partículas desde arriba</translation>
     </message>
@@ -1522,24 +1538,8 @@
         <translation>Máscaras de movimiento y verosimilitud del movimiento</translation>
     </message>
     <message>
-        <source>The cone of one camera</source>
-        <translation>El cono de una cámara</translation>
-    </message>
-    <message>
-        <source>Where the cloud may start</source>
-        <translation>Dónde puede empezar la nube</translation>
-    </message>
-    <message>
         <source>Boxes: error, success and precision</source>
         <translation>Recuadros: error, éxito y precisión</translation>
-    </message>
-    <message>
-        <source>Mohedano et al. 2009: people enter and leave; how long estimates exist without a person, and how long people have no estimate.</source>
-        <translation>Mohedano et al. 2009: la gente entra y sale; cuánto tiempo hay estimaciones sin persona y cuánto están las personas sin estimación.</translation>
-    </message>
-    <message>
-        <source>Mohedano et al. 2009: two people meet and walk on; motion alone may mix them up, color tells them apart when their clothes differ.</source>
-        <translation>Mohedano et al. 2009: dos personas se encuentran y siguen; el movimiento solo puede confundirlas, el color las distingue cuando su ropa es distinta.</translation>
     </message>
     <message>
         <source>Mohedano et al. 2009: two people meet, stop and walk back.</source>
@@ -1566,14 +1566,6 @@
         <translation>Personas que se encuentran y dan la vuelta</translation>
     </message>
     <message>
-        <source>Sugandi et al. 2009, section 4: compares 100 and 300 particles, method histogram and four OpenCV trackers on the same clips.</source>
-        <translation>Sugandi et al. 2009, sección 4: compara 100 y 300 partículas, el método histogram y cuatro seguidores de OpenCV en los mismos vídeos.</translation>
-    </message>
-    <message>
-        <source>Mohedano et al. 2009: two people far apart. This is the easy case: no method may mix them up.</source>
-        <translation>Mohedano et al. 2009: dos personas lejos una de la otra, el caso fácil, en el que ningún método debe confundirlas.</translation>
-    </message>
-    <message>
         <source>People who stay apart</source>
         <translation>Personas que se mantienen alejadas</translation>
     </message>
@@ -1596,10 +1588,6 @@
     <message>
         <source>People of different heights</source>
         <translation>Personas de distinta estatura</translation>
-    </message>
-    <message>
-        <source>A child of 0.9 to 1.3 m, one person of 1.3 to 1.6 m and one of 1.88 to 2 m walk about.</source>
-        <translation>Un niño de 0,9 a 1,3 m, una persona de 1,3 a 1,6 m y otra de 1,88 a 2 m caminan por la sala.</translation>
     </message>
     <message>
         <source>People who sit and crouch</source>
@@ -1634,10 +1622,6 @@
         <translation>Dos personas se cruzan; solo las ven dos de las cuatro cámaras.</translation>
     </message>
     <message>
-        <source>People who come close</source>
-        <translation>Personas que se acercan mucho</translation>
-    </message>
-    <message>
         <source>Two people come within 0.15 to 0.28 m of each other, stand there, and go back.</source>
         <translation>Dos personas se acercan a entre 0,15 y 0,28 m, se paran y vuelven atrás.</translation>
     </message>
@@ -1664,6 +1648,54 @@
     <message>
         <source>Two people in striped, checked or blotched shirts walk past each other.</source>
         <translation>Se cruzan dos personas con camisas de rayas, de cuadros o de manchas.</translation>
+    </message>
+    <message>
+        <source>Barrera et al. 2005, figure 7: the error after the jump of figure 6, for motion sigmas from 0.001 to 0.3 m, drawn as an image.</source>
+        <translation>Barrera et al. 2005, figura 7: el error tras el salto de la figura 6 para sigmas de movimiento de 0,001 a 0,3 m, dibujado como imagen.</translation>
+    </message>
+    <message>
+        <source>Barrera et al. 2005, figure 8: the cloud in six iterations, with a small and with a large motion sigma.</source>
+        <translation>Barrera et al. 2005, figura 8: la nube en seis iteraciones, con una sigma de movimiento pequeña y con una grande.</translation>
+    </message>
+    <message>
+        <source>Barrera et al. 2005, section III-B: the share of runs that converge, for start volumes of several sizes and for start points behind the ball.</source>
+        <translation>Barrera et al. 2005, sección III-B: la proporción de ejecuciones que convergen, para volúmenes iniciales de varios tamaños y para puntos iniciales detrás de la pelota.</translation>
+    </message>
+    <message>
+        <source>Error over the iterations, for different motion sigmas</source>
+        <translation>Error a lo largo de las iteraciones, con distintas sigmas de movimiento</translation>
+    </message>
+    <message>
+        <source>Mohedano et al. 2009: people enter and leave. Measures how long there are estimates without a person, and people without an estimate.</source>
+        <translation>Mohedano et al. 2009: la gente entra y sale. Mide cuánto tiempo hay estimaciones sin persona y personas sin estimación.</translation>
+    </message>
+    <message>
+        <source>Mohedano et al. 2009: two people far apart. This is the easy case: no method should mix them up.</source>
+        <translation>Mohedano et al. 2009: dos personas lejos una de la otra. Es el caso fácil: ningún método debería confundirlas.</translation>
+    </message>
+    <message>
+        <source>Mohedano et al. 2009: two people meet and walk on. A method that uses only motion may mix them up; color tells them apart if their clothes differ.</source>
+        <translation>Mohedano et al. 2009: dos personas se encuentran y siguen. Un método que solo usa el movimiento puede confundirlas; el color las distingue si su ropa es distinta.</translation>
+    </message>
+    <message>
+        <source>People who come close to each other</source>
+        <translation>Personas que se acercan entre sí</translation>
+    </message>
+    <message>
+        <source>Sugandi et al. 2009, section 4: compares method sugandi with 100 and with 300 particles, method histogram, and four trackers of OpenCV, all on the same clips.</source>
+        <translation>Sugandi et al. 2009, sección 4: compara el método sugandi con 100 y con 300 partículas, el método histogram y cuatro seguidores de OpenCV, todos en los mismos vídeos.</translation>
+    </message>
+    <message>
+        <source>Three people walk about: a child 0.9 to 1.3 m tall, a person 1.3 to 1.6 m tall and a person 1.88 to 2 m tall.</source>
+        <translation>Tres personas caminan por la sala: un niño de 0,9 a 1,3 m de altura, una persona de 1,3 a 1,6 m y otra de 1,88 a 2 m.</translation>
+    </message>
+    <message>
+        <source>Where one camera finds the color</source>
+        <translation>Dónde encuentra el color una sola cámara</translation>
+    </message>
+    <message>
+        <source>Where the cloud can start and converge</source>
+        <translation>Dónde puede empezar la nube y converger</translation>
     </message>
 </context>
 <context>
@@ -1709,10 +1741,6 @@
         <translation>Z apunta hacia arriba, ejes como en el proyecto</translation>
     </message>
     <message>
-        <source>Y points up: x, y, z are y, z, x of the project</source>
-        <translation>Y apunta hacia arriba: x, y, z son y, z, x del proyecto</translation>
-    </message>
-    <message>
         <source>Lengths in %1, times in s, covariances in %1². %2.</source>
         <translation>Longitudes en %1, tiempos en s, covarianzas en %1². %2.</translation>
     </message>
@@ -1728,6 +1756,10 @@
         <source>Targets: %1, rows: %2 at %3 per second, %4.</source>
         <translation>Objetivos: %1, filas: %2 a %3 por segundo, %4.</translation>
     </message>
+    <message>
+        <source>Y points up: x, y, z of the file are y, z, x of the project</source>
+        <translation>Y apunta hacia arriba: x, y, z del archivo son y, z, x del proyecto</translation>
+    </message>
 </context>
 <context>
     <name>ExportDialog</name>
@@ -1742,6 +1774,416 @@
     <message>
         <source>Exported %1 rows to %2.</source>
         <translation>Se exportaron %1 filas a %2.</translation>
+    </message>
+</context>
+<context>
+    <name>Finding</name>
+    <message>
+        <source>%1 and %2 have the same pose.</source>
+        <translation>%1 y %2 tienen la misma pose.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 frames of %3 pixels, %4.</source>
+        <translation>%1 tiene %2 fotogramas de %3 píxeles, %4.</translation>
+    </message>
+    <message>
+        <source>%1 is %2 m below the floor (z = 0).</source>
+        <translation>%1 está %2 m por debajo del suelo (z = 0).</translation>
+    </message>
+    <message>
+        <source>%1 sees nothing that another camera sees.</source>
+        <translation>%1 no ve nada que vea otra cámara.</translation>
+    </message>
+    <message>
+        <source>A file of the project is missing: %1.</source>
+        <translation>Falta un archivo del proyecto: %1.</translation>
+    </message>
+    <message>
+        <source>According to their tables of times, the cameras never recorded at the same time.</source>
+        <translation>Según sus tablas de tiempos, las cámaras nunca grabaron al mismo tiempo.</translation>
+    </message>
+    <message>
+        <source>Add a target, or choose a method that finds targets by itself.</source>
+        <translation>Añada un objetivo o elija un método que los encuentre por sí mismo.</translation>
+    </message>
+    <message>
+        <source>Add cameras, or choose another method.</source>
+        <translation>Añada cámaras o elija otro método.</translation>
+    </message>
+    <message>
+        <source>Calibrate both again; one pose was probably copied from the other.</source>
+        <translation>Calibre ambas de nuevo; probablemente la pose de una se copió de la otra.</translation>
+    </message>
+    <message>
+        <source>Calibrate them with a board, a wand or measured points.</source>
+        <translation>Calíbrelas con un tablero, una varita o puntos medidos.</translation>
+    </message>
+    <message>
+        <source>Calibrate them, or choose a method that tracks boxes in images.</source>
+        <translation>Calíbrelas o elija un método que siga recuadros en imágenes.</translation>
+    </message>
+    <message>
+        <source>Check late_by; it is in seconds.</source>
+        <translation>Compruebe late_by; se indica en segundos.</translation>
+    </message>
+    <message>
+        <source>Check that the camera sees the target, and its exposure and white balance.</source>
+        <translation>Compruebe que la cámara vea el objetivo, y también su exposición y su balance de blancos.</translation>
+    </message>
+    <message>
+        <source>Check that the times in all tables are from the same clock.</source>
+        <translation>Compruebe que los tiempos de todas las tablas procedan del mismo reloj.</translation>
+    </message>
+    <message>
+        <source>Check that this is the recording they were made for.</source>
+        <translation>Compruebe que se hicieran para esta grabación.</translation>
+    </message>
+    <message>
+        <source>Check that z points up and is 0 on the floor, unless you placed the origin elsewhere.</source>
+        <translation>Compruebe que z apunte hacia arriba y sea 0 en el suelo, a menos que haya puesto el origen en otro sitio.</translation>
+    </message>
+    <message>
+        <source>Click on it in an image, or use the command learn-color.</source>
+        <translation>Haga clic en él en una imagen o use la orden learn-color.</translation>
+    </message>
+    <message>
+        <source>Convert them to the same rate, or give each camera a table of times.</source>
+        <translation>Conviértalas a una misma frecuencia o indique tablas de tiempos.</translation>
+    </message>
+    <message>
+        <source>Copy it again, or convert it with FFmpeg.</source>
+        <translation>Cópiela de nuevo o conviértala con FFmpeg.</translation>
+    </message>
+    <message>
+        <source>Copy it again, or repair it with FFmpeg (ffmpeg -i IN -c copy OUT).</source>
+        <translation>Cópielo de nuevo o repárelo con FFmpeg (ffmpeg -i ENTRADA -c copy SALIDA).</translation>
+    </message>
+    <message>
+        <source>Copy the folder again; otherwise the camera has no image in these frames.</source>
+        <translation>Copie de nuevo la carpeta; si no, la cámara no tendrá imagen en esos fotogramas.</translation>
+    </message>
+    <message>
+        <source>Copy the recording again, or use only the frames before it.</source>
+        <translation>Copie de nuevo la grabación o use solo los fotogramas anteriores.</translation>
+    </message>
+    <message>
+        <source>Correct late_by; it is in seconds.</source>
+        <translation>Corrija late_by; se indica en segundos.</translation>
+    </message>
+    <message>
+        <source>Correct the file, or remove truth from the project.</source>
+        <translation>Corrija el archivo o quite truth del proyecto.</translation>
+    </message>
+    <message>
+        <source>Correct the line in a text editor, or make a new project.</source>
+        <translation>Corrija la línea en un editor de texto o cree un proyecto nuevo.</translation>
+    </message>
+    <message>
+        <source>Correct the table, or remove times from this camera.</source>
+        <translation>Corrija la tabla o quite times de esta cámara.</translation>
+    </message>
+    <message>
+        <source>Corrections for frames that the recording does not have: %1.</source>
+        <translation>Correcciones de fotogramas que la grabación no tiene: %1.</translation>
+    </message>
+    <message>
+        <source>Draw it in an earlier frame.</source>
+        <translation>Dibújelo en un fotograma anterior.</translation>
+    </message>
+    <message>
+        <source>Draw one in an image.</source>
+        <translation>Dibuje uno en una imagen.</translation>
+    </message>
+    <message>
+        <source>Frame %2 of %1 cannot be read: %3.</source>
+        <translation>No se puede leer el fotograma %2 de %1: %3.</translation>
+    </message>
+    <message>
+        <source>Give every camera one, or none.</source>
+        <translation>Indique una para todas las cámaras o para ninguna.</translation>
+    </message>
+    <message>
+        <source>Give the radius in meters.</source>
+        <translation>Indique el radio en metros.</translation>
+    </message>
+    <message>
+        <source>Import it again, or calibrate again.</source>
+        <translation>Impórtela de nuevo o calibre otra vez.</translation>
+    </message>
+    <message>
+        <source>Import the calibration again with the right unit (calibration convert --unit).</source>
+        <translation>Importe de nuevo la calibración con la unidad correcta (calibration convert --unit).</translation>
+    </message>
+    <message>
+        <source>In the first %1 s, the images do not fit the calibration: %2.</source>
+        <translation>En los primeros %1 s, las imágenes no encajan con la calibración: %2.</translation>
+    </message>
+    <message>
+        <source>Judging by the numbers in the file names, %2 of %3 images of %1 are missing, the first one after %4.</source>
+        <translation>Según los números de los nombres de archivo, faltan imágenes de %1 (%2 de %3); la primera, después de %4.</translation>
+    </message>
+    <message>
+        <source>Learn the color again in an image of this recording.</source>
+        <translation>Aprenda el color de nuevo en una imagen de esta grabación.</translation>
+    </message>
+    <message>
+        <source>Learn the color again, with samples that do not reach beyond the target.</source>
+        <translation>Aprenda el color de nuevo, con muestras que no se salgan del objetivo.</translation>
+    </message>
+    <message>
+        <source>Learn the color again.</source>
+        <translation>Aprenda el color de nuevo.</translation>
+    </message>
+    <message>
+        <source>Make one project of the live cameras and another one of the recordings.</source>
+        <translation>Cree un proyecto con las cámaras en vivo y otro con las grabaciones.</translation>
+    </message>
+    <message>
+        <source>Make room, or write to another disk with --out.</source>
+        <translation>Libere espacio o escriba en otro disco con --out.</translation>
+    </message>
+    <message>
+        <source>Move the volume, or remove it.</source>
+        <translation>Mueva el volumen o quítelo.</translation>
+    </message>
+    <message>
+        <source>No part of the volume of interest is seen by enough cameras (at least %1).</source>
+        <translation>Ninguna parte del volumen de interés está a la vista de suficientes cámaras (mínimo: %1).</translation>
+    </message>
+    <message>
+        <source>No pixel can have the color of target %1: its range is too narrow.</source>
+        <translation>Ningún píxel puede tener el color del objetivo %1: su rango es demasiado estrecho.</translation>
+    </message>
+    <message>
+        <source>Nothing can be tracked: %1.</source>
+        <translation>No se puede seguir nada: %1.</translation>
+    </message>
+    <message>
+        <source>Nothing can be written to the folder of the project.</source>
+        <translation>No se puede escribir en la carpeta del proyecto.</translation>
+    </message>
+    <message>
+        <source>Only %1 GB are free for results.</source>
+        <translation>Solo hay %1 GB libres para los resultados.</translation>
+    </message>
+    <message>
+        <source>Only %1 MB are free for results.</source>
+        <translation>Solo hay %1 MB libres para los resultados.</translation>
+    </message>
+    <message>
+        <source>Only the first %2 frames are used; check that all begin at the same time.</source>
+        <translation>Solo se usan los primeros %2 fotogramas; compruebe que todas empiecen al mismo tiempo.</translation>
+    </message>
+    <message>
+        <source>Open the project to see whether images arrive.</source>
+        <translation>Abra el proyecto para ver si llegan imágenes.</translation>
+    </message>
+    <message>
+        <source>Other cameras have a table of times, but %1 has none.</source>
+        <translation>Otras cámaras tienen una tabla de tiempos, pero %1 no.</translation>
+    </message>
+    <message>
+        <source>Plug it in, or choose another one.</source>
+        <translation>Conéctelo o elija otro.</translation>
+    </message>
+    <message>
+        <source>Put it back, or correct the path in the project file.</source>
+        <translation>Devuelva el archivo o la carpeta a su sitio, o corrija la ruta en el archivo del proyecto.</translation>
+    </message>
+    <message>
+        <source>Remove frames_per_second unless the video is wrong.</source>
+        <translation>Quite frames_per_second, a menos que el dato del vídeo sea erróneo.</translation>
+    </message>
+    <message>
+        <source>Set frames_per_second; speeds depend on it.</source>
+        <translation>Defina frames_per_second; las velocidades dependen de ello.</translation>
+    </message>
+    <message>
+        <source>Set rotate to 90 or 270 for this camera.</source>
+        <translation>Ponga rotate a 90 o 270 en esta cámara.</translation>
+    </message>
+    <message>
+        <source>Simulated cameras: %1.</source>
+        <translation>Cámaras simuladas: %1.</translation>
+    </message>
+    <message>
+        <source>Solve this problem, then check again.</source>
+        <translation>Resuelva el problema indicado y compruebe de nuevo.</translation>
+    </message>
+    <message>
+        <source>Some cameras are live and others are recordings.</source>
+        <translation>Algunas cámaras son en vivo y otras son grabaciones.</translation>
+    </message>
+    <message>
+        <source>Take it again, or remove empty_room from this camera.</source>
+        <translation>Tómela de nuevo o quite empty_room de esta cámara.</translation>
+    </message>
+    <message>
+        <source>Target %1 has a radius of %2 m, which is larger than a person.</source>
+        <translation>El objetivo %1 tiene un radio de %2 m: sería más grande que una persona.</translation>
+    </message>
+    <message>
+        <source>Target %1 has no box to start from.</source>
+        <translation>El objetivo %1 no tiene ningún recuadro desde el que empezar.</translation>
+    </message>
+    <message>
+        <source>Target %1 has no color yet.</source>
+        <translation>El objetivo %1 aún no tiene color.</translation>
+    </message>
+    <message>
+        <source>The background image of %1 cannot be used: %2.</source>
+        <translation>La imagen de fondo de %1 no se puede usar: %2.</translation>
+    </message>
+    <message>
+        <source>The box of target %1 is in frame %2, but the last frame is frame %3.</source>
+        <translation>El recuadro del objetivo %1 está en el fotograma %2, pero el último fotograma es el %3.</translation>
+    </message>
+    <message>
+        <source>The calibration cannot be right: %1.</source>
+        <translation>La calibración no puede ser correcta: %1.</translation>
+    </message>
+    <message>
+        <source>The calibration is plausible (cameras: %1, largest distance: %2 m).</source>
+        <translation>La calibración es plausible (cámaras: %1, distancia máxima: %2 m).</translation>
+    </message>
+    <message>
+        <source>The cameras are %1 m apart: their positions are probably in units of %2 m.</source>
+        <translation>Las cámaras están a %1 m unas de otras: probablemente sus posiciones están en unidades de %2 m.</translation>
+    </message>
+    <message>
+        <source>The cameras are not calibrated: their poses are guesses, so tracked positions mean nothing.</source>
+        <translation>Las cámaras no están calibradas: sus poses son solo supuestas, así que las posiciones seguidas no significan nada.</translation>
+    </message>
+    <message>
+        <source>The color of target %1 covers %2 % of the images of %3.</source>
+        <translation>El color del objetivo %1 cubre el %2 % de las imágenes de %3.</translation>
+    </message>
+    <message>
+        <source>The color of target %1 covers %2 % of the images.</source>
+        <translation>El color del objetivo %1 cubre el %2 % de las imágenes.</translation>
+    </message>
+    <message>
+        <source>The color of target %1 was found in none of the %2 images that were checked.</source>
+        <translation>El color del objetivo %1 no se encontró en ninguna de las %2 imágenes examinadas.</translation>
+    </message>
+    <message>
+        <source>The color of target %1 was found in none of the images of %2 that were checked.</source>
+        <translation>El color del objetivo %1 no se encontró en ninguna de las imágenes examinadas de %2.</translation>
+    </message>
+    <message>
+        <source>The delay of %1 is %2 s, which is unusual.</source>
+        <translation>El retraso de %1 es de %2 s, lo que es inusual.</translation>
+    </message>
+    <message>
+        <source>The delay of %1, %2 s, is longer than its recording, so it has no image.</source>
+        <translation>El retraso de %1, %2 s, es más largo que su grabación, así que no tiene ninguna imagen.</translation>
+    </message>
+    <message>
+        <source>The device of %1 is connected.</source>
+        <translation>El dispositivo de %1 está conectado.</translation>
+    </message>
+    <message>
+        <source>The device of %1 is not connected: %2.</source>
+        <translation>El dispositivo de %1 no está conectado: %2.</translation>
+    </message>
+    <message>
+        <source>The frame rate of the images is not given; %1 frames per second are assumed.</source>
+        <translation>La frecuencia de las imágenes no está indicada en ningún sitio; se suponen %1 por segundo.</translation>
+    </message>
+    <message>
+        <source>The images of %1 have %2 pixels, but its calibration is for %3.</source>
+        <translation>Las imágenes de %1 tienen %2 píxeles, pero su calibración es para %3.</translation>
+    </message>
+    <message>
+        <source>The method %1 can work with this project.</source>
+        <translation>El método %1 puede trabajar con este proyecto.</translation>
+    </message>
+    <message>
+        <source>The method %1 needs at least %2 cameras; this project has %3.</source>
+        <translation>El método %1 necesita al menos %2 cámaras; hay %3.</translation>
+    </message>
+    <message>
+        <source>The method %1 needs calibrated cameras.</source>
+        <translation>El método %1 necesita cámaras calibradas.</translation>
+    </message>
+    <message>
+        <source>The project can be read.</source>
+        <translation>El proyecto se puede leer.</translation>
+    </message>
+    <message>
+        <source>The project cannot be opened: %1.</source>
+        <translation>No se puede abrir el proyecto: %1.</translation>
+    </message>
+    <message>
+        <source>The project cannot be read: %1.</source>
+        <translation>No se puede leer el proyecto: %1.</translation>
+    </message>
+    <message>
+        <source>The project says %1 frames per second, but the video of %2 has %3.</source>
+        <translation>El proyecto indica %1 fotogramas por segundo, pero el vídeo de %2 tiene %3.</translation>
+    </message>
+    <message>
+        <source>The recording of %1 cannot be opened: %2.</source>
+        <translation>No se puede abrir la grabación de %1: %2.</translation>
+    </message>
+    <message>
+        <source>The recording of %1 is missing: %2.</source>
+        <translation>Falta la grabación de %1: %2.</translation>
+    </message>
+    <message>
+        <source>The recordings differ in length: %1.</source>
+        <translation>Las grabaciones tienen distinta longitud: %1.</translation>
+    </message>
+    <message>
+        <source>The recordings have different frame rates: %1.</source>
+        <translation>Las grabaciones tienen distinta frecuencia de fotogramas: %1.</translation>
+    </message>
+    <message>
+        <source>The stream of %1 was not tested: the check opens no network connections.</source>
+        <translation>El flujo de %1 no se ha probado: la comprobación no abre conexiones de red.</translation>
+    </message>
+    <message>
+        <source>The table of times of %1 cannot be used: %2.</source>
+        <translation>La tabla de tiempos de %1 no se puede usar: %2.</translation>
+    </message>
+    <message>
+        <source>The table of times of %1 has %2 times, but there are %3 images.</source>
+        <translation>La tabla de tiempos de %1 tiene %2 tiempos, pero hay %3 imágenes.</translation>
+    </message>
+    <message>
+        <source>The true positions cannot be read: %1.</source>
+        <translation>No se pueden leer las posiciones verdaderas: %1.</translation>
+    </message>
+    <message>
+        <source>The video of %1 is cut off: %2.</source>
+        <translation>El vídeo de %1 está cortado: %2.</translation>
+    </message>
+    <message>
+        <source>There is room for results: %1 GB are free.</source>
+        <translation>Hay espacio para los resultados: %1 GB libres.</translation>
+    </message>
+    <message>
+        <source>Turn it toward the target, or calibrate it again.</source>
+        <translation>Gírela hacia el objetivo o calíbrela de nuevo.</translation>
+    </message>
+    <message>
+        <source>Use the calibration of these images, or images of the calibrated size.</source>
+        <translation>Use la calibración de estas imágenes, o imágenes del tamaño calibrado.</translation>
+    </message>
+    <message>
+        <source>Use the table that belongs to this recording.</source>
+        <translation>Use la tabla que corresponde a esta grabación.</translation>
+    </message>
+    <message>
+        <source>Write results to another folder with --out.</source>
+        <translation>Escriba los resultados en otra carpeta con --out.</translation>
+    </message>
+</context>
+<context>
+    <name>FindingText</name>
+    <message>
+        <source>camera “%1”</source>
+        <translation>cámara «%1»</translation>
     </message>
 </context>
 <context>
@@ -1802,40 +2244,20 @@
         <translation>A mano, con una cuadrícula</translation>
     </message>
     <message>
-        <source>You need: one known length, such as a table or floor tiles. A first result in minutes.</source>
-        <translation>Se necesita: una longitud conocida, por ejemplo una mesa o las baldosas del suelo. Un primer resultado en minutos.</translation>
-    </message>
-    <message>
         <source>Measured points</source>
         <translation>Puntos medidos</translation>
-    </message>
-    <message>
-        <source>You need: a tape measure and six points that the cameras see. Good for cameras that are mounted in a room.</source>
-        <translation>Se necesita: una cinta métrica y seis puntos que vean las cámaras. Adecuado para cámaras montadas en una sala.</translation>
     </message>
     <message>
         <source>Printed board</source>
         <translation>Tablero impreso</translation>
     </message>
     <message>
-        <source>You need: a printed board that you can carry through the room. The most accurate lenses.</source>
-        <translation>Se necesita: un tablero impreso que pueda llevar por la sala. Las lentes más exactas.</translation>
-    </message>
-    <message>
         <source>Wand: a ball, or a stick with two balls</source>
         <translation>Varita: una bola, o un palo con dos bolas</translation>
     </message>
     <message>
-        <source>You need: rough camera positions and a ball to wave. The most accurate positions in a large room.</source>
-        <translation>Se necesita: posiciones aproximadas de las cámaras y una bola para agitar. Las posiciones más exactas en una sala grande.</translation>
-    </message>
-    <message>
         <source>File of another tool</source>
         <translation>Archivo de otro programa</translation>
-    </message>
-    <message>
-        <source>You need: a calibration of these cameras, for images of this size.</source>
-        <translation>Se necesita: una calibración de estas cámaras para imágenes de este tamaño.</translation>
     </message>
     <message>
         <source>File</source>
@@ -1844,10 +2266,6 @@
     <message>
         <source>Import the file</source>
         <translation>Importar el archivo</translation>
-    </message>
-    <message>
-        <source>Choose the file. The dialog asks for what the file does not say, such as the unit, and shows how far each camera would move.</source>
-        <translation>Elija el archivo. El cuadro de diálogo pregunta lo que el archivo no dice, como la unidad, y muestra cuánto se movería cada cámara.</translation>
     </message>
     <message>
         <source>Import calibration…</source>
@@ -1862,10 +2280,6 @@
         <translation>Imprimir un tablero</translation>
     </message>
     <message>
-        <source>Describe the board on the page Board, and print it at 100 %. Check the scale bar with a ruler, and glue the sheet to something stiff and flat. If you have a board, describe it and go on.</source>
-        <translation>Describa el tablero en la página Tablero e imprímalo al 100 %. Compruebe la barra de escala con una regla y pegue la hoja a algo rígido y plano. Si ya tiene un tablero, descríbalo y continúe.</translation>
-    </message>
-    <message>
         <source>Go to the page Board</source>
         <translation>Ir a la página Tablero</translation>
     </message>
@@ -1878,16 +2292,8 @@
         <translation>Calibrar las lentes</translation>
     </message>
     <message>
-        <source>Choose Intrinsics on the page Board. Show the board to each camera: close, tilted to all sides, and in the corners of the image. Hold it still each time. With a recording, press Calibrate.</source>
-        <translation>Elija Parámetros intrínsecos en la página Tablero. Muestre el tablero a cada cámara: de cerca, inclinado hacia todos los lados y en las esquinas de la imagen. Manténgalo quieto cada vez. Con una grabación, pulse Calibrar.</translation>
-    </message>
-    <message>
         <source>Set the field of view</source>
         <translation>Indicar el campo de visión</translation>
-    </message>
-    <message>
-        <source>Enter the field of view or the focal length of each camera, for example from its data sheet. A calibration of the lens with a board is more accurate, but not necessary for a start.</source>
-        <translation>Introduzca el campo de visión o la distancia focal de cada cámara, por ejemplo de su hoja de datos. Una calibración de la lente con un tablero es más exacta, pero no hace falta para empezar.</translation>
     </message>
     <message>
         <source>Go to the page By hand</source>
@@ -1902,20 +2308,12 @@
         <translation>Colocar la cuadrícula sobre la sala</translation>
     </message>
     <message>
-        <source>Give the grid the size of an object that you know. In each image, drag the grid until it lies on the real object. Click a point of the grid to hold it in place.</source>
-        <translation>Dé a la cuadrícula el tamaño de algo que conozca. En cada imagen, arrastre la cuadrícula hasta que coincida con el objeto real. Haga clic en un punto de la cuadrícula para fijarlo.</translation>
-    </message>
-    <message>
         <source>Points</source>
         <translation>Puntos</translation>
     </message>
     <message>
         <source>Measure points and click them</source>
         <translation>Medir puntos y hacer clic en ellos</translation>
-    </message>
-    <message>
-        <source>Add points with positions in meters, and click each point in the images. Each camera needs four, better six that do not lie in one plane.</source>
-        <translation>Añada puntos con posiciones en metros y haga clic en cada punto en las imágenes. Cada cámara necesita cuatro, mejor seis que no estén en un mismo plano.</translation>
     </message>
     <message>
         <source>Positions</source>
@@ -1926,16 +2324,8 @@
         <translation>Calcular las cámaras</translation>
     </message>
     <message>
-        <source>Press Compute cameras below the table of points. If one point fits badly, the page says which.</source>
-        <translation>Pulse Calcular cámaras debajo de la tabla de puntos. Si un punto no encaja, la página dice cuál.</translation>
-    </message>
-    <message>
         <source>Find the camera positions</source>
         <translation>Encontrar las posiciones de las cámaras</translation>
-    </message>
-    <message>
-        <source>Choose Positions on the page Board. Show the board to at least two cameras at a time, in many parts of the volume. Lay it on the floor once, and press Set floor from board.</source>
-        <translation>Elija Posiciones en la página Tablero. Muestre el tablero a al menos dos cámaras a la vez, en muchas partes del volumen. Póngalo una vez en el suelo y pulse Fijar suelo con tablero.</translation>
     </message>
     <message>
         <source>Rough</source>
@@ -1944,10 +2334,6 @@
     <message>
         <source>Place the cameras roughly</source>
         <translation>Colocar las cámaras aproximadamente</translation>
-    </message>
-    <message>
-        <source>Drag the grid in each image, or the cameras in the bird&apos;s-eye view, until the cameras are within about 12 cm of their places.</source>
-        <translation>Arrastre la cuadrícula en cada imagen, o las cámaras en la vista aérea, hasta que las cámaras estén a unos 12 cm de su lugar.</translation>
     </message>
     <message>
         <source>Ball</source>
@@ -1974,10 +2360,6 @@
         <translation>Agitar la varita</translation>
     </message>
     <message>
-        <source>On the page Wand, choose what you wave and where the scale comes from. Wave slowly, through all of the volume, for half a minute, and press Refine cameras.</source>
-        <translation>Indique en la página Varita qué agita y de dónde viene la escala. Agite despacio por todo el volumen durante medio minuto y pulse Refinar cámaras.</translation>
-    </message>
-    <message>
         <source>Go to the page Wand</source>
         <translation>Ir a la página Varita</translation>
     </message>
@@ -1988,10 +2370,6 @@
     <message>
         <source>Set floor and origin</source>
         <translation>Fijar suelo y origen</translation>
-    </message>
-    <message>
-        <source>Mark three points of the floor in two images each: A becomes the origin, and the x axis points to B. Then press Set floor from A, B and C.</source>
-        <translation>Marque tres puntos del suelo en dos imágenes cada uno: A será el origen y el eje x apunta a B. Después pulse Definir suelo con A, B y C.</translation>
     </message>
     <message>
         <source>Go to the page Floor</source>
@@ -2006,10 +2384,6 @@
         <translation>Comprobar una longitud medida</translation>
     </message>
     <message>
-        <source>Measure a distance in the room, as long as possible. Mark its ends as A and B, enter the distance, and press Check. If it differs, Set scale makes it right.</source>
-        <translation>Mida una distancia en la sala, lo más larga posible. Marque sus extremos como A y B, introduzca la distancia y pulse Comprobar. Si difiere, Definir escala la corrige.</translation>
-    </message>
-    <message>
         <source>Not done yet.</source>
         <translation>Aún no hecho.</translation>
     </message>
@@ -2018,24 +2392,92 @@
         <translation>Hecho.</translation>
     </message>
     <message>
-        <source>Done: differs by %1.</source>
-        <translation>Hecho: difiere en %1.</translation>
-    </message>
-    <message>
-        <source>%1 of %2 cameras.</source>
-        <translation>%1 de %2 cámaras.</translation>
-    </message>
-    <message>
-        <source>%1 of %2 cameras, largest error %3.</source>
-        <translation>%1 de %2 cámaras, error máximo %3.</translation>
-    </message>
-    <message>
         <source>the z axis does not seem to point up</source>
         <translation>el eje z no parece apuntar hacia arriba</translation>
     </message>
     <message>
-        <source>%1, ±%2: too inexact</source>
-        <translation>%1, ±%2: demasiado inexacto</translation>
+        <source>%1, ±%2: too inaccurate</source>
+        <translation>%1, ±%2: demasiado impreciso</translation>
+    </message>
+    <message>
+        <source>You need one known length, such as the length of a table or of a floor tile. You get a first result within minutes.</source>
+        <translation>Necesita una longitud conocida, por ejemplo la de una mesa o una baldosa del suelo. Obtiene un primer resultado en minutos.</translation>
+    </message>
+    <message>
+        <source>You need a tape measure and six points that the cameras see. This way suits cameras that are mounted in a room.</source>
+        <translation>Necesita una cinta métrica y seis puntos que vean las cámaras. Esta forma es adecuada para cámaras montadas en una sala.</translation>
+    </message>
+    <message>
+        <source>You need a printed board that you can carry through the room. This way calibrates the lenses most accurately.</source>
+        <translation>Necesita un tablero impreso que pueda llevar por la sala. Esta forma calibra las lentes con la mayor exactitud.</translation>
+    </message>
+    <message>
+        <source>You need rough camera positions and a ball to wave. This way gives the most accurate camera positions in a large room.</source>
+        <translation>Necesita posiciones aproximadas de las cámaras y una bola para agitar. Esta forma da las posiciones de cámara más exactas en una sala grande.</translation>
+    </message>
+    <message>
+        <source>You need a calibration file for these cameras and for images of this size.</source>
+        <translation>Necesita un archivo de calibración para estas cámaras y para imágenes de este tamaño.</translation>
+    </message>
+    <message>
+        <source>Choose the file. If it lacks something, such as the unit, the dialog asks you for it. The dialog also shows how far each camera would move.</source>
+        <translation>Elija el archivo. Si le falta algo, como la unidad, el cuadro de diálogo se lo pregunta. También muestra cuánto se movería cada cámara.</translation>
+    </message>
+    <message>
+        <source>Describe the board on the page Board, and print it at 100 %. Check the scale bar with a ruler, and glue the sheet to something stiff and flat. If you already have a board, just describe it and go on to the next step.</source>
+        <translation>Describa el tablero en la página Tablero e imprímalo al 100 %. Compruebe la barra de escala con una regla y pegue la hoja a algo rígido y plano. Si ya tiene un tablero, solo descríbalo y pase al paso siguiente.</translation>
+    </message>
+    <message>
+        <source>On the page Board, choose Intrinsics. With live cameras, press Start and show the board to each camera: close, tilted to all sides, and in the corners of the image. Hold it still each time. If you have already recorded this, just press Calibrate.</source>
+        <translation>En la página Tablero, elija Parámetros intrínsecos. Con cámaras en vivo, pulse Empezar y muestre el tablero a cada cámara: de cerca, inclinado hacia todos los lados y en las esquinas de la imagen. Manténgalo quieto cada vez. Si ya lo ha grabado, solo pulse Calibrar.</translation>
+    </message>
+    <message>
+        <source>Enter the field of view or the focal length of each camera, for example from its data sheet. Calibrating the lens with a board is more accurate, but you do not need it to begin.</source>
+        <translation>Introduzca el campo de visión o la distancia focal de cada cámara, por ejemplo de su hoja de datos. Calibrar la lente con un tablero es más exacto, pero no lo necesita para empezar.</translation>
+    </message>
+    <message>
+        <source>Give the grid the size of a real object that you have measured. In each image, drag the grid until it lies on this object. Click a point of the grid to hold it in place.</source>
+        <translation>Dé a la cuadrícula el tamaño de un objeto real que haya medido. En cada imagen, arrastre la cuadrícula hasta que coincida con ese objeto. Haga clic en un punto de la cuadrícula para fijarlo.</translation>
+    </message>
+    <message>
+        <source>Add points whose positions in the room you have measured, in meters. Then click each point in the images. Each camera needs at least four points, or better six that do not all lie in one plane.</source>
+        <translation>Añada puntos cuyas posiciones en la sala haya medido, en metros. Después haga clic en cada punto en las imágenes. Cada cámara necesita al menos cuatro puntos, o mejor seis que no estén todos en un mismo plano.</translation>
+    </message>
+    <message>
+        <source>Press Compute cameras below the table of points. If a point fits badly, the page tells you which one.</source>
+        <translation>Pulse Calcular cámaras debajo de la tabla de puntos. Si un punto encaja mal, la página le dice cuál es.</translation>
+    </message>
+    <message>
+        <source>On the page Board, choose Camera positions. With live cameras, press Start and show the board to at least two cameras at a time, in many parts of the volume. Lay it on the floor once, and press Set floor from board. If you have already recorded this, enter the frame with the board on the floor and press Calibrate.</source>
+        <translation>En la página Tablero, elija Posiciones de las cámaras. Con cámaras en vivo, pulse Empezar y muestre el tablero a al menos dos cámaras a la vez, en muchas partes del volumen. Póngalo una vez en el suelo y pulse Fijar suelo con tablero. Si ya lo ha grabado, indique el fotograma con el tablero en el suelo y pulse Calibrar.</translation>
+    </message>
+    <message>
+        <source>Drag the grid in each image, or the cameras in the bird&apos;s-eye view, until each camera is within about 12 cm of its real position.</source>
+        <translation>Arrastre la cuadrícula en cada imagen, o las cámaras en la vista aérea, hasta que cada cámara esté a menos de unos 12 cm de su posición real.</translation>
+    </message>
+    <message>
+        <source>On the page Wand, choose what you wave and where the scale comes from. With live cameras, press Start waving and wave slowly through the whole volume for half a minute. Then press Refine cameras. If you have already recorded this, just press Refine cameras.</source>
+        <translation>En la página Varita, indique qué agita y de dónde viene la escala. Con cámaras en vivo, pulse Empezar a agitar y agite despacio por todo el volumen durante medio minuto. Después pulse Refinar cámaras. Si ya lo ha grabado, solo pulse Refinar cámaras.</translation>
+    </message>
+    <message>
+        <source>Mark three points of the floor as A, B and C, each in at least two images. A becomes the origin, and the x axis points from A to B. Then press Set floor from A, B and C.</source>
+        <translation>Marque tres puntos del suelo como A, B y C, cada uno en al menos dos imágenes. A será el origen y el eje x apunta de A a B. Después pulse Definir suelo con A, B y C.</translation>
+    </message>
+    <message>
+        <source>Measure a distance in the room, as long as possible. Mark its ends as A and B, enter the distance, and press Check. If the calibration gives a different distance, press Set scale to correct the calibration.</source>
+        <translation>Mida una distancia en la sala, lo más larga posible. Marque sus extremos como A y B, introduzca la distancia y pulse Comprobar. Si la calibración da otra distancia, pulse Definir escala para corregir la calibración.</translation>
+    </message>
+    <message>
+        <source>Done: the distance differs by %1.</source>
+        <translation>Hecho: la distancia difiere en %1.</translation>
+    </message>
+    <message>
+        <source>Done for %1 of %2 cameras.</source>
+        <translation>Hecho en %1 de %2 cámaras.</translation>
+    </message>
+    <message>
+        <source>Done for %1 of %2 cameras. The largest error is %3.</source>
+        <translation>Hecho en %1 de %2 cámaras. El error máximo es %3.</translation>
     </message>
 </context>
 <context>
@@ -2100,10 +2542,6 @@
         <translation>%1 o más</translation>
     </message>
     <message>
-        <source>blank: none</source>
-        <translation>vacío: ninguna</translation>
-    </message>
-    <message>
         <source>blank: fewer than two cameras</source>
         <translation>vacío: menos de dos cámaras</translation>
     </message>
@@ -2114,6 +2552,10 @@
     <message>
         <source>Expected error (1 σ)</source>
         <translation>Error esperado (1 σ)</translation>
+    </message>
+    <message>
+        <source>blank: no camera</source>
+        <translation>vacío: ninguna cámara</translation>
     </message>
 </context>
 <context>
@@ -2156,10 +2598,6 @@
     <message>
         <source>Balls, hands and other colored objects</source>
         <translation>Pelotas, manos y otros objetos de color</translation>
-    </message>
-    <message>
-        <source>Tracks colors and size of the target, and finds it again after it was hidden.</source>
-        <translation>Sigue los colores y el tamaño del objetivo, y lo reencuentra tras una ocultación.</translation>
     </message>
     <message>
         <source>For comparison: mixes up people who come close to each other.</source>
@@ -2208,6 +2646,10 @@
     <message>
         <source>The most accurate: decides whether the target is a ball or has another shape.</source>
         <translation>El más preciso: decide si el objetivo es una bola o tiene otra forma.</translation>
+    </message>
+    <message>
+        <source>Tracks the target by its colors, follows its size, and finds it again after it was hidden.</source>
+        <translation>Sigue el objetivo por sus colores, sigue su tamaño y lo reencuentra tras una ocultación.</translation>
     </message>
 </context>
 <context>
@@ -2308,16 +2750,8 @@
         <translation>Mínimo de partículas</translation>
     </message>
     <message>
-        <source>How far the particles may be from the distribution that they represent (Kullback-Leibler divergence): smaller values use more particles when they are spread out; 0 always uses the largest number.</source>
-        <translation>Cuánto pueden apartarse las partículas de la distribución que representan (divergencia de Kullback-Leibler): valores menores usan más partículas cuando están dispersas; 0 usa siempre el número máximo.</translation>
-    </message>
-    <message>
         <source>How long a target still counts as present when no camera can see its expected position.</source>
         <translation>Cuánto tiempo se considera presente un objetivo cuando ninguna cámara puede ver su posición esperada.</translation>
-    </message>
-    <message>
-        <source>Smallest number of particles of each target, used when all particles agree.</source>
-        <translation>Número mínimo de partículas de cada objetivo, que se usa cuando todas coinciden.</translation>
     </message>
     <message>
         <source>Largest number of particles of each target.</source>
@@ -2376,10 +2810,6 @@
         <translation>Oculto por debajo de</translation>
     </message>
     <message>
-        <source>How different from the reference the colors may be (Bhattacharyya distance): smaller values trust the best particles more.</source>
-        <translation>Cuánto pueden diferir los colores de la referencia (distancia de Bhattacharyya): un valor menor confía más en las mejores partículas.</translation>
-    </message>
-    <message>
         <source>How far particles move at random along each axis between images, in multiples of the target size, in addition to their constant velocity.</source>
         <translation>Cuánto se mueven al azar las partículas a lo largo de cada eje de una imagen a otra, en múltiplos del tamaño del objetivo, además de su velocidad constante.</translation>
     </message>
@@ -2388,20 +2818,8 @@
         <translation>Cuánto se mueven al azar las partículas a lo largo de cada eje de una imagen a otra, además de su velocidad constante: valores mayores siguen movimientos repentinos, pero las dispersan más.</translation>
     </message>
     <message>
-        <source>Largest distance of the target from its predicted position, in multiples of the target size; positions farther away count as unlikely.</source>
-        <translation>Mayor distancia del objetivo a su posición prevista, en múltiplos del tamaño del objetivo; las posiciones más lejanas se consideran improbables.</translation>
-    </message>
-    <message>
         <source>How strongly positions with more of the target&apos;s colors are preferred.</source>
         <translation>Con qué fuerza se prefieren las posiciones con más colores del objetivo.</translation>
-    </message>
-    <message>
-        <source>How much the ratio of width to height may change between images (logarithm); 0 keeps the initial ratio.</source>
-        <translation>Cuánto puede cambiar la proporción entre anchura y altura de una imagen a otra (logaritmo); 0 conserva la proporción inicial.</translation>
-    </message>
-    <message>
-        <source>How much the size of the box may change between images (logarithm); 0 keeps the initial size.</source>
-        <translation>Cuánto puede cambiar el tamaño del recuadro de una imagen a otra (logaritmo); 0 conserva el tamaño inicial.</translation>
     </message>
     <message>
         <source>Jump reach</source>
@@ -2438,10 +2856,6 @@
     <message>
         <source>The target counts as hidden and keeps its position if less than this share of its usual colors is found.</source>
         <translation>El objetivo se considera oculto y conserva su posición si se encuentra menos de esta proporción de sus colores habituales.</translation>
-    </message>
-    <message>
-        <source>1: tracks everyone that several cameras see; 0: tracks only people that you add by hand.</source>
-        <translation>1: sigue a toda persona que ven varias cámaras; 0: sigue solo a las personas que usted añade a mano.</translation>
     </message>
     <message>
         <source>Time after which a new object that stays in place counts as background.</source>
@@ -2504,10 +2918,6 @@
         <translation>Suelo z</translation>
     </message>
     <message>
-        <source>Half the size of the tracked floor area; a person who crosses its border has left.</source>
-        <translation>Mitad del tamaño del suelo vigilado; una persona que cruza su borde se ha ido.</translation>
-    </message>
-    <message>
         <source>Assumed height of a person whose height is not known yet.</source>
         <translation>Estatura supuesta de una persona cuya estatura aún no se conoce.</translation>
     </message>
@@ -2520,28 +2930,12 @@
         <translation>Cuánto tiempo se considera presente a una persona cuando la ven menos de dos cámaras.</translation>
     </message>
     <message>
-        <source>How long foreground that belongs to no tracked person must last before a new track is created.</source>
-        <translation>Cuánto debe durar un primer plano que no corresponde a ninguna persona seguida antes de iniciar un seguimiento nuevo.</translation>
-    </message>
-    <message>
-        <source>How long the cameras only learn the background at the start; nobody should be in view.</source>
-        <translation>Cuánto tiempo aprenden las cámaras solo el fondo al principio; no debe haber nadie a la vista.</translation>
-    </message>
-    <message>
         <source>Number of particles of each person.</source>
         <translation>Número de partículas de cada persona.</translation>
     </message>
     <message>
         <source>Number of points that represent the volume of each person.</source>
         <translation>Número de puntos que representan el volumen de cada persona.</translation>
-    </message>
-    <message>
-        <source>How moving regions are found: 0 one Gaussian per pixel (fast), 1 OpenCV&apos;s MOG2, 2 OpenCV&apos;s KNN.</source>
-        <translation>Cómo se hallan las zonas en movimiento: 0 una gaussiana por píxel (rápido), 1 MOG2 de OpenCV, 2 KNN de OpenCV.</translation>
-    </message>
-    <message>
-        <source>Weight of a camera that sees a whole person: larger values rely more on the masks.</source>
-        <translation>Cuánto cuenta una cámara que ve a una persona entera: valores mayores confían más en las máscaras.</translation>
     </message>
     <message>
         <source>How much the colors of clothes count compared with the masks when people are close to each other.</source>
@@ -2596,10 +2990,6 @@
         <translation>Suavizado de la máscara</translation>
     </message>
     <message>
-        <source>Center of the tracked floor area.</source>
-        <translation>Centro del suelo vigilado.</translation>
-    </message>
-    <message>
         <source>Min. motion likelihood</source>
         <translation>Verosimilitud mínima de movimiento</translation>
     </message>
@@ -2618,14 +3008,6 @@
     <message>
         <source>Sigma of the Gaussian that smooths the motion masks (the paper: 4 px).</source>
         <translation>Sigma de la gaussiana que suaviza las máscaras de movimiento (en el artículo: 4 px).</translation>
-    </message>
-    <message>
-        <source>Standard deviation of a measured hue, in [0, 1].</source>
-        <translation>Desviación típica de un tono medido, en [0, 1].</translation>
-    </message>
-    <message>
-        <source>Standard deviation of a measured saturation, in [0, 1].</source>
-        <translation>Desviación típica de una saturación medida, en [0, 1].</translation>
     </message>
     <message>
         <source>Standard deviation of the noise on each component of the velocity, per frame.</source>
@@ -2648,10 +3030,6 @@
         <translation>Ruido de velocidad</translation>
     </message>
     <message>
-        <source>Lowest brightness of a shadow, as a share of the background&apos;s brightness, at the same hue. Anything darker is foreground.</source>
-        <translation>Brillo mínimo de una sombra, como proporción del brillo del fondo, con el mismo tono. Lo más oscuro es primer plano.</translation>
-    </message>
-    <message>
         <source>Calibration error</source>
         <translation>Error de calibración</translation>
     </message>
@@ -2660,12 +3038,76 @@
         <translation>Error de las direcciones en las que las cámaras ven los objetos. Forma parte de la incertidumbre indicada de una posición. 0,25 es adecuado para una calibración a mano.</translation>
     </message>
     <message>
-        <source>Error of the times of the images. It is part of the reported uncertainty of a moving target. 8 suits webcams.</source>
-        <translation>Error de los tiempos de las imágenes. Forma parte de la incertidumbre indicada de un objetivo en movimiento. 8 es adecuado para cámaras web.</translation>
-    </message>
-    <message>
         <source>Time error</source>
         <translation>Error de tiempo</translation>
+    </message>
+    <message>
+        <source>1 tracks every person that several cameras see. 0 tracks only people that you add by hand.</source>
+        <translation>1 sigue a toda persona que ven varias cámaras. 0 sigue solo a las personas que usted añade a mano.</translation>
+    </message>
+    <message>
+        <source>Center of the tracked floor area along this axis.</source>
+        <translation>Centro del suelo vigilado en este eje.</translation>
+    </message>
+    <message>
+        <source>Error of the times at which the images were taken. It is part of the reported uncertainty of a moving target. 8 suits webcams.</source>
+        <translation>Error de los tiempos en que se tomaron las imágenes. Forma parte de la incertidumbre indicada de un objetivo en movimiento. 8 es adecuado para cámaras web.</translation>
+    </message>
+    <message>
+        <source>Half the size of the tracked floor area along this axis. A person who crosses the border of the area counts as having left.</source>
+        <translation>Mitad del tamaño del suelo vigilado en este eje. Una persona que cruza el borde de esta zona cuenta como que se ha ido.</translation>
+    </message>
+    <message>
+        <source>How far the particles may deviate from the distribution that they represent (Kullback-Leibler divergence). A smaller value uses more particles when the cloud is spread out; 0 always uses the largest number.</source>
+        <translation>Cuánto pueden apartarse las partículas de la distribución que representan (divergencia de Kullback-Leibler). Un valor menor usa más partículas cuando la nube está dispersa; 0 usa siempre el número máximo.</translation>
+    </message>
+    <message>
+        <source>How far the target may be from its predicted position, in multiples of the target size. Positions that are farther away count as unlikely.</source>
+        <translation>Cuánto puede alejarse el objetivo de su posición prevista, en múltiplos del tamaño del objetivo. Las posiciones más lejanas se consideran improbables.</translation>
+    </message>
+    <message>
+        <source>How long a moving region that belongs to no tracked person must be visible before a new track is created.</source>
+        <translation>Cuánto tiempo debe verse una zona en movimiento que no corresponde a ninguna persona seguida antes de iniciar un seguimiento nuevo.</translation>
+    </message>
+    <message>
+        <source>How long the cameras only learn the background at the start. Nobody should be in view during this time.</source>
+        <translation>Cuánto tiempo aprenden las cámaras solo el fondo al principio. Durante este tiempo no debe haber nadie a la vista.</translation>
+    </message>
+    <message>
+        <source>How moving regions are found. 0: one Gaussian for each pixel (fast). 1: MOG2 of OpenCV. 2: KNN of OpenCV.</source>
+        <translation>Cómo se hallan las zonas en movimiento. 0: una gaussiana por píxel (rápido). 1: MOG2 de OpenCV. 2: KNN de OpenCV.</translation>
+    </message>
+    <message>
+        <source>How much each camera that sees a whole person counts: larger values rely more on the masks.</source>
+        <translation>Cuánto cuenta cada cámara que ve a una persona entera: valores mayores confían más en las máscaras.</translation>
+    </message>
+    <message>
+        <source>How much the colors of a particle&apos;s box may differ from the reference colors (Bhattacharyya distance): smaller values trust the best particles more.</source>
+        <translation>Cuánto pueden diferir los colores del recuadro de una partícula de los colores de referencia (distancia de Bhattacharyya): un valor menor confía más en las mejores partículas.</translation>
+    </message>
+    <message>
+        <source>How much the ratio of width to height may change between images, as the standard deviation of its logarithm; 0 keeps the initial ratio.</source>
+        <translation>Cuánto puede cambiar la proporción entre anchura y altura de una imagen a otra, como desviación típica de su logaritmo; 0 conserva la proporción inicial.</translation>
+    </message>
+    <message>
+        <source>How much the size of the box may change between images, as the standard deviation of its logarithm; 0 keeps the initial size.</source>
+        <translation>Cuánto puede cambiar el tamaño del recuadro de una imagen a otra, como desviación típica de su logaritmo; 0 conserva el tamaño inicial.</translation>
+    </message>
+    <message>
+        <source>Lowest brightness of a shadow, as a share of the background&apos;s brightness at the same hue. Anything darker counts as a moving region.</source>
+        <translation>Brillo mínimo de una sombra, como proporción del brillo del fondo con el mismo tono. Todo lo más oscuro cuenta como zona en movimiento.</translation>
+    </message>
+    <message>
+        <source>Smallest number of particles of each target, used when all particles are close together.</source>
+        <translation>Número mínimo de partículas de cada objetivo, que se usa cuando todas están muy juntas.</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a measured hue; hues range from 0 to 1.</source>
+        <translation>Desviación típica de un tono medido; los tonos van de 0 a 1.</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a measured saturation; saturations range from 0 to 1.</source>
+        <translation>Desviación típica de una saturación medida; las saturaciones van de 0 a 1.</translation>
     </message>
 </context>
 <context>
@@ -2936,6 +3378,32 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
     </message>
 </context>
 <context>
+    <name>TakeText</name>
+    <message>
+        <source>%1 left</source>
+        <translation>quedan %1</translation>
+    </message>
+    <message>
+        <source>Recording take %1</source>
+        <translation>Grabando la toma %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n dropped image(s)</source>
+        <translation>
+            <numerusform>%n imagen perdida</numerusform>
+            <numerusform>%n imágenes perdidas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 free</source>
+        <translation>%1 libres</translation>
+    </message>
+    <message>
+        <source>%1: %2 images, %3, %4 dropped, %5</source>
+        <translation>%1: %2 imágenes, %3, %4 perdidas, %5</translation>
+    </message>
+</context>
+<context>
     <name>Timeline</name>
     <message>
         <source>Frame %1, %2</source>
@@ -3067,16 +3535,16 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>Una varita tiene dos pelotas de colores distintos: aprenda el segundo color (Mayús+L).</translation>
     </message>
     <message>
-        <source>Both ends of the wand are the same target: choose another target.</source>
-        <translation>Los dos extremos de la varita son el mismo objetivo: elija otro.</translation>
-    </message>
-    <message>
         <source>The scale comes from a known distance: add the times at which the ball is at each end of this distance.</source>
         <translation>La escala se toma de una distancia conocida: añada los instantes en que la pelota está en cada extremo de esa distancia.</translation>
     </message>
     <message>
         <source>A fall needs two times: one at which the ball starts to fall, and one at which it is still falling.</source>
         <translation>Una caída necesita dos instantes: uno en que la pelota empieza a caer y otro en que todavía cae.</translation>
+    </message>
+    <message>
+        <source>Both ends of the wand are the same target: choose another target for one of them.</source>
+        <translation>Los dos extremos de la varita son el mismo objetivo: elija otro objetivo para uno de ellos.</translation>
     </message>
 </context>
 <context>
@@ -3269,10 +3737,6 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>Buscando el tablero: %p %</translation>
     </message>
     <message>
-        <source>Solving</source>
-        <translation>Calculando</translation>
-    </message>
-    <message>
         <source>Save the report</source>
         <translation>Guardar el informe</translation>
     </message>
@@ -3293,10 +3757,6 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>Buscar tablero</translation>
     </message>
     <message>
-        <source>Find out which board the images show: its kind, squares and dictionary. Sizes in millimeters must be measured</source>
-        <translation>Averiguar qué tablero muestran las imágenes: tipo, casillas y diccionario. Los tamaños en milímetros hay que medirlos</translation>
-    </message>
-    <message>
         <source>Use this board</source>
         <translation>Usar este tablero</translation>
     </message>
@@ -3305,8 +3765,16 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>Buscar en todos los fotogramas</translation>
     </message>
     <message>
-        <source>%1 of %2 images searched show the board as it is described.</source>
-        <translation>%1 de %2 imágenes examinadas muestran el tablero tal como está descrito.</translation>
+        <source>Find out which board the images show: its kind, its squares and its dictionary. Images do not show its size: measure its squares yourself</source>
+        <translation>Averiguar qué tablero muestran las imágenes: su tipo, sus casillas y su diccionario. Las imágenes no muestran su tamaño: mida usted sus casillas</translation>
+    </message>
+    <message>
+        <source>Computing</source>
+        <translation>Calculando</translation>
+    </message>
+    <message>
+        <source>%1 of the %2 searched images show the board that you described.</source>
+        <translation>%1 de las %2 imágenes examinadas muestran el tablero que usted describió.</translation>
     </message>
 </context>
 <context>
@@ -3324,8 +3792,34 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>Calibrar con un tablero</translation>
     </message>
     <message>
-        <source>No board was found. Show the whole board, sharp and evenly lit.</source>
-        <translation>No se encontró ningún tablero. Muestre el tablero entero, nítido y con iluminación uniforme.</translation>
+        <source>No board was found. Show the whole board in focus and in even light, then press Find board again.</source>
+        <translation>No se encontró ningún tablero. Muestre el tablero entero, enfocado y con luz uniforme, y pulse otra vez Buscar tablero.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::BoardFloor</name>
+    <message>
+        <source>Searching the images shown for the board…</source>
+        <translation>Buscando el tablero en las imágenes mostradas…</translation>
+    </message>
+    <message>
+        <source>No camera sees the board %1 well enough. Show images in which it lies on the floor, or describe it on the page Board.</source>
+        <translation>Ninguna cámara ve bien el tablero %1. Muestre imágenes en las que esté en el suelo o descríbalo en la página Tablero.</translation>
+    </message>
+    <message>
+        <source>The cameras were changed meanwhile. Press the button again.</source>
+        <translation>Las cámaras han cambiado entretanto. Pulse el botón de nuevo.</translation>
+    </message>
+    <message>
+        <source>Set the floor from the board</source>
+        <translation>Definir el suelo con el tablero</translation>
+    </message>
+    <message numerus="yes">
+        <source>The floor is set from the board, which %n camera(s) can see (error %1). The world was rotated by %2.</source>
+        <translation>
+            <numerusform>El suelo se ha definido con el tablero, que ve %n cámara (error %1). El mundo ha girado %2.</numerusform>
+            <numerusform>El suelo se ha definido con el tablero, que ven %n cámaras (error %1). El mundo ha girado %2.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3355,10 +3849,6 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>Tipo de tablero</translation>
     </message>
     <message>
-        <source>A ChArUco board may be partly hidden or outside the image; a chessboard must be completely visible</source>
-        <translation>Los tableros ChArUco pueden verse solo en parte; los de ajedrez deben verse enteros</translation>
-    </message>
-    <message>
         <source>Squares across, down</source>
         <translation>Casillas a lo ancho y alto</translation>
     </message>
@@ -3383,10 +3873,6 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>Lado de una casilla</translation>
     </message>
     <message>
-        <source>Measure a long row on the print with a ruler and divide by the number of squares</source>
-        <translation>Mida una fila larga de la hoja impresa con una regla y divida entre el número de casillas</translation>
-    </message>
-    <message>
         <source>Unit of the sizes</source>
         <translation>Unidad de las medidas</translation>
     </message>
@@ -3399,10 +3885,6 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>Lado de un marcador</translation>
     </message>
     <message>
-        <source>Side of the black square around the pattern</source>
-        <translation>Lado del cuadrado negro alrededor del patrón</translation>
-    </message>
-    <message>
         <source>Dictionary of the markers</source>
         <translation>Diccionario de los marcadores</translation>
     </message>
@@ -3413,10 +3895,6 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
     <message>
         <source>Legacy layout (even rows)</source>
         <translation>Diseño antiguo (filas pares)</translation>
-    </message>
-    <message>
-        <source>For ChArUco boards with an even number of rows from software older than OpenCV 4.6: the first square is white</source>
-        <translation>Para tableros ChArUco con un número par de filas de programas anteriores a OpenCV 4.6: la primera casilla es blanca</translation>
     </message>
     <message>
         <source>Inverted colors</source>
@@ -3449,6 +3927,22 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
     <message>
         <source>Dictionary</source>
         <translation>Diccionario</translation>
+    </message>
+    <message>
+        <source>A ChArUco board may be partly hidden, or partly outside the image; a chessboard must be completely visible</source>
+        <translation>Un tablero ChArUco puede estar parcialmente tapado o parcialmente fuera de la imagen; uno de ajedrez debe verse entero</translation>
+    </message>
+    <message>
+        <source>Measure a long row on the print with a ruler, and divide its length by the number of its squares</source>
+        <translation>Mida una fila larga de la hoja impresa con una regla y divida su longitud entre el número de sus casillas</translation>
+    </message>
+    <message>
+        <source>Length of one side of a marker, with its black border</source>
+        <translation>Longitud de un lado de un marcador, con su borde negro</translation>
+    </message>
+    <message>
+        <source>For ChArUco boards with an even number of rows that were made with software older than OpenCV 4.6: their first square is white</source>
+        <translation>Para tableros ChArUco con un número par de filas hechos con programas anteriores a OpenCV 4.6: su primera casilla es blanca</translation>
     </message>
 </context>
 <context>
@@ -3494,16 +3988,8 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>Ojo de pez</translation>
     </message>
     <message>
-        <source>5 for most lenses, 8 for wide-angle lenses, fisheye above about 120°</source>
-        <translation>5 para la mayoría; 8 para gran angular; ojo de pez a partir de unos 120°</translation>
-    </message>
-    <message>
         <source>Frame with the board on the floor</source>
         <translation>Fotograma con el tablero en el suelo</translation>
-    </message>
-    <message>
-        <source>This frame defines the world coordinates: X along the rows, Y toward the upper edge, Z up. Without it, the first camera keeps its position</source>
-        <translation>Este fotograma define las coordenadas del mundo: X a lo largo de las filas, Y hacia el borde superior, Z hacia arriba. Sin él, la primera cámara conserva su posición</translation>
     </message>
     <message>
         <source>Frame number with the board on the floor</source>
@@ -3545,6 +4031,14 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <source>Guidance ends when the position of each camera is this accurate</source>
         <translation>La guía termina cuando la posición de cada cámara tiene esta precisión</translation>
     </message>
+    <message>
+        <source>5 coefficients for most lenses, 8 for wide-angle lenses, fisheye for a field of view above about 120°</source>
+        <translation>5 coeficientes para la mayoría de las lentes, 8 para gran angular, ojo de pez para un campo de visión de más de unos 120°</translation>
+    </message>
+    <message>
+        <source>The board as it lies in this video frame defines the world coordinates: X along its rows, Y toward its upper edge, Z up from the floor. Without such a frame, the first camera keeps its position</source>
+        <translation>El tablero, tal como está en este fotograma del vídeo, define las coordenadas del mundo: X a lo largo de sus filas, Y hacia su borde superior, Z hacia arriba desde el suelo. Sin un fotograma así, la primera cámara conserva su posición</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::BoardLive</name>
@@ -3571,10 +4065,6 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
     <message>
         <source>Set floor from board</source>
         <translation>Fijar suelo con tablero</translation>
-    </message>
-    <message>
-        <source>Use the board on the floor to define the world coordinates: X along its rows, Y toward its upper edge, Z up</source>
-        <translation>Definir las coordenadas del mundo con el tablero en el suelo: X a lo largo de sus filas, Y hacia su borde superior, Z hacia arriba</translation>
     </message>
     <message>
         <source>Next: positions</source>
@@ -3620,16 +4110,16 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <source>Show what to do next in large letters that can be read from across the room, with a sound for each captured view</source>
         <translation>Mostrar qué hacer a continuación en letras grandes que se lean desde el otro lado de la sala, con un sonido por cada vista capturada</translation>
     </message>
+    <message>
+        <source>Define the world coordinates with the board that lies on the floor now: X along its rows, Y toward its upper edge, Z up from the floor</source>
+        <translation>Definir las coordenadas del mundo con el tablero que está ahora en el suelo: X a lo largo de sus filas, Y hacia su borde superior, Z hacia arriba desde el suelo</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::BoxExportDialog</name>
     <message>
         <source>Export boxes</source>
         <translation>Exportar recuadros</translation>
-    </message>
-    <message>
-        <source>Two files are written: boxes.csv (a row per target and frame: box, center, similarity, seen or hidden) and boxes_mot.txt (the format of the MOT challenge). All in pixels.</source>
-        <translation>Se escriben dos archivos: boxes.csv (una fila por objetivo y fotograma: recuadro, centro, similitud, visto u oculto) y boxes_mot.txt (el formato del MOT Challenge). Todo en píxeles.</translation>
     </message>
     <message>
         <source>First lines of boxes.csv</source>
@@ -3682,6 +4172,10 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
     <message>
         <source>Replace</source>
         <translation>Reemplazar</translation>
+    </message>
+    <message>
+        <source>Two files are written. In boxes.csv, each row has the box of one target in one frame, its center, its similarity, and whether the target was seen or hidden. The file boxes_mot.txt has the format of the MOT challenge. All lengths are in pixels.</source>
+        <translation>Se escriben dos archivos. En boxes.csv, cada fila tiene el recuadro de un objetivo en un fotograma, su centro, su similitud y si el objetivo estaba visto u oculto. El archivo boxes_mot.txt tiene el formato del MOT Challenge. Todas las longitudes están en píxeles.</translation>
     </message>
 </context>
 <context>
@@ -3759,10 +4253,6 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>dispersión, px</translation>
     </message>
     <message>
-        <source>Root mean square distance of the particles to their mean</source>
-        <translation>Distancia cuadrática media de las partículas a su media</translation>
-    </message>
-    <message>
         <source>state</source>
         <translation>estado</translation>
     </message>
@@ -3773,6 +4263,10 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
     <message>
         <source>● tracking</source>
         <translation>● seguido</translation>
+    </message>
+    <message>
+        <source>Root mean square distance of the particles from their mean</source>
+        <translation>Distancia cuadrática media de las partículas a su media</translation>
     </message>
 </context>
 <context>
@@ -3928,24 +4422,24 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>centímetros</translation>
     </message>
     <message>
-        <source>%1: largest reprojection difference %2 (refitted)</source>
-        <translation>%1: mayor diferencia de reproyección %2 (reajustada)</translation>
-    </message>
-    <message>
-        <source>%1: largest reprojection difference %2</source>
-        <translation>%1: mayor diferencia de reproyección %2</translation>
-    </message>
-    <message>
-        <source>%1: %2 of 81 test directions no longer map to a pixel</source>
-        <translation>%1: %2 de 81 direcciones de prueba ya no corresponden a un píxel</translation>
-    </message>
-    <message>
         <source>%1 exists and will be replaced.</source>
         <translation>%1 existe y será reemplazado.</translation>
     </message>
     <message>
         <source>Saved %1.</source>
         <translation>Se guardó %1.</translation>
+    </message>
+    <message>
+        <source>%1: projected points change by at most %2 (the lens was fitted again to what the format can store)</source>
+        <translation>%1: los puntos proyectados cambian como mucho %2 (la lente se reajustó a lo que el formato puede guardar)</translation>
+    </message>
+    <message>
+        <source>%1: projected points change by at most %2</source>
+        <translation>%1: los puntos proyectados cambian como mucho %2</translation>
+    </message>
+    <message>
+        <source>%1: with the exported lens, %2 of 81 tested directions no longer have a pixel</source>
+        <translation>%1: con la lente exportada, %2 de 81 direcciones probadas ya no tienen píxel</translation>
     </message>
 </context>
 <context>
@@ -4091,16 +4585,8 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>La calibración usa otros nombres de cámara. Las cámaras se asignaron por orden.</translation>
     </message>
     <message>
-        <source>The file contains no pose: only the intrinsics are imported, and the pose is kept.</source>
-        <translation>El archivo no contiene ninguna pose: solo se importan los parámetros intrínsecos y se conserva la pose.</translation>
-    </message>
-    <message>
         <source>%1 (in the file: %2): moves by %3 and rotates by %4</source>
         <translation>%1 (en el archivo: %2): se desplaza %3 y gira %4</translation>
-    </message>
-    <message>
-        <source>Largest reprojection difference from the file: %1</source>
-        <translation>Mayor diferencia de reproyección con el archivo: %1</translation>
     </message>
     <message>
         <source>Import calibration</source>
@@ -4113,14 +4599,6 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
     <message>
         <source>match automatically</source>
         <translation>asignar automáticamente</translation>
-    </message>
-    <message>
-        <source>The camera of the file that each camera of the project uses</source>
-        <translation>La cámara del archivo que usa cada cámara del proyecto</translation>
-    </message>
-    <message>
-        <source>equal the calibrated ones</source>
-        <translation>iguales a las calibradas</translation>
     </message>
     <message>
         <source>cropped on all sides</source>
@@ -4147,10 +4625,6 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>Las imágenes son</translation>
     </message>
     <message>
-        <source>How images of another size differ from those that were calibrated</source>
-        <translation>En qué se diferencian las imágenes de otro tamaño de las calibradas</translation>
-    </message>
-    <message>
         <source>Names in the file</source>
         <translation>Nombres en el archivo</translation>
     </message>
@@ -4161,6 +4635,26 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
     <message>
         <source>Probably a mistake: %1</source>
         <translation>Probablemente un error: %1</translation>
+    </message>
+    <message>
+        <source>For each camera of the project: the camera of the file whose calibration it uses</source>
+        <translation>Para cada cámara del proyecto: la cámara del archivo cuya calibración usa</translation>
+    </message>
+    <message>
+        <source>the same as when calibrated</source>
+        <translation>iguales que al calibrar</translation>
+    </message>
+    <message>
+        <source>How the images of the project differ from those of the calibration, if they have another size</source>
+        <translation>En qué se diferencian las imágenes del proyecto de las de la calibración, si tienen otro tamaño</translation>
+    </message>
+    <message>
+        <source>The file contains no pose. Only the intrinsics are imported; the camera keeps its current pose.</source>
+        <translation>El archivo no contiene ninguna pose. Solo se importan los parámetros intrínsecos; la cámara conserva su pose actual.</translation>
+    </message>
+    <message>
+        <source>Compared with the file, projected points change by at most %1</source>
+        <translation>En comparación con el archivo, los puntos proyectados cambian como mucho %1</translation>
     </message>
 </context>
 <context>
@@ -4280,10 +4774,6 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>Con tres puntos sujetos, ajustar la distancia focal</translation>
     </message>
     <message>
-        <source>Three held points fix the pose. Dragging then changes the focal length, and the pose follows</source>
-        <translation>Tres puntos sujetos fijan la pose. Al arrastrar cambia entonces la distancia focal, y la pose la sigue</translation>
-    </message>
-    <message>
         <source>Keys</source>
         <translation>Teclas</translation>
     </message>
@@ -4298,10 +4788,6 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
     <message>
         <source>Effect of the keys</source>
         <translation>Efecto de las teclas</translation>
-    </message>
-    <message>
-        <source>Arrows or W A S D, with Q and E or the page keys: 1 cm or 0.2° a step. Shift: ten times as much; Ctrl with arrows and page keys: a tenth.</source>
-        <translation>Flechas o W A S D, con Q y E o las teclas de página: 1 cm o 0,2° por paso. Mayús: diez veces más; Ctrl con flechas y teclas de página: una décima parte.</translation>
     </message>
     <message>
         <source>camera axes</source>
@@ -4382,6 +4868,14 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
     <message>
         <source>pitch</source>
         <translation>cabeceo</translation>
+    </message>
+    <message>
+        <source>Three held points fix the pose. With this option, dragging changes the focal length, and the pose is adapted so that the three points stay in place</source>
+        <translation>Tres puntos sujetos fijan la pose. Con esta opción, arrastrar cambia la distancia focal, y la pose se adapta para que los tres puntos queden en su sitio</translation>
+    </message>
+    <message>
+        <source>The arrow keys, the page keys and W, A, S, D, Q and E move or turn the camera by 1 cm or 0.2° a step. With Shift, the steps are ten times as large. With Ctrl, the steps of the arrow and page keys are a tenth as large.</source>
+        <translation>Las flechas, las teclas de página y W, A, S, D, Q y E mueven o giran la cámara 1 cm o 0,2° por paso. Con Mayús, los pasos son diez veces más grandes. Con Ctrl, los pasos de las flechas y las teclas de página son la décima parte.</translation>
     </message>
 </context>
 <context>
@@ -4720,12 +5214,12 @@ en %4, %5, %6</translation>
         <translation>Aprender el color del objetivo en este punto</translation>
     </message>
     <message>
-        <source>Add this color to the target&apos;s (Shift-click does the same)</source>
-        <translation>Añadir este color a los del objetivo (Mayús-clic hace lo mismo)</translation>
+        <source>Add this color to the colors of the target (Shift-click does the same)</source>
+        <translation>Añadir este color a los colores del objetivo (Mayús-clic hace lo mismo)</translation>
     </message>
     <message>
-        <source>Learn that the target does not have this color (or Alt-click)</source>
-        <translation>Aprender que el objetivo no tiene este color (o Alt-clic)</translation>
+        <source>Learn that the target does not have this color (Alt-click does the same)</source>
+        <translation>Aprender que el objetivo no tiene este color (Alt-clic hace lo mismo)</translation>
     </message>
 </context>
 <context>
@@ -4770,10 +5264,6 @@ en %4, %5, %6</translation>
         <translation>Un objetivo nuevo</translation>
     </message>
     <message>
-        <source>Drag the ring and the bars, or press Learn and click the target.</source>
-        <translation>Arrastre el anillo y las barras, o pulse Aprender y haga clic en el objetivo.</translation>
-    </message>
-    <message>
         <source>Click the object to track in any camera image.</source>
         <translation>Haga clic en cualquier imagen en el objeto que quiere seguir.</translation>
     </message>
@@ -4801,6 +5291,10 @@ en %4, %5, %6</translation>
         <source>Remove color</source>
         <translation>Quitar color</translation>
     </message>
+    <message>
+        <source>To set the target&apos;s color, drag the ring and the bars, or press Learn and click the target.</source>
+        <translation>Para definir el color del objetivo, arrastre el anillo y las barras, o pulse Aprender y haga clic en el objetivo.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::ColorPicker</name>
@@ -4825,22 +5319,6 @@ en %4, %5, %6</translation>
         <translation>Último tono, de 0 a 360 grados</translation>
     </message>
     <message>
-        <source>Least saturation, 0 to 1</source>
-        <translation>Saturación mínima, de 0 a 1</translation>
-    </message>
-    <message>
-        <source>Greatest saturation, 0 to 1</source>
-        <translation>Saturación máxima, de 0 a 1</translation>
-    </message>
-    <message>
-        <source>Least intensity, 0 to 1</source>
-        <translation>Intensidad mínima, de 0 a 1</translation>
-    </message>
-    <message>
-        <source>Greatest intensity, 0 to 1</source>
-        <translation>Intensidad máxima, de 0 a 1</translation>
-    </message>
-    <message>
         <source>Drag the ends or the center. Keyboard: Tab selects a handle, arrow keys move it (ten times as far with Shift)</source>
         <translation>Arrastre los extremos o el centro. Teclado: Tab elige un control, las flechas lo mueven (con Mayús, diez veces más)</translation>
     </message>
@@ -4855,6 +5333,22 @@ en %4, %5, %6</translation>
     <message>
         <source>Range of intensity</source>
         <translation>Intervalo de intensidad</translation>
+    </message>
+    <message>
+        <source>Smallest saturation, 0 to 1</source>
+        <translation>Saturación mínima, de 0 a 1</translation>
+    </message>
+    <message>
+        <source>Largest saturation, 0 to 1</source>
+        <translation>Saturación máxima, de 0 a 1</translation>
+    </message>
+    <message>
+        <source>Smallest intensity, 0 to 1</source>
+        <translation>Intensidad mínima, de 0 a 1</translation>
+    </message>
+    <message>
+        <source>Largest intensity, 0 to 1</source>
+        <translation>Intensidad máxima, de 0 a 1</translation>
     </message>
 </context>
 <context>
@@ -4880,16 +5374,16 @@ en %4, %5, %6</translation>
         <translation>%1, fotograma %2, en %3, %4</translation>
     </message>
     <message>
-        <source>found: %1, frame %2, at %3, %4</source>
-        <translation>encontrada: %1, fotograma %2, en %3, %4</translation>
-    </message>
-    <message>
         <source>Shift-click in an image to add a sample, Alt-click or Ctrl+Shift-click to exclude one. Samples marked “found” were detected in other cameras.</source>
         <translation>Mayús+clic en una imagen añade una muestra; Alt+clic o Ctrl+Mayús+clic excluye una. Las muestras marcadas como «encontrada» se detectaron en otras cámaras.</translation>
     </message>
     <message>
-        <source>Remove the selected sample and learn from the others (Del). A found sample becomes an excluded one.</source>
-        <translation>Quitar la muestra elegida y aprender de las demás (Supr). Una muestra encontrada pasa a estar excluida.</translation>
+        <source>Remove the selected sample and learn from the others (Del). If the sample is marked “found”, it becomes an excluded sample.</source>
+        <translation>Quitar la muestra elegida y aprender de las demás (Supr). Si la muestra está marcada como «encontrada», pasa a ser una muestra excluida.</translation>
+    </message>
+    <message>
+        <source>found by Dewpoint: %1, frame %2, at %3, %4</source>
+        <translation>encontrado por Dewpoint: %1, fotograma %2, en %3, %4</translation>
     </message>
 </context>
 <context>
@@ -4914,10 +5408,6 @@ en %4, %5, %6</translation>
 <context>
     <name>dewpoint::ui::CorrectionMode</name>
     <message>
-        <source>Drag the target to its true position in an image; do the same in another image to fix its depth. Press Esc to finish.</source>
-        <translation>Arrastre el objetivo a su posición real en una imagen; haga lo mismo en otra imagen para fijar su profundidad. Pulse Esc para terminar.</translation>
-    </message>
-    <message>
         <source>Correct position</source>
         <translation>Corregir la posición</translation>
     </message>
@@ -4933,6 +5423,10 @@ en %4, %5, %6</translation>
         <source>Set the target&apos;s position in this frame to this point; tracking continues from there</source>
         <translation>Fijar la posición del objetivo en este fotograma en este punto; el seguimiento continúa desde ahí</translation>
     </message>
+    <message>
+        <source>Drag the target to its true position in one image. To set its depth as well, do the same in a second image. Press Esc to finish.</source>
+        <translation>Arrastre el objetivo a su posición real en una imagen. Para fijar también su profundidad, haga lo mismo en otra imagen. Pulse Esc para terminar.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::CorrectionTool</name>
@@ -4945,16 +5439,16 @@ en %4, %5, %6</translation>
         <translation>Imagen de %1: las flechas mueven una cruz, Intro fija ahí la posición del objetivo</translation>
     </message>
     <message>
-        <source>Frames are being tracked again: wait until that is done, or pause.</source>
-        <translation>Se están siguiendo fotogramas otra vez: espere a que termine, o haga una pausa.</translation>
-    </message>
-    <message>
         <source>There is no target yet: learn its color first.</source>
         <translation>Aún no hay ningún objetivo: aprenda primero su color.</translation>
     </message>
     <message>
-        <source>Select a target in the list first, or drag its estimate.</source>
-        <translation>Elija primero un objetivo en la lista o arrastre su estimación.</translation>
+        <source>Frames are being tracked again: wait until tracking has finished, or pause it.</source>
+        <translation>Se están siguiendo fotogramas otra vez: espere a que termine el seguimiento, o póngalo en pausa.</translation>
+    </message>
+    <message>
+        <source>Select a target in the panel Target first, or drag the estimate of a target.</source>
+        <translation>Elija primero un objetivo en el panel Objetivo, o arrastre la estimación de un objetivo.</translation>
     </message>
 </context>
 <context>
@@ -4962,6 +5456,17 @@ en %4, %5, %6</translation>
     <message>
         <source>%1: %2 detections, in %3 of %4 regions of the image</source>
         <translation>%1: %2 detecciones, en %3 de %4 zonas de la imagen</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::CrashReports</name>
+    <message>
+        <source>Dewpoint closed unexpectedly last time and left a report of what happened.</source>
+        <translation>La última vez, Dewpoint se cerró inesperadamente. Dejó un informe de lo ocurrido.</translation>
+    </message>
+    <message>
+        <source>Show report</source>
+        <translation>Mostrar informe</translation>
     </message>
 </context>
 <context>
@@ -5005,8 +5510,8 @@ en %4, %5, %6</translation>
         <translation>Suelte vídeos aquí o añádalos</translation>
     </message>
     <message>
-        <source>One per camera; also folders of images, and a calibration file</source>
-        <translation>Uno por cámara; también carpetas de imágenes y un archivo de calibración</translation>
+        <source>One video per camera, or image folders; also a calibration file</source>
+        <translation>Un vídeo por cámara o carpetas de imágenes; también un archivo de calibración</translation>
     </message>
 </context>
 <context>
@@ -5057,10 +5562,6 @@ en %4, %5, %6</translation>
     <message>
         <source>Experiments</source>
         <translation>Experimentos</translation>
-    </message>
-    <message>
-        <source>Number of seeds. More seeds take longer and give more certain results.</source>
-        <translation>Cuántas semillas: más tardan más y son más seguras</translation>
     </message>
     <message>
         <source>Folder for the report, its pictures and its numbers</source>
@@ -5169,6 +5670,10 @@ en %4, %5, %6</translation>
     <message>
         <source>Choose the folder of the recordings</source>
         <translation>Elegir la carpeta de las grabaciones</translation>
+    </message>
+    <message>
+        <source>How often each case is run, each time with another seed. More runs take longer and give more certain results.</source>
+        <translation>Cuántas veces se ejecuta cada caso, cada vez con otra semilla. Más ejecuciones tardan más y dan resultados más seguros.</translation>
     </message>
 </context>
 <context>
@@ -5285,32 +5790,16 @@ en %4, %5, %6</translation>
         <translation>Estimaciones</translation>
     </message>
     <message>
-        <source>Live: as estimated during the run. Smoothed: from all frames, before and after</source>
-        <translation>En vivo: como se estimaron durante la ejecución. Suavizadas: con todos los fotogramas, anteriores y posteriores</translation>
-    </message>
-    <message>
         <source>From</source>
         <translation>Desde</translation>
-    </message>
-    <message>
-        <source>First time, 0 to 1,000,000 s</source>
-        <translation>Primer instante, de 0 a 1.000.000 s</translation>
     </message>
     <message>
         <source>To</source>
         <translation>Hasta</translation>
     </message>
     <message>
-        <source>Last time, 0 to 1,000,000 s</source>
-        <translation>Último instante, de 0 a 1.000.000 s</translation>
-    </message>
-    <message>
         <source>Rate</source>
         <translation>Frecuencia</translation>
-    </message>
-    <message>
-        <source>Rows per second, 0.001 to 10,000; interpolated</source>
-        <translation>Filas por segundo, de 0,001 a 10.000; interpoladas</translation>
     </message>
     <message>
         <source>Gaps</source>
@@ -5369,10 +5858,6 @@ en %4, %5, %6</translation>
         <translation>Notas sobre la ejecución</translation>
     </message>
     <message>
-        <source>Method, seed, parameters, units and axes as comments in the file</source>
-        <translation>Método, semilla, parámetros, unidades y ejes como comentarios en el archivo</translation>
-    </message>
-    <message>
         <source>live</source>
         <translation>en vivo</translation>
     </message>
@@ -5407,6 +5892,26 @@ en %4, %5, %6</translation>
     <message>
         <source>millimeters</source>
         <translation>milímetros</translation>
+    </message>
+    <message>
+        <source>Live: as estimated during the run. Smoothed: estimated after the run, from all earlier and later frames</source>
+        <translation>En vivo: como se estimaron durante la ejecución. Suavizadas: estimadas tras la ejecución con todos los fotogramas anteriores y posteriores</translation>
+    </message>
+    <message>
+        <source>Earliest time to export, 0 to 1,000,000 s</source>
+        <translation>Primer instante que se exporta, de 0 a 1.000.000 s</translation>
+    </message>
+    <message>
+        <source>Latest time to export, 0 to 1,000,000 s</source>
+        <translation>Último instante que se exporta, de 0 a 1.000.000 s</translation>
+    </message>
+    <message>
+        <source>Rows per second, 0.001 to 10,000. Positions between frames are interpolated</source>
+        <translation>Filas por segundo, de 0,001 a 10.000. Las posiciones entre fotogramas se interpolan</translation>
+    </message>
+    <message>
+        <source>Write the method, seed, parameters, units and axes into the file as comments</source>
+        <translation>Escribir el método, la semilla, los parámetros, las unidades y los ejes en el archivo como comentarios</translation>
     </message>
 </context>
 <context>
@@ -5538,10 +6043,6 @@ en %4, %5, %6</translation>
         <translation>Origen %1</translation>
     </message>
     <message>
-        <source>Corner at which the grid&apos;s axes start, in meters</source>
-        <translation>Esquina en que empiezan los ejes de la cuadrícula, en metros</translation>
-    </message>
-    <message>
         <source>Spacing, rotation</source>
         <translation>Paso, giro</translation>
     </message>
@@ -5590,8 +6091,12 @@ en %4, %5, %6</translation>
         <translation>Mostrar la cuadrícula anterior a sus cambios</translation>
     </message>
     <message>
-        <source>Hold down (or hold B over an image) to show the grid as it was when the calibration was opened</source>
-        <translation>Mantenga pulsado (o B sobre una imagen) para mostrar la cuadrícula como estaba al abrir la calibración</translation>
+        <source>Position of the corner at which the axes of the grid start, in meters</source>
+        <translation>Posición de la esquina en que empiezan los ejes de la cuadrícula, en metros</translation>
+    </message>
+    <message>
+        <source>Hold down this button to show the grid as it was when the calibration was opened. Or hold down B while the pointer is over an image</source>
+        <translation>Mantenga pulsado este botón para mostrar la cuadrícula como estaba al abrir la calibración. O mantenga pulsada la tecla B con el puntero sobre una imagen</translation>
     </message>
 </context>
 <context>
@@ -5611,10 +6116,6 @@ en %4, %5, %6</translation>
 </context>
 <context>
     <name>dewpoint::ui::GuidePage</name>
-    <message>
-        <source>The camera positions are only guesses. Calibrate the cameras, so that 3D positions mean something.</source>
-        <translation>Las posiciones de las cámaras son solo suposiciones. Calibre las cámaras para que las posiciones 3D tengan sentido.</translation>
-    </message>
     <message>
         <source>Calibrate…</source>
         <translation>Calibrar…</translation>
@@ -5680,10 +6181,6 @@ en %4, %5, %6</translation>
         <translation>○ Exactitud en el volumen calibrado: no medida</translation>
     </message>
     <message>
-        <source>✓ Measured length: %1, found %2</source>
-        <translation>✓ Longitud medida: %1, encontrada %2</translation>
-    </message>
-    <message>
         <source>Step %1 of %2: %3</source>
         <translation>Paso %1 de %2: %3</translation>
     </message>
@@ -5692,16 +6189,24 @@ en %4, %5, %6</translation>
         <translation>Otra forma…</translation>
     </message>
     <message>
-        <source>Show all ways to calibrate. What is known about the cameras stays.</source>
-        <translation>Mostrar todas las formas de calibrar. Lo que se sabe de las cámaras se conserva.</translation>
-    </message>
-    <message>
         <source>Choose a way to calibrate</source>
         <translation>Elija una forma de calibrar</translation>
     </message>
     <message>
-        <source>✓ measured with this program: ± is the standard deviation. ○ entered, set by hand or read from a file: nobody checked it. ⚠ only a guess, or too inexact.</source>
-        <translation>✓ medido con este programa: ± es la desviación típica. ○ introducido, ajustado a mano o leído de un archivo: nadie lo comprobó. ⚠ solo una suposición, o demasiado inexacto.</translation>
+        <source>The camera positions are only guesses. Calibrate the cameras to get correct 3D positions.</source>
+        <translation>Las posiciones de las cámaras son solo suposiciones. Calibre las cámaras para obtener posiciones 3D correctas.</translation>
+    </message>
+    <message>
+        <source>✓ measured with this program; ± is the standard deviation. ○ entered, set by hand or read from a file, and not checked. ⚠ only a guess, or too inaccurate.</source>
+        <translation>✓ medido con este programa; ± es la desviación típica. ○ introducido, ajustado a mano o leído de un archivo, y no comprobado. ⚠ solo una suposición, o demasiado impreciso.</translation>
+    </message>
+    <message>
+        <source>Show all ways to calibrate. The calibration so far is kept.</source>
+        <translation>Mostrar todas las formas de calibrar. La calibración hecha hasta ahora se conserva.</translation>
+    </message>
+    <message>
+        <source>✓ Length check: you measured %1, the calibration gives %2</source>
+        <translation>✓ Comprobación de longitud: usted midió %1, la calibración da %2</translation>
     </message>
 </context>
 <context>
@@ -5798,12 +6303,6 @@ Shift-click works at any time.</source>
 Mayús-clic funciona en cualquier momento.</translation>
     </message>
     <message>
-        <source>Click the target in a camera image, or drag a box on it,
-to learn its color again.</source>
-        <translation>Haga clic en el objetivo en una imagen, o dibuje un recuadro sobre él,
-para aprender su color de nuevo.</translation>
-    </message>
-    <message>
         <source>Click another part of the target, or the target in different light.
 Shift-click works at any time.</source>
         <translation>Haga clic en otra parte del objetivo, o en el objetivo con otra luz.
@@ -5815,6 +6314,12 @@ Alt-click or Ctrl+Shift-click works at any time.</source>
         <translation>Haga clic en algo que coincide pero no es el objetivo.
 Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
     </message>
+    <message>
+        <source>Click the target in a camera image, or drag a box around it,
+to learn its color again.</source>
+        <translation>Haga clic en el objetivo en una imagen de cámara, o arrastre un recuadro
+alrededor, para aprender de nuevo su color.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::LegendPicture</name>
@@ -5825,10 +6330,6 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
     <message>
         <source>Solid ellipse: the target is inside with a probability of 95 %. A smaller ellipse is more certain.</source>
         <translation>Elipse continua: el objetivo está dentro con una probabilidad del 95 %. Una elipse menor es más segura.</translation>
-    </message>
-    <message>
-        <source>Dashed ellipse: the size of the target itself, where it is not a ball.</source>
-        <translation>Elipse discontinua: el tamaño del propio objetivo, cuando no es una bola.</translation>
     </message>
     <message>
         <source>White diamond: the true position of the target, known only in simulated scenes such as the demo.</source>
@@ -5850,6 +6351,10 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <source>Tinted and outlined: regions with the color of the target (View › Show mask).</source>
         <translation>Teñido y contorneado: zonas con el color del objetivo (Ver › Mostrar máscara).</translation>
     </message>
+    <message>
+        <source>Dashed ellipse: the size of the target itself, if the target is not a ball.</source>
+        <translation>Elipse discontinua: el tamaño del propio objetivo, si el objetivo no es una bola.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::MainWindow</name>
@@ -5865,10 +6370,6 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
 <context>
     <name>dewpoint::ui::ManualCalibration</name>
     <message>
-        <source>Three points are already held. Click one of them to release it</source>
-        <translation>Ya hay tres puntos sujetos. Haga clic en uno para soltarlo</translation>
-    </message>
-    <message>
         <source>Drag the grid in %1</source>
         <translation>Arrastrar la cuadrícula en %1</translation>
     </message>
@@ -5883,10 +6384,6 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
     <message>
         <source>Limit reached: no nearby pose keeps the held points in place</source>
         <translation>Límite alcanzado: ninguna pose cercana mantiene los puntos sujetos en su sitio</translation>
-    </message>
-    <message>
-        <source>Three held points fix the pose. Release one of them, or let the focal length change</source>
-        <translation>Tres puntos sujetos fijan la pose. Suelte uno, o deje que cambie la distancia focal</translation>
     </message>
     <message>
         <source>right</source>
@@ -5919,6 +6416,14 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
     <message>
         <source>%1 focal length %2 %</source>
         <translation>%1 distancia focal %2 %</translation>
+    </message>
+    <message>
+        <source>At most three grid points can be held in place. To release one, click it</source>
+        <translation>Se pueden fijar como máximo tres puntos de la cuadrícula. Para soltar uno, haga clic en él</translation>
+    </message>
+    <message>
+        <source>Three held points fix the pose. Release one of them, or turn on “Also fit the focal length when three points are held”</source>
+        <translation>Tres puntos sujetos fijan la pose. Suelte uno de ellos, o active «Con tres puntos sujetos, ajustar la distancia focal»</translation>
     </message>
 </context>
 <context>
@@ -6177,12 +6682,161 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
 <context>
     <name>dewpoint::ui::OldResultsOffer</name>
     <message>
-        <source>Settings changed since this run.</source>
-        <translation>Los ajustes cambiaron después de esta ejecución.</translation>
-    </message>
-    <message>
         <source>Track again</source>
         <translation>Seguir de nuevo</translation>
+    </message>
+    <message>
+        <source>The settings have changed since these frames were tracked.</source>
+        <translation>Los ajustes han cambiado desde que se siguieron estos fotogramas.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::OutputController</name>
+    <message>
+        <source>%1: %2 sent, %3 dropped</source>
+        <translation>%1: %2 enviados, %3 descartados</translation>
+    </message>
+    <message numerus="yes">
+        <source>Sending, %n program(s) connected</source>
+        <translation>
+            <numerusform>Enviando, %n programa conectado</numerusform>
+            <numerusform>Enviando, %n programas conectados</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Sending</source>
+        <translation>Enviando</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::OutputDialog</name>
+    <message>
+        <source>Change outputs</source>
+        <translation>Cambiar las salidas</translation>
+    </message>
+    <message>
+        <source>Outputs – Dewpoint</source>
+        <translation>Salidas – Dewpoint</translation>
+    </message>
+    <message>
+        <source>Where results go while a run lasts. Nothing is sent before you choose Run › Send results.</source>
+        <translation>Adónde van los resultados durante una ejecución. No se envía nada hasta que elija Ejecución › Enviar resultados.</translation>
+    </message>
+    <message>
+        <source>JSON lines, TCP port</source>
+        <translation>Líneas JSON, puerto TCP</translation>
+    </message>
+    <message>
+        <source>Programs that connect to this port get one line of JSON for each frame</source>
+        <translation>Los programas que se conectan a este puerto reciben una línea JSON por fotograma</translation>
+    </message>
+    <message>
+        <source>TCP port</source>
+        <translation>Puerto TCP</translation>
+    </message>
+    <message>
+        <source>WebSocket and web page, port</source>
+        <translation>WebSocket y página web, puerto</translation>
+    </message>
+    <message>
+        <source>A page that shows the targets in a browser, and a WebSocket for programs</source>
+        <translation>Una página que muestra los objetivos en un navegador y un WebSocket para programas</translation>
+    </message>
+    <message>
+        <source>WebSocket port</source>
+        <translation>Puerto WebSocket</translation>
+    </message>
+    <message>
+        <source>OSC to</source>
+        <translation>OSC a</translation>
+    </message>
+    <message>
+        <source>Computer and UDP port that OSC messages are sent to, such as 127.0.0.1:9000. Empty: off</source>
+        <translation>Equipo y puerto UDP a los que se envían mensajes OSC, por ejemplo 127.0.0.1:9000. Vacío: desactivado</translation>
+    </message>
+    <message>
+        <source>TUIO to</source>
+        <translation>TUIO a</translation>
+    </message>
+    <message>
+        <source>Computer and UDP port that TUIO 1.1 3D cursors are sent to, such as 127.0.0.1:3333. Empty: off</source>
+        <translation>Equipo y puerto UDP a los que se envían cursores 3D de TUIO 1.1, por ejemplo 127.0.0.1:3333. Vacío: desactivado</translation>
+    </message>
+    <message>
+        <source>CSV file</source>
+        <translation>Archivo CSV</translation>
+    </message>
+    <message>
+        <source>File or named pipe that gets one line for each target and frame. Empty: off</source>
+        <translation>Archivo o tubería con nombre que recibe una línea por objetivo y fotograma. Vacío: desactivado</translation>
+    </message>
+    <message>
+        <source>Ports are open to</source>
+        <translation>Los puertos están abiertos a</translation>
+    </message>
+    <message>
+        <source>Which computers can connect to the ports. Anyone in the network can then see the results</source>
+        <translation>Qué equipos pueden conectarse a los puertos. Entonces cualquiera en la red puede ver los resultados</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Ejes</translation>
+    </message>
+    <message>
+        <source>Axes of the positions that are sent</source>
+        <translation>Ejes de las posiciones que se envían</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unidad</translation>
+    </message>
+    <message>
+        <source>Unit of the positions that are sent</source>
+        <translation>Unidad de las posiciones que se envían</translation>
+    </message>
+    <message>
+        <source>Frames per second, at most</source>
+        <translation>Fotogramas por segundo, como máximo</translation>
+    </message>
+    <message>
+        <source>Largest number of frames per second that are sent. 0: all frames</source>
+        <translation>Mayor número de fotogramas por segundo que se envían. 0: todos</translation>
+    </message>
+    <message>
+        <source>Token for remote commands</source>
+        <translation>Testigo para órdenes remotas</translation>
+    </message>
+    <message>
+        <source>Programs that send this word can start, stop and record. At least %1 characters. Empty: commands are ignored</source>
+        <translation>Los programas que envían esta palabra pueden iniciar, detener y grabar. Al menos %1 caracteres. Vacío: se ignoran las órdenes</translation>
+    </message>
+    <message>
+        <source>this computer only</source>
+        <translation>solo este equipo</translation>
+    </message>
+    <message>
+        <source>all computers in the network</source>
+        <translation>todos los equipos de la red</translation>
+    </message>
+    <message>
+        <source>z up, right-handed (as in Dewpoint)</source>
+        <translation>z hacia arriba, mano derecha (como en Dewpoint)</translation>
+    </message>
+    <message>
+        <source>y up, right-handed</source>
+        <translation>y hacia arriba, mano derecha</translation>
+    </message>
+    <message>
+        <source>y up, left-handed (as in Unity)</source>
+        <translation>y hacia arriba, mano izquierda (como en Unity)</translation>
+    </message>
+    <message>
+        <source>meters</source>
+        <translation>metros</translation>
+    </message>
+    <message>
+        <source>millimeters</source>
+        <translation>milímetros</translation>
     </message>
 </context>
 <context>
@@ -6223,10 +6877,6 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Es mayor que «%1»: en su lugar se usa %2.</translation>
     </message>
     <message>
-        <source>This is less than “%1”, which therefore has no effect.</source>
-        <translation>Es menor que «%1», que por eso no tiene efecto.</translation>
-    </message>
-    <message>
         <source>Tracking method. Changing it restarts tracking; other settings are kept.</source>
         <translation>Método de seguimiento. Al cambiarlo, el seguimiento se reinicia; los demás ajustes se conservan.</translation>
     </message>
@@ -6250,6 +6900,10 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <source>Some values in this group differ from their defaults.</source>
         <translation>Algunos valores aquí difieren de sus valores por defecto.</translation>
     </message>
+    <message>
+        <source>This is less than “%1”, so “%1” has no effect.</source>
+        <translation>Es menor que «%1», así que «%1» no tiene efecto.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::PeopleDock</name>
@@ -6262,28 +6916,8 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Haga clic en una persona en una imagen de cámara, o en el suelo en la vista de pájaro. Pulse Esc para cancelar.</translation>
     </message>
     <message>
-        <source>Folder for the people tables</source>
-        <translation>Carpeta para las tablas de personas</translation>
-    </message>
-    <message>
-        <source>%1 contains tables of another run. Replace them?</source>
-        <translation>%1 contiene tablas de otra ejecución. ¿Reemplazarlas?</translation>
-    </message>
-    <message>
         <source>Replace</source>
         <translation>Reemplazar</translation>
-    </message>
-    <message>
-        <source>That run has ended. Its people tables were not saved.</source>
-        <translation>Esa ejecución ha terminado. Sus tablas de personas no se guardaron.</translation>
-    </message>
-    <message>
-        <source>Saved people&apos;s positions, volumes, hulls and densities in %1 (frames: %2).</source>
-        <translation>Las posiciones, volúmenes, envolventes y densidades de las personas se guardaron en %1 (fotogramas: %2).</translation>
-    </message>
-    <message>
-        <source>Saving the people tables…</source>
-        <translation>Guardando las tablas de personas…</translation>
     </message>
     <message>
         <source>Add a person</source>
@@ -6292,6 +6926,26 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
     <message>
         <source>Remove a person</source>
         <translation>Quitar una persona</translation>
+    </message>
+    <message>
+        <source>Folder for the people&apos;s volumes</source>
+        <translation>Carpeta para los volúmenes de las personas</translation>
+    </message>
+    <message>
+        <source>%1 already contains files of an earlier export. Replace them?</source>
+        <translation>%1 ya contiene archivos de una exportación anterior. ¿Reemplazarlos?</translation>
+    </message>
+    <message>
+        <source>The run has ended, so the people&apos;s volumes were not saved.</source>
+        <translation>La ejecución ha terminado, así que los volúmenes de las personas no se guardaron.</translation>
+    </message>
+    <message>
+        <source>Saving the people&apos;s volumes…</source>
+        <translation>Guardando los volúmenes de las personas…</translation>
+    </message>
+    <message>
+        <source>Saved the positions, volumes, hulls and densities of the people in %1 (frames: %2).</source>
+        <translation>Las posiciones, volúmenes, envolventes y densidades de las personas se guardaron en %1 (fotogramas: %2).</translation>
     </message>
 </context>
 <context>
@@ -6307,10 +6961,6 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
     <message>
         <source>No.</source>
         <translation>N.º</translation>
-    </message>
-    <message>
-        <source>Number of the person; nobody else gets it in this run</source>
-        <translation>Número de la persona; no se reutiliza en esta ejecución</translation>
     </message>
     <message>
         <source>Position</source>
@@ -6349,10 +6999,6 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Volumen</translation>
     </message>
     <message>
-        <source>Volume in cubic meters of the hull that contains 95 % of the person; empty while hulls are not shown</source>
-        <translation>Volumen en metros cúbicos de la envolvente que contiene el 95 % de la persona; vacío mientras no se muestran envolventes</translation>
-    </message>
-    <message>
         <source>Time</source>
         <translation>Tiempo</translation>
     </message>
@@ -6363,10 +7009,6 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
     <message>
         <source>Near</source>
         <translation>Cerca</translation>
-    </message>
-    <message>
-        <source>Another person is so close that colors are not learned</source>
-        <translation>Otra persona está tan cerca que no se aprenden los colores</translation>
     </message>
     <message>
         <source>Learning the background: %1 %. Keep the scene empty.</source>
@@ -6387,6 +7029,18 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
     <message>
         <source>Another person is close</source>
         <translation>Hay otra persona cerca</translation>
+    </message>
+    <message>
+        <source>Number of the person. No other person gets the same number in this run</source>
+        <translation>Número de la persona. Ninguna otra persona recibe el mismo número en esta ejecución</translation>
+    </message>
+    <message>
+        <source>Volume of the hull that encloses 95 % of the person, in cubic meters. Empty unless “Show people&apos;s volumes” is on</source>
+        <translation>Volumen de la envolvente que encierra el 95 % de la persona, en metros cúbicos. Vacío mientras no se muestran los volúmenes de las personas</translation>
+    </message>
+    <message>
+        <source>Another person is so close that the colors of this person are not learned</source>
+        <translation>Otra persona está tan cerca que no se aprenden los colores de esta persona</translation>
     </message>
 </context>
 <context>
@@ -6439,10 +7093,6 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Cámara planeada</translation>
     </message>
     <message>
-        <source>The planned camera that the numbers below belong to</source>
-        <translation>La cámara planeada a la que pertenecen los números de abajo</translation>
-    </message>
-    <message>
         <source>Position x, y, z</source>
         <translation>Posición x, y, z</translation>
     </message>
@@ -6467,10 +7117,6 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>La cámara planeada mira a %1</translation>
     </message>
     <message>
-        <source>A point on its line of sight, in meters</source>
-        <translation>Un punto de su línea de visión, en metros</translation>
-    </message>
-    <message>
         <source>Field of view</source>
         <translation>Campo de visión</translation>
     </message>
@@ -6483,24 +7129,8 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Anchura de la imagen</translation>
     </message>
     <message>
-        <source>Width of its image in pixels</source>
-        <translation>Anchura de su imagen en píxeles</translation>
-    </message>
-    <message>
         <source>Image height</source>
         <translation>Altura de la imagen</translation>
-    </message>
-    <message>
-        <source>Height of its image in pixels</source>
-        <translation>Altura de su imagen en píxeles</translation>
-    </message>
-    <message>
-        <source>Distance of walls and ceiling</source>
-        <translation>Distancia de paredes y techo</translation>
-    </message>
-    <message>
-        <source>Distance of the walls and the ceiling</source>
-        <translation>Distancia de las paredes y el techo</translation>
     </message>
     <message>
         <source>The search places the camera on four walls and a ceiling at this distance from the volume</source>
@@ -6533,6 +7163,30 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
     <message>
         <source>Search the walls and the ceiling for the position where another camera would help most (%1)</source>
         <translation>Buscar en paredes y techo la posición donde más ayudaría otra cámara (%1)</translation>
+    </message>
+    <message>
+        <source>The planned camera whose values are shown and changed below</source>
+        <translation>La cámara planeada cuyos valores se muestran y cambian abajo</translation>
+    </message>
+    <message>
+        <source>A point that the planned camera looks at, in meters</source>
+        <translation>Un punto al que mira la cámara planeada, en metros</translation>
+    </message>
+    <message>
+        <source>Width of the planned camera&apos;s image, in pixels</source>
+        <translation>Anchura de la imagen de la cámara planeada, en píxeles</translation>
+    </message>
+    <message>
+        <source>Height of the planned camera&apos;s image, in pixels</source>
+        <translation>Altura de la imagen de la cámara planeada, en píxeles</translation>
+    </message>
+    <message>
+        <source>Distance to walls and ceiling</source>
+        <translation>Distancia a las paredes y el techo</translation>
+    </message>
+    <message>
+        <source>Distance to the walls and the ceiling</source>
+        <translation>Distancia a las paredes y al techo</translation>
     </message>
 </context>
 <context>
@@ -6589,8 +7243,8 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Los gráficos aparecen durante el seguimiento.</translation>
     </message>
     <message>
-        <source>The target whose numbers are plotted: the one selected in Target, or the first.</source>
-        <translation>El objetivo cuyos números se representan: el elegido en Objetivo, o el primero.</translation>
+        <source>The target whose values are plotted: the target selected in the panel Target, or the first target if none is selected.</source>
+        <translation>El objetivo cuyos valores se representan: el elegido en el panel Objetivo, o el primero si no hay ninguno elegido.</translation>
     </message>
 </context>
 <context>
@@ -6602,18 +7256,6 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
 </context>
 <context>
     <name>dewpoint::ui::PointCalibrator</name>
-    <message>
-        <source>%1 is rotated and mirrored: turn its images clockwise by %2 degrees, then mirror them</source>
-        <translation>%1 está girada y reflejada: gire sus imágenes %2 grados en sentido horario y refléjelas</translation>
-    </message>
-    <message>
-        <source>%1 is mirrored</source>
-        <translation>%1 está reflejada</translation>
-    </message>
-    <message>
-        <source>%1 is rotated: turn its images clockwise by %2 degrees</source>
-        <translation>%1 está girada: gire sus imágenes %2 grados en sentido horario</translation>
-    </message>
     <message>
         <source>point %1</source>
         <translation>punto %1</translation>
@@ -6690,6 +7332,18 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <source>Set orientation of %1</source>
         <translation>Fijar la orientación de %1</translation>
     </message>
+    <message>
+        <source>The images of %1 are rotated and mirrored: turn them clockwise by %2 degrees, then mirror them</source>
+        <translation>Las imágenes de %1 están giradas y reflejadas: gírelas %2 grados en sentido horario y después refléjelas</translation>
+    </message>
+    <message>
+        <source>The images of %1 are mirrored</source>
+        <translation>Las imágenes de %1 están reflejadas</translation>
+    </message>
+    <message>
+        <source>The images of %1 are rotated: turn them clockwise by %2 degrees</source>
+        <translation>Las imágenes de %1 están giradas: gírelas %2 grados en sentido horario</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::PointsTable</name>
@@ -6750,24 +7404,12 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Marcar en imágenes</translation>
     </message>
     <message>
-        <source>Click the selected point in every image that shows it. Corners are found to a fraction of a pixel (Alt: exactly where you click). Press Esc to finish.</source>
-        <translation>Haga clic en el punto elegido en cada imagen que lo muestre. Las esquinas se encuentran con precisión de fracción de píxel (Alt: justo donde hace clic). Pulse Esc para terminar.</translation>
-    </message>
-    <message>
         <source>Remove click</source>
         <translation>Quitar clic</translation>
     </message>
     <message>
-        <source>Remove the click on this point in the selected camera</source>
-        <translation>Quitar el clic en este punto en la cámara elegida</translation>
-    </message>
-    <message>
         <source>Compute focal lengths</source>
         <translation>Calcular distancias focales</translation>
-    </message>
-    <message>
-        <source>For cameras with six or more points</source>
-        <translation>Para cámaras con seis puntos o más</translation>
     </message>
     <message>
         <source>Compute cameras</source>
@@ -6788,6 +7430,18 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
     <message>
         <source>Rotate or mirror the images of this camera and compute its pose again</source>
         <translation>Girar o reflejar las imágenes de esta cámara y calcular de nuevo su pose</translation>
+    </message>
+    <message>
+        <source>Click the selected point in every image that shows it. Near a corner, the click moves exactly onto the corner; hold Alt to prevent this. Press Esc to finish.</source>
+        <translation>Haga clic en el punto elegido en cada imagen que lo muestre. Cerca de una esquina, el clic se mueve justo a la esquina; mantenga pulsada Alt para evitarlo. Pulse Esc para terminar.</translation>
+    </message>
+    <message>
+        <source>Remove the click on the selected point from the image of the selected camera</source>
+        <translation>Quitar el clic en el punto elegido de la imagen de la cámara elegida</translation>
+    </message>
+    <message>
+        <source>Also compute the focal length of each camera in which you clicked six or more points</source>
+        <translation>Calcular también la distancia focal de cada cámara en la que hizo clic en seis puntos o más</translation>
     </message>
 </context>
 <context>
@@ -6813,8 +7467,8 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Algunos de estos resultados se obtuvieron con ajustes anteriores.</translation>
     </message>
     <message>
-        <source>The preview was stopped. It starts again at the next change.</source>
-        <translation>La vista previa se detuvo. Empieza de nuevo con el próximo cambio.</translation>
+        <source>The preview was stopped. It starts again when you change a setting.</source>
+        <translation>La vista previa se detuvo. Empieza de nuevo cuando cambie un ajuste.</translation>
     </message>
 </context>
 <context>
@@ -6822,10 +7476,6 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
     <message>
         <source>Report a problem – Dewpoint</source>
         <translation>Informar de un problema – Dewpoint</translation>
-    </message>
-    <message>
-        <source>Write to whoever gave you Dewpoint. Describe what you did, what you expected and what happened. Attach the text below and, if you can, the project file and a screenshot. Nothing is sent automatically.</source>
-        <translation>Escriba a quien le dio Dewpoint. Describa qué hizo, qué esperaba y qué ocurrió. Adjunte el texto de abajo y, si puede, el archivo del proyecto y una captura de pantalla. Nada se envía automáticamente.</translation>
     </message>
     <message>
         <source>Text for the report</source>
@@ -6838,6 +7488,108 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
     <message>
         <source>Copy the text, to be pasted into a mail or a form</source>
         <translation>Copiar el texto, para pegarlo en un correo o un formulario</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation>Cerrar esta ventana</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Run self-test</source>
+        <translation>Ejecutar autoprueba</translation>
+    </message>
+    <message>
+        <source>Stop the self-test</source>
+        <translation>Detener la autoprueba</translation>
+    </message>
+    <message>
+        <source>Test graphics, codecs, cameras and disk, and track a simulated scene for a few seconds</source>
+        <translation>Probar gráficos, códecs, cámaras y disco, y seguir una escena simulada durante unos segundos</translation>
+    </message>
+    <message>
+        <source>Write to whoever gave you Dewpoint. Describe what you did, what you expected and what happened. Run the self-test. Attach the text below and, if you can, the project file and a screenshot. Nothing is sent automatically.</source>
+        <translation>Escriba a quien le dio Dewpoint. Describa qué hizo, qué esperaba y qué ocurrió. Ejecute la autoprueba. Adjunte el texto de abajo y, si puede, el archivo del proyecto y una captura de pantalla. Nada se envía automáticamente.</translation>
+    </message>
+    <message>
+        <source>Progress of the self-test</source>
+        <translation>Progreso de la autoprueba</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::ProjectCheckDialog</name>
+    <message>
+        <source>Checking recordings, times, calibration, colors and method…</source>
+        <translation>Comprobando grabaciones, tiempos, calibración, colores y método…</translation>
+    </message>
+    <message>
+        <source>The check was canceled.</source>
+        <translation>La comprobación se canceló.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n problem(s) must be solved before this project can be tracked.</source>
+        <translation>
+            <numerusform>Para hacer el seguimiento con este proyecto hay que resolver %n problema.</numerusform>
+            <numerusform>Para hacer el seguimiento con este proyecto hay que resolver %n problemas.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No problems, but look at the points marked ◆.</source>
+        <translation>No hay problemas. Puede que los puntos marcados con ◆ no sean lo que desea.</translation>
+    </message>
+    <message>
+        <source>No problems.</source>
+        <translation>No hay problemas.</translation>
+    </message>
+    <message>
+        <source>Check project – Dewpoint</source>
+        <translation>Comprobar el proyecto – Dewpoint</translation>
+    </message>
+    <message>
+        <source>Result of the check</source>
+        <translation>Resultado de la comprobación</translation>
+    </message>
+    <message>
+        <source>Progress of the check</source>
+        <translation>Progreso de la comprobación</translation>
+    </message>
+    <message>
+        <source>Read every frame</source>
+        <translation>Leer todos los fotogramas</translation>
+    </message>
+    <message>
+        <source>Also find damaged frames in the middle of a recording. This takes longer</source>
+        <translation>Encontrar también fotogramas dañados en medio de una grabación. Tarda más</translation>
+    </message>
+    <message>
+        <source>Check again</source>
+        <translation>Comprobar de nuevo</translation>
+    </message>
+    <message>
+        <source>Check the project as it is now</source>
+        <translation>Comprobar el proyecto tal como está ahora</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Stop the check</source>
+        <translation>Detener la comprobación</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copiar</translation>
+    </message>
+    <message>
+        <source>Copy the result as text, in English, for a question or a report</source>
+        <translation>Copiar el resultado como texto, en inglés, para una pregunta o un informe</translation>
     </message>
     <message>
         <source>Close</source>
@@ -6998,8 +7750,8 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
 <context>
     <name>dewpoint::ui::RigPlanner</name>
     <message>
-        <source>With %1 here (x %2, y %3, z %4), the error is at most %6 in %5 of the volume, instead of %7.</source>
-        <translation>Con %1 aquí (x %2, y %3, z %4), el error es como mucho %6 en el %5 del volumen, en vez de en el %7.</translation>
+        <source>With %1 here (x %2, y %3, z %4), the error is at most %6 in %5 of the volume. Without this camera, that part is %7.</source>
+        <translation>Con %1 aquí (x %2, y %3, z %4), el error es como mucho %6 en el %5 del volumen. Sin esta cámara, esa parte es el %7.</translation>
     </message>
 </context>
 <context>
@@ -7264,10 +8016,6 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Oculta durante un segundo</translation>
     </message>
     <message>
-        <source>A box passes in front of the ball. One camera is enough to keep tracking it.</source>
-        <translation>Una caja pasa ante la pelota. Basta una cámara para no perderla.</translation>
-    </message>
-    <message>
         <source>Three more balls of the same color lie around. Only one moves.</source>
         <translation>Hay otras tres pelotas del mismo color alrededor. Solo una se mueve.</translation>
     </message>
@@ -7335,6 +8083,10 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <source>Four identical balls</source>
         <translation>Cuatro bolas iguales</translation>
     </message>
+    <message>
+        <source>A box passes in front of the ball. One camera is enough to keep tracking the ball.</source>
+        <translation>Una caja pasa ante la pelota. Basta una cámara para seguir la pelota.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::StatusBarPanel</name>
@@ -7349,10 +8101,6 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
     <message>
         <source>ended</source>
         <translation>terminado</translation>
-    </message>
-    <message>
-        <source>Frame shown, of all frames</source>
-        <translation>Fotograma mostrado, de todos</translation>
     </message>
     <message>
         <source>%1 /s</source>
@@ -7419,10 +8167,6 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>± %1</translation>
     </message>
     <message>
-        <source>Uncertainty of the position: the standard deviation in 3D, x, y and z combined (the plots show each of them)</source>
-        <translation>Incertidumbre de la posición: la desviación típica en 3D, x, y y z juntas (los gráficos muestran cada una)</translation>
-    </message>
-    <message>
         <source>%1 m/s</source>
         <translation>%1 m/s</translation>
     </message>
@@ -7442,6 +8186,14 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <source>Tracking: the cameras confirm the estimate. Ambiguous: another object fits about as well. Lost: not tracked for more than a second.</source>
         <translation>Seguido: las cámaras confirman la estimación. Ambiguo: otro objeto encaja casi igual de bien. Perdido: no seguido desde hace más de un segundo.</translation>
     </message>
+    <message>
+        <source>Number of the frame shown, and number of all frames</source>
+        <translation>Número del fotograma mostrado y número total de fotogramas</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the position: the standard deviations in x, y and z combined. The plots show each of the three</source>
+        <translation>Incertidumbre de la posición: las desviaciones típicas en x, y y z combinadas. Los gráficos muestran cada una de las tres</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::StepStrip</name>
@@ -7452,6 +8204,29 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
     <message>
         <source>Step %1: %2. %3</source>
         <translation>Paso %1: %2. %3</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::TakeController</name>
+    <message>
+        <source>The recording ended, because its cameras were closed.</source>
+        <translation>La grabación terminó porque se cerraron sus cámaras.</translation>
+    </message>
+    <message>
+        <source>Take %1 (%2) is in %3.</source>
+        <translation>La toma %1 (%2) está en %3.</translation>
+    </message>
+    <message>
+        <source>Problem: %1</source>
+        <translation>Problema: %1</translation>
+    </message>
+    <message>
+        <source>Open take</source>
+        <translation>Abrir la toma</translation>
+    </message>
+    <message>
+        <source>Show folder</source>
+        <translation>Mostrar la carpeta</translation>
     </message>
 </context>
 <context>
@@ -7499,10 +8274,6 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
     <message>
         <source>any</source>
         <translation>cualquiera</translation>
-    </message>
-    <message>
-        <source>Ball: the outline is a circle in every image. Any: the size is learned, and the center is the center of the color. Automatic: determined from the images. Only method dewpoint uses this.</source>
-        <translation>Bola: el contorno es un círculo en cada imagen. Cualquiera: se aprende el tamaño, y el centro es el centro del color. Automática: se determina con las imágenes. Solo el método dewpoint lo usa.</translation>
     </message>
     <message>
         <source>No target yet. In any camera image, click the object to track.</source>
@@ -7586,6 +8357,10 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <source>Learn</source>
         <translation>Aprender</translation>
     </message>
+    <message>
+        <source>Ball: the outline of the target is a circle in every image. Any: the size of the target is learned, and its position is the center of the region that has its color. Automatic: the shape is determined from the images. Only method dewpoint uses this setting.</source>
+        <translation>Bola: el contorno del objetivo es un círculo en cada imagen. Cualquiera: se aprende el tamaño del objetivo, y su posición es el centro de la zona que tiene su color. Automática: la forma se determina con las imágenes. Solo el método dewpoint usa este ajuste.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::ThreadCountDialog</name>
@@ -7656,16 +8431,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Qué hace la pelota en este instante</translation>
     </message>
     <message>
-        <source>The upward direction comes from three positions on the floor, or from a fall</source>
-        <translation>La dirección hacia arriba se obtiene de tres posiciones en el suelo, o de una caída</translation>
-    </message>
-    <message>
         <source>Add current time</source>
         <translation>Añadir instante actual</translation>
-    </message>
-    <message>
-        <source>Add the time of the images shown to the list; the ball must do this in them</source>
-        <translation>Añadir a la lista el instante de las imágenes mostradas; la pelota debe hacer esto en ellas</translation>
     </message>
     <message>
         <source>Remove time</source>
@@ -7686,6 +8453,14 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     <message>
         <source>%1 – %2</source>
         <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>The upward direction is computed from three positions at which the ball touches the floor, or from a fall of the ball</source>
+        <translation>La dirección hacia arriba se calcula con tres posiciones en que la pelota toca el suelo, o con una caída de la pelota</translation>
+    </message>
+    <message>
+        <source>Add the time of the images shown to the list. In these images, the ball must do what you selected</source>
+        <translation>Añadir a la lista el tiempo de las imágenes mostradas. En estas imágenes, la pelota debe hacer lo que usted ha elegido</translation>
     </message>
 </context>
 <context>
@@ -7743,16 +8518,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>cámaras</translation>
     </message>
     <message>
-        <source>Cameras that see the target</source>
-        <translation>Cámaras que ven el objetivo</translation>
-    </message>
-    <message>
         <source>existence</source>
         <translation>existencia</translation>
-    </message>
-    <message>
-        <source>Probability that the target is at the estimated position</source>
-        <translation>Probabilidad de que el objetivo esté en la posición estimada</translation>
     </message>
     <message>
         <source>state</source>
@@ -7777,6 +8544,14 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     <message>
         <source>Tracking: the cameras confirm the estimate. Ambiguous: another object fits about as well. Corrected: you set the position</source>
         <translation>Seguido: las cámaras confirman la estimación. Ambiguo: otro objeto encaja casi igual de bien. Corregido: usted fijó la posición</translation>
+    </message>
+    <message>
+        <source>Number of cameras that see the target</source>
+        <translation>Número de cámaras que ven el objetivo</translation>
+    </message>
+    <message>
+        <source>Existence probability: how likely it is that the target is there and tracked, 0 to 1</source>
+        <translation>Probabilidad de existencia: qué probable es que el objetivo esté ahí y se siga, de 0 a 1</translation>
     </message>
 </context>
 <context>
@@ -7894,24 +8669,12 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Mostrar el mapa en una capa horizontal</translation>
     </message>
     <message>
-        <source>Height of the layer</source>
-        <translation>Altura de la capa</translation>
-    </message>
-    <message>
         <source>Height of the layer above the floor</source>
         <translation>Altura de la capa sobre el suelo</translation>
     </message>
     <message>
-        <source>Height of the layer in meters</source>
-        <translation>Altura de la capa en metros</translation>
-    </message>
-    <message>
         <source>Surfaces around good and fair regions</source>
         <translation>Superficies en torno a zonas buenas y aceptables</translation>
-    </message>
-    <message>
-        <source>Show surfaces in the room around the regions where the error is at most 0.4, 1 and 2 times the acceptable error, or that two, three and four cameras see</source>
-        <translation>Mostrar en la sala superficies alrededor de las regiones donde el error es como mucho 0,4, 1 y 2 veces el error aceptable, o que ven dos, tres y cuatro cámaras</translation>
     </message>
     <message>
         <source>Volume from x, y, z</source>
@@ -7926,16 +8689,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Volumen desde %1</translation>
     </message>
     <message>
-        <source>Lower corner of the volume, in meters</source>
-        <translation>Esquina inferior del volumen, en metros</translation>
-    </message>
-    <message>
         <source>Volume to %1</source>
         <translation>Volumen hasta %1</translation>
-    </message>
-    <message>
-        <source>Upper corner of the volume, in meters</source>
-        <translation>Esquina superior del volumen, en metros</translation>
     </message>
     <message>
         <source>Use reference grid</source>
@@ -7946,8 +8701,24 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>El volumen sobre la cuadrícula de referencia, hasta la cámara más alta</translation>
     </message>
     <message>
-        <source>Error within %2 in %1 of the volume; %3 seen by fewer than two cameras</source>
-        <translation>Error de hasta %2 en %1 del volumen; %3 visto por menos de dos cámaras</translation>
+        <source>Height of the layer above the floor, in meters</source>
+        <translation>Altura de la capa sobre el suelo, en metros</translation>
+    </message>
+    <message>
+        <source>Show surfaces in the room. For the error: around the regions with at most 0.4, 1 and 2 times the acceptable error. For the number of cameras: around the regions that two, three and four cameras see</source>
+        <translation>Mostrar superficies en la sala. Para el error: en torno a las regiones con como mucho 0,4, 1 y 2 veces el error aceptable. Para el número de cámaras: en torno a las regiones que ven dos, tres y cuatro cámaras</translation>
+    </message>
+    <message>
+        <source>Smallest x, y and z of the volume, in meters</source>
+        <translation>Valores mínimos de x, y y z del volumen, en metros</translation>
+    </message>
+    <message>
+        <source>Largest x, y and z of the volume, in meters</source>
+        <translation>Valores máximos de x, y y z del volumen, en metros</translation>
+    </message>
+    <message>
+        <source>The error is at most %2 in %1 of the volume. Fewer than two cameras see %3 of the volume</source>
+        <translation>El error es como mucho %2 en el %1 del volumen. Menos de dos cámaras ven el %3 del volumen</translation>
     </message>
 </context>
 <context>
@@ -8027,14 +8798,6 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Volumen de interés hasta %1</translation>
     </message>
     <message>
-        <source>Lower corner of the volume of interest, in meters; targets are searched for only inside it</source>
-        <translation>Esquina inferior del volumen de interés, en metros; los objetivos se buscan solo en él</translation>
-    </message>
-    <message>
-        <source>Upper corner of the volume of interest, in meters; targets are searched for only inside it</source>
-        <translation>Esquina superior del volumen de interés, en metros; los objetivos se buscan solo en él</translation>
-    </message>
-    <message>
         <source>Compute from cameras</source>
         <translation>De las cámaras</translation>
     </message>
@@ -8074,16 +8837,20 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <source>Change volume of interest</source>
         <translation>Cambiar el volumen de interés</translation>
     </message>
+    <message>
+        <source>Smallest x, y and z of the volume of interest, in meters. Targets are searched for only inside this box</source>
+        <translation>Valores mínimos de x, y y z del volumen de interés, en metros. Los objetivos se buscan solo dentro de esta caja</translation>
+    </message>
+    <message>
+        <source>Largest x, y and z of the volume of interest, in meters. Targets are searched for only inside this box</source>
+        <translation>Valores máximos de x, y y z del volumen de interés, en metros. Los objetivos se buscan solo dentro de esta caja</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::WandCalibrationPage</name>
     <message>
         <source>Align the cameras by hand until they are roughly right. Then wave the ball, or a wand with two balls, through the whole volume, and refine.</source>
         <translation>Ajuste las cámaras a mano hasta que estén más o menos bien. Después agite la pelota, o una varita con dos pelotas, por todo el volumen y refine.</translation>
-    </message>
-    <message>
-        <source>Align the cameras by hand until they are roughly right. A recording in which you wave a ball, or a wand with two balls, through the whole volume then refines them.</source>
-        <translation>Ajuste las cámaras a mano hasta que estén más o menos bien. Una grabación en la que agita una pelota, o una varita con dos pelotas, por todo el volumen las refina después.</translation>
     </message>
     <message>
         <source>Floor</source>
@@ -8100,6 +8867,10 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     <message>
         <source>Saved %1.</source>
         <translation>Se guardó %1.</translation>
+    </message>
+    <message>
+        <source>Align the cameras by hand until they are roughly right. Then refine them with a recording in which you wave a ball, or a wand with two balls, through the whole volume.</source>
+        <translation>Ajuste las cámaras a mano hasta que estén más o menos bien. Después refínelas con una grabación en la que agita una pelota, o una varita con dos pelotas, por todo el volumen.</translation>
     </message>
 </context>
 <context>
@@ -8236,10 +9007,6 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Buscar desfases de tiempo</translation>
     </message>
     <message>
-        <source>For cameras that do not take their images at the same instants</source>
-        <translation>Para cámaras que no toman sus imágenes en los mismos instantes</translation>
-    </message>
-    <message>
         <source>Find focal lengths</source>
         <translation>Buscar distancias focales</translation>
     </message>
@@ -8262,6 +9029,10 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     <message>
         <source>Use only the part of the recording that is selected in the timeline</source>
         <translation>Usar solo la parte de la grabación seleccionada en la línea de tiempo</translation>
+    </message>
+    <message>
+        <source>For cameras that do not take their images at the same time</source>
+        <translation>Para cámaras que no toman sus imágenes al mismo tiempo</translation>
     </message>
 </context>
 <context>
@@ -8291,10 +9062,6 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Antes</translation>
     </message>
     <message>
-        <source>Hold down to draw the grid with the previous cameras</source>
-        <translation>Mantenga pulsado para dibujar la cuadrícula con las cámaras anteriores</translation>
-    </message>
-    <message>
         <source>Use it anyway</source>
         <translation>Usarla de todos modos</translation>
     </message>
@@ -8305,10 +9072,6 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     <message>
         <source>Save report…</source>
         <translation>Guardar informe…</translation>
-    </message>
-    <message>
-        <source>A page with all numbers, residuals as arrows, coverage and a 3D drawing</source>
-        <translation>Una página con todos los números, residuos como flechas, cobertura y un dibujo en 3D</translation>
     </message>
     <message>
         <source>Refined cameras</source>
@@ -8351,10 +9114,6 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Las cámaras no han cambiado.</translation>
     </message>
     <message>
-        <source>Solutions from parts of the recording vary %1 times more than noise predicts. The stated accuracy includes this.</source>
-        <translation>Las soluciones con partes de la grabación varían %1 veces más de lo que predice el ruido. La precisión indicada lo incluye.</translation>
-    </message>
-    <message>
         <source>The fall gives a gravity of %1 m/s² (9.81 is expected).</source>
         <translation>La caída da una gravedad de %1 m/s² (se espera 9,81).</translation>
     </message>
@@ -8379,12 +9138,24 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Retraso adicional de las imágenes de esta cámara respecto a la primera</translation>
     </message>
     <message>
-        <source>The result is less accurate than the initial camera positions (error up to %1): wave through more of the volume.</source>
-        <translation>El resultado es menos preciso que las posiciones iniciales de las cámaras (error de hasta %1): agite por una parte mayor del volumen.</translation>
-    </message>
-    <message>
         <source>Camera delays are saved in the project and used to synchronize images from now on.</source>
         <translation>Los retrasos de las cámaras se guardan en el proyecto y desde ahora sincronizan las imágenes.</translation>
+    </message>
+    <message>
+        <source>Hold down this button to draw the grid with the previous cameras</source>
+        <translation>Mantenga pulsado este botón para dibujar la cuadrícula con las cámaras anteriores</translation>
+    </message>
+    <message>
+        <source>Save a page with all numbers, the residuals as arrows, the coverage and a 3D drawing</source>
+        <translation>Guardar una página con todos los números, los residuos como flechas, la cobertura y un dibujo en 3D</translation>
+    </message>
+    <message>
+        <source>The result is less accurate than the initial camera positions, whose error is given as up to %1. Wave through more of the volume.</source>
+        <translation>El resultado es menos preciso que las posiciones iniciales de las cámaras, cuyo error se indica como de hasta %1. Agite por una parte mayor del volumen.</translation>
+    </message>
+    <message>
+        <source>Calibrations from different parts of the recording differ by %1 times as much as the noise of the images explains. The stated accuracy takes this into account.</source>
+        <translation>Las calibraciones con distintas partes de la grabación difieren %1 veces lo que explica el ruido de las imágenes. La precisión indicada lo tiene en cuenta.</translation>
     </message>
 </context>
 <context>
@@ -8414,20 +9185,20 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Aún no se ha reunido nada.</translation>
     </message>
     <message>
-        <source>%1 collected.</source>
-        <translation>%1 reunidos.</translation>
-    </message>
-    <message>
         <source>Every camera has seen the ball often enough: stop waving, or refine.</source>
         <translation>Cada cámara ha visto la pelota bastantes veces: deje de agitar o refine.</translation>
     </message>
     <message>
-        <source>Keep waving: each camera should see the ball 150 times, spread over half of its image.</source>
-        <translation>Siga agitando: cada cámara debería ver la pelota 150 veces, repartidas por la mitad de su imagen.</translation>
-    </message>
-    <message>
         <source>Frames skipped because they arrived too fast: %1.</source>
         <translation>Fotogramas omitidos por llegar demasiado rápido: %1.</translation>
+    </message>
+    <message>
+        <source>Positions collected for %1.</source>
+        <translation>Posiciones reunidas durante %1.</translation>
+    </message>
+    <message>
+        <source>Keep waving: each camera should see the ball at least 150 times, spread over at least half of its image.</source>
+        <translation>Siga agitando: cada cámara debería ver la pelota al menos 150 veces, repartidas por al menos la mitad de su imagen.</translation>
     </message>
 </context>
 <context>
@@ -8543,14 +9314,6 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>A, B y C están en una línea. Marque puntos repartidos por el suelo.</translation>
     </message>
     <message>
-        <source>The line from A to B is not nearly horizontal.</source>
-        <translation>La línea de A a B no es aproximadamente horizontal.</translation>
-    </message>
-    <message>
-        <source>A is directly above or below B.</source>
-        <translation>A está justo encima o debajo de B.</translation>
-    </message>
-    <message>
         <source>The floor is set: A is the origin, and the x axis points to B. The world was rotated by %1.</source>
         <translation>El suelo está definido: A es el origen y el eje x apunta a B. El mundo se giró %1.</translation>
     </message>
@@ -8575,12 +9338,20 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Mover todas las cámaras</translation>
     </message>
     <message>
-        <source>A to B: %1 found, %2 measured. The calibration is off by %3 %.</source>
-        <translation>De A a B: %1 encontrados, %2 medidos. La calibración se desvía un %3 %.</translation>
-    </message>
-    <message>
         <source>Check a distance</source>
         <translation>Comprobar una distancia</translation>
+    </message>
+    <message>
+        <source>The line from A to B is far from horizontal.</source>
+        <translation>La línea de A a B está lejos de ser horizontal.</translation>
+    </message>
+    <message>
+        <source>A is directly above or below B, so the x axis cannot point from A to B.</source>
+        <translation>A está justo encima o debajo de B, así que el eje x no puede apuntar de A a B.</translation>
+    </message>
+    <message>
+        <source>From A to B, the calibration gives %1; you measured %2. The calibration is off by %3 %.</source>
+        <translation>De A a B, la calibración da %1; usted midió %2. La calibración se desvía un %3 %.</translation>
     </message>
 </context>
 <context>
@@ -8588,10 +9359,6 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     <message>
         <source>Floor</source>
         <translation>Suelo</translation>
-    </message>
-    <message>
-        <source>Set where the floor is, which point is the origin, and the scale. The cameras keep their positions relative to each other.</source>
-        <translation>Defina dónde está el suelo, qué punto es el origen y la escala. Las cámaras conservan sus posiciones relativas.</translation>
     </message>
     <message>
         <source>⚠ The z axis does not seem to point up.</source>
@@ -8658,10 +9425,6 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Enderezar</translation>
     </message>
     <message>
-        <source>Rotate the world by quarter turns until the images are upright</source>
-        <translation>Girar el mundo en cuartos de vuelta hasta que las imágenes estén derechas</translation>
-    </message>
-    <message>
         <source>Set floor from A, B and C</source>
         <translation>Definir suelo con A, B y C</translation>
     </message>
@@ -8714,10 +9477,6 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Cuánto se desplazan todas las cámaras a lo largo de %1, en metros</translation>
     </message>
     <message>
-        <source>Rotate all cameras by 90° about the %1 axis, counterclockwise when it points to you</source>
-        <translation>Girar todas las cámaras 90° alrededor del eje %1, en sentido antihorario cuando apunta hacia usted</translation>
-    </message>
-    <message>
         <source>Quarter turn about %1</source>
         <translation>Cuarto de vuelta alrededor de %1</translation>
     </message>
@@ -8728,10 +9487,6 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     <message>
         <source>Rotation about the vertical</source>
         <translation>Giro alrededor de la vertical</translation>
-    </message>
-    <message>
-        <source>How far all cameras rotate about the vertical through the origin before they move, counterclockwise as seen from above</source>
-        <translation>Cuánto giran todas las cámaras alrededor de la vertical por el origen antes de moverse, en sentido antihorario vistas desde arriba</translation>
     </message>
     <message>
         <source>Move</source>
@@ -8762,16 +9517,40 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Marcar en las imágenes</translation>
     </message>
     <message>
-        <source>Click the selected point in two or more images. Corners are found to a fraction of a pixel (Alt: exactly where you click). Press Esc to finish.</source>
-        <translation>Haga clic en el punto seleccionado en dos o más imágenes. Las esquinas se hallan con precisión de fracciones de píxel (Alt: exactamente donde hace clic). Pulse Esc para terminar.</translation>
-    </message>
-    <message>
         <source>Check</source>
         <translation>Comprobar</translation>
     </message>
     <message>
-        <source>Compare the distance from A to B with the measured one. Nothing moves.</source>
-        <translation>Comparar la distancia de A a B con la medida. Nada se mueve.</translation>
+        <source>Set the floor, the origin and the scale of the room. The cameras keep their positions relative to each other.</source>
+        <translation>Defina el suelo, el origen y la escala de la sala. Las cámaras conservan sus posiciones relativas.</translation>
+    </message>
+    <message>
+        <source>Compare the distance from A to B in the calibration with the distance that you measured. Nothing is changed.</source>
+        <translation>Comparar la distancia de A a B en la calibración con la que usted midió. No se cambia nada.</translation>
+    </message>
+    <message>
+        <source>Set floor from the board shown</source>
+        <translation>Definir el suelo con el tablero mostrado</translation>
+    </message>
+    <message>
+        <source>Use a board that lies flat on the floor in the images shown. Its first corner becomes the origin, and the x axis runs along its rows. Describe the board on the page Board.</source>
+        <translation>Usar un tablero que está plano en el suelo en las imágenes mostradas. Su primera esquina será el origen y el eje x seguirá sus filas. Describa el tablero en la página Tablero.</translation>
+    </message>
+    <message>
+        <source>Rotate the world by quarter turns until its upward direction points up in the images</source>
+        <translation>Girar el mundo en cuartos de vuelta hasta que su dirección hacia arriba apunte hacia arriba en las imágenes</translation>
+    </message>
+    <message>
+        <source>Rotate all cameras by 90° about the %1 axis, counterclockwise if the axis points toward you</source>
+        <translation>Girar todas las cámaras 90° alrededor del eje %1, en sentido antihorario si el eje apunta hacia usted</translation>
+    </message>
+    <message>
+        <source>Angle by which all cameras rotate about the vertical through the origin, counterclockwise as seen from above. They rotate first and move then</source>
+        <translation>Ángulo que giran todas las cámaras alrededor de la vertical por el origen, en sentido antihorario vistas desde arriba. Primero giran y después se mueven</translation>
+    </message>
+    <message>
+        <source>Click the selected point in two or more images. Near a corner, the click moves exactly onto the corner; hold Alt to prevent this. Press Esc to finish.</source>
+        <translation>Haga clic en el punto seleccionado en dos o más imágenes. Cerca de una esquina, el clic se mueve justo a la esquina; mantenga pulsada Alt para evitarlo. Pulse Esc para terminar.</translation>
     </message>
 </context>
 </TS>

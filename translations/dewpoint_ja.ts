@@ -92,10 +92,6 @@
         <translation>ショートカット…</translation>
     </message>
     <message>
-        <source>See and change all shortcuts</source>
-        <translation>すべてのショートカットを見て変更します</translation>
-    </message>
-    <message>
         <source>Run</source>
         <translation>実行</translation>
     </message>
@@ -248,10 +244,6 @@
         <translation>ここから再追跡</translation>
     </message>
     <message>
-        <source>Starting at the frame shown, track again with the current method, parameters and colors; pause to stop</source>
-        <translation>表示中のフレームから、現在の手法・パラメータ・色で追跡し直します。一時停止で止まります</translation>
-    </message>
-    <message>
         <source>Add marker</source>
         <translation>マークを追加</translation>
     </message>
@@ -288,24 +280,12 @@
         <translation>選択した区間を拡大</translation>
     </message>
     <message>
-        <source>Show only the selected span in the timeline</source>
-        <translation>タイムラインに選択区間だけを表示します</translation>
-    </message>
-    <message>
         <source>Show likelihood map</source>
         <translation>尤度マップを表示</translation>
     </message>
     <message>
-        <source>Show the likelihood of each position around the target, and the candidate positions</source>
-        <translation>ターゲット周辺の各位置の尤度と、候補の位置を表示します</translation>
-    </message>
-    <message>
         <source>Show best particle</source>
         <translation>最良のパーティクルを表示</translation>
-    </message>
-    <message>
-        <source>Mark each target&apos;s highest-weight particle (MAP) with a triangle in all views</source>
-        <translation>各ターゲットの重みが最大のパーティクル(MAP)を、すべてのビューで三角形で示します</translation>
     </message>
     <message>
         <source>Plots</source>
@@ -356,10 +336,6 @@
         <translation>1 ステップの時間を表示</translation>
     </message>
     <message>
-        <source>Duration of each filter iteration per target, in microseconds</source>
-        <translation>ターゲットごとの各フィルター反復にかかった時間（マイクロ秒）</translation>
-    </message>
-    <message>
         <source>Plot over time</source>
         <translation>時間軸で表示</translation>
     </message>
@@ -388,10 +364,6 @@
         <translation>グラフを画像として保存…</translation>
     </message>
     <message>
-        <source>Save the plots as shown, as SVG or PNG</source>
-        <translation>表示中のグラフを SVG または PNG で保存</translation>
-    </message>
-    <message>
         <source>Copy trajectory as CSV</source>
         <translation>軌跡を CSV でコピー</translation>
     </message>
@@ -404,24 +376,12 @@
         <translation>手動で校正…</translation>
     </message>
     <message>
-        <source>Adjust the cameras until a grid matches the real scene in their images</source>
-        <translation>画像の中で格子が実際の場面に重なるまでカメラを調整します</translation>
-    </message>
-    <message>
         <source>Import calibration…</source>
         <translation>較正をインポート…</translation>
     </message>
     <message>
-        <source>Load the calibration of the cameras from a file of another tool</source>
-        <translation>ほかのツールのファイルからカメラの較正を読み込みます</translation>
-    </message>
-    <message>
         <source>Export calibration…</source>
         <translation>較正をエクスポート…</translation>
-    </message>
-    <message>
-        <source>Save the calibration of the cameras for another tool</source>
-        <translation>ほかのツール用にカメラの較正を保存します</translation>
     </message>
     <message>
         <source>Calibrate with wand…</source>
@@ -464,10 +424,6 @@
         <translation>誤差マップを表示</translation>
     </message>
     <message>
-        <source>Show the expected position error of a target at each point of the bird&apos;s-eye view</source>
-        <translation>鳥瞰図の各点に、ターゲットの予想位置誤差を表示します</translation>
-    </message>
-    <message>
         <source>Add planned camera</source>
         <translation>計画用のカメラを追加</translation>
     </message>
@@ -494,10 +450,6 @@
     <message>
         <source>Experiments…</source>
         <translation>実験…</translation>
-    </message>
-    <message>
-        <source>Reproduce the figures of the papers and write a report</source>
-        <translation>論文の図を再現し、レポートを書き出します</translation>
     </message>
     <message>
         <source>Set box</source>
@@ -532,10 +484,6 @@
         <translation>人物の体積を表示</translation>
     </message>
     <message>
-        <source>Show the hull that contains 95 % of each person, and contour lines of the person&apos;s density on the floor</source>
-        <translation>各人物の 95 % を含む凸包と、床の上での密度の等高線を表示</translation>
-    </message>
-    <message>
         <source>Filter threads…</source>
         <translation>フィルターのスレッド数…</translation>
     </message>
@@ -564,10 +512,6 @@
         <translation>探索範囲を表示</translation>
     </message>
     <message>
-        <source>Show the box in which targets are searched for, in the images and in the bird&apos;s-eye view</source>
-        <translation>ターゲットを探す箱をカメラ画像と鳥瞰図に表示します</translation>
-    </message>
-    <message>
         <source>File</source>
         <translation>ファイル</translation>
     </message>
@@ -576,24 +520,12 @@
         <translation>再追跡</translation>
     </message>
     <message>
-        <source>Track again all frames that have results from earlier settings</source>
-        <translation>以前の設定による結果があるフレームをすべて追跡し直します</translation>
-    </message>
-    <message>
         <source>Slower</source>
         <translation>遅く</translation>
     </message>
     <message>
-        <source>Play the recording more slowly, down to 1/30</source>
-        <translation>録画をより遅く再生します（1/30 まで）</translation>
-    </message>
-    <message>
         <source>Faster</source>
         <translation>速く</translation>
-    </message>
-    <message>
-        <source>Play the recording faster, up to eight times</source>
-        <translation>録画をより速く再生します（8 倍まで）</translation>
     </message>
     <message>
         <source>Normal speed</source>
@@ -612,16 +544,8 @@
         <translation>拡大鏡を表示</translation>
     </message>
     <message>
-        <source>Show an enlarged inset when a target&apos;s particles are too close together to tell apart</source>
-        <translation>ターゲットの粒子が密集して見えないとき、拡大図を表示します</translation>
-    </message>
-    <message>
         <source>Show lines of sight</source>
         <translation>視線を表示</translation>
-    </message>
-    <message>
-        <source>Draw a line from each camera to the target in the bird&apos;s-eye view; it is dashed if the camera cannot see the target</source>
-        <translation>鳥瞰図に各カメラからターゲットまでの線を引きます。カメラからターゲットが見えない場合は破線です</translation>
     </message>
     <message>
         <source>Zoom in</source>
@@ -660,10 +584,6 @@
         <translation>3D 表示</translation>
     </message>
     <message>
-        <source>Bird&apos;s-eye view in perspective; drag to orbit</source>
-        <translation>透視図の鳥瞰図、自由に回転</translation>
-    </message>
-    <message>
         <source>Fit everything in view</source>
         <translation>すべてをビューに収める</translation>
     </message>
@@ -690,10 +610,6 @@
     <message>
         <source>Plot position</source>
         <translation>位置を表示</translation>
-    </message>
-    <message>
-        <source>Position along x, y and z with a band of two standard deviations, and the truth where it is known</source>
-        <translation>x、y、z 方向の位置と標準偏差の 2 倍の帯、わかる場合は真値</translation>
     </message>
     <message>
         <source>Help</source>
@@ -760,10 +676,6 @@
         <translation>床と原点を設定…</translation>
     </message>
     <message>
-        <source>Set the floor, the origin, the axes and the scale of the calibrated cameras from points marked in the images</source>
-        <translation>画像でマークした点から、校正済みカメラの床、原点、軸、縮尺を設定します</translation>
-    </message>
-    <message>
         <source>Calibrate…</source>
         <translation>キャリブレーション…</translation>
     </message>
@@ -775,6 +687,126 @@
         <source>Play the first iterations of a run one by one, until every target is being tracked (five seconds at most)</source>
         <translation>すべてのターゲットが追跡中になるまで、実行の最初の反復を 1 回ずつ再生します（最長 5 秒）</translation>
     </message>
+    <message>
+        <source>See and change all keyboard shortcuts</source>
+        <translation>すべてのキーボードショートカットを見て変更します</translation>
+    </message>
+    <message>
+        <source>Adjust the calibration of the cameras until a grid drawn over their images matches the real scene</source>
+        <translation>画像に重ねて描いた格子が実際の場面に合うまで、カメラのキャリブレーションを調整します</translation>
+    </message>
+    <message>
+        <source>Set the floor, the origin, the axes and the scale of the room with points that you mark in the images</source>
+        <translation>画像でマークした点から、部屋の床、原点、軸、縮尺を設定します</translation>
+    </message>
+    <message>
+        <source>Load the calibration of the cameras from a file that another program wrote</source>
+        <translation>別のプログラムが書いたファイルからカメラのキャリブレーションを読み込みます</translation>
+    </message>
+    <message>
+        <source>Save the calibration of the cameras for another program</source>
+        <translation>カメラのキャリブレーションを別のプログラム用に保存します</translation>
+    </message>
+    <message>
+        <source>In the bird&apos;s-eye view, show the position error to expect for a target at each point</source>
+        <translation>ターゲットが各点にあるときに予想される位置誤差を、鳥瞰図に表示します</translation>
+    </message>
+    <message>
+        <source>Track again from the frame shown, with the current method, parameters and colors. To stop, press pause</source>
+        <translation>表示中のフレームから、現在の手法・パラメータ・色で追跡し直します。止めるには一時停止を押します</translation>
+    </message>
+    <message>
+        <source>Track all frames again that still have results from earlier settings</source>
+        <translation>以前の設定による結果が残っているフレームをすべて追跡し直します</translation>
+    </message>
+    <message>
+        <source>Play the recording more slowly, down to 1/30 of the normal speed</source>
+        <translation>録画をより遅く再生します（通常の 1/30 の速さまで）</translation>
+    </message>
+    <message>
+        <source>Play the recording faster, up to eight times the normal speed</source>
+        <translation>録画をより速く再生します（通常の 8 倍の速さまで）</translation>
+    </message>
+    <message>
+        <source>Fill the timeline with the selected span of the recording</source>
+        <translation>選択した録画の区間をタイムライン全体に広げて表示します</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>録画</translation>
+    </message>
+    <message>
+        <source>Record the live cameras into a folder that opens as a project, or stop recording</source>
+        <translation>ライブカメラをプロジェクトとして開けるフォルダーに録画する、または録画を停止する</translation>
+    </message>
+    <message>
+        <source>Send results</source>
+        <translation>結果を送信</translation>
+    </message>
+    <message>
+        <source>Send positions to other programs while the run lasts, or stop sending; nothing is sent until you choose this</source>
+        <translation>実行中の位置を他のプログラムに送信する、または送信を停止する。これを選ぶまで何も送信されません</translation>
+    </message>
+    <message>
+        <source>Outputs…</source>
+        <translation>出力…</translation>
+    </message>
+    <message>
+        <source>Choose where results are sent while a run lasts: TCP, WebSocket, OSC, TUIO, CSV</source>
+        <translation>実行中の結果の送信先を選ぶ: TCP、WebSocket、OSC、TUIO、CSV</translation>
+    </message>
+    <message>
+        <source>Reproduce figures of the papers that describe the methods, and write a report</source>
+        <translation>手法を説明した論文の図を再現し、レポートを書き出します</translation>
+    </message>
+    <message>
+        <source>Show how likely each position around the target is, and circle the positions that the method considers</source>
+        <translation>ターゲット周辺の各位置の尤度を表示し、手法が候補とする位置を円で囲みます</translation>
+    </message>
+    <message>
+        <source>In all views, mark the particle of each target that has the highest weight (MAP) with a triangle</source>
+        <translation>すべてのビューで、各ターゲットの重みが最大の粒子（MAP）を三角形で示します</translation>
+    </message>
+    <message>
+        <source>When a target&apos;s particles are too close together to tell apart, show them enlarged</source>
+        <translation>ターゲットの粒子が密集して見分けられないとき、拡大して表示します</translation>
+    </message>
+    <message>
+        <source>In the bird&apos;s-eye view, draw a line from each camera to the target. The line is dashed if the camera cannot see the target</source>
+        <translation>鳥瞰図に各カメラからターゲットまでの線を引きます。カメラからターゲットが見えない場合、線は破線になります</translation>
+    </message>
+    <message>
+        <source>Draw the volume of interest in the images and in the bird&apos;s-eye view: targets are searched for only inside this box</source>
+        <translation>探索範囲をカメラ画像と鳥瞰図に描きます。ターゲットはこの箱の中だけで探します</translation>
+    </message>
+    <message>
+        <source>Show the hull that encloses 95 % of each person&apos;s volume, and contour lines of the density on the floor</source>
+        <translation>各人物の体積の 95 % を囲む凸包と、床の上での密度の等高線を表示</translation>
+    </message>
+    <message>
+        <source>Bird&apos;s-eye view in perspective; drag to rotate it</source>
+        <translation>透視図の鳥瞰図。ドラッグで回転します</translation>
+    </message>
+    <message>
+        <source>Position along x, y and z, with a band of plus and minus two standard deviations, and the truth if it is known</source>
+        <translation>x、y、z 方向の位置と標準偏差の ±2 倍の帯、わかる場合は真値</translation>
+    </message>
+    <message>
+        <source>Time that one filter iteration takes for one target, in microseconds</source>
+        <translation>1 つのターゲットについてフィルターの 1 反復にかかる時間（マイクロ秒）</translation>
+    </message>
+    <message>
+        <source>Save a picture of the plots as they look now, as SVG or PNG</source>
+        <translation>今の表示のままのグラフを SVG または PNG で保存</translation>
+    </message>
+    <message>
+        <source>Check project…</source>
+        <translation>プロジェクトをチェック…</translation>
+    </message>
+    <message>
+        <source>Check the recordings, times, calibration, colors and method of the project for problems</source>
+        <translation>プロジェクトの録画、時刻、キャリブレーション、色、手法に問題がないか調べます</translation>
+    </message>
 </context>
 <context>
     <name>AssessedRegions</name>
@@ -783,16 +815,12 @@
         <translation>これも一致</translation>
     </message>
     <message>
-        <source>recognized as the target (Alt-click if not)</source>
-        <translation>ターゲットと認識 (違う場合は Alt+クリック)</translation>
+        <source>recognized as the target (if it is not, Alt-click it)</source>
+        <translation>ターゲットと認識（違う場合はそれを Alt+クリック）</translation>
     </message>
 </context>
 <context>
     <name>BoardText</name>
-    <message>
-        <source>%1: RMS %2, focal length %3, %4 images; accuracy %5</source>
-        <translation>%1: RMS %2、焦点距離 %3、画像 %4 枚、精度 %5</translation>
-    </message>
     <message>
         <source>The board&apos;s corners cover only %1 % of the image: show the board in every part of the image, and tilt it too.</source>
         <translation>ボードの角が覆うのは画像の %1 % だけです。画像のあらゆる場所で、傾けても見せてください。</translation>
@@ -802,24 +830,12 @@
         <translation>%1の位置はそのままです。ボードが一度も見えませんでした。</translation>
     </message>
     <message>
-        <source>%1: RMS %2</source>
-        <translation>%1: RMS %2</translation>
-    </message>
-    <message>
-        <source>%1: RMS %2, position ±%3, direction ±%4</source>
-        <translation>%1: RMS %2、位置 ±%3、向き ±%4</translation>
-    </message>
-    <message>
         <source>Intrinsics</source>
         <translation>内部パラメータ</translation>
     </message>
     <message>
         <source>%1 keeps its intrinsics: %2</source>
         <translation>%1 の内部パラメータはそのままです: %2</translation>
-    </message>
-    <message>
-        <source>Positions: RMS %1 over %2 board poses</source>
-        <translation>位置: ボードの姿勢 %2 個で RMS %1</translation>
     </message>
     <message>
         <source>upper left</source>
@@ -930,10 +946,6 @@
         <translation>鮮明、エッジ幅 %1</translation>
     </message>
     <message>
-        <source>%1 of at least %2 views</source>
-        <translation>%1 / 少なくとも %2 ビュー</translation>
-    </message>
-    <message>
         <source>%1 views, accuracy %2 (goal: %3)</source>
         <translation>%1 ビュー、精度 %2（目標: %3）</translation>
     </message>
@@ -974,15 +986,35 @@
         <translation>旧レイアウト</translation>
     </message>
     <message>
-        <source>black and white exchanged</source>
+        <source>%1: RMS reprojection error %2, focal length %3, accuracy %5, from %4 images</source>
+        <translation>%1: 再投影誤差（RMS）%2、焦点距離 %3、精度 %5、画像 %4 枚</translation>
+    </message>
+    <message>
+        <source>%1: RMS reprojection error %2, position ±%3, direction ±%4</source>
+        <translation>%1: 再投影誤差（RMS）%2、位置 ±%3、向き ±%4</translation>
+    </message>
+    <message>
+        <source>%1: RMS reprojection error %2</source>
+        <translation>%1: 再投影誤差（RMS）%2</translation>
+    </message>
+    <message>
+        <source>Positions: RMS reprojection error %1, from %2 board poses</source>
+        <translation>位置: 再投影誤差（RMS）%1、ボードの姿勢 %2 個</translation>
+    </message>
+    <message>
+        <source>%1 views; at least %2 are needed</source>
+        <translation>%1 ビュー（少なくとも %2 必要）</translation>
+    </message>
+    <message>
+        <source>inverted colors</source>
         <translation>白黒反転</translation>
     </message>
     <message>
-        <source>%1 of %2 images searched show %3, but mirrored: change the mirroring of these cameras. Use this board?</source>
-        <translation>調べた%2枚の画像のうち%1枚に、%3が左右反転して写っています。これらのカメラのミラー設定を変更してください。このボードを使いますか？</translation>
+        <source>%1 of the %2 searched images show %3, but mirrored. Change the mirroring of the cameras that took these images. Use this board?</source>
+        <translation>調べた%2枚の画像のうち%1枚に、%3が左右反転して写っています。これらの画像を撮影したカメラの鏡像の設定を変更してください。このボードを使いますか？</translation>
     </message>
     <message>
-        <source>%1 of %2 images searched show %3. Use this board?</source>
+        <source>%1 of the %2 searched images show %3. Use this board?</source>
         <translation>調べた%2枚の画像のうち%1枚に、%3が写っています。このボードを使いますか？</translation>
     </message>
 </context>
@@ -1000,32 +1032,8 @@
 <context>
     <name>CalibrationText</name>
     <message>
-        <source>%1 fits when its video is shifted in time: the video is probably %2 frames late. Synchronize the videos, or calibrate with a wand and “Find time offsets”.</source>
-        <translation>%1 は動画の時間をずらすと合います。おそらく %2 フレーム遅れています。動画を同期させるか、「時間のずれを求める」を選んでワンドで校正してください。</translation>
-    </message>
-    <message>
-        <source>%1 fits when its video is shifted in time: the video is probably %2 frames early. Synchronize the videos, or calibrate with a wand and “Find time offsets”.</source>
-        <translation>%1 は動画の時間をずらすと合います。おそらく %2 フレーム早まっています。動画を同期させるか、「時間のずれを求める」を選んでワンドで校正してください。</translation>
-    </message>
-    <message>
-        <source>%1 fits one pose before %2 and another pose after that time: the camera was probably moved. Calibrate with the later part only.</source>
-        <translation>%1 は %2 より前と後で姿勢が異なります。カメラが動かされたようです。後の部分だけで較正してください。</translation>
-    </message>
-    <message>
-        <source>%1 fits only with flipped images: its video is probably mirrored or upside down. Set the rotation and mirroring of its images.</source>
-        <translation>%1 は画像を反転させたときだけ合います。動画が鏡像か上下逆のようです。画像の回転と鏡像を設定してください。</translation>
-    </message>
-    <message>
-        <source>%1 fits with %2 times the given focal length: its zoom or crop was probably changed. Calibrate its intrinsics again.</source>
-        <translation>%1 は焦点距離を %2 倍にすると合います。ズームまたは切り出しが変わったようです。内部パラメータを較正し直してください。</translation>
-    </message>
-    <message>
         <source>The intrinsics of %1 are probably for another resolution: its images are %2 times as large. Convert the intrinsics, or record at the calibrated size.</source>
         <translation>%1 の内部パラメータは別の解像度のもののようです。画像は %2 倍の大きさです。内部パラメータを換算するか、較正した大きさで録画してください。</translation>
-    </message>
-    <message>
-        <source>In this volume: position ±%1 (95 %)</source>
-        <translation>この空間内: 位置 ±%1 (95 %)</translation>
     </message>
     <message>
         <source>, scale ±%1 %</source>
@@ -1048,36 +1056,60 @@
         <translation>すべてのカメラがボードまたは床の裏側を見ているようです。点がおそらく鏡像になっています。軸の向きと、印刷が反転していないことを確かめてください。</translation>
     </message>
     <message>
-        <source>The corners form a board with %1 squares in a row: the number of squares is probably wrong. Count them and correct the board.</source>
-        <translation>角は1列にマス目が %1 個あるボードをなしています。マス目の数が違うようです。数えてボードを直してください。</translation>
-    </message>
-    <message>
-        <source>The given size of the squares is %1 times what the cameras see: measure a row with a ruler (prints are often rescaled).</source>
-        <translation>指定したマス目の大きさはカメラの見る大きさの %1 倍です。定規で1列を測ってください（印刷はよく拡大縮小されます）。</translation>
-    </message>
-    <message>
-        <source>The images fit when shifted by %1 along both axes: the calibration probably counts pixels from their corners, not their centers. Convert the principal points.</source>
-        <translation>画像は両軸に %1 ずらすと合います。おそらくキャリブレーションがピクセルを中心ではなく角から数えています。主点を換算してください。</translation>
-    </message>
-    <message>
         <source>, upward direction not measured yet (page Floor)</source>
         <translation>、上方向は未測定(「床」ページ)</translation>
-    </message>
-    <message>
-        <source>In this volume: position unknown</source>
-        <translation>この空間での位置精度: 不明</translation>
     </message>
     <message>
         <source>Everything fits when %1 and %2 are exchanged: their videos are probably swapped. Exchange the two files.</source>
         <translation>%1 と %2 を入れ替えるとすべて合います。動画が逆になっているようです。2つのファイルを入れ替えてください。</translation>
     </message>
     <message>
-        <source>The given length is %1 times what the cameras see: millimeters and meters are probably mixed up.</source>
-        <translation>与えられた長さはカメラの見る長さの %1 倍です。ミリメートルとメートルを取り違えているようです。</translation>
+        <source>%1 agrees with the other cameras only if its video is shifted in time: the video is probably %2 frames late. Synchronize the videos, or calibrate with a wand and “Find time offsets”.</source>
+        <translation>%1 は動画の時間をずらしたときだけ他のカメラと合います。おそらく %2 フレーム遅れています。動画を同期させるか、「時間のずれを求める」を選んでワンドで校正してください。</translation>
     </message>
     <message>
-        <source>The given length is %1 times what the cameras see: it is probably in inches (1 inch = 2.54 cm).</source>
-        <translation>与えられた長さはカメラの見る長さの %1 倍です。インチのようです（1 インチ = 2.54 cm）。</translation>
+        <source>%1 agrees with the other cameras only if its video is shifted in time: the video is probably %2 frames early. Synchronize the videos, or calibrate with a wand and “Find time offsets”.</source>
+        <translation>%1 は動画の時間をずらしたときだけ他のカメラと合います。おそらく %2 フレーム早まっています。動画を同期させるか、「時間のずれを求める」を選んでワンドで校正してください。</translation>
+    </message>
+    <message>
+        <source>The images of %1 fit one pose before %2 and another pose after that time: the camera was probably moved. Calibrate with the later part of the recording only.</source>
+        <translation>%1 の画像は %2 より前と後で別の姿勢に合います。カメラが動かされたようです。録画の後の部分だけでキャリブレーションしてください。</translation>
+    </message>
+    <message>
+        <source>The images of %1 fit only if they are flipped: the video is probably mirrored or upside down. Set the rotation and mirroring of these images.</source>
+        <translation>%1 の画像は反転させたときだけ合います。動画が鏡像か上下逆のようです。この画像の回転と鏡像を設定してください。</translation>
+    </message>
+    <message>
+        <source>The images of %1 fit a focal length that is %2 times the given one: the zoom or crop of the camera was probably changed. Calibrate its intrinsics again.</source>
+        <translation>%1 の画像は、指定の %2 倍の焦点距離に合います。カメラのズームまたは切り出しが変わったようです。内部パラメータをキャリブレーションし直してください。</translation>
+    </message>
+    <message>
+        <source>In the calibrated volume: position ±%1 (95 %)</source>
+        <translation>キャリブレーションした空間内: 位置 ±%1 (95 %)</translation>
+    </message>
+    <message>
+        <source>In the calibrated volume: position unknown</source>
+        <translation>キャリブレーションした空間内: 位置の精度は不明</translation>
+    </message>
+    <message>
+        <source>The length that you entered is %1 times the length that the cameras see: millimeters and meters are probably mixed up.</source>
+        <translation>入力した長さはカメラの見る長さの %1 倍です。ミリメートルとメートルを取り違えているようです。</translation>
+    </message>
+    <message>
+        <source>The length that you entered is %1 times the length that the cameras see: you probably entered it in inches (1 inch = 2.54 cm).</source>
+        <translation>入力した長さはカメラの見る長さの %1 倍です。インチで入力したようです（1 インチ = 2.54 cm）。</translation>
+    </message>
+    <message>
+        <source>The corners form a board with %1 squares in a row, so the number of squares that you entered is probably wrong. Count the squares and correct the number.</source>
+        <translation>角は1列にマス目が %1 個あるボードをなしています。入力したマス目の数が違うようです。マス目を数えて数を直してください。</translation>
+    </message>
+    <message>
+        <source>The size of the squares that you entered is %1 times the size that the cameras see. Measure a row with a ruler: prints are often rescaled.</source>
+        <translation>入力したマス目の大きさは、カメラの見る大きさの %1 倍です。定規で1列を測ってください。印刷はよく拡大縮小されます。</translation>
+    </message>
+    <message>
+        <source>The images fit only if they are shifted by %1 along both axes: the calibration probably has its origin at the corner of the first pixel, not at its center. Convert the principal points.</source>
+        <translation>画像は両軸に %1 ずらしたときだけ合います。おそらくキャリブレーションの原点が最初のピクセルの中心ではなく角にあります。主点を換算してください。</translation>
     </message>
 </context>
 <context>
@@ -1179,16 +1211,16 @@
         <translation>ターゲットの半径は約 %1 のようです。</translation>
     </message>
     <message>
-        <source>The target&apos;s radius seems to be about %1, but %2 is given. Is that the diameter?</source>
-        <translation>ターゲットの半径は約 %1 のようですが、%2 と指定されています。それは直径ではありませんか?</translation>
-    </message>
-    <message>
-        <source>The target&apos;s radius seems to be about %1, but %2 is given.</source>
-        <translation>ターゲットの半径は約 %1 のようですが、%2 と指定されています。</translation>
-    </message>
-    <message>
         <source>The marked spot is part of a larger object of the same color. Only this spot is tracked, as a ball with radius %1.</source>
         <translation>印を付けた場所は、同じ色のより大きな物体の一部です。この場所だけを、半径 %1 の球として追跡します。</translation>
+    </message>
+    <message>
+        <source>The target&apos;s radius seems to be about %1, but %2 was entered. Is this the diameter?</source>
+        <translation>ターゲットの半径は約 %1 のようですが、%2 と入力されています。それは直径ではありませんか?</translation>
+    </message>
+    <message>
+        <source>The target&apos;s radius seems to be about %1, but %2 was entered.</source>
+        <translation>ターゲットの半径は約 %1 のようですが、%2 と入力されています。</translation>
     </message>
 </context>
 <context>
@@ -1235,22 +1267,6 @@
     <message>
         <source>at the bottom right</source>
         <translation>右下</translation>
-    </message>
-    <message>
-        <source>Stands out well (%1 of 100 points).</source>
-        <translation>よく見分けられます: 100点中%1点。</translation>
-    </message>
-    <message>
-        <source>Stands out (%1 of 100 points).</source>
-        <translation>見分けられます: 100点中%1点。</translation>
-    </message>
-    <message>
-        <source>Hard to tell apart (%1 of 100 points).</source>
-        <translation>見分けにくい色です: 100点中%1点。</translation>
-    </message>
-    <message>
-        <source>Hardly stands out (%1 of 100 points).</source>
-        <translation>ほとんど見分けられません: 100点中%1点。</translation>
     </message>
     <message>
         <source>black</source>
@@ -1325,10 +1341,6 @@
         <translation>ターゲットがほぼ灰色です。もっと鮮やかな色が良いでしょう。</translation>
     </message>
     <message>
-        <source>The clicked region fills much of the image: click only the target, or drag a box on it.</source>
-        <translation>クリックした領域が画像の大部分を占めています。ターゲットだけをクリックするか、その上で枠を引いてください。</translation>
-    </message>
-    <message>
         <source>%1 % of the pixels match. Shift-click the target to see how well it stands out.</source>
         <translation>ピクセルの %1 % が一致します。ターゲットを Shift クリックすると、どれだけ見分けやすいか分かります。</translation>
     </message>
@@ -1349,22 +1361,42 @@
         <translation>この色の物体がいくつもあります。別の色にするとよいでしょう。</translation>
     </message>
     <message>
-        <source>You clicked only a speck: drag a box on the whole target.</source>
-        <translation>小さな点だけがクリックされました。ターゲット全体の上で枠を引いてください。</translation>
-    </message>
-    <message>
         <source>Only %1 % of the target matches, and %2 % of the background matches too.</source>
         <translation>ターゲットの %1 % しか一致せず、背景の %2 % も一致します。</translation>
-    </message>
-    <message>
-        <source>A range that covers the whole target would match %1 % of the background.</source>
-        <translation>ターゲット全体を含む範囲は、背景の %1 % にも一致します。</translation>
     </message>
     <message numerus="yes">
         <source>%n objects have this color and size: follow all of them, or cover the others.</source>
         <translation>
             <numerusform>この色と大きさの物体が %n 個あります: すべて追跡するか、ほかの物体を覆ってください。</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The color stands out well (%1 of 100 points).</source>
+        <translation>この色はよく見分けられます: 100点中%1点。</translation>
+    </message>
+    <message>
+        <source>The color stands out (%1 of 100 points).</source>
+        <translation>この色は見分けられます: 100点中%1点。</translation>
+    </message>
+    <message>
+        <source>The color is hard to tell from the background (%1 of 100 points).</source>
+        <translation>この色は背景と見分けにくいです: 100点中%1点。</translation>
+    </message>
+    <message>
+        <source>The color hardly stands out (%1 of 100 points).</source>
+        <translation>この色はほとんど見分けられません: 100点中%1点。</translation>
+    </message>
+    <message>
+        <source>The clicked region fills much of the image: click only the target, or drag a box around the target.</source>
+        <translation>クリックした領域が画像の大部分を占めています。ターゲットだけをクリックするか、ターゲットを囲む枠をドラッグしてください。</translation>
+    </message>
+    <message>
+        <source>You clicked only a speck: drag a box around the whole target.</source>
+        <translation>小さな点だけをクリックしました。ターゲット全体を囲む枠をドラッグしてください。</translation>
+    </message>
+    <message>
+        <source>A color range that covers the whole target would match %1 % of the background.</source>
+        <translation>ターゲット全体を含む色の範囲は、背景の %1 % にも一致します。</translation>
     </message>
 </context>
 <context>
@@ -1469,18 +1501,6 @@
         <translation>Barrera ら 2005、図6:30回目の反復で物体が2 m移動します。</translation>
     </message>
     <message>
-        <source>Barrera et al. 2005, figure 7: the error for the jump of figure 6 and motion sigmas from 0.001 to 0.3 m, as an image.</source>
-        <translation>Barrera ら 2005、図7:図6の移動での誤差を、モーションシグマ0.001〜0.3 mについて画像で示します。</translation>
-    </message>
-    <message>
-        <source>Barrera et al. 2005, figure 8: the cloud at six instants, with a small and a large motion sigma.</source>
-        <translation>Barrera ら 2005、図8:小さいシグマと大きいシグマでの6時点の雲。</translation>
-    </message>
-    <message>
-        <source>Barrera et al. 2005, section III-B: the share of runs that converge, for several start volumes and for starts behind the ball.</source>
-        <translation>Barrera ら 2005、III-B節：いくつかの開始体積と、ボールの後ろからの開始について、収束した実行の割合。</translation>
-    </message>
-    <message>
         <source>Barrera et al. 2005, section III-B: with one camera, the cloud moves away from the camera.</source>
         <translation>Barrera ら 2005、III-B節：カメラ1台では、雲がカメラから遠ざかります。</translation>
     </message>
@@ -1501,10 +1521,6 @@
         <translation>ジャンプ後の誤差</translation>
     </message>
     <message>
-        <source>Error over iteration and motion sigma</source>
-        <translation>反復とモーションシグマに対する誤差</translation>
-    </message>
-    <message>
         <source>Particles from above</source>
         <translation>上から見たパーティクル</translation>
     </message>
@@ -1521,24 +1537,8 @@
         <translation>動きのマスクと動きの尤度</translation>
     </message>
     <message>
-        <source>The cone of one camera</source>
-        <translation>カメラ1台の円錐</translation>
-    </message>
-    <message>
-        <source>Where the cloud may start</source>
-        <translation>雲の開始位置</translation>
-    </message>
-    <message>
         <source>Boxes: error, success and precision</source>
         <translation>枠：誤差、成功率、精度</translation>
-    </message>
-    <message>
-        <source>Mohedano et al. 2009: people enter and leave; how long estimates exist without a person, and how long people have no estimate.</source>
-        <translation>Mohedano ら 2009：人が出入りします。人のいない推定が続く時間と、推定のない人がいる時間を調べます。</translation>
-    </message>
-    <message>
-        <source>Mohedano et al. 2009: two people meet and walk on; motion alone may mix them up, color tells them apart when their clothes differ.</source>
-        <translation>Mohedano ら 2009：2 人が出会って通り過ぎます。動きだけでは取り違えることがあり、服が違えば色で区別できます。</translation>
     </message>
     <message>
         <source>Mohedano et al. 2009: two people meet, stop and walk back.</source>
@@ -1565,14 +1565,6 @@
         <translation>出会って引き返す人</translation>
     </message>
     <message>
-        <source>Sugandi et al. 2009, section 4: compares 100 and 300 particles, method histogram and four OpenCV trackers on the same clips.</source>
-        <translation>Sugandi ら 2009、第 4 節：粒子 100 個と 300 個、手法 histogram、OpenCV の 4 つの追跡器を同じ映像で比べます。</translation>
-    </message>
-    <message>
-        <source>Mohedano et al. 2009: two people far apart. This is the easy case: no method may mix them up.</source>
-        <translation>Mohedano ほか 2009: 互いに離れた二人。どの方法も取り違えてはならない易しい場合。</translation>
-    </message>
-    <message>
         <source>People who stay apart</source>
         <translation>離れたままの人々</translation>
     </message>
@@ -1595,10 +1587,6 @@
     <message>
         <source>People of different heights</source>
         <translation>身長の異なる人</translation>
-    </message>
-    <message>
-        <source>A child of 0.9 to 1.3 m, one person of 1.3 to 1.6 m and one of 1.88 to 2 m walk about.</source>
-        <translation>0.9～1.3 m の子ども、1.3～1.6 m の人、1.88～2 m の人が歩き回ります。</translation>
     </message>
     <message>
         <source>People who sit and crouch</source>
@@ -1633,10 +1621,6 @@
         <translation>2 人がすれ違います。4 台のカメラのうち 2 台だけに映ります。</translation>
     </message>
     <message>
-        <source>People who come close</source>
-        <translation>ごく近くまで近づく人</translation>
-    </message>
-    <message>
         <source>Two people come within 0.15 to 0.28 m of each other, stand there, and go back.</source>
         <translation>2 人が 0.15～0.28 m まで近づき、立ち止まって戻ります。</translation>
     </message>
@@ -1663,6 +1647,54 @@
     <message>
         <source>Two people in striped, checked or blotched shirts walk past each other.</source>
         <translation>縞、格子、斑の柄のシャツを着た 2 人がすれ違います。</translation>
+    </message>
+    <message>
+        <source>Barrera et al. 2005, figure 7: the error after the jump of figure 6, for motion sigmas from 0.001 to 0.3 m, drawn as an image.</source>
+        <translation>Barrera ら 2005、図7：図6の移動の後の誤差を、モーションシグマ0.001〜0.3 mについて画像として描きます。</translation>
+    </message>
+    <message>
+        <source>Barrera et al. 2005, figure 8: the cloud in six iterations, with a small and with a large motion sigma.</source>
+        <translation>Barrera ら 2005、図8：小さいモーションシグマと大きいモーションシグマでの、6回の反復における雲。</translation>
+    </message>
+    <message>
+        <source>Barrera et al. 2005, section III-B: the share of runs that converge, for start volumes of several sizes and for start points behind the ball.</source>
+        <translation>Barrera ら 2005、III-B節：さまざまな大きさの開始体積と、ボールの後ろの開始点について、収束した実行の割合。</translation>
+    </message>
+    <message>
+        <source>Error over the iterations, for different motion sigmas</source>
+        <translation>反復ごとの誤差（さまざまなモーションシグマ）</translation>
+    </message>
+    <message>
+        <source>Mohedano et al. 2009: people enter and leave. Measures how long there are estimates without a person, and people without an estimate.</source>
+        <translation>Mohedano ら 2009：人が出入りします。人のいない推定と、推定のない人がどれだけ続くかを測ります。</translation>
+    </message>
+    <message>
+        <source>Mohedano et al. 2009: two people far apart. This is the easy case: no method should mix them up.</source>
+        <translation>Mohedano ら 2009：互いに離れた 2 人。易しい場合で、どの手法も取り違えてはなりません。</translation>
+    </message>
+    <message>
+        <source>Mohedano et al. 2009: two people meet and walk on. A method that uses only motion may mix them up; color tells them apart if their clothes differ.</source>
+        <translation>Mohedano ら 2009：2 人が出会って通り過ぎます。動きだけを使う手法は取り違えることがありますが、服が違えば色で区別できます。</translation>
+    </message>
+    <message>
+        <source>People who come close to each other</source>
+        <translation>互いに近づく人</translation>
+    </message>
+    <message>
+        <source>Sugandi et al. 2009, section 4: compares method sugandi with 100 and with 300 particles, method histogram, and four trackers of OpenCV, all on the same clips.</source>
+        <translation>Sugandi ら 2009、第 4 節：粒子 100 個と 300 個の手法 sugandi、手法 histogram、OpenCV の 4 つの追跡器を、すべて同じ映像で比べます。</translation>
+    </message>
+    <message>
+        <source>Three people walk about: a child 0.9 to 1.3 m tall, a person 1.3 to 1.6 m tall and a person 1.88 to 2 m tall.</source>
+        <translation>3 人が歩き回ります。身長 0.9〜1.3 m の子ども、1.3〜1.6 m の人、1.88〜2 m の人です。</translation>
+    </message>
+    <message>
+        <source>Where one camera finds the color</source>
+        <translation>カメラ1台で色が見つかる場所</translation>
+    </message>
+    <message>
+        <source>Where the cloud can start and converge</source>
+        <translation>雲がどこから始まれば収束するか</translation>
     </message>
 </context>
 <context>
@@ -1708,10 +1740,6 @@
         <translation>Z が上向き、軸はプロジェクトと同じ</translation>
     </message>
     <message>
-        <source>Y points up: x, y, z are y, z, x of the project</source>
-        <translation>Y が上向き: x, y, z はプロジェクトの y, z, x</translation>
-    </message>
-    <message>
         <source>Lengths in %1, times in s, covariances in %1². %2.</source>
         <translation>長さは %1、時刻は s、共分散は %1²。%2。</translation>
     </message>
@@ -1727,6 +1755,10 @@
         <source>Targets: %1, rows: %2 at %3 per second, %4.</source>
         <translation>ターゲット: %1、行: %2（毎秒 %3）、%4。</translation>
     </message>
+    <message>
+        <source>Y points up: x, y, z of the file are y, z, x of the project</source>
+        <translation>Y が上向き: ファイルの x, y, z はプロジェクトの y, z, x</translation>
+    </message>
 </context>
 <context>
     <name>ExportDialog</name>
@@ -1741,6 +1773,416 @@
     <message>
         <source>Exported %1 rows to %2.</source>
         <translation>%1 行を %2 に書き出しました。</translation>
+    </message>
+</context>
+<context>
+    <name>Finding</name>
+    <message>
+        <source>%1 and %2 have the same pose.</source>
+        <translation>%1 と %2 の姿勢が同じです。</translation>
+    </message>
+    <message>
+        <source>%1 has %2 frames of %3 pixels, %4.</source>
+        <translation>%1: %2 フレーム、%3 ピクセル、%4。</translation>
+    </message>
+    <message>
+        <source>%1 is %2 m below the floor (z = 0).</source>
+        <translation>%1 が床（z = 0）より %2 m 下にあります。</translation>
+    </message>
+    <message>
+        <source>%1 sees nothing that another camera sees.</source>
+        <translation>%1 とほかのカメラの両方に写る場所がありません。</translation>
+    </message>
+    <message>
+        <source>A file of the project is missing: %1.</source>
+        <translation>プロジェクトのファイルがありません: %1。</translation>
+    </message>
+    <message>
+        <source>According to their tables of times, the cameras never recorded at the same time.</source>
+        <translation>時刻の表によると、カメラが同時に録画していた時間がありません。</translation>
+    </message>
+    <message>
+        <source>Add a target, or choose a method that finds targets by itself.</source>
+        <translation>ターゲットを追加するか、ターゲットを自動で見つける手法を選んでください。</translation>
+    </message>
+    <message>
+        <source>Add cameras, or choose another method.</source>
+        <translation>カメラを追加するか、別の手法を選んでください。</translation>
+    </message>
+    <message>
+        <source>Calibrate both again; one pose was probably copied from the other.</source>
+        <translation>両方のキャリブレーションをやり直してください。おそらく一方の姿勢が他方にコピーされています。</translation>
+    </message>
+    <message>
+        <source>Calibrate them with a board, a wand or measured points.</source>
+        <translation>ボード、ワンド、または測った点でキャリブレーションしてください。</translation>
+    </message>
+    <message>
+        <source>Calibrate them, or choose a method that tracks boxes in images.</source>
+        <translation>キャリブレーションするか、画像の中の枠を追跡する手法を選んでください。</translation>
+    </message>
+    <message>
+        <source>Check late_by; it is in seconds.</source>
+        <translation>late_by を確かめてください。単位は秒です。</translation>
+    </message>
+    <message>
+        <source>Check that the camera sees the target, and its exposure and white balance.</source>
+        <translation>カメラにターゲットが写っているか、露光とホワイトバランスが適切かを確かめてください。</translation>
+    </message>
+    <message>
+        <source>Check that the times in all tables are from the same clock.</source>
+        <translation>すべての表の時刻が同じ時計によるものか確かめてください。</translation>
+    </message>
+    <message>
+        <source>Check that this is the recording they were made for.</source>
+        <translation>この録画のための修正かどうか確かめてください。</translation>
+    </message>
+    <message>
+        <source>Check that z points up and is 0 on the floor, unless you placed the origin elsewhere.</source>
+        <translation>原点を別の場所に置いた場合を除き、z が上向きで、床で 0 になることを確かめてください。</translation>
+    </message>
+    <message>
+        <source>Click on it in an image, or use the command learn-color.</source>
+        <translation>画像の中でクリックするか、learn-color コマンドを使ってください。</translation>
+    </message>
+    <message>
+        <source>Convert them to the same rate, or give each camera a table of times.</source>
+        <translation>同じフレームレートに変換するか、時刻の表を指定してください。</translation>
+    </message>
+    <message>
+        <source>Copy it again, or convert it with FFmpeg.</source>
+        <translation>コピーし直すか、FFmpeg で変換してください。</translation>
+    </message>
+    <message>
+        <source>Copy it again, or repair it with FFmpeg (ffmpeg -i IN -c copy OUT).</source>
+        <translation>コピーし直すか、FFmpeg で修復してください（ffmpeg -i 入力 -c copy 出力）。</translation>
+    </message>
+    <message>
+        <source>Copy the folder again; otherwise the camera has no image in these frames.</source>
+        <translation>フォルダーをコピーし直してください。このままでは、これらのフレームにこのカメラの画像がありません。</translation>
+    </message>
+    <message>
+        <source>Copy the recording again, or use only the frames before it.</source>
+        <translation>録画をコピーし直すか、それより前のフレームだけを使ってください。</translation>
+    </message>
+    <message>
+        <source>Correct late_by; it is in seconds.</source>
+        <translation>late_by を直してください。単位は秒です。</translation>
+    </message>
+    <message>
+        <source>Correct the file, or remove truth from the project.</source>
+        <translation>ファイルを直すか、プロジェクトから truth を削除してください。</translation>
+    </message>
+    <message>
+        <source>Correct the line in a text editor, or make a new project.</source>
+        <translation>テキストエディターでその行を直すか、新しいプロジェクトを作成してください。</translation>
+    </message>
+    <message>
+        <source>Correct the table, or remove times from this camera.</source>
+        <translation>表を直すか、このカメラから times を削除してください。</translation>
+    </message>
+    <message>
+        <source>Corrections for frames that the recording does not have: %1.</source>
+        <translation>録画にないフレームの修正が %1 個あります。</translation>
+    </message>
+    <message>
+        <source>Draw it in an earlier frame.</source>
+        <translation>もっと前のフレームで枠を引いてください。</translation>
+    </message>
+    <message>
+        <source>Draw one in an image.</source>
+        <translation>画像の中で枠を引いてください。</translation>
+    </message>
+    <message>
+        <source>Frame %2 of %1 cannot be read: %3.</source>
+        <translation>%1 のフレーム %2 を読み込めません: %3。</translation>
+    </message>
+    <message>
+        <source>Give every camera one, or none.</source>
+        <translation>すべてのカメラに指定するか、どのカメラにも指定しないでください。</translation>
+    </message>
+    <message>
+        <source>Give the radius in meters.</source>
+        <translation>半径をメートルで指定してください。</translation>
+    </message>
+    <message>
+        <source>Import it again, or calibrate again.</source>
+        <translation>インポートし直すか、キャリブレーションをやり直してください。</translation>
+    </message>
+    <message>
+        <source>Import the calibration again with the right unit (calibration convert --unit).</source>
+        <translation>正しい単位でキャリブレーションをインポートし直してください（calibration convert --unit）。</translation>
+    </message>
+    <message>
+        <source>In the first %1 s, the images do not fit the calibration: %2.</source>
+        <translation>最初の %1 s で、画像がキャリブレーションと合いません: %2。</translation>
+    </message>
+    <message>
+        <source>Judging by the numbers in the file names, %2 of %3 images of %1 are missing, the first one after %4.</source>
+        <translation>ファイル名の番号によると、%1 の画像が %3 枚中 %2 枚足りません。最初に欠けているのは %4 の次の画像です。</translation>
+    </message>
+    <message>
+        <source>Learn the color again in an image of this recording.</source>
+        <translation>この録画の画像で色を学習し直してください。</translation>
+    </message>
+    <message>
+        <source>Learn the color again, with samples that do not reach beyond the target.</source>
+        <translation>ターゲットからはみ出さない見本で、色を学習し直してください。</translation>
+    </message>
+    <message>
+        <source>Learn the color again.</source>
+        <translation>色を学習し直してください。</translation>
+    </message>
+    <message>
+        <source>Make one project of the live cameras and another one of the recordings.</source>
+        <translation>ライブカメラと録画を別々のプロジェクトに分けてください。</translation>
+    </message>
+    <message>
+        <source>Make room, or write to another disk with --out.</source>
+        <translation>空きを増やすか、--out で別のディスクに書き出してください。</translation>
+    </message>
+    <message>
+        <source>Move the volume, or remove it.</source>
+        <translation>探索範囲を動かすか、削除してください。</translation>
+    </message>
+    <message>
+        <source>No part of the volume of interest is seen by enough cameras (at least %1).</source>
+        <translation>探索範囲のどの部分も、%1 台以上のカメラから見えません。</translation>
+    </message>
+    <message>
+        <source>No pixel can have the color of target %1: its range is too narrow.</source>
+        <translation>ターゲット %1 の色の範囲が狭すぎて、どのピクセルも一致しません。</translation>
+    </message>
+    <message>
+        <source>Nothing can be tracked: %1.</source>
+        <translation>何も追跡できません: %1。</translation>
+    </message>
+    <message>
+        <source>Nothing can be written to the folder of the project.</source>
+        <translation>プロジェクトのフォルダーに書き込めません。</translation>
+    </message>
+    <message>
+        <source>Only %1 GB are free for results.</source>
+        <translation>結果を保存する空きが %1 GB しかありません。</translation>
+    </message>
+    <message>
+        <source>Only %1 MB are free for results.</source>
+        <translation>結果を保存する空きが %1 MB しかありません。</translation>
+    </message>
+    <message>
+        <source>Only the first %2 frames are used; check that all begin at the same time.</source>
+        <translation>最初の %2 フレームだけを使います。すべての録画が同時に始まることを確かめてください。</translation>
+    </message>
+    <message>
+        <source>Open the project to see whether images arrive.</source>
+        <translation>プロジェクトを開いて、画像が届くか確かめてください。</translation>
+    </message>
+    <message>
+        <source>Other cameras have a table of times, but %1 has none.</source>
+        <translation>ほかのカメラには時刻の表がありますが、%1 にはありません。</translation>
+    </message>
+    <message>
+        <source>Plug it in, or choose another one.</source>
+        <translation>接続するか、別のデバイスを選んでください。</translation>
+    </message>
+    <message>
+        <source>Put it back, or correct the path in the project file.</source>
+        <translation>元の場所に戻すか、プロジェクトファイルのパスを直してください。</translation>
+    </message>
+    <message>
+        <source>Remove frames_per_second unless the video is wrong.</source>
+        <translation>動画の値が誤っている場合を除き、frames_per_second を削除してください。</translation>
+    </message>
+    <message>
+        <source>Set frames_per_second; speeds depend on it.</source>
+        <translation>frames_per_second を設定してください。速度の値に影響します。</translation>
+    </message>
+    <message>
+        <source>Set rotate to 90 or 270 for this camera.</source>
+        <translation>このカメラの rotate を 90 か 270 にしてください。</translation>
+    </message>
+    <message>
+        <source>Simulated cameras: %1.</source>
+        <translation>シミュレーションのカメラは %1 台です。</translation>
+    </message>
+    <message>
+        <source>Solve this problem, then check again.</source>
+        <translation>示された問題を解決してから、もう一度チェックしてください。</translation>
+    </message>
+    <message>
+        <source>Some cameras are live and others are recordings.</source>
+        <translation>ライブカメラと録画が混在しています。</translation>
+    </message>
+    <message>
+        <source>Take it again, or remove empty_room from this camera.</source>
+        <translation>撮り直すか、このカメラから empty_room を削除してください。</translation>
+    </message>
+    <message>
+        <source>Target %1 has a radius of %2 m, which is larger than a person.</source>
+        <translation>ターゲット %1 の半径は %2 m で、人よりも大きくなります。</translation>
+    </message>
+    <message>
+        <source>Target %1 has no box to start from.</source>
+        <translation>ターゲット %1 に、追跡を始めるための枠がありません。</translation>
+    </message>
+    <message>
+        <source>Target %1 has no color yet.</source>
+        <translation>ターゲット %1 の色がまだありません。</translation>
+    </message>
+    <message>
+        <source>The background image of %1 cannot be used: %2.</source>
+        <translation>%1 の背景画像は使えません: %2。</translation>
+    </message>
+    <message>
+        <source>The box of target %1 is in frame %2, but the last frame is frame %3.</source>
+        <translation>ターゲット %1 の枠はフレーム %2 にありますが、最後のフレームは %3 です。</translation>
+    </message>
+    <message>
+        <source>The calibration cannot be right: %1.</source>
+        <translation>キャリブレーションが正しくありません: %1。</translation>
+    </message>
+    <message>
+        <source>The calibration is plausible (cameras: %1, largest distance: %2 m).</source>
+        <translation>カメラ %1 台のキャリブレーションは妥当です。カメラどうしの距離は最大 %2 m です。</translation>
+    </message>
+    <message>
+        <source>The cameras are %1 m apart: their positions are probably in units of %2 m.</source>
+        <translation>カメラどうしが %1 m 離れています。位置はおそらく %2 m を単位としています。</translation>
+    </message>
+    <message>
+        <source>The cameras are not calibrated: their poses are guesses, so tracked positions mean nothing.</source>
+        <translation>カメラがキャリブレーションされていません。姿勢が仮のものなので、追跡した位置に意味はありません。</translation>
+    </message>
+    <message>
+        <source>The color of target %1 covers %2 % of the images of %3.</source>
+        <translation>ターゲット %1 の色が %3 の画像の %2 % を占めています。</translation>
+    </message>
+    <message>
+        <source>The color of target %1 covers %2 % of the images.</source>
+        <translation>ターゲット %1 の色は画像の %2 % を占めています。</translation>
+    </message>
+    <message>
+        <source>The color of target %1 was found in none of the %2 images that were checked.</source>
+        <translation>調べた %2 枚の画像のどれにも、ターゲット %1 の色が見つかりませんでした。</translation>
+    </message>
+    <message>
+        <source>The color of target %1 was found in none of the images of %2 that were checked.</source>
+        <translation>%2 の調べた画像のどれにも、ターゲット %1 の色が見つかりませんでした。</translation>
+    </message>
+    <message>
+        <source>The delay of %1 is %2 s, which is unusual.</source>
+        <translation>%1 の遅れは %2 s です。普通の値ではありません。</translation>
+    </message>
+    <message>
+        <source>The delay of %1, %2 s, is longer than its recording, so it has no image.</source>
+        <translation>%1 の遅れ %2 s は録画の長さを超えているため、画像がありません。</translation>
+    </message>
+    <message>
+        <source>The device of %1 is connected.</source>
+        <translation>%1 のデバイスは接続されています。</translation>
+    </message>
+    <message>
+        <source>The device of %1 is not connected: %2.</source>
+        <translation>%1 のデバイスが接続されていません: %2。</translation>
+    </message>
+    <message>
+        <source>The frame rate of the images is not given; %1 frames per second are assumed.</source>
+        <translation>画像のフレームレートがどこにも書かれていません。毎秒 %1 フレームと仮定します。</translation>
+    </message>
+    <message>
+        <source>The images of %1 have %2 pixels, but its calibration is for %3.</source>
+        <translation>%1 の画像は %2 ピクセルですが、キャリブレーションは %3 用です。</translation>
+    </message>
+    <message>
+        <source>The method %1 can work with this project.</source>
+        <translation>手法 %1 はこのプロジェクトで使えます。</translation>
+    </message>
+    <message>
+        <source>The method %1 needs at least %2 cameras; this project has %3.</source>
+        <translation>手法 %1 には %2 台以上のカメラが必要ですが、%3 台しかありません。</translation>
+    </message>
+    <message>
+        <source>The method %1 needs calibrated cameras.</source>
+        <translation>手法 %1 にはキャリブレーション済みのカメラが必要です。</translation>
+    </message>
+    <message>
+        <source>The project can be read.</source>
+        <translation>プロジェクトを読み込めます。</translation>
+    </message>
+    <message>
+        <source>The project cannot be opened: %1.</source>
+        <translation>プロジェクトを開けません: %1。</translation>
+    </message>
+    <message>
+        <source>The project cannot be read: %1.</source>
+        <translation>プロジェクトを読み込めません: %1。</translation>
+    </message>
+    <message>
+        <source>The project says %1 frames per second, but the video of %2 has %3.</source>
+        <translation>プロジェクトでは毎秒 %1 フレームですが、%2 の動画は毎秒 %3 フレームです。</translation>
+    </message>
+    <message>
+        <source>The recording of %1 cannot be opened: %2.</source>
+        <translation>%1 の録画を開けません: %2。</translation>
+    </message>
+    <message>
+        <source>The recording of %1 is missing: %2.</source>
+        <translation>%1 の録画がありません: %2。</translation>
+    </message>
+    <message>
+        <source>The recordings differ in length: %1.</source>
+        <translation>録画の長さが異なります: %1。</translation>
+    </message>
+    <message>
+        <source>The recordings have different frame rates: %1.</source>
+        <translation>録画のフレームレートが異なります: %1。</translation>
+    </message>
+    <message>
+        <source>The stream of %1 was not tested: the check opens no network connections.</source>
+        <translation>%1 の映像は試していません。チェックではネットワークに接続しません。</translation>
+    </message>
+    <message>
+        <source>The table of times of %1 cannot be used: %2.</source>
+        <translation>%1 の時刻の表は使えません: %2。</translation>
+    </message>
+    <message>
+        <source>The table of times of %1 has %2 times, but there are %3 images.</source>
+        <translation>%1 の時刻の表には時刻が %2 個ありますが、画像は %3 枚です。</translation>
+    </message>
+    <message>
+        <source>The true positions cannot be read: %1.</source>
+        <translation>真の位置を読み込めません: %1。</translation>
+    </message>
+    <message>
+        <source>The video of %1 is cut off: %2.</source>
+        <translation>%1 の動画が途中で切れています: %2。</translation>
+    </message>
+    <message>
+        <source>There is room for results: %1 GB are free.</source>
+        <translation>結果を保存する空きがあります: %1 GB。</translation>
+    </message>
+    <message>
+        <source>Turn it toward the target, or calibrate it again.</source>
+        <translation>ターゲットに向けるか、キャリブレーションをやり直してください。</translation>
+    </message>
+    <message>
+        <source>Use the calibration of these images, or images of the calibrated size.</source>
+        <translation>この画像に合うキャリブレーションを使うか、キャリブレーションに合う大きさの画像を使ってください。</translation>
+    </message>
+    <message>
+        <source>Use the table that belongs to this recording.</source>
+        <translation>この録画に対応する表を使ってください。</translation>
+    </message>
+    <message>
+        <source>Write results to another folder with --out.</source>
+        <translation>--out で別のフォルダーに結果を書き出してください。</translation>
+    </message>
+</context>
+<context>
+    <name>FindingText</name>
+    <message>
+        <source>camera “%1”</source>
+        <translation>カメラ「%1」</translation>
     </message>
 </context>
 <context>
@@ -1801,40 +2243,20 @@
         <translation>グリッドを使って手動で</translation>
     </message>
     <message>
-        <source>You need: one known length, such as a table or floor tiles. A first result in minutes.</source>
-        <translation>必要なもの: テーブルや床タイルなど、長さのわかるもの。数分で最初の結果が得られます。</translation>
-    </message>
-    <message>
         <source>Measured points</source>
         <translation>計測点</translation>
-    </message>
-    <message>
-        <source>You need: a tape measure and six points that the cameras see. Good for cameras that are mounted in a room.</source>
-        <translation>必要なもの: 巻き尺と、カメラに見える 6 点。部屋に固定したカメラに向いています。</translation>
     </message>
     <message>
         <source>Printed board</source>
         <translation>印刷したボード</translation>
     </message>
     <message>
-        <source>You need: a printed board that you can carry through the room. The most accurate lenses.</source>
-        <translation>必要なもの: 部屋の中を持ち運べる印刷したボード。レンズを最も正確に求められます。</translation>
-    </message>
-    <message>
         <source>Wand: a ball, or a stick with two balls</source>
         <translation>ワンド: ボール 1 個、またはボール 2 個付きの棒</translation>
     </message>
     <message>
-        <source>You need: rough camera positions and a ball to wave. The most accurate positions in a large room.</source>
-        <translation>必要なもの: カメラのおおよその位置と、振るためのボール。広い部屋で位置を最も正確に求められます。</translation>
-    </message>
-    <message>
         <source>File of another tool</source>
         <translation>他のツールのファイル</translation>
-    </message>
-    <message>
-        <source>You need: a calibration of these cameras, for images of this size.</source>
-        <translation>必要なもの: これらのカメラの、この画像サイズでのキャリブレーション。</translation>
     </message>
     <message>
         <source>File</source>
@@ -1843,10 +2265,6 @@
     <message>
         <source>Import the file</source>
         <translation>ファイルを読み込む</translation>
-    </message>
-    <message>
-        <source>Choose the file. The dialog asks for what the file does not say, such as the unit, and shows how far each camera would move.</source>
-        <translation>ファイルを選びます。単位など、ファイルに書かれていないことはダイアログで尋ねられ、各カメラがどれだけ動くかが表示されます。</translation>
     </message>
     <message>
         <source>Import calibration…</source>
@@ -1861,10 +2279,6 @@
         <translation>ボードを印刷する</translation>
     </message>
     <message>
-        <source>Describe the board on the page Board, and print it at 100 %. Check the scale bar with a ruler, and glue the sheet to something stiff and flat. If you have a board, describe it and go on.</source>
-        <translation>「ボード」ページでボードを記述し、100 % で印刷します。目盛りを定規で確かめ、硬くて平らなものに貼ります。すでにボードがあれば、記述して先へ進みます。</translation>
-    </message>
-    <message>
         <source>Go to the page Board</source>
         <translation>「ボード」ページへ</translation>
     </message>
@@ -1877,16 +2291,8 @@
         <translation>レンズをキャリブレーションする</translation>
     </message>
     <message>
-        <source>Choose Intrinsics on the page Board. Show the board to each camera: close, tilted to all sides, and in the corners of the image. Hold it still each time. With a recording, press Calibrate.</source>
-        <translation>「ボード」ページで内部パラメータを選びます。各カメラにボードを見せます: 近くで、あらゆる方向に傾けて、画像の隅でも。そのつど静止させます。録画の場合は「キャリブレーション」を押します。</translation>
-    </message>
-    <message>
         <source>Set the field of view</source>
         <translation>視野角を設定する</translation>
-    </message>
-    <message>
-        <source>Enter the field of view or the focal length of each camera, for example from its data sheet. A calibration of the lens with a board is more accurate, but not necessary for a start.</source>
-        <translation>データシートなどから、各カメラの視野角または焦点距離を入力します。ボードによるレンズのキャリブレーションのほうが正確ですが、最初は必要ありません。</translation>
     </message>
     <message>
         <source>Go to the page By hand</source>
@@ -1901,20 +2307,12 @@
         <translation>グリッドを部屋に重ねる</translation>
     </message>
     <message>
-        <source>Give the grid the size of an object that you know. In each image, drag the grid until it lies on the real object. Click a point of the grid to hold it in place.</source>
-        <translation>グリッドを大きさのわかるものに合わせます。各画像で、実物に重なるまでグリッドをドラッグします。グリッドの点をクリックすると、その点が固定されます。</translation>
-    </message>
-    <message>
         <source>Points</source>
         <translation>点</translation>
     </message>
     <message>
         <source>Measure points and click them</source>
         <translation>点を計測してクリックする</translation>
-    </message>
-    <message>
-        <source>Add points with positions in meters, and click each point in the images. Each camera needs four, better six that do not lie in one plane.</source>
-        <translation>位置(メートル)を指定して点を追加し、画像内で各点をクリックします。各カメラに 4 点、できれば同じ平面上にない 6 点が必要です。</translation>
     </message>
     <message>
         <source>Positions</source>
@@ -1925,16 +2323,8 @@
         <translation>カメラを計算する</translation>
     </message>
     <message>
-        <source>Press Compute cameras below the table of points. If one point fits badly, the page says which.</source>
-        <translation>点の表の下の「カメラを求める」を押します。合わない点があれば、ページに表示されます。</translation>
-    </message>
-    <message>
         <source>Find the camera positions</source>
         <translation>カメラの位置を求める</translation>
-    </message>
-    <message>
-        <source>Choose Positions on the page Board. Show the board to at least two cameras at a time, in many parts of the volume. Lay it on the floor once, and press Set floor from board.</source>
-        <translation>「ボード」ページで位置を選びます。空間のさまざまな場所で、同時に 2 台以上のカメラにボードを見せます。一度床に置き、「ボードで床を設定」を押します。</translation>
     </message>
     <message>
         <source>Rough</source>
@@ -1943,10 +2333,6 @@
     <message>
         <source>Place the cameras roughly</source>
         <translation>カメラをおおまかに配置する</translation>
-    </message>
-    <message>
-        <source>Drag the grid in each image, or the cameras in the bird&apos;s-eye view, until the cameras are within about 12 cm of their places.</source>
-        <translation>各画像のグリッド、または俯瞰ビューのカメラをドラッグし、カメラを実際の位置から約 12 cm 以内に合わせます。</translation>
     </message>
     <message>
         <source>Ball</source>
@@ -1973,10 +2359,6 @@
         <translation>ワンドを振る</translation>
     </message>
     <message>
-        <source>On the page Wand, choose what you wave and where the scale comes from. Wave slowly, through all of the volume, for half a minute, and press Refine cameras.</source>
-        <translation>「ワンド」ページで、何を振るか、縮尺をどこから得るかを指定します。空間全体をゆっくり 30 秒ほど振り、「カメラを精密化」を押します。</translation>
-    </message>
-    <message>
         <source>Go to the page Wand</source>
         <translation>「ワンド」ページへ</translation>
     </message>
@@ -1987,10 +2369,6 @@
     <message>
         <source>Set floor and origin</source>
         <translation>床と原点を設定する</translation>
-    </message>
-    <message>
-        <source>Mark three points of the floor in two images each: A becomes the origin, and the x axis points to B. Then press Set floor from A, B and C.</source>
-        <translation>床の 3 点をそれぞれ 2 つの画像でマークします。A が原点になり、x 軸は B を向きます。次に「A、B、C から床を設定」を押します。</translation>
     </message>
     <message>
         <source>Go to the page Floor</source>
@@ -2005,10 +2383,6 @@
         <translation>計測した長さを確かめる</translation>
     </message>
     <message>
-        <source>Measure a distance in the room, as long as possible. Mark its ends as A and B, enter the distance, and press Check. If it differs, Set scale makes it right.</source>
-        <translation>部屋の中でできるだけ長い距離を測ります。両端を A と B としてマークし、距離を入力して「確認」を押します。違う場合は「縮尺を設定」で直せます。</translation>
-    </message>
-    <message>
         <source>Not done yet.</source>
         <translation>まだ完了していません。</translation>
     </message>
@@ -2017,24 +2391,92 @@
         <translation>完了。</translation>
     </message>
     <message>
-        <source>Done: differs by %1.</source>
-        <translation>完了: 差は %1。</translation>
-    </message>
-    <message>
-        <source>%1 of %2 cameras.</source>
-        <translation>カメラ %2 台中 %1 台。</translation>
-    </message>
-    <message>
-        <source>%1 of %2 cameras, largest error %3.</source>
-        <translation>カメラ %2 台中 %1 台、最大誤差 %3。</translation>
-    </message>
-    <message>
         <source>the z axis does not seem to point up</source>
         <translation>z 軸が上を向いていないようです</translation>
     </message>
     <message>
-        <source>%1, ±%2: too inexact</source>
+        <source>%1, ±%2: too inaccurate</source>
         <translation>%1、±%2: 誤差が大きすぎます</translation>
+    </message>
+    <message>
+        <source>You need one known length, such as the length of a table or of a floor tile. You get a first result within minutes.</source>
+        <translation>テーブルや床タイルの長さなど、わかっている長さが 1 つ必要です。数分で最初の結果が得られます。</translation>
+    </message>
+    <message>
+        <source>You need a tape measure and six points that the cameras see. This way suits cameras that are mounted in a room.</source>
+        <translation>巻き尺と、カメラに見える 6 点が必要です。部屋に固定したカメラに向いた方法です。</translation>
+    </message>
+    <message>
+        <source>You need a printed board that you can carry through the room. This way calibrates the lenses most accurately.</source>
+        <translation>部屋の中を持ち運べる印刷したボードが必要です。レンズを最も正確にキャリブレーションできる方法です。</translation>
+    </message>
+    <message>
+        <source>You need rough camera positions and a ball to wave. This way gives the most accurate camera positions in a large room.</source>
+        <translation>カメラのおおよその位置と、振るためのボールが必要です。広い部屋でカメラの位置を最も正確に求められる方法です。</translation>
+    </message>
+    <message>
+        <source>You need a calibration file for these cameras and for images of this size.</source>
+        <translation>これらのカメラと、この画像サイズのためのキャリブレーションファイルが必要です。</translation>
+    </message>
+    <message>
+        <source>Choose the file. If it lacks something, such as the unit, the dialog asks you for it. The dialog also shows how far each camera would move.</source>
+        <translation>ファイルを選びます。単位など、ファイルにないものはダイアログで尋ねられます。各カメラがどれだけ動くかも表示されます。</translation>
+    </message>
+    <message>
+        <source>Describe the board on the page Board, and print it at 100 %. Check the scale bar with a ruler, and glue the sheet to something stiff and flat. If you already have a board, just describe it and go on to the next step.</source>
+        <translation>「ボード」ページでボードを記述し、100 % で印刷します。目盛りを定規で確かめ、硬くて平らなものに貼ります。すでにボードがあれば、記述だけして次のステップへ進みます。</translation>
+    </message>
+    <message>
+        <source>On the page Board, choose Intrinsics. With live cameras, press Start and show the board to each camera: close, tilted to all sides, and in the corners of the image. Hold it still each time. If you have already recorded this, just press Calibrate.</source>
+        <translation>「ボード」ページで「内部パラメータ」を選びます。ライブカメラの場合は「開始」を押し、各カメラにボードを見せます: 近くで、あらゆる方向に傾けて、画像の隅でも。そのつど静止させます。すでに録画してある場合は「キャリブレーション」を押すだけです。</translation>
+    </message>
+    <message>
+        <source>Enter the field of view or the focal length of each camera, for example from its data sheet. Calibrating the lens with a board is more accurate, but you do not need it to begin.</source>
+        <translation>データシートなどから、各カメラの視野角または焦点距離を入力します。ボードでレンズをキャリブレーションするほうが正確ですが、始めるだけなら必要ありません。</translation>
+    </message>
+    <message>
+        <source>Give the grid the size of a real object that you have measured. In each image, drag the grid until it lies on this object. Click a point of the grid to hold it in place.</source>
+        <translation>グリッドを、実際に測った物の大きさにします。各画像で、その物に重なるまでグリッドをドラッグします。グリッドの点をクリックすると、その点が固定されます。</translation>
+    </message>
+    <message>
+        <source>Add points whose positions in the room you have measured, in meters. Then click each point in the images. Each camera needs at least four points, or better six that do not all lie in one plane.</source>
+        <translation>部屋の中で位置を測った点を、メートル単位で追加します。次に画像内で各点をクリックします。各カメラに少なくとも 4 点、できればすべてが同じ平面上にはない 6 点が必要です。</translation>
+    </message>
+    <message>
+        <source>Press Compute cameras below the table of points. If a point fits badly, the page tells you which one.</source>
+        <translation>点の表の下の「カメラを求める」を押します。合わない点があれば、どの点かがページに表示されます。</translation>
+    </message>
+    <message>
+        <source>On the page Board, choose Camera positions. With live cameras, press Start and show the board to at least two cameras at a time, in many parts of the volume. Lay it on the floor once, and press Set floor from board. If you have already recorded this, enter the frame with the board on the floor and press Calibrate.</source>
+        <translation>「ボード」ページで「カメラの位置」を選びます。ライブカメラの場合は「開始」を押し、空間のさまざまな場所で、同時に 2 台以上のカメラにボードを見せます。一度床に置き、「ボードで床を設定」を押します。すでに録画してある場合は、ボードが床に置かれているフレームを入力し、「キャリブレーション」を押します。</translation>
+    </message>
+    <message>
+        <source>Drag the grid in each image, or the cameras in the bird&apos;s-eye view, until each camera is within about 12 cm of its real position.</source>
+        <translation>各画像のグリッド、または俯瞰ビューのカメラをドラッグし、各カメラを実際の位置から約 12 cm 以内に合わせます。</translation>
+    </message>
+    <message>
+        <source>On the page Wand, choose what you wave and where the scale comes from. With live cameras, press Start waving and wave slowly through the whole volume for half a minute. Then press Refine cameras. If you have already recorded this, just press Refine cameras.</source>
+        <translation>「ワンド」ページで、何を振るか、縮尺をどこから得るかを指定します。ライブカメラの場合は「振り始める」を押し、空間全体でゆっくり 30 秒ほど振ります。次に「カメラを精密化」を押します。すでに録画してある場合は「カメラを精密化」を押すだけです。</translation>
+    </message>
+    <message>
+        <source>Mark three points of the floor as A, B and C, each in at least two images. A becomes the origin, and the x axis points from A to B. Then press Set floor from A, B and C.</source>
+        <translation>床の 3 点を A、B、C として、それぞれ少なくとも 2 つの画像でマークします。A が原点になり、x 軸は A から B を向きます。次に「A、B、C から床を設定」を押します。</translation>
+    </message>
+    <message>
+        <source>Measure a distance in the room, as long as possible. Mark its ends as A and B, enter the distance, and press Check. If the calibration gives a different distance, press Set scale to correct the calibration.</source>
+        <translation>部屋の中でできるだけ長い距離を測ります。両端を A と B としてマークし、距離を入力して「確認」を押します。キャリブレーションの値が違う場合は、「縮尺を設定」を押してキャリブレーションを直します。</translation>
+    </message>
+    <message>
+        <source>Done: the distance differs by %1.</source>
+        <translation>完了: 距離の差は %1。</translation>
+    </message>
+    <message>
+        <source>Done for %1 of %2 cameras.</source>
+        <translation>カメラ %2 台中 %1 台が完了。</translation>
+    </message>
+    <message>
+        <source>Done for %1 of %2 cameras. The largest error is %3.</source>
+        <translation>カメラ %2 台中 %1 台が完了。最大誤差は %3。</translation>
     </message>
 </context>
 <context>
@@ -2099,10 +2541,6 @@
         <translation>%1台以上</translation>
     </message>
     <message>
-        <source>blank: none</source>
-        <translation>空白：なし</translation>
-    </message>
-    <message>
         <source>blank: fewer than two cameras</source>
         <translation>空白：2台未満</translation>
     </message>
@@ -2113,6 +2551,10 @@
     <message>
         <source>Expected error (1 σ)</source>
         <translation>予想誤差（1 σ）</translation>
+    </message>
+    <message>
+        <source>blank: no camera</source>
+        <translation>空白：カメラなし</translation>
     </message>
 </context>
 <context>
@@ -2155,10 +2597,6 @@
     <message>
         <source>Balls, hands and other colored objects</source>
         <translation>ボール、手など色のついた物体</translation>
-    </message>
-    <message>
-        <source>Tracks colors and size of the target, and finds it again after it was hidden.</source>
-        <translation>ターゲットの色と大きさを追跡し、隠れた後も見つけ直します。</translation>
     </message>
     <message>
         <source>For comparison: mixes up people who come close to each other.</source>
@@ -2207,6 +2645,10 @@
     <message>
         <source>The most accurate: decides whether the target is a ball or has another shape.</source>
         <translation>最も正確：ターゲットがボールかほかの形かを判断します。</translation>
+    </message>
+    <message>
+        <source>Tracks the target by its colors, follows its size, and finds it again after it was hidden.</source>
+        <translation>ターゲットを色で追跡し、大きさの変化にも従い、隠れた後も見つけ直します。</translation>
     </message>
 </context>
 <context>
@@ -2307,16 +2749,8 @@
         <translation>最小粒子数</translation>
     </message>
     <message>
-        <source>How far the particles may be from the distribution that they represent (Kullback-Leibler divergence): smaller values use more particles when they are spread out; 0 always uses the largest number.</source>
-        <translation>粒子が、それらの表す分布からどれだけ離れてよいか（カルバック・ライブラー情報量）。小さいほど、粒子が散らばっているときに多くの粒子を使います。0 では常に最大数を使います。</translation>
-    </message>
-    <message>
         <source>How long a target still counts as present when no camera can see its expected position.</source>
         <translation>ターゲットがあるはずの場所をどのカメラからも見られないとき、まだそこにあるとみなす時間。</translation>
-    </message>
-    <message>
-        <source>Smallest number of particles of each target, used when all particles agree.</source>
-        <translation>すべての粒子がそろっているときに、各目標が使う粒子の最小数。</translation>
     </message>
     <message>
         <source>Largest number of particles of each target.</source>
@@ -2375,10 +2809,6 @@
         <translation>これ未満で隠れたとみなす</translation>
     </message>
     <message>
-        <source>How different from the reference the colors may be (Bhattacharyya distance): smaller values trust the best particles more.</source>
-        <translation>色が基準からどれだけ違ってよいか（バタチャリヤ距離）。小さいほど最良の粒子を重んじます。</translation>
-    </message>
-    <message>
         <source>How far particles move at random along each axis between images, in multiples of the target size, in addition to their constant velocity.</source>
         <translation>画像ごとに、等速の動きに加えて、粒子が各軸方向にランダムに動く大きさ。ターゲットの大きさを単位とします。</translation>
     </message>
@@ -2387,20 +2817,8 @@
         <translation>画像ごとに、等速の動きに加えて、粒子が各軸方向にランダムに動く大きさ。大きいほど急な動きを追えますが、広く散らばります。</translation>
     </message>
     <message>
-        <source>Largest distance of the target from its predicted position, in multiples of the target size; positions farther away count as unlikely.</source>
-        <translation>ターゲットが予測位置からどれだけ離れてよいか（ターゲットの大きさを単位とする）。これを超える位置はありそうもないとみなします。</translation>
-    </message>
-    <message>
         <source>How strongly positions with more of the target&apos;s colors are preferred.</source>
         <translation>ターゲットの色がより多い位置をどれだけ優先するか。</translation>
-    </message>
-    <message>
-        <source>How much the ratio of width to height may change between images (logarithm); 0 keeps the initial ratio.</source>
-        <translation>画像ごとに縦横比がどれだけ変わってよいか（対数）。0 では最初の比のままです。</translation>
-    </message>
-    <message>
-        <source>How much the size of the box may change between images (logarithm); 0 keeps the initial size.</source>
-        <translation>画像ごとに枠の大きさがどれだけ変わってよいか（対数）。0 では最初の大きさのままです。</translation>
     </message>
     <message>
         <source>Jump reach</source>
@@ -2437,10 +2855,6 @@
     <message>
         <source>The target counts as hidden and keeps its position if less than this share of its usual colors is found.</source>
         <translation>ふだんの色のこの割合未満しか見つからないとき、ターゲットは隠れたとみなされ、位置を保ちます。</translation>
-    </message>
-    <message>
-        <source>1: tracks everyone that several cameras see; 0: tracks only people that you add by hand.</source>
-        <translation>1：複数のカメラに写った人をすべて追跡します。0：手で追加した人物だけを追跡します。</translation>
     </message>
     <message>
         <source>Time after which a new object that stays in place counts as background.</source>
@@ -2503,10 +2917,6 @@
         <translation>床の z</translation>
     </message>
     <message>
-        <source>Half the size of the tracked floor area; a person who crosses its border has left.</source>
-        <translation>追跡する床の大きさの半分。境界を越えた人は立ち去ったとみなします。</translation>
-    </message>
-    <message>
         <source>Assumed height of a person whose height is not known yet.</source>
         <translation>身長がまだ分からない人物に仮定する身長。</translation>
     </message>
@@ -2519,28 +2929,12 @@
         <translation>2 台未満のカメラにしか写っていない人物を、まだそこにいるとみなす時間。</translation>
     </message>
     <message>
-        <source>How long foreground that belongs to no tracked person must last before a new track is created.</source>
-        <translation>追跡中の誰のものでもない前景が、新しい人物とみなされるまで続く必要のある時間。</translation>
-    </message>
-    <message>
-        <source>How long the cameras only learn the background at the start; nobody should be in view.</source>
-        <translation>最初に、カメラが背景だけを学習する時間。その間は誰も写らないようにします。</translation>
-    </message>
-    <message>
         <source>Number of particles of each person.</source>
         <translation>1 人あたりの粒子の数。</translation>
     </message>
     <message>
         <source>Number of points that represent the volume of each person.</source>
         <translation>各人物の体積を表す点の数。</translation>
-    </message>
-    <message>
-        <source>How moving regions are found: 0 one Gaussian per pixel (fast), 1 OpenCV&apos;s MOG2, 2 OpenCV&apos;s KNN.</source>
-        <translation>動く領域の見つけ方：0 画素ごとに 1 つのガウス分布（高速）、1 OpenCV の MOG2、2 OpenCV の KNN。</translation>
-    </message>
-    <message>
-        <source>Weight of a camera that sees a whole person: larger values rely more on the masks.</source>
-        <translation>全身が写ったカメラの重み。大きいほどマスクを信用します。</translation>
     </message>
     <message>
         <source>How much the colors of clothes count compared with the masks when people are close to each other.</source>
@@ -2595,10 +2989,6 @@
         <translation>マスクの平滑化</translation>
     </message>
     <message>
-        <source>Center of the tracked floor area.</source>
-        <translation>追跡する床の中心。</translation>
-    </message>
-    <message>
         <source>Min. motion likelihood</source>
         <translation>動きの尤度の下限</translation>
     </message>
@@ -2617,14 +3007,6 @@
     <message>
         <source>Sigma of the Gaussian that smooths the motion masks (the paper: 4 px).</source>
         <translation>動きのマスクを平滑化するガウス関数のシグマ（論文では 4 px）。</translation>
-    </message>
-    <message>
-        <source>Standard deviation of a measured hue, in [0, 1].</source>
-        <translation>測った色相の標準偏差（0 から 1）。</translation>
-    </message>
-    <message>
-        <source>Standard deviation of a measured saturation, in [0, 1].</source>
-        <translation>測った彩度の標準偏差（0 から 1）。</translation>
     </message>
     <message>
         <source>Standard deviation of the noise on each component of the velocity, per frame.</source>
@@ -2647,10 +3029,6 @@
         <translation>速度のノイズ</translation>
     </message>
     <message>
-        <source>Lowest brightness of a shadow, as a share of the background&apos;s brightness, at the same hue. Anything darker is foreground.</source>
-        <translation>同じ色合いで、影とみなす明るさの下限（背景の明るさに対する割合）。それより暗いものは前景です。</translation>
-    </message>
-    <message>
         <source>Calibration error</source>
         <translation>キャリブレーション誤差</translation>
     </message>
@@ -2659,12 +3037,76 @@
         <translation>カメラが物体を見る方向の誤差。表示される位置の不確かさに含まれます。手動キャリブレーションには 0.25 が適しています。</translation>
     </message>
     <message>
-        <source>Error of the times of the images. It is part of the reported uncertainty of a moving target. 8 suits webcams.</source>
-        <translation>画像の時刻の誤差。動くターゲットの表示される不確かさに含まれます。ウェブカメラには 8 が適しています。</translation>
-    </message>
-    <message>
         <source>Time error</source>
         <translation>時刻の誤差</translation>
+    </message>
+    <message>
+        <source>1 tracks every person that several cameras see. 0 tracks only people that you add by hand.</source>
+        <translation>1 では、複数のカメラに写った人をすべて追跡します。0 では、手で追加した人物だけを追跡します。</translation>
+    </message>
+    <message>
+        <source>Center of the tracked floor area along this axis.</source>
+        <translation>この軸に沿った、追跡する床の中心。</translation>
+    </message>
+    <message>
+        <source>Error of the times at which the images were taken. It is part of the reported uncertainty of a moving target. 8 suits webcams.</source>
+        <translation>画像を撮影した時刻の誤差。動くターゲットの表示される不確かさに含まれます。ウェブカメラには 8 が適しています。</translation>
+    </message>
+    <message>
+        <source>Half the size of the tracked floor area along this axis. A person who crosses the border of the area counts as having left.</source>
+        <translation>この軸に沿った、追跡する床の大きさの半分。境界を越えた人は立ち去ったとみなします。</translation>
+    </message>
+    <message>
+        <source>How far the particles may deviate from the distribution that they represent (Kullback-Leibler divergence). A smaller value uses more particles when the cloud is spread out; 0 always uses the largest number.</source>
+        <translation>粒子が、それらの表す分布からどれだけ外れてよいか（カルバック・ライブラー情報量）。小さいほど、粒子の雲が広がっているときに多くの粒子を使います。0 では常に最大数を使います。</translation>
+    </message>
+    <message>
+        <source>How far the target may be from its predicted position, in multiples of the target size. Positions that are farther away count as unlikely.</source>
+        <translation>ターゲットが予測位置からどれだけ離れてよいか（ターゲットの大きさを単位とする）。これより遠い位置はありそうもないとみなします。</translation>
+    </message>
+    <message>
+        <source>How long a moving region that belongs to no tracked person must be visible before a new track is created.</source>
+        <translation>追跡中の誰のものでもない動く領域が見えてから、新しい人物の追跡を始めるまでの時間。</translation>
+    </message>
+    <message>
+        <source>How long the cameras only learn the background at the start. Nobody should be in view during this time.</source>
+        <translation>最初に、カメラが背景だけを学習する時間。その間は誰も写らないようにします。</translation>
+    </message>
+    <message>
+        <source>How moving regions are found. 0: one Gaussian for each pixel (fast). 1: MOG2 of OpenCV. 2: KNN of OpenCV.</source>
+        <translation>動く領域の見つけ方。0：画素ごとに 1 つのガウス分布（高速）。1：OpenCV の MOG2。2：OpenCV の KNN。</translation>
+    </message>
+    <message>
+        <source>How much each camera that sees a whole person counts: larger values rely more on the masks.</source>
+        <translation>全身が写った各カメラの重み。大きいほどマスクを信用します。</translation>
+    </message>
+    <message>
+        <source>How much the colors of a particle&apos;s box may differ from the reference colors (Bhattacharyya distance): smaller values trust the best particles more.</source>
+        <translation>粒子の枠の色が基準の色からどれだけ違ってよいか（バタチャリヤ距離）。小さいほど最良の粒子を重んじます。</translation>
+    </message>
+    <message>
+        <source>How much the ratio of width to height may change between images, as the standard deviation of its logarithm; 0 keeps the initial ratio.</source>
+        <translation>画像ごとに縦横比がどれだけ変わってよいか（対数の標準偏差）。0 では最初の比のままです。</translation>
+    </message>
+    <message>
+        <source>How much the size of the box may change between images, as the standard deviation of its logarithm; 0 keeps the initial size.</source>
+        <translation>画像ごとに枠の大きさがどれだけ変わってよいか（対数の標準偏差）。0 では最初の大きさのままです。</translation>
+    </message>
+    <message>
+        <source>Lowest brightness of a shadow, as a share of the background&apos;s brightness at the same hue. Anything darker counts as a moving region.</source>
+        <translation>影の最低の明るさ（色相が同じ背景の明るさに対する割合）。これより暗いものは動く領域とみなします。</translation>
+    </message>
+    <message>
+        <source>Smallest number of particles of each target, used when all particles are close together.</source>
+        <translation>各ターゲットの粒子の最小数。すべての粒子が近くに集まっているときに使います。</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a measured hue; hues range from 0 to 1.</source>
+        <translation>測った色相の標準偏差。色相は 0 から 1 の値です。</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a measured saturation; saturations range from 0 to 1.</source>
+        <translation>測った彩度の標準偏差。彩度は 0 から 1 の値です。</translation>
     </message>
 </context>
 <context>
@@ -2935,6 +3377,31 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     </message>
 </context>
 <context>
+    <name>TakeText</name>
+    <message>
+        <source>%1 left</source>
+        <translation>残り %1</translation>
+    </message>
+    <message>
+        <source>Recording take %1</source>
+        <translation>テイク %1 を録画中</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n dropped image(s)</source>
+        <translation>
+            <numerusform>欠落画像 %n 枚</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 free</source>
+        <translation>空き %1</translation>
+    </message>
+    <message>
+        <source>%1: %2 images, %3, %4 dropped, %5</source>
+        <translation>%1: %2 枚、%3、欠落 %4 枚、%5</translation>
+    </message>
+</context>
+<context>
     <name>Timeline</name>
     <message>
         <source>Frame %1, %2</source>
@@ -3066,16 +3533,16 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>ワンドには色の異なるボールが2つあります。2つ目の色を学習してください（Shift+L）。</translation>
     </message>
     <message>
-        <source>Both ends of the wand are the same target: choose another target.</source>
-        <translation>ワンドの両端が同じターゲットです。別のものを選んでください。</translation>
-    </message>
-    <message>
         <source>The scale comes from a known distance: add the times at which the ball is at each end of this distance.</source>
         <translation>縮尺は既知の距離から求めます。ボールがその距離の両端にある時刻を追加してください。</translation>
     </message>
     <message>
         <source>A fall needs two times: one at which the ball starts to fall, and one at which it is still falling.</source>
         <translation>落下には2つの時刻が必要です。ボールが落ち始める時刻と、まだ落ちている時刻です。</translation>
+    </message>
+    <message>
+        <source>Both ends of the wand are the same target: choose another target for one of them.</source>
+        <translation>ワンドの両端が同じターゲットです。一方に別のターゲットを選んでください。</translation>
     </message>
 </context>
 <context>
@@ -3268,10 +3735,6 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>ボードを探しています: %p %</translation>
     </message>
     <message>
-        <source>Solving</source>
-        <translation>計算中</translation>
-    </message>
-    <message>
         <source>Save the report</source>
         <translation>レポートを保存</translation>
     </message>
@@ -3292,10 +3755,6 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>ボードを検出</translation>
     </message>
     <message>
-        <source>Find out which board the images show: its kind, squares and dictionary. Sizes in millimeters must be measured</source>
-        <translation>画像に写っているボードの種類、マス目の数、辞書を調べます。ミリメートル単位の寸法は測定が必要です</translation>
-    </message>
-    <message>
         <source>Use this board</source>
         <translation>このボードを使う</translation>
     </message>
@@ -3304,7 +3763,15 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>すべてのフレームを検索</translation>
     </message>
     <message>
-        <source>%1 of %2 images searched show the board as it is described.</source>
+        <source>Find out which board the images show: its kind, its squares and its dictionary. Images do not show its size: measure its squares yourself</source>
+        <translation>画像に写っているボードの種類、マス目の数、辞書を調べます。大きさは画像からはわからないので、マス目をご自分で測ってください</translation>
+    </message>
+    <message>
+        <source>Computing</source>
+        <translation>計算中</translation>
+    </message>
+    <message>
+        <source>%1 of the %2 searched images show the board that you described.</source>
         <translation>調べた%2枚の画像のうち%1枚に、設定どおりのボードが写っています。</translation>
     </message>
 </context>
@@ -3323,8 +3790,33 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>ボードでキャリブレーション</translation>
     </message>
     <message>
-        <source>No board was found. Show the whole board, sharp and evenly lit.</source>
-        <translation>ボードが見つかりませんでした。ボード全体を、ピントを合わせて均一な照明で写してください。</translation>
+        <source>No board was found. Show the whole board in focus and in even light, then press Find board again.</source>
+        <translation>ボードが見つかりませんでした。ボード全体を、ピントを合わせて均一な照明で写し、もう一度「ボードを検出」を押してください。</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::BoardFloor</name>
+    <message>
+        <source>Searching the images shown for the board…</source>
+        <translation>表示中の画像でボードを検出しています…</translation>
+    </message>
+    <message>
+        <source>No camera sees the board %1 well enough. Show images in which it lies on the floor, or describe it on the page Board.</source>
+        <translation>ボード %1 が十分に写っているカメラがありません。ボードが床に置かれた画像を表示するか、「ボード」ページで指定してください。</translation>
+    </message>
+    <message>
+        <source>The cameras were changed meanwhile. Press the button again.</source>
+        <translation>その間にカメラが変更されました。もう一度ボタンを押してください。</translation>
+    </message>
+    <message>
+        <source>Set the floor from the board</source>
+        <translation>ボードから床を設定</translation>
+    </message>
+    <message numerus="yes">
+        <source>The floor is set from the board, which %n camera(s) can see (error %1). The world was rotated by %2.</source>
+        <translation>
+            <numerusform>ボードから床を設定しました（%n 台のカメラに写っています、誤差 %1）。ワールドは %2 回転しました。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3354,10 +3846,6 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>ボードの種類</translation>
     </message>
     <message>
-        <source>A ChArUco board may be partly hidden or outside the image; a chessboard must be completely visible</source>
-        <translation>ChArUcoボードは一部が隠れても画像の外に出てもかまいません。チェスボードは全体が見える必要があります</translation>
-    </message>
-    <message>
         <source>Squares across, down</source>
         <translation>マス目の数（横・縦）</translation>
     </message>
@@ -3382,10 +3870,6 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>マス目の一辺</translation>
     </message>
     <message>
-        <source>Measure a long row on the print with a ruler and divide by the number of squares</source>
-        <translation>印刷物の長い行を定規で測り、マス目の数で割ります</translation>
-    </message>
-    <message>
         <source>Unit of the sizes</source>
         <translation>寸法の単位</translation>
     </message>
@@ -3398,10 +3882,6 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>マーカーの一辺</translation>
     </message>
     <message>
-        <source>Side of the black square around the pattern</source>
-        <translation>模様を囲む黒い四角の一辺</translation>
-    </message>
-    <message>
         <source>Dictionary of the markers</source>
         <translation>マーカーの辞書</translation>
     </message>
@@ -3412,10 +3892,6 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     <message>
         <source>Legacy layout (even rows)</source>
         <translation>旧形式（偶数行）</translation>
-    </message>
-    <message>
-        <source>For ChArUco boards with an even number of rows from software older than OpenCV 4.6: the first square is white</source>
-        <translation>OpenCV 4.6 より古いソフトウェアで作った偶数行の ChArUco ボード用（最初のマス目が白）</translation>
     </message>
     <message>
         <source>Inverted colors</source>
@@ -3448,6 +3924,22 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     <message>
         <source>Dictionary</source>
         <translation>辞書</translation>
+    </message>
+    <message>
+        <source>A ChArUco board may be partly hidden, or partly outside the image; a chessboard must be completely visible</source>
+        <translation>ChArUcoボードは一部が隠れていても、一部が画像の外に出ていてもかまいません。チェスボードは全体が見える必要があります</translation>
+    </message>
+    <message>
+        <source>Measure a long row on the print with a ruler, and divide its length by the number of its squares</source>
+        <translation>印刷物の長い行を定規で測り、その長さを行のマス目の数で割ります</translation>
+    </message>
+    <message>
+        <source>Length of one side of a marker, with its black border</source>
+        <translation>マーカーの一辺の長さ（黒い縁を含む）</translation>
+    </message>
+    <message>
+        <source>For ChArUco boards with an even number of rows that were made with software older than OpenCV 4.6: their first square is white</source>
+        <translation>OpenCV 4.6 より古いソフトウェアで作った、行数が偶数の ChArUco ボード用です。最初のマス目が白です</translation>
     </message>
 </context>
 <context>
@@ -3493,16 +3985,8 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>魚眼</translation>
     </message>
     <message>
-        <source>5 for most lenses, 8 for wide-angle lenses, fisheye above about 120°</source>
-        <translation>ほとんどのレンズは5、広角は8、約120°以上は魚眼</translation>
-    </message>
-    <message>
         <source>Frame with the board on the floor</source>
         <translation>ボードが床に置かれているフレーム</translation>
-    </message>
-    <message>
-        <source>This frame defines the world coordinates: X along the rows, Y toward the upper edge, Z up. Without it, the first camera keeps its position</source>
-        <translation>このフレームが世界座標を決めます。Xは行の向き、Yは上の辺の向き、Zは上。指定しなければ最初のカメラの位置を保ちます</translation>
     </message>
     <message>
         <source>Frame number with the board on the floor</source>
@@ -3544,6 +4028,14 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <source>Guidance ends when the position of each camera is this accurate</source>
         <translation>各カメラの位置がこの精度になると案内が終わります</translation>
     </message>
+    <message>
+        <source>5 coefficients for most lenses, 8 for wide-angle lenses, fisheye for a field of view above about 120°</source>
+        <translation>ほとんどのレンズは係数 5 個、広角レンズは 8 個、視野角が約 120° を超える場合は魚眼</translation>
+    </message>
+    <message>
+        <source>The board as it lies in this video frame defines the world coordinates: X along its rows, Y toward its upper edge, Z up from the floor. Without such a frame, the first camera keeps its position</source>
+        <translation>この動画フレームで床に置かれたボードが世界座標を決めます。X はボードの行の向き、Y はボードの上の辺の向き、Z は床から上。そのようなフレームがなければ、最初のカメラの位置を保ちます</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::BoardLive</name>
@@ -3570,10 +4062,6 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     <message>
         <source>Set floor from board</source>
         <translation>ボードで床を設定</translation>
-    </message>
-    <message>
-        <source>Use the board on the floor to define the world coordinates: X along its rows, Y toward its upper edge, Z up</source>
-        <translation>床にあるボードで世界座標を決めます。X は行の向き、Y は上の辺の向き、Z は上</translation>
     </message>
     <message>
         <source>Next: positions</source>
@@ -3619,16 +4107,16 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <source>Show what to do next in large letters that can be read from across the room, with a sound for each captured view</source>
         <translation>次にすることを部屋の向こうからでも読める大きな文字で表示し、ビューを取得するたびに音を鳴らします</translation>
     </message>
+    <message>
+        <source>Define the world coordinates with the board that lies on the floor now: X along its rows, Y toward its upper edge, Z up from the floor</source>
+        <translation>今床に置かれているボードで世界座標を決めます。X はボードの行の向き、Y はボードの上の辺の向き、Z は床から上</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::BoxExportDialog</name>
     <message>
         <source>Export boxes</source>
         <translation>枠を書き出す</translation>
-    </message>
-    <message>
-        <source>Two files are written: boxes.csv (a row per target and frame: box, center, similarity, seen or hidden) and boxes_mot.txt (the format of the MOT challenge). All in pixels.</source>
-        <translation>2 つのファイルを書き出します。boxes.csv（目標とフレームごとに 1 行：枠、中心、類似度、見えているか隠れているか）と boxes_mot.txt（MOT Challenge の形式）。単位はすべてピクセルです。</translation>
     </message>
     <message>
         <source>First lines of boxes.csv</source>
@@ -3681,6 +4169,10 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     <message>
         <source>Replace</source>
         <translation>置き換える</translation>
+    </message>
+    <message>
+        <source>Two files are written. In boxes.csv, each row has the box of one target in one frame, its center, its similarity, and whether the target was seen or hidden. The file boxes_mot.txt has the format of the MOT challenge. All lengths are in pixels.</source>
+        <translation>2 つのファイルを書き出します。boxes.csv の各行は、1 フレームの 1 ターゲットの枠、中心、類似度、見えているか隠れているかです。boxes_mot.txt は MOT Challenge の形式です。長さの単位はすべてピクセルです。</translation>
     </message>
 </context>
 <context>
@@ -3758,10 +4250,6 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>広がり, px</translation>
     </message>
     <message>
-        <source>Root mean square distance of the particles to their mean</source>
-        <translation>粒子とその平均との距離の二乗平均平方根</translation>
-    </message>
-    <message>
         <source>state</source>
         <translation>状態</translation>
     </message>
@@ -3772,6 +4260,10 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     <message>
         <source>● tracking</source>
         <translation>● 追跡中</translation>
+    </message>
+    <message>
+        <source>Root mean square distance of the particles from their mean</source>
+        <translation>粒子とその平均との距離の二乗平均平方根</translation>
     </message>
 </context>
 <context>
@@ -3925,24 +4417,24 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>センチメートル</translation>
     </message>
     <message>
-        <source>%1: largest reprojection difference %2 (refitted)</source>
-        <translation>%1: 再投影の最大差 %2（当てはめ直し）</translation>
-    </message>
-    <message>
-        <source>%1: largest reprojection difference %2</source>
-        <translation>%1: 再投影の最大差 %2</translation>
-    </message>
-    <message>
-        <source>%1: %2 of 81 test directions no longer map to a pixel</source>
-        <translation>%1: 81の検査方向のうち %2 方向が画素に対応しなくなりました</translation>
-    </message>
-    <message>
         <source>%1 exists and will be replaced.</source>
         <translation>%1 は既にあり、置き換えられます。</translation>
     </message>
     <message>
         <source>Saved %1.</source>
         <translation>%1 を保存しました。</translation>
+    </message>
+    <message>
+        <source>%1: projected points change by at most %2 (the lens was fitted again to what the format can store)</source>
+        <translation>%1: 投影した点の変化は最大 %2（形式で保存できるようにレンズを当てはめ直しました）</translation>
+    </message>
+    <message>
+        <source>%1: projected points change by at most %2</source>
+        <translation>%1: 投影した点の変化は最大 %2</translation>
+    </message>
+    <message>
+        <source>%1: with the exported lens, %2 of 81 tested directions no longer have a pixel</source>
+        <translation>%1: 書き出したレンズでは、調べた 81 方向のうち %2 方向に対応する画素がなくなりました</translation>
     </message>
 </context>
 <context>
@@ -4088,16 +4580,8 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>キャリブレーションのカメラ名が異なるため、順番で対応づけました。</translation>
     </message>
     <message>
-        <source>The file contains no pose: only the intrinsics are imported, and the pose is kept.</source>
-        <translation>ファイルに姿勢がありません。内部パラメータだけを取り込み、姿勢はそのままです。</translation>
-    </message>
-    <message>
         <source>%1 (in the file: %2): moves by %3 and rotates by %4</source>
         <translation>%1（ファイルでは %2）: 移動 %3、回転 %4</translation>
-    </message>
-    <message>
-        <source>Largest reprojection difference from the file: %1</source>
-        <translation>ファイルとの再投影の最大差: %1</translation>
     </message>
     <message>
         <source>Import calibration</source>
@@ -4110,14 +4594,6 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     <message>
         <source>match automatically</source>
         <translation>自動で対応付ける</translation>
-    </message>
-    <message>
-        <source>The camera of the file that each camera of the project uses</source>
-        <translation>プロジェクトの各カメラが使う、ファイル内のカメラ</translation>
-    </message>
-    <message>
-        <source>equal the calibrated ones</source>
-        <translation>キャリブレーション時と同じ</translation>
     </message>
     <message>
         <source>cropped on all sides</source>
@@ -4144,10 +4620,6 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>画像は</translation>
     </message>
     <message>
-        <source>How images of another size differ from those that were calibrated</source>
-        <translation>サイズの異なる画像が、キャリブレーション時の画像とどう違うか</translation>
-    </message>
-    <message>
         <source>Names in the file</source>
         <translation>ファイル内の名前</translation>
     </message>
@@ -4158,6 +4630,26 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     <message>
         <source>Probably a mistake: %1</source>
         <translation>おそらく誤りです: %1</translation>
+    </message>
+    <message>
+        <source>For each camera of the project: the camera of the file whose calibration it uses</source>
+        <translation>プロジェクトの各カメラについて、どのカメラのキャリブレーションをファイルから使うか</translation>
+    </message>
+    <message>
+        <source>the same as when calibrated</source>
+        <translation>キャリブレーション時と同じ</translation>
+    </message>
+    <message>
+        <source>How the images of the project differ from those of the calibration, if they have another size</source>
+        <translation>プロジェクトの画像のサイズが異なる場合に、キャリブレーション時の画像とどう違うか</translation>
+    </message>
+    <message>
+        <source>The file contains no pose. Only the intrinsics are imported; the camera keeps its current pose.</source>
+        <translation>ファイルに位置姿勢が含まれていません。内部パラメーターだけを読み込み、カメラの現在の位置姿勢は変わりません。</translation>
+    </message>
+    <message>
+        <source>Compared with the file, projected points change by at most %1</source>
+        <translation>ファイルと比べて、投影した点の変化は最大 %1</translation>
     </message>
 </context>
 <context>
@@ -4277,10 +4769,6 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>三点固定時は焦点距離を調整</translation>
     </message>
     <message>
-        <source>Three held points fix the pose. Dragging then changes the focal length, and the pose follows</source>
-        <translation>三点を固定すると姿勢が決まります。ドラッグすると焦点距離が変わり、姿勢がそれに従います</translation>
-    </message>
-    <message>
         <source>Keys</source>
         <translation>キー</translation>
     </message>
@@ -4295,10 +4783,6 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     <message>
         <source>Effect of the keys</source>
         <translation>キーの働き</translation>
-    </message>
-    <message>
-        <source>Arrows or W A S D, with Q and E or the page keys: 1 cm or 0.2° a step. Shift: ten times as much; Ctrl with arrows and page keys: a tenth.</source>
-        <translation>矢印または W A S D と Q、E または PageUp/PageDown: 一回 1 cm または 0.2°。Shift: 十倍。Ctrl と矢印・Page キー: 十分の一。</translation>
     </message>
     <message>
         <source>camera axes</source>
@@ -4379,6 +4863,14 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     <message>
         <source>pitch</source>
         <translation>ピッチ</translation>
+    </message>
+    <message>
+        <source>Three held points fix the pose. With this option, dragging changes the focal length, and the pose is adapted so that the three points stay in place</source>
+        <translation>三点を固定すると姿勢が決まります。このオプションでは、ドラッグすると焦点距離が変わり、三点が動かないように姿勢が調整されます</translation>
+    </message>
+    <message>
+        <source>The arrow keys, the page keys and W, A, S, D, Q and E move or turn the camera by 1 cm or 0.2° a step. With Shift, the steps are ten times as large. With Ctrl, the steps of the arrow and page keys are a tenth as large.</source>
+        <translation>矢印キー、PageUp/PageDown、W、A、S、D、Q、E でカメラを 1 回に 1 cm または 0.2° 動かすか回します。Shift を押すと 10 倍になります。Ctrl を押すと、矢印キーと Page キーでは 10 分の 1 になります。</translation>
     </message>
 </context>
 <context>
@@ -4714,11 +5206,11 @@ at %4, %5, %6</source>
         <translation>この位置でターゲットの色を学習します</translation>
     </message>
     <message>
-        <source>Add this color to the target&apos;s (Shift-click does the same)</source>
+        <source>Add this color to the colors of the target (Shift-click does the same)</source>
         <translation>この色をターゲットの色に加えます（Shift クリックでも可）</translation>
     </message>
     <message>
-        <source>Learn that the target does not have this color (or Alt-click)</source>
+        <source>Learn that the target does not have this color (Alt-click does the same)</source>
         <translation>ターゲットがこの色ではないことを学習します（Alt クリックでも可）</translation>
     </message>
 </context>
@@ -4764,10 +5256,6 @@ at %4, %5, %6</source>
         <translation>新しいターゲット</translation>
     </message>
     <message>
-        <source>Drag the ring and the bars, or press Learn and click the target.</source>
-        <translation>リングやバーをドラッグするか、「学習」を押してターゲットをクリックしてください。</translation>
-    </message>
-    <message>
         <source>Click the object to track in any camera image.</source>
         <translation>どれかのカメラ画像で、追跡したい物体をクリックしてください。</translation>
     </message>
@@ -4795,6 +5283,10 @@ at %4, %5, %6</source>
         <source>Remove color</source>
         <translation>色を外す</translation>
     </message>
+    <message>
+        <source>To set the target&apos;s color, drag the ring and the bars, or press Learn and click the target.</source>
+        <translation>ターゲットの色を設定するには、リングやバーをドラッグするか、「学習」を押してターゲットをクリックしてください。</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::ColorPicker</name>
@@ -4819,22 +5311,6 @@ at %4, %5, %6</source>
         <translation>最後の色相（0〜360度）</translation>
     </message>
     <message>
-        <source>Least saturation, 0 to 1</source>
-        <translation>最小の彩度（0〜1）</translation>
-    </message>
-    <message>
-        <source>Greatest saturation, 0 to 1</source>
-        <translation>最大の彩度（0〜1）</translation>
-    </message>
-    <message>
-        <source>Least intensity, 0 to 1</source>
-        <translation>最小の輝度（0〜1）</translation>
-    </message>
-    <message>
-        <source>Greatest intensity, 0 to 1</source>
-        <translation>最大の輝度（0〜1）</translation>
-    </message>
-    <message>
         <source>Drag the ends or the center. Keyboard: Tab selects a handle, arrow keys move it (ten times as far with Shift)</source>
         <translation>両端または中央をドラッグします。キーボード：Tab でつまみを選び、矢印キーで動かします（Shift で10倍）</translation>
     </message>
@@ -4849,6 +5325,22 @@ at %4, %5, %6</source>
     <message>
         <source>Range of intensity</source>
         <translation>輝度の範囲</translation>
+    </message>
+    <message>
+        <source>Smallest saturation, 0 to 1</source>
+        <translation>最小の彩度（0〜1）</translation>
+    </message>
+    <message>
+        <source>Largest saturation, 0 to 1</source>
+        <translation>最大の彩度（0〜1）</translation>
+    </message>
+    <message>
+        <source>Smallest intensity, 0 to 1</source>
+        <translation>最小の輝度（0〜1）</translation>
+    </message>
+    <message>
+        <source>Largest intensity, 0 to 1</source>
+        <translation>最大の輝度（0〜1）</translation>
     </message>
 </context>
 <context>
@@ -4874,16 +5366,16 @@ at %4, %5, %6</source>
         <translation>%1、フレーム %2、位置 %3, %4</translation>
     </message>
     <message>
-        <source>found: %1, frame %2, at %3, %4</source>
-        <translation>検出: %1、フレーム %2、位置 %3, %4</translation>
-    </message>
-    <message>
         <source>Shift-click in an image to add a sample, Alt-click or Ctrl+Shift-click to exclude one. Samples marked “found” were detected in other cameras.</source>
         <translation>画像を Shift+クリックするとサンプルを追加し、Alt+クリックまたは Ctrl+Shift+クリックすると除外します。「検出」と表示されたサンプルは、他のカメラで見つかったものです。</translation>
     </message>
     <message>
-        <source>Remove the selected sample and learn from the others (Del). A found sample becomes an excluded one.</source>
-        <translation>選択したサンプルを削除し、残りから学習します (Del)。検出されたサンプルは除外サンプルになります。</translation>
+        <source>Remove the selected sample and learn from the others (Del). If the sample is marked “found”, it becomes an excluded sample.</source>
+        <translation>選択したサンプルを削除し、残りから学習します (Del)。「検出」と表示されたサンプルは除外サンプルになります。</translation>
+    </message>
+    <message>
+        <source>found by Dewpoint: %1, frame %2, at %3, %4</source>
+        <translation>Dewpoint が検出: %1、フレーム %2、位置 %3, %4</translation>
     </message>
 </context>
 <context>
@@ -4908,10 +5400,6 @@ at %4, %5, %6</source>
 <context>
     <name>dewpoint::ui::CorrectionMode</name>
     <message>
-        <source>Drag the target to its true position in an image; do the same in another image to fix its depth. Press Esc to finish.</source>
-        <translation>画像の中でターゲットを実際の位置へドラッグします。別の画像でも行うと奥行きが決まります。Esc で終了します。</translation>
-    </message>
-    <message>
         <source>Correct position</source>
         <translation>位置を修正</translation>
     </message>
@@ -4927,6 +5415,10 @@ at %4, %5, %6</source>
         <source>Set the target&apos;s position in this frame to this point; tracking continues from there</source>
         <translation>このフレームでのターゲットの位置をこの点にします。そこから追跡を続けます</translation>
     </message>
+    <message>
+        <source>Drag the target to its true position in one image. To set its depth as well, do the same in a second image. Press Esc to finish.</source>
+        <translation>1 つの画像の中でターゲットを実際の位置へドラッグします。奥行きも決めるには、別の画像でも同じようにします。Esc で終了します。</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::CorrectionTool</name>
@@ -4939,16 +5431,16 @@ at %4, %5, %6</source>
         <translation>%1 の画像：矢印キーで十字を動かし、Enter でターゲットの位置を指定します</translation>
     </message>
     <message>
-        <source>Frames are being tracked again: wait until that is done, or pause.</source>
-        <translation>フレームを再追跡しています。終わるまで待つか、一時停止してください。</translation>
-    </message>
-    <message>
         <source>There is no target yet: learn its color first.</source>
         <translation>ターゲットがまだありません。先にその色を学習してください。</translation>
     </message>
     <message>
-        <source>Select a target in the list first, or drag its estimate.</source>
-        <translation>先に一覧でターゲットを選ぶか、その推定位置をドラッグしてください。</translation>
+        <source>Frames are being tracked again: wait until tracking has finished, or pause it.</source>
+        <translation>フレームを再追跡しています。追跡が終わるまで待つか、一時停止してください。</translation>
+    </message>
+    <message>
+        <source>Select a target in the panel Target first, or drag the estimate of a target.</source>
+        <translation>先に「ターゲット」パネルでターゲットを選ぶか、ターゲットの推定位置をドラッグしてください。</translation>
     </message>
 </context>
 <context>
@@ -4956,6 +5448,17 @@ at %4, %5, %6</source>
     <message>
         <source>%1: %2 detections, in %3 of %4 regions of the image</source>
         <translation>%1: %2 回、画像の %4 区画のうち %3 区画で検出</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::CrashReports</name>
+    <message>
+        <source>Dewpoint closed unexpectedly last time and left a report of what happened.</source>
+        <translation>前回、Dewpoint は予期せず終了しました。そのときのレポートが残っています。</translation>
+    </message>
+    <message>
+        <source>Show report</source>
+        <translation>レポートを表示</translation>
     </message>
 </context>
 <context>
@@ -4999,8 +5502,8 @@ at %4, %5, %6</source>
         <translation>動画をここにドロップするか、追加してください</translation>
     </message>
     <message>
-        <source>One per camera; also folders of images, and a calibration file</source>
-        <translation>カメラごとに1つ。画像フォルダーやキャリブレーションファイルも使えます</translation>
+        <source>One video per camera, or image folders; also a calibration file</source>
+        <translation>カメラごとに動画 1 つ、または画像フォルダー。キャリブレーションファイルも可</translation>
     </message>
 </context>
 <context>
@@ -5051,10 +5554,6 @@ at %4, %5, %6</source>
     <message>
         <source>Experiments</source>
         <translation>実験</translation>
-    </message>
-    <message>
-        <source>Number of seeds. More seeds take longer and give more certain results.</source>
-        <translation>シードの数。多いほど時間がかかり、確かになります</translation>
     </message>
     <message>
         <source>Folder for the report, its pictures and its numbers</source>
@@ -5163,6 +5662,10 @@ at %4, %5, %6</source>
     <message>
         <source>Choose the folder of the recordings</source>
         <translation>記録のフォルダーを選ぶ</translation>
+    </message>
+    <message>
+        <source>How often each case is run, each time with another seed. More runs take longer and give more certain results.</source>
+        <translation>各ケースを、毎回別のシードで何回実行するか。多いほど時間がかかり、結果が確かになります。</translation>
     </message>
 </context>
 <context>
@@ -5279,32 +5782,16 @@ at %4, %5, %6</source>
         <translation>推定値</translation>
     </message>
     <message>
-        <source>Live: as estimated during the run. Smoothed: from all frames, before and after</source>
-        <translation>追跡中の値：実行中の推定値。平滑化：前後すべてのフレームから求めた値</translation>
-    </message>
-    <message>
         <source>From</source>
         <translation>開始</translation>
-    </message>
-    <message>
-        <source>First time, 0 to 1,000,000 s</source>
-        <translation>最初の時刻（0〜1,000,000 s）</translation>
     </message>
     <message>
         <source>To</source>
         <translation>終了</translation>
     </message>
     <message>
-        <source>Last time, 0 to 1,000,000 s</source>
-        <translation>最後の時刻（0〜1,000,000 s）</translation>
-    </message>
-    <message>
         <source>Rate</source>
         <translation>頻度</translation>
-    </message>
-    <message>
-        <source>Rows per second, 0.001 to 10,000; interpolated</source>
-        <translation>1秒あたりの行数（0.001〜10,000）。補間します</translation>
     </message>
     <message>
         <source>Gaps</source>
@@ -5363,10 +5850,6 @@ at %4, %5, %6</source>
         <translation>実行の情報</translation>
     </message>
     <message>
-        <source>Method, seed, parameters, units and axes as comments in the file</source>
-        <translation>手法、シード、パラメータ、単位、軸をコメントとして書きます</translation>
-    </message>
-    <message>
         <source>live</source>
         <translation>追跡中の値</translation>
     </message>
@@ -5401,6 +5884,26 @@ at %4, %5, %6</source>
     <message>
         <source>millimeters</source>
         <translation>ミリメートル</translation>
+    </message>
+    <message>
+        <source>Live: as estimated during the run. Smoothed: estimated after the run, from all earlier and later frames</source>
+        <translation>追跡中の値：実行中の推定値。平滑化：実行の後に、前後すべてのフレームから推定した値</translation>
+    </message>
+    <message>
+        <source>Earliest time to export, 0 to 1,000,000 s</source>
+        <translation>書き出す最初の時刻（0〜1,000,000 s）</translation>
+    </message>
+    <message>
+        <source>Latest time to export, 0 to 1,000,000 s</source>
+        <translation>書き出す最後の時刻（0〜1,000,000 s）</translation>
+    </message>
+    <message>
+        <source>Rows per second, 0.001 to 10,000. Positions between frames are interpolated</source>
+        <translation>1秒あたりの行数（0.001〜10,000）。フレーム間の位置は補間します</translation>
+    </message>
+    <message>
+        <source>Write the method, seed, parameters, units and axes into the file as comments</source>
+        <translation>手法、シード、パラメータ、単位、軸をコメントとしてファイルに書きます</translation>
     </message>
 </context>
 <context>
@@ -5530,10 +6033,6 @@ at %4, %5, %6</source>
         <translation>原点 %1</translation>
     </message>
     <message>
-        <source>Corner at which the grid&apos;s axes start, in meters</source>
-        <translation>格子の軸が始まる角（メートル）</translation>
-    </message>
-    <message>
         <source>Spacing, rotation</source>
         <translation>間隔、回転</translation>
     </message>
@@ -5582,8 +6081,12 @@ at %4, %5, %6</source>
         <translation>変更前の格子を表示</translation>
     </message>
     <message>
-        <source>Hold down (or hold B over an image) to show the grid as it was when the calibration was opened</source>
-        <translation>押している間（または画像上で B）、較正を開いたときの格子を表示</translation>
+        <source>Position of the corner at which the axes of the grid start, in meters</source>
+        <translation>格子の軸が始まる角の位置（メートル）</translation>
+    </message>
+    <message>
+        <source>Hold down this button to show the grid as it was when the calibration was opened. Or hold down B while the pointer is over an image</source>
+        <translation>このボタンを押している間、キャリブレーションを開いたときの格子を表示します。ポインターを画像に重ねて B を押し続けても表示できます</translation>
     </message>
 </context>
 <context>
@@ -5603,10 +6106,6 @@ at %4, %5, %6</source>
 </context>
 <context>
     <name>dewpoint::ui::GuidePage</name>
-    <message>
-        <source>The camera positions are only guesses. Calibrate the cameras, so that 3D positions mean something.</source>
-        <translation>カメラの位置は推測にすぎません。3D 位置に意味を持たせるには、カメラをキャリブレーションしてください。</translation>
-    </message>
     <message>
         <source>Calibrate…</source>
         <translation>キャリブレーション…</translation>
@@ -5672,10 +6171,6 @@ at %4, %5, %6</source>
         <translation>○ キャリブレーションした空間での精度: 未測定</translation>
     </message>
     <message>
-        <source>✓ Measured length: %1, found %2</source>
-        <translation>✓ 計測した長さ: %1、検出 %2</translation>
-    </message>
-    <message>
         <source>Step %1 of %2: %3</source>
         <translation>ステップ %1/%2: %3</translation>
     </message>
@@ -5684,16 +6179,24 @@ at %4, %5, %6</source>
         <translation>別の方法…</translation>
     </message>
     <message>
-        <source>Show all ways to calibrate. What is known about the cameras stays.</source>
-        <translation>キャリブレーションのすべての方法を表示します。カメラについてわかっていることは残ります。</translation>
-    </message>
-    <message>
         <source>Choose a way to calibrate</source>
         <translation>キャリブレーションの方法を選ぶ</translation>
     </message>
     <message>
-        <source>✓ measured with this program: ± is the standard deviation. ○ entered, set by hand or read from a file: nobody checked it. ⚠ only a guess, or too inexact.</source>
-        <translation>✓ このプログラムで測定済み: ± は標準偏差です。○ 入力、手動設定、またはファイルからの値: 確認されていません。⚠ 推測にすぎないか、誤差が大きすぎます。</translation>
+        <source>The camera positions are only guesses. Calibrate the cameras to get correct 3D positions.</source>
+        <translation>カメラの位置は推測にすぎません。正しい 3D 位置を得るには、カメラをキャリブレーションしてください。</translation>
+    </message>
+    <message>
+        <source>✓ measured with this program; ± is the standard deviation. ○ entered, set by hand or read from a file, and not checked. ⚠ only a guess, or too inaccurate.</source>
+        <translation>✓ このプログラムで測定済み。± は標準偏差です。○ 入力、手動設定、またはファイルからの値で、確認されていません。⚠ 推測にすぎないか、誤差が大きすぎます。</translation>
+    </message>
+    <message>
+        <source>Show all ways to calibrate. The calibration so far is kept.</source>
+        <translation>キャリブレーションのすべての方法を表示します。これまでのキャリブレーションは残ります。</translation>
+    </message>
+    <message>
+        <source>✓ Length check: you measured %1, the calibration gives %2</source>
+        <translation>✓ 長さの確認: 計測値 %1、キャリブレーションの値 %2</translation>
     </message>
 </context>
 <context>
@@ -5790,12 +6293,6 @@ Shift-click works at any time.</source>
 Shift クリックはいつでも使えます。</translation>
     </message>
     <message>
-        <source>Click the target in a camera image, or drag a box on it,
-to learn its color again.</source>
-        <translation>カメラ画像でターゲットをクリックするか、その上で枠を引くと、
-色を学習し直します。</translation>
-    </message>
-    <message>
         <source>Click another part of the target, or the target in different light.
 Shift-click works at any time.</source>
         <translation>ターゲットの別の部分、または別の光の当たり方のターゲットをクリックします。
@@ -5807,6 +6304,12 @@ Alt-click or Ctrl+Shift-click works at any time.</source>
         <translation>一致するがターゲットではない物をクリックします。
 Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。</translation>
     </message>
+    <message>
+        <source>Click the target in a camera image, or drag a box around it,
+to learn its color again.</source>
+        <translation>カメラ画像でターゲットをクリックするか、囲む枠をドラッグすると、
+色を学習し直します。</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::LegendPicture</name>
@@ -5817,10 +6320,6 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
     <message>
         <source>Solid ellipse: the target is inside with a probability of 95 %. A smaller ellipse is more certain.</source>
         <translation>実線の楕円：95 % の確率でターゲットはこの中にあります。小さいほど確かです。</translation>
-    </message>
-    <message>
-        <source>Dashed ellipse: the size of the target itself, where it is not a ball.</source>
-        <translation>破線の楕円：ターゲットがボールでない場合の、ターゲット自体の大きさ。</translation>
     </message>
     <message>
         <source>White diamond: the true position of the target, known only in simulated scenes such as the demo.</source>
@@ -5842,6 +6341,10 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <source>Tinted and outlined: regions with the color of the target (View › Show mask).</source>
         <translation>色と輪郭の付いた所：ターゲットの色を持つ領域（表示 › マスクを表示）。</translation>
     </message>
+    <message>
+        <source>Dashed ellipse: the size of the target itself, if the target is not a ball.</source>
+        <translation>破線の楕円：ターゲットがボールでない場合の、ターゲット自体の大きさ。</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::MainWindow</name>
@@ -5857,10 +6360,6 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
 <context>
     <name>dewpoint::ui::ManualCalibration</name>
     <message>
-        <source>Three points are already held. Click one of them to release it</source>
-        <translation>すでに三点を固定しています。一つをクリックすると外れます</translation>
-    </message>
-    <message>
         <source>Drag the grid in %1</source>
         <translation>%1 で格子をドラッグ</translation>
     </message>
@@ -5875,10 +6374,6 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
     <message>
         <source>Limit reached: no nearby pose keeps the held points in place</source>
         <translation>これ以上は動きません: 近くに固定点を保つ姿勢がありません</translation>
-    </message>
-    <message>
-        <source>Three held points fix the pose. Release one of them, or let the focal length change</source>
-        <translation>三点を固定すると姿勢が決まります。一つ外すか、焦点距離の変更を許してください</translation>
     </message>
     <message>
         <source>right</source>
@@ -5911,6 +6406,14 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
     <message>
         <source>%1 focal length %2 %</source>
         <translation>%1 焦点距離 %2 %</translation>
+    </message>
+    <message>
+        <source>At most three grid points can be held in place. To release one, click it</source>
+        <translation>固定できる格子点は 3 つまでです。固定を解除するには、その点をクリックします</translation>
+    </message>
+    <message>
+        <source>Three held points fix the pose. Release one of them, or turn on “Also fit the focal length when three points are held”</source>
+        <translation>三点を固定すると姿勢が決まります。一つを外すか、「三点固定時は焦点距離を調整」をオンにしてください</translation>
     </message>
 </context>
 <context>
@@ -6168,12 +6671,160 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
 <context>
     <name>dewpoint::ui::OldResultsOffer</name>
     <message>
-        <source>Settings changed since this run.</source>
-        <translation>この実行の後に設定が変わりました。</translation>
-    </message>
-    <message>
         <source>Track again</source>
         <translation>再追跡</translation>
+    </message>
+    <message>
+        <source>The settings have changed since these frames were tracked.</source>
+        <translation>これらのフレームを追跡した後に設定が変わりました。</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::OutputController</name>
+    <message>
+        <source>%1: %2 sent, %3 dropped</source>
+        <translation>%1: 送信 %2、破棄 %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>Sending, %n program(s) connected</source>
+        <translation>
+            <numerusform>送信中、接続 %n 件</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Sending</source>
+        <translation>送信中</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::OutputDialog</name>
+    <message>
+        <source>Change outputs</source>
+        <translation>出力を変更</translation>
+    </message>
+    <message>
+        <source>Outputs – Dewpoint</source>
+        <translation>出力 – Dewpoint</translation>
+    </message>
+    <message>
+        <source>Where results go while a run lasts. Nothing is sent before you choose Run › Send results.</source>
+        <translation>実行中の結果の送信先です。「実行 › 結果を送信」を選ぶまで何も送信されません。</translation>
+    </message>
+    <message>
+        <source>JSON lines, TCP port</source>
+        <translation>JSON 行、TCP ポート</translation>
+    </message>
+    <message>
+        <source>Programs that connect to this port get one line of JSON for each frame</source>
+        <translation>このポートに接続したプログラムは、フレームごとに 1 行の JSON を受け取ります</translation>
+    </message>
+    <message>
+        <source>TCP port</source>
+        <translation>TCP ポート</translation>
+    </message>
+    <message>
+        <source>WebSocket and web page, port</source>
+        <translation>WebSocket とウェブページ、ポート</translation>
+    </message>
+    <message>
+        <source>A page that shows the targets in a browser, and a WebSocket for programs</source>
+        <translation>ターゲットをブラウザーに表示するページと、プログラム用の WebSocket</translation>
+    </message>
+    <message>
+        <source>WebSocket port</source>
+        <translation>WebSocket ポート</translation>
+    </message>
+    <message>
+        <source>OSC to</source>
+        <translation>OSC の送信先</translation>
+    </message>
+    <message>
+        <source>Computer and UDP port that OSC messages are sent to, such as 127.0.0.1:9000. Empty: off</source>
+        <translation>OSC メッセージを送るコンピューターと UDP ポート（例: 127.0.0.1:9000）。空欄: 無効</translation>
+    </message>
+    <message>
+        <source>TUIO to</source>
+        <translation>TUIO の送信先</translation>
+    </message>
+    <message>
+        <source>Computer and UDP port that TUIO 1.1 3D cursors are sent to, such as 127.0.0.1:3333. Empty: off</source>
+        <translation>TUIO 1.1 の 3D カーソルを送るコンピューターと UDP ポート（例: 127.0.0.1:3333）。空欄: 無効</translation>
+    </message>
+    <message>
+        <source>CSV file</source>
+        <translation>CSV ファイル</translation>
+    </message>
+    <message>
+        <source>File or named pipe that gets one line for each target and frame. Empty: off</source>
+        <translation>ターゲットとフレームごとに 1 行を受け取るファイルまたは名前付きパイプ。空欄: 無効</translation>
+    </message>
+    <message>
+        <source>Ports are open to</source>
+        <translation>ポートに接続できる相手</translation>
+    </message>
+    <message>
+        <source>Which computers can connect to the ports. Anyone in the network can then see the results</source>
+        <translation>ポートに接続できるコンピューター。ネットワーク全体に開くと、誰でも結果を見られます</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>軸</translation>
+    </message>
+    <message>
+        <source>Axes of the positions that are sent</source>
+        <translation>送信する位置の軸</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>単位</translation>
+    </message>
+    <message>
+        <source>Unit of the positions that are sent</source>
+        <translation>送信する位置の単位</translation>
+    </message>
+    <message>
+        <source>Frames per second, at most</source>
+        <translation>1 秒あたりの最大フレーム数</translation>
+    </message>
+    <message>
+        <source>Largest number of frames per second that are sent. 0: all frames</source>
+        <translation>1 秒あたりに送信するフレーム数の上限。0: すべて</translation>
+    </message>
+    <message>
+        <source>Token for remote commands</source>
+        <translation>リモートコマンドのトークン</translation>
+    </message>
+    <message>
+        <source>Programs that send this word can start, stop and record. At least %1 characters. Empty: commands are ignored</source>
+        <translation>この語を送るプログラムは開始、停止、録画ができます。%1 文字以上。空欄: コマンドを無視します</translation>
+    </message>
+    <message>
+        <source>this computer only</source>
+        <translation>このコンピューターのみ</translation>
+    </message>
+    <message>
+        <source>all computers in the network</source>
+        <translation>ネットワーク上のすべてのコンピューター</translation>
+    </message>
+    <message>
+        <source>z up, right-handed (as in Dewpoint)</source>
+        <translation>z が上、右手系（Dewpoint と同じ）</translation>
+    </message>
+    <message>
+        <source>y up, right-handed</source>
+        <translation>y が上、右手系</translation>
+    </message>
+    <message>
+        <source>y up, left-handed (as in Unity)</source>
+        <translation>y が上、左手系（Unity と同じ）</translation>
+    </message>
+    <message>
+        <source>meters</source>
+        <translation>メートル</translation>
+    </message>
+    <message>
+        <source>millimeters</source>
+        <translation>ミリメートル</translation>
     </message>
 </context>
 <context>
@@ -6214,10 +6865,6 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>「%1」より大きいため、代わりに %2 を使います。</translation>
     </message>
     <message>
-        <source>This is less than “%1”, which therefore has no effect.</source>
-        <translation>「%1」より小さいため、そちらは効果がありません。</translation>
-    </message>
-    <message>
         <source>Tracking method. Changing it restarts tracking; other settings are kept.</source>
         <translation>追跡の手法。変えると追跡を最初からやり直します。ほかの設定はそのままです。</translation>
     </message>
@@ -6241,6 +6888,10 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <source>Some values in this group differ from their defaults.</source>
         <translation>ここに既定値と異なるものがあります。</translation>
     </message>
+    <message>
+        <source>This is less than “%1”, so “%1” has no effect.</source>
+        <translation>「%1」より小さいため、「%1」は効果がありません。</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::PeopleDock</name>
@@ -6253,28 +6904,8 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>カメラ画像の中の人物、または鳥瞰図の床をクリックしてください。Esc で中止します。</translation>
     </message>
     <message>
-        <source>Folder for the people tables</source>
-        <translation>人物の表を保存するフォルダー</translation>
-    </message>
-    <message>
-        <source>%1 contains tables of another run. Replace them?</source>
-        <translation>%1 に別の実行の表があります。置き換えますか？</translation>
-    </message>
-    <message>
         <source>Replace</source>
         <translation>置き換える</translation>
-    </message>
-    <message>
-        <source>That run has ended. Its people tables were not saved.</source>
-        <translation>その実行は終わっているため、人物の表は保存しませんでした。</translation>
-    </message>
-    <message>
-        <source>Saved people&apos;s positions, volumes, hulls and densities in %1 (frames: %2).</source>
-        <translation>人物の位置、体積、凸包、密度を %1 に保存しました（フレーム数：%2）。</translation>
-    </message>
-    <message>
-        <source>Saving the people tables…</source>
-        <translation>人物の表を保存しています…</translation>
     </message>
     <message>
         <source>Add a person</source>
@@ -6283,6 +6914,26 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
     <message>
         <source>Remove a person</source>
         <translation>人物を削除</translation>
+    </message>
+    <message>
+        <source>Folder for the people&apos;s volumes</source>
+        <translation>人物の体積を保存するフォルダー</translation>
+    </message>
+    <message>
+        <source>%1 already contains files of an earlier export. Replace them?</source>
+        <translation>%1 には以前に書き出したファイルがあります。置き換えますか？</translation>
+    </message>
+    <message>
+        <source>The run has ended, so the people&apos;s volumes were not saved.</source>
+        <translation>実行が終わっているため、人物の体積は保存しませんでした。</translation>
+    </message>
+    <message>
+        <source>Saving the people&apos;s volumes…</source>
+        <translation>人物の体積を保存しています…</translation>
+    </message>
+    <message>
+        <source>Saved the positions, volumes, hulls and densities of the people in %1 (frames: %2).</source>
+        <translation>人物の位置、体積、凸包、密度を %1 に保存しました（フレーム数：%2）。</translation>
     </message>
 </context>
 <context>
@@ -6298,10 +6949,6 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
     <message>
         <source>No.</source>
         <translation>番号</translation>
-    </message>
-    <message>
-        <source>Number of the person; nobody else gets it in this run</source>
-        <translation>人物の番号。この実行では再び使われません</translation>
     </message>
     <message>
         <source>Position</source>
@@ -6340,10 +6987,6 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>体積</translation>
     </message>
     <message>
-        <source>Volume in cubic meters of the hull that contains 95 % of the person; empty while hulls are not shown</source>
-        <translation>その人物の 95 % を含む凸包の体積（m³）。凸包を表示していない間は空欄</translation>
-    </message>
-    <message>
         <source>Time</source>
         <translation>時間</translation>
     </message>
@@ -6354,10 +6997,6 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
     <message>
         <source>Near</source>
         <translation>近く</translation>
-    </message>
-    <message>
-        <source>Another person is so close that colors are not learned</source>
-        <translation>ほかの人が近すぎるので、色を学習しません</translation>
     </message>
     <message>
         <source>Learning the background: %1 %. Keep the scene empty.</source>
@@ -6378,6 +7017,18 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
     <message>
         <source>Another person is close</source>
         <translation>近くに別の人がいます</translation>
+    </message>
+    <message>
+        <source>Number of the person. No other person gets the same number in this run</source>
+        <translation>人物の番号。この実行では、ほかの人に同じ番号は使われません</translation>
+    </message>
+    <message>
+        <source>Volume of the hull that encloses 95 % of the person, in cubic meters. Empty unless “Show people&apos;s volumes” is on</source>
+        <translation>その人物の 95 % を囲む凸包の体積（m³）。人物の体積を表示していない間は空欄</translation>
+    </message>
+    <message>
+        <source>Another person is so close that the colors of this person are not learned</source>
+        <translation>ほかの人が近すぎるので、この人物の色を学習しません</translation>
     </message>
 </context>
 <context>
@@ -6430,10 +7081,6 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>計画中のカメラ</translation>
     </message>
     <message>
-        <source>The planned camera that the numbers below belong to</source>
-        <translation>下の数値が示す計画中のカメラ</translation>
-    </message>
-    <message>
         <source>Position x, y, z</source>
         <translation>位置 x, y, z</translation>
     </message>
@@ -6458,10 +7105,6 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>計画中のカメラの注視点 %1</translation>
     </message>
     <message>
-        <source>A point on its line of sight, in meters</source>
-        <translation>視線上の点（メートル）</translation>
-    </message>
-    <message>
         <source>Field of view</source>
         <translation>画角</translation>
     </message>
@@ -6474,24 +7117,8 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>画像の幅</translation>
     </message>
     <message>
-        <source>Width of its image in pixels</source>
-        <translation>画像の幅（ピクセル）</translation>
-    </message>
-    <message>
         <source>Image height</source>
         <translation>画像の高さ</translation>
-    </message>
-    <message>
-        <source>Height of its image in pixels</source>
-        <translation>画像の高さ（ピクセル）</translation>
-    </message>
-    <message>
-        <source>Distance of walls and ceiling</source>
-        <translation>壁と天井までの距離</translation>
-    </message>
-    <message>
-        <source>Distance of the walls and the ceiling</source>
-        <translation>壁と天井の距離</translation>
     </message>
     <message>
         <source>The search places the camera on four walls and a ceiling at this distance from the volume</source>
@@ -6524,6 +7151,30 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
     <message>
         <source>Search the walls and the ceiling for the position where another camera would help most (%1)</source>
         <translation>もう1台のカメラが最も役立つ場所を壁と天井で探します（%1）</translation>
+    </message>
+    <message>
+        <source>The planned camera whose values are shown and changed below</source>
+        <translation>下に値を表示して変更する計画中のカメラ</translation>
+    </message>
+    <message>
+        <source>A point that the planned camera looks at, in meters</source>
+        <translation>計画中のカメラが向いている点（メートル）</translation>
+    </message>
+    <message>
+        <source>Width of the planned camera&apos;s image, in pixels</source>
+        <translation>計画中のカメラの画像の幅（ピクセル）</translation>
+    </message>
+    <message>
+        <source>Height of the planned camera&apos;s image, in pixels</source>
+        <translation>計画中のカメラの画像の高さ（ピクセル）</translation>
+    </message>
+    <message>
+        <source>Distance to walls and ceiling</source>
+        <translation>壁と天井までの距離</translation>
+    </message>
+    <message>
+        <source>Distance to the walls and the ceiling</source>
+        <translation>壁と天井までの距離</translation>
     </message>
 </context>
 <context>
@@ -6580,8 +7231,8 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>追跡を実行すると、グラフが表示されます。</translation>
     </message>
     <message>
-        <source>The target whose numbers are plotted: the one selected in Target, or the first.</source>
-        <translation>数値をグラフにするターゲット：「ターゲット」で選択したもの、なければ最初のもの。</translation>
+        <source>The target whose values are plotted: the target selected in the panel Target, or the first target if none is selected.</source>
+        <translation>値をグラフにするターゲット：「ターゲット」パネルで選択したもの、選択していなければ最初のもの。</translation>
     </message>
 </context>
 <context>
@@ -6593,18 +7244,6 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
 </context>
 <context>
     <name>dewpoint::ui::PointCalibrator</name>
-    <message>
-        <source>%1 is rotated and mirrored: turn its images clockwise by %2 degrees, then mirror them</source>
-        <translation>%1 は回転し、鏡像です: 画像を時計回りに %2 度回してから反転してください</translation>
-    </message>
-    <message>
-        <source>%1 is mirrored</source>
-        <translation>%1 は鏡像です</translation>
-    </message>
-    <message>
-        <source>%1 is rotated: turn its images clockwise by %2 degrees</source>
-        <translation>%1 は回転しています: 画像を時計回りに %2 度回してください</translation>
-    </message>
     <message>
         <source>point %1</source>
         <translation>点 %1</translation>
@@ -6681,6 +7320,18 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <source>Set orientation of %1</source>
         <translation>%1 の画像の向きを設定</translation>
     </message>
+    <message>
+        <source>The images of %1 are rotated and mirrored: turn them clockwise by %2 degrees, then mirror them</source>
+        <translation>%1 の画像は回転し、鏡像です: 時計回りに %2 度回してから反転してください</translation>
+    </message>
+    <message>
+        <source>The images of %1 are mirrored</source>
+        <translation>%1 の画像は鏡像です</translation>
+    </message>
+    <message>
+        <source>The images of %1 are rotated: turn them clockwise by %2 degrees</source>
+        <translation>%1 の画像は回転しています: 時計回りに %2 度回してください</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::PointsTable</name>
@@ -6741,24 +7392,12 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>画像でクリック</translation>
     </message>
     <message>
-        <source>Click the selected point in every image that shows it. Corners are found to a fraction of a pixel (Alt: exactly where you click). Press Esc to finish.</source>
-        <translation>選んだ点を、写っているすべての画像でクリックします。角はピクセル以下の精度で見つかります (Alt: クリックした場所そのまま)。Esc で終了。</translation>
-    </message>
-    <message>
         <source>Remove click</source>
         <translation>クリックを消す</translation>
     </message>
     <message>
-        <source>Remove the click on this point in the selected camera</source>
-        <translation>選んだカメラでのこの点のクリックを消します</translation>
-    </message>
-    <message>
         <source>Compute focal lengths</source>
         <translation>焦点距離も求める</translation>
-    </message>
-    <message>
-        <source>For cameras with six or more points</source>
-        <translation>六点以上あるカメラだけ</translation>
     </message>
     <message>
         <source>Compute cameras</source>
@@ -6779,6 +7418,18 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
     <message>
         <source>Rotate or mirror the images of this camera and compute its pose again</source>
         <translation>このカメラの画像を回転または反転し、姿勢をもう一度求めます</translation>
+    </message>
+    <message>
+        <source>Click the selected point in every image that shows it. Near a corner, the click moves exactly onto the corner; hold Alt to prevent this. Press Esc to finish.</source>
+        <translation>選んだ点を、写っているすべての画像でクリックします。角の近くでは、クリックがちょうど角に移ります。Alt を押していると移りません。Esc で終了します。</translation>
+    </message>
+    <message>
+        <source>Remove the click on the selected point from the image of the selected camera</source>
+        <translation>選んだカメラの画像から、選んだ点のクリックを消します</translation>
+    </message>
+    <message>
+        <source>Also compute the focal length of each camera in which you clicked six or more points</source>
+        <translation>6 点以上をクリックした各カメラの焦点距離も求めます</translation>
     </message>
 </context>
 <context>
@@ -6804,8 +7455,8 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>この結果の一部は以前の設定によるものです。</translation>
     </message>
     <message>
-        <source>The preview was stopped. It starts again at the next change.</source>
-        <translation>プレビューを止めました。次に何かを変えると、また始まります。</translation>
+        <source>The preview was stopped. It starts again when you change a setting.</source>
+        <translation>プレビューを止めました。設定を変えると、また始まります。</translation>
     </message>
 </context>
 <context>
@@ -6813,10 +7464,6 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
     <message>
         <source>Report a problem – Dewpoint</source>
         <translation>問題を報告 – Dewpoint</translation>
-    </message>
-    <message>
-        <source>Write to whoever gave you Dewpoint. Describe what you did, what you expected and what happened. Attach the text below and, if you can, the project file and a screenshot. Nothing is sent automatically.</source>
-        <translation>Dewpoint の提供元に、何をしたか、何を期待したか、実際に何が起きたかを知らせてください。下のテキストと、できればプロジェクトファイルとスクリーンショットを添えてください。自動で送信されるものはありません。</translation>
     </message>
     <message>
         <source>Text for the report</source>
@@ -6829,6 +7476,107 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
     <message>
         <source>Copy the text, to be pasted into a mail or a form</source>
         <translation>メールやフォームに貼り付けるためにテキストをコピーします</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation>このウィンドウを閉じます</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Run self-test</source>
+        <translation>自己診断を実行</translation>
+    </message>
+    <message>
+        <source>Stop the self-test</source>
+        <translation>自己診断を中止します</translation>
+    </message>
+    <message>
+        <source>Test graphics, codecs, cameras and disk, and track a simulated scene for a few seconds</source>
+        <translation>グラフィックス、コーデック、カメラ、ディスクを調べ、シミュレーションのシーンを数秒間追跡します</translation>
+    </message>
+    <message>
+        <source>Write to whoever gave you Dewpoint. Describe what you did, what you expected and what happened. Run the self-test. Attach the text below and, if you can, the project file and a screenshot. Nothing is sent automatically.</source>
+        <translation>Dewpoint の提供元に、何をしたか、何を期待したか、実際に何が起きたかを知らせてください。自己診断を実行し、下のテキストと、できればプロジェクトファイルとスクリーンショットを添えてください。自動で送信されるものはありません。</translation>
+    </message>
+    <message>
+        <source>Progress of the self-test</source>
+        <translation>自己診断の進み具合</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::ProjectCheckDialog</name>
+    <message>
+        <source>Checking recordings, times, calibration, colors and method…</source>
+        <translation>録画、時刻、キャリブレーション、色、手法をチェックしています…</translation>
+    </message>
+    <message>
+        <source>The check was canceled.</source>
+        <translation>チェックを中止しました。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n problem(s) must be solved before this project can be tracked.</source>
+        <translation>
+            <numerusform>このプロジェクトで追跡するには、%n 個の問題を解決する必要があります。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No problems, but look at the points marked ◆.</source>
+        <translation>問題はありません。◆ の項目は、意図と違うかもしれません。</translation>
+    </message>
+    <message>
+        <source>No problems.</source>
+        <translation>問題はありません。</translation>
+    </message>
+    <message>
+        <source>Check project – Dewpoint</source>
+        <translation>プロジェクトをチェック – Dewpoint</translation>
+    </message>
+    <message>
+        <source>Result of the check</source>
+        <translation>チェックの結果</translation>
+    </message>
+    <message>
+        <source>Progress of the check</source>
+        <translation>チェックの進み具合</translation>
+    </message>
+    <message>
+        <source>Read every frame</source>
+        <translation>すべてのフレームを読み込む</translation>
+    </message>
+    <message>
+        <source>Also find damaged frames in the middle of a recording. This takes longer</source>
+        <translation>録画の途中にある壊れたフレームも見つけます。時間が長くかかります</translation>
+    </message>
+    <message>
+        <source>Check again</source>
+        <translation>もう一度チェック</translation>
+    </message>
+    <message>
+        <source>Check the project as it is now</source>
+        <translation>今の状態のプロジェクトをチェックします</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Stop the check</source>
+        <translation>チェックを中止します</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>コピー</translation>
+    </message>
+    <message>
+        <source>Copy the result as text, in English, for a question or a report</source>
+        <translation>質問や報告に使えるように、結果を英語のテキストでコピーします</translation>
     </message>
     <message>
         <source>Close</source>
@@ -6989,8 +7737,8 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
 <context>
     <name>dewpoint::ui::RigPlanner</name>
     <message>
-        <source>With %1 here (x %2, y %3, z %4), the error is at most %6 in %5 of the volume, instead of %7.</source>
-        <translation>%1 をここ（x %2、y %3、z %4）に置くと、誤差が %6 以内の空間が %5 になります（現在は %7）。</translation>
+        <source>With %1 here (x %2, y %3, z %4), the error is at most %6 in %5 of the volume. Without this camera, that part is %7.</source>
+        <translation>%1 をここ（x %2、y %3、z %4）に置くと、誤差が %6 以内の空間が %5 になります。このカメラがなければ %7 です。</translation>
     </message>
 </context>
 <context>
@@ -7254,10 +8002,6 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>1 秒間隠れる</translation>
     </message>
     <message>
-        <source>A box passes in front of the ball. One camera is enough to keep tracking it.</source>
-        <translation>箱がボールの前を横切ります。カメラ 1 台だけで追跡を保てます。</translation>
-    </message>
-    <message>
         <source>Three more balls of the same color lie around. Only one moves.</source>
         <translation>同じ色のボールがほかに 3 つ置かれています。動くのは 1 つだけです。</translation>
     </message>
@@ -7325,6 +8069,10 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <source>Four identical balls</source>
         <translation>そっくりな 4 つのボール</translation>
     </message>
+    <message>
+        <source>A box passes in front of the ball. One camera is enough to keep tracking the ball.</source>
+        <translation>箱がボールの前を横切ります。カメラ 1 台だけでボールの追跡を保てます。</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::StatusBarPanel</name>
@@ -7339,10 +8087,6 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
     <message>
         <source>ended</source>
         <translation>終了</translation>
-    </message>
-    <message>
-        <source>Frame shown, of all frames</source>
-        <translation>表示中のフレーム / 全フレーム</translation>
     </message>
     <message>
         <source>%1 /s</source>
@@ -7409,10 +8153,6 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>± %1</translation>
     </message>
     <message>
-        <source>Uncertainty of the position: the standard deviation in 3D, x, y and z combined (the plots show each of them)</source>
-        <translation>位置の不確かさ：x、y、z を合わせた 3D の標準偏差（それぞれはグラフに表示）</translation>
-    </message>
-    <message>
         <source>%1 m/s</source>
         <translation>%1 m/s</translation>
     </message>
@@ -7432,6 +8172,14 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <source>Tracking: the cameras confirm the estimate. Ambiguous: another object fits about as well. Lost: not tracked for more than a second.</source>
         <translation>追跡中：カメラが推定を裏付けています。あいまい：別の物体も同じくらい合います。見失い：1 秒以上追跡できていません。</translation>
     </message>
+    <message>
+        <source>Number of the frame shown, and number of all frames</source>
+        <translation>表示中のフレームの番号 / 全フレーム数</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the position: the standard deviations in x, y and z combined. The plots show each of the three</source>
+        <translation>位置の不確かさ：x、y、z の標準偏差を合わせたもの。グラフには 3 つがそれぞれ表示されます</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::StepStrip</name>
@@ -7442,6 +8190,29 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
     <message>
         <source>Step %1: %2. %3</source>
         <translation>ステップ %1: %2。%3</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::TakeController</name>
+    <message>
+        <source>The recording ended, because its cameras were closed.</source>
+        <translation>カメラが閉じられたため、録画を終了しました。</translation>
+    </message>
+    <message>
+        <source>Take %1 (%2) is in %3.</source>
+        <translation>テイク %1（%2）は %3 にあります。</translation>
+    </message>
+    <message>
+        <source>Problem: %1</source>
+        <translation>問題: %1</translation>
+    </message>
+    <message>
+        <source>Open take</source>
+        <translation>テイクを開く</translation>
+    </message>
+    <message>
+        <source>Show folder</source>
+        <translation>フォルダーを表示</translation>
     </message>
 </context>
 <context>
@@ -7489,10 +8260,6 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
     <message>
         <source>any</source>
         <translation>任意</translation>
-    </message>
-    <message>
-        <source>Ball: the outline is a circle in every image. Any: the size is learned, and the center is the center of the color. Automatic: determined from the images. Only method dewpoint uses this.</source>
-        <translation>ボール: どの画像でも輪郭は円です。任意: 大きさを学習し、中心はその色の中心です。自動: 画像から判断します。手法 dewpoint だけが使います。</translation>
     </message>
     <message>
         <source>No target yet. In any camera image, click the object to track.</source>
@@ -7576,6 +8343,10 @@ Effective sample size %8 of %9</source>
         <source>Learn</source>
         <translation>学習</translation>
     </message>
+    <message>
+        <source>Ball: the outline of the target is a circle in every image. Any: the size of the target is learned, and its position is the center of the region that has its color. Automatic: the shape is determined from the images. Only method dewpoint uses this setting.</source>
+        <translation>ボール: どの画像でもターゲットの輪郭は円です。任意: ターゲットの大きさを学習し、その色の領域の中心を位置とします。自動: 形を画像から判断します。手法 dewpoint だけがこの設定を使います。</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::ThreadCountDialog</name>
@@ -7646,16 +8417,8 @@ Effective sample size %8 of %9</source>
         <translation>この時刻のボールの状態</translation>
     </message>
     <message>
-        <source>The upward direction comes from three positions on the floor, or from a fall</source>
-        <translation>上の向きは、床の3か所、または落下から求めます</translation>
-    </message>
-    <message>
         <source>Add current time</source>
         <translation>現在の時刻を追加</translation>
-    </message>
-    <message>
-        <source>Add the time of the images shown to the list; the ball must do this in them</source>
-        <translation>表示中の画像の時刻を一覧に追加します。画像の中でボールがこの状態にある必要があります</translation>
     </message>
     <message>
         <source>Remove time</source>
@@ -7676,6 +8439,14 @@ Effective sample size %8 of %9</source>
     <message>
         <source>%1 – %2</source>
         <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>The upward direction is computed from three positions at which the ball touches the floor, or from a fall of the ball</source>
+        <translation>上の向きは、ボールが床に触れた 3 か所、またはボールの落下から求めます</translation>
+    </message>
+    <message>
+        <source>Add the time of the images shown to the list. In these images, the ball must do what you selected</source>
+        <translation>表示中の画像の時刻を一覧に追加します。この画像で、ボールが選択したとおりの状態にある必要があります</translation>
     </message>
 </context>
 <context>
@@ -7733,16 +8504,8 @@ Effective sample size %8 of %9</source>
         <translation>カメラ</translation>
     </message>
     <message>
-        <source>Cameras that see the target</source>
-        <translation>ターゲットが見えているカメラの数</translation>
-    </message>
-    <message>
         <source>existence</source>
         <translation>存在確率</translation>
-    </message>
-    <message>
-        <source>Probability that the target is at the estimated position</source>
-        <translation>推定どおりの位置にターゲットがある確率</translation>
     </message>
     <message>
         <source>state</source>
@@ -7767,6 +8530,14 @@ Effective sample size %8 of %9</source>
     <message>
         <source>Tracking: the cameras confirm the estimate. Ambiguous: another object fits about as well. Corrected: you set the position</source>
         <translation>追跡中：カメラが推定を裏付けています。あいまい：別の物体も同じくらい合います。修正済み：位置をあなたが指定しました</translation>
+    </message>
+    <message>
+        <source>Number of cameras that see the target</source>
+        <translation>ターゲットが見えているカメラの数</translation>
+    </message>
+    <message>
+        <source>Existence probability: how likely it is that the target is there and tracked, 0 to 1</source>
+        <translation>存在確率：ターゲットがそこにあって追跡されている確率（0〜1）</translation>
     </message>
 </context>
 <context>
@@ -7881,24 +8652,12 @@ Effective sample size %8 of %9</source>
         <translation>水平な層にマップを表示</translation>
     </message>
     <message>
-        <source>Height of the layer</source>
-        <translation>層の高さ（スライダー）</translation>
-    </message>
-    <message>
         <source>Height of the layer above the floor</source>
         <translation>床からの層の高さ</translation>
     </message>
     <message>
-        <source>Height of the layer in meters</source>
-        <translation>層の高さ（メートル）</translation>
-    </message>
-    <message>
         <source>Surfaces around good and fair regions</source>
         <translation>良い範囲とまずまずの範囲を囲む面</translation>
-    </message>
-    <message>
-        <source>Show surfaces in the room around the regions where the error is at most 0.4, 1 and 2 times the acceptable error, or that two, three and four cameras see</source>
-        <translation>誤差が許容誤差の 0.4 倍、1 倍、2 倍以下の範囲、または 2 台、3 台、4 台のカメラから見える範囲の面を部屋に表示</translation>
     </message>
     <message>
         <source>Volume from x, y, z</source>
@@ -7913,16 +8672,8 @@ Effective sample size %8 of %9</source>
         <translation>空間の始まり %1</translation>
     </message>
     <message>
-        <source>Lower corner of the volume, in meters</source>
-        <translation>空間の始まり（メートル）</translation>
-    </message>
-    <message>
         <source>Volume to %1</source>
         <translation>空間の終わり %1</translation>
-    </message>
-    <message>
-        <source>Upper corner of the volume, in meters</source>
-        <translation>空間の終わり（メートル）</translation>
     </message>
     <message>
         <source>Use reference grid</source>
@@ -7933,8 +8684,24 @@ Effective sample size %8 of %9</source>
         <translation>基準グリッドの上、最も高いカメラまでの空間</translation>
     </message>
     <message>
-        <source>Error within %2 in %1 of the volume; %3 seen by fewer than two cameras</source>
-        <translation>誤差が %2 以内の空間は %1、見えるカメラが2台未満の空間は %3</translation>
+        <source>Height of the layer above the floor, in meters</source>
+        <translation>床からのレイヤーの高さ（メートル）</translation>
+    </message>
+    <message>
+        <source>Show surfaces in the room. For the error: around the regions with at most 0.4, 1 and 2 times the acceptable error. For the number of cameras: around the regions that two, three and four cameras see</source>
+        <translation>部屋に面を表示します。誤差の場合：許容誤差の 0.4 倍、1 倍、2 倍以下の範囲を囲みます。カメラの数の場合：2 台、3 台、4 台のカメラから見える範囲を囲みます</translation>
+    </message>
+    <message>
+        <source>Smallest x, y and z of the volume, in meters</source>
+        <translation>空間の x、y、z の最小値（メートル）</translation>
+    </message>
+    <message>
+        <source>Largest x, y and z of the volume, in meters</source>
+        <translation>空間の x、y、z の最大値（メートル）</translation>
+    </message>
+    <message>
+        <source>The error is at most %2 in %1 of the volume. Fewer than two cameras see %3 of the volume</source>
+        <translation>誤差が %2 以内の空間は %1 です。見えるカメラが 2 台未満の空間は %3 です</translation>
     </message>
 </context>
 <context>
@@ -8014,14 +8781,6 @@ Effective sample size %8 of %9</source>
         <translation>探索範囲の終点 %1</translation>
     </message>
     <message>
-        <source>Lower corner of the volume of interest, in meters; targets are searched for only inside it</source>
-        <translation>探索範囲の始点（メートル）。ターゲットはこの中だけで探します</translation>
-    </message>
-    <message>
-        <source>Upper corner of the volume of interest, in meters; targets are searched for only inside it</source>
-        <translation>探索範囲の終点（メートル）。ターゲットはこの中だけで探します</translation>
-    </message>
-    <message>
         <source>Compute from cameras</source>
         <translation>カメラから</translation>
     </message>
@@ -8061,16 +8820,20 @@ Effective sample size %8 of %9</source>
         <source>Change volume of interest</source>
         <translation>探索範囲を変更</translation>
     </message>
+    <message>
+        <source>Smallest x, y and z of the volume of interest, in meters. Targets are searched for only inside this box</source>
+        <translation>探索範囲の x、y、z の最小値（メートル）。ターゲットはこの直方体の中だけで探します</translation>
+    </message>
+    <message>
+        <source>Largest x, y and z of the volume of interest, in meters. Targets are searched for only inside this box</source>
+        <translation>探索範囲の x、y、z の最大値（メートル）。ターゲットはこの直方体の中だけで探します</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::WandCalibrationPage</name>
     <message>
         <source>Align the cameras by hand until they are roughly right. Then wave the ball, or a wand with two balls, through the whole volume, and refine.</source>
         <translation>まず手作業でカメラをおおよそ合わせます。次にボール、または2つのボールの付いたワンドを空間全体で振り、精密化します。</translation>
-    </message>
-    <message>
-        <source>Align the cameras by hand until they are roughly right. A recording in which you wave a ball, or a wand with two balls, through the whole volume then refines them.</source>
-        <translation>まず手作業でカメラをおおよそ合わせます。ボール、または2つのボールの付いたワンドを空間全体で振った録画から、カメラを精密化します。</translation>
     </message>
     <message>
         <source>Floor</source>
@@ -8087,6 +8850,10 @@ Effective sample size %8 of %9</source>
     <message>
         <source>Saved %1.</source>
         <translation>%1 を保存しました。</translation>
+    </message>
+    <message>
+        <source>Align the cameras by hand until they are roughly right. Then refine them with a recording in which you wave a ball, or a wand with two balls, through the whole volume.</source>
+        <translation>まず手作業でカメラをおおよそ合わせます。次に、ボール、または2つのボールの付いたワンドを空間全体で振った録画を使って精密化します。</translation>
     </message>
 </context>
 <context>
@@ -8223,10 +8990,6 @@ Effective sample size %8 of %9</source>
         <translation>時間のずれを求める</translation>
     </message>
     <message>
-        <source>For cameras that do not take their images at the same instants</source>
-        <translation>同じ瞬間に撮影しないカメラのために</translation>
-    </message>
-    <message>
         <source>Find focal lengths</source>
         <translation>焦点距離を求める</translation>
     </message>
@@ -8249,6 +9012,10 @@ Effective sample size %8 of %9</source>
     <message>
         <source>Use only the part of the recording that is selected in the timeline</source>
         <translation>録画のうち、タイムラインで選択した部分だけを使います</translation>
+    </message>
+    <message>
+        <source>For cameras that do not take their images at the same time</source>
+        <translation>同時に撮影しないカメラのために</translation>
     </message>
 </context>
 <context>
@@ -8278,10 +9045,6 @@ Effective sample size %8 of %9</source>
         <translation>前の状態</translation>
     </message>
     <message>
-        <source>Hold down to draw the grid with the previous cameras</source>
-        <translation>押している間、以前のカメラで格子を描きます</translation>
-    </message>
-    <message>
         <source>Use it anyway</source>
         <translation>それでも使う</translation>
     </message>
@@ -8292,10 +9055,6 @@ Effective sample size %8 of %9</source>
     <message>
         <source>Save report…</source>
         <translation>レポートを保存…</translation>
-    </message>
-    <message>
-        <source>A page with all numbers, residuals as arrows, coverage and a 3D drawing</source>
-        <translation>すべての数値、残差の矢印、網羅範囲、3D の図を含むページ</translation>
     </message>
     <message>
         <source>Refined cameras</source>
@@ -8338,10 +9097,6 @@ Effective sample size %8 of %9</source>
         <translation>カメラは変わっていません。</translation>
     </message>
     <message>
-        <source>Solutions from parts of the recording vary %1 times more than noise predicts. The stated accuracy includes this.</source>
-        <translation>録画の一部による解のばらつきは、雑音から予想される大きさの %1 倍です。示された精度にはそれが含まれています。</translation>
-    </message>
-    <message>
         <source>The fall gives a gravity of %1 m/s² (9.81 is expected).</source>
         <translation>落下から求めた重力は %1 m/s² です（期待値は 9.81）。</translation>
     </message>
@@ -8366,12 +9121,24 @@ Effective sample size %8 of %9</source>
         <translation>最初のカメラに対する、このカメラの画像の追加の遅れ</translation>
     </message>
     <message>
-        <source>The result is less accurate than the initial camera positions (error up to %1): wave through more of the volume.</source>
-        <translation>結果は最初のカメラの位置（誤差は最大 %1）より不正確です。もっと広い範囲で振ってください。</translation>
-    </message>
-    <message>
         <source>Camera delays are saved in the project and used to synchronize images from now on.</source>
         <translation>カメラの遅れはプロジェクトに保存され、以後の画像の同期に使われます。</translation>
+    </message>
+    <message>
+        <source>Hold down this button to draw the grid with the previous cameras</source>
+        <translation>このボタンを押している間、以前のカメラで格子を描きます</translation>
+    </message>
+    <message>
+        <source>Save a page with all numbers, the residuals as arrows, the coverage and a 3D drawing</source>
+        <translation>すべての数値、残差の矢印、網羅範囲、3D の図を含むページを保存します</translation>
+    </message>
+    <message>
+        <source>The result is less accurate than the initial camera positions, whose error is given as up to %1. Wave through more of the volume.</source>
+        <translation>結果は初期のカメラ位置より不正確です。初期位置の誤差は %1 までと指定されています。空間のより広い範囲で振ってください。</translation>
+    </message>
+    <message>
+        <source>Calibrations from different parts of the recording differ by %1 times as much as the noise of the images explains. The stated accuracy takes this into account.</source>
+        <translation>録画の各部分から求めたキャリブレーションのばらつきは、画像の雑音から予想される大きさの %1 倍です。示された精度にはそれが含まれています。</translation>
     </message>
 </context>
 <context>
@@ -8401,20 +9168,20 @@ Effective sample size %8 of %9</source>
         <translation>まだ何も集めていません。</translation>
     </message>
     <message>
-        <source>%1 collected.</source>
-        <translation>%1間集めました。</translation>
-    </message>
-    <message>
         <source>Every camera has seen the ball often enough: stop waving, or refine.</source>
         <translation>どのカメラもボールを十分に見ました。振り終えるか、精密化してください。</translation>
     </message>
     <message>
-        <source>Keep waving: each camera should see the ball 150 times, spread over half of its image.</source>
-        <translation>振り続けてください。各カメラがボールを150回、画像の半分にわたって見る必要があります。</translation>
-    </message>
-    <message>
         <source>Frames skipped because they arrived too fast: %1.</source>
         <translation>速すぎたため飛ばしたフレーム: %1。</translation>
+    </message>
+    <message>
+        <source>Positions collected for %1.</source>
+        <translation>%1間、位置を集めました。</translation>
+    </message>
+    <message>
+        <source>Keep waving: each camera should see the ball at least 150 times, spread over at least half of its image.</source>
+        <translation>振り続けてください。各カメラがボールを少なくとも150回、画像の少なくとも半分にわたって見る必要があります。</translation>
     </message>
 </context>
 <context>
@@ -8530,14 +9297,6 @@ Effective sample size %8 of %9</source>
         <translation>A、B、C が一直線上にあります。床に広がった点をマークしてください。</translation>
     </message>
     <message>
-        <source>The line from A to B is not nearly horizontal.</source>
-        <translation>A から B への線は水平に近くありません。</translation>
-    </message>
-    <message>
-        <source>A is directly above or below B.</source>
-        <translation>A は B の真上または真下にあります。</translation>
-    </message>
-    <message>
         <source>The floor is set: A is the origin, and the x axis points to B. The world was rotated by %1.</source>
         <translation>床を設定しました。A が原点で、x 軸は B を向きます。世界座標系を %1 回転しました。</translation>
     </message>
@@ -8562,12 +9321,20 @@ Effective sample size %8 of %9</source>
         <translation>すべてのカメラを移動</translation>
     </message>
     <message>
-        <source>A to B: %1 found, %2 measured. The calibration is off by %3 %.</source>
-        <translation>A から B: 検出 %1、計測 %2。キャリブレーションの誤差は %3 % です。</translation>
-    </message>
-    <message>
         <source>Check a distance</source>
         <translation>距離を確認</translation>
+    </message>
+    <message>
+        <source>The line from A to B is far from horizontal.</source>
+        <translation>A から B への線は水平からかけ離れています。</translation>
+    </message>
+    <message>
+        <source>A is directly above or below B, so the x axis cannot point from A to B.</source>
+        <translation>A は B の真上または真下にあるため、x 軸を A から B に向けることはできません。</translation>
+    </message>
+    <message>
+        <source>From A to B, the calibration gives %1; you measured %2. The calibration is off by %3 %.</source>
+        <translation>A から B まで、キャリブレーションの値は %1、計測値は %2 です。キャリブレーションの誤差は %3 % です。</translation>
     </message>
 </context>
 <context>
@@ -8575,10 +9342,6 @@ Effective sample size %8 of %9</source>
     <message>
         <source>Floor</source>
         <translation>床</translation>
-    </message>
-    <message>
-        <source>Set where the floor is, which point is the origin, and the scale. The cameras keep their positions relative to each other.</source>
-        <translation>床の位置、原点とする点、縮尺を設定します。カメラどうしの位置関係は変わりません。</translation>
     </message>
     <message>
         <source>⚠ The z axis does not seem to point up.</source>
@@ -8645,10 +9408,6 @@ Effective sample size %8 of %9</source>
         <translation>正立させる</translation>
     </message>
     <message>
-        <source>Rotate the world by quarter turns until the images are upright</source>
-        <translation>画像が正立するまで、世界座標系を 90° 単位で回転します</translation>
-    </message>
-    <message>
         <source>Set floor from A, B and C</source>
         <translation>A、B、C から床を設定</translation>
     </message>
@@ -8701,10 +9460,6 @@ Effective sample size %8 of %9</source>
         <translation>すべてのカメラを %1 方向に動かす距離(メートル)</translation>
     </message>
     <message>
-        <source>Rotate all cameras by 90° about the %1 axis, counterclockwise when it points to you</source>
-        <translation>すべてのカメラを %1 軸のまわりに 90° 回転します(軸が手前を向くとき反時計回り)</translation>
-    </message>
-    <message>
         <source>Quarter turn about %1</source>
         <translation>%1 軸まわりに 90° 回転</translation>
     </message>
@@ -8715,10 +9470,6 @@ Effective sample size %8 of %9</source>
     <message>
         <source>Rotation about the vertical</source>
         <translation>鉛直軸まわりの回転</translation>
-    </message>
-    <message>
-        <source>How far all cameras rotate about the vertical through the origin before they move, counterclockwise as seen from above</source>
-        <translation>移動の前に、原点を通る鉛直軸のまわりにすべてのカメラを回転する角度(上から見て反時計回り)</translation>
     </message>
     <message>
         <source>Move</source>
@@ -8749,16 +9500,40 @@ Effective sample size %8 of %9</source>
         <translation>画像でマーク</translation>
     </message>
     <message>
-        <source>Click the selected point in two or more images. Corners are found to a fraction of a pixel (Alt: exactly where you click). Press Esc to finish.</source>
-        <translation>選択した点を 2 つ以上の画像でクリックします。角は 1 ピクセル未満の精度で検出されます(Alt:クリックした位置そのもの)。Esc で終了します。</translation>
-    </message>
-    <message>
         <source>Check</source>
         <translation>確認</translation>
     </message>
     <message>
-        <source>Compare the distance from A to B with the measured one. Nothing moves.</source>
-        <translation>A から B までの距離を計測値と比べます。何も動きません。</translation>
+        <source>Set the floor, the origin and the scale of the room. The cameras keep their positions relative to each other.</source>
+        <translation>部屋の床、原点、縮尺を設定します。カメラどうしの位置関係は変わりません。</translation>
+    </message>
+    <message>
+        <source>Compare the distance from A to B in the calibration with the distance that you measured. Nothing is changed.</source>
+        <translation>キャリブレーションでの A から B までの距離を、計測した距離と比べます。何も変わりません。</translation>
+    </message>
+    <message>
+        <source>Set floor from the board shown</source>
+        <translation>表示中のボードから床を設定</translation>
+    </message>
+    <message>
+        <source>Use a board that lies flat on the floor in the images shown. Its first corner becomes the origin, and the x axis runs along its rows. Describe the board on the page Board.</source>
+        <translation>表示中の画像で床に平らに置かれたボードを使います。ボードの最初の角が原点になり、x 軸は行に沿います。ボードは「ボード」ページで指定してください。</translation>
+    </message>
+    <message>
+        <source>Rotate the world by quarter turns until its upward direction points up in the images</source>
+        <translation>上向きが画像でも上になるまで、世界座標系を 90° 単位で回転します</translation>
+    </message>
+    <message>
+        <source>Rotate all cameras by 90° about the %1 axis, counterclockwise if the axis points toward you</source>
+        <translation>すべてのカメラを %1 軸のまわりに 90° 回転します(軸が手前を向くとき反時計回り)</translation>
+    </message>
+    <message>
+        <source>Angle by which all cameras rotate about the vertical through the origin, counterclockwise as seen from above. They rotate first and move then</source>
+        <translation>原点を通る鉛直軸のまわりにすべてのカメラを回転する角度（上から見て反時計回り）。回転してから移動します</translation>
+    </message>
+    <message>
+        <source>Click the selected point in two or more images. Near a corner, the click moves exactly onto the corner; hold Alt to prevent this. Press Esc to finish.</source>
+        <translation>選択した点を 2 つ以上の画像でクリックします。角の近くでは、クリックがちょうど角に移ります。Alt を押していると移りません。Esc で終了します。</translation>
     </message>
 </context>
 </TS>

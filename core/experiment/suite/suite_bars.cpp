@@ -158,11 +158,11 @@ bool RequirementResult::isMeasured() const {
 }
 
 bool RequirementResult::isMet() const {
-  return isMeasured() && value >= bar->low && value <= bar->high;
+  return isMeasured() && value >= requirement->low && value <= requirement->high;
 }
 
 double RequirementResult::shortfall() const {
-  return std::max({0.0, bar->low - value, value - bar->high});
+  return std::max({0.0, requirement->low - value, value - requirement->high});
 }
 
 std::vector<RequirementResult> measureRequirements(const std::vector<SuiteCell>& cells) {

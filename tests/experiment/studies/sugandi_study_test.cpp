@@ -69,7 +69,7 @@ TEST(SugandiStudy, ReportsEveryMethodAndBar) {
   const auto study = studyBoxes({clip}, 1, [](const BoxStudyRow&) { return true; });
   ASSERT_TRUE(study);
   EXPECT_EQ(study->rows.size(), 7U); // sugandi twice, histogram, four of OpenCV
-  ASSERT_EQ(study->bars.size(), 1U); // the paper's trend
+  ASSERT_EQ(study->requirements.size(), 1U); // the paper's trend
   EXPECT_NE(boxStudyText(*study).find("csrt"), std::string::npos);
   EXPECT_NE(boxStudyCsv(*study).find("\"sugandi, 100 particles\""), std::string::npos);
   EXPECT_NE(boxStudyHtml(*study).find("</html>"), std::string::npos);
@@ -199,7 +199,7 @@ TEST(SugandiStudy, HistogramStaysOnTheJuggledBalls) {
   const auto study = studyBoxes(*clips, 1, [](const BoxStudyRow&) { return true; });
   ASSERT_TRUE(study);
   for (const BoxRequirement& bar :
-       study->bars) { // within a ball's radius on at least 85 % of the frames
+       study->requirements) { // within a ball's radius on at least 85 % of the frames
     EXPECT_TRUE(bar.reached) << bar.sentence;
   }
 }
