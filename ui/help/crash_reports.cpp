@@ -16,7 +16,6 @@
 #include <QSysInfo>
 
 #include <algorithm>
-#include <chrono>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,8 +27,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostKept = 5;
-/// How often is looked whether another message is gone. Chosen: nobody notices the wait.
-constexpr std::chrono::milliseconds kLookAgain(500);
 const std::string kNew = "crash-";
 const std::string kOffered = "offered-";
 
@@ -97,7 +94,6 @@ CrashReports::CrashReports(const Workbench& bench, fs::path folder)
     : QObject(&bench.window), bench_(bench), folder_(std::move(folder)),
       job_(new BackgroundJob(this)) {
   noteActions();
-  connect(&timer_, &QTimer::timeout, this, &CrashReports::offer);
   search();
 }
 
@@ -116,7 +112,7 @@ void CrashReports::search() {
     return [this, report = takeReport(folder)] {
       report_ = report;
       if (!report_.isEmpty()) {
-        timer_.start(kLookAgain);
+        offer();
       }
       Q_EMIT searched(!report_.isEmpty());
     };
@@ -124,11 +120,7 @@ void CrashReports::search() {
 }
 
 void CrashReports::offer() {
-  if (bench_.messages.isVisible()) {
-    return; // a question, such as that about unsaved work, is answered first
-  }
-  timer_.stop();
-  bench_.messages.ask(
+  bench_.messages.askUntilAnswered(
       tr("Dewpoint closed unexpectedly last time and left a report of what happened."),
       {{tr("Show report"), [this] { reportCrash(bench_, report_); }}});
 }

@@ -5,7 +5,6 @@
 
 #include <QObject>
 #include <QString>
-#include <QTimer>
 
 #include <filesystem>
 
@@ -29,8 +28,7 @@ public:
   CrashReports(const Workbench& bench, std::filesystem::path folder);
 
 Q_SIGNALS:
-  /// Emitted when the folder was searched. If there is a report, it is offered as soon as no other
-  /// message is shown.
+  /// Emitted when the folder was searched. If there is a report, it has been offered.
   void searched(bool found);
 
 private:
@@ -41,7 +39,6 @@ private:
   Workbench bench_;
   std::filesystem::path folder_;
   BackgroundJob* job_;
-  QTimer timer_; ///< runs until the report was offered
   QString report_;
 };
 

@@ -79,9 +79,11 @@ void MessageBar::dismiss() {
   clearAnswers();
   hide();
   if (std::exchange(showsPending_, false)) {
-    pending_.reset();
-  } else if (const auto question = pending_) {
-    askUntilAnswered(question->text, question->answers);
+    pending_.pop_back();
+  }
+  if (!pending_.empty()) {
+    const Question next = pending_.back();
+    askUntilAnswered(next.text, next.answers);
   }
 }
 
@@ -92,9 +94,17 @@ void MessageBar::forget(bool notices) {
 }
 
 void MessageBar::askUntilAnswered(const QString& question, const std::vector<Answer>& answers) {
-  pending_ = Question{question, answers};
+  std::erase_if(pending_, [&](const Question& asked) { return asked.text == question; });
+  pending_.push_back({question, answers});
   ask(question, answers);
   showsPending_ = true;
+}
+
+void MessageBar::withdraw(const QString& question) {
+  if (isVisible() && text() == question) {
+    dismiss();
+  }
+  std::erase_if(pending_, [&](const Question& asked) { return asked.text == question; });
 }
 
 void MessageBar::clearAnswers() {

@@ -8,7 +8,6 @@
 #include <QStringList>
 
 #include <functional>
-#include <optional>
 #include <vector>
 
 class QLabel;
@@ -40,8 +39,11 @@ public:
   /// Asks a question. Closing the bar gives no answer.
   void ask(const QString& question, const std::vector<Answer>& answers);
   /// Asks a question until it is answered or closed. If another message replaces it, the question
-  /// is asked again when that message is gone.
+  /// is asked again when that message is gone. Several such questions can wait; the newest is asked
+  /// first.
   void askUntilAnswered(const QString& question, const std::vector<Answer>& answers);
+  /// Removes a question that needs no answer any more, whether it is shown or waits.
+  void withdraw(const QString& question);
   QString text() const;
   /// Removes the current message.
   void dismiss();
@@ -83,7 +85,7 @@ private:
     QString text;
     std::vector<Answer> answers;
   };
-  std::optional<Question> pending_; ///< question that still needs an answer
+  std::vector<Question> pending_; ///< questions that still need an answer, the newest last
   bool showsPending_ = false;
 };
 

@@ -117,7 +117,7 @@ void HelpTest::linksAndPicturesOfThePagesWork() {
   QCOMPARE(manual->shownPage(), QStringLiteral("window.md"));
   // What is no page changes nothing.
   text->setSource(text->source().resolved(QUrl(QStringLiteral("examples"))));
-  QVERIFY(text->toPlainText().contains(QStringLiteral("camera views take up")));
+  QVERIFY(text->toPlainText().startsWith(QStringLiteral("The window"))); // its heading
 }
 
 void HelpTest::aMissingManualIsSaidWithItsFolder() {

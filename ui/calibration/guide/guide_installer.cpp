@@ -79,10 +79,12 @@ void installCalibrationGuide(const Workbench& bench, CalibrationMode& mode) {
   QObject::connect(&bench.session, &SessionController::opened, guide,
                    [bench] { askForCalibration(bench); });
   QObject::connect(&bench.document, &Document::calibrationChanged, guide, [bench] {
-    if (!lacksCalibration(bench.document) && bench.messages.text() == question()) {
-      bench.messages.dismiss();
+    if (!lacksCalibration(bench.document)) {
+      bench.messages.withdraw(question());
     }
   });
+  QObject::connect(&bench.document, &Document::replaced, guide,
+                   [bench] { bench.messages.withdraw(question()); });
 }
 
 } // namespace dewpoint::ui
