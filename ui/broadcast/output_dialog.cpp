@@ -25,6 +25,7 @@ namespace dewpoint::ui {
 namespace {
 
 constexpr int kHighestPort = 65535;
+constexpr int kFieldWidth = 260;
 // Proposals for ports that are off. Chosen: nothing usual has them.
 constexpr int kTcpPort = 9001;
 constexpr int kWebPort = 9002;
@@ -110,9 +111,15 @@ void OutputDialog::arrange() {
   form_->addRow(web_, web);
   for (QWidget* field :
        std::initializer_list<QWidget*>{osc_, tuio_, csv_, listen_, axes_, unit_, rate_, token_}) {
+    field->setMinimumWidth(kFieldWidth);
     form_->addRow(new QLabel(this), field);
     static_cast<QLabel*>(form_->labelForField(field))->setBuddy(field);
   }
+  for (QAbstractButton* button : buttons_->buttons()) {
+    button->setIcon({}); // as in the other dialogs
+  }
+  osc_->setPlaceholderText(QStringLiteral("127.0.0.1:9000"));
+  tuio_->setPlaceholderText(QStringLiteral("127.0.0.1:3333"));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(16, 16, 16, 16);
   column->setSpacing(12);
