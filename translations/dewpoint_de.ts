@@ -7564,7 +7564,7 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <translation>Jedes Bild lesen</translation>
     </message>
     <message>
-        <source>Also find damaged frames in the middle of a recording. This takes longer</source>
+        <source>Find damaged frames anywhere in a recording. This takes longer</source>
         <translation>Auch beschädigte Bilder mitten in einer Aufnahme finden. Das dauert länger</translation>
     </message>
     <message>

@@ -7564,7 +7564,7 @@ alrededor, para aprender de nuevo su color.</translation>
         <translation>Leer todos los fotogramas</translation>
     </message>
     <message>
-        <source>Also find damaged frames in the middle of a recording. This takes longer</source>
+        <source>Find damaged frames anywhere in a recording. This takes longer</source>
         <translation>Encontrar también fotogramas dañados en medio de una grabación. Tarda más</translation>
     </message>
     <message>

@@ -7551,7 +7551,7 @@ to learn its color again.</source>
         <translation>すべてのフレームを読み込む</translation>
     </message>
     <message>
-        <source>Also find damaged frames in the middle of a recording. This takes longer</source>
+        <source>Find damaged frames anywhere in a recording. This takes longer</source>
         <translation>録画の途中にある壊れたフレームも見つけます。時間が長くかかります</translation>
     </message>
     <message>

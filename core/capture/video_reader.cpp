@@ -2,6 +2,7 @@
 #include "core/capture/video_reader.h"
 
 #include "core/base/lower_case.h"
+#include "core/base/units.h"
 
 #include <fmt/format.h>
 #include <opencv2/videoio.hpp>
@@ -145,7 +146,7 @@ bool VideoReader::isFrame(std::int64_t frame) const {
 /// Time stamp of a frame by the table of its recording, milliseconds.
 double VideoReader::recordedStamp(std::int64_t frame) const {
   const auto& times = recorded_->times;
-  return stamps_.front() + 1000.0 * (times[static_cast<std::size_t>(frame)] - times.front());
+  return stamps_.front() + inMilliseconds(times[static_cast<std::size_t>(frame)] - times.front());
 }
 
 /// Jumps to shortly before a frame, and goes on to it. Afterwards the frame is grabbed.
@@ -155,7 +156,7 @@ bool VideoReader::seekByStamp(std::int64_t frame) {
   constexpr int kMostSteps = 24;
   constexpr double kRounding = 1.5; // milliseconds; the container has whole ones
   const double sought = recordedStamp(frame);
-  const double nominal = sought / 1000.0 * rate_ - kFramesBefore;
+  const double nominal = fromMilliseconds(sought) * rate_ - kFramesBefore;
   if (counted_ || rate_ <= 0 || nominal < 1 ||
       !video_.set(cv::CAP_PROP_POS_FRAMES, std::floor(nominal))) {
     return false;

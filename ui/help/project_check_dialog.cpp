@@ -216,8 +216,7 @@ void ProjectCheckDialog::retranslateUi() {
   list_->setAccessibleName(tr("Result of the check"));
   progress_->setAccessibleName(tr("Progress of the check"));
   everyFrame_->setText(tr("Read every frame"));
-  everyFrame_->setToolTip(
-      tr("Also find damaged frames in the middle of a recording. This takes longer"));
+  everyFrame_->setToolTip(tr("Find damaged frames anywhere in a recording. This takes longer"));
   check_->setText(tr("Check again"));
   check_->setToolTip(tr("Check the project as it is now"));
   cancel_->setText(tr("Cancel"));
