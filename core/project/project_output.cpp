@@ -58,7 +58,7 @@ Result<OutputAddress> parseOutputAddress(std::string_view text) {
     const bool hasBrackets = host.starts_with('[') && host.ends_with(']') && host.size() > 2;
     host = hasBrackets ? host.substr(1, host.size() - 2) : host;
     const auto port = toNumber<std::uint16_t>(text.substr(colon + 1));
-    const bool isPlain = hasBrackets || host.find(':') == std::string_view::npos;
+    const bool isPlain = hasBrackets || host.find_first_of(":[]") == std::string_view::npos;
     const bool isHost = !host.empty() && host.size() <= kLongestHost && isPlain &&
                         std::ranges::all_of(host, [](char c) { return c > ' ' && c < '\x7f'; });
     if (isHost && port && *port > 0) {

@@ -72,6 +72,10 @@ TEST(GstStream, ShowsTestPatternsInAnyEncoding) {
       EXPECT_NEAR(frames, std::round(frames), 1e-3) << encoding;
       EXPECT_GT(frames, 0.5);
     }
+    // The feed gets its images in a thread of its own, which may be later.
+    for (int k = 0; k < 500 && feed->imageCount() < 20; ++k) {
+      std::this_thread::sleep_for(10ms);
+    }
     feed->disconnect();
     EXPECT_GE(feed->imageCount(), 20);
     EXPECT_EQ(mediaType, std::string(encoding) == "raw"     ? "video/x-raw"
