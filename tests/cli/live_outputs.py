@@ -119,6 +119,9 @@ class Outputs(unittest.TestCase):
             self.assertRegex(osc_client.line_with("/dewpoint/frame"), r"^/dewpoint/frame \d+ \d+ [\d.]+ \d+$")
             bundle = tuio_receiver.recv(65536)
             self.assertTrue(bundle.startswith(b"#bundle\0") and b"/tuio/3Dcur" in bundle and b"fseq" in bundle)
+            deadline = time.monotonic() + PATIENCE
+            while len(pathlib.Path("all.csv").read_text().splitlines()) <= 12 and time.monotonic() < deadline:
+                time.sleep(0.1)
             code, out, err = live.stop()
         tuio_receiver.close()
         self.assertEqual((code, err), (0, ""))

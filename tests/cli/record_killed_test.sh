@@ -45,6 +45,6 @@ for kill in $(seq "${DEWPOINT_KILLS:-5}"); do
   done
   # Every image can be read, and there are as many of them as times, but for the last ones.
   "$cli" doctor takes/take-001/project.toml --every-frame --json >doctor.txt 2>/dev/null || true
-  ! grep -qE '"recording-|"times-' doctor.txt || fail "kill $kill: $(cat doctor.txt)"
+  ! grep -qE '"recording-(missing|unreadable)"|"frame-unreadable"|"video-cut-off"|"times-' doctor.txt || fail "kill $kill: $(cat doctor.txt)"
 done
 echo "at most $worst ms were missing"

@@ -354,6 +354,8 @@ std::string recordingPipelineText(const std::string& mediaType, bool lossless,
                         "capsfilter caps=\"video/x-raw,format={YUY2,I420,UYVY,GRAY8}\""
                       : fmt::format(" ! videoconvert ! video/x-raw,format=BGR ! jpegenc quality={}",
                                     kJpegQuality);
+  } else if (mediaType == "image/jpeg") {
+    format = " ! jpegparse"; // a network camera does not say the size, which the file needs
   } else if (mediaType == "video/x-h264" || mediaType == "video/x-h265") {
     const bool isH264 = mediaType == "video/x-h264";
     format = fmt::format(" ! {} ! {},stream-format={},alignment=au",
