@@ -26,7 +26,7 @@ for kill in $(seq "${DEWPOINT_KILLS:-5}"); do
   "$cli" record live.toml --out takes >log.txt 2>&1 &
   process=$!
   for _ in $(seq 300); do
-    [[ -s takes/take-001/project.toml ]] && grep -q right takes/take-001/project.toml && break
+    [[ $(grep -c "video = " takes/take-001/project.toml 2>/dev/null) == 3 ]] && break
     kill -0 $process 2>/dev/null || fail "it ended by itself: $(cat log.txt)"
     sleep 0.05
   done
