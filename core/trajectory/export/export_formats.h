@@ -14,8 +14,7 @@ namespace dewpoint::trajectory {
 /// are derived from it.
 struct ExportFile {
   /// Text that replaces the suffix of the name that the user chose; empty for the main file.
-  std::string
-      nameSuffix;
+  std::string nameSuffix;
   std::string bytes;
 };
 

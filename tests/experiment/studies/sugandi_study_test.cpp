@@ -68,7 +68,7 @@ TEST(SugandiStudy, ReportsEveryMethodAndBar) {
   clip.truth.resize(6);
   const auto study = studyBoxes({clip}, 1, [](const BoxStudyRow&) { return true; });
   ASSERT_TRUE(study);
-  EXPECT_EQ(study->rows.size(), 7U); // sugandi twice, histogram, four of OpenCV
+  EXPECT_EQ(study->rows.size(), 7U);         // sugandi twice, histogram, four of OpenCV
   ASSERT_EQ(study->requirements.size(), 1U); // the paper's trend
   EXPECT_NE(boxStudyText(*study).find("csrt"), std::string::npos);
   EXPECT_NE(boxStudyCsv(*study).find("\"sugandi, 100 particles\""), std::string::npos);

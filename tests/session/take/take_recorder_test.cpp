@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/take/take_recorder.h"
-
 #include "core/capture/gstreamer/open_live.h"
 #include "core/project/project_load.h"
 #include "core/project/project_save.h"
+#include "core/session/take/take_recorder.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -23,8 +22,8 @@ Project liveProject(const std::string& right) {
   Project project;
   project.name = "desk";
   project.parameters = ParameterValues(methodParameters(project.method));
-  for (const auto& [name, location] : {std::pair<std::string, std::string>{"left / top", "test:ball"},
-                                       {"right", right}}) {
+  for (const auto& [name, location] :
+       {std::pair<std::string, std::string>{"left / top", "test:ball"}, {"right", right}}) {
     ProjectCamera camera;
     camera.camera.name = name;
     camera.camera.intrinsics.width = 640;
