@@ -80,7 +80,8 @@ private Q_SLOTS:
     QVERIFY(scene.projectToImage({0, 0, 1}).y() > scene.projectToImage({0, 0, 0}).y() + 20.0);
     QVERIFY(scene.projectToImage({0, 1, 0}).y() > scene.projectToImage({0, 0, 0}).y() + 10.0);
     // All of the rig is in it.
-    for (const Camera& camera : *ballSnapshot()->rig) {
+    const auto rig = ballSnapshot()->rig; // the snapshot goes before the loop does
+    for (const Camera& camera : *rig) {
       const Eigen::Vector2d place =
           scene.projectToImage(camera.center()) / view_->devicePixelRatioF();
       QVERIFY(std::abs(place.x()) < 320.0 && std::abs(place.y()) < 240.0);
