@@ -62,6 +62,7 @@ RunRecord Session::record() const {
   auto [project, figures] = impl_->loop.log().runReportData();
   const TrackSnapshotPtr last = newest();
   figures.droppedFrames = last->droppedFrames;
+  figures.clocks = last->clocks;
   for (const Error& notice : last->notices) {
     figures.notices.push_back(sentence(notice));
   }

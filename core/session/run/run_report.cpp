@@ -6,10 +6,14 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cstddef>
+
 namespace dewpoint::session {
 namespace {
 
 constexpr double kMicroseconds = 1e6; ///< in a second
+constexpr double kPartsPerMillion = 1e6;
 
 /// Nothing where the target or camera has just been removed.
 template <class Named>
@@ -42,6 +46,25 @@ nlohmann::ordered_json correctionJson(const PositionCorrection& correction,
   return json;
 }
 
+/// What is known of the times of the cameras, relative to the first one. Nothing where nothing is
+/// estimated.
+nlohmann::ordered_json clocksJson(const std::vector<ClockEstimate>& clocks,
+                                  const Project& project) {
+  const CameraRig rig = rigOf(project);
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (std::size_t k = 1; k < std::min(clocks.size(), rig.size()); ++k) {
+    if (clocks[k].delaySigma > 0.0) {
+      json.push_back({{"camera", rig[k].name},
+                      {"relative_to", rig[0].name},
+                      {"delay_milliseconds", inMilliseconds(clocks[k].delay)},
+                      {"delay_sigma_milliseconds", inMilliseconds(clocks[k].delaySigma)},
+                      {"drift_ppm", kPartsPerMillion * clocks[k].drift},
+                      {"drift_sigma_ppm", kPartsPerMillion * clocks[k].driftSigma}});
+    }
+  }
+  return json;
+}
+
 } // namespace
 
 std::string runReport(const Project& project, const RunStatistics& figures) {
@@ -64,6 +87,7 @@ std::string runReport(const Project& project, const RunStatistics& figures) {
                                     {"p99.9", inMilliseconds(figures.latency.quantile(0.999))},
                                     {"max", inMilliseconds(figures.latency.longest())}};
   json["dropped_frames"] = figures.droppedFrames;
+  json["clocks"] = clocksJson(figures.clocks, project);
   for (const auto& declaration : project.parameters.declarations()) {
     json["parameters"][declaration.key] = project.parameters.at(declaration.key);
   }

@@ -11,6 +11,7 @@
 #include "core/session/snapshot/hold_state.h"
 #include "core/session/watch/camera_motion_watch.h"
 #include "core/tracking/catalog/method_catalog.h"
+#include "core/tracking/clock_estimate.h"
 
 #include <Eigen/Core>
 
@@ -128,6 +129,9 @@ struct TrackSnapshot {
   /// Reasons why the cameras contradict each other, the most basic first. They are not part of
   /// `notices`.
   std::vector<CameraDisagreement> disagreements;
+  /// Estimated clock errors of the cameras after the current frame; empty if the method estimates
+  /// none.
+  std::vector<ClockEstimate> clocks;
 };
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 

@@ -58,10 +58,16 @@ std::vector<ParameterDeclaration> declare() {
                  "Error of the times at which the images were taken. It is part of the reported "
                  "uncertainty of a moving target. 8 suits webcams.",
                  false});
+  all.push_back(
+      {"delay_spread", ParameterKind::Real, "Delay spread", "ms", 0.0, 1000.0, 1.0, 10.0,
+       "How much the delays of the cameras may differ (standard deviation). While a target "
+       "moves, the delays are estimated and corrected. 0 if all time stamps are exact: "
+       "then no delay is estimated.",
+       false});
   const auto start = startParameters({{0.5, 0.5, 0.25}, {0.5, 0.5, 0.25}});
   all.insert(all.end(), start.begin(), start.end());
-  putInGroup(ParameterGroup::Measurement, {"color_adaptation", "calibration_error", "time_error"},
-             all);
+  putInGroup(ParameterGroup::Measurement,
+             {"color_adaptation", "calibration_error", "time_error", "delay_spread"}, all);
   putInGroup(ParameterGroup::Start, {kSearchSizeKey}, all);
   putInGroup(ParameterGroup::Expert, {"kld_error", "time_budget", "iterations_per_frame"}, all);
   return all;

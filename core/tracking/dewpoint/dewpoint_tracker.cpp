@@ -3,6 +3,7 @@
 
 #include "core/base/angle.h"
 #include "core/tracking/dewpoint/background_learning.h"
+#include "core/tracking/dewpoint/clock_sightings.h"
 #include "core/tracking/dewpoint/color_adaptation.h"
 #include "core/tracking/dewpoint/dewpoint_diagnostics.h"
 #include "core/tracking/frame_gap.h"
@@ -27,8 +28,8 @@ constexpr int kReachPeriod = 10;
 
 DewpointTracker::DewpointTracker(const ParameterValues& parameters, const CameraRig& rig,
                                  const std::vector<Target>& targets)
-    : parameters_(parameters), objects_(targets, rig), images_(rig.size()), search_(rig),
-      estimates_(targets.size()) {
+    : parameters_(parameters), objects_(targets, rig), images_(rig.size()), clocks_(rig),
+      search_(rig), estimates_(targets.size()) {
   restart(0);
 }
 
@@ -83,6 +84,8 @@ void DewpointTracker::setCameras(const CameraRig& rig) {
     return; // another rig is another run
   }
   search_ = CandidateSearch(rig);
+  clocks_.setCameras(rig);
+  images_.setDelays(clocks_.delays());
   distractors_.cancel();
   // What depends on the images only, such as the backgrounds, stays; the tracks of distractors move
   // along with those of the targets.
@@ -135,6 +138,8 @@ void DewpointTracker::restart(std::uint64_t seed) {
   lastTime_.reset();
   budget_ = TimeBudget();
   images_.resetBackgrounds();
+  clocks_.restart();
+  images_.setDelays(clocks_.delays());
   objects_.removeDistractors();
   distractors_.restart(objects_.targetCount());
   for (TrackedObject& object : objects_) {
@@ -190,6 +195,7 @@ void DewpointTracker::iterate(ThreadTeam& team) {
   }
   updateEstimates();
   if (isFirst) {
+    learnClocks();
     adaptTargetColors();
     learnBackgrounds();
     lastTime_ = images_.frames() ? images_.frames()->time : TimeStamp{};
@@ -323,6 +329,12 @@ void DewpointTracker::updateEstimate(std::size_t target) {
                            ? object.shape->track().estimate(object.shape->observation())
                            : object.track.estimate(object.observation);
   estimates_[target].colors = object.color.rangesInUse();
+}
+
+void DewpointTracker::learnClocks() {
+  clocks_.setPrior({1e-3 * parameters_.at("delay_spread"), trackSettings().errors.direction});
+  clocks_.learn(clockSightings(objects_), secondsSinceLastFrame());
+  images_.setDelays(clocks_.delays());
 }
 
 void DewpointTracker::adaptTargetColors() {

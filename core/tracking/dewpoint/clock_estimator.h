@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/camera.h"
+#include "core/observation/sphere/outline_fit.h"
+#include "core/tracking/clock_estimate.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace dewpoint::tracking {
+
+/// Estimates the delays of the cameras' time stamps during tracking, from the motion of targets.
+///
+/// If the images of a camera are late, a moving target appears in them behind its position in the
+/// other cameras, by its velocity times the delay. Errors of the calibration also displace the
+/// target, but independently of its velocity. A Kalman filter (in information form) separates the
+/// two. Its state consists of four numbers per camera: the delay, its drift, and two angles by
+/// which the target appears displaced. The angles change as the target moves through the image,
+/// because the calibration error differs from place to place.
+class ClockEstimator {
+public:
+  explicit ClockEstimator(const CameraRig& rig);
+
+  /// Sets another calibration of the same cameras. If it differs from the current one, all
+  /// estimates are discarded, because they depend on the errors of the calibration.
+  void setCameras(const CameraRig& rig);
+
+  /// What is assumed before anything moves.
+  struct Prior {
+    double delaySigma = 0.0;     ///< seconds; 0: all time stamps are exact
+    double directionSigma = 0.0; ///< radians, error of the directions in which cameras see objects
+  };
+  /// Sets the prior. If it differs from the current one, all estimates are discarded.
+  void setPrior(const Prior& prior);
+  /// Discards all estimates.
+  void restart();
+
+  /// A moving target in a frame. World frame, meters.
+  struct Sighting {
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();
+    Eigen::Vector3d velocity = Eigen::Vector3d::Zero(); ///< m/s
+    /// What each camera says about the position, computed with the delays from delays().
+    const std::vector<CameraPull>* pulls = nullptr;
+    double trust = 1.0; ///< factor of the information, 0 to 1
+  };
+  /// Adds the targets seen in a frame, `interval` seconds after the previous one.
+  void learn(const std::vector<Sighting>& sightings, double interval);
+
+  /// Returns the estimates relative to the first camera, one per camera.
+  std::vector<ClockEstimate> estimates() const;
+  /// Returns the estimated delay of each camera in seconds. If nothing else is known, their mean is
+  /// about 0.
+  std::vector<double> delays() const;
+
+private:
+  static constexpr Eigen::Index kStates = 4; ///< per camera: delay, drift and two angles
+
+  bool isActive() const { return prior_.delaySigma > 0.0 && rig_.size() > 1; }
+  void add(const Sighting& sighting);
+  void predict();
+  void update();
+
+  CameraRig rig_;
+  Prior prior_;
+  Eigen::VectorXd mean_;
+  Eigen::MatrixXd covariance_;
+  /// Information from the frames since the last update, about the complete state.
+  Eigen::MatrixXd information_;
+  Eigen::VectorXd informationVector_;
+  double elapsed_ = 0.0;       ///< seconds since the last update
+  int frames_ = 0;             ///< frames since the last update
+  std::vector<double> turned_; ///< radians that the targets moved in each camera since then
+};
+
+} // namespace dewpoint::tracking

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/tracking/dewpoint/clock_estimator.h"
+#include "core/tracking/dewpoint/tracked_objects.h"
+
+#include <vector>
+
+namespace dewpoint::tracking {
+
+/// Returns the targets of the frame from which the delays of the cameras can be estimated: those
+/// that are tracked as balls, almost fully visible, and moving. The results point into `objects`.
+std::vector<ClockEstimator::Sighting> clockSightings(const TrackedObjects& objects);
+
+} // namespace dewpoint::tracking
