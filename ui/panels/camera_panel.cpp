@@ -7,6 +7,7 @@
 #include "ui/document/camera_list_model.h"
 #include "ui/document/document.h"
 #include "ui/panels/background_image_taker.h"
+#include "ui/panels/delay_estimate.h"
 #include "ui/selection/selection.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/retranslation.h"
@@ -48,7 +49,8 @@ CameraPanel::CameraPanel(Document& document, Selection& selection, CameraListMod
       rotationLabel_(new QLabel(this)), rotation_(new QComboBox(this)),
       mirror_(new QCheckBox(this)), delayLabel_(new QLabel(this)),
       delay_(makeNumberField(QStringLiteral("cameraLate"), {-kMostLate, kMostLate, 1.0, 1}, this)),
-      calibration_(new QLabel(this)), load_(new QPushButton(this)),
+      delayEstimate_(new DelayEstimate(this)), calibration_(new QLabel(this)),
+      load_(new QPushButton(this)),
       taker_(new BackgroundImageTaker(document, selection, cameras, this)) {
   setObjectName(QStringLiteral("cameraPanel"));
   list_->setModel(&cameras_);
@@ -87,6 +89,7 @@ void CameraPanel::makeFields() {
   form->addRow(rotationLabel_, rotation_);
   form->addRow(nullptr, mirror_);
   form->addRow(delayLabel_, delay_);
+  form->addRow(delayEstimate_);
   form->addRow(backgroundImageLabel_, backgroundImage_);
   auto* rooms = new QHBoxLayout;
   rooms->setSpacing(8);
@@ -137,6 +140,12 @@ void CameraPanel::connectFields() {
       if (delay_->value() != shown) { // what is not shown of it must not be lost
         camera.delay = fromMilliseconds(delay_->value());
       }
+    });
+  });
+  connect(delayEstimate_, &DelayEstimate::kept, this, [this](double delay) {
+    edit(tr("Keep estimated delay"), [delay](ProjectCamera& camera) {
+      camera.delay = std::clamp(camera.delay + delay, -fromMilliseconds(kMostLate),
+                                fromMilliseconds(kMostLate));
     });
   });
   connect(browse_, &QPushButton::clicked, this, &CameraPanel::relocate);
@@ -212,6 +221,8 @@ void CameraPanel::showChosen() {
     field->setEnabled(own);
   }
   browse_->setEnabled(own && isFile);
+  delayEstimate_->setEditable(own);
+  showDelayEstimate();
   updateTakeButton();
   backgroundImage_->setText(QString::fromStdString(camera.backgroundImage));
   name_->setText(QString::fromStdString(camera.camera.name));
@@ -269,6 +280,16 @@ void CameraPanel::relocate() {
 void CameraPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
   taker_->setSnapshot(snapshot);
   updateTakeButton();
+  clocks_ = snapshot ? snapshot->clocks : std::vector<ClockEstimate>();
+  showDelayEstimate();
+}
+
+void CameraPanel::showDelayEstimate() {
+  const auto row = static_cast<std::size_t>(std::max(0, chosen()));
+  const auto& cameras = document_.project().cameras;
+  delayEstimate_->setEstimate(row < clocks_.size() ? std::optional(clocks_[row]) : std::nullopt,
+                              cameras.empty() ? QString()
+                                              : QString::fromStdString(cameras[0].camera.name));
 }
 
 void CameraPanel::updateTakeButton() {
