@@ -17,6 +17,12 @@ namespace {
 constexpr double kDriftSigma = 5e-4;
 /// Seconds per root of a second, random walk of the delay: what drivers buffer changes slowly.
 constexpr double kDelayWalk = 2e-4;
+/// Seconds, standard deviation of the time from the first row to the last: rolling shutters take
+/// most of the time between two images, 15 to 30 ms, global shutters none.
+constexpr double kShutterSigma = 0.02;
+/// Part of the step of a delay that may be an error of the step itself: while the images of cameras
+/// are far apart, edges are left out, and the fit says less than the whole distance.
+constexpr double kStepShare = 1.0;
 /// Radians that a target moves in an image until the error of its direction there has little to do
 /// with the one before: about half of the image of a usual camera.
 constexpr double kDirectionReach = 0.5;
@@ -44,13 +50,15 @@ Eigen::Matrix<double, 3, 2> across(const Camera& camera, const Eigen::Vector3d& 
 
 } // namespace
 
-ClockEstimator::ClockEstimator(const CameraRig& rig) : rig_(rig) {
+ClockEstimator::ClockEstimator(const CameraRig& rig)
+    : rig_(rig), projectors_(rig.begin(), rig.end()) {
   restart();
 }
 
 void ClockEstimator::setCameras(const CameraRig& rig) {
   if (rig != rig_) {
     rig_ = rig;
+    projectors_ = std::vector<Projector>(rig.begin(), rig.end());
     restart();
   }
 }
@@ -74,7 +82,11 @@ void ClockEstimator::restart() {
   const double direction = std::max(prior_.directionSigma, kLeastDirectionSigma);
   for (Eigen::Index k = 0; k < size; k += kStates) {
     covariance_.diagonal().segment<kStates>(k) =
-        Eigen::Vector4d(prior_.delaySigma, kDriftSigma, direction, direction).array().square();
+        (Eigen::Vector<double, kStates>() << prior_.delaySigma, kDriftSigma, kShutterSigma,
+         direction, direction)
+            .finished()
+            .array()
+            .square();
   }
 }
 
@@ -126,7 +138,9 @@ void ClockEstimator::add(const Sighting& sighting) {
     }
     const Eigen::Vector3d ray = sighting.position - rig_[k].center();
     Eigen::Matrix<double, 3, kStates> jacobian = Eigen::Matrix<double, 3, kStates>::Zero();
+    const double share = rowShare(k, sighting.position);
     jacobian.col(0) = -sighting.velocity;
+    jacobian.col(2) = -share * sighting.velocity;
     jacobian.rightCols<2>() = ray.norm() * across(rig_[k], ray);
     const Eigen::Index first = firstState(k, kStates);
     const Eigen::Matrix<double, kStates, 3> weighted = jacobian.transpose() * pulls[k].information;
@@ -134,6 +148,7 @@ void ClockEstimator::add(const Sighting& sighting) {
     information.block<kStates, kStates>(first, first) = weighted * jacobian;
     vector.segment<kStates>(first) = jacobian.transpose() * pulls[k].vector;
     corrected[first] = mean_[first];
+    corrected[first + 2] = mean_[first + 2];
   }
   information -= shared * eliminated * shared.transpose();
   vector -= shared * (eliminated * pull);
@@ -151,8 +166,8 @@ void ClockEstimator::predict() {
     transition(first, first + 1) = elapsed_;
     noise[first] = kDelayWalk * kDelayWalk * elapsed_;
     const double kept = std::exp(-turned_[k] / kDirectionReach);
-    transition(first + 2, first + 2) = transition(first + 3, first + 3) = kept;
-    noise.segment<2>(first + 2).setConstant(direction * direction * (1.0 - kept * kept));
+    transition(first + 3, first + 3) = transition(first + 4, first + 4) = kept;
+    noise.segment<2>(first + 3).setConstant(direction * direction * (1.0 - kept * kept));
   }
   mean_ = transition * mean_;
   covariance_ = transition * covariance_ * transition.transpose();
@@ -163,8 +178,13 @@ void ClockEstimator::update() {
   const Eigen::MatrixXd before = covariance_.inverse();
   const Eigen::LDLT<Eigen::MatrixXd> after(before + information_);
   if (after.info() == Eigen::Success && after.isPositive()) {
-    mean_ = after.solve(before * mean_ + informationVector_);
+    const Eigen::VectorXd last = mean_;
+    mean_ = after.solve(before * last + informationVector_);
     covariance_ = after.solve(Eigen::MatrixXd::Identity(mean_.size(), mean_.size()));
+    for (Eigen::Index k = 0; k < mean_.size(); k += kStates) {
+      const double step = kStepShare * (mean_[k] - last[k]);
+      covariance_(k, k) += step * step;
+    }
   }
   information_.setZero();
   informationVector_.setZero();
@@ -194,6 +214,21 @@ std::vector<double> ClockEstimator::delays() const {
     delays[k] = mean_[firstState(k, kStates)];
   }
   return delays;
+}
+
+std::vector<double> ClockEstimator::delaysAt(const Eigen::Vector3d& position) const {
+  std::vector<double> delays(rig_.size(), 0.0);
+  for (std::size_t k = 0; isActive() && k < rig_.size(); ++k) {
+    const Eigen::Index first = firstState(k, kStates);
+    delays[k] = mean_[first] + mean_[first + 2] * rowShare(k, position);
+  }
+  return delays;
+}
+
+double ClockEstimator::rowShare(std::size_t camera, const Eigen::Vector3d& position) const {
+  const auto pixel = projectors_[camera].project(position);
+  const double height = projectors_[camera].intrinsics().height;
+  return pixel ? std::clamp((pixel->y() + 0.5) / height, 0.0, 1.0) - 0.5 : 0.0;
 }
 
 } // namespace dewpoint::tracking

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/geometry/camera.h"
+#include "core/geometry/projector.h"
 #include "core/observation/sphere/outline_fit.h"
 #include "core/tracking/clock_estimate.h"
 
@@ -17,8 +18,9 @@ namespace dewpoint::tracking {
 /// If the images of a camera are late, a moving target appears in them behind its position in the
 /// other cameras, by its velocity times the delay. Errors of the calibration also displace the
 /// target, but independently of its velocity. A Kalman filter (in information form) separates the
-/// two. Its state consists of four numbers per camera: the delay, its drift, and two angles by
-/// which the target appears displaced. The angles change as the target moves through the image,
+/// two. Its state consists of five numbers per camera: the delay, its drift, the time that the
+/// shutter takes from the first row of an image to the last one, and two angles by which the target
+/// appears displaced. The angles change as the target moves through the image,
 /// because the calibration error differs from place to place.
 class ClockEstimator {
 public:
@@ -51,19 +53,25 @@ public:
 
   /// Returns the estimates relative to the first camera, one per camera.
   std::vector<ClockEstimate> estimates() const;
-  /// Returns the estimated delay of each camera in seconds. If nothing else is known, their mean is
-  /// about 0.
+  /// Returns the estimated delay of each camera in seconds, in the middle row of its images. If
+  /// nothing else is known, the mean over the cameras is about 0.
   std::vector<double> delays() const;
+  /// Returns the same in the rows that show a position (meters, world frame).
+  std::vector<double> delaysAt(const Eigen::Vector3d& position) const;
 
 private:
-  static constexpr Eigen::Index kStates = 4; ///< per camera: delay, drift and two angles
+  static constexpr Eigen::Index kStates = 5; ///< per camera: delay, drift, shutter, two angles
 
+  /// Returns the row in which a camera shows a position, as a fraction of the image height from its
+  /// middle: -0.5 in the first row, 0.5 in the last one. 0 if it is not in the image.
+  double rowShare(std::size_t camera, const Eigen::Vector3d& position) const;
   bool isActive() const { return prior_.delaySigma > 0.0 && rig_.size() > 1; }
   void add(const Sighting& sighting);
   void predict();
   void update();
 
   CameraRig rig_;
+  std::vector<Projector> projectors_;
   Prior prior_;
   Eigen::VectorXd mean_;
   Eigen::MatrixXd covariance_;

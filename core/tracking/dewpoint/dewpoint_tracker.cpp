@@ -264,6 +264,7 @@ void DewpointTracker::updateShape(std::size_t target, ThreadTeam& team) {
   if (wasBall && !shape.needsImages(ball != nullptr)) {
     return;
   }
+  alignTimesFor(object);
   if (!wasBall) { // what was shown there is older
     images_.passTo(object.observation, object.color);
   }
@@ -284,8 +285,15 @@ void DewpointTracker::updateShape(std::size_t target, ThreadTeam& team) {
   }
 }
 
+void DewpointTracker::alignTimesFor(const TrackedObject& object) {
+  const TrackHypothesis* const expected = object.track.best();
+  images_.setDelays(expected != nullptr ? clocks_.delaysAt(expected->position())
+                                        : clocks_.delays());
+}
+
 void DewpointTracker::updateAsBall(std::size_t index, ThreadTeam& team) {
   TrackedObject& object = objects_[index];
+  alignTimesFor(object);
   images_.passTo(object.observation, object.color);
   objects_.explainOthers(object.observation, object);
   const auto findNow = [&](SphereObservation& observation, bool radiusKnown, std::size_t limit) {

@@ -28,7 +28,7 @@ public:
   /// Returns the image of a camera; null if there is none.
   FramePtr frame(std::size_t camera) const;
   /// Sets how much later than it was captured each camera stamps its images, in seconds; used from
-  /// the next frame on.
+  /// now on.
   void setDelays(std::vector<double> delays) { delays_ = std::move(delays); }
   /// Returns the time in seconds from the time of the frame to the time at which a camera captured
   /// its image: its time stamp, minus the delay from setDelays().
