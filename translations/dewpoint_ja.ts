@@ -120,16 +120,16 @@
         <translation>最初から</translation>
     </message>
     <message>
-        <source>Start over with the same random numbers</source>
-        <translation>同じ乱数で最初からやり直す</translation>
+        <source>Start the run again with the same random numbers</source>
+        <translation>同じ乱数で、実行を最初からやり直します</translation>
     </message>
     <message>
         <source>Restart with a new seed</source>
         <translation>新しいシードで最初から</translation>
     </message>
     <message>
-        <source>Start over with other random numbers</source>
-        <translation>別の乱数で最初からやり直す</translation>
+        <source>Start the run again with other random numbers</source>
+        <translation>別の乱数で、実行を最初からやり直します</translation>
     </message>
     <message>
         <source>View</source>
@@ -140,8 +140,8 @@
         <translation>マスクを表示</translation>
     </message>
     <message>
-        <source>Show where the cameras see the target&apos;s color</source>
-        <translation>カメラが目標の色を捉えている場所を表示</translation>
+        <source>Show which pixels have the color of a target</source>
+        <translation>ターゲットの色をしたピクセルを表示します</translation>
     </message>
     <message>
         <source>Bird&apos;s-eye view from above: the XY plane</source>
@@ -188,8 +188,8 @@
         <translation>ターゲットを取り除く</translation>
     </message>
     <message>
-        <source>Stop tracking the selected target</source>
-        <translation>選択中のターゲットの追跡をやめます</translation>
+        <source>Remove the selected target from the project</source>
+        <translation>選択中のターゲットをプロジェクトから取り除きます</translation>
     </message>
     <message>
         <source>Learn the color</source>
@@ -312,8 +312,8 @@
         <translation>尤度を表示</translation>
     </message>
     <message>
-        <source>Log likelihood of the estimate in each camera</source>
-        <translation>各カメラから見た推定の対数尤度</translation>
+        <source>How well the estimate fits each camera&apos;s image</source>
+        <translation>推定が各カメラの画像にどれだけ合うか</translation>
     </message>
     <message>
         <source>Plot existence</source>
@@ -356,7 +356,7 @@
         <translation>グラフを CSV でコピー</translation>
     </message>
     <message>
-        <source>Copy the numbers of the plots shown, as a table</source>
+        <source>Copy the numbers of all plots shown, as a table</source>
         <translation>表示中のグラフの数値を表としてコピー</translation>
     </message>
     <message>
@@ -428,8 +428,8 @@
         <translation>計画用のカメラを追加</translation>
     </message>
     <message>
-        <source>Add a camera that does not exist yet and drag it in the bird&apos;s-eye view</source>
-        <translation>まだ存在しないカメラを追加し、鳥瞰図でドラッグします</translation>
+        <source>Add a planned camera; you can then drag it in the bird&apos;s-eye view to try out where to place it</source>
+        <translation>計画中のカメラを追加します。鳥瞰図でドラッグして、置く場所を試せます</translation>
     </message>
     <message>
         <source>Recompute camera pose</source>
@@ -440,8 +440,8 @@
         <translation>実行中に動いたカメラの姿勢を計算し直します。他のカメラはそのままです</translation>
     </message>
     <message>
-        <source>Find best position</source>
-        <translation>最適な位置を探す</translation>
+        <source>Find best camera position</source>
+        <translation>最適なカメラ位置を探す</translation>
     </message>
     <message>
         <source>Search the walls and the ceiling for the position where another camera would help most</source>
@@ -460,8 +460,8 @@
         <translation>人物の体積を書き出す…</translation>
     </message>
     <message>
-        <source>Save the position, volume, hull and floor density of each person as tables</source>
-        <translation>各人物の位置、体積、凸包、床の上の密度を表として保存します</translation>
+        <source>Save tables with the position, the volume, the hull and the density on the floor of each person</source>
+        <translation>各人物の位置、体積、凸包、床の上の密度を表に保存します</translation>
     </message>
     <message>
         <source>Add person…</source>
@@ -488,8 +488,8 @@
         <translation>フィルターのスレッド数…</translation>
     </message>
     <message>
-        <source>Choose how many threads share the work of the filter</source>
-        <translation>フィルターの処理を分担するスレッド数を選びます</translation>
+        <source>Choose how many processor threads compute the filter</source>
+        <translation>フィルターの計算に使うプロセッサのスレッド数を選びます</translation>
     </message>
     <message>
         <source>Correct position</source>
@@ -680,8 +680,8 @@
         <translation>キャリブレーション…</translation>
     </message>
     <message>
-        <source>See what is known about the cameras, choose a way to calibrate them, and go through it step by step</source>
-        <translation>カメラについてわかっていることを見て、キャリブレーションの方法を選び、ステップごとに進めます</translation>
+        <source>See what is known about the cameras, and calibrate them step by step in the way that you choose</source>
+        <translation>カメラについて分かっていることを確認し、選んだ方法でステップごとにキャリブレーションします</translation>
     </message>
     <message>
         <source>Play the first iterations of a run one by one, until every target is being tracked (five seconds at most)</source>
@@ -712,11 +712,11 @@
         <translation>ターゲットが各点にあるときに予想される位置誤差を、鳥瞰図に表示します</translation>
     </message>
     <message>
-        <source>Track again from the frame shown, with the current method, parameters and colors. To stop, press pause</source>
+        <source>Track again from the frame shown, with the current method, parameters and colors. To stop, press Pause</source>
         <translation>表示中のフレームから、現在の手法・パラメータ・色で追跡し直します。止めるには一時停止を押します</translation>
     </message>
     <message>
-        <source>Track all frames again that still have results from earlier settings</source>
+        <source>Track again all frames whose results are from earlier settings</source>
         <translation>以前の設定による結果が残っているフレームをすべて追跡し直します</translation>
     </message>
     <message>
@@ -744,27 +744,27 @@
         <translation>結果を送信</translation>
     </message>
     <message>
-        <source>Send positions to other programs while the run lasts, or stop sending; nothing is sent until you choose this</source>
-        <translation>実行中の位置を他のプログラムに送信する、または送信を停止する。これを選ぶまで何も送信されません</translation>
+        <source>Start or stop sending positions to other programs during the run. Nothing is sent before you choose this</source>
+        <translation>実行中に他のプログラムへの位置の送信を開始または停止します。これを選ぶまで何も送信されません</translation>
     </message>
     <message>
         <source>Outputs…</source>
         <translation>出力…</translation>
     </message>
     <message>
-        <source>Choose where results are sent while a run lasts: TCP, WebSocket, OSC, TUIO, CSV</source>
-        <translation>実行中の結果の送信先を選ぶ: TCP、WebSocket、OSC、TUIO、CSV</translation>
+        <source>Choose where results are sent: TCP, WebSocket, OSC, TUIO, CSV</source>
+        <translation>結果の送信先を選びます: TCP、WebSocket、OSC、TUIO、CSV</translation>
     </message>
     <message>
         <source>Reproduce figures of the papers that describe the methods, and write a report</source>
         <translation>手法を説明した論文の図を再現し、レポートを書き出します</translation>
     </message>
     <message>
-        <source>Show how likely each position around the target is, and circle the positions that the method considers</source>
-        <translation>ターゲット周辺の各位置の尤度を表示し、手法が候補とする位置を円で囲みます</translation>
+        <source>Show how likely each position around the target is. Circles mark positions at which the method suspects the target</source>
+        <translation>ターゲット周辺の各位置の尤度を表示します。円は、手法がターゲットの候補とする位置を示します</translation>
     </message>
     <message>
-        <source>In all views, mark the particle of each target that has the highest weight (MAP) with a triangle</source>
+        <source>For each target, mark the particle with the highest weight (MAP) with a triangle, in all views</source>
         <translation>すべてのビューで、各ターゲットの重みが最大の粒子（MAP）を三角形で示します</translation>
     </message>
     <message>
@@ -811,8 +811,8 @@
 <context>
     <name>AssessedRegions</name>
     <message>
-        <source>also matches</source>
-        <translation>これも一致</translation>
+        <source>also matches the color</source>
+        <translation>この色にも一致</translation>
     </message>
     <message>
         <source>recognized as the target (if it is not, Alt-click it)</source>
@@ -826,15 +826,15 @@
         <translation>ボードの角が覆うのは画像の %1 % だけです。画像のあらゆる場所で、傾けても見せてください。</translation>
     </message>
     <message>
-        <source>%1 keeps its position: it never saw the board.</source>
-        <translation>%1の位置はそのままです。ボードが一度も見えませんでした。</translation>
+        <source>%1 keeps its position because it never saw the board.</source>
+        <translation>%1 はボードを一度も見なかったため、位置はそのままです。</translation>
     </message>
     <message>
         <source>Intrinsics</source>
         <translation>内部パラメータ</translation>
     </message>
     <message>
-        <source>%1 keeps its intrinsics: %2</source>
+        <source>The intrinsics of %1 are unchanged: %2</source>
         <translation>%1 の内部パラメータはそのままです: %2</translation>
     </message>
     <message>
@@ -938,12 +938,12 @@
         <translation>ボードが見えません</translation>
     </message>
     <message>
-        <source>⚠ blurred, edge width %1</source>
-        <translation>⚠ ぼけ、エッジ幅 %1</translation>
+        <source>⚠ blurred: edges are %1 wide</source>
+        <translation>⚠ ぼけ: エッジの幅は %1</translation>
     </message>
     <message>
-        <source>sharp, edge width %1</source>
-        <translation>鮮明、エッジ幅 %1</translation>
+        <source>sharp: edges are %1 wide</source>
+        <translation>鮮明: エッジの幅は %1</translation>
     </message>
     <message>
         <source>%1 views, accuracy %2 (goal: %3)</source>
@@ -998,8 +998,8 @@
         <translation>%1: 再投影誤差（RMS）%2</translation>
     </message>
     <message>
-        <source>Positions: RMS reprojection error %1, from %2 board poses</source>
-        <translation>位置: 再投影誤差（RMS）%1、ボードの姿勢 %2 個</translation>
+        <source>Camera positions: RMS reprojection error %1, from %2 board poses</source>
+        <translation>カメラ位置: 再投影誤差（RMS）%1、ボードの姿勢 %2 個</translation>
     </message>
     <message>
         <source>%1 views; at least %2 are needed</source>
@@ -1010,8 +1010,8 @@
         <translation>白黒反転</translation>
     </message>
     <message>
-        <source>%1 of the %2 searched images show %3, but mirrored. Change the mirroring of the cameras that took these images. Use this board?</source>
-        <translation>調べた%2枚の画像のうち%1枚に、%3が左右反転して写っています。これらの画像を撮影したカメラの鏡像の設定を変更してください。このボードを使いますか？</translation>
+        <source>%1 of the %2 searched images show %3, but mirrored. To correct this, change “Mirrored” in the panel Cameras for the cameras that took these images. Use this board?</source>
+        <translation>調べた %2 枚の画像のうち %1 枚に、%3 が左右反転して写っています。直すには、これらの画像を撮影したカメラについて「カメラ」パネルの「左右反転」を変更してください。このボードを使いますか？</translation>
     </message>
     <message>
         <source>%1 of the %2 searched images show %3. Use this board?</source>
@@ -1032,20 +1032,8 @@
 <context>
     <name>CalibrationText</name>
     <message>
-        <source>The intrinsics of %1 are probably for another resolution: its images are %2 times as large. Convert the intrinsics, or record at the calibrated size.</source>
-        <translation>%1 の内部パラメータは別の解像度のもののようです。画像は %2 倍の大きさです。内部パラメータを換算するか、較正した大きさで録画してください。</translation>
-    </message>
-    <message>
-        <source>, scale ±%1 %</source>
-        <translation>、縮尺 ±%1 %</translation>
-    </message>
-    <message>
-        <source>, scale unknown</source>
-        <translation>、縮尺は不明</translation>
-    </message>
-    <message>
-        <source>, upward direction ±%1</source>
-        <translation>、鉛直方向 ±%1</translation>
+        <source>The images of %1 are %2 times as large as those for which it was calibrated: its intrinsics are for another resolution. Convert the intrinsics, or record at the calibrated size.</source>
+        <translation>%1 の画像は、キャリブレーションの対象となった画像の %2 倍の大きさです。内部パラメータは別の解像度のものです。内部パラメータを換算するか、キャリブレーションした大きさで録画してください。</translation>
     </message>
     <message>
         <source>all cameras</source>
@@ -1054,10 +1042,6 @@
     <message>
         <source>All cameras seem to see the back of the board or floor: its points are probably mirrored. Check the direction of the axes, and that the print is not reversed.</source>
         <translation>すべてのカメラがボードまたは床の裏側を見ているようです。点がおそらく鏡像になっています。軸の向きと、印刷が反転していないことを確かめてください。</translation>
-    </message>
-    <message>
-        <source>, upward direction not measured yet (page Floor)</source>
-        <translation>、上方向は未測定(「床」ページ)</translation>
     </message>
     <message>
         <source>Everything fits when %1 and %2 are exchanged: their videos are probably swapped. Exchange the two files.</source>
@@ -1080,16 +1064,8 @@
         <translation>%1 の画像は反転させたときだけ合います。動画が鏡像か上下逆のようです。この画像の回転と鏡像を設定してください。</translation>
     </message>
     <message>
-        <source>The images of %1 fit a focal length that is %2 times the given one: the zoom or crop of the camera was probably changed. Calibrate its intrinsics again.</source>
-        <translation>%1 の画像は、指定の %2 倍の焦点距離に合います。カメラのズームまたは切り出しが変わったようです。内部パラメータをキャリブレーションし直してください。</translation>
-    </message>
-    <message>
-        <source>In the calibrated volume: position ±%1 (95 %)</source>
-        <translation>キャリブレーションした空間内: 位置 ±%1 (95 %)</translation>
-    </message>
-    <message>
-        <source>In the calibrated volume: position unknown</source>
-        <translation>キャリブレーションした空間内: 位置の精度は不明</translation>
+        <source>The images of %1 fit a focal length that is %2 times the one in its calibration: the zoom or crop of the camera was probably changed. Calibrate its intrinsics again.</source>
+        <translation>%1 の画像は、キャリブレーションの値の %2 倍の焦点距離に合います。カメラのズームまたは切り出しが変わったようです。内部パラメータをキャリブレーションし直してください。</translation>
     </message>
     <message>
         <source>The length that you entered is %1 times the length that the cameras see: millimeters and meters are probably mixed up.</source>
@@ -1108,8 +1084,28 @@
         <translation>入力したマス目の大きさは、カメラの見る大きさの %1 倍です。定規で1列を測ってください。印刷はよく拡大縮小されます。</translation>
     </message>
     <message>
-        <source>The images fit only if they are shifted by %1 along both axes: the calibration probably has its origin at the corner of the first pixel, not at its center. Convert the principal points.</source>
-        <translation>画像は両軸に %1 ずらしたときだけ合います。おそらくキャリブレーションの原点が最初のピクセルの中心ではなく角にあります。主点を換算してください。</translation>
+        <source>The images fit only if they are shifted by %1 along both axes: the calibration probably measures from the corner of the first pixel, not from its center. Convert the principal points.</source>
+        <translation>画像は両軸に %1 ずらしたときだけ合います。おそらくキャリブレーションは、最初のピクセルの中心ではなく角から測っています。主点を換算してください。</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>不明</translation>
+    </message>
+    <message>
+        <source>±%1</source>
+        <translation>±%1</translation>
+    </message>
+    <message>
+        <source>±%1 %</source>
+        <translation>±%1 %</translation>
+    </message>
+    <message>
+        <source>not measured yet (page Floor)</source>
+        <translation>未測定（ページ「床」）</translation>
+    </message>
+    <message>
+        <source>In the calibrated volume: position %1, scale %2, upward direction %3 (each with a probability of 95 %).</source>
+        <translation>キャリブレーションした空間内: 位置 %1、縮尺 %2、上方向 %3（それぞれ確率 95 %）。</translation>
     </message>
 </context>
 <context>
@@ -1215,8 +1211,8 @@
         <translation>印を付けた場所は、同じ色のより大きな物体の一部です。この場所だけを、半径 %1 の球として追跡します。</translation>
     </message>
     <message>
-        <source>The target&apos;s radius seems to be about %1, but %2 was entered. Is this the diameter?</source>
-        <translation>ターゲットの半径は約 %1 のようですが、%2 と入力されています。それは直径ではありませんか?</translation>
+        <source>The target&apos;s radius seems to be about %1, but %2 was entered. Is %2 the diameter?</source>
+        <translation>ターゲットの半径は約 %1 のようですが、%2 と入力されています。%2 は直径ではありませんか？</translation>
     </message>
     <message>
         <source>The target&apos;s radius seems to be about %1, but %2 was entered.</source>
@@ -1317,12 +1313,12 @@
         <translation>ピンクの物</translation>
     </message>
     <message>
-        <source>Much of the target does not match: Shift-click its light and its dark side.</source>
-        <translation>ターゲットの多くが一致しません。明るい側と暗い側を Shift クリックしてください。</translation>
+        <source>Much of the target does not have the learned color: Shift-click its light and its dark side.</source>
+        <translation>ターゲットの多くの部分が、学習した色ではありません。明るい側と暗い側を Shift クリックしてください。</translation>
     </message>
     <message>
-        <source>Exclude the other matching objects: Alt-click them.</source>
-        <translation>一致している別の物を Alt クリックして除外してください。</translation>
+        <source>Other objects have this color too: Alt-click them to exclude them.</source>
+        <translation>ほかの物もこの色です。Alt クリックして除外してください。</translation>
     </message>
     <message>
         <source>Cover objects of the same color, or take them out of view.</source>
@@ -1341,28 +1337,28 @@
         <translation>ターゲットがほぼ灰色です。もっと鮮やかな色が良いでしょう。</translation>
     </message>
     <message>
-        <source>%1 % of the pixels match. Shift-click the target to see how well it stands out.</source>
-        <translation>ピクセルの %1 % が一致します。ターゲットを Shift クリックすると、どれだけ見分けやすいか分かります。</translation>
+        <source>%1 % of the pixels have this color. Shift-click the target to see how well its color stands out.</source>
+        <translation>ピクセルの %1 % がこの色です。ターゲットを Shift クリックすると、その色がどれだけ見分けやすいか分かります。</translation>
     </message>
     <message>
-        <source>%1 % of the background matches too.</source>
-        <translation>背景の %1 % も一致します。</translation>
+        <source>This color also covers %1 % of the background.</source>
+        <translation>背景の %1 % もこの色です。</translation>
     </message>
     <message>
         <source>One sample hardly matches the learned color: it resembles its surroundings, or it shows another object.</source>
         <translation>学習した色にほとんど合わない見本があります。周囲と似ているか、別の物体を示しています。</translation>
     </message>
     <message>
-        <source>In the image of %3, a region %2 also matches (%1).</source>
-        <translation>%3 の%2にある%1も一致します。</translation>
+        <source>In the image of %3, a region %2 has this color too (it looks %1).</source>
+        <translation>%3 の画像の%2にある領域（%1）もこの色です。</translation>
     </message>
     <message>
         <source>Several objects have this color: another color would help.</source>
         <translation>この色の物体がいくつもあります。別の色にするとよいでしょう。</translation>
     </message>
     <message>
-        <source>Only %1 % of the target matches, and %2 % of the background matches too.</source>
-        <translation>ターゲットの %1 % しか一致せず、背景の %2 % も一致します。</translation>
+        <source>This color covers only %1 % of the target, and %2 % of the background.</source>
+        <translation>この色なのはターゲットの %1 % だけで、背景では %2 % です。</translation>
     </message>
     <message numerus="yes">
         <source>%n objects have this color and size: follow all of them, or cover the others.</source>
@@ -1395,8 +1391,8 @@
         <translation>小さな点だけをクリックしました。ターゲット全体を囲む枠をドラッグしてください。</translation>
     </message>
     <message>
-        <source>A color range that covers the whole target would match %1 % of the background.</source>
-        <translation>ターゲット全体を含む色の範囲は、背景の %1 % にも一致します。</translation>
+        <source>A color range that covers the whole target would also cover %1 % of the background.</source>
+        <translation>ターゲット全体を含む色の範囲は、背景の %1 % も含んでしまいます。</translation>
     </message>
 </context>
 <context>
@@ -1609,7 +1605,7 @@
         <translation>人混み</translation>
     </message>
     <message>
-        <source>Five to eight people mill about for 12 s; their paths may touch and cross.</source>
+        <source>Five to eight people walk about for 12 s; their paths may touch and cross.</source>
         <translation>5～8 人が 12 秒間動き回ります。進路は触れたり交わったりします。</translation>
     </message>
     <message>
@@ -1661,12 +1657,12 @@
         <translation>Barrera ら 2005、III-B節：さまざまな大きさの開始体積と、ボールの後ろの開始点について、収束した実行の割合。</translation>
     </message>
     <message>
-        <source>Error over the iterations, for different motion sigmas</source>
+        <source>Error after each iteration, for different motion sigmas</source>
         <translation>反復ごとの誤差（さまざまなモーションシグマ）</translation>
     </message>
     <message>
-        <source>Mohedano et al. 2009: people enter and leave. Measures how long there are estimates without a person, and people without an estimate.</source>
-        <translation>Mohedano ら 2009：人が出入りします。人のいない推定と、推定のない人がどれだけ続くかを測ります。</translation>
+        <source>Mohedano et al. 2009: people enter and leave. Measures how long an estimate exists where nobody is, and how long a person has no estimate.</source>
+        <translation>Mohedano ら 2009：人が出入りします。人がいないのに推定がある時間と、人がいるのに推定がない時間を測ります。</translation>
     </message>
     <message>
         <source>Mohedano et al. 2009: two people far apart. This is the easy case: no method should mix them up.</source>
@@ -1689,12 +1685,12 @@
         <translation>3 人が歩き回ります。身長 0.9〜1.3 m の子ども、1.3〜1.6 m の人、1.88〜2 m の人です。</translation>
     </message>
     <message>
-        <source>Where one camera finds the color</source>
+        <source>Where a single camera finds the color</source>
         <translation>カメラ1台で色が見つかる場所</translation>
     </message>
     <message>
-        <source>Where the cloud can start and converge</source>
-        <translation>雲がどこから始まれば収束するか</translation>
+        <source>From which starting positions the particles still find the target</source>
+        <translation>どの開始位置からなら、粒子がターゲットを見つけられるか</translation>
     </message>
 </context>
 <context>
@@ -1790,8 +1786,8 @@
         <translation>%1 が床（z = 0）より %2 m 下にあります。</translation>
     </message>
     <message>
-        <source>%1 sees nothing that another camera sees.</source>
-        <translation>%1 とほかのカメラの両方に写る場所がありません。</translation>
+        <source>The view of %1 does not overlap with the view of any other camera.</source>
+        <translation>%1 の視野は、ほかのどのカメラの視野とも重なりません。</translation>
     </message>
     <message>
         <source>A file of the project is missing: %1.</source>
@@ -1810,23 +1806,23 @@
         <translation>カメラを追加するか、別の手法を選んでください。</translation>
     </message>
     <message>
-        <source>Calibrate both again; one pose was probably copied from the other.</source>
-        <translation>両方のキャリブレーションをやり直してください。おそらく一方の姿勢が他方にコピーされています。</translation>
+        <source>Calibrate both cameras again; the pose of one was probably copied from the other.</source>
+        <translation>両方のカメラのキャリブレーションをやり直してください。おそらく一方の姿勢が他方にコピーされています。</translation>
     </message>
     <message>
-        <source>Calibrate them with a board, a wand or measured points.</source>
-        <translation>ボード、ワンド、または測った点でキャリブレーションしてください。</translation>
+        <source>Calibrate the cameras with a board, a wand or measured points.</source>
+        <translation>ボード、ワンド、または測った点でカメラをキャリブレーションしてください。</translation>
     </message>
     <message>
-        <source>Calibrate them, or choose a method that tracks boxes in images.</source>
-        <translation>キャリブレーションするか、画像の中の枠を追跡する手法を選んでください。</translation>
+        <source>Calibrate the cameras, or choose a method that tracks boxes in images.</source>
+        <translation>カメラをキャリブレーションするか、画像の中の枠を追跡する手法を選んでください。</translation>
     </message>
     <message>
-        <source>Check late_by; it is in seconds.</source>
-        <translation>late_by を確かめてください。単位は秒です。</translation>
+        <source>Check late_by of this camera in the project file; its unit is seconds.</source>
+        <translation>プロジェクトファイルで、このカメラの late_by を確かめてください。単位は秒です。</translation>
     </message>
     <message>
-        <source>Check that the camera sees the target, and its exposure and white balance.</source>
+        <source>Check that the camera sees the target, and check its exposure and white balance.</source>
         <translation>カメラにターゲットが写っているか、露光とホワイトバランスが適切かを確かめてください。</translation>
     </message>
     <message>
@@ -1834,7 +1830,7 @@
         <translation>すべての表の時刻が同じ時計によるものか確かめてください。</translation>
     </message>
     <message>
-        <source>Check that this is the recording they were made for.</source>
+        <source>Check that the corrections were made for this recording.</source>
         <translation>この録画のための修正かどうか確かめてください。</translation>
     </message>
     <message>
@@ -1842,72 +1838,72 @@
         <translation>原点を別の場所に置いた場合を除き、z が上向きで、床で 0 になることを確かめてください。</translation>
     </message>
     <message>
-        <source>Click on it in an image, or use the command learn-color.</source>
-        <translation>画像の中でクリックするか、learn-color コマンドを使ってください。</translation>
+        <source>Click the target in an image, or use the command learn-color.</source>
+        <translation>画像の中でターゲットをクリックするか、learn-color コマンドを使ってください。</translation>
     </message>
     <message>
-        <source>Convert them to the same rate, or give each camera a table of times.</source>
-        <translation>同じフレームレートに変換するか、時刻の表を指定してください。</translation>
+        <source>Convert the recordings to the same frame rate, or give each camera a table of times.</source>
+        <translation>録画を同じフレームレートに変換するか、各カメラに時刻の表を指定してください。</translation>
     </message>
     <message>
-        <source>Copy it again, or convert it with FFmpeg.</source>
-        <translation>コピーし直すか、FFmpeg で変換してください。</translation>
+        <source>Copy the recording again, or convert it with FFmpeg.</source>
+        <translation>録画をコピーし直すか、FFmpeg で変換してください。</translation>
     </message>
     <message>
-        <source>Copy it again, or repair it with FFmpeg (ffmpeg -i IN -c copy OUT).</source>
-        <translation>コピーし直すか、FFmpeg で修復してください（ffmpeg -i 入力 -c copy 出力）。</translation>
+        <source>Copy the video again, or repair it with FFmpeg (ffmpeg -i IN -c copy OUT).</source>
+        <translation>動画をコピーし直すか、FFmpeg で修復してください（ffmpeg -i 入力 -c copy 出力）。</translation>
     </message>
     <message>
-        <source>Copy the folder again; otherwise the camera has no image in these frames.</source>
-        <translation>フォルダーをコピーし直してください。このままでは、これらのフレームにこのカメラの画像がありません。</translation>
+        <source>Copy the image folder again; otherwise the camera has no image in the missing frames.</source>
+        <translation>画像フォルダーをコピーし直してください。このままでは、欠けているフレームにこのカメラの画像がありません。</translation>
     </message>
     <message>
-        <source>Copy the recording again, or use only the frames before it.</source>
+        <source>Copy the recording again, or use only the frames before this one.</source>
         <translation>録画をコピーし直すか、それより前のフレームだけを使ってください。</translation>
     </message>
     <message>
-        <source>Correct late_by; it is in seconds.</source>
-        <translation>late_by を直してください。単位は秒です。</translation>
+        <source>Correct late_by of this camera in the project file; its unit is seconds.</source>
+        <translation>プロジェクトファイルで、このカメラの late_by を直してください。単位は秒です。</translation>
     </message>
     <message>
-        <source>Correct the file, or remove truth from the project.</source>
-        <translation>ファイルを直すか、プロジェクトから truth を削除してください。</translation>
+        <source>Correct the file, or remove the key truth from the project file.</source>
+        <translation>ファイルを直すか、プロジェクトファイルからキー truth を削除してください。</translation>
     </message>
     <message>
-        <source>Correct the line in a text editor, or make a new project.</source>
-        <translation>テキストエディターでその行を直すか、新しいプロジェクトを作成してください。</translation>
+        <source>Correct the project file in a text editor, or make a new project.</source>
+        <translation>テキストエディターでプロジェクトファイルを直すか、新しいプロジェクトを作成してください。</translation>
     </message>
     <message>
-        <source>Correct the table, or remove times from this camera.</source>
-        <translation>表を直すか、このカメラから times を削除してください。</translation>
+        <source>Correct the table, or remove the key times of this camera from the project file.</source>
+        <translation>表を直すか、プロジェクトファイルからこのカメラのキー times を削除してください。</translation>
     </message>
     <message>
-        <source>Corrections for frames that the recording does not have: %1.</source>
-        <translation>録画にないフレームの修正が %1 個あります。</translation>
+        <source>The project has corrections for frames that the recording does not have: %1.</source>
+        <translation>プロジェクトに、録画にないフレームの修正があります: %1。</translation>
     </message>
     <message>
-        <source>Draw it in an earlier frame.</source>
+        <source>Draw the box in an earlier frame.</source>
         <translation>もっと前のフレームで枠を引いてください。</translation>
     </message>
     <message>
-        <source>Draw one in an image.</source>
-        <translation>画像の中で枠を引いてください。</translation>
+        <source>Draw a box around the target in an image.</source>
+        <translation>画像の中で、ターゲットを枠で囲んでください。</translation>
     </message>
     <message>
         <source>Frame %2 of %1 cannot be read: %3.</source>
         <translation>%1 のフレーム %2 を読み込めません: %3。</translation>
     </message>
     <message>
-        <source>Give every camera one, or none.</source>
-        <translation>すべてのカメラに指定するか、どのカメラにも指定しないでください。</translation>
+        <source>Give every camera a table of times, or no camera.</source>
+        <translation>すべてのカメラに時刻の表を指定するか、どのカメラにも指定しないでください。</translation>
     </message>
     <message>
         <source>Give the radius in meters.</source>
         <translation>半径をメートルで指定してください。</translation>
     </message>
     <message>
-        <source>Import it again, or calibrate again.</source>
-        <translation>インポートし直すか、キャリブレーションをやり直してください。</translation>
+        <source>Import the calibration again, or calibrate the cameras again.</source>
+        <translation>キャリブレーションをインポートし直すか、カメラのキャリブレーションをやり直してください。</translation>
     </message>
     <message>
         <source>Import the calibration again with the right unit (calibration convert --unit).</source>
@@ -1938,11 +1934,11 @@
         <translation>ライブカメラと録画を別々のプロジェクトに分けてください。</translation>
     </message>
     <message>
-        <source>Make room, or write to another disk with --out.</source>
-        <translation>空きを増やすか、--out で別のディスクに書き出してください。</translation>
+        <source>Free some disk space, or write to another disk with the option --out.</source>
+        <translation>空きを増やすか、オプション --out で別のディスクに書き出してください。</translation>
     </message>
     <message>
-        <source>Move the volume, or remove it.</source>
+        <source>Move the volume of interest, or remove it.</source>
         <translation>探索範囲を動かすか、削除してください。</translation>
     </message>
     <message>
@@ -1970,8 +1966,8 @@
         <translation>結果を保存する空きが %1 MB しかありません。</translation>
     </message>
     <message>
-        <source>Only the first %2 frames are used; check that all begin at the same time.</source>
-        <translation>最初の %2 フレームだけを使います。すべての録画が同時に始まることを確かめてください。</translation>
+        <source>Only the first %2 frames of each recording are used; check that all recordings begin at the same time.</source>
+        <translation>各録画の最初の %2 フレームだけを使います。すべての録画が同時に始まることを確かめてください。</translation>
     </message>
     <message>
         <source>Open the project to see whether images arrive.</source>
@@ -1982,24 +1978,24 @@
         <translation>ほかのカメラには時刻の表がありますが、%1 にはありません。</translation>
     </message>
     <message>
-        <source>Plug it in, or choose another one.</source>
-        <translation>接続するか、別のデバイスを選んでください。</translation>
+        <source>Connect the device, or choose another one.</source>
+        <translation>デバイスを接続するか、別のデバイスを選んでください。</translation>
     </message>
     <message>
-        <source>Put it back, or correct the path in the project file.</source>
-        <translation>元の場所に戻すか、プロジェクトファイルのパスを直してください。</translation>
+        <source>Put the missing file or folder back, or correct its path in the project file.</source>
+        <translation>見つからないファイルまたはフォルダーを元の場所に戻すか、プロジェクトファイルのパスを直してください。</translation>
     </message>
     <message>
-        <source>Remove frames_per_second unless the video is wrong.</source>
-        <translation>動画の値が誤っている場合を除き、frames_per_second を削除してください。</translation>
+        <source>Remove frames_per_second from the project file, unless the rate stated in the video is wrong.</source>
+        <translation>動画に書かれた値が誤っている場合を除き、プロジェクトファイルから frames_per_second を削除してください。</translation>
     </message>
     <message>
-        <source>Set frames_per_second; speeds depend on it.</source>
-        <translation>frames_per_second を設定してください。速度の値に影響します。</translation>
+        <source>Set frames_per_second in the project file; the measured speeds depend on it.</source>
+        <translation>プロジェクトファイルで frames_per_second を設定してください。測定される速度に影響します。</translation>
     </message>
     <message>
-        <source>Set rotate to 90 or 270 for this camera.</source>
-        <translation>このカメラの rotate を 90 か 270 にしてください。</translation>
+        <source>Set rotate to 90 or 270 for this camera in the project file.</source>
+        <translation>プロジェクトファイルで、このカメラの rotate を 90 か 270 にしてください。</translation>
     </message>
     <message>
         <source>Simulated cameras: %1.</source>
@@ -2014,8 +2010,8 @@
         <translation>ライブカメラと録画が混在しています。</translation>
     </message>
     <message>
-        <source>Take it again, or remove empty_room from this camera.</source>
-        <translation>撮り直すか、このカメラから empty_room を削除してください。</translation>
+        <source>Take the background image again, or remove the key empty_room of this camera from the project file.</source>
+        <translation>背景画像を撮り直すか、プロジェクトファイルからこのカメラのキー empty_room を削除してください。</translation>
     </message>
     <message>
         <source>Target %1 has a radius of %2 m, which is larger than a person.</source>
@@ -2070,12 +2066,12 @@
         <translation>%2 の調べた画像のどれにも、ターゲット %1 の色が見つかりませんでした。</translation>
     </message>
     <message>
-        <source>The delay of %1 is %2 s, which is unusual.</source>
-        <translation>%1 の遅れは %2 s です。普通の値ではありません。</translation>
+        <source>The delay of %1 is %2 s, which is unusually large.</source>
+        <translation>%1 の遅れは %2 s です。普通より大きな値です。</translation>
     </message>
     <message>
-        <source>The delay of %1, %2 s, is longer than its recording, so it has no image.</source>
-        <translation>%1 の遅れ %2 s は録画の長さを超えているため、画像がありません。</translation>
+        <source>The delay of %1 (%2 s) is longer than its recording, so this camera has no image in any frame.</source>
+        <translation>%1 の遅れ（%2 s）は録画の長さを超えているため、このカメラの画像はどのフレームにもありません。</translation>
     </message>
     <message>
         <source>The device of %1 is connected.</source>
@@ -2162,20 +2158,20 @@
         <translation>結果を保存する空きがあります: %1 GB。</translation>
     </message>
     <message>
-        <source>Turn it toward the target, or calibrate it again.</source>
-        <translation>ターゲットに向けるか、キャリブレーションをやり直してください。</translation>
+        <source>Turn this camera toward the target, or calibrate it again.</source>
+        <translation>このカメラをターゲットに向けるか、キャリブレーションをやり直してください。</translation>
     </message>
     <message>
-        <source>Use the calibration of these images, or images of the calibrated size.</source>
-        <translation>この画像に合うキャリブレーションを使うか、キャリブレーションに合う大きさの画像を使ってください。</translation>
+        <source>Use a calibration for images of this size, or record images of the calibrated size.</source>
+        <translation>この大きさの画像用のキャリブレーションを使うか、キャリブレーションした大きさで録画してください。</translation>
     </message>
     <message>
         <source>Use the table that belongs to this recording.</source>
         <translation>この録画に対応する表を使ってください。</translation>
     </message>
     <message>
-        <source>Write results to another folder with --out.</source>
-        <translation>--out で別のフォルダーに結果を書き出してください。</translation>
+        <source>Write the results to another folder with the option --out.</source>
+        <translation>オプション --out で別のフォルダーに結果を書き出してください。</translation>
     </message>
 </context>
 <context>
@@ -2255,8 +2251,8 @@
         <translation>ワンド: ボール 1 個、またはボール 2 個付きの棒</translation>
     </message>
     <message>
-        <source>File of another tool</source>
-        <translation>他のツールのファイル</translation>
+        <source>File of another program</source>
+        <translation>他のプログラムのファイル</translation>
     </message>
     <message>
         <source>File</source>
@@ -2419,8 +2415,8 @@
         <translation>これらのカメラと、この画像サイズのためのキャリブレーションファイルが必要です。</translation>
     </message>
     <message>
-        <source>Choose the file. If it lacks something, such as the unit, the dialog asks you for it. The dialog also shows how far each camera would move.</source>
-        <translation>ファイルを選びます。単位など、ファイルにないものはダイアログで尋ねられます。各カメラがどれだけ動くかも表示されます。</translation>
+        <source>Choose the file. If the file does not contain everything (for example, no unit), the dialog asks you for the rest. The dialog also shows how far each camera would move.</source>
+        <translation>ファイルを選びます。単位などファイルに含まれないものは、ダイアログが尋ねます。各カメラがどれだけ動くかも表示されます。</translation>
     </message>
     <message>
         <source>Describe the board on the page Board, and print it at 100 %. Check the scale bar with a ruler, and glue the sheet to something stiff and flat. If you already have a board, just describe it and go on to the next step.</source>
@@ -2571,8 +2567,8 @@
 <context>
     <name>Method</name>
     <message>
-        <source>A box in one video</source>
-        <translation>1 本の動画の中の枠</translation>
+        <source>Any object in the images of one camera (2D)</source>
+        <translation>1 台のカメラの画像の中の任意の物体（2D）</translation>
     </message>
     <message>
         <source>A particle filter with color histograms</source>
@@ -2607,16 +2603,16 @@
         <translation>比較用：人を服で区別します。</translation>
     </message>
     <message>
-        <source>For teaching: tracks a box in one video.</source>
-        <translation>教育用：1 本の動画の中の枠を追います。</translation>
+        <source>For teaching: tracks an object as a box in the images of one camera.</source>
+        <translation>教育用：1 台のカメラの画像の中の物体を枠で追跡します。</translation>
     </message>
     <message>
         <source>For teaching: shows how a particle filter works.</source>
         <translation>教育用：パーティクルフィルタの仕組みを示します。</translation>
     </message>
     <message>
-        <source>For teaching: shows how particles follow measurements.</source>
-        <translation>教育用：粒子が測定を追う様子を示します。</translation>
+        <source>For teaching: shows how particles follow measured positions.</source>
+        <translation>教育用：粒子が、測定された位置を追う様子を示します。</translation>
     </message>
     <message>
         <source>From papers, for teaching and comparison</source>
@@ -2647,8 +2643,8 @@
         <translation>最も正確：ターゲットがボールかほかの形かを判断します。</translation>
     </message>
     <message>
-        <source>Tracks the target by its colors, follows its size, and finds it again after it was hidden.</source>
-        <translation>ターゲットを色で追跡し、大きさの変化にも従い、隠れた後も見つけ直します。</translation>
+        <source>Tracks an object by its colors, adapts to its size, and finds it again after it was hidden.</source>
+        <translation>物体を色で追跡し、大きさの変化に合わせ、隠れた後も見つけ直します。</translation>
     </message>
 </context>
 <context>
@@ -2741,7 +2737,7 @@
         <translation>加速度のシグマ</translation>
     </message>
     <message>
-        <source>Edge length of the room in which a target may appear: larger values require a higher likelihood before a track is created.</source>
+        <source>Edge length of the space in which a target may appear: with larger values, a track is created only at a higher likelihood.</source>
         <translation>ターゲットが現れうる空間の一辺の長さ。大きいほど、追跡を始めるのに高い尤度が必要になります。</translation>
     </message>
     <message>
@@ -2841,12 +2837,12 @@
         <translation>大きさのシグマ</translation>
     </message>
     <message>
-        <source>How much of the box&apos;s current colors is blended into the reference colors at each image; 0 keeps the colors of the first image.</source>
+        <source>How much of the box&apos;s current colors is blended into the reference colors after each image; 0 keeps the colors of the first image.</source>
         <translation>画像ごとに、枠の現在の色を基準の色にどれだけ混ぜるか。0 では最初の画像の色のままです。</translation>
     </message>
     <message>
-        <source>Share of the particles that are placed at other positions with the target&apos;s colors.</source>
-        <translation>ターゲットの色がある別の位置に置かれる粒子の割合。</translation>
+        <source>Share of the particles that jump to other positions at which the target&apos;s colors are found.</source>
+        <translation>ターゲットの色が見つかった別の位置へ飛ばす粒子の割合。</translation>
     </message>
     <message>
         <source>Sharpness</source>
@@ -2961,8 +2957,8 @@
         <translation>画像の幅</translation>
     </message>
     <message>
-        <source>Images are reduced to at most this width before anything else; 0 keeps them as they are.</source>
-        <translation>最初に画像をこの幅まで縮小します。0 では縮小しません。</translation>
+        <source>Images are reduced to at most this width before they are analyzed; 0 keeps them as they are.</source>
+        <translation>画像を解析する前に、最大でもこの幅まで縮小します。0 では縮小しません。</translation>
     </message>
     <message>
         <source>Learning time</source>
@@ -3077,8 +3073,8 @@
         <translation>動く領域の見つけ方。0：画素ごとに 1 つのガウス分布（高速）。1：OpenCV の MOG2。2：OpenCV の KNN。</translation>
     </message>
     <message>
-        <source>How much each camera that sees a whole person counts: larger values rely more on the masks.</source>
-        <translation>全身が写った各カメラの重み。大きいほどマスクを信用します。</translation>
+        <source>How strongly the mask of each camera influences where a person is tracked: larger values rely more on the masks.</source>
+        <translation>各カメラのマスクが人物の位置にどれだけ影響するか。大きいほどマスクを信用します。</translation>
     </message>
     <message>
         <source>How much the colors of a particle&apos;s box may differ from the reference colors (Bhattacharyya distance): smaller values trust the best particles more.</source>
@@ -3097,7 +3093,7 @@
         <translation>影の最低の明るさ（色相が同じ背景の明るさに対する割合）。これより暗いものは動く領域とみなします。</translation>
     </message>
     <message>
-        <source>Smallest number of particles of each target, used when all particles are close together.</source>
+        <source>Smallest number of particles of each target; used when all its particles are close together.</source>
         <translation>各ターゲットの粒子の最小数。すべての粒子が近くに集まっているときに使います。</translation>
     </message>
     <message>
@@ -3166,7 +3162,7 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>背景を学習中：%1 % · 画面に入らないでください</translation>
     </message>
     <message>
-        <source>image ignored: %1 % of it moves</source>
+        <source>image ignored: %1 % of it is moving</source>
         <translation>画像を使いません：%1 % が動いています</translation>
     </message>
     <message>
@@ -3261,8 +3257,8 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>画像なし</translation>
     </message>
     <message>
-        <source>covered or moved</source>
-        <translation>覆われたか動いた</translation>
+        <source>camera covered or moved</source>
+        <translation>カメラが覆われたか動いた</translation>
     </message>
     <message>
         <source>too dark</source>
@@ -3360,8 +3356,8 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>類似度</translation>
     </message>
     <message>
-        <source>to the reference</source>
-        <translation>基準との</translation>
+        <source>similarity to the reference</source>
+        <translation>基準との類似度</translation>
     </message>
     <message>
         <source>Position</source>
@@ -3610,16 +3606,16 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
 <context>
     <name>dewpoint::ui::BackgroundImageTaker</name>
     <message>
-        <source>“%1” is visible in this image and would become part of the background. Choose a frame without it.</source>
-        <translation>この画像には「%1」が写っていて、背景の一部になってしまいます。写っていないフレームを選んでください。</translation>
+        <source>“%1” is visible in this image and would become part of the background. Choose a frame without this target.</source>
+        <translation>この画像には「%1」が写っていて、背景の一部になってしまいます。このターゲットが写っていないフレームを選んでください。</translation>
     </message>
     <message>
-        <source>Use it anyway</source>
-        <translation>それでも使う</translation>
+        <source>Use image anyway</source>
+        <translation>それでも画像を使う</translation>
     </message>
     <message>
-        <source>The camera has changed in the meantime. The image was saved as %1, but is not used.</source>
-        <translation>その間にカメラが変更されました。画像は %1 として保存しましたが、使用しません。</translation>
+        <source>The settings of the camera changed before the image was saved. It was saved as %1, but is not used.</source>
+        <translation>画像を保存する前に、カメラの設定が変更されました。画像は %1 として保存しましたが、使用しません。</translation>
     </message>
     <message>
         <source>Change background image</source>
@@ -3637,8 +3633,8 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>位置を修正</translation>
     </message>
     <message>
-        <source>The target was tracked backward to frame %1 and is now tracked forward again from there.</source>
-        <translation>ターゲットをフレーム%1までさかのぼって追跡しました。そこから先へ追跡し直します。</translation>
+        <source>The target was tracked backward to frame %1. It is now being tracked forward again from this frame.</source>
+        <translation>ターゲットをフレーム %1 までさかのぼって追跡しました。このフレームから先へ追跡し直しています。</translation>
     </message>
     <message>
         <source>Tracking the target backward: frame %1.</source>
@@ -3743,8 +3739,8 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>ページ (*.html)</translation>
     </message>
     <message>
-        <source>Use it anyway</source>
-        <translation>それでも使う</translation>
+        <source>Use calibration anyway</source>
+        <translation>それでもキャリブレーションを使う</translation>
     </message>
     <message>
         <source>Saved %1.</source>
@@ -3763,8 +3759,8 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>すべてのフレームを検索</translation>
     </message>
     <message>
-        <source>Find out which board the images show: its kind, its squares and its dictionary. Images do not show its size: measure its squares yourself</source>
-        <translation>画像に写っているボードの種類、マス目の数、辞書を調べます。大きさは画像からはわからないので、マス目をご自分で測ってください</translation>
+        <source>Find out from the images which kind of board they show, how many squares it has, and its dictionary. The images do not show how large the squares are: measure this yourself</source>
+        <translation>画像から、ボードの種類、マス目の数、辞書を調べます。マス目の大きさは画像からは分からないので、ご自分で測ってください</translation>
     </message>
     <message>
         <source>Computing</source>
@@ -3846,7 +3842,7 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>ボードの種類</translation>
     </message>
     <message>
-        <source>Squares across, down</source>
+        <source>Squares per row, per column</source>
         <translation>マス目の数（横・縦）</translation>
     </message>
     <message>
@@ -3854,16 +3850,16 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>横のマス目の数</translation>
     </message>
     <message>
-        <source>All squares of a row, black and white</source>
-        <translation>1行のすべてのマス目（黒と白）</translation>
+        <source>Number of squares in a row, black and white together</source>
+        <translation>1 行のマス目の数（黒と白の合計）</translation>
     </message>
     <message>
         <source>Squares in a column</source>
         <translation>縦のマス目の数</translation>
     </message>
     <message>
-        <source>All squares of a column, black and white</source>
-        <translation>1列のすべてのマス目（黒と白）</translation>
+        <source>Number of squares in a column, black and white together</source>
+        <translation>1 列のマス目の数（黒と白の合計）</translation>
     </message>
     <message>
         <source>Side of a square</source>
@@ -3886,8 +3882,8 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>マーカーの辞書</translation>
     </message>
     <message>
-        <source>The dictionary name used when the board was generated</source>
-        <translation>ボードの生成に使った辞書の名前</translation>
+        <source>The dictionary of the markers that was chosen when the board was made</source>
+        <translation>ボードを作ったときに選んだマーカーの辞書</translation>
     </message>
     <message>
         <source>Legacy layout (even rows)</source>
@@ -3965,8 +3961,8 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>求める値</translation>
     </message>
     <message>
-        <source>Intrinsics: lens and sensor of each camera separately. Positions: where the cameras are, from a board that several of them see at the same time</source>
-        <translation>内部パラメータ: 各カメラのレンズとセンサー。位置: 複数のカメラが同時に見るボードから求めるカメラの場所</translation>
+        <source>Intrinsics: lens and sensor, for each camera separately. Positions: where the cameras are, computed from a board that several cameras see at the same time</source>
+        <translation>内部パラメータ: 各カメラのレンズとセンサー。位置: 複数のカメラが同時に見るボードから計算した、カメラの場所</translation>
     </message>
     <message>
         <source>Lens model</source>
@@ -4005,19 +4001,19 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>現在のフレームを床に使う</translation>
     </message>
     <message>
-        <source>Take the frame that is shown now</source>
-        <translation>今表示しているフレームを使います</translation>
+        <source>Enter the number of the frame that is shown now</source>
+        <translation>今表示しているフレームの番号を入力します</translation>
     </message>
     <message>
-        <source>Stop at accuracy</source>
-        <translation>目標精度</translation>
+        <source>Accuracy goal</source>
+        <translation>目標とする精度</translation>
     </message>
     <message>
         <source>Desired accuracy of the intrinsics</source>
         <translation>内部パラメータの目標精度</translation>
     </message>
     <message>
-        <source>Guidance ends when the intrinsics are this accurate all over the image</source>
+        <source>Guidance ends when the intrinsics are this accurate in all parts of the image</source>
         <translation>内部パラメータが画像全体でこの精度になると案内が終わります</translation>
     </message>
     <message>
@@ -4068,7 +4064,7 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>次へ: 位置</translation>
     </message>
     <message>
-        <source>Accept the present accuracy of the intrinsics, then show the board to several cameras at once</source>
+        <source>Accept the current accuracy of the intrinsics; then show the board to several cameras at once</source>
         <translation>内部パラメータは今の精度でよいことにして、次にボードを複数のカメラに同時に見せます</translation>
     </message>
     <message>
@@ -4254,8 +4250,8 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>状態</translation>
     </message>
     <message>
-        <source>Hidden: the box shows the expected position</source>
-        <translation>隠れている：枠は予測位置を示します</translation>
+        <source>Hidden: the target was not found in this frame; the box shows where it is expected</source>
+        <translation>隠れている：このフレームではターゲットが見つからず、枠は予想される位置を示します</translation>
     </message>
     <message>
         <source>● tracking</source>
@@ -4297,8 +4293,8 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
 <context>
     <name>dewpoint::ui::CalibrationChoice</name>
     <message>
-        <source>Calibration:</source>
-        <translation>キャリブレーション:</translation>
+        <source>Calibration file:</source>
+        <translation>キャリブレーションファイル:</translation>
     </message>
     <message>
         <source>Choose calibration…</source>
@@ -4321,8 +4317,8 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>キャリブレーションを選択</translation>
     </message>
     <message>
-        <source>Recognized: %1. Some information is missing: %2. Create the project without this file, then use Import calibration and enter what is missing.</source>
-        <translation>判別: %1。足りない情報があります: %2。このファイルなしでプロジェクトを作成し、その後「較正をインポート」で足りないものを指定してください。</translation>
+        <source>Recognized: %1. The file does not contain everything: %2. Create the project without this file, then choose Calibration › Import calibration and enter what is missing.</source>
+        <translation>判別: %1。ファイルに足りない情報があります: %2。このファイルなしでプロジェクトを作成し、その後「キャリブレーション › キャリブレーションをインポート」で足りない情報を入力してください。</translation>
     </message>
     <message>
         <source>Recognized: %1. It cannot be used: %2.</source>
@@ -4337,8 +4333,8 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>判別できません。Dewpoint が読める形式: %1。</translation>
     </message>
     <message>
-        <source>Recognized as %1, but its cameras do not match those above: %2.</source>
-        <translation>判別: %1。カメラが上のものと合いません: %2。</translation>
+        <source>Recognized: %1. The cameras in the file do not match the cameras above: %2.</source>
+        <translation>判別: %1。ファイルのカメラが上のカメラと合いません: %2。</translation>
     </message>
     <message numerus="yes">
         <source>✓ Recognized: %1, %n cameras</source>
@@ -4358,8 +4354,8 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
 <context>
     <name>dewpoint::ui::CalibrationDock</name>
     <message>
-        <source>Ways to calibrate</source>
-        <translation>校正の方法</translation>
+        <source>Pages of the camera calibration</source>
+        <translation>カメラのキャリブレーションのページ</translation>
     </message>
 </context>
 <context>
@@ -4425,16 +4421,16 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>%1 を保存しました。</translation>
     </message>
     <message>
-        <source>%1: projected points change by at most %2 (the lens was fitted again to what the format can store)</source>
-        <translation>%1: 投影した点の変化は最大 %2（形式で保存できるようにレンズを当てはめ直しました）</translation>
+        <source>%1: projected points change by at most %2, because the format cannot store the lens model and the lens was fitted again</source>
+        <translation>%1: 投影した点の変化は最大 %2 です。この形式ではレンズモデルを保存できないため、レンズを当てはめ直しました</translation>
     </message>
     <message>
         <source>%1: projected points change by at most %2</source>
         <translation>%1: 投影した点の変化は最大 %2</translation>
     </message>
     <message>
-        <source>%1: with the exported lens, %2 of 81 tested directions no longer have a pixel</source>
-        <translation>%1: 書き出したレンズでは、調べた 81 方向のうち %2 方向に対応する画素がなくなりました</translation>
+        <source>%1: with the exported lens, %2 of 81 tested directions can no longer be projected into the image</source>
+        <translation>%1: 書き出したレンズでは、調べた 81 方向のうち %2 方向を画像に投影できなくなりました</translation>
     </message>
 </context>
 <context>
@@ -4448,11 +4444,11 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>較正をインポート</translation>
     </message>
     <message>
-        <source>by name</source>
-        <translation>名前で対応</translation>
+        <source>match by name</source>
+        <translation>名前で対応付ける</translation>
     </message>
     <message>
-        <source>for %1 only</source>
+        <source>only for %1</source>
         <translation>%1 だけに</translation>
     </message>
     <message>
@@ -4568,11 +4564,11 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>カメラ</translation>
     </message>
     <message>
-        <source>The camera to which a file with a single camera belongs</source>
-        <translation>1台分のファイルがどのカメラのものか</translation>
+        <source>If the file holds only one camera: the project camera that gets its calibration</source>
+        <translation>ファイルにカメラが 1 台分しかない場合に、そのキャリブレーションを使うプロジェクトのカメラ</translation>
     </message>
     <message>
-        <source>The file does not contain all information. Set “%1” above.</source>
+        <source>The file does not contain everything. Set “%1” above.</source>
         <translation>ファイルの情報が足りません。上の「%1」を設定してください。</translation>
     </message>
     <message>
@@ -4616,8 +4612,8 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>時計回りに270°回転したもの</translation>
     </message>
     <message>
-        <source>The images are</source>
-        <translation>画像は</translation>
+        <source>Project images</source>
+        <translation>プロジェクトの画像</translation>
     </message>
     <message>
         <source>Names in the file</source>
@@ -4632,8 +4628,8 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>おそらく誤りです: %1</translation>
     </message>
     <message>
-        <source>For each camera of the project: the camera of the file whose calibration it uses</source>
-        <translation>プロジェクトの各カメラについて、どのカメラのキャリブレーションをファイルから使うか</translation>
+        <source>For each camera of the project, choose the camera in the file from which it gets its calibration</source>
+        <translation>プロジェクトの各カメラについて、どのカメラのキャリブレーションをファイルから使うかを選びます</translation>
     </message>
     <message>
         <source>the same as when calibrated</source>
@@ -4655,8 +4651,8 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
 <context>
     <name>dewpoint::ui::CalibrationMode</name>
     <message>
-        <source>Calibration</source>
-        <translation>校正</translation>
+        <source>Camera calibration</source>
+        <translation>カメラのキャリブレーション</translation>
     </message>
 </context>
 <context>
@@ -4880,20 +4876,20 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>%1 が %2 回転しました（フレーム %3）。</translation>
     </message>
     <message>
-        <source>Its new pose is being computed.</source>
-        <translation>新しい姿勢を計算しています。</translation>
+        <source>The new pose of this camera is being computed.</source>
+        <translation>このカメラの新しい姿勢を計算しています。</translation>
     </message>
     <message>
-        <source>Its pose can be recomputed from its images.</source>
-        <translation>画像から姿勢を計算し直せます。</translation>
+        <source>The pose of this camera can be recomputed from its images.</source>
+        <translation>このカメラの姿勢は、その画像から計算し直せます。</translation>
     </message>
     <message>
         <source>Recompute pose of %1</source>
         <translation>%1 の姿勢を再計算</translation>
     </message>
     <message>
-        <source>Its pose cannot be recomputed from its images: calibrate the camera again, or move it back.</source>
-        <translation>画像からは姿勢を計算し直せません。カメラを再校正するか、元に戻してください。</translation>
+        <source>The pose of this camera cannot be recomputed from its images: calibrate the camera again, or move it back.</source>
+        <translation>このカメラの姿勢は、その画像からは計算し直せません。カメラをキャリブレーションし直すか、元に戻してください。</translation>
     </message>
     <message>
         <source>Calibrate %1…</source>
@@ -4959,8 +4955,8 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>回転</translation>
     </message>
     <message>
-        <source>Clockwise rotation of the images before use</source>
-        <translation>画像を使う前の時計回りの回転</translation>
+        <source>How far the images are rotated clockwise before they are used</source>
+        <translation>画像を使う前に、時計回りに回転する角度</translation>
     </message>
     <message>
         <source>Load calibration…</source>
@@ -5005,8 +5001,8 @@ at %4, %5, %6</source>
         <translation>背景画像</translation>
     </message>
     <message>
-        <source>Image, video or image folder that shows the scene without any target. Regions that have the target&apos;s color there are not taken for the target</source>
-        <translation>ターゲットのない場面を写した画像、動画、または画像フォルダー。そこでターゲットと同じ色の領域はターゲットとみなしません</translation>
+        <source>Image, video or image folder that shows the scene without any target. An object in it that has the target&apos;s color is then not mistaken for the target</source>
+        <translation>ターゲットのない場面を写した画像、動画、または画像フォルダー。これに写っているターゲットと同じ色の物は、ターゲットと間違えられなくなります</translation>
     </message>
     <message>
         <source>Choose background image</source>
@@ -5045,8 +5041,8 @@ at %4, %5, %6</source>
         <translation> ms</translation>
     </message>
     <message>
-        <source>Delay of this camera&apos;s images in ms, used to synchronize it with the other cameras. Calibration with a wand can measure the delay</source>
-        <translation>このカメラの画像の遅れ（ミリ秒）。ほかのカメラと同期させるために使います。ワンドによる較正で測定できます</translation>
+        <source>How late this camera&apos;s images are, in ms. Dewpoint uses this delay to synchronize the cameras. Calibration with a wand can measure the delay</source>
+        <translation>このカメラの画像の遅れ（ミリ秒）。Dewpoint はこの値でカメラを同期させます。遅れはワンドによるキャリブレーションで測定できます</translation>
     </message>
     <message>
         <source>Delay of the images in milliseconds</source>
@@ -5069,8 +5065,8 @@ at %4, %5, %6</source>
         <translation>おそらく誤りです: %1</translation>
     </message>
     <message>
-        <source>%1. Use Import calibration.</source>
-        <translation>%1。「キャリブレーションを読み込む」を使ってください。</translation>
+        <source>%1. Choose Calibration › Import calibration instead.</source>
+        <translation>%1。代わりに「キャリブレーション › キャリブレーションをインポート」を選んでください。</translation>
     </message>
 </context>
 <context>
@@ -5190,8 +5186,8 @@ at %4, %5, %6</source>
         <translation>ここの色を学習</translation>
     </message>
     <message>
-        <source>Add a sample here</source>
-        <translation>ここの見本を追加</translation>
+        <source>Add color sample here</source>
+        <translation>ここの色を見本に追加</translation>
     </message>
     <message>
         <source>Exclude this color</source>
@@ -5210,8 +5206,8 @@ at %4, %5, %6</source>
         <translation>この色をターゲットの色に加えます（Shift クリックでも可）</translation>
     </message>
     <message>
-        <source>Learn that the target does not have this color (Alt-click does the same)</source>
-        <translation>ターゲットがこの色ではないことを学習します（Alt クリックでも可）</translation>
+        <source>Remove this color from the colors of the target (Alt-click does the same)</source>
+        <translation>この色をターゲットの色から除外します（Alt クリックでも可）</translation>
     </message>
 </context>
 <context>
@@ -5303,16 +5299,16 @@ at %4, %5, %6</source>
         <translation>輝度(&amp;I)</translation>
     </message>
     <message>
-        <source>First hue, 0 to 360 degrees; if it is above the last hue, the range goes through red</source>
-        <translation>最初の色相（0〜360度）。最後の色相より大きいと赤をまたぎます</translation>
+        <source>First hue, 0 to 360 degrees. If it is larger than the last hue, the range passes through red (0 degrees)</source>
+        <translation>最初の色相（0〜360 度）。最後の色相より大きいと、範囲は赤（0 度）をまたぎます</translation>
     </message>
     <message>
         <source>Last hue, 0 to 360 degrees</source>
         <translation>最後の色相（0〜360度）</translation>
     </message>
     <message>
-        <source>Drag the ends or the center. Keyboard: Tab selects a handle, arrow keys move it (ten times as far with Shift)</source>
-        <translation>両端または中央をドラッグします。キーボード：Tab でつまみを選び、矢印キーで動かします（Shift で10倍）</translation>
+        <source>Drag the ends or the center of the range. Keyboard: Tab selects a handle, arrow keys move it (ten times as far with Shift)</source>
+        <translation>範囲の両端または中央をドラッグします。キーボード：Tab でつまみを選び、矢印キーで動かします（Shift で 10 倍）</translation>
     </message>
     <message>
         <source>Range of hues</source>
@@ -5464,8 +5460,8 @@ at %4, %5, %6</source>
 <context>
     <name>dewpoint::ui::DockTitle</name>
     <message>
-        <source>Float or dock this view (double-click the title to maximize it)</source>
-        <translation>この表示を切り離す、またはドッキングする（タイトルをダブルクリックで最大化）</translation>
+        <source>Float or dock this view (to maximize the view, double-click its title)</source>
+        <translation>このビューを切り離す、またはドッキングする（タイトルをダブルクリックすると最大化）</translation>
     </message>
     <message>
         <source>Show all views</source>
@@ -5502,8 +5498,8 @@ at %4, %5, %6</source>
         <translation>動画をここにドロップするか、追加してください</translation>
     </message>
     <message>
-        <source>One video per camera, or image folders; also a calibration file</source>
-        <translation>カメラごとに動画 1 つ、または画像フォルダー。キャリブレーションファイルも可</translation>
+        <source>One video or image folder per camera; you can also drop a calibration file</source>
+        <translation>カメラごとに動画または画像フォルダーを 1 つ。キャリブレーションファイルもドロップできます</translation>
     </message>
 </context>
 <context>
@@ -5541,8 +5537,8 @@ at %4, %5, %6</source>
         <translation>閉じる</translation>
     </message>
     <message>
-        <source>Change nothing</source>
-        <translation>何も変更しない</translation>
+        <source>Close without changing anything</source>
+        <translation>何も変更せずに閉じる</translation>
     </message>
 </context>
 <context>
@@ -6085,7 +6081,7 @@ at %4, %5, %6</source>
         <translation>格子の軸が始まる角の位置（メートル）</translation>
     </message>
     <message>
-        <source>Hold down this button to show the grid as it was when the calibration was opened. Or hold down B while the pointer is over an image</source>
+        <source>Hold down this button to show the grid as it was when you opened the calibration. You can also hold down B while the pointer is over an image</source>
         <translation>このボタンを押している間、キャリブレーションを開いたときの格子を表示します。ポインターを画像に重ねて B を押し続けても表示できます</translation>
     </message>
 </context>
@@ -6288,21 +6284,21 @@ at %4, %5, %6</source>
     </message>
     <message>
         <source>Click the object in a camera image, or drag a box around it.
-Shift-click works at any time.</source>
+When this button is off, Shift-click does the same.</source>
         <translation>カメラ画像で物体をクリックするか、枠で囲みます。
-Shift クリックはいつでも使えます。</translation>
+このボタンがオフのときは、Shift クリックで同じことができます。</translation>
     </message>
     <message>
-        <source>Click another part of the target, or the target in different light.
-Shift-click works at any time.</source>
-        <translation>ターゲットの別の部分、または別の光の当たり方のターゲットをクリックします。
-Shift クリックはいつでも使えます。</translation>
+        <source>Click another part of the target, or the target in different light, to add its color.
+When this button is off, Shift-click does the same.</source>
+        <translation>ターゲットの別の部分、または別の光の当たり方のターゲットをクリックして、その色を加えます。
+このボタンがオフのときは、Shift クリックで同じことができます。</translation>
     </message>
     <message>
-        <source>Click something that matches but is not the target.
-Alt-click or Ctrl+Shift-click works at any time.</source>
-        <translation>一致するがターゲットではない物をクリックします。
-Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。</translation>
+        <source>Click something that has the target&apos;s color but is not the target, to exclude it.
+When this button is off, Alt-click or Ctrl+Shift-click does the same.</source>
+        <translation>ターゲットの色をしているがターゲットではない物をクリックして除外します。
+このボタンがオフのときは、Alt クリックまたは Ctrl+Shift クリックで同じことができます。</translation>
     </message>
     <message>
         <source>Click the target in a camera image, or drag a box around it,
@@ -6330,7 +6326,7 @@ to learn its color again.</source>
         <translation>三角形：重みが最大のパーティクル（表示 › 最良のパーティクルを表示）。</translation>
     </message>
     <message>
-        <source>Line across the image: the line of sight of another camera, shown while you drag the target. The target must lie on it.</source>
+        <source>Line across the image: the line of sight of another camera, shown while you drag the target. The target must lie on this line.</source>
         <translation>画像を横切る線：ターゲットをドラッグする間に示される、他のカメラの視線。ターゲットはこの線上にあるはずです。</translation>
     </message>
     <message>
@@ -6660,8 +6656,8 @@ to learn its color again.</source>
         <translation>検出結果</translation>
     </message>
     <message>
-        <source>%1. Create the project without this file, then use Import calibration.</source>
-        <translation>%1。このファイルなしでプロジェクトを作成し、その後「キャリブレーションを読み込む」を使ってください。</translation>
+        <source>%1. Create the project without this file, then choose Calibration › Import calibration.</source>
+        <translation>%1。このファイルなしでプロジェクトを作成し、その後「キャリブレーション › キャリブレーションをインポート」を選んでください。</translation>
     </message>
     <message>
         <source>Probably a mistake in the calibration: %1</source>
@@ -6675,8 +6671,8 @@ to learn its color again.</source>
         <translation>再追跡</translation>
     </message>
     <message>
-        <source>The settings have changed since these frames were tracked.</source>
-        <translation>これらのフレームを追跡した後に設定が変わりました。</translation>
+        <source>Some frames were tracked with earlier settings.</source>
+        <translation>以前の設定で追跡したフレームがあります。</translation>
     </message>
 </context>
 <context>
@@ -6727,8 +6723,8 @@ to learn its color again.</source>
         <translation>WebSocket とウェブページ、ポート</translation>
     </message>
     <message>
-        <source>A page that shows the targets in a browser, and a WebSocket for programs</source>
-        <translation>ターゲットをブラウザーに表示するページと、プログラム用の WebSocket</translation>
+        <source>Port of a web page that shows the targets in a browser. At the same port, programs get the results through a WebSocket</source>
+        <translation>ターゲットをブラウザーに表示するウェブページのポート。プログラムは同じポートの WebSocket で結果を受け取れます</translation>
     </message>
     <message>
         <source>WebSocket port</source>
@@ -6759,12 +6755,12 @@ to learn its color again.</source>
         <translation>ターゲットとフレームごとに 1 行を受け取るファイルまたは名前付きパイプ。空欄: 無効</translation>
     </message>
     <message>
-        <source>Ports are open to</source>
-        <translation>ポートに接続できる相手</translation>
+        <source>Who can connect</source>
+        <translation>接続できる相手</translation>
     </message>
     <message>
-        <source>Which computers can connect to the ports. Anyone in the network can then see the results</source>
-        <translation>ポートに接続できるコンピューター。ネットワーク全体に開くと、誰でも結果を見られます</translation>
+        <source>Which computers can connect to the ports. If you allow all computers, anyone in the network can see the results</source>
+        <translation>ポートに接続できるコンピューター。すべてのコンピューターを許可すると、ネットワークの誰でも結果を見られます</translation>
     </message>
     <message>
         <source>Axes</source>
@@ -6795,8 +6791,8 @@ to learn its color again.</source>
         <translation>リモートコマンドのトークン</translation>
     </message>
     <message>
-        <source>Programs that send this word can start, stop and record. At least %1 characters. Empty: commands are ignored</source>
-        <translation>この語を送るプログラムは開始、停止、録画ができます。%1 文字以上。空欄: コマンドを無視します</translation>
+        <source>Programs that send this word can start and stop the run and the recording of the cameras. At least %1 characters. Empty: commands are ignored</source>
+        <translation>この語を送るプログラムは、実行とカメラの録画を開始・停止できます。%1 文字以上。空欄: コマンドを無視します</translation>
     </message>
     <message>
         <source>this computer only</source>
@@ -6861,8 +6857,8 @@ to learn its color again.</source>
         <translation>パラメーター</translation>
     </message>
     <message>
-        <source>This is more than “%1”: %2 is used instead.</source>
-        <translation>「%1」より大きいため、代わりに %2 を使います。</translation>
+        <source>This value is larger than “%1”, so %2 is used instead.</source>
+        <translation>この値は「%1」より大きいため、代わりに %2 を使います。</translation>
     </message>
     <message>
         <source>Tracking method. Changing it restarts tracking; other settings are kept.</source>
@@ -6889,8 +6885,8 @@ to learn its color again.</source>
         <translation>ここに既定値と異なるものがあります。</translation>
     </message>
     <message>
-        <source>This is less than “%1”, so “%1” has no effect.</source>
-        <translation>「%1」より小さいため、「%1」は効果がありません。</translation>
+        <source>This value is smaller than “%1”, so “%1” has no effect.</source>
+        <translation>この値は「%1」より小さいため、「%1」は効果がありません。</translation>
     </message>
 </context>
 <context>
@@ -6975,8 +6971,8 @@ to learn its color again.</source>
         <translation>床の上での秒速（m/s）</translation>
     </message>
     <message>
-        <source>Seen</source>
-        <translation>見える</translation>
+        <source>Cameras</source>
+        <translation>カメラ</translation>
     </message>
     <message>
         <source>Number of cameras that see the person, out of all cameras</source>
@@ -7027,8 +7023,8 @@ to learn its color again.</source>
         <translation>その人物の 95 % を囲む凸包の体積（m³）。人物の体積を表示していない間は空欄</translation>
     </message>
     <message>
-        <source>Another person is so close that the colors of this person are not learned</source>
-        <translation>ほかの人が近すぎるので、この人物の色を学習しません</translation>
+        <source>● means that another person is close. Until the two are apart again, the method learns nothing new about the colors of this person</source>
+        <translation>● は、近くに別の人がいることを示します。2 人が離れるまで、この人物の色を新たに学習しません</translation>
     </message>
 </context>
 <context>
@@ -7061,8 +7057,8 @@ to learn its color again.</source>
         <translation>計画用のカメラを追加</translation>
     </message>
     <message>
-        <source>A camera that does not exist yet: drag it in the bird&apos;s-eye view, or enter its position (%1)</source>
-        <translation>まだ存在しないカメラ：鳥瞰図でドラッグするか位置を入力します（%1）</translation>
+        <source>Add a planned camera; you can then drag it in the bird&apos;s-eye view, or enter its position (%1)</source>
+        <translation>計画中のカメラを追加します。鳥瞰図でドラッグするか、位置を入力できます（%1）</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -7551,8 +7547,8 @@ to learn its color again.</source>
         <translation>すべてのフレームを読み込む</translation>
     </message>
     <message>
-        <source>Find damaged frames anywhere in a recording. This takes longer</source>
-        <translation>録画の途中にある壊れたフレームも見つけます。時間が長くかかります</translation>
+        <source>Find damaged frames anywhere in a recording: all frames are read, not only a few of them. This takes longer</source>
+        <translation>録画のどこにある壊れたフレームも見つけます。一部ではなく、すべてのフレームを読みます。時間が長くかかります</translation>
     </message>
     <message>
         <source>Check again</source>
@@ -7737,8 +7733,8 @@ to learn its color again.</source>
 <context>
     <name>dewpoint::ui::RigPlanner</name>
     <message>
-        <source>With %1 here (x %2, y %3, z %4), the error is at most %6 in %5 of the volume. Without this camera, that part is %7.</source>
-        <translation>%1 をここ（x %2、y %3、z %4）に置くと、誤差が %6 以内の空間が %5 になります。このカメラがなければ %7 です。</translation>
+        <source>With %1 here (x %2, y %3, z %4), the error is at most %6 in %5 of the volume; without this camera, only in %7.</source>
+        <translation>%1 をここ（x %2、y %3、z %4）に置くと、誤差が %6 以内の空間は %5 です。このカメラがなければ %7 だけです。</translation>
     </message>
 </context>
 <context>
@@ -7808,16 +7804,16 @@ to learn its color again.</source>
         <translation>設定なし</translation>
     </message>
     <message>
-        <source>%1, met in %2 % of the iterations of this run</source>
-        <translation>%1、この実行の反復の %2 % で守られました</translation>
+        <source>%1; %2 % of the iterations of this run were fast enough</source>
+        <translation>%1、この実行の反復の %2 % が時間内に終わりました</translation>
     </message>
     <message>
         <source>Median time per iteration</source>
         <translation>1 反復の時間（中央値）</translation>
     </message>
     <message>
-        <source>Time from frame to estimate</source>
-        <translation>フレームから推定までの時間</translation>
+        <source>Time from camera image to estimate</source>
+        <translation>カメラ画像から推定までの時間</translation>
     </message>
     <message>
         <source>Time budget per iteration</source>
@@ -8145,8 +8141,8 @@ to learn its color again.</source>
         <translation>○ 人物：%1、探索中</translation>
     </message>
     <message>
-        <source>other objects fit equally well: press X, drag the target</source>
-        <translation>別の物体も同じくらい合います：X を押してターゲットをドラッグ</translation>
+        <source>other objects fit equally well: press X and drag the target to its position</source>
+        <translation>別の物体も同じくらい合います：X を押し、ターゲットをその位置へドラッグ</translation>
     </message>
     <message>
         <source>± %1</source>
@@ -8383,8 +8379,8 @@ Effective sample size %8 of %9</source>
         <translation>キャンセル</translation>
     </message>
     <message>
-        <source>Change nothing</source>
-        <translation>何も変更しない</translation>
+        <source>Close and keep the current number</source>
+        <translation>今の数のまま閉じる</translation>
     </message>
 </context>
 <context>
@@ -8480,7 +8476,7 @@ Effective sample size %8 of %9</source>
         <translation>%1, m</translation>
     </message>
     <message>
-        <source>Position in the room, meters</source>
+        <source>Position in the room, in meters</source>
         <translation>室内での位置（メートル）</translation>
     </message>
     <message>
@@ -8488,7 +8484,7 @@ Effective sample size %8 of %9</source>
         <translation>σ%1, mm</translation>
     </message>
     <message>
-        <source>Standard deviation of the position, millimeters</source>
+        <source>Standard deviation of the position, in millimeters</source>
         <translation>位置の標準偏差（ミリメートル）</translation>
     </message>
     <message>
@@ -8496,8 +8492,8 @@ Effective sample size %8 of %9</source>
         <translation>速さ, m/s</translation>
     </message>
     <message>
-        <source>Speed, meters per second: fitted over five frames</source>
-        <translation>速さ（メートル毎秒、5 フレームに当てはめ）</translation>
+        <source>Speed in meters per second, computed from five frames</source>
+        <translation>速さ（メートル毎秒）。5 フレームから計算します</translation>
     </message>
     <message>
         <source>cameras</source>
@@ -8604,8 +8600,8 @@ Effective sample size %8 of %9</source>
         <translation>鳥瞰図にマップを表示</translation>
     </message>
     <message>
-        <source>Expected position error of a target at each point; updated whenever a camera moves</source>
-        <translation>各点でのターゲットの予想位置誤差。カメラの動きに追従します</translation>
+        <source>Show the position error to expect for a target at each point. The map changes whenever a camera moves</source>
+        <translation>各点で予想されるターゲットの位置誤差を表示します。マップはカメラの動きに追従します</translation>
     </message>
     <message>
         <source>Colors show</source>
@@ -8680,8 +8676,8 @@ Effective sample size %8 of %9</source>
         <translation>基準グリッドに合わせる</translation>
     </message>
     <message>
-        <source>The volume above the reference grid, up to the highest camera</source>
-        <translation>基準グリッドの上、最も高いカメラまでの空間</translation>
+        <source>Use the volume above the reference grid, up to the highest camera</source>
+        <translation>基準格子の上、最も高いカメラまでの空間を使います</translation>
     </message>
     <message>
         <source>Height of the layer above the floor, in meters</source>
@@ -8832,8 +8828,8 @@ Effective sample size %8 of %9</source>
 <context>
     <name>dewpoint::ui::WandCalibrationPage</name>
     <message>
-        <source>Align the cameras by hand until they are roughly right. Then wave the ball, or a wand with two balls, through the whole volume, and refine.</source>
-        <translation>まず手作業でカメラをおおよそ合わせます。次にボール、または2つのボールの付いたワンドを空間全体で振り、精密化します。</translation>
+        <source>Align the cameras by hand until they are roughly right. Then wave the ball, or a wand with two balls, through the whole volume, and press Refine cameras.</source>
+        <translation>まず手作業でカメラをおおよそ合わせます。次にボール、または 2 つのボールの付いたワンドを空間全体で振り、「カメラを精密化」を押します。</translation>
     </message>
     <message>
         <source>Floor</source>
@@ -8950,8 +8946,8 @@ Effective sample size %8 of %9</source>
         <translation>縮尺の求め方</translation>
     </message>
     <message>
-        <source>Images alone cannot show whether a room is large or small. A diameter gives the scale to about one percent, a distance as exactly as you measure it</source>
-        <translation>画像だけでは部屋が大きいか小さいか分かりません。直径なら約1パーセント、距離なら測定の精度です</translation>
+        <source>Images alone cannot show whether a room is large or small. A scale from the diameter of a ball is accurate to about one percent. A scale from a distance is as accurate as your measurement</source>
+        <translation>画像だけでは部屋が大きいか小さいか分かりません。ボールの直径から求めた縮尺の精度は約 1 パーセントです。距離から求めた縮尺の精度は、その測定の精度と同じです</translation>
     </message>
     <message>
         <source>Distance</source>
@@ -8962,7 +8958,7 @@ Effective sample size %8 of %9</source>
         <translation>既知の距離</translation>
     </message>
     <message>
-        <source>Distance between the two positions at which you held the center of the ball</source>
+        <source>Distance between the two positions at which the center of the ball was held</source>
         <translation>ボールの中心を置いた2か所の間の距離</translation>
     </message>
     <message>
@@ -9045,12 +9041,12 @@ Effective sample size %8 of %9</source>
         <translation>前の状態</translation>
     </message>
     <message>
-        <source>Use it anyway</source>
-        <translation>それでも使う</translation>
+        <source>Use calibration anyway</source>
+        <translation>それでもキャリブレーションを使う</translation>
     </message>
     <message>
-        <source>Use these cameras although the result looks wrong; you can undo this</source>
-        <translation>結果に問題がありそうでもこのカメラを使います。元に戻せます</translation>
+        <source>Use this calibration although it looks wrong; you can undo this</source>
+        <translation>問題がありそうでも、このキャリブレーションを使います。元に戻せます</translation>
     </message>
     <message>
         <source>Save report…</source>
@@ -9133,19 +9129,19 @@ Effective sample size %8 of %9</source>
         <translation>すべての数値、残差の矢印、網羅範囲、3D の図を含むページを保存します</translation>
     </message>
     <message>
-        <source>The result is less accurate than the initial camera positions, whose error is given as up to %1. Wave through more of the volume.</source>
-        <translation>結果は初期のカメラ位置より不正確です。初期位置の誤差は %1 までと指定されています。空間のより広い範囲で振ってください。</translation>
+        <source>The result is less accurate than the initial camera positions: you entered that their error is at most %1. Wave through more of the volume.</source>
+        <translation>結果は初期のカメラ位置より不正確です。初期位置の誤差は最大 %1 と入力されています。空間のより広い範囲で振ってください。</translation>
     </message>
     <message>
-        <source>Calibrations from different parts of the recording differ by %1 times as much as the noise of the images explains. The stated accuracy takes this into account.</source>
+        <source>Calibrations from different parts of the recording differ from each other %1 times as much as image noise can explain. The stated accuracy takes this into account.</source>
         <translation>録画の各部分から求めたキャリブレーションのばらつきは、画像の雑音から予想される大きさの %1 倍です。示された精度にはそれが含まれています。</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::WandWaving</name>
     <message>
-        <source>Collect positions of the ball from all camera images; starting again discards those collected before</source>
-        <translation>すべてのカメラの画像からボールの位置を集めます。始め直すと前に集めたものは破棄されます</translation>
+        <source>Collect positions of the ball from all camera images. If you start again, the positions collected before are discarded</source>
+        <translation>すべてのカメラの画像からボールの位置を集めます。始め直すと、前に集めた位置は破棄されます</translation>
     </message>
     <message>
         <source>■ Stop waving</source>
@@ -9176,8 +9172,8 @@ Effective sample size %8 of %9</source>
         <translation>速すぎたため飛ばしたフレーム: %1。</translation>
     </message>
     <message>
-        <source>Positions collected for %1.</source>
-        <translation>%1間、位置を集めました。</translation>
+        <source>Positions of the ball were collected for %1.</source>
+        <translation>%1間、ボールの位置を集めました。</translation>
     </message>
     <message>
         <source>Keep waving: each camera should see the ball at least 150 times, spread over at least half of its image.</source>

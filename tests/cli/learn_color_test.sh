@@ -23,7 +23,7 @@ expectText taught.toml 'found = true'
 ! grep -q 'Its radius' out.txt || fail "the radius fits: $(cat out.txt)"
 # A diameter given as radius, a radius that nothing has, and none.
 expectExit 0 learn-color fresh.toml --camera "camera 1" --frame 2 --pixel 157,117 --radius 0.07
-expectText out.txt "The target's radius seems to be about 0.03" 'but 0.07 m is given. Is that its diameter?'
+expectText out.txt "The target's radius seems to be about 0.03" 'but 0.07 m is given. Is the given value the diameter?'
 expectExit 0 learn-color fresh.toml --camera "camera 1" --frame 2 --pixel 157,117 --radius 100
 expectText out.txt "The target's radius seems to be about 0.03" 'but 100 m is given.'
 expectExit 0 learn-color fresh.toml --camera "camera 1" --frame 2 --pixel 157,117

@@ -60,7 +60,8 @@ QString playWord(const TrackSnapshot& snapshot) {
 QString reasonOf(const TrackSnapshot& snapshot, const TargetSnapshot& target) {
   const auto ofCameras = [&] {
     return target.status == TargetStatus::Ambiguous
-               ? StatusBarPanel::tr("other objects fit equally well: press X, drag the target")
+               ? StatusBarPanel::tr(
+                     "other objects fit equally well: press X and drag the target to its position")
            : snapshot.family.isDefined(target.target)
                ? reasonText(target.reasons, cameraNames(snapshot))
                : StatusBarPanel::tr("click the object or drag a box around it");

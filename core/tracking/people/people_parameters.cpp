@@ -36,7 +36,8 @@ Declarations background(const Defaults& defaults) {
        "Anything darker counts as a moving region.",
        false},
       {"image_width", kInteger, "Image width", "px", 0.0, 10000.0, 10.0, defaults.imageWidth,
-       "Images are reduced to at most this width before anything else; 0 keeps them as they are.",
+       "Images are reduced to at most this width before they are analyzed; 0 keeps them as they "
+       "are.",
        false},
   };
   putInGroup(ParameterGroup::Measurement,
@@ -126,8 +127,8 @@ Declarations ours() {
       {"acceleration_sigma", kReal, "Acceleration sigma", "m/s²", 0.05, 50.0, 0.05, 3.0,
        "How strongly people accelerate, brake and turn.", true},
       {"evidence", kReal, "Weight per camera", "", 0.1, 100.0, 0.1, 8.0,
-       "How much each camera that sees a whole person counts: larger values rely more on the "
-       "masks.",
+       "How strongly the mask of each camera influences where a person is tracked: larger values "
+       "rely more on the masks.",
        true},
       {"color_weight", kReal, "Color weight", "", 0.0, 10.0, 0.05, 1.0,
        "How much the colors of clothes count compared with the masks when people are close to each "

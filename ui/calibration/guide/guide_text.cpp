@@ -89,17 +89,19 @@ WayText wayText(CalibrationWay way) {
     break;
   }
   return {
-      GuideText::tr("File of another tool"),
+      GuideText::tr("File of another program"),
       GuideText::tr("You need a calibration file for these cameras and for images of this size.")};
 }
 
 StepText stepText(GuideStep step) {
   switch (step) {
   case GuideStep::ImportFile:
-    return {GuideText::tr("File"), GuideText::tr("Import the file"),
-            GuideText::tr("Choose the file. If it lacks something, such as the unit, the dialog "
-                          "asks you for it. The dialog also shows how far each camera would move."),
-            GuideText::tr("Import calibration…")};
+    return {
+        GuideText::tr("File"), GuideText::tr("Import the file"),
+        GuideText::tr(
+            "Choose the file. If the file does not contain everything (for example, no unit), the "
+            "dialog asks you for the rest. The dialog also shows how far each camera would move."),
+        GuideText::tr("Import calibration…")};
   case GuideStep::PrintBoard:
     return {
         GuideText::tr("Print"), GuideText::tr("Print a board"),

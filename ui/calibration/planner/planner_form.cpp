@@ -143,8 +143,8 @@ void PlannerForm::retranslateUi() {
   };
   add_->setText(tr("Add planned camera"));
   name(add_, tr("Add planned camera"),
-       tr("A camera that does not exist yet: drag it in the bird's-eye view, or enter its position "
-          "(%1)")
+       tr("Add a planned camera; you can then drag it in the bird's-eye view, or enter its "
+          "position (%1)")
            .arg(QStringLiteral("Shift+P")));
   remove_->setText(tr("Remove"));
   name(remove_, tr("Remove the planned camera"), tr("Remove the selected planned camera"));

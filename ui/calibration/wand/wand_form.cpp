@@ -214,11 +214,12 @@ void WandForm::retranslateUi() {
   length_->setSuffix(tr(" cm"));
   sizeLabel_->setText(tr("Scale from"));
   name(size_, tr("Source of the scale"),
-       tr("Images alone cannot show whether a room is large or small. A diameter gives the scale "
-          "to about one percent, a distance as exactly as you measure it"));
+       tr("Images alone cannot show whether a room is large or small. A scale from the diameter of "
+          "a ball is accurate to about one percent. A scale from a distance is as accurate as your "
+          "measurement"));
   distanceLabel_->setText(tr("Distance"));
   name(distance_, tr("Known distance"),
-       tr("Distance between the two positions at which you held the center of the ball"));
+       tr("Distance between the two positions at which the center of the ball was held"));
   distance_->setSuffix(tr(" cm"));
   initialErrorLabel_->setText(tr("Initial error"));
   name(initialPositionError_, tr("Initial position error"),
