@@ -2660,6 +2660,41 @@
     </message>
 </context>
 <context>
+    <name>OutletText</name>
+    <message>
+        <source>JSON lines at %1</source>
+        <translation>JSON-Zeilen unter %1</translation>
+    </message>
+    <message>
+        <source>Web page and WebSocket at %1</source>
+        <translation>Webseite und WebSocket unter %1</translation>
+    </message>
+    <message>
+        <source>OSC messages to %1</source>
+        <translation>OSC-Nachrichten an %1</translation>
+    </message>
+    <message>
+        <source>TUIO cursors to %1</source>
+        <translation>TUIO-Cursor an %1</translation>
+    </message>
+    <message>
+        <source>CSV lines to the standard output</source>
+        <translation>CSV-Zeilen an die Standardausgabe</translation>
+    </message>
+    <message>
+        <source>CSV lines to %1</source>
+        <translation>CSV-Zeilen an %1</translation>
+    </message>
+    <message>
+        <source>No program is reading this pipe.</source>
+        <translation>Kein Programm liest aus dieser Pipe.</translation>
+    </message>
+    <message>
+        <source>Nothing can be written: %1</source>
+        <translation>Es kann nicht geschrieben werden: %1</translation>
+    </message>
+</context>
+<context>
     <name>Parameter</name>
     <message>
         <source>Half the x size of the start box: the particles start evenly spread in this box; 0 starts them all at the same x.</source>

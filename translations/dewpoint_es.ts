@@ -2660,6 +2660,41 @@
     </message>
 </context>
 <context>
+    <name>OutletText</name>
+    <message>
+        <source>JSON lines at %1</source>
+        <translation>Líneas JSON en %1</translation>
+    </message>
+    <message>
+        <source>Web page and WebSocket at %1</source>
+        <translation>Página web y WebSocket en %1</translation>
+    </message>
+    <message>
+        <source>OSC messages to %1</source>
+        <translation>Mensajes OSC a %1</translation>
+    </message>
+    <message>
+        <source>TUIO cursors to %1</source>
+        <translation>Cursores TUIO a %1</translation>
+    </message>
+    <message>
+        <source>CSV lines to the standard output</source>
+        <translation>Líneas CSV a la salida estándar</translation>
+    </message>
+    <message>
+        <source>CSV lines to %1</source>
+        <translation>Líneas CSV a %1</translation>
+    </message>
+    <message>
+        <source>No program is reading this pipe.</source>
+        <translation>Ningún programa lee esta tubería.</translation>
+    </message>
+    <message>
+        <source>Nothing can be written: %1</source>
+        <translation>No se puede escribir: %1</translation>
+    </message>
+</context>
+<context>
     <name>Parameter</name>
     <message>
         <source>Half the x size of the start box: the particles start evenly spread in this box; 0 starts them all at the same x.</source>

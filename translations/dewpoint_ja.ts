@@ -2659,6 +2659,41 @@
     </message>
 </context>
 <context>
+    <name>OutletText</name>
+    <message>
+        <source>JSON lines at %1</source>
+        <translation>JSON 行（%1）</translation>
+    </message>
+    <message>
+        <source>Web page and WebSocket at %1</source>
+        <translation>ウェブページと WebSocket（%1）</translation>
+    </message>
+    <message>
+        <source>OSC messages to %1</source>
+        <translation>OSC メッセージの送信先 %1</translation>
+    </message>
+    <message>
+        <source>TUIO cursors to %1</source>
+        <translation>TUIO カーソルの送信先 %1</translation>
+    </message>
+    <message>
+        <source>CSV lines to the standard output</source>
+        <translation>CSV 行の出力先は標準出力</translation>
+    </message>
+    <message>
+        <source>CSV lines to %1</source>
+        <translation>CSV 行の出力先 %1</translation>
+    </message>
+    <message>
+        <source>No program is reading this pipe.</source>
+        <translation>このパイプを読み取っているプログラムがありません。</translation>
+    </message>
+    <message>
+        <source>Nothing can be written: %1</source>
+        <translation>書き込めません: %1</translation>
+    </message>
+</context>
+<context>
     <name>Parameter</name>
     <message>
         <source>Half the x size of the start box: the particles start evenly spread in this box; 0 starts them all at the same x.</source>
