@@ -1208,7 +1208,7 @@
     </message>
     <message>
         <source>The marked spot is part of a larger object of the same color. Only this spot is tracked, as a ball with radius %1.</source>
-        <translation>El punto marcado es parte de un objeto mayor del mismo color. Solo se sigue este punto, como una bola con radio %1.</translation>
+        <translation>El punto marcado es parte de un objeto mayor del mismo color. Solo se sigue este punto, como una pelota con radio %1.</translation>
     </message>
     <message>
         <source>The target&apos;s radius seems to be about %1, but %2 was entered. Is %2 the diameter?</source>
@@ -2249,7 +2249,7 @@
     </message>
     <message>
         <source>Wand: a ball, or a stick with two balls</source>
-        <translation>Varita: una bola, o un palo con dos bolas</translation>
+        <translation>Varita: una pelota, o un palo con dos pelotas</translation>
     </message>
     <message>
         <source>File of another program</source>
@@ -2333,15 +2333,15 @@
     </message>
     <message>
         <source>Ball</source>
-        <translation>Bola</translation>
+        <translation>Pelota</translation>
     </message>
     <message>
         <source>Learn the color of the ball</source>
-        <translation>Aprender el color de la bola</translation>
+        <translation>Aprender el color de la pelota</translation>
     </message>
     <message>
         <source>Click the ball in an image. For a stick with two balls, learn two targets of different colors.</source>
-        <translation>Haga clic en la bola en una imagen. Para un palo con dos bolas, aprenda dos objetivos de colores distintos.</translation>
+        <translation>Haga clic en la pelota en una imagen. Para un palo con dos pelotas, aprenda dos objetivos de colores distintos.</translation>
     </message>
     <message>
         <source>Learn color</source>
@@ -2409,7 +2409,7 @@
     </message>
     <message>
         <source>You need rough camera positions and a ball to wave. This way gives the most accurate camera positions in a large room.</source>
-        <translation>Necesita posiciones aproximadas de las cámaras y una bola para agitar. Esta forma da las posiciones de cámara más exactas en una sala grande.</translation>
+        <translation>Necesita posiciones aproximadas de las cámaras y una pelota para agitar. Esta forma da las posiciones de cámara más exactas en una sala grande.</translation>
     </message>
     <message>
         <source>You need a calibration file for these cameras and for images of this size.</source>
@@ -2449,7 +2449,7 @@
     </message>
     <message>
         <source>Drag the grid in each image, or the cameras in the bird&apos;s-eye view, until each camera is within about 12 cm of its real position.</source>
-        <translation>Arrastre la cuadrícula en cada imagen, o las cámaras en la vista aérea, hasta que cada cámara esté a menos de unos 12 cm de su posición real.</translation>
+        <translation>Arrastre la cuadrícula en cada imagen, o las cámaras en la vista de pájaro, hasta que cada cámara esté a menos de unos 12 cm de su posición real.</translation>
     </message>
     <message>
         <source>On the page Wand, choose what you wave and where the scale comes from. With live cameras, press Start waving and wave slowly through the whole volume for half a minute. Then press Refine cameras. If you have already recorded this, just press Refine cameras.</source>
@@ -2641,7 +2641,7 @@
     </message>
     <message>
         <source>The most accurate: decides whether the target is a ball or has another shape.</source>
-        <translation>El más preciso: decide si el objetivo es una bola o tiene otra forma.</translation>
+        <translation>El más preciso: decide si el objetivo es una pelota o tiene otra forma.</translation>
     </message>
     <message>
         <source>Tracks an object by its colors, adapts to its size, and finds it again after it was hidden.</source>
@@ -4004,7 +4004,7 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
     </message>
     <message>
         <source>Lens model</source>
-        <translation>Modelo de objetivo</translation>
+        <translation>Modelo de lente</translation>
     </message>
     <message>
         <source>Pinhole, 5 coefficients</source>
@@ -4581,7 +4581,7 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
     </message>
     <message>
         <source>Meaning of the four lens coefficients</source>
-        <translation>Significado de los cuatro coeficientes del objetivo</translation>
+        <translation>Significado de los cuatro coeficientes de la lente</translation>
     </message>
     <message>
         <source>Image size</source>
@@ -4754,7 +4754,7 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
     </message>
     <message>
         <source>Lens</source>
-        <translation>Objetivo</translation>
+        <translation>Lente</translation>
     </message>
     <message>
         <source>focal length</source>
@@ -4766,7 +4766,7 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
     </message>
     <message>
         <source>Lens parameter</source>
-        <translation>Parámetro del objetivo</translation>
+        <translation>Parámetro de la lente</translation>
     </message>
     <message>
         <source>Focal length in pixels, or the horizontal field of view in degrees</source>
@@ -6384,7 +6384,7 @@ alrededor, para aprender de nuevo su color.</translation>
     </message>
     <message>
         <source>Dashed ellipse: the size of the target itself, if the target is not a ball.</source>
-        <translation>Elipse discontinua: el tamaño del propio objetivo, si el objetivo no es una bola.</translation>
+        <translation>Elipse discontinua: el tamaño del propio objetivo, si el objetivo no es una pelota.</translation>
     </message>
 </context>
 <context>
@@ -7224,11 +7224,11 @@ alrededor, para aprender de nuevo su color.</translation>
     <name>dewpoint::ui::PlannerInstaller</name>
     <message>
         <source>Move %1 in the bird&apos;s-eye view</source>
-        <translation>Mover %1 en la vista aérea</translation>
+        <translation>Mover %1 en la vista de pájaro</translation>
     </message>
     <message>
         <source>Turn %1 in the bird&apos;s-eye view</source>
-        <translation>Girar %1 en la vista aérea</translation>
+        <translation>Girar %1 en la vista de pájaro</translation>
     </message>
 </context>
 <context>
@@ -8112,7 +8112,7 @@ alrededor, para aprender de nuevo su color.</translation>
     </message>
     <message>
         <source>Four identical balls</source>
-        <translation>Cuatro bolas iguales</translation>
+        <translation>Cuatro pelotas iguales</translation>
     </message>
     <message>
         <source>A box passes in front of the ball. One camera is enough to keep tracking the ball.</source>
@@ -8288,7 +8288,7 @@ alrededor, para aprender de nuevo su color.</translation>
     </message>
     <message>
         <source>Radius of the ball, 0 to 2,000 mm. If unknown, it is estimated.</source>
-        <translation>Radio de la bola, de 0 a 2000 mm. Si es desconocido, se estima.</translation>
+        <translation>Radio de la pelota, de 0 a 2000 mm. Si es desconocido, se estima.</translation>
     </message>
     <message>
         <source>Shape</source>
@@ -8300,7 +8300,7 @@ alrededor, para aprender de nuevo su color.</translation>
     </message>
     <message>
         <source>ball</source>
-        <translation>bola</translation>
+        <translation>pelota</translation>
     </message>
     <message>
         <source>any</source>
@@ -8390,7 +8390,7 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     </message>
     <message>
         <source>Ball: the outline of the target is a circle in every image. Any: the size of the target is learned, and its position is the center of the region that has its color. Automatic: the shape is determined from the images. Only method dewpoint uses this setting.</source>
-        <translation>Bola: el contorno del objetivo es un círculo en cada imagen. Cualquiera: se aprende el tamaño del objetivo, y su posición es el centro de la zona que tiene su color. Automática: la forma se determina con las imágenes. Solo el método dewpoint usa este ajuste.</translation>
+        <translation>Pelota: el contorno del objetivo es un círculo en cada imagen. Cualquiera: se aprende el tamaño del objetivo, y su posición es el centro de la zona que tiene su color. Automática: la forma se determina con las imágenes. Solo el método dewpoint usa este ajuste.</translation>
     </message>
 </context>
 <context>
@@ -9043,7 +9043,7 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     </message>
     <message>
         <source>For lenses that were never calibrated, or whose zoom has changed</source>
-        <translation>Para objetivos que nunca se calibraron o cuyo zoom ha cambiado</translation>
+        <translation>Para lentes que nunca se calibraron o cuyo zoom ha cambiado</translation>
     </message>
     <message>
         <source>Find the distortion k1</source>
@@ -9051,7 +9051,7 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     </message>
     <message>
         <source>The first distortion coefficient of each lens; the ball must be seen up to the edges of the images</source>
-        <translation>El primer coeficiente de cada objetivo; la pelota debe verse hasta los bordes de las imágenes</translation>
+        <translation>El primer coeficiente de distorsión de cada lente; la pelota debe verse hasta los bordes de las imágenes</translation>
     </message>
     <message>
         <source>Only the selected span</source>

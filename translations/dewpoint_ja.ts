@@ -285,7 +285,7 @@
     </message>
     <message>
         <source>Show best particle</source>
-        <translation>最良のパーティクルを表示</translation>
+        <translation>最良の粒子を表示</translation>
     </message>
     <message>
         <source>Plots</source>
@@ -373,19 +373,19 @@
     </message>
     <message>
         <source>Calibrate by hand…</source>
-        <translation>手動で校正…</translation>
+        <translation>手動でキャリブレーション…</translation>
     </message>
     <message>
         <source>Import calibration…</source>
-        <translation>較正をインポート…</translation>
+        <translation>キャリブレーションをインポート…</translation>
     </message>
     <message>
         <source>Export calibration…</source>
-        <translation>較正をエクスポート…</translation>
+        <translation>キャリブレーションをエクスポート…</translation>
     </message>
     <message>
         <source>Calibrate with wand…</source>
-        <translation>ワンドで較正…</translation>
+        <translation>ワンドでキャリブレーション…</translation>
     </message>
     <message>
         <source>Refine the calibration by waving a ball, or a wand with two balls</source>
@@ -1049,11 +1049,11 @@
     </message>
     <message>
         <source>%1 agrees with the other cameras only if its video is shifted in time: the video is probably %2 frames late. Synchronize the videos, or calibrate with a wand and “Find time offsets”.</source>
-        <translation>%1 は動画の時間をずらしたときだけ他のカメラと合います。おそらく %2 フレーム遅れています。動画を同期させるか、「時間のずれを求める」を選んでワンドで校正してください。</translation>
+        <translation>%1 は動画の時間をずらしたときだけ他のカメラと合います。おそらく %2 フレーム遅れています。動画を同期させるか、「時間のずれを求める」を選んでワンドでキャリブレーションしてください。</translation>
     </message>
     <message>
         <source>%1 agrees with the other cameras only if its video is shifted in time: the video is probably %2 frames early. Synchronize the videos, or calibrate with a wand and “Find time offsets”.</source>
-        <translation>%1 は動画の時間をずらしたときだけ他のカメラと合います。おそらく %2 フレーム早まっています。動画を同期させるか、「時間のずれを求める」を選んでワンドで校正してください。</translation>
+        <translation>%1 は動画の時間をずらしたときだけ他のカメラと合います。おそらく %2 フレーム早まっています。動画を同期させるか、「時間のずれを求める」を選んでワンドでキャリブレーションしてください。</translation>
     </message>
     <message>
         <source>The images of %1 fit one pose before %2 and another pose after that time: the camera was probably moved. Calibrate with the later part of the recording only.</source>
@@ -1486,11 +1486,11 @@
     <name>Experiment</name>
     <message>
         <source>Barrera et al. 2005, figure 3: the particles projected into both cameras while the cloud finds the ball.</source>
-        <translation>Barrera ら 2005、図3:雲がボールを見つけるまで、両カメラに投影したパーティクル。</translation>
+        <translation>Barrera ら 2005、図3:雲がボールを見つけるまで、両カメラに投影した粒子。</translation>
     </message>
     <message>
         <source>Barrera et al. 2005, figure 4: the particle cloud of figure 3 from above.</source>
-        <translation>Barrera ら 2005、図4:図3のパーティクルの雲を上から見たもの。</translation>
+        <translation>Barrera ら 2005、図4:図3の粒子の雲を上から見たもの。</translation>
     </message>
     <message>
         <source>Barrera et al. 2005, figure 6: the object jumps 2 m at iteration 30.</source>
@@ -1506,7 +1506,7 @@
     </message>
     <message>
         <source>Mohedano et al. 2009, figures 1 and 3: the regions that move in a camera&apos;s images, and the likelihood of a person at each pixel.</source>
-        <translation>Mohedano ら 2009、図1と図3：カメラの画像で動く領域と、各画素での人物の尤度。</translation>
+        <translation>Mohedano ら 2009、図1と図3：カメラの画像で動く領域と、各ピクセルでの人物の尤度。</translation>
     </message>
     <message>
         <source>Drift along the optical axis</source>
@@ -1518,11 +1518,11 @@
     </message>
     <message>
         <source>Particles from above</source>
-        <translation>上から見たパーティクル</translation>
+        <translation>上から見た粒子</translation>
     </message>
     <message>
         <source>Particles in both images</source>
-        <translation>両画像のパーティクル</translation>
+        <translation>両画像の粒子</translation>
     </message>
     <message>
         <source>The cloud over time</source>
@@ -2236,7 +2236,7 @@
     </message>
     <message>
         <source>By hand, with a grid</source>
-        <translation>グリッドを使って手動で</translation>
+        <translation>格子を使って手動で</translation>
     </message>
     <message>
         <source>Measured points</source>
@@ -2296,11 +2296,11 @@
     </message>
     <message>
         <source>Grid</source>
-        <translation>グリッド</translation>
+        <translation>格子</translation>
     </message>
     <message>
         <source>Lay the grid over the room</source>
-        <translation>グリッドを部屋に重ねる</translation>
+        <translation>格子を部屋に重ねる</translation>
     </message>
     <message>
         <source>Points</source>
@@ -2432,7 +2432,7 @@
     </message>
     <message>
         <source>Give the grid the size of a real object that you have measured. In each image, drag the grid until it lies on this object. Click a point of the grid to hold it in place.</source>
-        <translation>グリッドを、実際に測った物の大きさにします。各画像で、その物に重なるまでグリッドをドラッグします。グリッドの点をクリックすると、その点が固定されます。</translation>
+        <translation>格子を、実際に測った物の大きさにします。各画像で、その物に重なるまで格子をドラッグします。格子の点をクリックすると、その点が固定されます。</translation>
     </message>
     <message>
         <source>Add points whose positions in the room you have measured, in meters. Then click each point in the images. Each camera needs at least four points, or better six that do not all lie in one plane.</source>
@@ -2448,7 +2448,7 @@
     </message>
     <message>
         <source>Drag the grid in each image, or the cameras in the bird&apos;s-eye view, until each camera is within about 12 cm of its real position.</source>
-        <translation>各画像のグリッド、または俯瞰ビューのカメラをドラッグし、各カメラを実際の位置から約 12 cm 以内に合わせます。</translation>
+        <translation>各画像の格子、または鳥瞰図のカメラをドラッグし、各カメラを実際の位置から約 12 cm 以内に合わせます。</translation>
     </message>
     <message>
         <source>On the page Wand, choose what you wave and where the scale comes from. With live cameras, press Start waving and wave slowly through the whole volume for half a minute. Then press Refine cameras. If you have already recorded this, just press Refine cameras.</source>
@@ -2572,15 +2572,15 @@
     </message>
     <message>
         <source>A particle filter with color histograms</source>
-        <translation>色ヒストグラムのパーティクルフィルタ</translation>
+        <translation>色ヒストグラムの粒子フィルター</translation>
     </message>
     <message>
         <source>A particle filter with position measurements</source>
-        <translation>位置の測定によるパーティクルフィルタ</translation>
+        <translation>位置の測定による粒子フィルター</translation>
     </message>
     <message>
         <source>A simple particle filter with color</source>
-        <translation>色の単純なパーティクルフィルタ</translation>
+        <translation>色の単純な粒子フィルター</translation>
     </message>
     <message>
         <source>Colored objects in 3D</source>
@@ -2608,7 +2608,7 @@
     </message>
     <message>
         <source>For teaching: shows how a particle filter works.</source>
-        <translation>教育用：パーティクルフィルタの仕組みを示します。</translation>
+        <translation>教育用：粒子フィルターの仕組みを示します。</translation>
     </message>
     <message>
         <source>For teaching: shows how particles follow measured positions.</source>
@@ -2785,11 +2785,11 @@
     </message>
     <message>
         <source>Largest number of particles of each target.</source>
-        <translation>各目標が使う粒子の最大数。</translation>
+        <translation>各ターゲットが使う粒子の最大数。</translation>
     </message>
     <message>
         <source>How strongly targets accelerate, brake and turn: larger values follow abrupt motion, smaller values bridge gaps better.</source>
-        <translation>目標がどれだけ強く加速、減速、方向転換するか。大きいほど急な動きを追え、小さいほど途切れをうまく補えます。</translation>
+        <translation>ターゲットがどれだけ強く加速、減速、方向転換するか。大きいほど急な動きを追え、小さいほど途切れをうまく補えます。</translation>
     </message>
     <message>
         <source>Sampling error</source>
@@ -3105,7 +3105,7 @@
     </message>
     <message>
         <source>How moving regions are found. 0: one Gaussian for each pixel (fast). 1: MOG2 of OpenCV. 2: KNN of OpenCV.</source>
-        <translation>動く領域の見つけ方。0：画素ごとに 1 つのガウス分布（高速）。1：OpenCV の MOG2。2：OpenCV の KNN。</translation>
+        <translation>動く領域の見つけ方。0：ピクセルごとに 1 つのガウス分布（高速）。1：OpenCV の MOG2。2：OpenCV の KNN。</translation>
     </message>
     <message>
         <source>How strongly the mask of each camera influences where a person is tracked: larger values rely more on the masks.</source>
@@ -3224,7 +3224,7 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     </message>
     <message>
         <source>filter iteration</source>
-        <translation>フィルタ反復</translation>
+        <translation>フィルター反復</translation>
     </message>
     <message>
         <source>Dewpoint plots</source>
@@ -3596,7 +3596,7 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     </message>
     <message>
         <source>Tracks colored objects in 3D, live, from ordinary cameras with particle filters.</source>
-        <translation>普通のカメラとパーティクルフィルタで、色の付いた物体を 3D でリアルタイムに追跡します。</translation>
+        <translation>普通のカメラと粒子フィルターで、色の付いた物体を 3D でリアルタイムに追跡します。</translation>
     </message>
     <message>
         <source>Free software under the GNU General Public License, version 3 or later (GPL-3.0-or-later), without any warranty.</source>
@@ -4301,7 +4301,7 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     <name>dewpoint::ui::BoxPanel</name>
     <message>
         <source>Boxes of the targets</source>
-        <translation>目標の枠</translation>
+        <translation>ターゲットの枠</translation>
     </message>
     <message>
         <source>This method tracks boxes in images. Click the object or drag a box around it in any camera view. Its box in each frame appears here, in pixels.</source>
@@ -4401,7 +4401,7 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     </message>
     <message>
         <source>Export the calibration</source>
-        <translation>較正をエクスポート</translation>
+        <translation>キャリブレーションをエクスポート</translation>
     </message>
     <message>
         <source>File</source>
@@ -4476,7 +4476,7 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     </message>
     <message>
         <source>Import a calibration</source>
-        <translation>較正をインポート</translation>
+        <translation>キャリブレーションをインポート</translation>
     </message>
     <message>
         <source>match by name</source>
@@ -4504,7 +4504,7 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     </message>
     <message>
         <source>Use the calibration in the project; you can undo this</source>
-        <translation>較正をプロジェクトで使います。元に戻せます</translation>
+        <translation>キャリブレーションをプロジェクトで使います。元に戻せます</translation>
     </message>
     <message>
         <source>as in the file</source>
@@ -4616,7 +4616,7 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     </message>
     <message>
         <source>Import calibration</source>
-        <translation>較正をインポート</translation>
+        <translation>キャリブレーションをインポート</translation>
     </message>
     <message>
         <source>The cameras now use the calibration from %1.</source>
@@ -4676,7 +4676,7 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     </message>
     <message>
         <source>The file contains no pose. Only the intrinsics are imported; the camera keeps its current pose.</source>
-        <translation>ファイルに位置姿勢が含まれていません。内部パラメーターだけを読み込み、カメラの現在の位置姿勢は変わりません。</translation>
+        <translation>ファイルに位置姿勢が含まれていません。内部パラメータだけを読み込み、カメラの現在の位置姿勢は変わりません。</translation>
     </message>
     <message>
         <source>Compared with the file, projected points change by at most %1</source>
@@ -4694,7 +4694,7 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     <name>dewpoint::ui::CameraAgreementAlerts</name>
     <message>
         <source>Calibrate %1…</source>
-        <translation>%1 を校正…</translation>
+        <translation>%1 をキャリブレーション…</translation>
     </message>
 </context>
 <context>
@@ -4928,11 +4928,11 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     </message>
     <message>
         <source>Calibrate %1…</source>
-        <translation>%1 を校正…</translation>
+        <translation>%1 をキャリブレーション…</translation>
     </message>
     <message>
         <source>%1 is back in its calibrated pose.</source>
-        <translation>%1 は校正時の姿勢に戻りました。</translation>
+        <translation>%1 はキャリブレーション時の姿勢に戻りました。</translation>
     </message>
 </context>
 <context>
@@ -5398,11 +5398,11 @@ at %4, %5, %6</source>
     </message>
     <message>
         <source>Shift-click in an image to add a sample, Alt-click or Ctrl+Shift-click to exclude one. Samples marked “found” were detected in other cameras.</source>
-        <translation>画像を Shift+クリックするとサンプルを追加し、Alt+クリックまたは Ctrl+Shift+クリックすると除外します。「検出」と表示されたサンプルは、他のカメラで見つかったものです。</translation>
+        <translation>画像を Shift+クリックすると見本を追加し、Alt+クリックまたは Ctrl+Shift+クリックすると除外します。「検出」と表示された見本は、他のカメラで見つかったものです。</translation>
     </message>
     <message>
         <source>Remove the selected sample and learn from the others (Del). If the sample is marked “found”, it becomes an excluded sample.</source>
-        <translation>選択したサンプルを削除し、残りから学習します (Del)。「検出」と表示されたサンプルは除外サンプルになります。</translation>
+        <translation>選択した見本を削除し、残りから学習します (Del)。「検出」と表示された見本は除外見本になります。</translation>
     </message>
     <message>
         <source>found by Dewpoint: %1, frame %2, at %3, %4</source>
@@ -5523,7 +5523,7 @@ at %4, %5, %6</source>
     </message>
     <message>
         <source>Reset all parameters</source>
-        <translation>すべてのパラメーターを既定値に戻す</translation>
+        <translation>すべてのパラメータを既定値に戻す</translation>
     </message>
 </context>
 <context>
@@ -5656,7 +5656,7 @@ at %4, %5, %6</source>
     </message>
     <message>
         <source>Recordings folder</source>
-        <translation>記録のフォルダー</translation>
+        <translation>録画のフォルダー</translation>
     </message>
     <message>
         <source>Clothes</source>
@@ -5680,7 +5680,7 @@ at %4, %5, %6</source>
     </message>
     <message>
         <source>Recordings</source>
-        <translation>記録</translation>
+        <translation>録画</translation>
     </message>
     <message>
         <source>none: a rendered clip only</source>
@@ -5688,11 +5688,11 @@ at %4, %5, %6</source>
     </message>
     <message>
         <source>Folder with the recordings juggle1 and otb; without a folder, only a rendered clip is used</source>
-        <translation>記録 juggle1 と otb のあるフォルダー。なければ計算で作った映像だけを使います</translation>
+        <translation>録画 juggle1 と otb のあるフォルダー。なければ計算で作った映像だけを使います</translation>
     </message>
     <message>
         <source>Choose the folder of the recordings</source>
-        <translation>記録のフォルダーを選ぶ</translation>
+        <translation>録画のフォルダーを選ぶ</translation>
     </message>
     <message>
         <source>How often each case is run, each time with another seed. More runs take longer and give more certain results.</source>
@@ -5866,7 +5866,7 @@ at %4, %5, %6</source>
     </message>
     <message>
         <source>as recorded</source>
-        <translation>記録のまま</translation>
+        <translation>録画のまま</translation>
     </message>
     <message>
         <source> s</source>
@@ -6358,7 +6358,7 @@ to learn its color again.</source>
     </message>
     <message>
         <source>Triangle: the particle of highest weight (View › Show best particle).</source>
-        <translation>三角形：重みが最大のパーティクル（表示 › 最良のパーティクルを表示）。</translation>
+        <translation>三角形：重みが最大の粒子（表示 › 最良の粒子を表示）。</translation>
     </message>
     <message>
         <source>Line across the image: the line of sight of another camera, shown while you drag the target. The target must lie on this line.</source>
@@ -6877,7 +6877,7 @@ to learn its color again.</source>
     <name>dewpoint::ui::ParameterPanel</name>
     <message>
         <source>The parameters appear here once a project is open.</source>
-        <translation>プロジェクトを開くと、ここにパラメーターが表示されます。</translation>
+        <translation>プロジェクトを開くと、ここにパラメータが表示されます。</translation>
     </message>
     <message>
         <source>&amp;Method</source>
@@ -6889,7 +6889,7 @@ to learn its color again.</source>
     </message>
     <message>
         <source>Parameters</source>
-        <translation>パラメーター</translation>
+        <translation>パラメータ</translation>
     </message>
     <message>
         <source>This value is larger than “%1”, so %2 is used instead.</source>
@@ -6905,7 +6905,7 @@ to learn its color again.</source>
     </message>
     <message>
         <source>Reset all parameters of this method to their defaults</source>
-        <translation>この手法のすべてのパラメーターを既定値にします</translation>
+        <translation>この手法のすべてのパラメータを既定値にします</translation>
     </message>
     <message>
         <source>Volume of interest</source>
@@ -8054,7 +8054,7 @@ to learn its color again.</source>
     </message>
     <message>
         <source>Calibrate by hand</source>
-        <translation>手動で校正</translation>
+        <translation>手動でキャリブレーション</translation>
     </message>
     <message>
         <source>Drag a grid over the images until it matches the floor.</source>
@@ -8066,7 +8066,7 @@ to learn its color again.</source>
     </message>
     <message>
         <source>Two simulated cameras see a pink ball; a particle filter finds it and follows it through space. Pause, go back, change anything: you cannot break it.</source>
-        <translation>2 台のシミュレーションのカメラがピンクのボールを見ています。パーティクルフィルタがそれを見つけ、空間を追跡します。一時停止しても、過去を表示しても、何を変えても、壊れることはありません。</translation>
+        <translation>2 台のシミュレーションのカメラがピンクのボールを見ています。粒子フィルターがそれを見つけ、空間を追跡します。一時停止しても、過去を表示しても、何を変えても、壊れることはありません。</translation>
     </message>
     <message>
         <source>Your own data</source>
@@ -8129,7 +8129,7 @@ to learn its color again.</source>
     </message>
     <message>
         <source>Estimated position of the target in the room</source>
-        <translation>部屋の中での目標の推定位置</translation>
+        <translation>部屋の中でのターゲットの推定位置</translation>
     </message>
     <message>
         <source>frame %1 / %2</source>
@@ -8332,7 +8332,7 @@ Effective sample size %8 of %9</source>
         <translation>%1（%2）
 中心 %3, %4、大きさ %5 × %6
 類似度 %7
-有効サンプル数 %8 / %9</translation>
+有効サンプルサイズ %8 / %9</translation>
     </message>
     <message>
         <source>Spread %1</source>
@@ -8422,7 +8422,7 @@ Effective sample size %8 of %9</source>
     <name>dewpoint::ui::Timeline</name>
     <message>
         <source>Memory for looking back: images, particles and saved states of the method. When it is full, only the estimates of older frames are kept.</source>
-        <translation>過去を表示するためのメモリ: 画像、パーティクル、手法の保存状態。いっぱいになると、古いフレームは推定値だけが残ります。</translation>
+        <translation>過去を表示するためのメモリ: 画像、粒子、手法の保存状態。いっぱいになると、古いフレームは推定値だけが残ります。</translation>
     </message>
     <message>
         <source>Nothing tracked yet: press play (Space), then drag here to move through time.</source>
@@ -8708,7 +8708,7 @@ Effective sample size %8 of %9</source>
     </message>
     <message>
         <source>Use reference grid</source>
-        <translation>基準グリッドに合わせる</translation>
+        <translation>基準格子に合わせる</translation>
     </message>
     <message>
         <source>Use the volume above the reference grid, up to the highest camera</source>
@@ -9026,7 +9026,7 @@ Effective sample size %8 of %9</source>
     </message>
     <message>
         <source>For lenses that were never calibrated, or whose zoom has changed</source>
-        <translation>較正していない、またはズームしたレンズのために</translation>
+        <translation>キャリブレーションしていない、またはズームしたレンズのために</translation>
     </message>
     <message>
         <source>Find the distortion k1</source>
