@@ -12,7 +12,7 @@ expectExit 0 new fresh.toml --camera "camera 1=made/camera-1.mkv" \
 expectExit 0 learn-color fresh.toml --camera "camera 1" --frame 2 --pixel 157,117 \
   --target "pink ball" --radius 0.035 --mask mask.png --out taught.toml
 [[ ! -s err.txt ]] || fail "nothing was to be said: $(cat err.txt)"
-expectText out.txt 'pink ball' 'Hue ' 'degrees' ' of 100.' 'background'
+expectText out.txt 'pink ball' 'Hue ' 'degrees' ' of 100 points).' 'background'
 [[ $(head -c 8 mask.png | od -An -tx1 | tr -d ' \n') == 89504e470d0a1a0a ]] || fail "mask.png is no PNG"
 expectText taught.toml '[[target]]' 'name = "pink ball"' '[[target.sample]]' 'pixel = [157, 117]'
 # The other camera was found to show it, within ten pixels of its center too.

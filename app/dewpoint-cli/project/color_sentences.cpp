@@ -10,10 +10,10 @@ namespace dewpoint::app {
 namespace {
 
 const char* separation(int score) {
-  return score >= 90   ? "Stands out well"
-         : score >= 70 ? "Stands out"
-         : score >= 40 ? "Hard to tell apart"
-                       : "Hardly stands out";
+  return score >= 90   ? "The color stands out well"
+         : score >= 70 ? "The color stands out"
+         : score >= 40 ? "The color is hard to tell from the background"
+                       : "The color hardly stands out";
 }
 
 const char* nameOf(ColorWord word) {
@@ -75,7 +75,7 @@ std::string describeRange(const ColorRange& range) {
 std::vector<std::string> describeAssessment(const ColorAssessment& assessment,
                                             const std::vector<std::string>& cameras) {
   std::vector<std::string> sentences{
-      fmt::format("{}: {} of 100.", separation(assessment.score()), assessment.score()),
+      fmt::format("{} ({} of 100 points).", separation(assessment.score()), assessment.score()),
       fmt::format("{:.0f} % of the target and {:.2f} % of the background have this color.",
                   inPercent(assessment.targetShare), inPercent(assessment.backgroundShare))};
   if (assessment.backgroundShareOfFullRange) {
