@@ -24,8 +24,8 @@
         <translation>Projekt öffnen…</translation>
     </message>
     <message>
-        <source>Open a project</source>
-        <translation>Ein Projekt öffnen</translation>
+        <source>Open a project file</source>
+        <translation>Eine Projektdatei öffnen</translation>
     </message>
     <message>
         <source>Open the demo</source>
@@ -40,8 +40,8 @@
         <translation>Speichern</translation>
     </message>
     <message>
-        <source>Save the project</source>
-        <translation>Das Projekt speichern</translation>
+        <source>Write the project to its file</source>
+        <translation>Das Projekt in seine Datei schreiben</translation>
     </message>
     <message>
         <source>Save as…</source>
@@ -1040,8 +1040,8 @@
         <translation>alle Kameras</translation>
     </message>
     <message>
-        <source>All cameras seem to see the back of the board or floor: its points are probably mirrored. Check the direction of the axes, and that the print is not reversed.</source>
-        <translation>Alle Kameras sehen anscheinend die Rückseite der Tafel oder des Bodens: Die Punkte sind wahrscheinlich gespiegelt. Prüfen Sie die Richtung der Achsen, und dass der Druck nicht seitenverkehrt ist.</translation>
+        <source>All cameras seem to see the back of the board or of the floor: the measured points are probably mirrored. Check the direction of the axes, and that the print is not reversed.</source>
+        <translation>Alle Kameras sehen anscheinend die Rückseite der Tafel oder des Bodens: Die gemessenen Punkte sind wahrscheinlich gespiegelt. Prüfen Sie die Richtung der Achsen, und dass der Druck nicht seitenverkehrt ist.</translation>
     </message>
     <message>
         <source>Everything fits when %1 and %2 are exchanged: their videos are probably swapped. Exchange the two files.</source>
@@ -2167,8 +2167,8 @@
         <translation>Verwenden Sie eine Kalibrierung für Bilder dieser Größe, oder nehmen Sie Bilder der kalibrierten Größe auf.</translation>
     </message>
     <message>
-        <source>Use the table that belongs to this recording.</source>
-        <translation>Verwenden Sie die Tabelle, die zu dieser Aufnahme gehört.</translation>
+        <source>Use the table of times that belongs to this recording.</source>
+        <translation>Verwenden Sie die Zeittabelle, die zu dieser Aufnahme gehört.</translation>
     </message>
     <message>
         <source>Write the results to another folder with the option --out.</source>
@@ -2464,8 +2464,8 @@
         <translation>Messen Sie eine möglichst lange Strecke im Raum. Markieren Sie ihre Enden als A und B, geben Sie die Länge ein und drücken Sie Prüfen. Ergibt die Kalibrierung eine andere Länge, drücken Sie Maßstab festlegen, um die Kalibrierung zu berichtigen.</translation>
     </message>
     <message>
-        <source>Done: the distance differs by %1.</source>
-        <translation>Erledigt: Die Länge weicht um %1 ab.</translation>
+        <source>Done: the distance in the calibration differs from the measured one by %1.</source>
+        <translation>Erledigt: Die Länge in der Kalibrierung weicht um %1 von der gemessenen ab.</translation>
     </message>
     <message>
         <source>Done for %1 of %2 cameras.</source>
@@ -2640,8 +2640,8 @@
         <translation>Verfolgt mehrere Personen auf dem Boden, auch in ähnlicher Kleidung.</translation>
     </message>
     <message>
-        <source>The most accurate: decides whether the target is a ball or has another shape.</source>
-        <translation>Das genaueste: entscheidet, ob das Ziel ein Ball ist oder eine andere Form hat.</translation>
+        <source>The most accurate method. It finds out by itself whether the target is a ball or has another shape.</source>
+        <translation>Das genaueste Verfahren. Es stellt selbst fest, ob das Ziel ein Ball ist oder eine andere Form hat.</translation>
     </message>
     <message>
         <source>Tracks an object by its colors, adapts to its size, and finds it again after it was hidden.</source>
@@ -3651,8 +3651,8 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>Bild trotzdem verwenden</translation>
     </message>
     <message>
-        <source>The settings of the camera changed before the image was saved. It was saved as %1, but is not used.</source>
-        <translation>Die Einstellungen der Kamera wurden geändert, bevor das Bild gespeichert war. Es wurde als %1 gespeichert, wird aber nicht verwendet.</translation>
+        <source>The image was saved as %1, but is not used, because the settings of the camera were changed in the meantime.</source>
+        <translation>Das Bild wurde als %1 gespeichert, wird aber nicht verwendet, weil die Einstellungen der Kamera inzwischen geändert wurden.</translation>
     </message>
     <message>
         <source>Change background image</source>
@@ -5012,9 +5012,9 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
     </message>
     <message>
         <source>%1 × %2 pixels, focal length %3 pixels
-at %4, %5, %6</source>
+Position x, y, z: %4, %5, %6</source>
         <translation>%1 × %2 Pixel, Brennweite %3 Pixel
-bei %4, %5, %6</translation>
+Position x, y, z: %4, %5, %6</translation>
     </message>
     <message>
         <source>Choose a folder of images</source>
@@ -5138,8 +5138,8 @@ bei %4, %5, %6</translation>
         <translation>✗ %1</translation>
     </message>
     <message>
-        <source>Live: tested when the project is created</source>
-        <translation>Live: wird ausprobiert, wenn das Projekt erstellt wird</translation>
+        <source>Live source: it is tested when the project is created</source>
+        <translation>Livequelle: wird geprüft, wenn das Projekt erstellt wird</translation>
     </message>
     <message>
         <source>The videos have different frame rates: frame N does not show the same time in each of them.</source>
@@ -6019,8 +6019,8 @@ bei %4, %5, %6</translation>
         </translation>
     </message>
     <message>
-        <source>Seconds from the last tracked frame before the gap to the first one after it</source>
-        <translation>Sekunden vom letzten verfolgten Bild vor der Lücke bis zum ersten danach</translation>
+        <source>Time in seconds between the last tracked frame before the gap and the first tracked frame after it</source>
+        <translation>Zeit in Sekunden zwischen dem letzten verfolgten Bild vor der Lücke und dem ersten danach</translation>
     </message>
 </context>
 <context>
@@ -7196,8 +7196,8 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <translation>An Wänden und Decke die Position suchen, an der eine weitere Kamera am meisten helfen würde (%1)</translation>
     </message>
     <message>
-        <source>The planned camera whose values are shown and changed below</source>
-        <translation>Die geplante Kamera, deren Werte unten gezeigt und geändert werden</translation>
+        <source>Choose the planned camera whose values are shown below</source>
+        <translation>Wählen Sie die geplante Kamera, deren Werte unten gezeigt werden</translation>
     </message>
     <message>
         <source>A point that the planned camera looks at, in meters</source>
@@ -7650,8 +7650,8 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <translation>Dewpoint-Projekte (*.toml);;Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>Recovered. Save the project to keep it.</source>
-        <translation>Wiederhergestellt. Speichern Sie das Projekt, um es zu behalten.</translation>
+        <source>The changes were recovered. Save the project to keep them.</source>
+        <translation>Die Änderungen wurden wiederhergestellt. Speichern Sie das Projekt, um sie zu behalten.</translation>
     </message>
 </context>
 <context>
@@ -8063,8 +8063,8 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <translation>Eine Kamera und ein Rahmen</translation>
     </message>
     <message>
-        <source>No calibration: a box in the image is tracked by its colors.</source>
-        <translation>Keine Kalibrierung: Ein Rahmen im Bild wird anhand seiner Farben verfolgt.</translation>
+        <source>Needs no calibration: the object in a box is tracked by its colors.</source>
+        <translation>Braucht keine Kalibrierung: Das Objekt in einem Rahmen wird anhand seiner Farben verfolgt.</translation>
     </message>
     <message>
         <source>Calibrate by hand</source>

@@ -24,8 +24,8 @@
         <translation>Abrir proyecto…</translation>
     </message>
     <message>
-        <source>Open a project</source>
-        <translation>Abrir un proyecto</translation>
+        <source>Open a project file</source>
+        <translation>Abrir un archivo de proyecto</translation>
     </message>
     <message>
         <source>Open the demo</source>
@@ -40,8 +40,8 @@
         <translation>Guardar</translation>
     </message>
     <message>
-        <source>Save the project</source>
-        <translation>Guardar el proyecto</translation>
+        <source>Write the project to its file</source>
+        <translation>Escribir el proyecto en su archivo</translation>
     </message>
     <message>
         <source>Save as…</source>
@@ -1040,8 +1040,8 @@
         <translation>todas las cámaras</translation>
     </message>
     <message>
-        <source>All cameras seem to see the back of the board or floor: its points are probably mirrored. Check the direction of the axes, and that the print is not reversed.</source>
-        <translation>Todas las cámaras parecen ver el reverso del tablero o del suelo: probablemente sus puntos están reflejados. Compruebe la dirección de los ejes y que la impresión no esté invertida.</translation>
+        <source>All cameras seem to see the back of the board or of the floor: the measured points are probably mirrored. Check the direction of the axes, and that the print is not reversed.</source>
+        <translation>Todas las cámaras parecen ver el reverso del tablero o del suelo: probablemente los puntos medidos están reflejados. Compruebe la dirección de los ejes y que la impresión no esté invertida.</translation>
     </message>
     <message>
         <source>Everything fits when %1 and %2 are exchanged: their videos are probably swapped. Exchange the two files.</source>
@@ -2167,8 +2167,8 @@
         <translation>Use una calibración para imágenes de este tamaño, o grabe imágenes del tamaño calibrado.</translation>
     </message>
     <message>
-        <source>Use the table that belongs to this recording.</source>
-        <translation>Use la tabla que corresponde a esta grabación.</translation>
+        <source>Use the table of times that belongs to this recording.</source>
+        <translation>Use la tabla de tiempos que corresponde a esta grabación.</translation>
     </message>
     <message>
         <source>Write the results to another folder with the option --out.</source>
@@ -2464,8 +2464,8 @@
         <translation>Mida una distancia en la sala, lo más larga posible. Marque sus extremos como A y B, introduzca la distancia y pulse Comprobar. Si la calibración da otra distancia, pulse Definir escala para corregir la calibración.</translation>
     </message>
     <message>
-        <source>Done: the distance differs by %1.</source>
-        <translation>Hecho: la distancia difiere en %1.</translation>
+        <source>Done: the distance in the calibration differs from the measured one by %1.</source>
+        <translation>Hecho: la distancia de la calibración difiere en %1 de la medida.</translation>
     </message>
     <message>
         <source>Done for %1 of %2 cameras.</source>
@@ -2640,8 +2640,8 @@
         <translation>Sigue a varias personas sobre el suelo, aunque lleven ropa parecida.</translation>
     </message>
     <message>
-        <source>The most accurate: decides whether the target is a ball or has another shape.</source>
-        <translation>El más preciso: decide si el objetivo es una pelota o tiene otra forma.</translation>
+        <source>The most accurate method. It finds out by itself whether the target is a ball or has another shape.</source>
+        <translation>El método más preciso. Averigua por sí mismo si el objetivo es una pelota o tiene otra forma.</translation>
     </message>
     <message>
         <source>Tracks an object by its colors, adapts to its size, and finds it again after it was hidden.</source>
@@ -3651,8 +3651,8 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>Usar la imagen de todos modos</translation>
     </message>
     <message>
-        <source>The settings of the camera changed before the image was saved. It was saved as %1, but is not used.</source>
-        <translation>Los ajustes de la cámara cambiaron antes de guardar la imagen. Se guardó como %1, pero no se usa.</translation>
+        <source>The image was saved as %1, but is not used, because the settings of the camera were changed in the meantime.</source>
+        <translation>La imagen se guardó como %1, pero no se usa, porque los ajustes de la cámara cambiaron mientras tanto.</translation>
     </message>
     <message>
         <source>Change background image</source>
@@ -5012,9 +5012,9 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
     </message>
     <message>
         <source>%1 × %2 pixels, focal length %3 pixels
-at %4, %5, %6</source>
+Position x, y, z: %4, %5, %6</source>
         <translation>%1 × %2 píxeles, distancia focal %3 píxeles
-en %4, %5, %6</translation>
+Posición x, y, z: %4, %5, %6</translation>
     </message>
     <message>
         <source>Choose a folder of images</source>
@@ -5138,8 +5138,8 @@ en %4, %5, %6</translation>
         <translation>✗ %1</translation>
     </message>
     <message>
-        <source>Live: tested when the project is created</source>
-        <translation>En vivo: se prueba al crear el proyecto</translation>
+        <source>Live source: it is tested when the project is created</source>
+        <translation>Fuente en vivo: se prueba al crear el proyecto</translation>
     </message>
     <message>
         <source>The videos have different frame rates: frame N does not show the same time in each of them.</source>
@@ -6019,8 +6019,8 @@ en %4, %5, %6</translation>
         </translation>
     </message>
     <message>
-        <source>Seconds from the last tracked frame before the gap to the first one after it</source>
-        <translation>Segundos desde el último fotograma seguido antes del hueco hasta el primero después</translation>
+        <source>Time in seconds between the last tracked frame before the gap and the first tracked frame after it</source>
+        <translation>Tiempo en segundos entre el último fotograma seguido antes del hueco y el primero después</translation>
     </message>
 </context>
 <context>
@@ -7196,8 +7196,8 @@ alrededor, para aprender de nuevo su color.</translation>
         <translation>Buscar en paredes y techo la posición donde más ayudaría otra cámara (%1)</translation>
     </message>
     <message>
-        <source>The planned camera whose values are shown and changed below</source>
-        <translation>La cámara planeada cuyos valores se muestran y cambian abajo</translation>
+        <source>Choose the planned camera whose values are shown below</source>
+        <translation>Elija la cámara planeada cuyos valores se muestran abajo</translation>
     </message>
     <message>
         <source>A point that the planned camera looks at, in meters</source>
@@ -7650,8 +7650,8 @@ alrededor, para aprender de nuevo su color.</translation>
         <translation>Proyectos de Dewpoint (*.toml);;Todos los archivos (*)</translation>
     </message>
     <message>
-        <source>Recovered. Save the project to keep it.</source>
-        <translation>Recuperado. Guarde el proyecto para conservarlo.</translation>
+        <source>The changes were recovered. Save the project to keep them.</source>
+        <translation>Los cambios se recuperaron. Guarde el proyecto para conservarlos.</translation>
     </message>
 </context>
 <context>
@@ -8063,8 +8063,8 @@ alrededor, para aprender de nuevo su color.</translation>
         <translation>Una cámara y un recuadro</translation>
     </message>
     <message>
-        <source>No calibration: a box in the image is tracked by its colors.</source>
-        <translation>Sin calibración: un recuadro en la imagen se sigue por sus colores.</translation>
+        <source>Needs no calibration: the object in a box is tracked by its colors.</source>
+        <translation>No necesita calibración: el objeto de un recuadro se sigue por sus colores.</translation>
     </message>
     <message>
         <source>Calibrate by hand</source>

@@ -24,8 +24,8 @@
         <translation>プロジェクトを開く…</translation>
     </message>
     <message>
-        <source>Open a project</source>
-        <translation>プロジェクトを開く</translation>
+        <source>Open a project file</source>
+        <translation>プロジェクトファイルを開きます</translation>
     </message>
     <message>
         <source>Open the demo</source>
@@ -40,8 +40,8 @@
         <translation>保存</translation>
     </message>
     <message>
-        <source>Save the project</source>
-        <translation>プロジェクトを保存</translation>
+        <source>Write the project to its file</source>
+        <translation>プロジェクトをファイルに書き込みます</translation>
     </message>
     <message>
         <source>Save as…</source>
@@ -173,7 +173,7 @@
     </message>
     <message>
         <source>Light colors</source>
-        <translation>ライトの配色</translation>
+        <translation>明るい配色</translation>
     </message>
     <message>
         <source>Dark</source>
@@ -181,7 +181,7 @@
     </message>
     <message>
         <source>Dark colors</source>
-        <translation>ダークの配色</translation>
+        <translation>暗い配色</translation>
     </message>
     <message>
         <source>Remove the target</source>
@@ -1040,8 +1040,8 @@
         <translation>全カメラ</translation>
     </message>
     <message>
-        <source>All cameras seem to see the back of the board or floor: its points are probably mirrored. Check the direction of the axes, and that the print is not reversed.</source>
-        <translation>すべてのカメラがボードまたは床の裏側を見ているようです。点がおそらく鏡像になっています。軸の向きと、印刷が反転していないことを確かめてください。</translation>
+        <source>All cameras seem to see the back of the board or of the floor: the measured points are probably mirrored. Check the direction of the axes, and that the print is not reversed.</source>
+        <translation>すべてのカメラがボードまたは床の裏側を見ているようです。測定した点がおそらく鏡像になっています。軸の向きと、印刷が反転していないことを確かめてください。</translation>
     </message>
     <message>
         <source>Everything fits when %1 and %2 are exchanged: their videos are probably swapped. Exchange the two files.</source>
@@ -2166,8 +2166,8 @@
         <translation>この大きさの画像用のキャリブレーションを使うか、キャリブレーションした大きさで録画してください。</translation>
     </message>
     <message>
-        <source>Use the table that belongs to this recording.</source>
-        <translation>この録画に対応する表を使ってください。</translation>
+        <source>Use the table of times that belongs to this recording.</source>
+        <translation>この録画に対応する時刻の表を使ってください。</translation>
     </message>
     <message>
         <source>Write the results to another folder with the option --out.</source>
@@ -2463,8 +2463,8 @@
         <translation>部屋の中でできるだけ長い距離を測ります。両端を A と B としてマークし、距離を入力して「確認」を押します。キャリブレーションの値が違う場合は、「縮尺を設定」を押してキャリブレーションを直します。</translation>
     </message>
     <message>
-        <source>Done: the distance differs by %1.</source>
-        <translation>完了: 距離の差は %1。</translation>
+        <source>Done: the distance in the calibration differs from the measured one by %1.</source>
+        <translation>完了: キャリブレーションでの距離と測定した距離の差は %1 です。</translation>
     </message>
     <message>
         <source>Done for %1 of %2 cameras.</source>
@@ -2639,8 +2639,8 @@
         <translation>似た服を着ていても、床の上の複数の人物を追跡します。</translation>
     </message>
     <message>
-        <source>The most accurate: decides whether the target is a ball or has another shape.</source>
-        <translation>最も正確：ターゲットがボールかほかの形かを判断します。</translation>
+        <source>The most accurate method. It finds out by itself whether the target is a ball or has another shape.</source>
+        <translation>最も正確な手法です。ターゲットがボールかほかの形かを自動で判断します。</translation>
     </message>
     <message>
         <source>Tracks an object by its colors, adapts to its size, and finds it again after it was hidden.</source>
@@ -3649,8 +3649,8 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>それでも画像を使う</translation>
     </message>
     <message>
-        <source>The settings of the camera changed before the image was saved. It was saved as %1, but is not used.</source>
-        <translation>画像を保存する前に、カメラの設定が変更されました。画像は %1 として保存しましたが、使用しません。</translation>
+        <source>The image was saved as %1, but is not used, because the settings of the camera were changed in the meantime.</source>
+        <translation>画像は %1 として保存しましたが、その間にカメラの設定が変更されたため、使用しません。</translation>
     </message>
     <message>
         <source>Change background image</source>
@@ -5007,9 +5007,9 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     </message>
     <message>
         <source>%1 × %2 pixels, focal length %3 pixels
-at %4, %5, %6</source>
+Position x, y, z: %4, %5, %6</source>
         <translation>%1 × %2 ピクセル、焦点距離 %3 ピクセル
-位置 %4, %5, %6</translation>
+位置 x, y, z: %4, %5, %6</translation>
     </message>
     <message>
         <source>Choose a folder of images</source>
@@ -5131,8 +5131,8 @@ at %4, %5, %6</source>
         <translation>✗ %1</translation>
     </message>
     <message>
-        <source>Live: tested when the project is created</source>
-        <translation>ライブ: プロジェクトの作成時に接続を試します</translation>
+        <source>Live source: it is tested when the project is created</source>
+        <translation>ライブ入力: プロジェクトの作成時に接続を試します</translation>
     </message>
     <message>
         <source>The videos have different frame rates: frame N does not show the same time in each of them.</source>
@@ -6009,7 +6009,7 @@ at %4, %5, %6</source>
         </translation>
     </message>
     <message>
-        <source>Seconds from the last tracked frame before the gap to the first one after it</source>
+        <source>Time in seconds between the last tracked frame before the gap and the first tracked frame after it</source>
         <translation>途切れ前の最後の追跡フレームから、その後の最初の追跡フレームまでの秒数</translation>
     </message>
 </context>
@@ -7184,8 +7184,8 @@ to learn its color again.</source>
         <translation>もう1台のカメラが最も役立つ場所を壁と天井で探します（%1）</translation>
     </message>
     <message>
-        <source>The planned camera whose values are shown and changed below</source>
-        <translation>下に値を表示して変更する計画中のカメラ</translation>
+        <source>Choose the planned camera whose values are shown below</source>
+        <translation>下に値を表示する計画中のカメラを選びます</translation>
     </message>
     <message>
         <source>A point that the planned camera looks at, in meters</source>
@@ -7637,8 +7637,8 @@ to learn its color again.</source>
         <translation>Dewpoint プロジェクト (*.toml);;すべてのファイル (*)</translation>
     </message>
     <message>
-        <source>Recovered. Save the project to keep it.</source>
-        <translation>復元しました。残すにはプロジェクトを保存してください。</translation>
+        <source>The changes were recovered. Save the project to keep them.</source>
+        <translation>変更を復元しました。残すにはプロジェクトを保存してください。</translation>
     </message>
 </context>
 <context>
@@ -8049,8 +8049,8 @@ to learn its color again.</source>
         <translation>カメラ 1 台と枠</translation>
     </message>
     <message>
-        <source>No calibration: a box in the image is tracked by its colors.</source>
-        <translation>キャリブレーションなし：画像の中の枠を色で追跡します。</translation>
+        <source>Needs no calibration: the object in a box is tracked by its colors.</source>
+        <translation>キャリブレーション不要：枠の中の物体を色で追跡します。</translation>
     </message>
     <message>
         <source>Calibrate by hand</source>

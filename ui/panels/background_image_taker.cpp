@@ -104,8 +104,8 @@ void BackgroundImageTaker::applyWritten(const Project& then, int camera,
   const QString file = QString::fromStdString(kept->string());
   const auto& cameras = document_.project().cameras;
   if (row >= cameras.size() || !isStillAs(cameras[row], then.cameras[row])) {
-    Q_EMIT messageRequested(tr("The settings of the camera changed before the image was saved. It "
-                               "was saved as %1, but is not used.")
+    Q_EMIT messageRequested(tr("The image was saved as %1, but is not used, because the settings "
+                               "of the camera were changed in the meantime.")
                                 .arg(file));
     return;
   }

@@ -228,7 +228,7 @@ void CameraPanel::showCalibration(const ProjectCamera& camera) {
   const Intrinsics& in = camera.camera.intrinsics;
   const Eigen::Vector3d place = camera.camera.center();
   calibration_->setText(
-      tr("%1 × %2 pixels, focal length %3 pixels\nat %4, %5, %6")
+      tr("%1 × %2 pixels, focal length %3 pixels\nPosition x, y, z: %4, %5, %6")
           .arg(in.width)
           .arg(in.height)
           .arg(numberText(in.focalX, 1, NumberForm::Rounded), coordinate(place.x()),

@@ -56,7 +56,7 @@ constexpr std::array kGallery = std::to_array<GalleryEntry>({
     {"startOneCamera", "one-camera", "one-camera", false,
      QT_TRANSLATE_NOOP("dewpoint::ui::StartPage", "One camera and a box"),
      QT_TRANSLATE_NOOP("dewpoint::ui::StartPage",
-                       "No calibration: a box in the image is tracked by its colors.")},
+                       "Needs no calibration: the object in a box is tracked by its colors.")},
     {"startCalibrate", "", "calibrate", true,
      QT_TRANSLATE_NOOP("dewpoint::ui::StartPage", "Calibrate by hand"),
      QT_TRANSLATE_NOOP("dewpoint::ui::StartPage",

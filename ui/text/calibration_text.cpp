@@ -90,8 +90,8 @@ QString faultText(const DetectedFault& fault, const QStringList& cameraNames) {
   switch (fault.fault) {
   case CalibrationFault::MirroredBoard:
     return CalibrationText::tr(
-        "All cameras seem to see the back of the board or floor: its points are probably mirrored. "
-        "Check the direction of the axes, and that the print is not reversed.");
+        "All cameras seem to see the back of the board or of the floor: the measured points are "
+        "probably mirrored. Check the direction of the axes, and that the print is not reversed.");
   case CalibrationFault::WrongUnitMillimeters:
     return CalibrationText::tr("The length that you entered is %1 times the length that the "
                                "cameras see: millimeters and meters are probably mixed up.")

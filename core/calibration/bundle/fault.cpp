@@ -23,8 +23,9 @@ std::string faultDescription(const DetectedFault& fault,
   };
   switch (fault.fault) {
   case CalibrationFault::MirroredBoard:
-    return "All cameras seem to see the back of the board or floor: its points are probably "
-           "mirrored. Check the direction of the axes, and that the print is not reversed.";
+    return "All cameras seem to see the back of the board or of the floor: the measured points are "
+           "probably mirrored. Check the direction of the axes, and that the print is not "
+           "reversed.";
   case CalibrationFault::WrongUnitMillimeters:
     return fmt::format("The given length is {:.3g} times the length that the cameras see: "
                        "millimeters and meters are probably mixed up. Give all lengths in meters.",

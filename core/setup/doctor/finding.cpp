@@ -82,7 +82,7 @@ constexpr std::array kFindingTexts{
         "Correct the table, or remove the key times of this camera from the project file."},
     FindingTexts{TimesCountDiffers, "times-count-differs", kProblem,
                  "The table of times of %1 has %2 times, but there are %3 images.",
-                 "Use the table that belongs to this recording."},
+                 "Use the table of times that belongs to this recording."},
     FindingTexts{TimesIncomplete, "times-incomplete", kProblem,
                  "Other cameras have a table of times, but %1 has none.",
                  "Give every camera a table of times, or no camera."},

@@ -117,7 +117,8 @@ constexpr Method kMethods[] = {
     {"dewpoint",
      kSpheres,
      {"Balls, hands and other colored objects",
-      "The most accurate: decides whether the target is a ball or has another shape.",
+      "The most accurate method. It finds out by itself whether the target is a ball or has "
+      "another shape.",
       "method-dewpoint.md"},
      dewpointParameters,
      makeTogether<DewpointTracker>,

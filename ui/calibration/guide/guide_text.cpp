@@ -188,8 +188,11 @@ QString progressText(GuideStep step, const StepProgress& progress) {
     if (!progress.isDone()) {
       return GuideText::tr("Not done yet.");
     }
-    return error.isEmpty() ? GuideText::tr("Done.")
-                           : GuideText::tr("Done: the distance differs by %1.").arg(error);
+    return error.isEmpty()
+               ? GuideText::tr("Done.")
+               : GuideText::tr(
+                     "Done: the distance in the calibration differs from the measured one by %1.")
+                     .arg(error);
   }
   return error.isEmpty()
              ? GuideText::tr("Done for %1 of %2 cameras.").arg(progress.done).arg(progress.total)

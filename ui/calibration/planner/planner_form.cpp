@@ -149,8 +149,7 @@ void PlannerForm::retranslateUi() {
   remove_->setText(tr("Remove"));
   name(remove_, tr("Remove the planned camera"), tr("Remove the selected planned camera"));
   cameraLabel_->setText(tr("Planned camera"));
-  name(camera_, tr("Planned camera"),
-       tr("The planned camera whose values are shown and changed below"));
+  name(camera_, tr("Planned camera"), tr("Choose the planned camera whose values are shown below"));
   positionLabel_->setText(tr("Position x, y, z"));
   targetLabel_->setText(tr("Looks at x, y, z"));
   lensLabel_->setText(tr("Field of view, image width and height"));
