@@ -926,8 +926,8 @@
         <translation>✓ Fertig</translation>
     </message>
     <message>
-        <source>✓ The cameras have enough shared views</source>
-        <translation>✓ Die Kameras haben genug gemeinsame Ansichten</translation>
+        <source>✓ The cameras share enough views of the board</source>
+        <translation>✓ Die Kameras haben genug gemeinsame Ansichten der Tafel</translation>
     </message>
     <message>
         <source>Show the board to %1 and %2 at the same time, hold it still, then repeat elsewhere</source>
@@ -1048,12 +1048,12 @@
         <translation>Alles passt, wenn %1 und %2 vertauscht werden: wahrscheinlich sind ihre Videos verwechselt. Tauschen Sie die beiden Dateien.</translation>
     </message>
     <message>
-        <source>%1 agrees with the other cameras only if its video is shifted in time: the video is probably %2 frames late. Synchronize the videos, or calibrate with a wand and “Find time offsets”.</source>
-        <translation>%1 stimmt nur dann mit den anderen Kameras überein, wenn ihr Video zeitlich verschoben wird: Es ist wahrscheinlich %2 Bilder zu spät. Synchronisieren Sie die Videos, oder kalibrieren Sie mit dem Stab und „Zeitversätze suchen“.</translation>
+        <source>%1 agrees with the other cameras only if its video is shifted in time: the video is probably %2 frames late. Synchronize the videos, or calibrate with a wand and turn on “Find delays”.</source>
+        <translation>%1 stimmt nur dann mit den anderen Kameras überein, wenn ihr Video zeitlich verschoben wird: Es ist wahrscheinlich %2 Bilder zu spät. Synchronisieren Sie die Videos, oder kalibrieren Sie mit dem Stab, und schalten Sie „Verzögerungen suchen“ ein.</translation>
     </message>
     <message>
-        <source>%1 agrees with the other cameras only if its video is shifted in time: the video is probably %2 frames early. Synchronize the videos, or calibrate with a wand and “Find time offsets”.</source>
-        <translation>%1 stimmt nur dann mit den anderen Kameras überein, wenn ihr Video zeitlich verschoben wird: Es ist wahrscheinlich %2 Bilder zu früh. Synchronisieren Sie die Videos, oder kalibrieren Sie mit dem Stab und „Zeitversätze suchen“.</translation>
+        <source>%1 agrees with the other cameras only if its video is shifted in time: the video is probably %2 frames early. Synchronize the videos, or calibrate with a wand and turn on “Find delays”.</source>
+        <translation>%1 stimmt nur dann mit den anderen Kameras überein, wenn ihr Video zeitlich verschoben wird: Es ist wahrscheinlich %2 Bilder zu früh. Synchronisieren Sie die Videos, oder kalibrieren Sie mit dem Stab, und schalten Sie „Verzögerungen suchen“ ein.</translation>
     </message>
     <message>
         <source>The images of %1 fit one pose before %2 and another pose after that time: the camera was probably moved. Calibrate with the later part of the recording only.</source>
@@ -2917,8 +2917,8 @@
         <translation>Hintergrundmodell</translation>
     </message>
     <message>
-        <source>Creation time</source>
-        <translation>Erscheinungszeit</translation>
+        <source>Confirmation time</source>
+        <translation>Bestätigungszeit</translation>
     </message>
     <message>
         <source>Create tracks</source>
@@ -4461,12 +4461,12 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>%1 gespeichert.</translation>
     </message>
     <message>
-        <source>%1: projected points change by at most %2, because the format cannot store the lens model and the lens was fitted again</source>
-        <translation>%1: projizierte Punkte ändern sich um höchstens %2, weil das Format das Objektivmodell nicht speichern kann und das Objektiv neu angepasst wurde</translation>
+        <source>%1: with the exported calibration, projected points move by at most %2, because the format cannot store this lens model and the lens was fitted again</source>
+        <translation>%1: mit der exportierten Kalibrierung verschieben sich projizierte Punkte um höchstens %2, weil das Format dieses Objektivmodell nicht speichern kann und das Objektiv neu angepasst wurde</translation>
     </message>
     <message>
-        <source>%1: projected points change by at most %2</source>
-        <translation>%1: projizierte Punkte ändern sich um höchstens %2</translation>
+        <source>%1: with the exported calibration, projected points move by at most %2</source>
+        <translation>%1: mit der exportierten Kalibrierung verschieben sich projizierte Punkte um höchstens %2</translation>
     </message>
     <message>
         <source>%1: with the exported lens, %2 of 81 tested directions can no longer be projected into the image</source>
@@ -4684,8 +4684,8 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>Die Datei enthält keine Lage. Nur die Intrinsik wird importiert; die Kamera behält ihre jetzige Lage.</translation>
     </message>
     <message>
-        <source>Compared with the file, projected points change by at most %1</source>
-        <translation>Verglichen mit der Datei ändern sich projizierte Punkte um höchstens %1</translation>
+        <source>After the import, projected points are at most %1 away from where the file projects them</source>
+        <translation>Nach dem Import liegen projizierte Punkte höchstens %1 von der Stelle entfernt, an die die Datei sie projiziert</translation>
     </message>
 </context>
 <context>
@@ -6200,8 +6200,8 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>%1 Maßstab: %2</translation>
     </message>
     <message>
-        <source>%1 Floor and up: %2</source>
-        <translation>%1 Boden und oben: %2</translation>
+        <source>%1 Floor and upward direction: %2</source>
+        <translation>%1 Boden und Richtung nach oben: %2</translation>
     </message>
     <message>
         <source>✓ Accuracy in the calibrated volume: %1 (95 %)</source>
@@ -6566,8 +6566,8 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <translation>Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>Opened with the located files. Save the project to keep their new paths.</source>
-        <translation>Mit den wiedergefundenen Dateien geöffnet. Speichern Sie das Projekt, um die neuen Pfade zu behalten.</translation>
+        <source>The project was opened with the files that you located. Save the project to keep their new paths.</source>
+        <translation>Das Projekt wurde mit den von Ihnen angegebenen Dateien geöffnet. Speichern Sie das Projekt, um die neuen Pfade zu behalten.</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -7348,7 +7348,7 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <translation>%1 (ignorieren Sie dies, wenn die Kamera so montiert ist)</translation>
     </message>
     <message>
-        <source>%1. Once corrected, the average error is %2</source>
+        <source>%1. After this correction, the average error is %2</source>
         <translation>%1. Nach der Korrektur ist der mittlere Fehler %2</translation>
     </message>
     <message>
@@ -8047,8 +8047,8 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <translation>Eine Sekunde lang verdeckt</translation>
     </message>
     <message>
-        <source>Three more balls of the same color lie around. Only one moves.</source>
-        <translation>Drei weitere Bälle derselben Farbe liegen herum. Nur einer bewegt sich.</translation>
+        <source>Four balls have the same color, but only one of them moves.</source>
+        <translation>Vier Bälle haben dieselbe Farbe, aber nur einer bewegt sich.</translation>
     </message>
     <message>
         <source>People in an office</source>
@@ -8954,8 +8954,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Art des Stabs</translation>
     </message>
     <message>
-        <source>A wand with two balls also gives the scale, more accurately than the other ways</source>
-        <translation>Ein Stab mit zwei Bällen gibt auch den Maßstab, genauer als die anderen Wege</translation>
+        <source>A wand with two balls also gives the scale. It is more accurate than the scale from a diameter or a distance</source>
+        <translation>Ein Stab mit zwei Bällen gibt auch den Maßstab, und zwar genauer als ein Durchmesser oder eine Strecke</translation>
     </message>
     <message>
         <source>Ball</source>
@@ -9034,24 +9034,24 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Etwa wie weit jede Kamera gegen ihre wahre Ausrichtung gedreht sein kann</translation>
     </message>
     <message>
-        <source>Find time offsets</source>
-        <translation>Zeitversätze suchen</translation>
+        <source>Find delays</source>
+        <translation>Verzögerungen suchen</translation>
     </message>
     <message>
         <source>Find focal lengths</source>
         <translation>Brennweiten suchen</translation>
     </message>
     <message>
-        <source>For lenses that were never calibrated, or whose zoom has changed</source>
-        <translation>Für Objektive, die nie kalibriert wurden oder deren Zoom sich geändert hat</translation>
+        <source>Also compute the focal length of each camera. Use this for lenses that were never calibrated, or whose zoom has changed</source>
+        <translation>Auch die Brennweite jeder Kamera berechnen, bei Objektiven, die nie kalibriert wurden oder deren Zoom sich geändert hat</translation>
     </message>
     <message>
         <source>Find the distortion k1</source>
         <translation>Die Verzeichnung k1 suchen</translation>
     </message>
     <message>
-        <source>The first distortion coefficient of each lens; the ball must be seen up to the edges of the images</source>
-        <translation>Der erste Koeffizient jedes Objektivs; dazu muss der Ball bis an die Bildränder gesehen werden</translation>
+        <source>Also compute the first distortion coefficient of each lens. For this, the ball must be seen up to the edges of the images</source>
+        <translation>Auch den ersten Verzeichnungskoeffizienten jedes Objektivs berechnen. Dazu muss der Ball bis an die Bildränder zu sehen sein</translation>
     </message>
     <message>
         <source>Only the selected span</source>
@@ -9062,8 +9062,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Nur den Teil der Aufnahme verwenden, der in der Zeitleiste gewählt ist</translation>
     </message>
     <message>
-        <source>For cameras that do not take their images at the same time</source>
-        <translation>Für Kameras, die ihre Bilder nicht gleichzeitig aufnehmen</translation>
+        <source>Also compute the delay of each camera. Use this if the cameras do not take their images at the same time</source>
+        <translation>Auch die Verzögerung jeder Kamera berechnen, wenn die Kameras ihre Bilder nicht gleichzeitig aufnehmen</translation>
     </message>
 </context>
 <context>
@@ -9216,8 +9216,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Noch nichts gesammelt.</translation>
     </message>
     <message>
-        <source>Every camera has seen the ball often enough: stop waving, or refine.</source>
-        <translation>Jede Kamera hat den Ball oft genug gesehen: Schwenken beenden oder verfeinern.</translation>
+        <source>Every camera has seen the ball often enough: stop waving, or press Refine cameras.</source>
+        <translation>Jede Kamera hat den Ball oft genug gesehen: Schwenken beenden, oder „Kameras verfeinern“ drücken.</translation>
     </message>
     <message>
         <source>Frames skipped because they arrived too fast: %1.</source>

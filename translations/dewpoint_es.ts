@@ -926,8 +926,8 @@
         <translation>✓ Listo</translation>
     </message>
     <message>
-        <source>✓ The cameras have enough shared views</source>
-        <translation>✓ Las cámaras tienen suficientes vistas comunes</translation>
+        <source>✓ The cameras share enough views of the board</source>
+        <translation>✓ Las cámaras comparten suficientes vistas del tablero</translation>
     </message>
     <message>
         <source>Show the board to %1 and %2 at the same time, hold it still, then repeat elsewhere</source>
@@ -1048,12 +1048,12 @@
         <translation>Todo encaja al intercambiar %1 y %2: probablemente sus vídeos están cambiados. Intercambie los dos archivos.</translation>
     </message>
     <message>
-        <source>%1 agrees with the other cameras only if its video is shifted in time: the video is probably %2 frames late. Synchronize the videos, or calibrate with a wand and “Find time offsets”.</source>
-        <translation>%1 solo concuerda con las demás cámaras si su vídeo se desplaza en el tiempo: probablemente va %2 fotogramas tarde. Sincronice los vídeos o calibre con la varita y «Buscar desfases de tiempo».</translation>
+        <source>%1 agrees with the other cameras only if its video is shifted in time: the video is probably %2 frames late. Synchronize the videos, or calibrate with a wand and turn on “Find delays”.</source>
+        <translation>%1 solo concuerda con las demás cámaras si su vídeo se desplaza en el tiempo: probablemente va %2 fotogramas retrasado. Sincronice los vídeos, o calibre con la varita y active «Buscar retrasos».</translation>
     </message>
     <message>
-        <source>%1 agrees with the other cameras only if its video is shifted in time: the video is probably %2 frames early. Synchronize the videos, or calibrate with a wand and “Find time offsets”.</source>
-        <translation>%1 solo concuerda con las demás cámaras si su vídeo se desplaza en el tiempo: probablemente va %2 fotogramas adelantado. Sincronice los vídeos o calibre con la varita y «Buscar desfases de tiempo».</translation>
+        <source>%1 agrees with the other cameras only if its video is shifted in time: the video is probably %2 frames early. Synchronize the videos, or calibrate with a wand and turn on “Find delays”.</source>
+        <translation>%1 solo concuerda con las demás cámaras si su vídeo se desplaza en el tiempo: probablemente va %2 fotogramas adelantado. Sincronice los vídeos, o calibre con la varita y active «Buscar retrasos».</translation>
     </message>
     <message>
         <source>The images of %1 fit one pose before %2 and another pose after that time: the camera was probably moved. Calibrate with the later part of the recording only.</source>
@@ -2917,8 +2917,8 @@
         <translation>Modelo de fondo</translation>
     </message>
     <message>
-        <source>Creation time</source>
-        <translation>Tiempo de aparición</translation>
+        <source>Confirmation time</source>
+        <translation>Tiempo de confirmación</translation>
     </message>
     <message>
         <source>Create tracks</source>
@@ -4461,12 +4461,12 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>Se guardó %1.</translation>
     </message>
     <message>
-        <source>%1: projected points change by at most %2, because the format cannot store the lens model and the lens was fitted again</source>
-        <translation>%1: los puntos proyectados cambian como mucho %2, porque el formato no puede guardar el modelo de lente y la lente se reajustó</translation>
+        <source>%1: with the exported calibration, projected points move by at most %2, because the format cannot store this lens model and the lens was fitted again</source>
+        <translation>%1: con la calibración exportada, los puntos proyectados se desplazan como mucho %2, porque el formato no puede guardar este modelo de lente y la lente se reajustó</translation>
     </message>
     <message>
-        <source>%1: projected points change by at most %2</source>
-        <translation>%1: los puntos proyectados cambian como mucho %2</translation>
+        <source>%1: with the exported calibration, projected points move by at most %2</source>
+        <translation>%1: con la calibración exportada, los puntos proyectados se desplazan como mucho %2</translation>
     </message>
     <message>
         <source>%1: with the exported lens, %2 of 81 tested directions can no longer be projected into the image</source>
@@ -4684,8 +4684,8 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>El archivo no contiene ninguna pose. Solo se importan los parámetros intrínsecos; la cámara conserva su pose actual.</translation>
     </message>
     <message>
-        <source>Compared with the file, projected points change by at most %1</source>
-        <translation>En comparación con el archivo, los puntos proyectados cambian como mucho %1</translation>
+        <source>After the import, projected points are at most %1 away from where the file projects them</source>
+        <translation>Tras la importación, los puntos proyectados distan como mucho %1 de donde los proyecta el archivo</translation>
     </message>
 </context>
 <context>
@@ -6200,8 +6200,8 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>%1 Escala: %2</translation>
     </message>
     <message>
-        <source>%1 Floor and up: %2</source>
-        <translation>%1 Suelo y vertical: %2</translation>
+        <source>%1 Floor and upward direction: %2</source>
+        <translation>%1 Suelo y dirección hacia arriba: %2</translation>
     </message>
     <message>
         <source>✓ Accuracy in the calibrated volume: %1 (95 %)</source>
@@ -6566,8 +6566,8 @@ alrededor, para aprender de nuevo su color.</translation>
         <translation>Todos los archivos (*)</translation>
     </message>
     <message>
-        <source>Opened with the located files. Save the project to keep their new paths.</source>
-        <translation>Abierto con los archivos localizados. Guarde el proyecto para conservar sus nuevas rutas.</translation>
+        <source>The project was opened with the files that you located. Save the project to keep their new paths.</source>
+        <translation>El proyecto se abrió con los archivos que localizó. Guarde el proyecto para conservar sus nuevas rutas.</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -7348,7 +7348,7 @@ alrededor, para aprender de nuevo su color.</translation>
         <translation>%1 (ignore esto si la cámara está montada así)</translation>
     </message>
     <message>
-        <source>%1. Once corrected, the average error is %2</source>
+        <source>%1. After this correction, the average error is %2</source>
         <translation>%1. Una vez corregido, el error medio es de %2</translation>
     </message>
     <message>
@@ -8047,8 +8047,8 @@ alrededor, para aprender de nuevo su color.</translation>
         <translation>Oculta durante un segundo</translation>
     </message>
     <message>
-        <source>Three more balls of the same color lie around. Only one moves.</source>
-        <translation>Hay otras tres pelotas del mismo color alrededor. Solo una se mueve.</translation>
+        <source>Four balls have the same color, but only one of them moves.</source>
+        <translation>Cuatro pelotas tienen el mismo color, pero solo una se mueve.</translation>
     </message>
     <message>
         <source>People in an office</source>
@@ -8954,8 +8954,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Tipo de varita</translation>
     </message>
     <message>
-        <source>A wand with two balls also gives the scale, more accurately than the other ways</source>
-        <translation>Una varita con dos pelotas da también la escala, con más precisión que las otras formas</translation>
+        <source>A wand with two balls also gives the scale. It is more accurate than the scale from a diameter or a distance</source>
+        <translation>Una varita con dos pelotas da también la escala, con más precisión que un diámetro o una distancia</translation>
     </message>
     <message>
         <source>Ball</source>
@@ -9034,24 +9034,24 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Aproximadamente cuánto puede estar girada cada cámara respecto a su orientación real</translation>
     </message>
     <message>
-        <source>Find time offsets</source>
-        <translation>Buscar desfases de tiempo</translation>
+        <source>Find delays</source>
+        <translation>Buscar retrasos</translation>
     </message>
     <message>
         <source>Find focal lengths</source>
         <translation>Buscar distancias focales</translation>
     </message>
     <message>
-        <source>For lenses that were never calibrated, or whose zoom has changed</source>
-        <translation>Para lentes que nunca se calibraron o cuyo zoom ha cambiado</translation>
+        <source>Also compute the focal length of each camera. Use this for lenses that were never calibrated, or whose zoom has changed</source>
+        <translation>Calcular también la distancia focal de cada cámara, con lentes que nunca se calibraron o cuyo zoom ha cambiado</translation>
     </message>
     <message>
         <source>Find the distortion k1</source>
         <translation>Buscar la distorsión k1</translation>
     </message>
     <message>
-        <source>The first distortion coefficient of each lens; the ball must be seen up to the edges of the images</source>
-        <translation>El primer coeficiente de distorsión de cada lente; la pelota debe verse hasta los bordes de las imágenes</translation>
+        <source>Also compute the first distortion coefficient of each lens. For this, the ball must be seen up to the edges of the images</source>
+        <translation>Calcular también el primer coeficiente de distorsión de cada lente. Para ello, la pelota debe verse hasta los bordes de las imágenes</translation>
     </message>
     <message>
         <source>Only the selected span</source>
@@ -9062,8 +9062,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Usar solo la parte de la grabación seleccionada en la línea de tiempo</translation>
     </message>
     <message>
-        <source>For cameras that do not take their images at the same time</source>
-        <translation>Para cámaras que no toman sus imágenes al mismo tiempo</translation>
+        <source>Also compute the delay of each camera. Use this if the cameras do not take their images at the same time</source>
+        <translation>Calcular también el retraso de cada cámara, si las cámaras no toman sus imágenes al mismo tiempo</translation>
     </message>
 </context>
 <context>
@@ -9216,8 +9216,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Aún no se ha reunido nada.</translation>
     </message>
     <message>
-        <source>Every camera has seen the ball often enough: stop waving, or refine.</source>
-        <translation>Cada cámara ha visto la pelota bastantes veces: deje de agitar o refine.</translation>
+        <source>Every camera has seen the ball often enough: stop waving, or press Refine cameras.</source>
+        <translation>Cada cámara ha visto la pelota bastantes veces: deje de agitar o pulse «Refinar cámaras».</translation>
     </message>
     <message>
         <source>Frames skipped because they arrived too fast: %1.</source>

@@ -926,8 +926,8 @@
         <translation>✓ 完了</translation>
     </message>
     <message>
-        <source>✓ The cameras have enough shared views</source>
-        <translation>✓ カメラの共通ビューが十分に集まりました</translation>
+        <source>✓ The cameras share enough views of the board</source>
+        <translation>✓ 複数のカメラに共通するボードのビューが十分に集まりました</translation>
     </message>
     <message>
         <source>Show the board to %1 and %2 at the same time, hold it still, then repeat elsewhere</source>
@@ -1048,12 +1048,12 @@
         <translation>%1 と %2 を入れ替えるとすべて合います。動画が逆になっているようです。2つのファイルを入れ替えてください。</translation>
     </message>
     <message>
-        <source>%1 agrees with the other cameras only if its video is shifted in time: the video is probably %2 frames late. Synchronize the videos, or calibrate with a wand and “Find time offsets”.</source>
-        <translation>%1 は動画の時間をずらしたときだけ他のカメラと合います。おそらく %2 フレーム遅れています。動画を同期させるか、「時間のずれを求める」を選んでワンドでキャリブレーションしてください。</translation>
+        <source>%1 agrees with the other cameras only if its video is shifted in time: the video is probably %2 frames late. Synchronize the videos, or calibrate with a wand and turn on “Find delays”.</source>
+        <translation>%1 は動画の時間をずらしたときだけ他のカメラと合います。おそらく %2 フレーム遅れています。動画を同期させるか、ワンドで「遅れを求める」をオンにしてキャリブレーションしてください。</translation>
     </message>
     <message>
-        <source>%1 agrees with the other cameras only if its video is shifted in time: the video is probably %2 frames early. Synchronize the videos, or calibrate with a wand and “Find time offsets”.</source>
-        <translation>%1 は動画の時間をずらしたときだけ他のカメラと合います。おそらく %2 フレーム早まっています。動画を同期させるか、「時間のずれを求める」を選んでワンドでキャリブレーションしてください。</translation>
+        <source>%1 agrees with the other cameras only if its video is shifted in time: the video is probably %2 frames early. Synchronize the videos, or calibrate with a wand and turn on “Find delays”.</source>
+        <translation>%1 は動画の時間をずらしたときだけ他のカメラと合います。おそらく %2 フレーム早まっています。動画を同期させるか、ワンドで「遅れを求める」をオンにしてキャリブレーションしてください。</translation>
     </message>
     <message>
         <source>The images of %1 fit one pose before %2 and another pose after that time: the camera was probably moved. Calibrate with the later part of the recording only.</source>
@@ -2916,8 +2916,8 @@
         <translation>背景モデル</translation>
     </message>
     <message>
-        <source>Creation time</source>
-        <translation>出現までの時間</translation>
+        <source>Confirmation time</source>
+        <translation>確認時間</translation>
     </message>
     <message>
         <source>Create tracks</source>
@@ -4456,12 +4456,12 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>%1 を保存しました。</translation>
     </message>
     <message>
-        <source>%1: projected points change by at most %2, because the format cannot store the lens model and the lens was fitted again</source>
-        <translation>%1: 投影した点の変化は最大 %2 です。この形式ではレンズモデルを保存できないため、レンズを当てはめ直しました</translation>
+        <source>%1: with the exported calibration, projected points move by at most %2, because the format cannot store this lens model and the lens was fitted again</source>
+        <translation>%1: 書き出したキャリブレーションでは、投影した点が最大 %2 ずれます。この形式ではこのレンズモデルを保存できないため、レンズを当てはめ直しました</translation>
     </message>
     <message>
-        <source>%1: projected points change by at most %2</source>
-        <translation>%1: 投影した点の変化は最大 %2</translation>
+        <source>%1: with the exported calibration, projected points move by at most %2</source>
+        <translation>%1: 書き出したキャリブレーションでは、投影した点が最大 %2 ずれます</translation>
     </message>
     <message>
         <source>%1: with the exported lens, %2 of 81 tested directions can no longer be projected into the image</source>
@@ -4679,8 +4679,8 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>ファイルに位置姿勢が含まれていません。内部パラメータだけを読み込み、カメラの現在の位置姿勢は変わりません。</translation>
     </message>
     <message>
-        <source>Compared with the file, projected points change by at most %1</source>
-        <translation>ファイルと比べて、投影した点の変化は最大 %1</translation>
+        <source>After the import, projected points are at most %1 away from where the file projects them</source>
+        <translation>インポート後、投影した点の位置は、ファイルによる投影位置から最大 %1 ずれます</translation>
     </message>
 </context>
 <context>
@@ -6190,7 +6190,7 @@ Position x, y, z: %4, %5, %6</source>
         <translation>%1 縮尺: %2</translation>
     </message>
     <message>
-        <source>%1 Floor and up: %2</source>
+        <source>%1 Floor and upward direction: %2</source>
         <translation>%1 床と上方向: %2</translation>
     </message>
     <message>
@@ -6555,8 +6555,8 @@ to learn its color again.</source>
         <translation>すべてのファイル (*)</translation>
     </message>
     <message>
-        <source>Opened with the located files. Save the project to keep their new paths.</source>
-        <translation>場所を指定したファイルで開きました。新しいパスを残すには、プロジェクトを保存してください。</translation>
+        <source>The project was opened with the files that you located. Save the project to keep their new paths.</source>
+        <translation>指定されたファイルでプロジェクトを開きました。新しいパスを残すには、プロジェクトを保存してください。</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -7336,8 +7336,8 @@ to learn its color again.</source>
         <translation>%1（カメラをそのように取り付けている場合は無視してください）</translation>
     </message>
     <message>
-        <source>%1. Once corrected, the average error is %2</source>
-        <translation>%1。直すと平均誤差は %2 です</translation>
+        <source>%1. After this correction, the average error is %2</source>
+        <translation>%1。こう直すと平均誤差は %2 です</translation>
     </message>
     <message>
         <source>%1 does not fit the other points (%2, %3): measure or click it again</source>
@@ -8033,8 +8033,8 @@ to learn its color again.</source>
         <translation>1 秒間隠れる</translation>
     </message>
     <message>
-        <source>Three more balls of the same color lie around. Only one moves.</source>
-        <translation>同じ色のボールがほかに 3 つ置かれています。動くのは 1 つだけです。</translation>
+        <source>Four balls have the same color, but only one of them moves.</source>
+        <translation>4 つのボールが同じ色ですが、動くのは 1 つだけです。</translation>
     </message>
     <message>
         <source>People in an office</source>
@@ -8937,8 +8937,8 @@ Effective sample size %8 of %9</source>
         <translation>ワンドの種類</translation>
     </message>
     <message>
-        <source>A wand with two balls also gives the scale, more accurately than the other ways</source>
-        <translation>2つのボールの付いたワンドからは縮尺も求まり、ほかの方法より正確です</translation>
+        <source>A wand with two balls also gives the scale. It is more accurate than the scale from a diameter or a distance</source>
+        <translation>2 つのボールの付いたワンドからは縮尺も求まります。直径や距離から求めるより正確です</translation>
     </message>
     <message>
         <source>Ball</source>
@@ -9017,24 +9017,24 @@ Effective sample size %8 of %9</source>
         <translation>各カメラの真の向きからのおおよその角度</translation>
     </message>
     <message>
-        <source>Find time offsets</source>
-        <translation>時間のずれを求める</translation>
+        <source>Find delays</source>
+        <translation>遅れを求める</translation>
     </message>
     <message>
         <source>Find focal lengths</source>
         <translation>焦点距離を求める</translation>
     </message>
     <message>
-        <source>For lenses that were never calibrated, or whose zoom has changed</source>
-        <translation>キャリブレーションしていない、またはズームしたレンズのために</translation>
+        <source>Also compute the focal length of each camera. Use this for lenses that were never calibrated, or whose zoom has changed</source>
+        <translation>各カメラの焦点距離も計算します。キャリブレーションしたことのないレンズや、ズームが変わったレンズに使います</translation>
     </message>
     <message>
         <source>Find the distortion k1</source>
         <translation>歪み k1 を求める</translation>
     </message>
     <message>
-        <source>The first distortion coefficient of each lens; the ball must be seen up to the edges of the images</source>
-        <translation>各レンズの第1係数。画像の端までボールが見えている必要があります</translation>
+        <source>Also compute the first distortion coefficient of each lens. For this, the ball must be seen up to the edges of the images</source>
+        <translation>各レンズの第 1 歪み係数も計算します。それには、画像の端までボールが写っている必要があります</translation>
     </message>
     <message>
         <source>Only the selected span</source>
@@ -9045,8 +9045,8 @@ Effective sample size %8 of %9</source>
         <translation>録画のうち、タイムラインで選択した部分だけを使います</translation>
     </message>
     <message>
-        <source>For cameras that do not take their images at the same time</source>
-        <translation>同時に撮影しないカメラのために</translation>
+        <source>Also compute the delay of each camera. Use this if the cameras do not take their images at the same time</source>
+        <translation>各カメラの遅れも計算します。カメラが同時に撮影しない場合に使います</translation>
     </message>
 </context>
 <context>
@@ -9199,8 +9199,8 @@ Effective sample size %8 of %9</source>
         <translation>まだ何も集めていません。</translation>
     </message>
     <message>
-        <source>Every camera has seen the ball often enough: stop waving, or refine.</source>
-        <translation>どのカメラもボールを十分に見ました。振り終えるか、精密化してください。</translation>
+        <source>Every camera has seen the ball often enough: stop waving, or press Refine cameras.</source>
+        <translation>どのカメラもボールを十分に見ました。振り終えるか、「カメラを精密化」を押してください。</translation>
     </message>
     <message>
         <source>Frames skipped because they arrived too fast: %1.</source>

@@ -48,7 +48,7 @@ constexpr std::array kGallery = std::to_array<GalleryEntry>({
     {"startLookAlikes", "look-alikes", "look-alikes", false,
      QT_TRANSLATE_NOOP("dewpoint::ui::StartPage", "Four identical balls"),
      QT_TRANSLATE_NOOP("dewpoint::ui::StartPage",
-                       "Three more balls of the same color lie around. Only one moves.")},
+                       "Four balls have the same color, but only one of them moves.")},
     {"startOffice", "office", "office", false,
      QT_TRANSLATE_NOOP("dewpoint::ui::StartPage", "People in an office"),
      QT_TRANSLATE_NOOP("dewpoint::ui::StartPage",

@@ -30,11 +30,11 @@ QString cameraFault(const DetectedFault& fault, const QString& first, const QStr
                 ? CalibrationText::tr(
                       "%1 agrees with the other cameras only if its video is shifted in time: the "
                       "video is probably %2 frames late. Synchronize the videos, or calibrate with "
-                      "a wand and “Find time offsets”.")
+                      "a wand and turn on “Find delays”.")
                 : CalibrationText::tr(
                       "%1 agrees with the other cameras only if its video is shifted in time: the "
                       "video is probably %2 frames early. Synchronize the videos, or calibrate "
-                      "with a wand and “Find time offsets”."))
+                      "with a wand and turn on “Find delays”."))
         .arg(first, numberText(std::abs(fault.value), 0));
   case CalibrationFault::CameraMoved:
     return CalibrationText::tr(

@@ -65,7 +65,7 @@ Declarations place() {
       {"births", kInteger, "Create tracks", "", 0.0, 1.0, 1.0, 1.0,
        "1 tracks every person that several cameras see. 0 tracks only people that you add by hand.",
        false},
-      {"birth_time", kReal, "Creation time", "s", 0.0, 10.0, 0.05, 0.2,
+      {"birth_time", kReal, "Confirmation time", "s", 0.0, 10.0, 0.05, 0.2,
        "How long a moving region that belongs to no tracked person must be visible before a new "
        "track is created.",
        false},

@@ -135,7 +135,7 @@ QString adviceText(const BoardGuideState::PerCamera& camera) {
 
 QString pairText(const BoardCalibrator& calibrator, const RigGuidance::State& state) {
   if (state.firstCamera < 0 || state.secondCamera < 0) {
-    return BoardText::tr("✓ The cameras have enough shared views");
+    return BoardText::tr("✓ The cameras share enough views of the board");
   }
   return BoardText::tr(
              "Show the board to %1 and %2 at the same time, hold it still, then repeat elsewhere")

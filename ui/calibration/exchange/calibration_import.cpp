@@ -275,7 +275,8 @@ void CalibrationImportDialog::applyResult(const Result<CalibrationImport>& made)
                       lengthText(camera.shift.meters, LengthScale::Centimeters, 1),
                       angleText(camera.shift.radians, 2));
   }
-  lines << tr("Compared with the file, projected points change by at most %1")
+  lines << tr("After the import, projected points are at most %1 away from where the file projects "
+              "them")
                .arg(pixelDifferenceText(made->largestPixels));
   showPreview(lines.join(QLatin1Char('\n')), true);
 }

@@ -104,7 +104,8 @@ void WandWaving::showCameras() {
   QString text =
       tr("Positions of the ball were collected for %1.").arg(secondsText(collected->seconds, 1));
   text += QLatin1Char(' ') +
-          (enough ? tr("Every camera has seen the ball often enough: stop waving, or refine.")
+          (enough ? tr("Every camera has seen the ball often enough: stop waving, or press Refine "
+                       "cameras.")
                   : tr("Keep waving: each camera should see the ball at least 150 times, spread "
                        "over at least half of its image."));
   if (collected->dropped > 0) {
