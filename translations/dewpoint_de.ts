@@ -2837,8 +2837,8 @@
         <translation>Seitenverhältnis-Sigma</translation>
     </message>
     <message>
-        <source>Hidden below</source>
-        <translation>Verdeckt unterhalb</translation>
+        <source>Counts as hidden below</source>
+        <translation>Gilt als verdeckt unter</translation>
     </message>
     <message>
         <source>How far particles move at random along each axis between images, in multiples of the target size, in addition to their constant velocity.</source>
@@ -3077,8 +3077,8 @@
         <translation>1 verfolgt jede Person, die mehrere Kameras sehen. 0 verfolgt nur Personen, die Sie von Hand hinzufügen.</translation>
     </message>
     <message>
-        <source>Center of the tracked floor area along this axis.</source>
-        <translation>Mitte der beobachteten Bodenfläche entlang dieser Achse.</translation>
+        <source>Coordinate of the center of the tracked floor area along this axis.</source>
+        <translation>Koordinate der Mitte der verfolgten Bodenfläche entlang dieser Achse.</translation>
     </message>
     <message>
         <source>Error of the times at which the images were taken. It is part of the reported uncertainty of a moving target. 8 suits webcams.</source>
@@ -5397,12 +5397,12 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>excluded: %1, frame %2, at %3, %4</source>
-        <translation>ausgeschlossen: %1, Bild %2, bei %3, %4</translation>
+        <source>excluded: %1, frame %2, pixel %3, %4</source>
+        <translation>ausgeschlossen: %1, Bild %2, Pixel %3, %4</translation>
     </message>
     <message>
-        <source>%1, frame %2, at %3, %4</source>
-        <translation>%1, Bild %2, bei %3, %4</translation>
+        <source>%1, frame %2, pixel %3, %4</source>
+        <translation>%1, Bild %2, Pixel %3, %4</translation>
     </message>
     <message>
         <source>Shift-click in an image to add a sample, Alt-click or Ctrl+Shift-click to exclude one. Samples marked “found” were detected in other cameras.</source>
@@ -5413,8 +5413,8 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>Die gewählte Probe entfernen und aus den übrigen lernen (Entf). Ist die Probe mit „gefunden“ bezeichnet, wird sie zu einer ausgeschlossenen Probe.</translation>
     </message>
     <message>
-        <source>found by Dewpoint: %1, frame %2, at %3, %4</source>
-        <translation>von Dewpoint gefunden: %1, Bild %2, bei %3, %4</translation>
+        <source>found by Dewpoint: %1, frame %2, pixel %3, %4</source>
+        <translation>von Dewpoint gefunden: %1, Bild %2, Pixel %3, %4</translation>
     </message>
 </context>
 <context>
@@ -7216,8 +7216,8 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <translation>Abstand zu Wänden und Decke</translation>
     </message>
     <message>
-        <source>Distance to the walls and the ceiling</source>
-        <translation>Abstand zu den Wänden und der Decke</translation>
+        <source>Distance from the volume to the walls and the ceiling</source>
+        <translation>Abstand des Raums zu den Wänden und der Decke</translation>
     </message>
 </context>
 <context>
@@ -7845,8 +7845,8 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
 <context>
     <name>dewpoint::ui::RunDetails</name>
     <message>
-        <source>median %1, 99 of 100 within %2, longest %3</source>
-        <translation>Median %1, 99 von 100 innerhalb von %2, längste %3</translation>
+        <source>median %1, 99 % of them at most %2, longest %3</source>
+        <translation>Median %1, 99 % davon höchstens %2, längste %3</translation>
     </message>
     <message>
         <source>not set</source>
@@ -8166,8 +8166,8 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <translation>Rückblick</translation>
     </message>
     <message>
-        <source>Playing, paused, at the end, looking back at an earlier frame, or tracking again</source>
-        <translation>Läuft, angehalten, am Ende, im Rückblick auf ein früheres Bild oder erneut verfolgend</translation>
+        <source>State of the run: playing, paused, at the end, looking back at an earlier frame, or tracking again</source>
+        <translation>Zustand des Laufs: läuft, angehalten, am Ende, im Rückblick auf ein früheres Bild oder erneut verfolgend</translation>
     </message>
     <message>
         <source>the box shows the expected position</source>
@@ -9173,8 +9173,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Die Verzögerungen der Kameras sind im Projekt gespeichert und synchronisieren ab jetzt die Bilder.</translation>
     </message>
     <message>
-        <source>Hold down this button to draw the grid with the previous cameras</source>
-        <translation>Diese Schaltfläche gedrückt halten, um das Gitter mit den vorigen Kameras zu zeichnen</translation>
+        <source>Hold down this button to draw the grid with the calibration from before this refinement</source>
+        <translation>Diese Schaltfläche gedrückt halten, um das Gitter mit der Kalibrierung vor diesem Verfeinern zu zeichnen</translation>
     </message>
     <message>
         <source>Save a page with all numbers, the residuals as arrows, the coverage and a 3D drawing</source>

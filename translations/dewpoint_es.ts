@@ -2837,8 +2837,8 @@
         <translation>Sigma de la proporción</translation>
     </message>
     <message>
-        <source>Hidden below</source>
-        <translation>Oculto por debajo de</translation>
+        <source>Counts as hidden below</source>
+        <translation>Cuenta como oculto por debajo de</translation>
     </message>
     <message>
         <source>How far particles move at random along each axis between images, in multiples of the target size, in addition to their constant velocity.</source>
@@ -3077,8 +3077,8 @@
         <translation>1 sigue a toda persona que ven varias cámaras. 0 sigue solo a las personas que usted añade a mano.</translation>
     </message>
     <message>
-        <source>Center of the tracked floor area along this axis.</source>
-        <translation>Centro del suelo vigilado en este eje.</translation>
+        <source>Coordinate of the center of the tracked floor area along this axis.</source>
+        <translation>Coordenada del centro de la superficie de suelo seguida a lo largo de este eje.</translation>
     </message>
     <message>
         <source>Error of the times at which the images were taken. It is part of the reported uncertainty of a moving target. 8 suits webcams.</source>
@@ -5397,12 +5397,12 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>Quitar</translation>
     </message>
     <message>
-        <source>excluded: %1, frame %2, at %3, %4</source>
-        <translation>excluida: %1, fotograma %2, en %3, %4</translation>
+        <source>excluded: %1, frame %2, pixel %3, %4</source>
+        <translation>excluida: %1, fotograma %2, píxel %3, %4</translation>
     </message>
     <message>
-        <source>%1, frame %2, at %3, %4</source>
-        <translation>%1, fotograma %2, en %3, %4</translation>
+        <source>%1, frame %2, pixel %3, %4</source>
+        <translation>%1, fotograma %2, píxel %3, %4</translation>
     </message>
     <message>
         <source>Shift-click in an image to add a sample, Alt-click or Ctrl+Shift-click to exclude one. Samples marked “found” were detected in other cameras.</source>
@@ -5413,8 +5413,8 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>Quitar la muestra elegida y aprender de las demás (Supr). Si la muestra está marcada como «encontrada», pasa a ser una muestra excluida.</translation>
     </message>
     <message>
-        <source>found by Dewpoint: %1, frame %2, at %3, %4</source>
-        <translation>encontrado por Dewpoint: %1, fotograma %2, en %3, %4</translation>
+        <source>found by Dewpoint: %1, frame %2, pixel %3, %4</source>
+        <translation>encontrada por Dewpoint: %1, fotograma %2, píxel %3, %4</translation>
     </message>
 </context>
 <context>
@@ -7216,8 +7216,8 @@ alrededor, para aprender de nuevo su color.</translation>
         <translation>Distancia a las paredes y el techo</translation>
     </message>
     <message>
-        <source>Distance to the walls and the ceiling</source>
-        <translation>Distancia a las paredes y al techo</translation>
+        <source>Distance from the volume to the walls and the ceiling</source>
+        <translation>Distancia del volumen a las paredes y al techo</translation>
     </message>
 </context>
 <context>
@@ -7845,8 +7845,8 @@ alrededor, para aprender de nuevo su color.</translation>
 <context>
     <name>dewpoint::ui::RunDetails</name>
     <message>
-        <source>median %1, 99 of 100 within %2, longest %3</source>
-        <translation>mediana %1, 99 de 100 por debajo de %2, máximo %3</translation>
+        <source>median %1, 99 % of them at most %2, longest %3</source>
+        <translation>mediana %1, el 99 % como mucho %2, máximo %3</translation>
     </message>
     <message>
         <source>not set</source>
@@ -8166,8 +8166,8 @@ alrededor, para aprender de nuevo su color.</translation>
         <translation>mirando atrás</translation>
     </message>
     <message>
-        <source>Playing, paused, at the end, looking back at an earlier frame, or tracking again</source>
-        <translation>En marcha, en pausa, al final, mirando un fotograma anterior o siguiendo de nuevo</translation>
+        <source>State of the run: playing, paused, at the end, looking back at an earlier frame, or tracking again</source>
+        <translation>Estado de la ejecución: en marcha, en pausa, al final, mirando un fotograma anterior o siguiendo de nuevo</translation>
     </message>
     <message>
         <source>the box shows the expected position</source>
@@ -9173,8 +9173,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Los retrasos de las cámaras se guardan en el proyecto y desde ahora sincronizan las imágenes.</translation>
     </message>
     <message>
-        <source>Hold down this button to draw the grid with the previous cameras</source>
-        <translation>Mantenga pulsado este botón para dibujar la cuadrícula con las cámaras anteriores</translation>
+        <source>Hold down this button to draw the grid with the calibration from before this refinement</source>
+        <translation>Mantenga pulsado este botón para dibujar la cuadrícula con la calibración anterior a este refinamiento</translation>
     </message>
     <message>
         <source>Save a page with all numbers, the residuals as arrows, the coverage and a 3D drawing</source>

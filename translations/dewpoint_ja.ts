@@ -2836,7 +2836,7 @@
         <translation>縦横比のシグマ</translation>
     </message>
     <message>
-        <source>Hidden below</source>
+        <source>Counts as hidden below</source>
         <translation>これ未満で隠れたとみなす</translation>
     </message>
     <message>
@@ -3076,8 +3076,8 @@
         <translation>1 では、複数のカメラに写った人をすべて追跡します。0 では、手で追加した人物だけを追跡します。</translation>
     </message>
     <message>
-        <source>Center of the tracked floor area along this axis.</source>
-        <translation>この軸に沿った、追跡する床の中心。</translation>
+        <source>Coordinate of the center of the tracked floor area along this axis.</source>
+        <translation>追跡する床面の中心の、この軸に沿った座標。</translation>
     </message>
     <message>
         <source>Error of the times at which the images were taken. It is part of the reported uncertainty of a moving target. 8 suits webcams.</source>
@@ -5389,12 +5389,12 @@ Position x, y, z: %4, %5, %6</source>
         <translation>取り除く</translation>
     </message>
     <message>
-        <source>excluded: %1, frame %2, at %3, %4</source>
-        <translation>除外: %1、フレーム %2、位置 %3, %4</translation>
+        <source>excluded: %1, frame %2, pixel %3, %4</source>
+        <translation>除外: %1、フレーム %2、ピクセル %3, %4</translation>
     </message>
     <message>
-        <source>%1, frame %2, at %3, %4</source>
-        <translation>%1、フレーム %2、位置 %3, %4</translation>
+        <source>%1, frame %2, pixel %3, %4</source>
+        <translation>%1、フレーム %2、ピクセル %3, %4</translation>
     </message>
     <message>
         <source>Shift-click in an image to add a sample, Alt-click or Ctrl+Shift-click to exclude one. Samples marked “found” were detected in other cameras.</source>
@@ -5405,8 +5405,8 @@ Position x, y, z: %4, %5, %6</source>
         <translation>選択した見本を削除し、残りから学習します (Del)。「検出」と表示された見本は除外見本になります。</translation>
     </message>
     <message>
-        <source>found by Dewpoint: %1, frame %2, at %3, %4</source>
-        <translation>Dewpoint が検出: %1、フレーム %2、位置 %3, %4</translation>
+        <source>found by Dewpoint: %1, frame %2, pixel %3, %4</source>
+        <translation>Dewpoint が検出: %1、フレーム %2、ピクセル %3, %4</translation>
     </message>
 </context>
 <context>
@@ -7204,8 +7204,8 @@ to learn its color again.</source>
         <translation>壁と天井までの距離</translation>
     </message>
     <message>
-        <source>Distance to the walls and the ceiling</source>
-        <translation>壁と天井までの距離</translation>
+        <source>Distance from the volume to the walls and the ceiling</source>
+        <translation>空間から壁と天井までの距離</translation>
     </message>
 </context>
 <context>
@@ -7831,8 +7831,8 @@ to learn its color again.</source>
 <context>
     <name>dewpoint::ui::RunDetails</name>
     <message>
-        <source>median %1, 99 of 100 within %2, longest %3</source>
-        <translation>中央値 %1、100 回中 99 回は %2 以内、最長 %3</translation>
+        <source>median %1, 99 % of them at most %2, longest %3</source>
+        <translation>中央値 %1、99 % が %2 以内、最長 %3</translation>
     </message>
     <message>
         <source>not set</source>
@@ -8152,8 +8152,8 @@ to learn its color again.</source>
         <translation>過去を表示中</translation>
     </message>
     <message>
-        <source>Playing, paused, at the end, looking back at an earlier frame, or tracking again</source>
-        <translation>再生中、一時停止、終端、過去のフレームを表示中、または再追跡中</translation>
+        <source>State of the run: playing, paused, at the end, looking back at an earlier frame, or tracking again</source>
+        <translation>実行の状態：再生中、一時停止、終端、過去のフレームを表示中、または再追跡中</translation>
     </message>
     <message>
         <source>the box shows the expected position</source>
@@ -9156,8 +9156,8 @@ Effective sample size %8 of %9</source>
         <translation>カメラの遅れはプロジェクトに保存され、以後の画像の同期に使われます。</translation>
     </message>
     <message>
-        <source>Hold down this button to draw the grid with the previous cameras</source>
-        <translation>このボタンを押している間、以前のカメラで格子を描きます</translation>
+        <source>Hold down this button to draw the grid with the calibration from before this refinement</source>
+        <translation>このボタンを押している間、この精密化の前のキャリブレーションで格子を描きます</translation>
     </message>
     <message>
         <source>Save a page with all numbers, the residuals as arrows, the coverage and a 3D drawing</source>

@@ -21,7 +21,7 @@ const QString kUnknown(QStringLiteral("–"));
 
 QString latencyText(const Latency& latency) {
   return latency.longest <= 0.0 ? kUnknown
-                                : RunDetails::tr("median %1, 99 of 100 within %2, longest %3")
+                                : RunDetails::tr("median %1, 99 % of them at most %2, longest %3")
                                       .arg(millisecondsText(inMilliseconds(latency.median)),
                                            millisecondsText(inMilliseconds(latency.p99)),
                                            millisecondsText(inMilliseconds(latency.longest)));

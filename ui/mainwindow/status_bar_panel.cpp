@@ -115,7 +115,8 @@ void StatusBarPanel::retranslateUi() {
     label->setToolTip(hint);
   };
   explain(playing_, tr("tracking again"),
-          tr("Playing, paused, at the end, looking back at an earlier frame, or tracking again"));
+          tr("State of the run: playing, paused, at the end, looking back at an earlier frame, or "
+             "tracking again"));
   explain(frame_, tr("frame %1 / %2").arg("0000", "0000"),
           tr("Number of the frame shown, and number of all frames"));
   explain(rate_, tr("%1 /s").arg("0000.0"), tr("Frames tracked per second"));

@@ -49,9 +49,9 @@ Declarations background(const Defaults& defaults) {
 Declarations place() {
   Declarations all{
       {"area_x", kReal, "Area x", "m", -1000.0, 1000.0, 0.1, 0.0,
-       "Center of the tracked floor area along this axis.", false},
+       "Coordinate of the center of the tracked floor area along this axis.", false},
       {"area_y", kReal, "Area y", "m", -1000.0, 1000.0, 0.1, 0.0,
-       "Center of the tracked floor area along this axis.", false},
+       "Coordinate of the center of the tracked floor area along this axis.", false},
       {"area_half_x", kReal, "Area half size x", "m", 0.2, 1000.0, 0.1, 3.4,
        "Half the size of the tracked floor area along this axis. A person who crosses the border "
        "of the area counts as having left.",

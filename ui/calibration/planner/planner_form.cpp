@@ -169,7 +169,7 @@ void PlannerForm::retranslateUi() {
   imageWidth_->setSuffix(QStringLiteral(" px"));
   imageHeight_->setSuffix(QStringLiteral(" px"));
   wallLabel_->setText(tr("Distance to walls and ceiling"));
-  name(wall_, tr("Distance to the walls and the ceiling"),
+  name(wall_, tr("Distance from the volume to the walls and the ceiling"),
        tr("The search places the camera on four walls and a ceiling at this distance from the "
           "volume"));
   wall_->setSuffix(QStringLiteral(" m"));

@@ -114,7 +114,8 @@ void WandOutcome::retranslateUi() {
   button(cancel_, tr("Cancel"), tr("Stop and keep the cameras unchanged"));
   progress_->setAccessibleName(tr("Progress"));
   button(flip_, tr("Before"),
-         tr("Hold down this button to draw the grid with the previous cameras"));
+         tr("Hold down this button to draw the grid with the calibration from before this "
+            "refinement"));
   button(apply_, tr("Use calibration anyway"),
          tr("Use this calibration although it looks wrong; you can undo this"));
   button(
