@@ -1011,7 +1011,7 @@
     </message>
     <message>
         <source>%1 of the %2 searched images show %3, but mirrored. To correct this, change “Mirrored” in the panel Cameras for the cameras that took these images. Use this board?</source>
-        <translation>%1 der %2 durchsuchten Bilder zeigen %3, aber gespiegelt. Ändern Sie dazu „Gespiegelt“ im Feld Kameras für die Kameras, die diese Bilder aufgenommen haben. Diese Tafel verwenden?</translation>
+        <translation>%1 der %2 durchsuchten Bilder zeigen %3, aber gespiegelt. Ändern Sie dazu „Gespiegelt“ im Bereich „Kameras“ für die Kameras, die diese Bilder aufgenommen haben. Diese Tafel verwenden?</translation>
     </message>
     <message>
         <source>%1 of the %2 searched images show %3. Use this board?</source>
@@ -1654,8 +1654,8 @@
         <translation>Barrera et al. 2005, Abbildung 8: die Wolke in sechs Iterationen, mit kleinem und mit großem Bewegungs-Sigma.</translation>
     </message>
     <message>
-        <source>Barrera et al. 2005, section III-B: the share of runs that converge, for start volumes of several sizes and for start points behind the ball.</source>
-        <translation>Barrera et al. 2005, Abschnitt III-B: der Anteil der Läufe, die konvergieren, für Startvolumen verschiedener Größe und für Startpunkte hinter dem Ball.</translation>
+        <source>Barrera et al. 2005, section III-B: the share of runs that converge, depending on the size of the start volume, and on how far behind the ball a start point lies.</source>
+        <translation>Barrera et al. 2005, Abschnitt III-B: der Anteil der Läufe, die konvergieren, abhängig von der Größe des Startvolumens und davon, wie weit hinter dem Ball ein Startpunkt liegt.</translation>
     </message>
     <message>
         <source>Error after each iteration, for different motion sigmas</source>

@@ -1654,8 +1654,8 @@
         <translation>Barrera et al. 2005, figura 8: la nube en seis iteraciones, con una sigma de movimiento pequeña y con una grande.</translation>
     </message>
     <message>
-        <source>Barrera et al. 2005, section III-B: the share of runs that converge, for start volumes of several sizes and for start points behind the ball.</source>
-        <translation>Barrera et al. 2005, sección III-B: la proporción de ejecuciones que convergen, para volúmenes iniciales de varios tamaños y para puntos iniciales detrás de la pelota.</translation>
+        <source>Barrera et al. 2005, section III-B: the share of runs that converge, depending on the size of the start volume, and on how far behind the ball a start point lies.</source>
+        <translation>Barrera et al. 2005, sección III-B: la proporción de ejecuciones que convergen, según el tamaño del volumen inicial y según lo lejos que esté el punto inicial detrás de la pelota.</translation>
     </message>
     <message>
         <source>Error after each iteration, for different motion sigmas</source>

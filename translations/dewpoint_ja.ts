@@ -1011,7 +1011,7 @@
     </message>
     <message>
         <source>%1 of the %2 searched images show %3, but mirrored. To correct this, change “Mirrored” in the panel Cameras for the cameras that took these images. Use this board?</source>
-        <translation>調べた %2 枚の画像のうち %1 枚に、%3 が左右反転して写っています。直すには、これらの画像を撮影したカメラについて「カメラ」パネルの「左右反転」を変更してください。このボードを使いますか？</translation>
+        <translation>調べた %2 枚の画像のうち %1 枚に、%3 が左右反転して写っています。直すには、これらの画像を撮影したカメラについて「カメラ」パネルの「鏡像」を変更してください。このボードを使いますか？</translation>
     </message>
     <message>
         <source>%1 of the %2 searched images show %3. Use this board?</source>
@@ -1653,8 +1653,8 @@
         <translation>Barrera ら 2005、図8：小さいモーションシグマと大きいモーションシグマでの、6回の反復における雲。</translation>
     </message>
     <message>
-        <source>Barrera et al. 2005, section III-B: the share of runs that converge, for start volumes of several sizes and for start points behind the ball.</source>
-        <translation>Barrera ら 2005、III-B節：さまざまな大きさの開始体積と、ボールの後ろの開始点について、収束した実行の割合。</translation>
+        <source>Barrera et al. 2005, section III-B: the share of runs that converge, depending on the size of the start volume, and on how far behind the ball a start point lies.</source>
+        <translation>Barrera ら 2005、III-B節：収束した実行の割合。開始体積の大きさと、開始点がボールのどれだけ後ろにあるかによる違いを示します。</translation>
     </message>
     <message>
         <source>Error after each iteration, for different motion sigmas</source>

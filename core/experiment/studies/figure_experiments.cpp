@@ -53,11 +53,11 @@ std::span<const FigureExperiment> figureExperiments() {
                        "Barrera et al. 2005, section III-B: with one camera, the cloud moves away "
                        "from the camera.",
                        50, &intoFolder<&barreraDrift>},
-      FigureExperiment{"starts",
-                       "From which starting positions the particles still find the target",
-                       "Barrera et al. 2005, section III-B: the share of runs that converge, for "
-                       "start volumes of several sizes and for start points behind the ball.",
-                       100, &intoFolder<&barreraStarts>},
+      FigureExperiment{
+          "starts", "From which starting positions the particles still find the target",
+          "Barrera et al. 2005, section III-B: the share of runs that converge, depending on the "
+          "size of the start volume, and on how far behind the ball a start point lies.",
+          100, &intoFolder<&barreraStarts>},
       FigureExperiment{"dynamics-fig6", "Error after a jump",
                        "Barrera et al. 2005, figure 6: the object jumps 2 m at iteration 30.", 100,
                        &intoFolder<&dynamicsFigure6>},
