@@ -47,18 +47,19 @@ void CameraMotionAlerts::showAlert(const CameraMotionReport& report, CameraMotio
                            .arg(static_cast<qlonglong>(report.event.frame));
   switch (stage) {
   case CameraMotionStage::Waiting:
-    bar_.showNotice(what + QLatin1Char(' ') + tr("Its new pose is being computed."));
+    bar_.showNotice(what + QLatin1Char(' ') + tr("The new pose of this camera is being computed."));
     break;
   case CameraMotionStage::Solved:
-    bar_.ask(what + QLatin1Char(' ') + tr("Its pose can be recomputed from its images."),
+    bar_.ask(what + QLatin1Char(' ') +
+                 tr("The pose of this camera can be recomputed from its images."),
              {{tr("Recompute pose of %1").arg(name),
                [this, camera] { Q_EMIT newPoseRequested(camera); }}});
     break;
   case CameraMotionStage::Unsolvable:
     bar_.ask(
         what + QLatin1Char(' ') +
-            tr("Its pose cannot be recomputed from its images: calibrate the camera again, or "
-               "move it back."),
+            tr("The pose of this camera cannot be recomputed from its images: calibrate the camera "
+               "again, or move it back."),
         {{tr("Calibrate %1…").arg(name), [this, camera] { Q_EMIT calibrationRequested(camera); }}});
     break;
   case CameraMotionStage::Back:

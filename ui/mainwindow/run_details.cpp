@@ -21,7 +21,7 @@ const QString kUnknown(QStringLiteral("–"));
 
 QString latencyText(const Latency& latency) {
   return latency.longest <= 0.0 ? kUnknown
-                                : RunDetails::tr("median %1, 99 of 100 within %2, longest %3")
+                                : RunDetails::tr("median %1, 99 % of them at most %2, longest %3")
                                       .arg(millisecondsText(inMilliseconds(latency.median)),
                                            millisecondsText(inMilliseconds(latency.p99)),
                                            millisecondsText(inMilliseconds(latency.longest)));
@@ -33,7 +33,7 @@ QString budgetText(const BudgetStatistics& budget) {
   }
   const double kept =
       1.0 - static_cast<double>(budget.late) / static_cast<double>(budget.iterations);
-  return RunDetails::tr("%1, met in %2 % of the iterations of this run")
+  return RunDetails::tr("%1; %2 % of the iterations of this run were fast enough")
       .arg(millisecondsText(budget.milliseconds), percentText(kept, 1));
 }
 
@@ -75,7 +75,7 @@ QLabel* RunDetails::row(const char* name) {
 
 void RunDetails::retranslateUi() {
   names_[time_]->setText(tr("Median time per iteration"));
-  names_[latency_]->setText(tr("Time from frame to estimate"));
+  names_[latency_]->setText(tr("Time from camera image to estimate"));
   names_[budget_]->setText(tr("Time budget per iteration"));
   names_[sampleSize_]->setText(tr("Effective sample size"));
   names_[iterations_]->setText(tr("Iterations since the start"));

@@ -173,19 +173,18 @@ void CameraPanel::retranslateUi() {
   browse_->setText(tr("Choose…"));
   browse_->setToolTip(tr("Choose the file, folder or device of this camera"));
   rotationLabel_->setText(tr("Rotated"));
-  rotation_->setToolTip(tr("Clockwise rotation of the images before use"));
+  rotation_->setToolTip(tr("How far the images are rotated clockwise before they are used"));
   mirror_->setText(tr("Mirrored"));
   mirror_->setToolTip(tr("Mirror the images left to right, after rotation"));
   delayLabel_->setText(tr("Delay"));
   delay_->setSuffix(tr(" ms"));
-  delay_->setToolTip(
-      tr("Delay of this camera's images in ms, used to synchronize it with the other "
-         "cameras. Calibration with a wand can measure the delay"));
+  delay_->setToolTip(tr("How late this camera's images are, in ms. Dewpoint uses this delay to "
+                        "synchronize the cameras. Calibration with a wand can measure the delay"));
   delay_->setAccessibleName(tr("Delay of the images in milliseconds"));
   backgroundImageLabel_->setText(tr("Background image"));
   backgroundImage_->setToolTip(
-      tr("Image, video or image folder that shows the scene without any target. Regions that have "
-         "the target's color there are not taken for the target"));
+      tr("Image, video or image folder that shows the scene without any target. An object in it "
+         "that has the target's color is then not mistaken for the target"));
   backgroundImageBrowse_->setText(tr("Choose…"));
   backgroundImageBrowse_->setAccessibleName(tr("Choose background image"));
   backgroundImageBrowse_->setToolTip(
@@ -240,7 +239,7 @@ void CameraPanel::showCalibration(const ProjectCamera& camera) {
   const Intrinsics& in = camera.camera.intrinsics;
   const Eigen::Vector3d place = camera.camera.center();
   calibration_->setText(
-      tr("%1 × %2 pixels, focal length %3 pixels\nat %4, %5, %6")
+      tr("%1 × %2 pixels, focal length %3 pixels\nPosition x, y, z: %4, %5, %6")
           .arg(in.width)
           .arg(in.height)
           .arg(numberText(in.focalX, 1, NumberForm::Rounded), coordinate(place.x()),

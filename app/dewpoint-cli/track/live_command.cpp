@@ -157,7 +157,8 @@ void addLiveCommand(CLI::App& app, int& exitCode) {
   auto options = std::make_shared<LiveOptions>();
   command->add_option("PROJECT", options->project, "Project file (TOML), or a built-in scene: demo")
       ->required();
-  command->add_option("--out", options->job.folder, "Folder to write, as track does");
+  command->add_option("--out", options->job.folder,
+                      "Folder for the files that the command track also writes");
   command->add_option("--seconds", options->job.seconds, "End after this time")
       ->check(CLI::PositiveNumber);
   command
