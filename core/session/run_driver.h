@@ -89,6 +89,10 @@ public:
   /// true, the images of a past frame may be previews (small images scaled up) when the full images
   /// are not available immediately.
   void fill(const SnapshotBuilder& builder, bool quickly, TrackSnapshot& snapshot);
+  /// Returns whether live cameras have other problems than in the last snapshot.
+  bool haveNoticesChanged() const {
+    return isReady() && isLive() && source_->notices() != sourceNotices_;
+  }
   /// Adds likelihood maps or motion masks to a snapshot of a past frame. For this, the run is
   /// tracked again up to that frame. If `shouldContinue` returns false, the tracking stops and
   /// nothing is added.
@@ -147,6 +151,8 @@ private:
   std::array<FrameObserver*, 3> observers_{&motionObserver_, &agreementWatch_, &recorder_};
   Playback playback_;
   std::vector<Error> errors_;
+  std::vector<Error> sourceNotices_; ///< those of the source in the last snapshot
+  double runTime_ = 0.0;             ///< seconds; newest time of the source since the run began
 };
 
 } // namespace dewpoint::session

@@ -106,6 +106,11 @@ void RunLog::setFinished(bool finished) {
   statistics_.finished = finished;
 }
 
+void RunLog::setNotices(const std::vector<Error>& notices, double time) {
+  const std::lock_guard lock(mutex_);
+  statistics_.noticeLog.update(notices, time);
+}
+
 void RunLog::append(const std::vector<IterationRecord>& records) {
   const std::lock_guard lock(mutex_);
   for (const IterationRecord& record : records) {

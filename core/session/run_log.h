@@ -44,6 +44,8 @@ public:
   void countFrame(double sinceArrival, double sinceFirst);
   /// Sets whether the end of the input was reached.
   void setFinished(bool finished);
+  /// Sets the notices that the run has now; `time` is in seconds of the run.
+  void setNotices(const std::vector<Error>& notices, double time);
   /// Sets the number of filter threads.
   void setThreads(int threads);
   /// Removes the records of this frame and later ones; readers receive all records again.

@@ -40,6 +40,14 @@ void RunRecorder::noteArrival() {
   append(frameTimes_, arrival_, kFrameTimesKept);
 }
 
+void RunRecorder::setCameraProblems(std::vector<Error> problems) {
+  if (problems.empty()) {
+    cameraProblems_ = nullptr;
+  } else if (cameraProblems_ == nullptr || *cameraProblems_ != problems) {
+    cameraProblems_ = std::make_shared<const std::vector<Error>>(std::move(problems));
+  }
+}
+
 void RunRecorder::resetArrival() {
   arrival_ = Clock::now();
   begun_.reset(); // it was taken long ago
@@ -121,7 +129,9 @@ void RunRecorder::countAgainstBudget(const ParameterValues& parameters, double m
 void RunRecorder::record(const TrackingRun& run, const TrackedFrame& trackedFrame) {
   log_.append(run.samples());
   log_.append(run.boxSamples());
-  log_.append(frameRecord(trackedFrame, *run.frames()));
+  FrameRecord frame = frameRecord(trackedFrame, *run.frames());
+  frame.cameraProblems = cameraProblems_;
+  log_.append(frame);
   if (run.definition()->family().writesBodies() && !trackedFrame.targets.empty()) {
     log_.append(peopleFrame(trackedFrame));
   }

@@ -10,6 +10,7 @@
 #include <chrono>
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -32,6 +33,8 @@ public:
   void begin() { begun_ = Clock::now(); }
   /// Notes that a frame was taken.
   void noteArrival();
+  /// Sets the problems that the live cameras have from now on. They are recorded with each frame.
+  void setCameraProblems(std::vector<Error> problems);
   /// Sets the arrival time of the next tracked frame to now. Otherwise, the time for which the run
   /// was paused would count as latency.
   void resetArrival();
@@ -62,6 +65,7 @@ private:
   std::deque<double> iterationTimes_; ///< microseconds
   BudgetStatistics budget_;
   ResultSettings settings_;
+  std::shared_ptr<const std::vector<Error>> cameraProblems_; ///< null: none
   std::optional<Clock::time_point> begun_; ///< start of the work on the current frame
   std::deque<double> workTimes_;           ///< work per frame, seconds
 };

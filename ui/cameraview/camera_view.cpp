@@ -254,6 +254,13 @@ bool CameraView::showNewest() {
   return false;
 }
 
+QString CameraView::problemText() const {
+  // That of a recording is about all of its images, and does not cover one of them.
+  const bool isLive = snapshot_ && !snapshot_->frameCount && !snapshot_->past;
+  const Error* notice = isLive ? noticeOf(*snapshot_, camera_) : nullptr;
+  return notice != nullptr ? errorText(*notice) : QString();
+}
+
 QString CameraView::missingImageText() const {
   if (const Error* notice = snapshot_ ? noticeOf(*snapshot_, camera_) : nullptr) {
     return errorText(*notice);
@@ -336,6 +343,7 @@ void CameraView::paintEstimates(QPainter& painter) const {
   paintInset(painter, taken);
   paintCameraMotionMarker(painter, seen, cameraMotionText(cameraMotionOf(*shown_, camera_)),
                           palette());
+  paintCameraProblem(painter, seen, problemText(), palette());
 }
 
 void CameraView::paintInset(QPainter& painter, const std::vector<QRectF>& taken) const {

@@ -107,6 +107,8 @@ private:
   /// them.
   bool showNewest();
   void paintEstimates(QPainter& painter) const;
+  /// Returns why a live camera delivers no images now; empty if it delivers them.
+  QString problemText() const;
   /// Returns the text shown instead of the image if there is no image.
   QString missingImageText() const;
   /// Returns the overlay of a target in this view.

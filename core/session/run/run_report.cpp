@@ -6,6 +6,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
 namespace dewpoint::session {
 namespace {
 
@@ -44,6 +48,28 @@ nlohmann::ordered_json correctionJson(const PositionCorrection& correction,
 
 } // namespace
 
+void NoticeLog::update(const std::vector<Error>& notices, double time) {
+  std::vector<std::string> present;
+  std::ranges::transform(notices, std::back_inserter(present), sentence);
+  for (NoticePeriod& period : periods_) {
+    if (period.to) {
+      continue;
+    }
+    if (const auto still = std::ranges::find(present, period.text); still != present.end()) {
+      present.erase(still);
+    } else {
+      period.to = time;
+    }
+  }
+  for (std::string& text : present) {
+    const bool isKnown = std::ranges::any_of(
+        periods_, [&](const NoticePeriod& period) { return !period.to && period.text == text; });
+    if (!isKnown && periods_.size() < kMaxPeriods) {
+      periods_.push_back({std::move(text), time, std::nullopt});
+    }
+  }
+}
+
 std::string runReport(const Project& project, const RunStatistics& figures) {
   nlohmann::ordered_json json;
   json["version"] = DEWPOINT_VERSION;
@@ -76,6 +102,12 @@ std::string runReport(const Project& project, const RunStatistics& figures) {
     json["corrections"].push_back(correctionJson(correction, project));
   }
   json["notices"] = figures.notices;
+  for (const NoticePeriod& period : figures.noticeLog.periods()) {
+    nlohmann::ordered_json& one = json["notice_log"].emplace_back();
+    one["notice"] = period.text;
+    one["from"] = period.from;
+    one["to"] = period.to ? nlohmann::ordered_json(*period.to) : nlohmann::ordered_json(nullptr);
+  }
   return json.dump(2) + "\n";
 }
 
