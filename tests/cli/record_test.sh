@@ -51,6 +51,14 @@ kill -INT $process
 wait $process || fail "Ctrl+C ended it with $?: $(cat err.txt)"
 expectText takes/take-004/take.json '"finished": true'
 
+# A take has the number that is asked for, once; the next one counts up from there.
+expectExit 0 record short.toml --out takes --take 20
+expectText takes/take-020/take.json '"take": 20'
+expectExit $kBadInput record short.toml --out takes --take 20
+expectSentence "take 20 exists"
+expectExit $kUsage record short.toml --out takes --take 0
+expectSentence --take
+
 expectExit $kBadInput record demo --out o
 expectSentence "only live cameras"
 expectExit $kOutput record live.toml --out /proc/none --seconds 1

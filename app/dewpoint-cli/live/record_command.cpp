@@ -5,6 +5,7 @@
 #include "app/dewpoint-cli/common/progress.h"
 #include "app/wiring/open_project.h"
 #include "core/capture/gstreamer/open_live.h"
+#include "core/session/take/take_folder.h"
 #include "core/session/take/take_recorder.h"
 #include "core/setup/new_project/new_project.h"
 
@@ -37,6 +38,7 @@ struct RecordOptions {
   std::string folder;
   std::optional<double> seconds;
   std::string notes;
+  std::optional<int> number;
   bool lossless = false;
 };
 
@@ -155,7 +157,7 @@ int recordTake(const RecordOptions& options, Project project, FrameSetSource& so
   }
   auto take = TakeRecorder::start(
       project, feeds, options.folder,
-      {options.lossless ? RawStorage::Lossless : RawStorage::Jpeg, options.notes});
+      {options.lossless ? RawStorage::Lossless : RawStorage::Jpeg, options.notes, options.number});
   if (!take) {
     return report(take.error());
   }
@@ -227,6 +229,10 @@ void addRecordCommand(CLI::App& app, int& exitCode) {
       ->add_option("--seconds", options->seconds,
                    "Stop after this time (default: at Ctrl+C, or when all streams have ended)")
       ->check(CLI::Range(0.1, 1e7));
+  command
+      ->add_option("--take", options->number,
+                   "Number of the take (default: the next one after all takes in the folder)")
+      ->check(CLI::Range(1, kHighestTakeNumber));
   command->add_option("--take-notes", options->notes, "Text that is kept with the take");
   command->add_flag("--lossless", options->lossless,
                     "Store uncompressed images unchanged, not as JPEG of quality 95");

@@ -2,9 +2,9 @@
 #include "core/session/take/take_recorder.h"
 
 #include "core/base/text_file.h"
-#include "core/base/text_number.h"
 #include "core/capture/image_shape.h"
 #include "core/project/project_save.h"
+#include "core/session/take/take_folder.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -25,41 +25,8 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr auto kWatchInterval = 100ms;
-constexpr std::string_view kFolderPrefix = "take-";
 /// Images after which the first one is surely in the file, not only in the table.
 constexpr std::int64_t kEnoughImages = 2;
-
-/// The next number after all takes in a folder.
-int nextTakeNumber(const fs::path& parent) {
-  int last = 0;
-  std::error_code problem;
-  for (fs::directory_iterator entry(parent, problem); !problem && entry != fs::directory_iterator();
-       entry.increment(problem)) {
-    const std::string name = entry->path().filename().string();
-    if (name.starts_with(kFolderPrefix)) {
-      last = std::max(last, toNumber<int>(name.substr(kFolderPrefix.size())).value_or(0));
-    }
-  }
-  return last + 1;
-}
-
-struct TakeFolder {
-  fs::path path;
-  int number = 0;
-};
-
-Result<TakeFolder> makeTakeFolder(const fs::path& parent) {
-  std::error_code problem;
-  const fs::path base = fs::absolute(parent, problem).lexically_normal();
-  fs::create_directories(base, problem);
-  for (int number = nextTakeNumber(base); !problem; ++number) {
-    const fs::path folder = base / fmt::format("{}{:03}", kFolderPrefix, number);
-    if (fs::create_directory(folder, problem)) { // not if another program was faster
-      return TakeFolder{folder, number};
-    }
-  }
-  return failure(ErrorCode::FileUnwritable, base.string(), "", problem.message());
-}
 
 /// A file name of a camera's name, without its ending, that is not in `used` yet.
 std::string fileNameOf(const std::string& camera, std::set<std::string>& used) {
@@ -115,7 +82,7 @@ Result<std::unique_ptr<TakeRecorder>> TakeRecorder::start(const Project& project
     return failure(ErrorCode::Mismatch, project.file.string(), "camera",
                    "only live cameras can be recorded (device or stream)");
   }
-  auto folder = makeTakeFolder(parent);
+  auto folder = makeTakeFolder(parent, options.number);
   if (!folder) {
     return tl::make_unexpected(folder.error());
   }
@@ -181,14 +148,23 @@ void TakeRecorder::updateProject() {
   }
 }
 
+Status TakeRecorder::setNotes(const std::string& notes) {
+  std::unique_lock lock(mutex_);
+  options_.notes = notes;
+  const bool finished = duration_.has_value();
+  lock.unlock();
+  return writeNotes(finished);
+}
+
 Status TakeRecorder::writeNotes(bool finished) const {
+  std::scoped_lock writing(notesMutex_);
   const TakeStatus now = status();
   nlohmann::ordered_json json;
   json["version"] = DEWPOINT_VERSION;
   json["take"] = number_;
   json["project"] = project_.name;
   json["started"] = date_;
-  json["notes"] = options_.notes;
+  json["notes"] = now.notes;
   json["finished"] = finished;
   json["seconds"] = now.seconds;
   json["cameras"] = nlohmann::ordered_json::array();
@@ -225,6 +201,7 @@ TakeStatus TakeRecorder::status() const {
   std::scoped_lock lock(mutex_);
   status.seconds = duration_.value_or(std::chrono::duration<double>(Clock::now() - begin_).count());
   status.problem = problem_;
+  status.notes = options_.notes;
   return status;
 }
 

@@ -22,6 +22,8 @@ namespace dewpoint::session {
 struct TakeOptions {
   RawStorage raw = RawStorage::Jpeg;
   std::string notes; ///< free text, kept in take.json
+  /// Number of the take; nothing: the next one after all takes in the folder.
+  std::optional<int> number = std::nullopt;
 };
 
 /// A take so far.
@@ -34,6 +36,7 @@ struct TakeStatus {
 
   int number = 0; ///< from 1
   std::filesystem::path folder;
+  std::string notes;
   double seconds = 0.0;              ///< since its start, or its whole duration
   std::vector<CameraStatus> cameras; ///< in the order of the project
   std::uint64_t freeBytes = 0;       ///< left on the disk
@@ -52,7 +55,8 @@ struct TakeStatus {
 class TakeRecorder {
 public:
   /// Creates the folder in `parent` and starts to record. `feeds`: those of the project's cameras,
-  /// in their order. Errors: FileUnwritable, and Mismatch if the project is not live.
+  /// in their order. Errors: FileUnwritable, Mismatch if the project is not live, and those of
+  /// makeTakeFolder().
   static Result<std::unique_ptr<TakeRecorder>> start(const Project& project,
                                                      const std::vector<EncodedFeedPtr>& feeds,
                                                      const std::filesystem::path& parent,
@@ -64,6 +68,9 @@ public:
 
   /// May be called from any thread.
   TakeStatus status() const;
+  /// Replaces the notes, also after the take has ended. May be called from any thread. Error:
+  /// FileUnwritable.
+  Status setNotes(const std::string& notes);
   /// Ends the take in less than about 1 s and completes its files. Returns the first problem of a
   /// file.
   Status stop();
@@ -87,7 +94,8 @@ private:
   std::vector<std::unique_ptr<StreamRecording>> recordings_;
   std::vector<bool> named_; ///< whether project.toml has the camera; used by one thread at a time
 
-  mutable std::mutex mutex_; ///< guards the members below
+  mutable std::mutex notesMutex_; ///< held while take.json is written
+  mutable std::mutex mutex_;      ///< guards the members below, and the notes in `options_`
   std::optional<double> duration_;
   std::optional<Error> problem_;
 

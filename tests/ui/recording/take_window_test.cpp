@@ -14,16 +14,22 @@
 #include "ui/widgets/message_bar.h"
 #include "ui/workbench/workbench.h"
 
+#include <QDialog>
 #include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QLabel>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <QToolBar>
 #include <QToolButton>
 
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 
 namespace dewpoint::tests {
 
@@ -38,8 +44,11 @@ private Q_SLOTS:
   void aFolderThatCannotBeMadeIsSaid();
   void recordingsHaveNoButton();
   void durationsAreShownAsOnAClock();
+  void numberAndNotesAreThoseOfTheUser();
 
 private:
+  /// The notes in the take.json of a take.
+  QString notesOf(const char* take) const;
   TakeController& takes() { return *window_->findChild<TakeController*>(); }
   /// Opens a project of two network cameras.
   void openLive();
@@ -132,6 +141,49 @@ void TakeWindowTest::aFolderThatCannotBeMadeIsSaid() {
   QVERIFY(!takes().isRecording());
   QVERIFY(!action("actionRecord")->isChecked());
   QVERIFY(inTheWay.remove());
+}
+
+QString TakeWindowTest::notesOf(const char* take) const {
+  QFile json(file("live-takes") + QLatin1Char('/') + QLatin1String(take) +
+             QStringLiteral("/take.json"));
+  return json.open(QIODevice::ReadOnly)
+             ? QJsonDocument::fromJson(json.readAll()).object()[QStringLiteral("notes")].toString()
+             : QString();
+}
+
+void TakeWindowTest::numberAndNotesAreThoseOfTheUser() {
+  std::filesystem::remove_all(path("live-takes"));
+  openLive();
+  const auto writes = [this](const QString& notes, std::optional<int> number) {
+    auto* field = find<QPlainTextEdit>("takeNotes");
+    auto* spin = find<QSpinBox>("takeNumber");
+    QCOMPARE(spin->isEnabled(), number.has_value());
+    field->setPlainText(notes);
+    spin->setValue(number.value_or(spin->value()));
+    find<QDialog>("takeDialog")->accept();
+    QVERIFY(waitFor([this] { return window_->findChild<QDialog*>("takeDialog") == nullptr; }));
+  };
+  action("actionTakeNotes")->trigger(); // before
+  writes(QStringLiteral("first try"), 7);
+  QVERIFY(waitFor([this] { return action("actionRecord")->isEnabled(); }));
+  QVERIFY(records(5));
+  QCOMPARE(takes().status().number, 7);
+  QCOMPARE(notesOf("take-007"), QStringLiteral("first try"));
+  action("actionTakeNotes")->trigger(); // while
+  writes(QStringLiteral("good"), std::nullopt);
+  QVERIFY(waitFor([&] { return notesOf("take-007") == QStringLiteral("good"); }));
+  QSignalSpy stopped(&takes(), &TakeController::stopped);
+  QTest::mouseClick(find<QToolButton>("actionRecordButton"), Qt::LeftButton);
+  QVERIFY(stopped.wait(kTimeoutMs));
+  QCOMPARE(notesOf("take-007"), QStringLiteral("good"));
+  QTest::mouseClick(find<QPushButton>("messageAnswer2"), Qt::LeftButton); // after
+  writes(QStringLiteral("the best one"), std::nullopt);
+  QVERIFY(waitFor([&] { return notesOf("take-007") == QStringLiteral("the best one"); }));
+  // The next number follows, and notes are those of one take.
+  QVERIFY(waitFor([this] { return action("actionRecord")->isEnabled(); }));
+  QVERIFY(records(5));
+  QCOMPARE(takes().status().number, 8);
+  QCOMPARE(notesOf("take-008"), QString());
 }
 
 void TakeWindowTest::recordingsHaveNoButton() {

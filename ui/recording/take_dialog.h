@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <QDialog>
+#include <QString>
+
+class QLabel;
+class QPlainTextEdit;
+class QSpinBox;
+
+namespace dewpoint::ui {
+
+/// Number and notes of a take.
+struct TakeDetails {
+  int number = 0; ///< 0: the next one after all takes in the folder
+  QString notes;
+};
+
+/// Edits the number and the notes of the next take, or the notes of a take that exists.
+class TakeDialog : public QDialog {
+  Q_OBJECT
+public:
+  /// `exists` is true if the take has been started, so that its number is fixed.
+  TakeDialog(const TakeDetails& details, bool exists, QWidget* parent);
+
+  TakeDetails details() const;
+
+private:
+  void retranslateUi();
+
+  bool exists_;
+  QLabel* numberLabel_;
+  QSpinBox* number_;
+  QLabel* notesLabel_;
+  QPlainTextEdit* notes_;
+};
+
+} // namespace dewpoint::ui
