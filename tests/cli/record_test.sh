@@ -51,6 +51,32 @@ kill -INT $process
 wait $process || fail "Ctrl+C ended it with $?: $(cat err.txt)"
 expectText takes/take-004/take.json '"finished": true'
 
+# A line starts a take that begins before it; the next line stops it.
+mkfifo trigger
+"$cli" record live.toml --out triggered --wait --pre-roll 2 <trigger >out.txt 2>err.txt &
+process=$!
+exec 9>trigger
+sleep 3
+[[ ! -e triggered ]] || fail "a take has begun before its signal"
+echo go >&9
+for _ in $(seq 100); do
+  [[ -s triggered/take-001/project.toml ]] && break
+  sleep 0.1
+done
+sleep 1
+echo stop >&9
+wait $process || fail "a second line ended it with $?: $(cat err.txt)"
+exec 9>&-
+expectText out.txt "Take 1: " "Before the start: "
+rows=$(rowCount triggered/take-001/left.csv)
+((rows >= 75)) || fail "$rows images with 2 s at 30 per second before the start"
+before=$(grep -o '"pre_roll": [0-9.]*' triggered/take-001/take.json | cut -d' ' -f2)
+awk -v s="$before" 'BEGIN { exit !(s > 1.5 && s < 3) }' || fail "$before s before the start"
+expectExit $kEndedEarly record live.toml --out triggered --wait </dev/null
+expectSentence "standard input"
+expectExit $kUsage record live.toml --out triggered --pre-roll 2
+expectSentence --wait
+
 # A take has the number that is asked for, once; the next one counts up from there.
 expectExit 0 record short.toml --out takes --take 20
 expectText takes/take-020/take.json '"take": 20'

@@ -3,6 +3,7 @@
 
 #include "core/project/project.h"
 #include "ui/document/document.h"
+#include "ui/preferences/preferences.h"
 #include "ui/recording/take_text.h"
 #include "ui/text/error_sentence.h"
 #include "ui/widgets/message_bar.h"
@@ -35,7 +36,10 @@ TakeController::TakeController(const Workbench& bench)
   connect(action_, &QAction::triggered, this, &TakeController::toggle);
   bench_.onTriggered("actionTakeNotes", this, [this] { editDetails(recorder_); });
   connect(&timer_, &QTimer::timeout, this, &TakeController::showStatus);
-  connect(&bench_.session, &SessionController::runStarted, this, &TakeController::updateAction);
+  connect(&bench_.session, &SessionController::runStarted, this, [this] {
+    keepPreRoll();
+    updateAction();
+  });
   connect(&bench_.session, &SessionController::runEnded, this, [this] {
     stop(tr("The recording ended, because its cameras were closed."));
     updateAction();
@@ -110,6 +114,9 @@ void TakeController::finish(const std::shared_ptr<TakeRecorder>& recorder, const
   if (!reason.isEmpty()) {
     text.prepend(reason + QLatin1Char(' '));
   }
+  if (const QString before = preRollText(take); !before.isEmpty()) {
+    text += QLatin1Char(' ') + before;
+  }
   if (const QString problem = takeProblem(take); !problem.isEmpty()) {
     text += QLatin1Char(' ') + tr("Problem: %1").arg(problem);
   }
@@ -119,6 +126,10 @@ void TakeController::finish(const std::shared_ptr<TakeRecorder>& recorder, const
        {tr("Show folder"), [folder] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); }},
        {tr("Notes…"), [this, recorder] { editDetails(recorder); }}});
   Q_EMIT stopped(take);
+}
+
+void TakeController::keepPreRoll() {
+  TakeRecorder::setPreRoll(bench_.session.feeds(), Preferences().preRollSeconds());
 }
 
 TakeOptions TakeController::nextOptions() const {
@@ -135,6 +146,8 @@ void TakeController::editDetails(const std::shared_ptr<TakeRecorder>& take) {
   if (take != nullptr) {
     const TakeStatus status = take->status();
     details = {status.number, QString::fromStdString(status.notes)};
+  } else {
+    details.preRoll = Preferences().preRollSeconds();
   }
   auto* dialog = new TakeDialog(details, take != nullptr, &bench_.window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -143,6 +156,10 @@ void TakeController::editDetails(const std::shared_ptr<TakeRecorder>& take) {
       saveNotes(take, dialog->details().notes);
     } else {
       next_ = dialog->details();
+      if (next_.preRoll != Preferences().preRollSeconds()) {
+        Preferences().setPreRollSeconds(next_.preRoll);
+        keepPreRoll();
+      }
     }
   });
   // The next take has become this one: its number is fixed.

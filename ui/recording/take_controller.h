@@ -20,7 +20,8 @@ namespace dewpoint::ui {
 
 /// Records the live cameras of the run: starts and stops takes (actionRecord), shows in the status
 /// bar what has been recorded, and says where a take is. Number and notes of a take can be set
-/// before it begins, and its notes also later (actionTakeNotes). A take goes on while the run is
+/// before it begins, and its notes also later (actionTakeNotes). A take may begin with
+/// images from before its start. A take goes on while the run is
 /// paused or restarted; it ends when the project is closed or its cameras are opened again. Closing
 /// the window completes it.
 class TakeController : public QObject {
@@ -51,6 +52,8 @@ private:
   void start();
   void stop(const QString& reason);
   void finish(const std::shared_ptr<TakeRecorder>& recorder, const QString& reason);
+  /// Makes the cameras keep their last images as the preferences say.
+  void keepPreRoll();
   /// Returns the options of the next take.
   TakeOptions nextOptions() const;
   void showStatus();

@@ -2,6 +2,7 @@
 #include "ui/recording/take_dialog.h"
 
 #include "core/session/take/take_folder.h"
+#include "core/session/take/take_recorder.h"
 #include "ui/text/retranslation.h"
 
 #include <QAbstractButton>
@@ -16,7 +17,8 @@ namespace dewpoint::ui {
 
 TakeDialog::TakeDialog(const TakeDetails& details, bool exists, QWidget* parent)
     : QDialog(parent), exists_(exists), numberLabel_(new QLabel(this)), number_(new QSpinBox(this)),
-      notesLabel_(new QLabel(this)), notes_(new QPlainTextEdit(details.notes, this)) {
+      notesLabel_(new QLabel(this)), notes_(new QPlainTextEdit(details.notes, this)),
+      preRollLabel_(new QLabel(this)), preRoll_(new QSpinBox(this)) {
   setObjectName(QStringLiteral("takeDialog"));
   number_->setObjectName(QStringLiteral("takeNumber"));
   number_->setRange(0, kHighestTakeNumber);
@@ -25,12 +27,19 @@ TakeDialog::TakeDialog(const TakeDetails& details, bool exists, QWidget* parent)
   number_->setEnabled(!exists_);
   notes_->setObjectName(QStringLiteral("takeNotes"));
   notes_->setTabChangesFocus(true);
+  preRoll_->setObjectName(QStringLiteral("takePreRoll"));
+  preRoll_->setRange(0, static_cast<int>(TakeRecorder::kLongestPreRoll));
+  preRoll_->setValue(details.preRoll);
+  preRollLabel_->setVisible(!exists_);
+  preRoll_->setVisible(!exists_);
   numberLabel_->setBuddy(number_);
+  preRollLabel_->setBuddy(preRoll_);
   notesLabel_->setBuddy(notes_);
   auto* form = new QFormLayout;
   form->setSpacing(8);
   form->addRow(numberLabel_, number_);
   form->addRow(notesLabel_, notes_);
+  form->addRow(preRollLabel_, preRoll_);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
   for (QAbstractButton* button : buttons->buttons()) {
     button->setIcon({}); // as in the other dialogs
@@ -47,7 +56,7 @@ TakeDialog::TakeDialog(const TakeDetails& details, bool exists, QWidget* parent)
 }
 
 TakeDetails TakeDialog::details() const {
-  return {number_->value(), notes_->toPlainText()};
+  return {number_->value(), notes_->toPlainText(), preRoll_->value()};
 }
 
 void TakeDialog::retranslateUi() {
@@ -56,6 +65,11 @@ void TakeDialog::retranslateUi() {
   number_->setSpecialValueText(tr("next free number"));
   number_->setToolTip(tr("Number of the take and of its folder. It counts up by itself."));
   notesLabel_->setText(tr("Notes"));
+  preRollLabel_->setText(tr("Pre-roll"));
+  preRoll_->setSpecialValueText(tr("off"));
+  preRoll_->setSuffix(tr(" s"));
+  preRoll_->setToolTip(tr("Time before the start that is recorded as well. The last images of all "
+                          "cameras are kept in memory for this, up to 512 MB in total."));
   notes_->setPlaceholderText(tr("Text that is kept with the take"));
 }
 

@@ -16,9 +16,11 @@ namespace dewpoint::ui {
 struct TakeDetails {
   int number = 0; ///< 0: the next one after all takes in the folder
   QString notes;
+  int preRoll = 0; ///< seconds before the start that are recorded, of the next takes
 };
 
-/// Edits the number and the notes of the next take, or the notes of a take that exists.
+/// Edits the number, the notes and the pre-roll of the next take, or the notes of a take that
+/// exists.
 class TakeDialog : public QDialog {
   Q_OBJECT
 public:
@@ -35,6 +37,8 @@ private:
   QSpinBox* number_;
   QLabel* notesLabel_;
   QPlainTextEdit* notes_;
+  QLabel* preRollLabel_;
+  QSpinBox* preRoll_;
 };
 
 } // namespace dewpoint::ui

@@ -9,6 +9,7 @@
 #include <QLocale>
 #include <QStringList>
 
+#include <algorithm>
 #include <cstdint>
 
 namespace dewpoint::ui {
@@ -83,7 +84,24 @@ QString takeDetails(const TakeStatus& take) {
                  .arg(counts.dropped)
                  .arg(sizeText(static_cast<std::uint64_t>(counts.bytes)));
   }
+  if (const QString before = preRollText(take); !before.isEmpty()) {
+    lines += before;
+  }
   return lines.join(QLatin1Char('\n'));
+}
+
+QString preRollText(const TakeStatus& take) {
+  if (take.preRoll <= 0.0) {
+    return {};
+  }
+  const QString time = secondsText(take.preRoll, 1);
+  const bool isShortened = std::ranges::any_of(
+      take.cameras, [](const auto& camera) { return camera.preRoll.shortened; });
+  return isShortened
+             ? QCoreApplication::translate(
+                   "TakeText", "It begins %1 before its start; memory was too small for more.")
+                   .arg(time)
+             : QCoreApplication::translate("TakeText", "It begins %1 before its start.").arg(time);
 }
 
 QString takeProblem(const TakeStatus& take) {

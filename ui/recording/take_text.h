@@ -15,6 +15,9 @@ namespace dewpoint::ui {
 QString takeLine(const TakeStatus& take);
 /// Returns one line for each camera: images, rate and dropped images.
 QString takeDetails(const TakeStatus& take);
+/// Returns how much was recorded before the start of a take, and whether memory limited it; empty
+/// if nothing was.
+QString preRollText(const TakeStatus& take);
 /// Returns the first problem of a take as a sentence; empty if there is none.
 QString takeProblem(const TakeStatus& take);
 /// Returns a duration as minutes and seconds, or hours, minutes and seconds: "0:07", "1:02:03".

@@ -3,6 +3,7 @@
 #include "app/dewpoint-cli/common/exit_code.h"
 #include "app/dewpoint-cli/common/interruption.h"
 #include "app/dewpoint-cli/common/progress.h"
+#include "app/dewpoint-cli/live/take_trigger.h"
 #include "app/wiring/open_project.h"
 #include "core/capture/gstreamer/open_live.h"
 #include "core/session/take/take_folder.h"
@@ -40,6 +41,8 @@ struct RecordOptions {
   std::string notes;
   std::optional<int> number;
   bool lossless = false;
+  bool wait = false;
+  double preRoll = 0.0; ///< seconds
 };
 
 using Feeds = std::vector<EncodedFeedPtr>;
@@ -149,11 +152,51 @@ Status awaitCameras(Project& project, FrameSetSource& source, NoticePrinter& not
   return {};
 }
 
+/// Waits for the signal to start. Returns false if it cannot come any more.
+Result<bool> awaitTrigger(LineTrigger& trigger, FrameSetSource& source, NoticePrinter& notices) {
+  fmt::print(stderr, "dewpoint-cli: waiting; a line on standard input starts the take.\n");
+  bool hasCome = false;
+  const Status watched = watchCameras(source, notices, [&] {
+    hasCome = trigger.take() > 0;
+    return hasCome || trigger.hasEnded();
+  });
+  return watched.map([&] { return hasCome; });
+}
+
+/// Prints how much was recorded before the start.
+void printPreRoll(const TakeStatus& take, double wanted) {
+  if (wanted <= 0.0) {
+    return;
+  }
+  fmt::print("Before the start: {:.1f} s\n", take.preRoll);
+  for (const TakeStatus::CameraStatus& camera : take.cameras) {
+    if (camera.preRoll.shortened) {
+      fmt::print(stderr,
+                 "dewpoint-cli: camera '{}': only {:.1f} s before the start were kept in {:.0f} MB "
+                 "of memory.\n",
+                 camera.name, camera.preRoll.seconds,
+                 static_cast<double>(camera.preRoll.bytes) / kMegabyte);
+    }
+  }
+}
+
 int recordTake(const RecordOptions& options, Project project, FrameSetSource& source,
                const Feeds& feeds) {
   NoticePrinter notices;
+  LineTrigger trigger;
   if (auto waited = awaitCameras(project, source, notices); !waited) {
     return report(waited.error());
+  }
+  if (options.wait) {
+    const auto started = awaitTrigger(trigger, source, notices);
+    if (!started) {
+      return report(started.error());
+    }
+    if (!*started) {
+      return interruptionRequested() ? kExitInterrupted
+                                     : report({ErrorCode::EndedEarly, "standard input", "",
+                                               "no line came to start the take"});
+    }
   }
   auto take = TakeRecorder::start(
       project, feeds, options.folder,
@@ -166,7 +209,8 @@ int recordTake(const RecordOptions& options, Project project, FrameSetSource& so
   auto lastLook = begin;
   const Status watched = watchCameras(source, notices, [&] {
     const double seconds = std::chrono::duration<double>(RecordClock::now() - begin).count();
-    if ((options.seconds && seconds >= *options.seconds) || allEnded(feeds)) {
+    const bool isStopped = options.wait && trigger.take() > 0;
+    if (isStopped || (options.seconds && seconds >= *options.seconds) || allEnded(feeds)) {
       return true;
     }
     if (RecordClock::now() - lastLook < 200ms) {
@@ -179,6 +223,7 @@ int recordTake(const RecordOptions& options, Project project, FrameSetSource& so
   progress.finish();
   const Status stopped = (*take)->stop();
   const bool complete = printTake((*take)->status());
+  printPreRoll((*take)->status(), options.preRoll);
   if (!stopped) {
     return report(stopped.error());
   }
@@ -210,6 +255,7 @@ int record(const RecordOptions& options) {
   if (!source) {
     return report(source.error());
   }
+  TakeRecorder::setPreRoll(feeds, options.preRoll);
   return recordTake(options, std::move(*project), **source, feeds);
 }
 
@@ -234,6 +280,13 @@ void addRecordCommand(CLI::App& app, int& exitCode) {
                    "Number of the take (default: the next one after all takes in the folder)")
       ->check(CLI::Range(1, kHighestTakeNumber));
   command->add_option("--take-notes", options->notes, "Text that is kept with the take");
+  auto* wait = command->add_flag("--wait", options->wait,
+                                 "Start at a line on standard input, and stop at the next one");
+  command
+      ->add_option("--pre-roll", options->preRoll,
+                   "Also record this many seconds before the start (with --wait; default: 0)")
+      ->check(CLI::Range(0.0, TakeRecorder::kLongestPreRoll))
+      ->needs(wait);
   command->add_flag("--lossless", options->lossless,
                     "Store uncompressed images unchanged, not as JPEG of quality 95");
   command->callback([options, &exitCode] { exitCode = record(*options); });

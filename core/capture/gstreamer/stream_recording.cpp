@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <condition_variable>
 #include <deque>
 #include <gst/app/gstappsrc.h>
@@ -26,26 +27,10 @@ namespace {
 // Judgments.
 constexpr std::uint64_t kMostWaitingBytes = 256ULL << 20;
 /// Of images that wait to be written: what a killed program loses. A last second is for the rest.
-constexpr auto kLongestWaiting = 1s;
+constexpr std::chrono::seconds kLongestWaiting = 1s;
 constexpr auto kStopPatience = 800ms;
-
-/// What has to stay the same in a file.
-std::string formatOf(GstSample& sample) {
-  GstCaps* caps = gst_sample_get_caps(&sample);
-  if (caps == nullptr || gst_caps_get_size(caps) == 0) {
-    return {};
-  }
-  const GstStructure* structure = gst_caps_get_structure(caps, 0);
-  std::string format = gst_structure_get_name(structure);
-  for (const char* field : {"format", "width", "height", "stream-format", "codec_data"}) {
-    if (const GValue* value = gst_structure_get_value(structure, field)) {
-      gchar* text = gst_value_serialize(value);
-      format += fmt::format(" {}={}", field, text != nullptr ? text : "?");
-      g_free(text);
-    }
-  }
-  return format;
-}
+/// How long the images before the start may take to be written, before live images are dropped.
+constexpr std::chrono::seconds kPreRollPatience = 5s;
 
 /// Width and height of a sample's images for a sentence.
 std::string sizeOf(GstSample& sample) {
@@ -70,6 +55,7 @@ struct StreamRecording::Writer {
   StreamFiles files;
   RawStorage raw = RawStorage::Jpeg;
   Clock::time_point zero;
+  GstClockTime begin = 0; ///< of the take; earlier images are the pre-roll
   std::string field;
 
   /// Used only by the thread that passes images on, or after it was disconnected.
@@ -87,6 +73,7 @@ struct StreamRecording::Writer {
   std::deque<std::pair<GstClockTime, TimeOrigin>> origins; ///< of images on their way to the file
   std::int64_t received = 0;
   std::int64_t written = 0;
+  std::int64_t preRoll = 0; ///< of them, captured before the start
   TimeOrigin lastOrigin = TimeOrigin::Arrival;
   GstClockTime firstTime = GST_CLOCK_TIME_NONE;
   GstClockTime lastTime = 0;
@@ -169,7 +156,7 @@ bool StreamRecording::Writer::start(const std::shared_ptr<Writer>& self, GstSamp
   GstBus* bus = gst_element_get_bus(pipeline.get());
   gst_bus_set_sync_handler(bus, &Writer::onMessage, new std::shared_ptr<Writer>(self), release);
   gst_object_unref(bus);
-  format = formatOf(sample);
+  format = storedFormatOf(sample);
   isInter = isOfSeveralImages(mediaType);
   needsKey = isInter;
   if (gst_element_set_state(pipeline.get(), GST_STATE_PLAYING) == GST_STATE_CHANGE_FAILURE) {
@@ -180,9 +167,15 @@ bool StreamRecording::Writer::start(const std::shared_ptr<Writer>& self, GstSamp
 }
 
 bool StreamRecording::Writer::hasRoom(GstClockTime time) const {
+  if (time < begin) {
+    return true; // its memory is limited already
+  }
   std::scoped_lock lock(mutex);
-  const bool isLate = !origins.empty() && time > origins.front().first &&
-                      std::chrono::nanoseconds(time - origins.front().first) > kLongestWaiting;
+  // The pre-roll comes all at once, and takes its time.
+  const bool isPreRoll = !origins.empty() && origins.front().first < begin;
+  const GstClockTime since = origins.empty() ? time : std::max(origins.front().first, begin);
+  const bool isLate = time > since && std::chrono::nanoseconds(time - since) >
+                                          (isPreRoll ? kPreRollPatience : kLongestWaiting);
   return !isLate && gst_app_src_get_current_level_bytes(GST_APP_SRC(source)) < kMostWaitingBytes;
 }
 
@@ -203,7 +196,7 @@ void StreamRecording::Writer::receive(const std::shared_ptr<Writer>& self,
   if (hasFailed() || (!pipeline && !start(self, *image.sample))) {
     return;
   }
-  if (formatOf(*image.sample) != format) {
+  if (storedFormatOf(*image.sample) != format) {
     setProblem(
         files.video,
         fmt::format("the camera's format changed during the recording, images of {} are left "
@@ -262,6 +255,7 @@ void StreamRecording::Writer::writeTime(GstClockTime time) {
     return;
   }
   ++written;
+  preRoll += time < begin ? 1 : 0;
   firstTime = GST_CLOCK_TIME_IS_VALID(firstTime) ? firstTime : time;
   lastTime = time;
 }
@@ -306,11 +300,14 @@ void StreamRecording::Writer::finish() {
 }
 
 StreamRecording::StreamRecording(EncodedFeedPtr feed, StreamFiles files, RawStorage raw,
-                                 Clock::time_point zero, std::string field)
+                                 Clock::time_point zero, std::string field,
+                                 std::optional<Clock::time_point> begin)
     : feed_(std::move(feed)), writer_(std::make_shared<Writer>()) {
   writer_->files = std::move(files);
   writer_->raw = raw;
   writer_->zero = zero;
+  writer_->begin = static_cast<GstClockTime>(
+      std::max<std::int64_t>(0, std::chrono::nanoseconds(begin.value_or(zero) - zero).count()));
   writer_->field = std::move(field);
   feed_->connect([writer = writer_](const EncodedImage& image) { writer->receive(writer, image); });
 }
@@ -324,6 +321,7 @@ RecordedCounts StreamRecording::counts() const {
   std::scoped_lock lock(writer_->mutex);
   const Writer& writer = *writer_;
   counts.images = writer.written;
+  counts.preRollImages = writer.preRoll;
   counts.dropped = writer.received - writer.written -
                    (stopped_ || writer.isBroken() // what waited is lost
                         ? 0

@@ -29,9 +29,10 @@ struct StreamFiles {
 
 /// What a recording has stored so far.
 struct RecordedCounts {
-  std::int64_t images = 0;  ///< in the files
-  std::int64_t dropped = 0; ///< came, but are not in the files
-  std::int64_t bytes = 0;   ///< size of the video
+  std::int64_t images = 0;        ///< in the files
+  std::int64_t preRollImages = 0; ///< of them, captured before the start of the take
+  std::int64_t dropped = 0;       ///< came, but are not in the files
+  std::int64_t bytes = 0;         ///< size of the video
   /// Images per second, from the capture times of the first and the last image; 0 before the second
   /// one.
   double framesPerSecond = 0.0;
@@ -53,9 +54,10 @@ public:
 
   /// Connects to `feed` and begins with its next image (of H.264 and H.265: the next key frame).
   /// The files are created then. Capture times are relative to `zero`; images captured before it
-  /// are left out. `field` names the camera in errors.
+  /// are left out. `field` names the camera in errors. Images of the feed's pre-roll that were
+  /// captured between `zero` and `begin`, the start of the take, are written first.
   StreamRecording(EncodedFeedPtr feed, StreamFiles files, RawStorage raw, Clock::time_point zero,
-                  std::string field);
+                  std::string field, std::optional<Clock::time_point> begin = std::nullopt);
   StreamRecording(const StreamRecording&) = delete;
   StreamRecording& operator=(const StreamRecording&) = delete;
   /// Stops if that was not done.

@@ -88,18 +88,36 @@ Result<std::unique_ptr<TakeRecorder>> TakeRecorder::start(const Project& project
   }
   std::unique_ptr<TakeRecorder> take(
       new TakeRecorder(project, folder->path, folder->number, options));
+  const Clock::time_point zero = take->keepPreRoll(feeds);
   if (auto written = take->writeNotes(false); !written) {
     return tl::make_unexpected(written.error());
   }
   for (std::size_t k = 0; k < take->project_.cameras.size() && k < feeds.size(); ++k) {
     const ProjectCamera& camera = take->project_.cameras[k];
     take->recordings_.push_back(std::make_unique<StreamRecording>(
-        feeds[k], StreamFiles{camera.location, camera.times}, options.raw, take->begin_,
-        cameraField(camera.camera.name)));
+        feeds[k], StreamFiles{camera.location, camera.times}, options.raw, zero,
+        cameraField(camera.camera.name), take->begin_));
   }
   take->watch_ =
       std::jthread([take = take.get()](const std::stop_token& stop) { take->watch(stop); });
   return take;
+}
+
+void TakeRecorder::setPreRoll(const std::vector<EncodedFeedPtr>& feeds, double seconds) {
+  for (const EncodedFeedPtr& feed : feeds) {
+    feed->setPreRoll({std::chrono::duration<double>(seconds), kPreRollBytes / feeds.size()});
+  }
+}
+
+TakeRecorder::Clock::time_point
+TakeRecorder::keepPreRoll(const std::vector<EncodedFeedPtr>& feeds) {
+  Clock::time_point zero = begin_;
+  for (const EncodedFeedPtr& feed : feeds) {
+    zero = std::min(zero, feed->preRollBegin().value_or(begin_));
+    preRolls_.push_back(feed->preRoll());
+  }
+  preRoll_ = std::chrono::duration<double>(begin_ - zero).count();
+  return zero;
 }
 
 TakeRecorder::~TakeRecorder() {
@@ -167,6 +185,7 @@ Status TakeRecorder::writeNotes(bool finished) const {
   json["notes"] = now.notes;
   json["finished"] = finished;
   json["seconds"] = now.seconds;
+  json["pre_roll"] = now.preRoll;
   json["cameras"] = nlohmann::ordered_json::array();
   for (const TakeStatus::CameraStatus& camera : now.cameras) {
     nlohmann::ordered_json& one = json["cameras"].emplace_back();
@@ -174,6 +193,8 @@ Status TakeRecorder::writeNotes(bool finished) const {
     one["video"] = camera.video;
     one["images"] = camera.counts.images;
     one["dropped"] = camera.counts.dropped;
+    one["pre_roll_images"] = camera.counts.preRollImages;
+    one["pre_roll_shortened"] = camera.preRoll.shortened;
     one["bytes"] = camera.counts.bytes;
     one["frames_per_second"] = camera.counts.framesPerSecond;
     one["time_origin"] = originName(camera.counts.origin);
@@ -190,10 +211,11 @@ TakeStatus TakeRecorder::status() const {
   TakeStatus status;
   status.number = number_;
   status.folder = folder_;
+  status.preRoll = preRoll_;
   for (std::size_t k = 0; k < recordings_.size(); ++k) {
     const ProjectCamera& camera = project_.cameras[k];
     status.cameras.push_back({camera.camera.name, fs::path(camera.location).filename().string(),
-                              recordings_[k]->counts()});
+                              recordings_[k]->counts(), preRolls_[k]});
   }
   std::error_code problem;
   const fs::space_info space = fs::space(folder_, problem);

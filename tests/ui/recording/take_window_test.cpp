@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Live cameras recorded from the real window: the button, what the status bar says, and the take
 // that opens as a project.
+#include "core/capture/gstreamer/encoded_feed.h"
 #include "core/project/project_save.h"
 #include "core/session/snapshot/snapshot.h"
 #include "core/simulation/scene/scene_renderer.h"
@@ -8,6 +9,7 @@
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/window_test.h"
 #include "ui/document/document.h"
+#include "ui/preferences/preferences.h"
 #include "ui/recording/take_controller.h"
 #include "ui/recording/take_text.h"
 #include "ui/session/session_controller.h"
@@ -45,6 +47,7 @@ private Q_SLOTS:
   void recordingsHaveNoButton();
   void durationsAreShownAsOnAClock();
   void numberAndNotesAreThoseOfTheUser();
+  void aTakeBeginsBeforeItsStart();
 
 private:
   /// The notes in the take.json of a take.
@@ -184,6 +187,34 @@ void TakeWindowTest::numberAndNotesAreThoseOfTheUser() {
   QVERIFY(records(5));
   QCOMPARE(takes().status().number, 8);
   QCOMPARE(notesOf("take-008"), QString());
+}
+
+void TakeWindowTest::aTakeBeginsBeforeItsStart() {
+  openLive();
+  action("actionTakeNotes")->trigger();
+  QCOMPARE(find<QSpinBox>("takePreRoll")->value(), 0); // off
+  find<QSpinBox>("takePreRoll")->setValue(2);
+  find<QDialog>("takeDialog")->accept();
+  QCOMPARE(Preferences().preRollSeconds(), 2);
+  const auto& feeds = window_->workbench().session.feeds();
+  QVERIFY(waitFor([&] {
+    return std::ranges::all_of(feeds,
+                               [](const auto& feed) { return feed->preRoll().images >= 20; });
+  }));
+  QVERIFY(records(5));
+  const TakeStatus take = takes().status();
+  QVERIFY2(take.preRoll > 0.1 && take.preRoll < 5.0, qPrintable(QString::number(take.preRoll)));
+  QVERIFY(waitFor([this] {
+    const TakeStatus now = takes().status();
+    return std::ranges::all_of(now.cameras, [](const auto& camera) {
+      return camera.counts.preRollImages >= 15 &&
+             camera.counts.images > camera.counts.preRollImages;
+    });
+  }));
+  QSignalSpy stopped(&takes(), &TakeController::stopped);
+  QTest::mouseClick(find<QToolButton>("actionRecordButton"), Qt::LeftButton);
+  QVERIFY(stopped.wait(kTimeoutMs));
+  QVERIFY2(messageText().contains(QStringLiteral("before its start")), qPrintable(messageText()));
 }
 
 void TakeWindowTest::recordingsHaveNoButton() {
