@@ -73,7 +73,7 @@ rows=$(rowCount triggered/take-001/left.csv)
 before=$(grep -o '"pre_roll": [0-9.]*' triggered/take-001/take.json | cut -d' ' -f2)
 awk -v s="$before" 'BEGIN { exit !(s > 1.5 && s < 3) }' || fail "$before s before the start"
 expectExit $kEndedEarly record live.toml --out triggered --wait </dev/null
-expectSentence "standard input"
+expectText err.txt "standard input" "no line came"
 expectExit $kUsage record live.toml --out triggered --pre-roll 2
 expectSentence --wait
 

@@ -153,12 +153,13 @@ Status awaitCameras(Project& project, FrameSetSource& source, NoticePrinter& not
 }
 
 /// Waits for the signal to start. Returns false if it cannot come any more.
-Result<bool> awaitTrigger(LineTrigger& trigger, FrameSetSource& source, NoticePrinter& notices) {
+Result<bool> awaitTrigger(LineTrigger& trigger, FrameSetSource& source, const Feeds& feeds,
+                          NoticePrinter& notices) {
   fmt::print(stderr, "dewpoint-cli: waiting; a line on standard input starts the take.\n");
   bool hasCome = false;
   const Status watched = watchCameras(source, notices, [&] {
     hasCome = trigger.take() > 0;
-    return hasCome || trigger.hasEnded();
+    return hasCome || trigger.hasEnded() || allEnded(feeds);
   });
   return watched.map([&] { return hasCome; });
 }
@@ -188,14 +189,16 @@ int recordTake(const RecordOptions& options, Project project, FrameSetSource& so
     return report(waited.error());
   }
   if (options.wait) {
-    const auto started = awaitTrigger(trigger, source, notices);
+    const auto started = awaitTrigger(trigger, source, feeds, notices);
     if (!started) {
       return report(started.error());
     }
     if (!*started) {
       return interruptionRequested() ? kExitInterrupted
-                                     : report({ErrorCode::EndedEarly, "standard input", "",
-                                               "no line came to start the take"});
+             : trigger.hasEnded()    ? report({ErrorCode::EndedEarly, "standard input", "",
+                                               "no line came to start the take"})
+                                     : report({ErrorCode::EndedEarly, options.project, "camera",
+                                               "all streams ended before the take was started"});
     }
   }
   auto take = TakeRecorder::start(
