@@ -33,4 +33,12 @@ struct CaptureInstant {
   TimeOrigin origin = TimeOrigin::Arrival;
 };
 
+/// When a live image passed the stages of its way through the computer.
+struct LiveInstants {
+  std::chrono::steady_clock::time_point
+      captured{};                                  ///< see CaptureInstant, minus the camera's delay
+  std::chrono::steady_clock::time_point arrived{}; ///< its data were here, not yet decoded
+  std::chrono::steady_clock::time_point decoded{}; ///< the image was finished
+};
+
 } // namespace dewpoint::capture

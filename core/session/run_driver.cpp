@@ -60,10 +60,7 @@ bool RunDriver::takeFrame() {
     playback_.endInput();
     return false;
   }
-  runTime_ = std::max(runTime_, seconds((*taken)->time));
-  if (source_->isLive() && !playback_.rerunRange()) {
-    recorder_.setCameraProblems(source_->notices());
-  }
+  noteTaken(**taken);
   if (!hasImages(**taken)) {
     return false; // live, and nothing came
   }
@@ -72,7 +69,7 @@ bool RunDriver::takeFrame() {
   }
   current_.begin(*taken);
   playback_.take((*taken)->index);
-  recorder_.noteArrival();
+  recorder_.noteArrival(takesFromCameras());
   return true;
 }
 
@@ -104,10 +101,6 @@ void RunDriver::advance(bool oneIteration) {
   } else {
     iterateFrame(oneIteration ? FrameStep::OneIteration : FrameStep::WholeFrame);
   }
-}
-
-void RunDriver::showNext() {
-  playback_.advance(timeTravel().nextShowable(*playback_.viewedFrame()), head());
 }
 
 void RunDriver::play() {

@@ -118,7 +118,18 @@ private:
   /// cameras have delivered no image.
   bool takeFrame();
   void iterateFrame(FrameStep step = FrameStep::WholeFrame);
-  void showNext();
+  void showNext() {
+    playback_.advance(timeTravel().nextShowable(*playback_.viewedFrame()), head());
+  }
+  /// Returns whether the next frame comes from live cameras, not from the past.
+  bool takesFromCameras() const { return isLive() && !playback_.rerunRange(); }
+  /// Notes the time of a frame set that was just taken, and the problems of live cameras.
+  void noteTaken(const FrameSet& taken) {
+    runTime_ = std::max(runTime_, seconds(taken.time));
+    if (takesFromCameras()) {
+      recorder_.setCameraProblems(source_->notices());
+    }
+  }
   void record() {
     recorder_.record(run(), current_.record());
     playback_.record();

@@ -101,6 +101,17 @@ void RunLog::countFrame(double sinceArrival, double sinceFirst) {
   statistics_.seconds = sinceFirst;
 }
 
+void RunLog::countLiveFrame(const FrameSet& frames, LatencyStages::Clock::time_point taken,
+                            LatencyStages::Clock::time_point estimated) {
+  const std::lock_guard lock(mutex_);
+  statistics_.live.addFrames(frames, taken, estimated);
+}
+
+void RunLog::countDrawing(double seconds) {
+  const std::lock_guard lock(mutex_);
+  statistics_.live.addDrawing(seconds);
+}
+
 void RunLog::setFinished(bool finished) {
   const std::lock_guard lock(mutex_);
   statistics_.finished = finished;
@@ -254,8 +265,12 @@ Trajectory RunLog::trajectory() const {
 
 Latency RunLog::latency() const {
   const std::lock_guard lock(mutex_);
-  const DurationHistogram& taken = statistics_.latency;
-  return {taken.quantile(0.5), taken.quantile(0.99), taken.longest()};
+  return latencyOf(statistics_.latency);
+}
+
+LiveLatency RunLog::liveLatency() const {
+  const std::lock_guard lock(mutex_);
+  return statistics_.live.summary();
 }
 
 std::pair<Project, RunStatistics> RunLog::runReportData() const {

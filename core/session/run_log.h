@@ -42,6 +42,11 @@ public:
   /// Adds a finished frame. `sinceArrival` is the time in seconds since this frame arrived,
   /// `sinceFirst` since the first frame of the run arrived.
   void countFrame(double sinceArrival, double sinceFirst);
+  /// Adds the images of a live frame; see LatencyStages::addFrames().
+  void countLiveFrame(const FrameSet& frames, LatencyStages::Clock::time_point taken,
+                      LatencyStages::Clock::time_point estimated);
+  /// Adds the time from a live estimate until it was painted, in seconds.
+  void countDrawing(double seconds);
   /// Sets whether the end of the input was reached.
   void setFinished(bool finished);
   /// Sets the notices that the run has now; `time` is in seconds of the run.
@@ -85,6 +90,7 @@ public:
   void setOldResults(OldResults old);
   OldResults oldResults() const;
   Latency latency() const;
+  LiveLatency liveLatency() const;
   /// Returns the data for run.json.
   std::pair<Project, RunStatistics> runReportData() const;
 

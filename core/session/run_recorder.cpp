@@ -35,8 +35,9 @@ void RunRecorder::restart() {
   settings_.clear();
 }
 
-void RunRecorder::noteArrival() {
+void RunRecorder::noteArrival(bool isLive) {
   arrival_ = Clock::now();
+  isFresh_ = isLive;
   append(frameTimes_, arrival_, kFrameTimesKept);
 }
 
@@ -51,6 +52,7 @@ void RunRecorder::setCameraProblems(std::vector<Error> problems) {
 void RunRecorder::resetArrival() {
   arrival_ = Clock::now();
   begun_.reset(); // it was taken long ago
+  isFresh_ = false;
 }
 
 void RunRecorder::iterated(const TrackingRun& run, double microseconds) {
@@ -62,10 +64,14 @@ void RunRecorder::iterated(const TrackingRun& run, double microseconds) {
   log_.append(records(run));
 }
 
-Status RunRecorder::tracked(const TrackingRun& /*run*/) {
+Status RunRecorder::tracked(const TrackingRun& run) {
   const auto now = Clock::now();
+  estimated_ = now;
   firstArrival_ = firstArrival_.value_or(arrival_);
   log_.countFrame(Seconds(now - arrival_).count(), Seconds(now - *firstArrival_).count());
+  if (std::exchange(isFresh_, false)) {
+    log_.countLiveFrame(*run.frames(), arrival_, now);
+  }
   return {};
 }
 
@@ -158,7 +164,9 @@ void RunRecorder::addStatistics(TrackSnapshot& snapshot) const {
   }
   snapshot.microsecondsPerIteration = upperMedian({iterationTimes_.begin(), iterationTimes_.end()});
   snapshot.budget = budget_;
+  snapshot.estimated = estimated_;
   snapshot.latency = log_.latency();
+  snapshot.liveLatency = log_.liveLatency();
 }
 
 } // namespace dewpoint::session

@@ -31,8 +31,8 @@ public:
   void interrupt() { frameTimes_.clear(); }
   /// Notes that a frame is about to be taken.
   void begin() { begun_ = Clock::now(); }
-  /// Notes that a frame was taken.
-  void noteArrival();
+  /// Notes that a frame was taken; `isLive` if it has just come from a live source.
+  void noteArrival(bool isLive);
   /// Sets the problems that the live cameras have from now on. They are recorded with each frame.
   void setCameraProblems(std::vector<Error> problems);
   /// Sets the arrival time of the next tracked frame to now. Otherwise, the time for which the run
@@ -60,7 +60,9 @@ private:
   RunLog& log_;
   const TruthTable& truth_;
   Clock::time_point arrival_;                     ///< arrival of the current frame
+  Clock::time_point estimated_{};                 ///< end of the newest frame
   std::optional<Clock::time_point> firstArrival_; ///< first arrival since the last start or restart
+  bool isFresh_ = false; ///< the current frame is live, and its tracking began at its arrival
   std::deque<Clock::time_point> frameTimes_;
   std::deque<double> iterationTimes_; ///< microseconds
   BudgetStatistics budget_;

@@ -109,6 +109,10 @@ PeopleRecord Session::peopleRecord() const {
   return {trajectory(), impl_->loop.log().people()};
 }
 
+void Session::countDrawing(double seconds) {
+  impl_->loop.log().countDrawing(seconds);
+}
+
 void Session::setFrameTap(FrameTap tap) {
   impl_->loop.tap().set(std::move(tap));
 }

@@ -128,6 +128,9 @@ public:
   void setCorrections(const std::vector<PositionCorrection>& corrections) {
     send(command::SetCorrections{corrections});
   }
+  /// Adds the time from a live estimate until the window has painted it, in seconds, to the
+  /// statistics.
+  void countDrawing(double seconds);
   /// Sets a function that also receives every frame set taken from now on; an empty tap removes it.
   /// It is called in the tracking thread. A calibration uses it to access the cameras while
   /// tracking continues.

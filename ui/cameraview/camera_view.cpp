@@ -21,6 +21,7 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -291,6 +292,18 @@ void CameraView::paintEvent(QPaintEvent*) {
   painter.drawImage(drawnArea(), picture_.image);
   painter.setClipRect(shownArea());
   paintEstimates(painter);
+  reportPainted();
+}
+
+void CameraView::reportPainted() {
+  const bool isLive = shown_ && !shown_->frameCount && !shown_->past && shown_->tracked &&
+                      shown_->state == PlayState::Playing;
+  if (isLive && shown_->frame != reportedFrame_) {
+    reportedFrame_ = shown_->frame;
+    Q_EMIT estimatePainted(
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - shown_->estimated)
+            .count());
+  }
 }
 
 QRectF CameraView::drawnArea() const {

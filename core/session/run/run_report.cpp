@@ -46,6 +46,33 @@ nlohmann::ordered_json correctionJson(const PositionCorrection& correction,
   return json;
 }
 
+/// Median and 99th percentile in milliseconds.
+nlohmann::ordered_json millisecondsJson(const Latency& latency) {
+  return {{"p50", inMilliseconds(latency.median)}, {"p99", inMilliseconds(latency.p99)}};
+}
+
+/// Nothing (null) for recordings.
+nlohmann::ordered_json liveLatencyJson(const LiveLatency& live) {
+  nlohmann::ordered_json json;
+  for (const TimeOrigin origin : {TimeOrigin::Driver, TimeOrigin::Sender, TimeOrigin::Arrival}) {
+    if (const std::int64_t images = live.images[static_cast<std::size_t>(origin)]; images > 0) {
+      json["images"][originName(origin)] = images;
+    }
+  }
+  if (json.is_null()) {
+    return json;
+  }
+  json["capture"] = millisecondsJson(live.capture);
+  json["decode"] = millisecondsJson(live.decode);
+  json["wait"] = millisecondsJson(live.wait);
+  json["compute"] = millisecondsJson(live.compute);
+  if (live.draw.longest > 0.0) { // in the window
+    json["draw"] = millisecondsJson(live.draw);
+  }
+  json["light_to_estimate"] = millisecondsJson(live.total);
+  return json;
+}
+
 } // namespace
 
 void NoticeLog::update(const std::vector<Error>& notices, double time) {
@@ -89,6 +116,9 @@ std::string runReport(const Project& project, const RunStatistics& figures) {
                                     {"p99", inMilliseconds(figures.latency.quantile(0.99))},
                                     {"p99.9", inMilliseconds(figures.latency.quantile(0.999))},
                                     {"max", inMilliseconds(figures.latency.longest())}};
+  if (auto live = liveLatencyJson(figures.live.summary()); !live.is_null()) {
+    json["live_milliseconds"] = std::move(live);
+  }
   json["dropped_frames"] = figures.droppedFrames;
   for (const auto& declaration : project.parameters.declarations()) {
     json["parameters"][declaration.key] = project.parameters.at(declaration.key);

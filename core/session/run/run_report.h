@@ -4,6 +4,7 @@
 #include "core/base/duration_histogram.h"
 #include "core/base/error.h"
 #include "core/project/project.h"
+#include "core/session/frames/latency_stages.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -44,6 +45,7 @@ struct RunStatistics {
   int threads = 1;                  ///< number of filter threads
   bool finished = false;            ///< the end of the input was reached
   DurationHistogram iterations;     ///< duration of one filter iteration, per target
+  LatencyStages live;               ///< where the latency of live images comes from
   DurationHistogram latency;        ///< time from the arrival of a frame set to its estimate
   std::vector<std::string> notices; ///< each once, also those whose cause is over
   NoticeLog noticeLog; ///< when they came and went, except those about cameras that moved

@@ -21,7 +21,7 @@ namespace dewpoint::session {
 /// Choices for a take.
 struct TakeOptions {
   RawStorage raw = RawStorage::Jpeg;
-  std::string notes; ///< free text, kept in take.json
+  std::string notes = {}; ///< free text, kept in take.json
   /// Number of the take; nothing: the next one after all takes in the folder.
   std::optional<int> number = std::nullopt;
 };

@@ -50,5 +50,28 @@ TEST(RunReport, NoticesHaveTheirTimes) {
   EXPECT_TRUE(json["notice_log"][1]["to"].is_null());
 }
 
+TEST(RunReport, LiveRunsHaveTheirLatencies) {
+  RunStatistics figures;
+  EXPECT_FALSE(nlohmann::json::parse(runReport(Project(), figures)).contains("live_milliseconds"));
+  const LatencyStages::Clock::time_point light(std::chrono::seconds(9));
+  const auto after = [&](int milliseconds) {
+    return light + std::chrono::milliseconds(milliseconds);
+  };
+  Frame frame;
+  frame.origin = TimeOrigin::Sender;
+  frame.instants = {light, after(40), after(44)};
+  FrameSet set;
+  set.frames = {std::make_shared<const Frame>(frame)};
+  figures.live.addFrames(set, after(50), after(51));
+  const auto json = nlohmann::json::parse(runReport(Project(), figures))["live_milliseconds"];
+  EXPECT_EQ(json["images"]["sender"], 1);
+  EXPECT_NEAR(json["capture"]["p50"].get<double>(), 40.0, 0.3);
+  EXPECT_NEAR(json["decode"]["p99"].get<double>(), 4.0, 0.03);
+  EXPECT_NEAR(json["wait"]["p50"].get<double>(), 6.0, 0.04);
+  EXPECT_NEAR(json["compute"]["p50"].get<double>(), 1.0, 0.01);
+  EXPECT_NEAR(json["light_to_estimate"]["p99"].get<double>(), 51.0, 0.4);
+  EXPECT_FALSE(json.contains("draw")); // nothing was drawn
+}
+
 } // namespace
 } // namespace dewpoint::tests

@@ -147,6 +147,12 @@ void LiveWindowTest::tracksTwoStreamsToTheBall() {
     const cv::Mat gray(pictures_[camera].size(), CV_8UC3, cv::Scalar::all(128));
     QVERIFY(difference(*view, gray) > kSamePicture);
   }
+  // Where the time from light to estimate, and to the screen, goes.
+  const QString latency = find<QLabel>("statusLiveLatency")->text();
+  QVERIFY2(latency.contains(QStringLiteral("capture")), qPrintable(latency));
+  const LiveLatency live = shown().liveLatency;
+  QVERIFY(live.total.longest > 0.0 && live.wait.longest > 0.0 && live.decode.longest > 0.0);
+  QVERIFY(waitFor([this] { return shown().liveLatency.draw.longest > 0.0; }));
   window_.reset(); // before its cameras are gone
 }
 
