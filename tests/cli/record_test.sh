@@ -77,6 +77,38 @@ expectText err.txt "standard input" "no line came"
 expectExit $kUsage record live.toml --out triggered --pre-roll 2
 expectSentence --wait
 
+# Remote commands start and stop it as well; its token is needed.
+echo "a secret word" >token.txt
+"$cli" record live.toml --out remote --wait --tcp 0 --token-file token.txt </dev/null >out.txt 2>err.txt &
+process=$!
+python3 - out.txt <<'PYTHON' || fail "remote commands: $(cat err.txt)"
+import json, pathlib, re, socket, sys, time
+deadline = time.monotonic() + 60
+port = None
+while port is None and time.monotonic() < deadline:
+    port = re.search(r":(\d+)", pathlib.Path(sys.argv[1]).read_text())
+    time.sleep(0.1)
+connection = socket.create_connection(("127.0.0.1", int(port[1])))
+replies = connection.makefile()
+def ask(**command):
+    connection.sendall((json.dumps(command) + "\n").encode())
+    return json.loads(replies.readline())
+assert not ask(command="record", token="a guessed word")["ok"]
+assert not ask(command="stop-recording", token="a secret word")["ok"]
+assert not ask(command="start", token="a secret word")["ok"]
+assert ask(command="record", name="jump-3", token="a secret word")["ok"]
+assert not ask(command="record", token="a secret word")["ok"]
+while not pathlib.Path("remote/take-001/project.toml").exists() and time.monotonic() < deadline:
+    time.sleep(0.1)
+assert ask(command="stop-recording", token="a secret word")["ok"]
+PYTHON
+wait $process || fail "stop-recording ended it with $?: $(cat err.txt)"
+expectText remote/take-001/take.json '"notes": "jump-3"' '"finished": true'
+expectExit $kBadInput record live.toml --out remote --wait --tcp 0
+expectSentence token
+expectExit $kUsage record live.toml --out remote --tcp 0
+expectSentence --wait
+
 # A take has the number that is asked for, once; the next one counts up from there.
 expectExit 0 record short.toml --out takes --take 20
 expectText takes/take-020/take.json '"take": 20'
