@@ -222,7 +222,7 @@ void LiveCameraThread::publish(Shared& shared, const cv::Mat& picture, const Gra
             std::chrono::duration_cast<TimeStamp>(captured.time - shared.zero),
             std::move(*image),
             captured.origin,
-            {captured.time, when.arrived, Clock::now()}}));
+            {captured.time, when.arrived, Clock::now(), captured.stamp}}));
   shared.wakeSignal->notify();
 }
 

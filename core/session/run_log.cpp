@@ -58,6 +58,7 @@ void RunLog::restart(const Project& project, int threads) {
   people_.clear();
   trajectory_ = Trajectory{trajectoryHeader(project), {}};
   boxes_.clear();
+  liveSets_.clear();
   project_ = project;
   statistics_ = RunStatistics{};
   statistics_.threads = threads;
@@ -105,6 +106,25 @@ void RunLog::countLiveFrame(const FrameSet& frames, LatencyStages::Clock::time_p
                             LatencyStages::Clock::time_point estimated) {
   const std::lock_guard lock(mutex_);
   statistics_.live.addFrames(frames, taken, estimated);
+}
+
+void RunLog::addLiveSet(const FrameSet& frames) {
+  LiveSet set{frames.index, frames.time, {}};
+  for (const FramePtr& frame : frames.frames) {
+    set.images.push_back(
+        frame ? std::optional(LiveSet::Image{frame->instants.stamp, frame->captureTime})
+              : std::nullopt);
+  }
+  const std::lock_guard lock(mutex_);
+  const bool isNew = liveSets_.empty() || liveSets_.back().index < frames.index;
+  if (isNew && liveSets_.size() < kMaxLiveSets) {
+    liveSets_.push_back(std::move(set));
+  }
+}
+
+std::vector<LiveSet> RunLog::liveSets() const {
+  const std::lock_guard lock(mutex_);
+  return liveSets_;
 }
 
 void RunLog::countDrawing(double seconds) {

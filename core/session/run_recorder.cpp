@@ -37,7 +37,7 @@ void RunRecorder::restart() {
 
 void RunRecorder::noteArrival(bool isLive) {
   arrival_ = Clock::now();
-  isFresh_ = isLive;
+  isFresh_ = isLive_ = isLive;
   append(frameTimes_, arrival_, kFrameTimesKept);
 }
 
@@ -69,6 +69,9 @@ Status RunRecorder::tracked(const TrackingRun& run) {
   estimated_ = now;
   firstArrival_ = firstArrival_.value_or(arrival_);
   log_.countFrame(Seconds(now - arrival_).count(), Seconds(now - *firstArrival_).count());
+  if (std::exchange(isLive_, false)) {
+    log_.addLiveSet(*run.frames());
+  }
   if (std::exchange(isFresh_, false)) {
     log_.countLiveFrame(*run.frames(), arrival_, now);
   }

@@ -62,6 +62,7 @@ private:
   Clock::time_point arrival_;                     ///< arrival of the current frame
   Clock::time_point estimated_{};                 ///< end of the newest frame
   std::optional<Clock::time_point> firstArrival_; ///< first arrival since the last start or restart
+  bool isLive_ = false;  ///< the current frame is live, and has not been tracked before
   bool isFresh_ = false; ///< the current frame is live, and its tracking began at its arrival
   std::deque<Clock::time_point> frameTimes_;
   std::deque<double> iterationTimes_; ///< microseconds

@@ -77,6 +77,10 @@ RunRecord Session::record() const {
   return {std::move(project), std::move(figures), peopleRecord(), boxTrack()};
 }
 
+std::vector<LiveSet> Session::liveSets() const {
+  return impl_->loop.log().liveSets();
+}
+
 Status Session::saveRun(const std::filesystem::path& folder) const {
   return record().save(folder);
 }
@@ -110,7 +114,7 @@ PeopleRecord Session::peopleRecord() const {
 }
 
 void Session::countDrawing(double seconds) {
-  impl_->loop.log().countDrawing(seconds);
+  impl_->loop.countDrawing(seconds);
 }
 
 void Session::setFrameTap(FrameTap tap) {

@@ -117,6 +117,12 @@ expectSentence "take 20 exists"
 expectExit $kUsage record short.toml --out takes --take 0
 expectSentence --take
 
+# A take in which nothing was tracked has nothing to compare.
+expectExit $kBadInput take check takes/take-001
+expectSentence takes/take-001 "nothing was tracked"
+expectExit $kUsage take
+expectExit $kUsage take check
+
 expectExit $kBadInput record demo --out o
 expectSentence "only live cameras"
 expectExit $kOutput record live.toml --out /proc/none --seconds 1

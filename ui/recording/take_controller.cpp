@@ -2,8 +2,10 @@
 #include "ui/recording/take_controller.h"
 
 #include "core/project/project.h"
+#include "core/session/session.h"
 #include "ui/document/document.h"
 #include "ui/preferences/preferences.h"
+#include "ui/recording/take_comparison.h"
 #include "ui/recording/take_text.h"
 #include "ui/text/error_sentence.h"
 #include "ui/widgets/message_bar.h"
@@ -40,12 +42,12 @@ TakeController::TakeController(const Workbench& bench)
     keepPreRoll();
     updateAction();
   });
-  connect(&bench_.session, &SessionController::runEnded, this, [this] {
-    stop(tr("The recording ended, because its cameras were closed."));
-    updateAction();
-  });
+  connect(&bench_.session, &SessionController::runEnding, this,
+          [this] { stop(tr("The recording ended, because its cameras were closed.")); });
+  connect(&bench_.session, &SessionController::runEnded, this, &TakeController::updateAction);
   connect(job_, &BackgroundJob::ended, this, &TakeController::updateAction);
   updateAction();
+  new TakeComparison(bench_);
 }
 
 std::filesystem::path TakeController::takesFolder() const {
@@ -101,10 +103,30 @@ void TakeController::stop(const QString& reason) {
   label_->hide();
   action_->setEnabled(false);
   // Completing the files takes up to a second.
-  job_->start([this, recorder, reason](const BackgroundJob::Progress&) -> std::function<void()> {
+  job_->start([this, recorder, reason,
+               live = liveRun()](const BackgroundJob::Progress&) -> std::function<void()> {
     (void)recorder->stop(); // its problem is in the status
-    return [this, recorder, reason] { finish(recorder, reason); };
+    const Status added = recorder->addLiveRun(*live);
+    return [this, recorder, reason, added] {
+      finish(recorder, reason);
+      if (!added) {
+        bench_.messages.showWarning(errorText(added.error()));
+      }
+    };
   });
+}
+
+std::shared_ptr<const LiveRun> TakeController::liveRun() const {
+  auto live = std::make_shared<LiveRun>();
+  if (const Session* session = bench_.session.session()) {
+    RunRecord record = session->record();
+    live->report = runReport(record.project, record.figures);
+    live->project = std::move(record.project);
+    live->trajectory = std::move(record.people.trajectory);
+    live->sets = session->liveSets();
+    live->otherSettings = session->oldResults().frames;
+  }
+  return live;
 }
 
 void TakeController::finish(const std::shared_ptr<TakeRecorder>& recorder, const QString& reason) {

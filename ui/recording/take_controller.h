@@ -21,9 +21,9 @@ namespace dewpoint::ui {
 /// Records the live cameras of the run: starts and stops takes (actionRecord), shows in the status
 /// bar what has been recorded, and says where a take is. Number and notes of a take can be set
 /// before it begins, and its notes also later (actionTakeNotes). A take may begin with
-/// images from before its start. A take goes on while the run is
-/// paused or restarted; it ends when the project is closed or its cameras are opened again. Closing
-/// the window completes it.
+/// images from before its start. If the run tracks, its results are added to the take. A take goes
+/// on while the run is paused or restarted; it ends when the project is closed or its cameras are
+/// opened again. Closing the window completes it.
 class TakeController : public QObject {
   Q_OBJECT
 public:
@@ -51,6 +51,8 @@ private:
   void saveNotes(const std::shared_ptr<TakeRecorder>& take, const QString& notes);
   void start();
   void stop(const QString& reason);
+  /// Returns the results of the run, which belong to the take that ends now; empty without a run.
+  std::shared_ptr<const LiveRun> liveRun() const;
   void finish(const std::shared_ptr<TakeRecorder>& recorder, const QString& reason);
   /// Makes the cameras keep their last images as the preferences say.
   void keepPreRoll();

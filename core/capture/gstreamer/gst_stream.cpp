@@ -42,6 +42,15 @@ std::optional<SteadyClock::time_point> stampOf(GstSample* sample, GstElement* el
   return SteadyClock::time_point(std::chrono::nanoseconds(base + running));
 }
 
+/// The time stamp of a sample as it is, by which its compressed and its decoded form are known to
+/// be the same image; -1 if it has none.
+std::int64_t identityOf(GstSample* sample) {
+  GstBuffer* buffer = gst_sample_get_buffer(sample);
+  return buffer != nullptr && GST_CLOCK_TIME_IS_VALID(GST_BUFFER_PTS(buffer))
+             ? static_cast<std::int64_t>(GST_BUFFER_PTS(buffer))
+             : -1;
+}
+
 /// The appsink in a user's pipeline.
 GstElement* ownSinkOf(GstElement* pipeline) {
   GstElement* found = nullptr;
@@ -115,7 +124,9 @@ struct GstStream::EncodedBranch {
     branch->noteArrival(*sample, arrival);
     if (branch->feed) {
       const auto stamp = stampOf(sample.get(), GST_ELEMENT(sink));
-      branch->feed->put({sample, branch->clock.next(stamp, arrival)});
+      CaptureInstant captured = branch->clock.next(stamp, arrival);
+      captured.stamp = identityOf(sample.get());
+      branch->feed->put({sample, captured});
     }
     return GST_FLOW_OK;
   }
@@ -223,6 +234,7 @@ void GstStream::take(GstSamplePtr sample) {
   sample_ = std::move(sample);
   const auto now = Clock::now();
   captured_ = clock_.next(stampOf(sample_.get(), imageSink_), now);
+  captured_->stamp = identityOf(sample_.get());
   const auto arrived = branch_->arrivalOf(*sample_);
   arrived_ = arrived && *arrived < now ? *arrived : now;
   if (pipelineText_.hasOwnSink && feed_) {

@@ -17,6 +17,7 @@
 #include <mutex>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace dewpoint::capture {
 
@@ -42,6 +43,15 @@ std::string sizeOf(GstSample& sample) {
     gst_structure_get_int(structure, "height", &height);
   }
   return fmt::format("{} x {}", width, height);
+}
+
+/// The pixel format of a raw image; empty if it is none.
+std::string rawFormatOf(GstSample& sample) {
+  GstCaps* caps = gst_sample_get_caps(&sample);
+  const char* format = caps != nullptr && gst_caps_get_size(caps) > 0
+                           ? gst_structure_get_string(gst_caps_get_structure(caps, 0), "format")
+                           : nullptr;
+  return format != nullptr ? format : "";
 }
 
 bool isOfSeveralImages(const std::string& mediaType) {
@@ -70,7 +80,13 @@ struct StreamRecording::Writer {
   bool hasEnded = false;
   bool isStopped = false;
   std::optional<GrowingFile> table;
-  std::deque<std::pair<GstClockTime, TimeOrigin>> origins; ///< of images on their way to the file
+  struct WaitingImage {
+    GstClockTime time = 0;
+    CaptureInstant captured;
+  };
+  std::deque<WaitingImage> waiting; ///< images on their way to the file
+  std::vector<std::int64_t> stamps; ///< of the images in the file
+  bool isChanged = false;           ///< images are stored with other pixels
   std::int64_t received = 0;
   std::int64_t written = 0;
   std::int64_t preRoll = 0; ///< of them, captured before the start
@@ -157,6 +173,11 @@ bool StreamRecording::Writer::start(const std::shared_ptr<Writer>& self, GstSamp
   gst_bus_set_sync_handler(bus, &Writer::onMessage, new std::shared_ptr<Writer>(self), release);
   gst_object_unref(bus);
   format = storedFormatOf(sample);
+  {
+    std::scoped_lock lock(mutex);
+    isChanged = mediaType == "video/x-raw" &&
+                (raw == RawStorage::Jpeg || !isStoredLossless(rawFormatOf(sample)));
+  }
   isInter = isOfSeveralImages(mediaType);
   needsKey = isInter;
   if (gst_element_set_state(pipeline.get(), GST_STATE_PLAYING) == GST_STATE_CHANGE_FAILURE) {
@@ -172,8 +193,8 @@ bool StreamRecording::Writer::hasRoom(GstClockTime time) const {
   }
   std::scoped_lock lock(mutex);
   // The pre-roll comes all at once, and takes its time.
-  const bool isPreRoll = !origins.empty() && origins.front().first < begin;
-  const GstClockTime since = origins.empty() ? time : std::max(origins.front().first, begin);
+  const bool isPreRoll = !waiting.empty() && waiting.front().time < begin;
+  const GstClockTime since = waiting.empty() ? time : std::max(waiting.front().time, begin);
   const bool isLate = time > since && std::chrono::nanoseconds(time - since) >
                                           (isPreRoll ? kPreRollPatience : kLongestWaiting);
   return !isLate && gst_app_src_get_current_level_bytes(GST_APP_SRC(source)) < kMostWaitingBytes;
@@ -219,7 +240,7 @@ void StreamRecording::Writer::receive(const std::shared_ptr<Writer>& self,
     constexpr GstClockTime kLeast = 1000;
     time = GST_CLOCK_TIME_IS_VALID(lastPushed) ? std::max(time, lastPushed + kLeast) : time;
     lastPushed = time;
-    origins.emplace_back(time, image.captured.origin);
+    waiting.push_back({time, image.captured});
   }
   GstBuffer* buffer = gst_buffer_copy(original); // shares the bytes
   GST_BUFFER_PTS(buffer) = time;
@@ -239,9 +260,11 @@ GstPadProbeReturn StreamRecording::Writer::onImage(GstPad*, GstPadProbeInfo* inf
 
 void StreamRecording::Writer::writeTime(GstClockTime time) {
   std::unique_lock lock(mutex);
-  while (!origins.empty() && origins.front().first <= time) {
-    lastOrigin = origins.front().second;
-    origins.pop_front();
+  std::int64_t stamp = -1;
+  while (!waiting.empty() && waiting.front().time <= time) {
+    lastOrigin = waiting.front().captured.origin;
+    stamp = waiting.front().captured.stamp;
+    waiting.pop_front();
   }
   if (!table || isBroken()) {
     return;
@@ -255,6 +278,7 @@ void StreamRecording::Writer::writeTime(GstClockTime time) {
     return;
   }
   ++written;
+  stamps.push_back(stamp);
   preRoll += time < begin ? 1 : 0;
   firstTime = GST_CLOCK_TIME_IS_VALID(firstTime) ? firstTime : time;
   lastTime = time;
@@ -322,10 +346,11 @@ RecordedCounts StreamRecording::counts() const {
   const Writer& writer = *writer_;
   counts.images = writer.written;
   counts.preRollImages = writer.preRoll;
+  counts.isChanged = writer.isChanged;
   counts.dropped = writer.received - writer.written -
                    (stopped_ || writer.isBroken() // what waited is lost
                         ? 0
-                        : static_cast<std::int64_t>(writer.origins.size()));
+                        : static_cast<std::int64_t>(writer.waiting.size()));
   if (writer.written > 1 && writer.lastTime > writer.firstTime) {
     counts.framesPerSecond = static_cast<double>(writer.written - 1) * 1e9 /
                              static_cast<double>(writer.lastTime - writer.firstTime);
@@ -336,6 +361,11 @@ RecordedCounts StreamRecording::counts() const {
   const auto size = std::filesystem::file_size(writer.files.video, none);
   counts.bytes = none ? 0 : static_cast<std::int64_t>(size);
   return counts;
+}
+
+std::vector<std::int64_t> StreamRecording::stamps() const {
+  std::scoped_lock lock(writer_->mutex);
+  return writer_->stamps;
 }
 
 void StreamRecording::stop() {

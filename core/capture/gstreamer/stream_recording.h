@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace dewpoint::capture {
 
@@ -37,6 +38,7 @@ struct RecordedCounts {
   /// one.
   double framesPerSecond = 0.0;
   TimeOrigin origin = TimeOrigin::Arrival; ///< of the last capture time
+  bool isChanged = false; ///< images are stored with other pixels: raw ones as JPEG, for example
   /// Why something is missing, for instance a full disk. What was written before can be read.
   std::optional<Error> problem;
 };
@@ -65,6 +67,8 @@ public:
 
   /// May be called from any thread.
   RecordedCounts counts() const;
+  /// Returns for each image in the video its CaptureInstant::stamp. May be called from any thread.
+  std::vector<std::int64_t> stamps() const;
   /// Ends the recording in less than 1 s, and completes the files: with an index of the video, and
   /// a last line in the table. Images that cannot be written in this time are dropped.
   void stop();

@@ -5,6 +5,7 @@
 #include "core/capture/image_shape.h"
 #include "core/project/project_save.h"
 #include "core/session/take/take_folder.h"
+#include "core/trajectory/trajectory_writer.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -193,6 +194,7 @@ Status TakeRecorder::writeNotes(bool finished) const {
     one["video"] = camera.video;
     one["images"] = camera.counts.images;
     one["dropped"] = camera.counts.dropped;
+    one["images_changed"] = camera.counts.isChanged;
     one["pre_roll_images"] = camera.counts.preRollImages;
     one["pre_roll_shortened"] = camera.preRoll.shortened;
     one["bytes"] = camera.counts.bytes;
@@ -205,6 +207,36 @@ Status TakeRecorder::writeNotes(bool finished) const {
   return writeTextFile(folder_ / "take.json",
                        json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
                            "\n");
+}
+
+Status TakeRecorder::addLiveRun(const LiveRun& live) const {
+  std::vector<std::vector<std::int64_t>> stamps;
+  for (const auto& recording : recordings_) {
+    stamps.push_back(recording->stamps());
+  }
+  const std::vector<StoredSet> sets = storedSets(live.sets, stamps);
+  if (sets.empty() || live.trajectory.samples.empty()) {
+    return {};
+  }
+  const fs::path folder = folder_ / kLiveFolder;
+  std::error_code problem;
+  fs::create_directories(folder, problem);
+  if (problem) {
+    return failure(ErrorCode::FileUnwritable, folder.string(), "", problem.message());
+  }
+  nlohmann::ordered_json settings;
+  settings["other_settings"] = nlohmann::ordered_json::array();
+  for (const ResultRange& range : live.otherSettings) {
+    settings["other_settings"].push_back({range.first, range.last});
+  }
+  return writeTrajectory(live.trajectory, folder / "trajectory.csv")
+      .and_then([&] { return writeTextFile(folder / "run.json", live.report); })
+      .and_then([&] { return writeTextFile(folder / "live.json", settings.dump(2) + "\n"); })
+      .and_then([&] {
+        return saveProject(recordedProject(live.project, folder_, number_),
+                           folder / "project.toml");
+      })
+      .and_then([&] { return writeStoredSets(sets, folder / "frames.csv"); });
 }
 
 TakeStatus TakeRecorder::status() const {

@@ -3,6 +3,7 @@
 // that opens as a project.
 #include "core/capture/gstreamer/encoded_feed.h"
 #include "core/project/project_save.h"
+#include "core/session/session.h"
 #include "core/session/snapshot/snapshot.h"
 #include "core/simulation/scene/scene_renderer.h"
 #include "tests/capture/mjpeg_server.h"
@@ -48,6 +49,7 @@ private Q_SLOTS:
   void durationsAreShownAsOnAClock();
   void numberAndNotesAreThoseOfTheUser();
   void aTakeBeginsBeforeItsStart();
+  void aTakeIsComparedWithTheLiveRun();
 
 private:
   /// The notes in the take.json of a take.
@@ -215,6 +217,31 @@ void TakeWindowTest::aTakeBeginsBeforeItsStart() {
   QTest::mouseClick(find<QToolButton>("actionRecordButton"), Qt::LeftButton);
   QVERIFY(stopped.wait(kTimeoutMs));
   QVERIFY2(messageText().contains(QStringLiteral("before its start")), qPrintable(messageText()));
+}
+
+void TakeWindowTest::aTakeIsComparedWithTheLiveRun() {
+  openLive();
+  action("actionPlay")->trigger();
+  QVERIFY(waitFor([this] { return shown().tracked; }));
+  QVERIFY(records(5));
+  action("actionRestart")->trigger();
+  QVERIFY(waitFor([this] {
+    const Session* session = window_->workbench().session.session();
+    return session->liveSets().size() >= 20;
+  }));
+  QSignalSpy stopped(&takes(), &TakeController::stopped);
+  QTest::mouseClick(find<QToolButton>("actionRecordButton"), Qt::LeftButton);
+  QVERIFY(stopped.wait(kTimeoutMs));
+  const auto folder = stopped.first().first().value<TakeStatus>().folder;
+  QVERIFY(std::filesystem::exists(folder / "live" / "frames.csv"));
+  QVERIFY(std::filesystem::exists(folder / "live" / "run.json"));
+  open(folder / "project.toml");
+  QVERIFY(waitFor([this] { return messageText().contains(QStringLiteral("live run")); }));
+  QTest::mouseClick(find<QPushButton>("messageAnswer0"), Qt::LeftButton);
+  QVERIFY(waitFor([this] {
+    return messageText().contains(QStringLiteral("frames")) &&
+           messageText().contains(QStringLiteral("live run"));
+  }));
 }
 
 void TakeWindowTest::recordingsHaveNoButton() {
