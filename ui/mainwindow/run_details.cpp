@@ -45,8 +45,10 @@ QString liveLatencyText(const LiveLatency& live) {
               .arg(stageText(live.capture), stageText(live.decode), stageText(live.wait),
                    stageText(live.compute), stageText(live.draw));
   if (live.images[static_cast<std::size_t>(TimeOrigin::Arrival)] > 0) {
-    text += QLatin1Char('\n') +
-            RunDetails::tr("Some cameras do not report capture times: without their capture");
+    text +=
+        QLatin1Char('\n') +
+        RunDetails::tr(
+            "Counted from the arrival of the image where a camera does not report capture times");
   }
   return text;
 }

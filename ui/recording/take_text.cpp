@@ -100,9 +100,12 @@ QString preRollText(const TakeStatus& take) {
       take.cameras, [](const auto& camera) { return camera.preRoll.shortened; });
   return isShortened
              ? QCoreApplication::translate(
-                   "TakeText", "It begins %1 before its start; memory was too small for more.")
+                   "TakeText",
+                   "It contains %1 from before you pressed Record; memory was too small for more.")
                    .arg(time)
-             : QCoreApplication::translate("TakeText", "It begins %1 before its start.").arg(time);
+             : QCoreApplication::translate("TakeText",
+                                           "It contains %1 from before you pressed Record.")
+                   .arg(time);
 }
 
 QString replayText(const ReplayComparison& found) {

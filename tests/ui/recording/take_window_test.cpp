@@ -216,7 +216,7 @@ void TakeWindowTest::aTakeBeginsBeforeItsStart() {
   QSignalSpy stopped(&takes(), &TakeController::stopped);
   QTest::mouseClick(find<QToolButton>("actionRecordButton"), Qt::LeftButton);
   QVERIFY(stopped.wait(kTimeoutMs));
-  QVERIFY2(messageText().contains(QStringLiteral("before its start")), qPrintable(messageText()));
+  QVERIFY2(messageText().contains(QStringLiteral("before you pressed")), qPrintable(messageText()));
 }
 
 void TakeWindowTest::aTakeIsComparedWithTheLiveRun() {
