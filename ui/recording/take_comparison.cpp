@@ -24,13 +24,15 @@ TakeComparison::TakeComparison(const Workbench& bench)
     job_->abandon();
     bench_.messages.withdraw(question_);
   });
+  connect(&bench_.session, &SessionController::closed, this, [this] { offered_.clear(); });
 }
 
 void TakeComparison::offer() {
   const std::filesystem::path file = bench_.document.project().file;
-  if (file.empty()) {
-    return;
+  if (file.empty() || file == offered_) {
+    return; // opened again with other cameras or settings
   }
+  offered_ = file;
   looking_->add([this, file]() -> std::function<void()> {
     if (!hasLiveRun(file.parent_path())) {
       return {};

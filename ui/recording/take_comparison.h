@@ -27,6 +27,7 @@ private:
   JobQueue* looking_; ///< looks whether a take has live results
   BackgroundJob* job_;
   QString question_;
+  std::filesystem::path offered_; ///< project of the last offer, which is made once
 };
 
 } // namespace dewpoint::ui

@@ -102,7 +102,7 @@ void MessageBar::askUntilAnswered(const QString& question, const std::vector<Ans
 }
 
 void MessageBar::withdraw(const QString& question) {
-  if (isVisible() && text() == question) {
+  if (!isHidden() && text() == question) {
     dismiss();
   }
   std::erase_if(pending_, [&](const Question& asked) { return asked.text == question; });

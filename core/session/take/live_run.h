@@ -47,6 +47,9 @@ std::vector<StoredSet> storedSets(const std::vector<LiveSet>& sets,
 
 /// Folder in a take for the results of the live run.
 inline constexpr const char* kLiveFolder = "live";
+/// Project in a take with the settings at the end of the live run. It is beside the videos, so that
+/// it names them by relative paths.
+inline constexpr const char* kLiveProject = "live.toml";
 
 /// Writes the table of the images of a live run, one line per frame: frame, time_ns, and for each
 /// camera image_K and time_K_ns. The image is the number in the video, `lost`, or empty.

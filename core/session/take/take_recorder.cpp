@@ -233,8 +233,7 @@ Status TakeRecorder::addLiveRun(const LiveRun& live) const {
       .and_then([&] { return writeTextFile(folder / "run.json", live.report); })
       .and_then([&] { return writeTextFile(folder / "live.json", settings.dump(2) + "\n"); })
       .and_then([&] {
-        return saveProject(recordedProject(live.project, folder_, number_),
-                           folder / "project.toml");
+        return saveProject(recordedProject(live.project, folder_, number_), folder_ / kLiveProject);
       })
       .and_then([&] { return writeStoredSets(sets, folder / "frames.csv"); });
 }

@@ -84,9 +84,9 @@ public:
   /// Replaces the notes, also after the take has ended. May be called from any thread. Error:
   /// FileUnwritable.
   Status setNotes(const std::string& notes);
-  /// Adds the results of the live run to a take that has ended, in its folder `live`:
-  /// trajectory.csv, run.json, the project with the settings at the end of the run, and which
-  /// images made up each frame (compareReplay()). Does nothing if nothing was tracked, or if the
+  /// Adds the results of the live run to a take that has ended: trajectory.csv, run.json and which
+  /// images made up each frame in its folder `live`, and live.toml, the project with the settings
+  /// at the end of the run (compareReplay()). Does nothing if nothing was tracked, or if the
   /// take has no image of it. Error: FileUnwritable.
   Status addLiveRun(const LiveRun& live) const;
   /// Ends the take in less than about 1 s and completes its files. Returns the first problem of a

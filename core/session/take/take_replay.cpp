@@ -230,7 +230,7 @@ Result<ReplayComparison> compareReplay(const fs::path& take, int threads,
   if (const Status read = readNotes(take, comparison); !read) {
     return tl::make_unexpected(read.error());
   }
-  const auto project = loadProject(folder / "project.toml");
+  const auto project = loadProject(take / kLiveProject);
   if (!project) {
     return tl::make_unexpected(project.error());
   }
