@@ -283,33 +283,6 @@ TEST(Session, LiveWaitsThroughEmptySets) {
   ASSERT_TRUE(eventually([&] { return session.trajectory().samples.size() >= 3; }));
 }
 
-TEST(Session, NoticesOfLiveCamerasComeAndGoAlsoWhilePausedAndAreLogged) {
-  auto options = frames(std::nullopt);
-  options.unplugged = std::make_shared<std::atomic<bool>>(false);
-  Session session(inputs(options));
-  ASSERT_TRUE(eventually([&] { return session.newest()->frame >= 0; }));
-  EXPECT_TRUE(session.newest()->notices.empty());
-  *options.unplugged = true; // paused
-  ASSERT_TRUE(eventually([&] { return session.newest()->notices.size() == 2; }));
-  session.play();
-  std::uint64_t generation = 0;
-  std::size_t position = 0;
-  ASSERT_TRUE(eventually([&] { // with each tracked frame, for the timeline
-    const auto news = session.framesSince(generation, position);
-    return std::ranges::any_of(news.records, [](const FrameRecord& record) {
-      return record.cameraProblems != nullptr && record.cameraProblems->size() == 2;
-    });
-  }));
-  *options.unplugged = false;
-  ASSERT_TRUE(eventually([&] { return session.newest()->notices.empty(); }));
-  session.pause();
-  ASSERT_TRUE(reaches(session, PlayState::Paused));
-  const RunStatistics figures = session.record().figures;
-  EXPECT_EQ(figures.notices.size(), 2U); // also after they are over
-  ASSERT_EQ(figures.noticeLog.periods().size(), 2U);
-  EXPECT_TRUE(figures.noticeLog.periods()[0].to.has_value());
-}
-
 TEST(Session, AnUnknownMethodIsANotice) {
   auto project = test::twoCameraProject();
   project.method = "guess";

@@ -203,8 +203,7 @@ std::vector<ActionDeclaration> runActions() {
                          "or stop recording"),
        "record", Qt::Key_F9, true},
       {"actionTakeNotes", group, QT_TRANSLATE_NOOP("Actions", "Take number and notes…"),
-       QT_TRANSLATE_NOOP("Actions", "Write notes about the take that is being recorded, or set the "
-                                    "number and notes of the next one")},
+       QT_TRANSLATE_NOOP("Actions", "Set number and notes of the next take, or notes of this one")},
       {"actionSendResults", group, QT_TRANSLATE_NOOP("Actions", "Send results"),
        QT_TRANSLATE_NOOP("Actions", "Send positions to other programs while the run lasts, or stop "
                                     "sending; nothing is sent until you choose this"),

@@ -50,9 +50,10 @@ void CameraMotionAlerts::withdraw(int camera) {
 
 void CameraMotionAlerts::ask(int camera, const QString& question, const QString& answer,
                              void (CameraMotionAlerts::*answered)(int)) {
-  bar_.askUntilAnswered(question,
-                        {{answer, [this, camera, answered] { Q_EMIT(this->*answered)
-                                                             (camera); }}});
+  bar_.askUntilAnswered(question, {{answer, [this, camera, answered] {
+                                      Q_EMIT(this->*answered)
+                                      (camera);
+                                    }}});
   questions_[camera] = question;
 }
 

@@ -223,7 +223,7 @@ Result<ReplayComparison> compareReplay(const fs::path& take, int threads,
                                        const ReplayProgress& progress) {
   const fs::path folder = take / kLiveFolder;
   if (!hasLiveRun(take)) {
-    return failure(ErrorCode::MissingKey, take.string(), kLiveFolder,
+    return failure(ErrorCode::NotFound, take.string(), "live results",
                    "nothing was tracked while this take was recorded");
   }
   ReplayComparison comparison;

@@ -44,7 +44,7 @@ using ReplayProgress = std::function<bool(std::int64_t, std::int64_t)>;
 
 /// Tracks the images of a take again, in the frames of the live run, and compares the results with
 /// the live trajectory. `take`: the folder of the take. Errors: those of reading its files,
-/// MissingKey if it has no live results, and Canceled.
+/// NotFound if it has no live results, and Canceled.
 Result<ReplayComparison> compareReplay(const std::filesystem::path& take, int threads,
                                        const ReplayProgress& progress);
 

@@ -150,7 +150,7 @@ TEST_F(TakeReplayTest, ATakeWithoutARunHasNothingToCompare) {
   const auto compared =
       compareReplay(folder_ / "none", 1, [](std::int64_t, std::int64_t) { return true; });
   ASSERT_FALSE(compared);
-  EXPECT_EQ(compared.error().code, ErrorCode::MissingKey);
+  EXPECT_EQ(compared.error().code, ErrorCode::NotFound);
   EXPECT_FALSE(hasLiveRun(folder_ / "none"));
 }
 
