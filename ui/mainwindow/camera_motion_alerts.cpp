@@ -50,10 +50,8 @@ void CameraMotionAlerts::withdraw(int camera) {
 
 void CameraMotionAlerts::ask(int camera, const QString& question, const QString& answer,
                              void (CameraMotionAlerts::*answered)(int)) {
-  bar_.askUntilAnswered(question, {{answer, [this, camera, answered] {
-                                      Q_EMIT(this->*answered)
-                                      (camera);
-                                    }}});
+  const auto report = [this, camera, answered] { (this->*answered)(camera); }; // a signal
+  bar_.askUntilAnswered(question, {{answer, report}});
   questions_[camera] = question;
 }
 

@@ -42,9 +42,8 @@ void TakeComparison::offer() {
         return; // another project was opened meanwhile
       }
       question_ = tr("This take contains the results of the live run.");
-      bench_.messages.askUntilAnswered(question_, {{tr("Compare with live run"), [this, file] {
-                                                      compare(file.parent_path());
-                                                    }}});
+      bench_.messages.askUntilAnswered(
+          question_, {{tr("Compare results"), [this, file] { compare(file.parent_path()); }}});
     };
   });
 }
