@@ -202,6 +202,8 @@ std::vector<ActionDeclaration> runActions() {
                          "Record the live cameras into a folder that opens as a project, "
                          "or stop recording"),
        "record", Qt::Key_F9, true},
+      {"actionTakeNotes", group, QT_TRANSLATE_NOOP("Actions", "Take number and notes…"),
+       QT_TRANSLATE_NOOP("Actions", "Set number and notes of the next take, or notes of this one")},
       {"actionSendResults", group, QT_TRANSLATE_NOOP("Actions", "Send results"),
        QT_TRANSLATE_NOOP("Actions", "Start or stop sending positions to other programs during the "
                                     "run. Nothing is sent before you choose this"),

@@ -21,6 +21,7 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -254,6 +255,13 @@ bool CameraView::showNewest() {
   return false;
 }
 
+QString CameraView::problemText() const {
+  // That of a recording is about all of its images, and does not cover one of them.
+  const bool isLive = snapshot_ && !snapshot_->frameCount && !snapshot_->past;
+  const Error* notice = isLive ? noticeOf(*snapshot_, camera_) : nullptr;
+  return notice != nullptr ? errorText(*notice) : QString();
+}
+
 QString CameraView::missingImageText() const {
   if (const Error* notice = snapshot_ ? noticeOf(*snapshot_, camera_) : nullptr) {
     return errorText(*notice);
@@ -284,6 +292,18 @@ void CameraView::paintEvent(QPaintEvent*) {
   painter.drawImage(drawnArea(), picture_.image);
   painter.setClipRect(shownArea());
   paintEstimates(painter);
+  reportPainted();
+}
+
+void CameraView::reportPainted() {
+  const bool isLive = shown_ && !shown_->frameCount && !shown_->past && shown_->tracked &&
+                      shown_->state == PlayState::Playing;
+  if (isLive && shown_->frame != reportedFrame_) {
+    reportedFrame_ = shown_->frame;
+    Q_EMIT estimatePainted(
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - shown_->estimated)
+            .count());
+  }
 }
 
 QRectF CameraView::drawnArea() const {
@@ -336,6 +356,7 @@ void CameraView::paintEstimates(QPainter& painter) const {
   paintInset(painter, taken);
   paintCameraMotionMarker(painter, seen, cameraMotionText(cameraMotionOf(*shown_, camera_)),
                           palette());
+  paintCameraProblem(painter, seen, problemText(), palette());
 }
 
 void CameraView::paintInset(QPainter& painter, const std::vector<QRectF>& taken) const {

@@ -11,6 +11,7 @@
 #include <QWidget>
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -78,6 +79,8 @@ Q_SIGNALS:
   /// Emitted when the state in the title of this view has changed.
   void stateChanged(HoldState state);
   void menuRequested(const QPointF& position);
+  /// Emitted when a new live estimate is painted, with the time since it was finished in seconds.
+  void estimatePainted(double seconds);
 
 protected:
   void contextMenuEvent(QContextMenuEvent* event) override;
@@ -107,6 +110,10 @@ private:
   /// them.
   bool showNewest();
   void paintEstimates(QPainter& painter) const;
+  /// Reports how long it took until the frame shown was painted, once.
+  void reportPainted();
+  /// Returns why a live camera delivers no images now; empty if it delivers them.
+  QString problemText() const;
   /// Returns the text shown instead of the image if there is no image.
   QString missingImageText() const;
   /// Returns the overlay of a target in this view.
@@ -127,6 +134,7 @@ private:
   QSize imageSize_;
   CameraImage picture_;
   TrackSnapshotPtr shown_;            ///< snapshot that belongs to `picture_`
+  std::int64_t reportedFrame_ = -1;   ///< last frame in reportPainted()
   CameraImageSource requestedSource_; ///< input that `job_` is processing or will process
   LatestJob job_{LatestJob::Superseded::Kept};
 };

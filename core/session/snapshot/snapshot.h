@@ -6,6 +6,7 @@
 #include "core/capture/frame.h"
 #include "core/geometry/camera.h"
 #include "core/session/frames/color_histograms.h"
+#include "core/session/frames/latency_stages.h"
 #include "core/session/frames/tracked_frame.h"
 #include "core/session/people/person_shape.h"
 #include "core/session/snapshot/hold_state.h"
@@ -15,6 +16,7 @@
 
 #include <Eigen/Core>
 
+#include <chrono>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -55,14 +57,6 @@ struct TargetSnapshot {
 
 /// State of playback, as shown to the user.
 enum class PlayState { Paused, Playing, Ended };
-
-/// Time in seconds from the arrival of a frame set to its estimate, over the run so far; 0 before
-/// the first.
-struct Latency {
-  double median = 0.0;
-  double p99 = 0.0;
-  double longest = 0.0;
-};
 
 /// Range of frames that can be shown, and the memory used for them.
 struct HistoryState {
@@ -117,11 +111,14 @@ struct TrackSnapshot {
   std::int64_t iterations = 0;           ///< filter iterations since the (re)start
   double framesPerSecond = 0.0;          ///< achieved frame rate
   double microsecondsPerIteration = 0.0; ///< median of the last iterations, per target
-  Latency latency;
+  Latency latency;                       ///< time from the arrival of a frame set to its estimate
+  LiveLatency liveLatency;               ///< all zero for recordings
   BudgetStatistics budget;
   std::int64_t droppedFrames = 0;
   std::uint64_t seed = 0;
   PlayState state = PlayState::Paused;
+  /// When the newest estimate of the run was finished; zero before the first.
+  std::chrono::steady_clock::time_point estimated{};
   std::vector<Error> notices;
   /// Cameras that have moved since the run began. Each also has a notice; these are the last ones
   /// in `notices`.
