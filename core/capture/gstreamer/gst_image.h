@@ -7,7 +7,7 @@
 
 #include <string>
 
-struct _GstSample;
+struct _GstSample; // NOLINT(bugprone-reserved-identifier): the library's
 
 namespace dewpoint::capture {
 

@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-struct _GstSample;
+struct _GstSample; // NOLINT(bugprone-reserved-identifier): the library's
 
 namespace dewpoint::capture {
 
