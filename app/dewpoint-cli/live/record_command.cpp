@@ -228,7 +228,7 @@ void printPreRoll(const TakeStatus& take, double wanted) {
 /// Prints the ports that are open.
 void printPorts(const broadcast::Broadcaster& remote) {
   for (const broadcast::OutletReport& port : remote.reports()) {
-    fmt::print("{}\n", port.place);
+    fmt::print("{}\n", broadcast::placeText(port));
   }
   std::fflush(stdout); // a program may wait for the port
 }
