@@ -109,7 +109,7 @@ void ClockEstimator::learn(const std::vector<Sighting>& sightings, double interv
 }
 
 void ClockEstimator::add(const Sighting& sighting) {
-  const std::vector<CameraPull>& pulls = sighting.pulls;
+  const std::vector<CameraPull>& pulls = *sighting.pulls;
   Eigen::Matrix3d total = Eigen::Matrix3d::Zero();
   Eigen::Vector3d pull = Eigen::Vector3d::Zero();
   int seeing = 0;
@@ -152,8 +152,9 @@ void ClockEstimator::add(const Sighting& sighting) {
   }
   information -= shared * eliminated * shared.transpose();
   vector -= shared * (eliminated * pull);
-  information_ += information / kCorrelatedFrames;
-  informationVector_ += (vector + information * corrected) / kCorrelatedFrames;
+  const double trust = sighting.trust / kCorrelatedFrames;
+  information_ += trust * information;
+  informationVector_ += trust * (vector + information * corrected);
 }
 
 void ClockEstimator::predict() {

@@ -37,9 +37,6 @@ public:
   };
   /// Sets the prior. If it differs from the current one, all estimates are discarded.
   void setPrior(const Prior& prior);
-  /// Returns whether delays are estimated: there are several cameras, and their time stamps are not
-  /// exact.
-  bool isActive() const { return prior_.delaySigma > 0.0 && rig_.size() > 1; }
   /// Discards all estimates.
   void restart();
 
@@ -47,9 +44,9 @@ public:
   struct Sighting {
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero(); ///< m/s
-    /// What each camera says about the position, computed with the delays from
-    /// delaysAt().
-    std::vector<CameraPull> pulls;
+    /// What each camera says about the position, computed with the delays from delays().
+    const std::vector<CameraPull>* pulls = nullptr;
+    double trust = 1.0; ///< factor of the information, 0 to 1
   };
   /// Adds the targets seen in a frame, `interval` seconds after the previous one.
   void learn(const std::vector<Sighting>& sightings, double interval);
@@ -68,6 +65,7 @@ private:
   /// Returns the row in which a camera shows a position, as a fraction of the image height from its
   /// middle: -0.5 in the first row, 0.5 in the last one. 0 if it is not in the image.
   double rowShare(std::size_t camera, const Eigen::Vector3d& position) const;
+  bool isActive() const { return prior_.delaySigma > 0.0 && rig_.size() > 1; }
   void add(const Sighting& sighting);
   void predict();
   void update();

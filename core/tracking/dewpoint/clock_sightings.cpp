@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/dewpoint/clock_sightings.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace dewpoint::tracking {
@@ -12,22 +13,24 @@ constexpr double kLeastSpeedSigmas = 3.0;
 
 } // namespace
 
-std::vector<ClockEstimator::Sighting> clockSightings(TrackedObjects& objects) {
+std::vector<ClockEstimator::Sighting> clockSightings(const TrackedObjects& objects) {
   std::vector<ClockEstimator::Sighting> sightings;
   for (std::size_t k = 0; k < objects.targetCount(); ++k) {
-    TrackedObject& object = objects[k];
     const TrackHypothesis* const found =
-        object.isBall() ? object.track.confidentHypothesis() : nullptr;
-    if (found == nullptr || !found->outlineFound || found->oneCameraOnly) {
+        objects[k].isBall() ? objects[k].track.confidentHypothesis() : nullptr;
+    if (found == nullptr || !found->isSaturated()) {
       continue;
     }
     const double speedSigma = std::sqrt(found->gaussian.covariance.diagonal().tail<3>().maxCoeff());
     if (found->velocity().norm() < kLeastSpeedSigmas * speedSigma) {
       continue;
     }
-    object.observation.setRadius(found->radius);
-    sightings.push_back({found->position(), found->velocity(),
-                         object.observation.fitEachCamera(found->position(), found->velocity())});
+    // A frame in which the cameras disagree more than usual has something else wrong with it: a
+    // duplicated image, or a target that is partly hidden.
+    const double trust =
+        std::min(1.0, std::max(1.0, found->disagreement) / std::max(1.0, found->lastDisagreement)) /
+        std::max(1.0, found->disagreement);
+    sightings.push_back({found->position(), found->velocity(), &found->pulls, trust});
   }
   return sightings;
 }

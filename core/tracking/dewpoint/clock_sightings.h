@@ -9,8 +9,7 @@
 namespace dewpoint::tracking {
 
 /// Returns the targets of the frame from which the delays of the cameras can be estimated: those
-/// that are tracked as balls and are moving. Fits their outlines in each camera, so the
-/// observations must have the images of the frame.
-std::vector<ClockEstimator::Sighting> clockSightings(TrackedObjects& objects);
+/// that are tracked as balls, almost fully visible, and moving. The results point into `objects`.
+std::vector<ClockEstimator::Sighting> clockSightings(const TrackedObjects& objects);
 
 } // namespace dewpoint::tracking

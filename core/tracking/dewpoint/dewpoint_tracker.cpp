@@ -287,7 +287,8 @@ void DewpointTracker::updateShape(std::size_t target, ThreadTeam& team) {
 
 void DewpointTracker::alignTimesFor(const TrackedObject& object) {
   const TrackHypothesis* const expected = object.track.best();
-  images_.setDelays(expected ? clocks_.delaysAt(expected->position()) : clocks_.delays());
+  images_.setDelays(expected != nullptr ? clocks_.delaysAt(expected->position())
+                                        : clocks_.delays());
 }
 
 void DewpointTracker::updateAsBall(std::size_t index, ThreadTeam& team) {
@@ -340,9 +341,7 @@ void DewpointTracker::updateEstimate(std::size_t target) {
 
 void DewpointTracker::learnClocks() {
   clocks_.setPrior({1e-3 * parameters_.at("delay_spread"), trackSettings().errors.direction});
-  if (clocks_.isActive()) {
-    clocks_.learn(clockSightings(objects_), secondsSinceLastFrame());
-  }
+  clocks_.learn(clockSightings(objects_), secondsSinceLastFrame());
   images_.setDelays(clocks_.delays());
 }
 

@@ -221,6 +221,7 @@ OutlineMeasurement findOutline(TrackHypothesis& hypothesis, SphereObservation& o
 double updateDisagreement(TrackHypothesis& hypothesis, const OutlineFit& fit) {
   if (fit.degreesOfFreedom > 0) {
     const double now = std::min(fit.disagreement / fit.degreesOfFreedom, kMaxDisagreement);
+    hypothesis.lastDisagreement = now;
     hypothesis.disagreement += kDisagreementRate * (now - hypothesis.disagreement);
   }
   return std::max(1.0, hypothesis.disagreement);
@@ -245,6 +246,7 @@ void conditionOnOutline(TrackHypothesis& hypothesis, const Prediction& predictio
   conditionOnPosition(hypothesis.gaussian,
                       evidence.posterior({hypothesis.position(),
                                           hypothesis.gaussian.covariance.topLeftCorner<3, 3>()}));
+  hypothesis.pulls = found.fit.pulls;
   hypothesis.processNoise.learn(off, hypothesis.velocity());
   hypothesis.processNoise.recordSeen();
 }

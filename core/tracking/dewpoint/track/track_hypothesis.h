@@ -55,6 +55,10 @@ struct TrackHypothesis {
   /// Running mean of OutlineFit::disagreement per degree of freedom: 1 if the cameras disagree as
   /// much as expected from the assumed edge errors.
   double disagreement = 1.0;
+  /// OutlineFit::disagreement per degree of freedom, and OutlineFit::pulls, of the last measurement
+  /// update with an outline.
+  double lastDisagreement = 1.0;
+  std::vector<CameraPull> pulls;
   /// Predictions not yet applied to the particles. While the outline is found, new particles are
   /// drawn, and these predictions are never needed.
   std::vector<std::pair<ConstantVelocity, RandomStream>> pending;
