@@ -29,6 +29,11 @@ constexpr double kDirectionReach = 0.5;
 /// Successive frames whose errors are nearly the same, because shade, blur and background are: they
 /// count as one.
 constexpr double kCorrelatedFrames = 4.0;
+/// Gain of the running mean of how many targets the cameras agree about, per frame: 1 s at 30 Hz.
+constexpr double kAgreementGain = 1.0 / 30.0;
+/// Least share of moving targets about which the cameras must agree. If they are too far apart in
+/// time, they agree only where the target is slow, and the delays found there are too small.
+constexpr double kLeastAgreeing = 0.8;
 /// Frames between two updates: nothing changes much in between, and inverting the covariance of
 /// many cameras costs more than a frame.
 constexpr int kFramesPerUpdate = 5;
@@ -76,6 +81,7 @@ void ClockEstimator::restart() {
   covariance_ = Eigen::MatrixXd::Zero(size, size);
   information_ = Eigen::MatrixXd::Zero(size, size);
   informationVector_ = Eigen::VectorXd::Zero(size);
+  agreeing_ = 0.0;
   elapsed_ = 0.0;
   frames_ = 0;
   turned_.assign(rig_.size(), 0.0);
@@ -96,7 +102,10 @@ void ClockEstimator::learn(const std::vector<Sighting>& sightings, double interv
   }
   elapsed_ += interval;
   for (const Sighting& sighting : sightings) {
-    add(sighting);
+    agreeing_ += kAgreementGain * ((sighting.trust > 0.0 ? 1.0 : 0.0) - agreeing_);
+    if (sighting.trust > 0.0) {
+      add(sighting);
+    }
     for (std::size_t k = 0; k < rig_.size(); ++k) {
       turned_[k] += interval * sighting.velocity.norm() /
                     std::max(1e-3, (sighting.position - rig_[k].center()).norm());
@@ -203,7 +212,9 @@ std::vector<ClockEstimate> ClockEstimator::estimates() const {
       return std::sqrt(std::max(0.0, covariance_(own, own) - 2.0 * covariance_(own, state) +
                                          covariance_(state, state)));
     };
-    all[k] = {mean_[first] - mean_[0], sigma(0), mean_[first + 1] - mean_[1], sigma(1)};
+    const double least = agreeing_ < kLeastAgreeing ? prior_.delaySigma : 0.0;
+    all[k] = {mean_[first] - mean_[0], std::max(sigma(0), least), mean_[first + 1] - mean_[1],
+              sigma(1)};
   }
   return all;
 }

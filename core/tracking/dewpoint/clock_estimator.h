@@ -46,7 +46,7 @@ public:
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero(); ///< m/s
     /// What each camera says about the position, computed with the delays from delays().
     const std::vector<CameraPull>* pulls = nullptr;
-    double trust = 1.0; ///< factor of the information, 0 to 1
+    double trust = 1.0; ///< factor of the information, 0 to 1; 0 if the cameras do not agree
   };
   /// Adds the targets seen in a frame, `interval` seconds after the previous one.
   void learn(const std::vector<Sighting>& sightings, double interval);
@@ -78,6 +78,8 @@ private:
   /// Information from the frames since the last update, about the complete state.
   Eigen::MatrixXd information_;
   Eigen::VectorXd informationVector_;
+  /// Running mean of how many of the moving targets the cameras agree about, 0 to 1.
+  double agreeing_ = 0.0;
   double elapsed_ = 0.0;       ///< seconds since the last update
   int frames_ = 0;             ///< frames since the last update
   std::vector<double> turned_; ///< radians that the targets moved in each camera since then

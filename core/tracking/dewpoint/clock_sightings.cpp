@@ -18,7 +18,7 @@ std::vector<ClockEstimator::Sighting> clockSightings(const TrackedObjects& objec
   for (std::size_t k = 0; k < objects.targetCount(); ++k) {
     const TrackHypothesis* const found =
         objects[k].isBall() ? objects[k].track.confidentHypothesis() : nullptr;
-    if (found == nullptr || !found->isSaturated()) {
+    if (found == nullptr) {
       continue;
     }
     const double speedSigma = std::sqrt(found->gaussian.covariance.diagonal().tail<3>().maxCoeff());
@@ -27,9 +27,11 @@ std::vector<ClockEstimator::Sighting> clockSightings(const TrackedObjects& objec
     }
     // A frame in which the cameras disagree more than usual has something else wrong with it: a
     // duplicated image, or a target that is partly hidden.
-    const double trust =
-        std::min(1.0, std::max(1.0, found->disagreement) / std::max(1.0, found->lastDisagreement)) /
-        std::max(1.0, found->disagreement);
+    const double trust = found->isSaturated()
+                             ? std::min(1.0, std::max(1.0, found->disagreement) /
+                                                 std::max(1.0, found->lastDisagreement)) /
+                                   std::max(1.0, found->disagreement)
+                             : 0.0;
     sightings.push_back({found->position(), found->velocity(), &found->pulls, trust});
   }
   return sightings;

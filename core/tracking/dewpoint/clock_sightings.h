@@ -9,7 +9,8 @@
 namespace dewpoint::tracking {
 
 /// Returns the targets of the frame from which the delays of the cameras can be estimated: those
-/// that are tracked as balls, almost fully visible, and moving. The results point into `objects`.
+/// that are tracked as balls and are moving. A target that is not almost fully visible gets no
+/// trust. The results point into `objects`.
 std::vector<ClockEstimator::Sighting> clockSightings(const TrackedObjects& objects);
 
 } // namespace dewpoint::tracking
