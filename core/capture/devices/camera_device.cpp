@@ -10,12 +10,13 @@
 namespace dewpoint::capture {
 namespace {
 
-const OfferedFormat* formatOf(const std::vector<OfferedFormat>& offered, std::string_view code) {
+const OfferedFormat* offeredFormat(const std::vector<OfferedFormat>& offered,
+                                   std::string_view code) {
   const auto found = std::ranges::find(offered, code, &OfferedFormat::pixelFormat);
   return found == offered.end() ? nullptr : &*found;
 }
 
-const OfferedSize* sizeOf(const OfferedFormat& offered, int width, int height) {
+const OfferedSize* offeredSize(const OfferedFormat& offered, int width, int height) {
   const auto found = std::ranges::find_if(offered.sizes, [&](const OfferedSize& size) {
     return size.width == width && size.height == height;
   });
@@ -25,7 +26,7 @@ const OfferedSize* sizeOf(const OfferedFormat& offered, int width, int height) {
 /// The format that opens unless one is requested: as open_live, JPEG before uncompressed images.
 const OfferedFormat* preferredFormat(const std::vector<OfferedFormat>& offered) {
   for (const char* code : {"MJPG", "JPEG"}) {
-    if (const OfferedFormat* format = formatOf(offered, code)) {
+    if (const OfferedFormat* format = offeredFormat(offered, code)) {
       return format;
     }
   }
@@ -57,8 +58,9 @@ std::string describe(const DeviceFormat& format) {
 DeviceFormat completedFormat(const DeviceFormat& format,
                              const std::vector<OfferedFormat>& offered) {
   DeviceFormat complete = format;
-  const OfferedFormat* known =
-      format.pixelFormat.empty() ? preferredFormat(offered) : formatOf(offered, format.pixelFormat);
+  const OfferedFormat* known = format.pixelFormat.empty()
+                                   ? preferredFormat(offered)
+                                   : offeredFormat(offered, format.pixelFormat);
   if (known == nullptr) {
     return complete;
   }
@@ -67,7 +69,7 @@ DeviceFormat completedFormat(const DeviceFormat& format,
     complete.width = known->sizes.front().width;
     complete.height = known->sizes.front().height;
   }
-  const OfferedSize* size = sizeOf(*known, complete.width, complete.height);
+  const OfferedSize* size = offeredSize(*known, complete.width, complete.height);
   if (complete.rate == 0.0 && size != nullptr && !size->rates.empty()) {
     complete.rate = size->rates.front();
   }

@@ -33,7 +33,7 @@ constexpr std::array<std::pair<std::uint32_t, const char*>, 9> kNames{
      {V4L2_CID_FOCUS_AUTO, "focus_automatic_continuous"}}};
 
 /// As v4l2-ctl makes a name of a label.
-std::string nameOf(std::uint32_t id, std::string_view label) {
+std::string controlName(std::uint32_t id, std::string_view label) {
   const auto* const known =
       std::ranges::find(kNames, id, &std::pair<std::uint32_t, const char*>::first);
   if (known != kNames.end()) {
@@ -85,7 +85,7 @@ std::vector<QueriedControl> queriedControls(LinuxNode& node) {
     last = query.id;
     const auto kind = kindOf(query.type);
     if (kind && (query.flags & V4L2_CTRL_FLAG_DISABLED) == 0 && query.elems <= 1) {
-      controls.push_back({query, *kind, nameOf(query.id, query.name)});
+      controls.push_back({query, *kind, controlName(query.id, query.name)});
     }
   }
   return controls;

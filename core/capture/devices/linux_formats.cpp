@@ -36,7 +36,7 @@ std::string textOfCode(std::uint32_t code) {
   return text;
 }
 
-double rateOf(const v4l2_fract& interval) {
+double intervalRate(const v4l2_fract& interval) {
   return interval.numerator > 0 ? static_cast<double>(interval.denominator) / interval.numerator
                                 : 0.0;
 }
@@ -54,11 +54,11 @@ std::vector<double> ratesOf(LinuxNode& node, std::uint32_t code, std::uint32_t w
       break;
     }
     if (entry.type == V4L2_FRMIVAL_TYPE_DISCRETE) {
-      rates.push_back(rateOf(entry.discrete));
+      rates.push_back(intervalRate(entry.discrete));
       continue;
     }
-    const double fastest = rateOf(entry.stepwise.min);
-    const double slowest = rateOf(entry.stepwise.max);
+    const double fastest = intervalRate(entry.stepwise.min);
+    const double slowest = intervalRate(entry.stepwise.max);
     rates.insert(rates.end(), {fastest, slowest});
     std::ranges::copy_if(kUsualRates, std::back_inserter(rates),
                          [&](double rate) { return rate > slowest && rate < fastest; });
