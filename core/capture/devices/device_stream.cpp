@@ -52,21 +52,21 @@ private:
       const auto device = std::ranges::find_if(devices, [&](const CameraDevice& one) {
         return one.path == camera.location || one.address == camera.location;
       });
-      return device == devices.end() ? OpenResult() : checkFormat(*device);
+      return device == devices.end() ? OpenResult() : check(*device);
     }
     const DeviceMatch match = matchDevices(lookup_.identities, devices).at(lookup_.camera);
     if (!match.device) {
       return tl::make_unexpected(mismatchReason(match, settings.identity, devices));
     }
-    const CameraDevice& device = devices[*match.device];
+    camera.location = devices[*match.device].path;
+    return check(devices[*match.device]);
+  }
+
+  /// Whether the device can deliver what is requested.
+  OpenResult check(const CameraDevice& device) const {
     if (!device.problem.empty()) {
       return tl::make_unexpected(device.problem);
     }
-    camera.location = device.path;
-    return checkFormat(device);
-  }
-
-  OpenResult checkFormat(const CameraDevice& device) const {
     const DeviceFormat& format = camera_.device.format;
     if (isOffered(format, device.formats)) {
       return {};
