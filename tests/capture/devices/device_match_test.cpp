@@ -19,7 +19,7 @@ CameraDevice deviceOf(const std::string& path, const DeviceIdentity& identity) {
 const DeviceIdentity kLeftTwin{"usb-0:1:1.0", "", "Webcam", "046d:0825"};
 const DeviceIdentity kRightTwin{"usb-0:2:1.0", "", "Webcam", "046d:0825"};
 
-DeviceIdentity moved(DeviceIdentity identity, const std::string& bus) {
+DeviceIdentity pluggedAt(DeviceIdentity identity, const std::string& bus) {
   identity.bus = bus;
   return identity;
 }
@@ -39,8 +39,8 @@ TEST(DeviceMatch, NumbersMayChange) {
 TEST(DeviceMatch, TheSerialNumberBeatsTheConnector) {
   const DeviceIdentity a{"usb-0:1:1.0", "A", "Webcam", "046d:0825"};
   const DeviceIdentity b{"usb-0:2:1.0", "B", "Webcam", "046d:0825"};
-  const std::vector<CameraDevice> exchanged{deviceOf("/dev/video0", moved(b, a.bus)),
-                                            deviceOf("/dev/video2", moved(a, b.bus))};
+  const std::vector<CameraDevice> exchanged{deviceOf("/dev/video0", pluggedAt(b, a.bus)),
+                                            deviceOf("/dev/video2", pluggedAt(a, b.bus))};
   const std::array<DeviceIdentity, 2> cameras{a, b};
   const auto matches = matchDevices(cameras, exchanged);
   EXPECT_EQ(matches[0].device, 1U);
@@ -50,7 +50,7 @@ TEST(DeviceMatch, TheSerialNumberBeatsTheConnector) {
 
 TEST(DeviceMatch, EqualSerialNumbersProveNothing) {
   const DeviceIdentity a{"usb-0:1:1.0", "SN0001", "Webcam", "046d:0825"};
-  const DeviceIdentity b = moved(a, "usb-0:2:1.0");
+  const DeviceIdentity b = pluggedAt(a, "usb-0:2:1.0");
   const std::vector<CameraDevice> devices{deviceOf("/dev/video0", b), deviceOf("/dev/video2", a)};
   const std::array<DeviceIdentity, 2> cameras{a, b};
   const auto matches = matchDevices(cameras, devices);
@@ -60,8 +60,9 @@ TEST(DeviceMatch, EqualSerialNumbersProveNothing) {
 }
 
 TEST(DeviceMatch, TheOnlyOneLeftWasMoved) {
-  const std::vector<CameraDevice> devices{deviceOf("/dev/video0", moved(kLeftTwin, "usb-0:7:1.0")),
-                                          deviceOf("/dev/video2", kRightTwin)};
+  const std::vector<CameraDevice> devices{
+      deviceOf("/dev/video0", pluggedAt(kLeftTwin, "usb-0:7:1.0")),
+      deviceOf("/dev/video2", kRightTwin)};
   const std::array<DeviceIdentity, 2> cameras{kLeftTwin, kRightTwin};
   const auto matches = matchDevices(cameras, devices);
   EXPECT_EQ(matches[0].device, 0U);
@@ -70,8 +71,9 @@ TEST(DeviceMatch, TheOnlyOneLeftWasMoved) {
 }
 
 TEST(DeviceMatch, MovedTwinsAreAmbiguous) {
-  const std::vector<CameraDevice> devices{deviceOf("/dev/video0", moved(kLeftTwin, "usb-0:7:1.0")),
-                                          deviceOf("/dev/video2", moved(kLeftTwin, "usb-0:8:1.0"))};
+  const std::vector<CameraDevice> devices{
+      deviceOf("/dev/video0", pluggedAt(kLeftTwin, "usb-0:7:1.0")),
+      deviceOf("/dev/video2", pluggedAt(kLeftTwin, "usb-0:8:1.0"))};
   const std::array<DeviceIdentity, 2> cameras{kLeftTwin, kRightTwin};
   const auto matches = matchDevices(cameras, devices);
   for (const DeviceMatch& match : matches) {
@@ -85,7 +87,8 @@ TEST(DeviceMatch, MovedTwinsAreAmbiguous) {
 }
 
 TEST(DeviceMatch, TwoCamerasDoNotShareADevice) {
-  const std::vector<CameraDevice> devices{deviceOf("/dev/video0", moved(kLeftTwin, "usb-0:7:1.0"))};
+  const std::vector<CameraDevice> devices{
+      deviceOf("/dev/video0", pluggedAt(kLeftTwin, "usb-0:7:1.0"))};
   const std::array<DeviceIdentity, 2> cameras{kLeftTwin, kRightTwin};
   for (const DeviceMatch& match : matchDevices(cameras, devices)) {
     EXPECT_FALSE(match.device);

@@ -128,6 +128,16 @@ TEST_F(DeviceStreamTest, LeavesALocationWithoutIdentity) {
   EXPECT_EQ(*opened_, "/dev/video0");
   EXPECT_EQ(machine_->valueOf("video0", V4L2_CID_GAIN), 7);
   EXPECT_FALSE(streamOf(0, {"H264", 0, 0, 0.0})->open());
+  LiveCamera numbered;
+  numbered.location = "2";
+  numbered.device.controls = {{"gain", 9}};
+  const auto stream =
+      makeDeviceStream(numbered, {access_, {DeviceIdentity{}}, 0}, [this](const LiveCamera& found) {
+        return std::make_unique<RememberedStream>(found.location, opened_);
+      });
+  ASSERT_TRUE(stream->open());
+  EXPECT_EQ(stream->remark(), "");
+  EXPECT_EQ(machine_->valueOf("video2", V4L2_CID_GAIN), 9);
 }
 
 TEST_F(DeviceStreamTest, LiveCamerasNameTheMissingDevice) {
