@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/setup/new_project/project_cameras.h"
 
+#include "core/capture/gstreamer/open_live.h"
 #include "core/geometry/camera_name.h"
 #include "core/setup/new_project/image_size.h"
 #include "core/setup/new_project/new_project.h"
@@ -84,12 +85,6 @@ cv::Size rotatedSize(const cv::Size& size, const ProjectCamera& camera) {
   return camera.rotateDegrees % 180 == 0 ? size : cv::Size(size.height, size.width);
 }
 
-void exchangeSources(ProjectCamera& one, ProjectCamera& other) {
-  std::swap(one.source, other.source);
-  std::swap(one.location, other.location);
-  std::swap(one.times, other.times);
-}
-
 } // namespace
 
 bool comesFromRecording(SourceKind kind) {
@@ -97,12 +92,14 @@ bool comesFromRecording(SourceKind kind) {
 }
 
 Result<CameraSource> examinedSource(const std::string& location, const std::string& name) {
-  CameraSource source{name, guessSourceKind(location), location};
+  CameraSource source{name, guessSourceKind(location), location, {}, {}};
   if (location.empty()) {
     return failure(ErrorCode::BadValue, "", name, "it has no source of images");
   }
   if (!comesFromRecording(source.kind)) {
-    return source;
+    LiveCamera camera;
+    camera.location = location;
+    return capture::checkLocation(camera).map([&] { return source; });
   }
   auto path = std::filesystem::absolute(location).lexically_normal();
   if (path.filename().empty()) {
@@ -148,6 +145,7 @@ Status addCameras(Project& project, const std::vector<CameraSource>& sources) {
     added.camera.name = nameFor(project, source);
     added.source = source.kind;
     added.location = source.location;
+    added.device = source.device;
     const bool isKnown = source.size.width > 0 && source.size.height > 0;
     added.camera.intrinsics.width = isKnown ? source.size.width : kAssumedImageWidth;
     added.camera.intrinsics.height = isKnown ? source.size.height : kAssumedImageHeight;
@@ -160,13 +158,13 @@ Status addCameras(Project& project, const std::vector<CameraSource>& sources) {
 
 Status replaceSource(Project& project, std::size_t camera, const CameraSource& source) {
   const auto other = std::ranges::find_if(project.cameras, [&](const ProjectCamera& one) {
-    return one.source == source.kind && one.location == source.location;
+    const bool isSameDevice =
+        !source.device.identity.isEmpty() && one.device.identity == source.device.identity;
+    return one.source == source.kind && (one.location == source.location || isSameDevice);
   });
   ProjectCamera& changed = project.cameras[camera];
   if (other != project.cameras.end()) {
-    if (&*other != &changed) {
-      exchangeSources(changed, *other);
-    }
+    exchangeSources(project, camera, static_cast<std::size_t>(other - project.cameras.begin()));
     return {};
   }
   if (project.cameras.size() > 1 || !project.scene.empty()) {
@@ -188,8 +186,18 @@ Status replaceSource(Project& project, std::size_t camera, const CameraSource& s
   }
   changed.source = source.kind;
   changed.location = source.location;
+  changed.device = source.device;
   changed.times.clear();
   return {};
+}
+
+void exchangeSources(Project& project, std::size_t one, std::size_t other) {
+  ProjectCamera& first = project.cameras[one];
+  ProjectCamera& second = project.cameras[other];
+  std::swap(first.source, second.source);
+  std::swap(first.location, second.location);
+  std::swap(first.times, second.times);
+  std::swap(first.device, second.device);
 }
 
 Status removeProjectCamera(Project& project, std::size_t camera) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/capture/device_settings.h"
 #include "core/project/project.h"
 
 #include <opencv2/core/types.hpp>
@@ -21,14 +22,16 @@ struct CameraSource {
   SourceKind kind = SourceKind::Video;
   std::string location; ///< absolute path of a recording, device, or address
   cv::Size size = {};   ///< size of its images, pixels; empty if it is not known
+  /// Identity and settings of a device; empty for other sources.
+  capture::DeviceSettings device = {};
 };
 
 /// Returns whether images of this kind come from recordings: videos and image folders.
 bool comesFromRecording(SourceKind kind);
 
 /// Returns the source at a location. The first image of a recording is read, which may take long;
-/// live sources are not opened. Errors: BadValue if the location is empty, FileMissing,
-/// FileUnreadable.
+/// live sources are not opened. Errors: BadValue if the location is empty or of no known type,
+/// FileMissing, FileUnreadable.
 Result<CameraSource> examinedSource(const std::string& location, const std::string& name = {});
 
 /// Returns whether sources of this kind can be added to a project: all its cameras must be
@@ -47,6 +50,9 @@ Status addCameras(Project& project, const std::vector<CameraSource>& sources);
 /// the kinds of the sources differ (checkCanAdd(); the only camera of a project may get any
 /// source), or if the images of a recording do not have the size that the camera is calibrated for.
 Status replaceSource(Project& project, std::size_t camera, const CameraSource& source);
+
+/// Makes two cameras exchange their sources, for example after their cables were exchanged.
+void exchangeSources(Project& project, std::size_t one, std::size_t other);
 
 /// Removes a camera, as project::removeCamera() does. Calibrations that were only guessed are
 /// guessed again, because the guess depends on the number of cameras. Error: MissingKey if it is

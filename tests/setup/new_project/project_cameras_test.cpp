@@ -98,8 +98,8 @@ TEST(ProjectCameras, GuessesStayGuessesAndCalibrationsStay) {
   Project project = threePatterns();
   calibrate(project, 1);
   const Camera known = project.cameras[1].camera;
-  ASSERT_TRUE(addCameras(project, {{"", SourceKind::Stream, "test:gamut", {}},
-                                   {"", SourceKind::Stream, "test:blink", {320, 240}}}));
+  ASSERT_TRUE(addCameras(project, {{"", SourceKind::Stream, "test:gamut", {}, {}},
+                                   {"", SourceKind::Stream, "test:blink", {320, 240}, {}}}));
   ASSERT_EQ(project.cameras.size(), 5U);
   EXPECT_EQ(project.cameras[1].camera, known);
   for (const std::size_t guessed : {0U, 2U, 3U, 4U}) {
@@ -118,9 +118,9 @@ TEST(ProjectCameras, GuessesStayGuessesAndCalibrationsStay) {
 
 TEST(ProjectCameras, NamesOfAddedCamerasAreNew) {
   Project project = threePatterns();
-  ASSERT_TRUE(addCameras(project, {{"camera 2", SourceKind::Stream, "test:gamut", {}},
-                                   {"", SourceKind::Stream, "test:blink", {}},
-                                   {"door", SourceKind::Device, "/dev/video3", {}}}));
+  ASSERT_TRUE(addCameras(project, {{"camera 2", SourceKind::Stream, "test:gamut", {}, {}},
+                                   {"", SourceKind::Stream, "test:blink", {}, {}},
+                                   {"door", SourceKind::Device, "/dev/video3", {}, {}}}));
   EXPECT_EQ(project.cameras[3].camera.name, "camera 2 2");
   EXPECT_EQ(project.cameras[4].camera.name, "camera 5");
   EXPECT_EQ(project.cameras[5].camera.name, "door");
@@ -129,11 +129,11 @@ TEST(ProjectCameras, NamesOfAddedCamerasAreNew) {
 TEST(ProjectCameras, RecordingsAndLiveCamerasAreNotMixed) {
   Project project = threePatterns();
   const Project before = project;
-  const auto refused = addCameras(project, {{"", SourceKind::Video, "/tmp/a.mkv", {64, 48}}});
+  const auto refused = addCameras(project, {{"", SourceKind::Video, "/tmp/a.mkv", {64, 48}, {}}});
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::Mismatch);
   EXPECT_EQ(project, before);
-  EXPECT_FALSE(replaceSource(project, 0, {"", SourceKind::Video, "/tmp/a.mkv", {640, 480}}));
+  EXPECT_FALSE(replaceSource(project, 0, {"", SourceKind::Video, "/tmp/a.mkv", {640, 480}, {}}));
   EXPECT_EQ(project, before);
   project.scene = "demo";
   EXPECT_FALSE(checkCanAdd(project, SourceKind::Stream));
@@ -143,12 +143,12 @@ TEST(ProjectCameras, AReplacedSourceKeepsNameAndCalibration) {
   Project project = threePatterns();
   calibrate(project, 0);
   const Camera known = project.cameras[0].camera;
-  ASSERT_TRUE(replaceSource(project, 0, {"other", SourceKind::Device, "/dev/video7", {}}));
+  ASSERT_TRUE(replaceSource(project, 0, {"other", SourceKind::Device, "/dev/video7", {}, {}}));
   EXPECT_EQ(project.cameras[0].camera, known);
   EXPECT_EQ(project.cameras[0].source, SourceKind::Device);
   EXPECT_EQ(project.cameras[0].location, "/dev/video7");
   // A guess takes the new size.
-  ASSERT_TRUE(replaceSource(project, 1, {"", SourceKind::Stream, "test:blink", {1280, 720}}));
+  ASSERT_TRUE(replaceSource(project, 1, {"", SourceKind::Stream, "test:blink", {1280, 720}, {}}));
   EXPECT_EQ(project.cameras[1].camera.intrinsics.width, 1280);
   EXPECT_TRUE(hasGuessedPose(project, 1));
 }
@@ -156,11 +156,28 @@ TEST(ProjectCameras, AReplacedSourceKeepsNameAndCalibration) {
 TEST(ProjectCameras, ASourceOfAnotherCameraIsExchanged) {
   Project project = threePatterns();
   project.cameras[0].rotateDegrees = 180; // of the place, not of the device
-  ASSERT_TRUE(replaceSource(project, 0, {"", SourceKind::Stream, "test:snow", {}}));
+  ASSERT_TRUE(replaceSource(project, 0, {"", SourceKind::Stream, "test:snow", {}, {}}));
   EXPECT_EQ(project.cameras[0].location, "test:snow");
   EXPECT_EQ(project.cameras[2].location, "test:ball");
   EXPECT_EQ(project.cameras[0].rotateDegrees, 180);
   EXPECT_EQ(project.cameras[2].rotateDegrees, 0);
+}
+
+TEST(ProjectCameras, ADeviceIsTheSameWhereverItIsPluggedIn) {
+  Project project = threePatterns();
+  const auto device = [](const std::string& path, const std::string& serial) {
+    CameraSource source{"", SourceKind::Device, path, {}, {}};
+    source.device.identity = {"", serial, "Webcam", "046d:082d"};
+    return source;
+  };
+  ASSERT_TRUE(replaceSource(project, 0, device("/dev/video0", "A")));
+  ASSERT_TRUE(replaceSource(project, 1, device("/dev/video2", "B")));
+  project.cameras[0].device.controls = {{"gain", 7}};
+  // After a restart they have other numbers, and the user finds them exchanged.
+  ASSERT_TRUE(replaceSource(project, 1, device("/dev/video4", "A")));
+  EXPECT_EQ(project.cameras[0].device.identity.serial, "B");
+  EXPECT_EQ(project.cameras[1].device.identity.serial, "A");
+  EXPECT_EQ(project.cameras[1].device.controls.count("gain"), 1U);
 }
 
 TEST(ProjectCameras, RecordingsSayTheirSize) {
@@ -174,6 +191,7 @@ TEST(ProjectCameras, RecordingsSayTheirSize) {
   EXPECT_EQ(source->size, cv::Size(64, 48));
   EXPECT_EQ(examinedSource((folder / "none.mkv").string()).error().code, ErrorCode::FileMissing);
   EXPECT_EQ(examinedSource("").error().code, ErrorCode::BadValue);
+  EXPECT_EQ(examinedSource("test:no-such-pattern").error().code, ErrorCode::BadValue);
   const auto live = examinedSource("rtsp://10.0.0.9/door", "door");
   ASSERT_TRUE(live);
   EXPECT_EQ(live->kind, SourceKind::Stream);
@@ -185,7 +203,8 @@ TEST(ProjectCameras, RecordingsSayTheirSize) {
   EXPECT_EQ(project.cameras[1].camera.name, "left 2");
   // A calibrated camera accepts recordings of its size only.
   calibrate(project, 0);
-  const auto refused = replaceSource(project, 0, {"", SourceKind::Video, "/tmp/b.mkv", {32, 32}});
+  const auto refused =
+      replaceSource(project, 0, {"", SourceKind::Video, "/tmp/b.mkv", {32, 32}, {}});
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::Mismatch);
 }
