@@ -24,6 +24,9 @@ struct OfferedFormat {
   bool isCompressed = false;      ///< fewer bytes than its pixels would need
   std::vector<OfferedSize> sizes; ///< largest first
 
+  /// The device accepts a range of sizes, of which `sizes` has the usual ones.
+  bool hasOtherSizes = false;
+
   bool operator==(const OfferedFormat&) const = default;
 };
 
@@ -64,5 +67,9 @@ std::string describe(const DeviceFormat& format);
 /// open_live prefers (a compressed format, and its largest size and highest rate). Parts that the
 /// device does not offer are unchanged.
 DeviceFormat completedFormat(const DeviceFormat& format, const std::vector<OfferedFormat>& offered);
+
+/// Returns whether a device offers a format, as far as its parts are given. Rates may differ by 1
+/// %.
+bool isOffered(const DeviceFormat& format, const std::vector<OfferedFormat>& offered);
 
 } // namespace dewpoint::capture

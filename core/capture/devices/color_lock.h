@@ -26,16 +26,19 @@ struct ColorLock {
   /// are off, and the values that hold instead.
   ControlValues values;
   std::vector<Refusal> refused;
-  /// Automatics for which the device has no control at all. Whether it adjusts itself is unknown.
+  /// Exposure, gain or white balance, if the device has no control for it at all. Whether it
+  /// adjusts itself is unknown.
   std::vector<ColorAutomatic> missing;
 };
 
 /// Switches the automatic exposure, gain, white balance and hue of a device off, and sets the
-/// values that they had at this time. Errors: DeviceUnavailable.
+/// values that it reports at this time. The image changes if a device reports the last value set by
+/// hand instead of the present one. Errors: DeviceUnavailable.
 Result<ColorLock> lockColors(DeviceAccess& access, const std::string& path);
 
-/// Sets stored controls, switches of automatics first, so that the others take effect. Returns one
-/// error for each control that was not set; `field` is its name. The others are set.
+/// Sets stored controls, switches of automatics first, so that the others take effect.
+/// Values that an automatic keeps are left out. Returns one error for each control that was not
+/// set; `field` is its name. The others are set.
 std::vector<Error> applyControls(DeviceAccess& access, const std::string& path,
                                  const ControlValues& values);
 

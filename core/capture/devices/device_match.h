@@ -33,9 +33,11 @@ struct DeviceMatch {
 ///    Two equal devices without serial number stay apart in this way.
 /// 3. Else the only remaining device of the same model is taken, if no serial number differs.
 ///
-/// The model is vendor and product if both sides know them, else the name. If several devices
-/// remain in step 3, several cameras claim the same one, or only the serial number differs, the
-/// result is ambiguous. An empty identity is missing.
+/// The model is the same if nothing differs that both sides know of vendor, product and name. If
+/// several devices remain in step 3, several cameras claim the same one, or only the serial number
+/// differs, the result is ambiguous. An empty identity is missing.
+///
+/// Two equal devices without serial number whose connectors were exchanged cannot be noticed.
 ///
 /// Returns one match per identity, in their order.
 std::vector<DeviceMatch> matchDevices(std::span<const DeviceIdentity> identities,
