@@ -13,15 +13,15 @@ bool sameSource(const ProjectCamera& a, const ProjectCamera& b) {
          a.device.format == b.device.format;
 }
 
-const ControlValues& controlsOf(const ProjectCamera& camera) {
-  return camera.device.controls;
+bool sameControls(const ProjectCamera& a, const ProjectCamera& b) {
+  return a.device.controls == b.device.controls;
 }
 
 bool sameCalibration(const ProjectCamera& a, const ProjectCamera& b) {
   ProjectCamera same = a;
   same.backgroundImage = b.backgroundImage;
   same.calibrated = b.calibrated;
-  same.device.controls = b.device.controls;
+  same.device = b.device;
   return same == b;
 }
 
@@ -53,8 +53,8 @@ ProjectChanges changesBetween(const Project& before, const Project& after) {
       !changes.sources &&
       !std::ranges::equal(before.cameras, after.cameras, {}, &ProjectCamera::backgroundImage,
                           &ProjectCamera::backgroundImage);
-  changes.controls = !changes.sources && !std::ranges::equal(before.cameras, after.cameras, {},
-                                                             &controlsOf, &controlsOf);
+  changes.controls =
+      !changes.sources && !std::ranges::equal(before.cameras, after.cameras, sameControls);
   changes.calibration =
       !changes.sources && !std::ranges::equal(before.cameras, after.cameras, sameCalibration);
   return changes;
