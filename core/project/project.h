@@ -147,5 +147,9 @@ void addCorrection(Project& project, const PositionCorrection& correction);
 void removeCorrection(Project& project, std::int64_t frame, int target);
 /// Removes the target with this index and its corrections.
 void removeTarget(Project& project, std::size_t index);
+/// Removes the camera with this index, and all that was clicked or marked in its images: clicks on
+/// points and corrected targets, color samples, first boxes of targets, and people marked by a
+/// click. Colors, corrected positions and the calibration of the other cameras stay.
+void removeCamera(Project& project, std::size_t index);
 
 } // namespace dewpoint::project
