@@ -63,7 +63,7 @@ int printDevices(const ListOptions& options) {
   return kExitDone;
 }
 
-const char* nameOf(ColorAutomatic automatic) {
+const char* automaticName(ColorAutomatic automatic) {
   switch (automatic) {
   case ColorAutomatic::Exposure:
     return "exposure";
@@ -154,16 +154,16 @@ bool printLock(const std::string& camera, const ColorLock& lock) {
   }
   for (const ColorLock::Refusal& refusal : lock.refused) {
     fmt::print(stderr, "dewpoint-cli: camera '{}': the automatic {} is not locked: {}: {}.\n",
-               camera, nameOf(refusal.automatic), refusal.control, refusal.reason);
+               camera, automaticName(refusal.automatic), refusal.control, refusal.reason);
   }
   for (const ColorAutomatic automatic : lock.missing) {
     fmt::print(stderr, "dewpoint-cli: note: camera '{}' has no control for its {}.\n", camera,
-               nameOf(automatic));
+               automaticName(automatic));
   }
   return lock.refused.empty();
 }
 
-int lock(const LockOptions& options) {
+int lockCameras(const LockOptions& options) {
   auto project = loadProject(options.project);
   if (!project) {
     return report(project.error());
@@ -219,7 +219,7 @@ void addLockCommand(CLI::App& group, int& exitCode) {
                    "How long the cameras run before, so that they adjust to the light")
       ->check(CLI::Range(0.1, 600.0))
       ->capture_default_str();
-  command->callback([options, &exitCode] { exitCode = lock(*options); });
+  command->callback([options, &exitCode] { exitCode = lockCameras(*options); });
 }
 
 } // namespace
