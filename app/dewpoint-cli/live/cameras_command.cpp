@@ -95,7 +95,10 @@ Result<std::vector<std::size_t>> camerasToLock(const LockOptions& options, const
       return failure(ErrorCode::BadValue, options.project, "camera",
                      fmt::format("no camera with a device is called '{}'", name));
     }
-    cameras.push_back(static_cast<std::size_t>(found - project.cameras.begin()));
+    const auto index = static_cast<std::size_t>(found - project.cameras.begin());
+    if (std::ranges::find(cameras, index) == cameras.end()) { // named once
+      cameras.push_back(index);
+    }
   }
   if (cameras.empty()) {
     return failure(ErrorCode::Mismatch, options.project, "camera", "no camera has a device");
