@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/floors.h"
+#include "core/capture/device_settings.h"
 
 #include <string>
 
@@ -21,6 +21,9 @@ struct LiveCamera {
   /// How much longer an image of this camera takes from the scene to its arrival than an image of
   /// the other cameras; seconds.
   double delay = 0.0;
+  /// For V4L2 devices: the identity, by which the device is found wherever it is plugged in
+  /// (`location` is used if it is empty), the format to request, and controls to set.
+  DeviceSettings device = {};
 };
 
 } // namespace dewpoint::capture

@@ -118,6 +118,14 @@ std::optional<Error> LiveCameraThread::problem() const {
                                   : "no answer for two seconds; still waiting"};
 }
 
+std::optional<Error> LiveCameraThread::remark() const {
+  std::scoped_lock lock(shared_->mutex);
+  return shared_->remark.empty()
+             ? std::nullopt
+             : std::optional(Error{ErrorCode::BadValue, redactedLocation(shared_->camera.location),
+                                   cameraField(shared_->camera.name), shared_->remark});
+}
+
 void LiveCameraThread::setProblem(Shared& shared, Error problem) {
   {
     std::scoped_lock lock(shared.mutex);
@@ -131,6 +139,7 @@ void LiveCameraThread::setDisconnected(Shared& shared, const std::string& detail
   {
     std::scoped_lock lock(shared.mutex);
     shared.connected = false;
+    shared.remark.clear();
     const auto code =
         shared.everDelivered ? ErrorCode::ConnectionLost : ErrorCode::DeviceUnavailable;
     shared.problem = Error{code, redactedLocation(shared.camera.location),
@@ -171,6 +180,7 @@ void LiveCameraThread::readAll(const std::stop_token& stop, Shared& shared, Live
   {
     std::scoped_lock lock(shared.mutex);
     shared.connected = true;
+    shared.remark = stream.remark();
     shared.lastGrab = Clock::now();
   }
   progress.lastGrab.reset();

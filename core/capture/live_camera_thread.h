@@ -13,6 +13,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -63,6 +64,8 @@ public:
   bool delivers() const;
   /// Returns the camera's current problem, or nothing if there is none.
   std::optional<Error> problem() const;
+  /// Returns what is wrong with the camera although it delivers, or nothing (LiveStream::remark()).
+  std::optional<Error> remark() const;
   /// Returns the smoothed frame rate in images per second; 0 before the second image.
   double framesPerSecond() const { return shared_->rate; }
   /// Returns the time from the capture of an image to its arrival in seconds, nearly the longest of
@@ -94,6 +97,7 @@ private:
         openingSince{}; ///< start of the current connection attempt, while not connected
     Clock::time_point lastGrab{};
     std::optional<Error> problem;
+    std::string remark; ///< of the stream that is open
   };
   struct Progress;
 

@@ -148,6 +148,9 @@ std::vector<Error> LiveFrameSource::notices() const {
     if (auto problem = camera.problem()) {
       list.push_back(std::move(*problem));
     }
+    if (auto remark = camera.remark()) {
+      list.push_back(std::move(*remark));
+    }
   }
   return list;
 }

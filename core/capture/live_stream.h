@@ -36,6 +36,9 @@ public:
   }
   /// Returns why grab() returned false, in words that follow a colon; empty if unknown.
   virtual std::string lostReason() const { return {}; }
+  /// Returns what is wrong with the device although it delivers images, such as a control that was
+  /// not set, in words that follow a colon; empty if nothing is. It does not change while open.
+  virtual std::string remark() const { return {}; }
   /// Returns whether the source has delivered all its images, so that there is no point in opening
   /// it again.
   virtual bool hasEnded() const { return false; }

@@ -7,6 +7,17 @@
 #include <algorithm>
 
 namespace dewpoint::project {
+namespace {
+
+/// Removes what belongs to a removed camera; what belongs to later cameras follows them.
+template <class Item> void forgetCamera(std::vector<Item>& items, int removed) {
+  std::erase_if(items, [&](const Item& one) { return one.camera == removed; });
+  for (Item& one : items) {
+    one.camera -= one.camera > removed ? 1 : 0;
+  }
+}
+
+} // namespace
 
 ParameterValues effectiveParameters(const Project& project) {
   return tracking::effectiveParameters(project.parameters, rigOf(project),
@@ -52,6 +63,33 @@ void removeTarget(Project& project, std::size_t index) {
                 [&](const PositionCorrection& one) { return one.target == removed; });
   for (PositionCorrection& correction : project.corrections) {
     correction.target -= correction.target > removed ? 1 : 0;
+  }
+}
+
+void removeCamera(Project& project, std::size_t index) {
+  const int removed = static_cast<int>(index);
+  project.cameras.erase(project.cameras.begin() + removed);
+  for (MeasuredPoint& point : project.points) {
+    forgetCamera(point.clicks, removed);
+  }
+  for (PositionCorrection& correction : project.corrections) {
+    forgetCamera(correction.clicks, removed);
+  }
+  for (Target& target : project.targets) {
+    forgetCamera(target.samples, removed);
+    if (target.box && target.box->camera == removed) {
+      target.box.reset();
+    } else if (target.box && target.box->camera > removed) {
+      --target.box->camera;
+    }
+  }
+  std::erase_if(project.people, [&](const PersonCorrection& person) {
+    return person.click && person.click->camera == removed;
+  });
+  for (PersonCorrection& person : project.people) {
+    if (person.click && person.click->camera > removed) {
+      --person.click->camera;
+    }
   }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/calibration/manual/measured_points.h"
+#include "core/capture/device_settings.h"
 #include "core/geometry/camera.h"
 #include "core/geometry/reference_grid.h"
 #include "core/geometry/world_box.h"
@@ -44,6 +45,8 @@ struct ProjectCamera {
   /// frame of a recording, the image whose capture time is closest to the time of the frame is
   /// used. Methods that can use capture times correct for the remaining difference.
   double delay = 0.0;
+  /// Identity, format and controls of the device (`source` is Device only).
+  DeviceSettings device = {};
   /// Where the camera's calibration comes from, as far as is known.
   CameraRecord calibrated = {};
 
@@ -144,5 +147,9 @@ void addCorrection(Project& project, const PositionCorrection& correction);
 void removeCorrection(Project& project, std::int64_t frame, int target);
 /// Removes the target with this index and its corrections.
 void removeTarget(Project& project, std::size_t index);
+/// Removes the camera with this index, and all that was clicked or marked in its images: clicks on
+/// points and corrected targets, color samples, first boxes of targets, and people marked by a
+/// click. Colors, corrected positions and the calibration of the other cameras stay.
+void removeCamera(Project& project, std::size_t index);
 
 } // namespace dewpoint::project

@@ -9,13 +9,19 @@ namespace {
 bool sameSource(const ProjectCamera& a, const ProjectCamera& b) {
   return a.camera.name == b.camera.name && a.source == b.source && a.location == b.location &&
          a.rotateDegrees == b.rotateDegrees && a.mirrored == b.mirrored && a.delay == b.delay &&
-         a.times == b.times;
+         a.times == b.times && a.device.identity == b.device.identity &&
+         a.device.format == b.device.format;
+}
+
+bool sameControls(const ProjectCamera& a, const ProjectCamera& b) {
+  return a.device.controls == b.device.controls;
 }
 
 bool sameCalibration(const ProjectCamera& a, const ProjectCamera& b) {
   ProjectCamera same = a;
   same.backgroundImage = b.backgroundImage;
   same.calibrated = b.calibrated;
+  same.device = b.device;
   return same == b;
 }
 
@@ -47,6 +53,8 @@ ProjectChanges changesBetween(const Project& before, const Project& after) {
       !changes.sources &&
       !std::ranges::equal(before.cameras, after.cameras, {}, &ProjectCamera::backgroundImage,
                           &ProjectCamera::backgroundImage);
+  changes.controls =
+      !changes.sources && !std::ranges::equal(before.cameras, after.cameras, sameControls);
   changes.calibration =
       !changes.sources && !std::ranges::equal(before.cameras, after.cameras, sameCalibration);
   return changes;

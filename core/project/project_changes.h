@@ -22,6 +22,7 @@ struct ProjectChanges {
   bool people = false;           ///< corrections for people
   bool corrections = false;      ///< corrections of target positions
   bool backgroundImages = false; ///< background images; never true if `sources` is
+  bool controls = false;         ///< controls of devices; never true if `sources` is
   bool records = false;          ///< where the calibration comes from
   bool output = false;           ///< where results go while a run lasts
   bool sources = false;          ///< the set of cameras, and the sources of images and ground truth
@@ -31,7 +32,7 @@ struct ProjectChanges {
   bool any() const {
     return name || method || seed || parameters || targets || calibration || sources || markers ||
            grid || points || people || corrections || backgroundImages || volume || records ||
-           output;
+           output || controls;
   }
 };
 

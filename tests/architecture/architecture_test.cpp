@@ -189,6 +189,7 @@ TEST(SourceRules, ArrowsDownPass) {
   EXPECT_EQ(complaints("core/observation/sphere/a.h", "\"core/filter/particles.h\""), 0U);
   EXPECT_EQ(complaints("core/filter/a.h", "\"core/base/random.h\""), 0U);
   EXPECT_EQ(complaints("core/tracking/tracker.h", "\"core/capture/frame.h\""), 0U);
+  EXPECT_EQ(complaints("core/project/project.h", "\"core/capture/device_settings.h\""), 0U);
   EXPECT_EQ(complaints("ui/cameraview/view.h", "\"core/session/snapshot/snapshot.h\""), 0U);
   EXPECT_EQ(complaints("ui/cameraview/view.h", "<QWidget>"), 0U);
   EXPECT_EQ(complaints("ui/view3d/view.cpp", "\"ui/scene3d/scene.h\""), 0U);

@@ -31,7 +31,7 @@ const std::map<std::string, std::map<std::string, Names>, std::less<>>& roomTabl
   static const std::map<std::string, std::map<std::string, Names>, std::less<>> kTable = {
       {"color", {{"", {}}, {"likelihood", {""}}}},
       {"trajectory", {{"", {}}, {"export", {""}}, {"figure", {"", "export"}}, {"jobs", {""}}}},
-      {"capture", {{"", {}}, {"gstreamer", {""}}}},
+      {"capture", {{"", {}}, {"devices", {""}}, {"gstreamer", {"", "devices"}}}},
       {"observation",
        {{"background", {}},
         {"boxes", {}},
@@ -153,7 +153,15 @@ const Names& windowlessPrograms() {
 }
 
 const Names& windowHeaders() {
-  static const Names kHeaders = {"core/calibration/board/board.h",
+  static const Names kHeaders = {"core/capture/device_settings.h",
+                                 "core/capture/devices/camera_device.h",
+                                 "core/capture/devices/color_lock.h",
+                                 "core/capture/devices/device_access.h",
+                                 "core/capture/devices/device_control.h",
+                                 "core/capture/devices/device_match.h",
+                                 "core/capture/devices/device_monitor.h",
+                                 "core/capture/devices/usb_bandwidth.h",
+                                 "core/calibration/board/board.h",
                                  "core/calibration/board/board_edit.h",
                                  "core/calibration/board/board_print.h",
                                  "core/calibration/formats/format_catalog.h",

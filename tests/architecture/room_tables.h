@@ -39,6 +39,9 @@ const Names& windowlessPrograms();
 /// A tracker takes frames, so the value type Frame is open to it and to what stands on it.
 inline constexpr std::string_view kFrameHeader = "core/capture/frame.h";
 
+/// A project stores the settings of devices, so their value type is open to it.
+inline constexpr std::string_view kDeviceSettingsHeader = "core/capture/device_settings.h";
+
 /// The value types that core/session hands out; besides core/session and core/base, the window
 /// sees nothing else of core.
 const Names& windowHeaders();

@@ -82,7 +82,8 @@ std::string coreArrow(const std::string& floor, const std::string& room,
   }
   const Names open = reachable(floor);
   const bool frameAllowed = open.contains("tracking") && include == kFrameHeader;
-  if (target.size() < 3 || (!open.contains(target[1]) && !frameAllowed)) {
+  const bool settingsAllowed = open.contains("project") && include == kDeviceSettingsHeader;
+  if (target.size() < 3 || (!open.contains(target[1]) && !frameAllowed && !settingsAllowed)) {
     return "core/" + floor + " may not include core/" + (target.size() > 1 ? target[1] : "");
   }
   if (target[1] != floor || !roomTable().contains(floor)) {

@@ -18,6 +18,8 @@ namespace dewpoint::ui {
 
 namespace {
 
+const char* const kSourceStep = "sources";
+
 QString labelOf(const Project& project, const std::string& key) {
   const auto all = project.parameters.declarations();
   const auto found = std::ranges::find(all, key, &ParameterDeclaration::key);
@@ -67,6 +69,18 @@ Status Document::edit(const QString& name, const std::function<void(Project&)>& 
     undoStack_->push(new EditCommand(*this, name, project_, std::move(after), key));
   }
   return {};
+}
+
+Status Document::editSources(const QString& name, const std::function<void(Project&)>& change) {
+  endMerging();
+  return edit(name, change, kSourceStep);
+}
+
+Status Document::completeSources(const QString& name, const std::function<void(Project&)>& change) {
+  // Undone as one step: alone, it would be reported again as soon as it was undone.
+  const auto* last = dynamic_cast<const EditCommand*>(undoStack_->command(undoStack_->index() - 1));
+  const bool joins = last != nullptr && last->mergeKey() == kSourceStep + mergeSuffix_;
+  return edit(joins ? last->text() : name, change, kSourceStep);
 }
 
 void Document::endMerging() {

@@ -61,6 +61,12 @@ public:
   /// returned. A change without effect creates no step.
   Status edit(const QString& name, const std::function<void(Project&)>& change,
               const std::string& mergeKey = {});
+  /// Changes the sources of the cameras, in the same way as edit(), in a step of its own. Live
+  /// cameras report more when they have been opened with the new sources (`completeSources()`).
+  Status editSources(const QString& name, const std::function<void(Project&)>& change);
+  /// Adds what live cameras have reported, such as the size of their images, to the last step if it
+  /// is one of `editSources()`. Otherwise this is a step of its own, called `name`.
+  Status completeSources(const QString& name, const std::function<void(Project&)>& change);
   /// Ends merging, for example after a drag. The next change is a separate step.
   void endMerging();
 

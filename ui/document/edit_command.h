@@ -29,6 +29,7 @@ public:
   void undo() override;
   void redo() override;
   int id() const override { return mergeKey_.empty() ? -1 : 1; }
+  const std::string& mergeKey() const { return mergeKey_; }
   bool mergeWith(const QUndoCommand* other) override;
 
 private:

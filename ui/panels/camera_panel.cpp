@@ -4,6 +4,7 @@
 #include "core/base/angle.h"
 #include "core/base/units.h"
 #include "core/project/project.h"
+#include "core/setup/calibration/calibrated_project.h"
 #include "ui/document/camera_list_model.h"
 #include "ui/document/document.h"
 #include "ui/panels/background_image_taker.h"
@@ -30,6 +31,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace dewpoint::ui {
 namespace {
@@ -128,11 +130,10 @@ void CameraPanel::connectFields() {
     });
   });
   connect(rotation_, &QComboBox::activated, this, [this](int index) {
-    edit(tr("Rotate images"),
-         [&](ProjectCamera& camera) { camera.rotateDegrees = rotation_->itemData(index).toInt(); });
+    orient(tr("Rotate images"), rotation_->itemData(index).toInt(), mirror_->isChecked());
   });
   connect(mirror_, &QCheckBox::clicked, this, [this](bool mirrored) {
-    edit(tr("Mirror images"), [&](ProjectCamera& camera) { camera.mirrored = mirrored; });
+    orient(tr("Mirror images"), rotation_->currentData().toInt(), mirrored);
   });
   connect(delay_, &QDoubleSpinBox::editingFinished, this, [this] {
     edit(tr("Change delay"), [this](ProjectCamera& camera) {
@@ -173,7 +174,8 @@ void CameraPanel::retranslateUi() {
   browse_->setText(tr("Choose…"));
   browse_->setToolTip(tr("Choose the file, folder or device of this camera"));
   rotationLabel_->setText(tr("Rotated"));
-  rotation_->setToolTip(tr("How far the images are rotated clockwise before they are used"));
+  rotation_->setToolTip(tr("How far the images are rotated clockwise before they are used. The "
+                           "calibration is rotated with them"));
   mirror_->setText(tr("Mirrored"));
   mirror_->setToolTip(tr("Mirror the images left to right, after rotation"));
   delayLabel_->setText(tr("Delay"));
@@ -252,10 +254,24 @@ void CameraPanel::edit(const QString& step, const std::function<void(ProjectCame
   if (row < 0) {
     return;
   }
-  const auto edited = document_.edit(
+  const auto edited = document_.editSources(
       step, [&](Project& project) { change(project.cameras[static_cast<std::size_t>(row)]); });
   if (!edited) {
     showChosen(); // refused: show what holds
+  }
+}
+
+void CameraPanel::orient(const QString& step, int rotateDegrees, bool mirrored) {
+  const int row = chosen();
+  if (row < 0) {
+    return;
+  }
+  const auto edited = document_.editSources(step, [&](Project& project) {
+    project = withImageOrientation(std::move(project), static_cast<std::size_t>(row), rotateDegrees,
+                                   mirrored);
+  });
+  if (!edited) {
+    showChosen();
   }
 }
 

@@ -54,6 +54,8 @@ private:
   void showChosen();
   void showCalibration(const ProjectCamera& camera);
   void edit(const QString& step, const std::function<void(ProjectCamera&)>& change);
+  /// Sets how the images of the selected camera are rotated and mirrored.
+  void orient(const QString& step, int rotateDegrees, bool mirrored);
   void relocate();
   void chooseBackgroundImage();
   void setBackgroundImage(const QString& file);

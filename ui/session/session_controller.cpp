@@ -64,33 +64,37 @@ SessionController::~SessionController() {
   }
 }
 
+bool SessionController::followsDocument() const {
+  return bridge_ != nullptr && document_.project().cameras.size() == cameraCount_;
+}
+
 void SessionController::connectDocument() {
   connect(&document_, &Document::parameterChanged, this, [this] {
-    if (bridge_ != nullptr) {
+    if (followsDocument()) {
       bridge_->session().setParameters(document_.project().parameters);
       results_->edited();
     }
   });
   connect(&document_, &Document::methodChanged, this, &SessionController::applyMethod);
   connect(&document_, &Document::targetsChanged, this, [this] {
-    if (bridge_ != nullptr) {
+    if (followsDocument()) {
       bridge_->session().setTargets(document_.project().targets);
       results_->edited();
     }
   });
   connect(&document_, &Document::volumeChanged, this, [this] {
-    if (bridge_ != nullptr) {
+    if (followsDocument()) {
       bridge_->session().setVolumeOfInterest(document_.project().volumeOfInterest);
       results_->edited();
     }
   });
   connect(&document_, &Document::peopleChanged, this, [this] {
-    if (bridge_ != nullptr) {
+    if (followsDocument()) {
       bridge_->session().setPersonCorrections(document_.project().people);
     }
   });
   connect(&document_, &Document::correctionsChanged, this, [this] {
-    if (bridge_ != nullptr) {
+    if (followsDocument()) {
       bridge_->session().setCorrections(document_.project().corrections);
     }
   });
@@ -98,7 +102,7 @@ void SessionController::connectDocument() {
   connect(&document_, &Document::calibrationChanged, this, &SessionController::applyCalibration,
           Qt::QueuedConnection);
   connect(&document_, &Document::backgroundImagesChanged, this, [this] {
-    if (bridge_ != nullptr) {
+    if (followsDocument()) {
       backgroundImageLoader_->load(document_.project());
     }
   });
@@ -148,7 +152,7 @@ void SessionController::storeImageSizes(const Project& opened) {
     }
   };
   // Only what is guessed of live cameras differs: they are of the size that they send.
-  static_cast<void>(document_.edit(tr("Use image size"), change));
+  static_cast<void>(document_.completeSources(tr("Use image size"), change));
 }
 
 void SessionController::start(const OpenRequest& request, SessionInputs inputs) {
@@ -159,6 +163,7 @@ void SessionController::start(const OpenRequest& request, SessionInputs inputs) 
   const bool waits = !inputs.source->isLive() && (request.unsaved || wantsTarget);
   inputs.threads = Preferences().filterThreadCount();
   feeds_ = std::exchange(inputs.feeds, {});
+  cameraCount_ = inputs.project.cameras.size();
   // Of the window, not of this: it goes after the views, which look at the session to the end.
   bridge_ = new SessionBridge(std::move(inputs), parent());
   results_->watch(&bridge_->session());
@@ -226,7 +231,7 @@ void SessionController::publish(const TrackSnapshotPtr& snapshot) {
 }
 
 void SessionController::applyMethod() {
-  if (bridge_ == nullptr) {
+  if (!followsDocument()) {
     return;
   }
   results_->suspend();
@@ -244,7 +249,7 @@ void SessionController::applyMethod() {
 }
 
 void SessionController::applyCalibration() {
-  if (bridge_ == nullptr) {
+  if (!followsDocument()) {
     return;
   }
   const CameraRig rig = rigOf(document_.project());

@@ -7,6 +7,7 @@
 #include <QObject>
 #include <QString>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -138,6 +139,9 @@ private:
     std::size_t position = 0;
   };
   void connectDocument();
+  /// Returns whether the run has as many cameras as the document. If not, it is opened again soon
+  /// with the document's cameras, and changes that name cameras by index are not for this run.
+  bool followsDocument() const;
   void applyOpened(const OpenRequest& request, const std::shared_ptr<SessionInputs>& inputs);
   /// Stores the image sizes reported by live cameras in the document.
   void storeImageSizes(const Project& opened);
@@ -168,6 +172,7 @@ private:
   LogCursor frames_;
   LogCursor iterations_;
   std::vector<std::shared_ptr<capture::EncodedFeed>> feeds_;
+  std::size_t cameraCount_ = 0; ///< of the run
 };
 
 } // namespace dewpoint::ui

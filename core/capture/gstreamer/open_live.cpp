@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/gstreamer/open_live.h"
 
+#include "core/capture/devices/device_stream.h"
 #include "core/capture/gstreamer/gst_image.h"
 #include "core/capture/gstreamer/gst_library.h"
 #include "core/capture/gstreamer/gst_stream.h"
@@ -61,14 +62,8 @@ LiveStreamPtr makeFfmpegStream(const LiveCamera& camera, EncodedFeedPtr feed) {
              : std::move(stream);
 }
 
-} // namespace
-
-Status checkLocation(const LiveCamera& camera) {
-  return isOnlyForFfmpeg(camera.location) ? Status()
-                                          : pipelineText(camera).map([](const PipelineText&) {});
-}
-
-LiveStreamPtr makeLiveStream(const LiveCamera& camera, EncodedFeedPtr feed) {
+/// The connection to a location that does not change.
+LiveStreamPtr makeLocatedStream(const LiveCamera& camera, EncodedFeedPtr feed) {
   if (!isOnlyForFfmpeg(camera.location)) {
     auto pipeline = pipelineText(camera);
     if (pipeline && !isForFfmpeg(camera, *pipeline)) {
@@ -78,22 +73,54 @@ LiveStreamPtr makeLiveStream(const LiveCamera& camera, EncodedFeedPtr feed) {
   return makeFfmpegStream(camera, std::move(feed));
 }
 
+/// `lookup` is that of the camera.
+LiveStreamPtr makeFoundStream(const LiveCamera& camera, EncodedFeedPtr feed, DeviceLookup lookup) {
+  if (camera.device == DeviceSettings{}) {
+    return makeLocatedStream(camera, std::move(feed));
+  }
+  return makeDeviceStream(
+      camera, std::move(lookup),
+      [feed = std::move(feed)](const LiveCamera& found) { return makeLocatedStream(found, feed); });
+}
+
+std::vector<DeviceIdentity> identitiesOf(const std::vector<LiveCamera>& cameras) {
+  std::vector<DeviceIdentity> identities;
+  for (const LiveCamera& camera : cameras) {
+    identities.push_back(camera.device.identity);
+  }
+  return identities;
+}
+
+} // namespace
+
+Status checkLocation(const LiveCamera& camera) {
+  return isOnlyForFfmpeg(camera.location) ? Status()
+                                          : pipelineText(camera).map([](const PipelineText&) {});
+}
+
+LiveStreamPtr makeLiveStream(const LiveCamera& camera, EncodedFeedPtr feed) {
+  return makeFoundStream(camera, std::move(feed), {systemDevices(), {camera.device.identity}, 0});
+}
+
 Result<std::unique_ptr<FrameSetSource>> openLive(const std::vector<LiveCamera>& cameras) {
   return openLive(cameras, std::vector<EncodedFeedPtr>(cameras.size()));
 }
 
 Result<std::unique_ptr<FrameSetSource>> openLive(const std::vector<LiveCamera>& cameras,
-                                                 const std::vector<EncodedFeedPtr>& feeds) {
+                                                 const std::vector<EncodedFeedPtr>& feeds,
+                                                 DeviceAccessPtr devices) {
   for (const LiveCamera& camera : cameras) {
     if (auto known = checkLocation(camera); !known) {
       return tl::make_unexpected(known.error());
     }
   }
   // Each connection's thread asks with a copy of its camera; names are different in a rig.
-  const LiveStreamFactory factory = [cameras, feeds](const LiveCamera& camera) {
+  const LiveStreamFactory factory = [cameras, feeds, identities = identitiesOf(cameras),
+                                     devices = std::move(devices)](const LiveCamera& camera) {
     const auto found = std::ranges::find(cameras, camera.name, &LiveCamera::name);
     const auto index = static_cast<std::size_t>(found - cameras.begin());
-    return makeLiveStream(camera, index < feeds.size() ? feeds[index] : nullptr);
+    return makeFoundStream(camera, index < feeds.size() ? feeds[index] : nullptr,
+                           {devices, identities, index});
   };
   return openLive(cameras, factory);
 }

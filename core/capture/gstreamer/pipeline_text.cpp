@@ -3,6 +3,7 @@
 
 #include "core/base/text_number.h"
 #include "core/capture/gstreamer/address_parts.h"
+#include "core/capture/gstreamer/device_caps.h"
 #include "core/capture/image_shape.h"
 #include "core/capture/redacted_location.h"
 
@@ -91,18 +92,16 @@ std::optional<std::string> devicePath(std::string_view location) {
              : std::nullopt;
 }
 
-PipelineText devicePipeline(const LiveCamera& camera, const std::string& path) {
-  std::string size;
-  if (camera.width > 0 && camera.height > 0) {
-    const bool lying = camera.rotateDegrees % 180 != 0;
-    size = fmt::format(",width={},height={}", lying ? camera.height : camera.width,
-                       lying ? camera.width : camera.height);
+Result<PipelineText> devicePipeline(const LiveCamera& camera, const std::string& path) {
+  const std::string& pixelFormat = camera.device.format.pixelFormat;
+  const auto caps = deviceCaps(camera);
+  if (!caps) {
+    return badLocation(camera, fmt::format("the pixel format '{}' is not supported", pixelFormat));
   }
-  // Compressed first: uncompressed images of several cameras rarely fit on one USB bus.
   PipelineText pipeline =
-      made(fmt::format("v4l2src device={} ! capsfilter caps=\"image/jpeg{};video/x-raw{}\"",
-                       quotedValue(path), size, size),
-           TimeOrigin::Driver, kWaitingIntraImages, {"v4l2src"});
+      made(fmt::format("v4l2src device={} ! capsfilter caps=\"{}\"", quotedValue(path), *caps),
+           TimeOrigin::Driver,
+           isInterCoded(pixelFormat) ? kWaitingInterImages : kWaitingIntraImages, {"v4l2src"});
   pipeline.device = path;
   return pipeline;
 }

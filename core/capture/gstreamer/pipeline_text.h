@@ -36,8 +36,8 @@ struct PipelineText {
 
 /// Returns the pipeline for the location of a camera:
 ///
-/// - a number, /dev/videoN, or another path below /dev such as /dev/v4l/by-id/...: V4L2. If the
-///   camera has a size, that size is requested from the device.
+/// - a number, /dev/videoN, or another path below /dev such as /dev/v4l/by-id/...: V4L2. The
+///   format in the camera's device settings is requested, or else its size, if it has one.
 /// - rtsp://, rtsps://: RTSP. http://, https://: multipart MJPEG and other formats that GStreamer
 ///   recognizes. srt://: SRT.
 /// - udp://host:port: MPEG-TS over UDP. rtp://host:port: RTP over UDP, MPEG-TS unless the option

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/setup/calibration/calibrated_project.h"
 
+#include "core/setup/new_project/new_project.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -41,6 +43,26 @@ Project withImageSymmetry(Project project, int camera, const ImageSymmetry& symm
     if (const PointClick* click = clickIn(point, camera)) {
       setClickIn(point, camera, transformed(symmetry, click->pixel, before.width, before.height));
     }
+  }
+  return project;
+}
+
+Project withImageOrientation(Project project, std::size_t camera, int rotateDegrees,
+                             bool mirrored) {
+  const ProjectCamera& before = project.cameras[camera];
+  const ImageSymmetry present{before.rotateDegrees, before.mirrored};
+  const ImageSymmetry wanted{rotateDegrees, mirrored};
+  const auto change = std::ranges::find_if(imageSymmetries(), [&](const ImageSymmetry& symmetry) {
+    return combined(present, symmetry) == wanted;
+  });
+  if (change == imageSymmetries().end()) {
+    return project; // no rotation by quarters
+  }
+  const bool isGuess = hasGuessedLens(project, camera) && hasGuessedPose(project, camera);
+  project = withImageSymmetry(std::move(project), static_cast<int>(camera), *change);
+  if (isGuess) {
+    const Intrinsics lens = project.cameras[camera].camera.intrinsics;
+    guessCalibration(project, camera, {lens.width, lens.height});
   }
   return project;
 }

@@ -6,6 +6,7 @@
 #include "core/geometry/image_symmetry.h"
 #include "core/project/project.h"
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -30,6 +31,12 @@ Project withTimeOffsets(Project project, const std::vector<double>& offsets);
 /// addition to the rotation and mirroring that the project already contains. The calibration of the
 /// camera and its clicks on measured points are converted accordingly.
 Project withImageSymmetry(Project project, int camera, const ImageSymmetry& symmetry);
+
+/// Returns the project with the images of a camera rotated clockwise by `rotateDegrees` (0, 90, 180
+/// or 270) and then `mirrored`, as the camera delivers them: these replace the values in the
+/// project. The calibration of the camera and its clicks on measured points are converted as by
+/// withImageSymmetry(); a calibration that was only guessed is guessed again.
+Project withImageOrientation(Project project, std::size_t camera, int rotateDegrees, bool mirrored);
 
 /// Returns whether withImageSymmetry() can rotate and mirror the images of a camera. This is false
 /// for simulated cameras.

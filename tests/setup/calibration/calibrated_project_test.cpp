@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/manual/measured_points.h"
 #include "core/setup/calibration/calibrated_project.h"
+#include "core/setup/new_project/new_project.h"
 #include "tests/session/fake_recording.h"
 
 #include <gtest/gtest.h>
@@ -84,6 +85,25 @@ TEST(CalibratedProject, ATurnedPictureTakesItsCalibrationAndClicksAlong) {
   const auto is = Projector(rotated.cameras[1].camera).project(point);
   ASSERT_TRUE(was && is);
   EXPECT_NEAR((*was + *is - Eigen::Vector2d(159.0, 119.0)).norm(), 0.0, 1e-9);
+}
+
+TEST(CalibratedProject, AnOrientationReplacesTheOneBefore) {
+  Project project = mixedProject();
+  project.cameras[1].rotateDegrees = 90;
+  const Project upright = withImageOrientation(project, 1, 0, false);
+  EXPECT_EQ(upright.cameras[1].rotateDegrees, 0);
+  EXPECT_EQ(upright.cameras[1].camera.intrinsics.width, 120);
+  EXPECT_EQ(upright.cameras[1].camera.intrinsics.height, 160);
+  const Project mirrored = withImageOrientation(upright, 1, 180, true);
+  EXPECT_EQ(mirrored.cameras[1].rotateDegrees, 180);
+  EXPECT_TRUE(mirrored.cameras[1].mirrored);
+  EXPECT_EQ(withImageOrientation(mirrored, 1, 180, true), mirrored);
+  EXPECT_EQ(withImageOrientation(project, 1, 45, false), project); // not a quarter
+  guessCalibration(project, 1, {160, 120});
+  const Project guessed = withImageOrientation(project, 1, 180, false);
+  EXPECT_TRUE(hasGuessedLens(guessed, 1));
+  EXPECT_TRUE(hasGuessedPose(guessed, 1));
+  EXPECT_EQ(guessed.cameras[1].camera.intrinsics.width, 120);
 }
 
 TEST(CalibratedProject, ProposedSymmetriesAreSetButForSimulatedCameras) {

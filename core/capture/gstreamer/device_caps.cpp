@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/capture/gstreamer/device_caps.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace dewpoint::capture {
+namespace {
+
+/// Pixel formats of V4L2 and the GStreamer caps of the same images.
+constexpr std::array<std::pair<std::string_view, const char*>, 19> kDeviceCaps{{
+    {"MJPG", "image/jpeg"},
+    {"JPEG", "image/jpeg"},
+    {"H264", "video/x-h264"},
+    {"HEVC", "video/x-h265"},
+    {"VP80", "video/x-vp8"},
+    {"VP90", "video/x-vp9"},
+    {"YUYV", "video/x-raw,format=YUY2"},
+    {"UYVY", "video/x-raw,format=UYVY"},
+    {"YVYU", "video/x-raw,format=YVYU"},
+    {"VYUY", "video/x-raw,format=VYUY"},
+    {"NV12", "video/x-raw,format=NV12"},
+    {"NV21", "video/x-raw,format=NV21"},
+    {"YU12", "video/x-raw,format=I420"},
+    {"YV12", "video/x-raw,format=YV12"},
+    {"GREY", "video/x-raw,format=GRAY8"},
+    {"Y16", "video/x-raw,format=GRAY16_LE"},
+    {"RGB3", "video/x-raw,format=RGB"},
+    {"BGR3", "video/x-raw,format=BGR"},
+    {"RGBP", "video/x-raw,format=RGB16"},
+}};
+
+/// A rate as the fraction with the smallest denominator: 29.97002997 is 30000/1001.
+std::string rateFraction(double rate) {
+  constexpr int kMostParts = 1001;
+  constexpr double kSame = 1e-6; // relative
+  int parts = 1;
+  while (parts < kMostParts && std::abs(std::round(rate * parts) / parts - rate) > kSame * rate) {
+    ++parts;
+  }
+  return fmt::format("{}/{}", std::lround(rate * parts), parts);
+}
+
+/// Caps for images of these types. With a rate: exactly this one first, then those within 1 %,
+/// since drivers round it.
+std::string formatCaps(const LiveCamera& camera, const std::vector<std::string>& types) {
+  const DeviceFormat& format = camera.device.format;
+  std::string size;
+  if (format.width > 0) {
+    size = fmt::format(",width={},height={}", format.width, format.height);
+  } else if (camera.width > 0 && camera.height > 0) {
+    const bool lying = camera.rotateDegrees % 180 != 0;
+    size = fmt::format(",width={},height={}", lying ? camera.height : camera.width,
+                       lying ? camera.width : camera.height);
+  }
+  std::vector<std::string> rates{""};
+  if (format.rate > 0.0) {
+    rates = {",framerate=" + rateFraction(format.rate),
+             fmt::format(",framerate=[{}/1000,{}/1000]", std::lround(format.rate * 990.0),
+                         std::lround(format.rate * 1010.0))};
+  }
+  std::vector<std::string> caps;
+  for (const std::string& rate : rates) {
+    for (const std::string& type : types) {
+      caps.push_back(type + size + rate);
+    }
+  }
+  return fmt::format("{}", fmt::join(caps, ";"));
+}
+
+} // namespace
+
+std::optional<std::string> deviceCaps(const LiveCamera& camera) {
+  const std::string& pixelFormat = camera.device.format.pixelFormat;
+  if (pixelFormat.empty()) {
+    // Compressed first: uncompressed images of several cameras rarely fit on one USB bus.
+    return formatCaps(camera, {"image/jpeg", "video/x-raw"});
+  }
+  const auto* const known =
+      std::ranges::find(kDeviceCaps, pixelFormat, [](const auto& row) { return row.first; });
+  return known == kDeviceCaps.end() ? std::nullopt
+                                    : std::optional(formatCaps(camera, {known->second}));
+}
+
+bool isInterCoded(std::string_view pixelFormat) {
+  return pixelFormat == "H264" || pixelFormat == "HEVC" || pixelFormat.starts_with("VP");
+}
+
+} // namespace dewpoint::capture
