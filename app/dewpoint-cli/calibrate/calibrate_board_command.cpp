@@ -81,6 +81,9 @@ void printIntrinsics(const BoardDetections::PerCamera& seen, const IntrinsicsRes
   }
   fmt::print("the board was found in {} of {} images; {} are used\n", seen.views.size(),
              seen.searched, std::ranges::count(result.views, true, &ViewFit::used));
+  if (const std::string missed = missedText(seen); !missed.empty()) {
+    fmt::print("{}\n", missed);
+  }
   fmt::print("RMS {:.4f} px\n", result.rmsPx);
   printLens(result.camera);
   const auto& focal = result.parameters.front();

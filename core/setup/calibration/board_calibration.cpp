@@ -3,6 +3,7 @@
 
 #include "core/calibration/board/view_choice.h"
 #include "core/calibration/quality/board_accuracy.h"
+#include "core/setup/calibration/missed_images.h"
 
 #include <fmt/format.h>
 
@@ -34,8 +35,11 @@ Result<IntrinsicsResult> lensOf(const BoardDetections::PerCamera& camera,
                                 const BoardCalibrationRequest& request,
                                 const CalibrationProgress& progress) {
   if (camera.views.empty()) {
-    return failure(ErrorCode::Undetermined, "", "",
-                   fmt::format("it never saw the board in {} images", camera.searched));
+    std::string text = fmt::format("it never saw the board in {} images", camera.searched);
+    if (isAnyExplained(camera)) {
+      text += "; " + missedText(camera);
+    }
+    return failure(ErrorCode::Undetermined, "", "", std::move(text));
   }
   IntrinsicsRequest lensRequest;
   lensRequest.board = request.board;

@@ -6,6 +6,7 @@
 #include "tests/ui/window_test.h"
 #include "ui/calibration/board/board_calibrator.h"
 #include "ui/calibration/board/board_map.h"
+#include "ui/calibration/board/board_text.h"
 #include "ui/document/document.h"
 #include "ui/widgets/message_bar.h"
 
@@ -33,6 +34,7 @@ private Q_SLOTS:
   void init() { QSettings().clear(); }
   void cleanup() { window_.reset(); }
   void aRecordingCalibratesInOneStep();
+  void framesWithoutTheBoardAreNamed();
   void theCommandLineGivesTheSameBits();
   void cancelKeepsWhatWas();
   void theShownBoardSetsTheFloor();
@@ -91,6 +93,21 @@ void BoardPageTest::aRecordingCalibratesInOneStep() {
   history().redo();
   QVERIFY(project().cameras == after);
   QVERIFY(!find<QPushButton>(QStringLiteral("boardApply"))->isVisible());
+}
+
+void BoardPageTest::framesWithoutTheBoardAreNamed() {
+  openRecording();
+  QVERIFY(calibrate());
+  BoardOutcome outcome = *calibrator().outcome();
+  BoardMiss small;
+  small.reason = BoardMiss::Reason::TooSmall;
+  small.squarePx = 6.2;
+  outcome.missed = {{{"", 0, 4, 5, {}}, {"", 9, 9, 1, small}}, {}};
+  // Counted from 1, as in the timeline.
+  const QString text = outcomeText(calibrator(), outcome);
+  QVERIFY2(text.contains(QStringLiteral("left: no board was found in frames 1–5, 10 (too small, ")),
+           qPrintable(text));
+  QVERIFY2(!text.contains(QStringLiteral("right: no board")), qPrintable(text));
 }
 
 void BoardPageTest::theCommandLineGivesTheSameBits() {
