@@ -50,6 +50,8 @@ expectSentence board 'images searched'
 expectExit $kBadInput calibrate find-board none.jpg
 expectSentence none.jpg
 expectExit $kUsage calibrate find-board demo --square 0
+expectExit $kUsage calibrate intrinsics bad.jpg --mend-mirrored --board chessboard:9x6:0.025 --out no.toml
+expectSentence --mend-mirrored 'image files'
 [[ ! -e no.toml && ! -e no.pdf ]] || fail "something was written in spite of an error"
 
 pictures=${DEWPOINT_DATA:-}/opencv_left13

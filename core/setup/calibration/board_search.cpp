@@ -4,6 +4,7 @@
 #include "core/base/thread_count.h"
 #include "core/base/thread_team.h"
 #include "core/setup/calibration/frame_picker.h"
+#include "core/setup/calibration/mirrored_videos.h"
 #include "core/setup/calibration/missed_images.h"
 
 #include <fmt/format.h>
@@ -124,6 +125,9 @@ Status addOtherBoards(OtherBoards where, const KeptImages& kept, const BoardDesc
     }
     // A few views of the requested board are worth more than as many of a mere guess.
     if (*other && (*other)->images > static_cast<int>(boardViewsOf(seen))) {
+      for (std::size_t k = 0; (*other)->mirrored && k < seen.cameras.size(); ++k) {
+        seen.cameras[k].sides = countSides((*other)->board, kept.of(k));
+      }
       seen.otherBoard = std::move(*other);
     }
     return {};
@@ -135,6 +139,9 @@ Status addOtherBoards(OtherBoards where, const KeptImages& kept, const BoardDesc
     auto other = otherBoardIn(kept.of(k), requested, last);
     if (!other) {
       return tl::make_unexpected(other.error());
+    }
+    if (*other && (*other)->mirrored) {
+      seen.cameras[k].sides = countSides((*other)->board, kept.of(k));
     }
     seen.cameras[k].otherBoard = std::move(*other);
   }

@@ -44,6 +44,12 @@ struct MissedImage {
   BoardMiss miss;
 };
 
+/// How a few images of a camera show a board: as it is, or only after they are mirrored.
+struct BoardSides {
+  int plain = 0;    ///< number of images that show the board as it is
+  int mirrored = 0; ///< number of images that show it after they are mirrored left to right
+};
+
 /// Board detections in the recording of several cameras, or in a set of images of one camera.
 struct BoardDetections {
   struct PerCamera {
@@ -56,6 +62,8 @@ struct BoardDetections {
     /// saw the requested board but other cameras did.
     std::optional<BoardGuess> otherBoard = std::nullopt;
     std::vector<MissedImage> missed = {}; ///< the images without the board, in order
+    /// How a few images show the board. Counted only if some images show a mirrored board.
+    BoardSides sides = {};
   };
   std::vector<PerCamera> cameras;
   double framesPerSecond = 30.0;

@@ -47,6 +47,10 @@ void installBoardCalibration(const Workbench& bench, CalibrationMode& mode,
         }
         messages->ask(proposalQuestion(*board->proposal()), answers);
       });
+  QObject::connect(board, &BoardCalibrator::mirroredVideosFound, messages, [board, messages] {
+    messages->ask(mirroredQuestion(*board), {{BoardCalibrationPage::tr("Mirror images"),
+                                              [board] { board->mirrorImages(); }}});
+  });
   QObject::connect(
       board, &BoardCalibrator::boardConfirmed, messages, [messages](int images, int searched) {
         messages->showNotice(BoardCalibrationPage::tr(

@@ -247,6 +247,22 @@ QString proposalQuestion(const BoardGuess& guess) {
                    .arg(images, searched, guessedBoardText(guess));
 }
 
+QString mirroredQuestion(const BoardCalibrator& calibrator) {
+  QStringList names;
+  for (const std::size_t camera : calibrator.mirrored().cameras) {
+    names << calibrator.nameOf(camera);
+  }
+  const QString cameras = names.join(QStringLiteral(", "));
+  return calibrator.mirrored().cause == MirroredVideos::Cause::Videos
+             ? BoardText::tr(
+                   "The video of %1 is mirrored: it shows the board mirrored, but another "
+                   "camera shows it as it is.")
+                   .arg(cameras)
+             : BoardText::tr("The board or the video of %1 is mirrored: no camera shows the board "
+                             "as it is. Check whether writing in the images is readable.")
+                   .arg(cameras);
+}
+
 QString outcomeText(const BoardCalibrator& calibrator, const BoardOutcome& outcome) {
   QStringList lines;
   if (outcome.lenses) {
