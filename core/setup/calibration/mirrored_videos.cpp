@@ -118,7 +118,7 @@ std::string mirroredText(const MirroredVideos& mirrored, const std::vector<std::
 
 Project withUnmirroredVideos(Project project, const MirroredVideos& mirrored) {
   for (const std::size_t camera : mirrored.cameras) {
-    if (canSetImageSymmetry(project.cameras.at(camera))) {
+    if (camera < project.cameras.size() && canSetImageSymmetry(project.cameras[camera])) {
       project = withImageSymmetry(std::move(project), static_cast<int>(camera), {0, true});
     }
   }

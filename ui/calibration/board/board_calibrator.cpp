@@ -250,9 +250,7 @@ void BoardCalibrator::mirrorImages() {
   const MirroredVideos mirrored = std::exchange(mirrored_, {});
   useProposal();
   const auto made = document_.edit(tr("Mirror images"), [&](Project& project) {
-    if (mirrored.cameras.empty() || mirrored.cameras.back() < project.cameras.size()) {
-      project = withUnmirroredVideos(std::move(project), mirrored);
-    }
+    project = withUnmirroredVideos(std::move(project), mirrored);
   });
   if (!made) {
     Q_EMIT failed(errorText(made.error()));
@@ -351,14 +349,18 @@ void BoardCalibrator::apply() {
   Q_EMIT changed();
 }
 
-void BoardCalibrator::write(const std::function<Status()>& task, const QString& file) {
-  writer_->start([this, task, file](const BackgroundJob::Progress&) -> std::function<void()> {
-    const Status done = task();
-    const QString sentence = done ? QString() : errorText(done.error());
-    return [this, sentence, file] {
-      sentence.isEmpty() ? Q_EMIT saved(file) : Q_EMIT failed(sentence);
-    };
-  });
+void BoardCalibrator::write(const std::function<Status()>& task, const QString& file, int sheets) {
+  writer_->start(
+      [this, task, file, sheets](const BackgroundJob::Progress&) -> std::function<void()> {
+        const Status done = task();
+        const QString sentence = done ? QString() : errorText(done.error());
+        return [this, sentence, file, sheets] {
+          sentence.isEmpty() ? Q_EMIT saved(file) : Q_EMIT failed(sentence);
+          if (sentence.isEmpty() && sheets > 1) {
+            Q_EMIT splitOnSheets(file, sheets);
+          }
+        };
+      });
 }
 
 void BoardCalibrator::saveReport(const QString& file) {
@@ -370,13 +372,16 @@ void BoardCalibrator::saveReport(const QString& file) {
 }
 
 void BoardCalibrator::printBoard(const QString& paper, const QString& file) {
+  const auto sheets = paperNamed(paper.toStdString()).and_then([this](const Paper& sheet) {
+    return sheetsToPrint(request_.board.board, sheet);
+  });
   write(
       [board = request_.board.board, name = paper.toStdString(), path = file.toStdString()] {
         return paperNamed(name).and_then([&](const Paper& sheet) {
           return dewpoint::calibration::printBoard(board, sheet, path);
         });
       },
-      file);
+      file, sheets.value_or(1));
 }
 
 void BoardCalibrator::discardResults() {

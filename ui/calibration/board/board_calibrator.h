@@ -110,6 +110,8 @@ Q_SIGNALS:
   void playRequested();                          ///< live images are needed
   void boardShown(bool shown); ///< whether the board is currently being shown to live cameras
   void saved(const QString& file);
+  /// Emitted after saved() if a board was printed that is split on several sheets.
+  void splitOnSheets(const QString& file, int sheets);
   void failed(const QString& sentence);
 
 private:
@@ -135,7 +137,7 @@ private:
   void compute(Computation computation, bool applyIt);
   void applyResult(const std::shared_ptr<Computed>& computed, bool applyIt);
   void takeGuesses(const Proposed& proposed);
-  void write(const std::function<Status()>& task, const QString& file);
+  void write(const std::function<Status()>& task, const QString& file, int sheets = 1);
   void discardResults();
   std::function<void()> wakeUp();
   BoardPreferences preferences() const;

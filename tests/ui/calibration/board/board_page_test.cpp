@@ -172,6 +172,14 @@ void BoardPageTest::printsAndReports() {
   const QByteArray text = html.readAll();
   QVERIFY(text.contains("<svg"));
   QVERIFY(text.contains("In this volume"));
+  BoardGuideRequest large = calibrator().request();
+  large.board.board.squareSize *= 3.0;
+  large.board.board.markerSize *= 3.0;
+  calibrator().setRequest(large);
+  QSignalSpy split(&calibrator(), &BoardCalibrator::splitOnSheets);
+  calibrator().printBoard(QStringLiteral("A4"), file("sheets.pdf"));
+  QVERIFY(split.wait(kTimeoutMs));
+  QVERIFY(split.first().at(1).toInt() > 1);
   QSignalSpy failed(&calibrator(), &BoardCalibrator::failed);
   calibrator().printBoard(QStringLiteral("A4"), file("nowhere/board.pdf"));
   QVERIFY(failed.wait(kTimeoutMs));
