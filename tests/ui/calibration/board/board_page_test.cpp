@@ -35,6 +35,7 @@ private Q_SLOTS:
   void cleanup() { window_.reset(); }
   void aRecordingCalibratesInOneStep();
   void framesWithoutTheBoardAreNamed();
+  void theFloorFrameCountsFromOne();
   void theCommandLineGivesTheSameBits();
   void cancelKeepsWhatWas();
   void theShownBoardSetsTheFloor();
@@ -108,6 +109,17 @@ void BoardPageTest::framesWithoutTheBoardAreNamed() {
   QVERIFY2(text.contains(QStringLiteral("left: no board was found in frames 1–5, 10 (too small, ")),
            qPrintable(text));
   QVERIFY2(!text.contains(QStringLiteral("right: no board")), qPrintable(text));
+}
+
+void BoardPageTest::theFloorFrameCountsFromOne() {
+  openRecording();
+  BoardGuideRequest request = calibrator().request();
+  request.board.worldFrame = 4;
+  calibrator().setRequest(request);
+  auto* frame = find<QSpinBox>(QStringLiteral("boardFloorFrame"));
+  QCOMPARE(frame->value(), 5);
+  frame->setValue(8);
+  QCOMPARE(*calibrator().request().board.worldFrame, std::int64_t{7});
 }
 
 void BoardPageTest::theCommandLineGivesTheSameBits() {
