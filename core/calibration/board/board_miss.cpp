@@ -22,13 +22,13 @@ constexpr int kEnlargement = 2;
 constexpr int kMostEnlargedWidth = 2600; ///< pixels: a wider image takes too long
 
 // How the sharpest edges of an image are measured.
-constexpr int kWindow = 15; ///< pixels: an edge much wider is measured in a smaller image
+constexpr int kEdgeWindow = 15; ///< pixels: an edge much wider is measured in a smaller image
 constexpr double kMeasuredWidthPx =
-    6.0;                       ///< the widest edge that such a window holds with both sides
-constexpr int kLeastSide = 40; ///< pixels of an image made smaller
-constexpr float kLeastContrast = 40.0F;   ///< gray levels
-constexpr std::size_t kLeastSamples = 20; ///< edges
-constexpr std::size_t kSharpestPart = 10; ///< one of so many edges is sharper
+    6.0;                              ///< the widest edge that such a window holds with both sides
+constexpr int kLeastReducedSide = 40; ///< pixels of an image made smaller
+constexpr float kLeastEdgeContrast = 40.0F; ///< gray levels
+constexpr std::size_t kLeastSamples = 20;   ///< edges
+constexpr std::size_t kSharpestPart = 10;   ///< one of so many edges is sharper
 
 cv::Mat rescaled(const cv::Mat& image, double scale) {
   cv::Mat result;
@@ -49,7 +49,7 @@ cv::Mat grayImage(const cv::Mat& image) {
 std::vector<float> edgeWidths(const cv::Mat& gray) {
   cv::Mat level;
   gray.convertTo(level, CV_32F);
-  const cv::Mat window = cv::getStructuringElement(cv::MORPH_RECT, {kWindow, 1});
+  const cv::Mat window = cv::getStructuringElement(cv::MORPH_RECT, {kEdgeWindow, 1});
   cv::Mat highest;
   cv::Mat lowest;
   cv::dilate(level, highest, window);
@@ -71,7 +71,7 @@ std::vector<float> edgeWidths(const cv::Mat& gray) {
     for (int column = 0; column < level.cols; ++column) {
       const float contrast = highest.at<float>(row, column) - lowest.at<float>(row, column);
       const float at = slope.at<float>(row, column);
-      if (contrast >= kLeastContrast && at > 0.0F && at >= steepest.at<float>(row, column)) {
+      if (contrast >= kLeastEdgeContrast && at > 0.0F && at >= steepest.at<float>(row, column)) {
         widths.push_back(contrast / at);
       }
     }
@@ -82,7 +82,7 @@ std::vector<float> edgeWidths(const cv::Mat& gray) {
 /// The width of the sharpest edges along the rows of an image, pixels; 0: it has too few edges.
 double sharpestEdges(const cv::Mat& gray) {
   double width = 0.0;
-  for (int by = 1; std::min(gray.cols, gray.rows) / by >= kLeastSide; by *= 2) {
+  for (int by = 1; std::min(gray.cols, gray.rows) / by >= kLeastReducedSide; by *= 2) {
     auto widths = edgeWidths(by == 1 ? gray : rescaled(gray, 1.0 / by));
     if (widths.size() < kLeastSamples) {
       return width;

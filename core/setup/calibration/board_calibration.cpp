@@ -159,9 +159,13 @@ Result<ExtrinsicsResult> extrinsicsFromBoards(const Project& project, const Boar
     const auto& in = project.cameras[taking[i]].camera.intrinsics;
     const auto& camera = seen.cameras[taking[i]];
     if (!chosen[i].empty() && (in.width != camera.width || in.height != camera.height)) {
+      const bool isRotated = in.width == camera.height && in.height == camera.width;
       return failure(ErrorCode::Mismatch, project.file.string(), camera.name,
-                     fmt::format("its images have {} x {} pixels, its calibration {} x {}",
-                                 camera.width, camera.height, in.width, in.height));
+                     fmt::format("its images have {} x {} pixels, its calibration {} x {}{}",
+                                 camera.width, camera.height, in.width, in.height,
+                                 isRotated ? "; its video is probably rotated by 90 degrees: set "
+                                             "rotate = 90 or 270 for this camera"
+                                           : ""));
     }
     rigRequest.cameras.push_back({project.cameras[taking[i]].camera, chosen[i]});
   }

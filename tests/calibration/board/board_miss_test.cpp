@@ -9,7 +9,7 @@
 namespace dewpoint::tests {
 namespace {
 
-cv::Mat facing(const BoardDescription& board, double depth) {
+cv::Mat boardFacing(const BoardDescription& board, double depth) {
   return renderBoard(board, testCamera(), boardAt(board, {0.0, 0.0, depth}, 0.1, 0.1), 4);
 }
 
@@ -23,7 +23,7 @@ TEST(BoardMiss, AnImageWithoutABoardHasNoReason) {
 
 TEST(BoardMiss, ABlurredImageIsNamed) {
   const BoardDescription board = boardOf("chessboard:9x6:0.025");
-  cv::Mat image = facing(board, 0.35);
+  cv::Mat image = boardFacing(board, 0.35);
   cv::GaussianBlur(image, image, {0, 0}, 10.0);
   const BoardMiss miss = whyBoardMissed(BoardDetector(board), image);
   ASSERT_EQ(miss.reason, BoardMiss::Reason::Blurred) << missReasonText(miss);
@@ -34,7 +34,7 @@ TEST(BoardMiss, ABlurredImageIsNamed) {
 
 TEST(BoardMiss, ABoardFarAwayIsTooSmall) {
   const BoardDescription board = boardOf("chessboard:9x6:0.025");
-  const BoardMiss miss = whyBoardMissed(BoardDetector(board), facing(board, 2.0));
+  const BoardMiss miss = whyBoardMissed(BoardDetector(board), boardFacing(board, 2.0));
   ASSERT_EQ(miss.reason, BoardMiss::Reason::TooSmall) << missReasonText(miss);
   EXPECT_NEAR(miss.squarePx, 0.85 * 640 * 0.025 / 2.0, 1.5);
 }
