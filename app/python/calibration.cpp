@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/python/calibration_arguments.h"
 #include "app/python/project_handle.h"
 #include "app/python/python_error.h"
 #include "app/python/python_progress.h"
@@ -53,7 +54,8 @@ CalibrationImport importInto(ProjectHandle& handle, const std::filesystem::path&
                              const std::string& format, const std::optional<std::string>& unit,
                              const std::optional<std::array<int, 2>>& size,
                              const std::optional<std::string>& lens,
-                             const std::optional<std::string>& poses) {
+                             const std::optional<std::string>& poses,
+                             const std::optional<std::string>& fit, const CameraRenaming& names) {
   ImportRequest request{path, {format, metersFrom(unit), std::nullopt, size, std::nullopt}};
   if (lens) {
     request.hints.lens = chosen<LensModel>(
@@ -63,6 +65,7 @@ CalibrationImport importInto(ProjectHandle& handle, const std::filesystem::path&
     request.hints.posesAreWorldFromCamera =
         chosen<bool>({{"camera-from-world", false}, {"world-from-camera", true}}, "poses", *poses);
   }
+  request.adaptation = {names, sizeFitNamed(fit)};
   CalibrationImport imported = valueOf(importCalibration(handle.project, request));
   handle.project = imported.project;
   return imported;
@@ -174,13 +177,18 @@ void bindResults(py::module_& module) {
 void bindCalibration(py::module_& module, ProjectClass& project) {
   bindResults(module);
   project
-      .def("import_calibration", importInto, py::arg("path"), py::kw_only(), py::arg("format") = "",
-           py::arg("unit") = py::none(), py::arg("size") = py::none(), py::arg("lens") = py::none(),
-           py::arg("poses") = py::none(),
-           "Takes the calibration of its cameras from a file of any tool, matched by name, else by "
-           "order. What the file does not define is given by format, unit (m, mm, ...), size "
-           "(width, "
-           "height), lens (pinhole, fisheye) and poses (camera-from-world, world-from-camera).")
+      .def(
+          "import_calibration", importInto, py::arg("path"), py::kw_only(), py::arg("format") = "",
+          py::arg("unit") = py::none(), py::arg("size") = py::none(), py::arg("lens") = py::none(),
+          py::arg("poses") = py::none(), py::arg("fit") = py::none(),
+          py::arg("names") = CameraRenaming(),
+          "Takes the calibration of its cameras from a file of any tool, matched by name, else by "
+          "order. What the file does not define is given by format, unit (m, mm, ...), size "
+          "(width, "
+          "height), lens (pinhole, fisheye) and poses (camera-from-world, world-from-camera). fit: "
+          "how the images were changed if they have another size than those of the calibration "
+          "(crop, trim, scale, rotate-90, rotate-270). names: the name in the file of each camera "
+          "of the project, if they differ.")
       .def("export_calibration", exportTo, py::arg("path"), py::kw_only(), py::arg("format") = "",
            py::arg("unit") = py::none(), py::arg("replace") = false,
            "Writes the calibration of its cameras in the format of a tool; returns the assumptions "

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/python/bindings.h"
+#include "app/python/calibration_arguments.h"
 #include "app/python/project_handle.h"
 #include "app/python/python_error.h"
 #include "app/python/recording.h"
@@ -67,12 +68,14 @@ std::vector<NewCamera> newCameras(const py::object& cameras) {
 
 ProjectHandlePtr makeNew(const py::object& cameras,
                          const std::optional<std::filesystem::path>& calibration,
-                         const std::string& name, double framesPerSecond) {
+                         const std::string& name, double framesPerSecond,
+                         const std::optional<std::string>& fit, const CameraRenaming& names) {
   NewProject wanted;
   wanted.cameras = newCameras(cameras);
   wanted.calibration = calibration;
   wanted.name = name;
   wanted.framesPerSecond = framesPerSecond;
+  wanted.adaptation = {names, sizeFitNamed(fit)};
   CreatedProject made = valueOf(createNewProject(wanted));
   if (made.lacksCalibration) {
     warn("without a calibration, the camera positions are guesses");
@@ -229,12 +232,16 @@ void bindProject(py::module_& module) {
       });
   module.def("open", openNamed, py::arg("name"),
              "Opens a project file, or a built-in scene by its name: demo.");
-  module.def("make", makeNew, py::arg("cameras"), py::kw_only(),
-             py::arg("calibration") = py::none(), py::arg("name") = "",
-             py::arg("frames_per_second") = 0.0,
-             "Makes a project of videos, folders of images, devices or streams: a dict of names "
-             "and sources, or a list of sources. calibration: a file whose cameras are matched by "
-             "name, otherwise by order; frames_per_second: of folders of images (default: 30).");
+  module.def(
+      "make", makeNew, py::arg("cameras"), py::kw_only(), py::arg("calibration") = py::none(),
+      py::arg("name") = "", py::arg("frames_per_second") = 0.0, py::arg("fit") = py::none(),
+      py::arg("names") = CameraRenaming(),
+      "Makes a project of videos, folders of images, devices or streams: a dict of names "
+      "and sources, or a list of sources. calibration: a file whose cameras are matched by "
+      "name, otherwise by order; frames_per_second: of folders of images (default: 30). fit: "
+      "how the images were changed if they have another size than those of the calibration "
+      "(crop, trim, scale, rotate-90, rotate-270). names: the name in the file of each "
+      "camera, if they differ.");
 }
 
 } // namespace dewpoint::app

@@ -10,8 +10,11 @@ expectExit $kUsage calibration print-board chessboard:9x6:25 no.pdf
 expectSentence BOARD millimeters
 expectExit $kUsage calibration print-board chessboard:9x6:0.025 --paper B5 no.pdf
 expectSentence --paper A4
-expectExit $kBadInput calibration print-board chessboard:9x6:0.05 no.pdf
-expectSentence --paper 0.025
+expectExit 0 calibration print-board chessboard:9x6:0.05 --paper A3 sheets.pdf
+expectText out.txt '2 sheets' 'page 1'
+grep -aq '/Count 3' sheets.pdf || fail "not a plan and two sheets"
+expectExit $kBadInput calibration print-board chessboard:9x6:0.9 no.pdf
+expectSentence --paper '64 sheets'
 expectExit $kOutput calibration print-board chessboard:9x6:0.025 nowhere/board.pdf
 expectSentence nowhere/board.pdf
 
@@ -50,6 +53,8 @@ expectSentence board 'images searched'
 expectExit $kBadInput calibrate find-board none.jpg
 expectSentence none.jpg
 expectExit $kUsage calibrate find-board demo --square 0
+expectExit $kUsage calibrate intrinsics bad.jpg --mend-mirrored --board chessboard:9x6:0.025 --out no.toml
+expectSentence --mend-mirrored 'image files'
 [[ ! -e no.toml && ! -e no.pdf ]] || fail "something was written in spite of an error"
 
 pictures=${DEWPOINT_DATA:-}/opencv_left13

@@ -80,6 +80,25 @@ class FromVideos(InFolder):
         self.assertEqual(said, f"dewpoint-cli: {caught.exception}\n")
         with self.assertRaisesRegex(dewpoint.Error, "unit"):
             project.import_calibration("broken.json", unit="parsec")
+        with self.assertRaisesRegex(dewpoint.Error, "fit"):
+            project.import_calibration("broken.json", fit="stretch")
+
+    def test_what_does_not_fit_is_adapted(self):
+        project = dewpoint.open("fresh.toml")
+        names = [camera.name for camera in project.cameras]
+        project.export_calibration("other.toml", format="dewpoint", replace=True)
+        with open("other.toml", encoding="utf-8") as file:
+            text = file.read().replace(f'"{names[0]}"', '"first"')
+        with open("other.toml", "w", encoding="utf-8") as file:
+            file.write(text)
+        with self.assertRaises(dewpoint.Error):
+            dewpoint.open("fresh.toml").import_calibration("other.toml")
+        other = dewpoint.open("fresh.toml")
+        other.import_calibration("other.toml", names={names[0]: "first"})
+        numpy.testing.assert_allclose(other.cameras[0].center, project.cameras[0].center,
+                                      atol=1e-9)
+        with self.assertRaisesRegex(dewpoint.Error, "fit"):
+            dewpoint.make({"a": "made/camera-1.mkv"}, calibration="other.toml", fit="stretch")
 
 
 class Boards(InFolder):

@@ -79,6 +79,11 @@ void ProjectController::connectPages() {
     showNewProjectPage({});
     newProject_->addConnectedCameras();
   });
+  connect(startPage_, &StartPage::calibrationRequested, this, [this] {
+    showNewProjectPage({});
+    guideNewProject_ = true;
+    newProject_->chooseVideos();
+  });
   connect(startPage_, &StartPage::projectRequested, this,
           [this](const QString& file) { file.isEmpty() ? chooseProject() : open(toPath(file)); });
   connect(newProject_, &NewProjectPage::cancelled, this, [this] {
@@ -120,6 +125,10 @@ void ProjectController::connectOpening() {
   connect(&bench_.session, &SessionController::opened, this, [this](const OpenRequest& request) {
     if (request.calibrate) {
       bench_.action("actionCalibrateByHand")->setChecked(true);
+    }
+    if (request.guide) { // the action is enabled once the page that covers the run is gone
+      QMetaObject::invokeMethod(bench_.action("actionCalibrate"), &QAction::trigger,
+                                Qt::QueuedConnection);
     }
   });
   connect(changes_, &ChangesGuard::saved, this, [this](const QString& file) {
@@ -169,6 +178,7 @@ void ProjectController::showStart() {
 }
 
 void ProjectController::showNewProjectPage(const QStringList& files) {
+  guideNewProject_ = false;
   newProject_->begin(files);
   pages_->setCurrentWidget(newProject_);
   bench_.docks.showViews(false);
@@ -182,7 +192,10 @@ void ProjectController::openCreated(const Project& project, const QString& note)
       : note.isEmpty() && isCalibrated
           ? tr("Click the object to track in any image. Its color is learned and tracking starts.")
           : note;
-  bench_.session.open({.what = project, .unsaved = true, .note = hint});
+  bench_.session.open({.what = project,
+                       .unsaved = true,
+                       .guide = std::exchange(guideNewProject_, false),
+                       .note = hint});
 }
 
 void ProjectController::chooseProject() {

@@ -71,6 +71,7 @@ private:
   QStackedWidget* pages_ = nullptr;
   StartPage* startPage_ = nullptr;
   NewProjectPage* newProject_ = nullptr;
+  bool guideNewProject_ = false; ///< whether the calibration guide opens with the new project
   RecoveryOffer* recovery_ = nullptr;
   ChangesGuard* changes_;
 };

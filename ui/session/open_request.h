@@ -18,6 +18,7 @@ struct OpenRequest {
   bool keepHistory = false;
   bool unsaved = false;                          ///< no file contains this state of the project
   bool calibrate = false;                        ///< opens the page for calibration by hand
+  bool guide = false;                            ///< opens the calibration guide
   QString note = {};                             ///< message to show once the project is open
   std::optional<RecoverableWork> recovered = {}; ///< copy from which the project was read
 };

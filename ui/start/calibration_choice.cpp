@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/start/calibration_choice.h"
 
+#include "ui/start/calibration_fit.h"
 #include "ui/style/spacing.h"
 #include "ui/style/theme.h"
 #include "ui/text/calibration_files.h"
@@ -23,7 +24,8 @@ namespace dewpoint::ui {
 CalibrationChoice::CalibrationChoice(QWidget* parent)
     : QWidget(parent), label_(new QLabel(this)), name_(new QLabel(this)),
       drop_(makeButton("newDropCalibration", this)),
-      choose_(makeButton("newChooseCalibration", this)), result_(new QLabel(this)) {
+      choose_(makeButton("newChooseCalibration", this)), result_(new QLabel(this)),
+      fit_(new CalibrationFit(this)) {
   name_->setObjectName(QStringLiteral("newCalibrationFile"));
   name_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   result_->setObjectName(QStringLiteral("newCalibrationResult"));
@@ -39,6 +41,8 @@ CalibrationChoice::CalibrationChoice(QWidget* parent)
   all->setSpacing(kSpacing / 2);
   all->addLayout(row);
   all->addWidget(result_);
+  all->addWidget(fit_);
+  connect(fit_, &CalibrationFit::changed, this, &CalibrationChoice::showResult);
   connect(choose_, &QPushButton::clicked, this, &CalibrationChoice::choose);
   connect(drop_, &QPushButton::clicked, this, [this] { setFile({}); });
   onRetranslate(this, [this] { retranslateUi(); });
@@ -68,6 +72,7 @@ void CalibrationChoice::choose() {
 void CalibrationChoice::setFile(const QString& file) {
   file_ = file;
   checked_.reset();
+  fit_->reset();
   checking_.cancel();
   showResult();
   if (file.isEmpty()) {
@@ -87,6 +92,18 @@ void CalibrationChoice::setCameras(std::vector<std::string> names) {
     cameras_ = std::move(names);
     showResult();
   }
+}
+
+CalibrationAdaptation CalibrationChoice::adaptation() const {
+  return fit_->adaptation();
+}
+
+bool CalibrationChoice::asksForNames() const {
+  return fit_->asksForNames();
+}
+
+void CalibrationChoice::askFit() {
+  fit_->askFit();
 }
 
 QString CalibrationChoice::resultText(const CheckedCalibration& checked, bool& good) const {
@@ -111,7 +128,8 @@ QString CalibrationChoice::resultText(const CheckedCalibration& checked, bool& g
     return tr("Not recognized. Dewpoint reads: %1.").arg(calibrationFormatTitles());
   }
   const int count = static_cast<int>(checked.cameras.size());
-  if (!cameras_.empty() && matchCameras(cameras_, checked.cameras) == CameraMatch::None) {
+  if (!cameras_.empty() && matchCameras(cameras_, checked.cameras) == CameraMatch::None &&
+      !fit_->areNamesMatched()) {
     QStringList names;
     for (const std::string& camera : checked.cameras) {
       names << QString::fromStdString(camera);
@@ -129,6 +147,7 @@ void CalibrationChoice::showResult() {
   name_->setToolTip(file_);
   drop_->setVisible(!file_.isEmpty());
   result_->setVisible(!file_.isEmpty());
+  fit_->setNames(cameras_, checked_ ? checked_->cameras : std::vector<std::string>());
   bool good = true;
   result_->setText(checked_ ? resultText(*checked_, good) : tr("Reading…"));
   QPalette colors = palette();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/setup/calibration/calibration_check.h"
+#include "core/setup/new_project/new_project.h"
 #include "ui/jobs/latest_job.h"
 
 #include <QString>
@@ -16,6 +17,8 @@ class QPushButton;
 
 namespace dewpoint::ui {
 
+class CalibrationFit;
+
 /// Lets the user select the calibration file for a new project, or none. The file is read in
 /// another thread as soon as it is selected. A line below shows what it contains, or why it cannot
 /// be used.
@@ -29,6 +32,12 @@ public:
   QString file() const { return file_; }
   /// Sets the names of the project's cameras.
   void setCameras(std::vector<std::string> names);
+  /// Returns how to adapt the calibration, as far as the user was asked.
+  CalibrationAdaptation adaptation() const;
+  /// Returns whether the user is asked which camera of the file belongs to which camera.
+  bool asksForNames() const;
+  /// Asks how the images differ from those of the calibration.
+  void askFit();
   /// Returns the last button in Tab order.
   QWidget* lastButton() const;
 
@@ -46,6 +55,7 @@ private:
   QPushButton* drop_;
   QPushButton* choose_;
   QLabel* result_;
+  CalibrationFit* fit_;
   QString file_;
   std::vector<std::string> cameras_;
   std::optional<CheckedCalibration> checked_; ///< result for the file; empty while it is being read

@@ -288,6 +288,7 @@ NewProject NewProjectPage::newProject() const {
   wanted.cameras = cameras_->cameras();
   if (!calibration_->file().isEmpty()) {
     wanted.calibration = calibration_->file().toStdString();
+    wanted.adaptation = calibration_->adaptation();
   }
   wanted.framesPerSecond = rate_->value();
   return wanted;
@@ -311,6 +312,17 @@ void NewProjectPage::finish(const Result<CreatedProject>& result) {
   refresh();
   if (!result) {
     const AskedQuestion asked = askedQuestion(result.error());
+    if (asked.question == ImportQuestion::Fit) {
+      calibration_->askFit();
+      Q_EMIT failed(tr("%1. Choose below how the images differ from those of the calibration.")
+                        .arg(errorText(asked.error)));
+      return;
+    }
+    if (asked.question == ImportQuestion::Names && calibration_->asksForNames()) {
+      Q_EMIT failed(tr("%1. Choose the camera of the file for each camera of the project below.")
+                        .arg(errorText(asked.error)));
+      return;
+    }
     Q_EMIT failed(asked.question == ImportQuestion::None
                       ? errorText(asked.error)
                       : tr("%1. Create the project without this file, then choose Calibration › "
@@ -325,6 +337,9 @@ void NewProjectPage::finish(const Result<CreatedProject>& result) {
   QStringList names;
   for (const ProjectCamera& camera : result->project.cameras) {
     names << QString::fromStdString(camera.camera.name);
+  }
+  for (const std::string& decision : result->decisions) {
+    note += (note.isEmpty() ? QString() : QStringLiteral(" ")) + QString::fromStdString(decision);
   }
   for (const CameraDisagreement& fault : result->faults) {
     note += (note.isEmpty() ? QString() : QStringLiteral(" ")) +

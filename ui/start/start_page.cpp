@@ -72,6 +72,7 @@ StartPage::StartPage(RecentProjects& recent, QWidget* parent)
       gallery_(new CardGrid(page_)), ownTitle_(makePageTitle(page_)),
       videos_(new GalleryCard("startVideos", GalleryCard::Form::Row, page_)),
       cameras_(new GalleryCard("startCameras", GalleryCard::Form::Row, page_)),
+      calibrate_(new GalleryCard("startGuide", GalleryCard::Form::Row, page_)),
       open_(new GalleryCard("startProject", GalleryCard::Form::Row, page_)),
       recentTitle_(makePageTitle(page_)), recent_(new RecentList(recent, page_)),
       hint_(new QLabel(page_)) {
@@ -111,9 +112,11 @@ void StartPage::makeScenes() {
 void StartPage::makeOwnRecordingCards() {
   videos_->setSymbol(QStringLiteral("video"));
   cameras_->setSymbol(QStringLiteral("camera"));
+  calibrate_->setSymbol(QStringLiteral("mark"));
   open_->setSymbol(QStringLiteral("open"));
   connect(videos_, &QToolButton::clicked, this, &StartPage::videosRequested);
   connect(cameras_, &QToolButton::clicked, this, &StartPage::camerasRequested);
+  connect(calibrate_, &QToolButton::clicked, this, &StartPage::calibrationRequested);
   connect(open_, &QToolButton::clicked, this, [this] { Q_EMIT projectRequested({}); });
   connect(recent_, &RecentList::openRequested, this, &StartPage::projectRequested);
   connect(&projects_, &RecentProjects::changed, this, &StartPage::showRecentTitle);
@@ -131,6 +134,7 @@ void StartPage::arrange() {
   right->addWidget(ownTitle_);
   right->addWidget(videos_);
   right->addWidget(cameras_);
+  right->addWidget(calibrate_);
   right->addWidget(open_);
   right->addWidget(hint_);
   right->addSpacing(kPartGap);
@@ -181,6 +185,7 @@ void StartPage::retranslateUi() {
   ownTitle_->setText(tr("Your own data"));
   videos_->setTexts(tr("Open videos…"), tr("One recording per camera"));
   cameras_->setTexts(tr("Use cameras…"), tr("Connected cameras or network streams"));
+  calibrate_->setTexts(tr("Calibrate cameras…"), tr("Videos of a board or a ball, step by step"));
   open_->setTexts(tr("Open a project…"), tr("A project saved earlier"));
   hint_->setText(tr("You can also drop a project or videos onto this window."));
   recentTitle_->setText(tr("Recent projects"));

@@ -34,6 +34,7 @@ Q_SIGNALS:
   void sceneRequested(const QString& name, bool calibrate);
   void videosRequested();
   void camerasRequested();
+  void calibrationRequested(); ///< of videos that the user is to select, with the guide
   void projectRequested(const QString& file); ///< empty if the user should select a file
 
 private:
@@ -53,6 +54,7 @@ private:
   QLabel* ownTitle_;
   GalleryCard* videos_;
   GalleryCard* cameras_;
+  GalleryCard* calibrate_;
   GalleryCard* open_;
   QLabel* recentTitle_;
   RecentList* recent_;

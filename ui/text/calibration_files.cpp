@@ -13,6 +13,10 @@ namespace dewpoint::ui {
 
 namespace {
 
+class SizeFitText {
+  Q_DECLARE_TR_FUNCTIONS(SizeFitText)
+};
+
 /// The endings of a format, with their dots: YAML has two.
 QStringList endingsOf(const CalibrationFormat& format) {
   const QString ending = QLatin1String(format.extension);
@@ -62,6 +66,15 @@ bool hasCalibrationSuffix(const QString& file) {
       return file.endsWith(ending, Qt::CaseInsensitive);
     });
   });
+}
+
+std::vector<std::pair<QString, QVariant>> sizeFitChoices() {
+  return {{SizeFitText::tr("the same as when calibrated"), {}},
+          {SizeFitText::tr("cropped on all sides"), QStringLiteral("crop")},
+          {SizeFitText::tr("cropped at the right and below"), QStringLiteral("trim")},
+          {SizeFitText::tr("scaled"), QStringLiteral("scale")},
+          {SizeFitText::tr("rotated clockwise by 90°"), QStringLiteral("rotate-90")},
+          {SizeFitText::tr("rotated clockwise by 270°"), QStringLiteral("rotate-270")}};
 }
 
 } // namespace dewpoint::ui

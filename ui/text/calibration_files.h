@@ -4,6 +4,10 @@
 #include "core/base/floors.h"
 
 #include <QString>
+#include <QVariant>
+
+#include <utility>
+#include <vector>
 
 namespace dewpoint::ui {
 
@@ -17,5 +21,9 @@ QString calibrationFormatTitles();
 /// Returns whether a file name has a calibration suffix. When such a file is dropped, it is treated
 /// as a calibration.
 bool hasCalibrationSuffix(const QString& file);
+
+/// Returns how images can differ from those of a calibration, with the values of the option --fit;
+/// the first value is empty: they do not differ.
+std::vector<std::pair<QString, QVariant>> sizeFitChoices();
 
 } // namespace dewpoint::ui

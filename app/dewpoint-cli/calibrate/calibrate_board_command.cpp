@@ -6,6 +6,7 @@
 #include "app/wiring/open_project.h"
 #include "core/base/units.h"
 #include "core/setup/calibration/board_outcome.h"
+#include "core/setup/calibration/mirrored_videos.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -24,6 +25,7 @@ struct BoardOptions {
   std::string pixels = "measured";
   std::string corners = "sample";
   bool searchAll = false;
+  bool mendMirrored = false;
   BoardCalibrationRequest request;
   CalibrateOutput output;
 };
@@ -81,6 +83,9 @@ void printIntrinsics(const BoardDetections::PerCamera& seen, const IntrinsicsRes
   }
   fmt::print("the board was found in {} of {} images; {} are used\n", seen.views.size(),
              seen.searched, std::ranges::count(result.views, true, &ViewFit::used));
+  if (const std::string missed = missedText(seen); !missed.empty()) {
+    fmt::print("{}\n", missed);
+  }
   fmt::print("RMS {:.4f} px\n", result.rmsPx);
   printLens(result.camera);
   const auto& focal = result.parameters.front();
@@ -160,6 +165,9 @@ int intrinsicsOfPictures(const BoardOptions& options) {
   if (!seen) {
     return reportCalibrationError(seen.error());
   }
+  if (const auto text = mirroredText(mirroredVideos(*seen), {"camera"}); !text.empty()) {
+    fmt::print("note: {}\n", text);
+  }
   Project project;
   project.cameras.emplace_back().camera.name = "camera";
   BoardOptions all = options;
@@ -193,9 +201,39 @@ Result<FoundBoards> readBoards(const BoardOptions& options, const CalibrationPro
   return FoundBoards{std::move(inputs->project), std::move(*seen)};
 }
 
+/// Names mirrored videos. If this is wanted, mirrors their images and searches them again.
+Result<FoundBoards> withoutMirroredVideos(const BoardOptions& options, FoundBoards found,
+                                          const CalibrationProgress& progress) {
+  const MirroredVideos mirrored = mirroredVideos(found.seen);
+  if (mirrored.cause == MirroredVideos::Cause::None) {
+    return found;
+  }
+  std::vector<std::string> names;
+  for (const auto& camera : found.seen.cameras) {
+    names.push_back(camera.name);
+  }
+  const std::string text = mirroredText(mirrored, names);
+  if (!options.mendMirrored) {
+    fmt::print("note: {} Mirror its images with --mend-mirrored.\n", text);
+    return found;
+  }
+  fmt::print("note: {} Its images are mirrored now.\n", text);
+  auto inputs = openInputs(withUnmirroredVideos(std::move(found.project), mirrored));
+  if (!inputs) {
+    return tl::make_unexpected(inputs.error());
+  }
+  auto seen = findBoards(inputs->project, *inputs->source, options.request, progress);
+  if (!seen) {
+    return tl::make_unexpected(seen.error());
+  }
+  return FoundBoards{std::move(inputs->project), std::move(*seen)};
+}
+
 int calibrateProject(const BoardOptions& options, const BoardGoal& goal) {
   const auto progress = interruptibleProgress();
-  const auto searched = readBoards(options, progress);
+  const auto searched = readBoards(options, progress).and_then([&](FoundBoards found) {
+    return withoutMirroredVideos(options, std::move(found), progress);
+  });
   if (!searched) {
     return reportCalibrationError(searched.error());
   }
@@ -218,6 +256,11 @@ int intrinsics(BoardOptions& options) {
   if (!options.frames.empty()) {
     report({ErrorCode::BadValue, "", "--frames",
             "this option is only for recordings; omit it for image files"});
+    return kExitUsage;
+  }
+  if (options.mendMirrored) {
+    report({ErrorCode::BadValue, "", "--mend-mirrored",
+            "image files have no project; mirror the files"});
     return kExitUsage;
   }
   return intrinsicsOfPictures(options);
@@ -245,6 +288,9 @@ void addBoardOptions(CLI::App& command, BoardOptions& options) {
       ->capture_default_str();
   command.add_option("--frames", options.frames,
                      "Search only frames A to B-1 of a recording, as A:B (either may be empty)");
+  command.add_flag("--mend-mirrored", options.mendMirrored,
+                   "Mirror the images of each camera that shows a ChArUco board only mirrored, and "
+                   "search them again. With --apply, the project file keeps this");
   command.add_flag("--search-all", options.searchAll,
                    "Search all of these frames, even if the first few that are searched show only "
                    "another board");

@@ -16,35 +16,14 @@
 namespace dewpoint::app {
 namespace {
 
-std::string originText(const PartStatus& part) {
-  if (part.knowledge == Knowledge::Missing) {
-    return "guessed";
-  }
-  if (!part.origin) {
-    return part.knowledge == Knowledge::Measured ? "exact (simulated)" : "set by hand";
-  }
-  switch (*part.origin) {
-  case CalibrationOrigin::Points:
-    return "measured points";
-  case CalibrationOrigin::Board:
-    return "board";
-  case CalibrationOrigin::Wand:
-    return "wand";
-  case CalibrationOrigin::File:
-    return "from a file";
-  case CalibrationOrigin::Marks:
-    break;
-  }
-  return "marks in the images";
-}
-
 std::string lensText(const PartStatus& lens) {
-  return originText(lens) + (lens.error ? fmt::format(" +-{:.2f} px", *lens.error) : "") +
+  return std::string(originText(lens)) +
+         (lens.error ? fmt::format(" +-{:.2f} px", *lens.error) : "") +
          (lens.isPoor ? " (poor)" : "");
 }
 
 std::string poseText(const PartStatus& pose) {
-  return originText(pose) +
+  return std::string(originText(pose)) +
          (pose.error ? fmt::format(" +-{:.1f} mm", inMillimeters(*pose.error)) : "") +
          (pose.isPoor ? " (poor)" : "");
 }

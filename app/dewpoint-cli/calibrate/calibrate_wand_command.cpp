@@ -177,6 +177,9 @@ int calibrate(WandCommandOptions options) {
   printCameras(*result);
   printDecisions(options.wand, result->result);
   printAccuracyOf(*result);
+  for (const FarOffCamera& camera : farOffCameras(*result)) {
+    fmt::print("note: {}\n", farOffText(camera, result->before));
+  }
   const CameraRig& cameras = result->result.cameras;
   const bool better = !isInaccurate(*result);
   if (!better) {
@@ -241,8 +244,10 @@ void addCalibrateWandCommand(CLI::App& group, int& exitCode) {
                    "FROM UNTIL: times in seconds between which the ball fell freely")
       ->expected(2);
   command
-      ->add_option("--off-by", options->offBy,
-                   "METERS DEGREES: how far off the cameras may be at the start (0.12 3.5)")
+      ->add_option(
+          "--off-by", options->offBy,
+          fmt::format("METERS DEGREES: how far off the cameras may be at the start ({} {:.1f})",
+                      kInitialPositionError, inDegrees(kInitialRotationError)))
       ->expected(2);
   command->add_option("--out", options->out, "Calibration file to write");
   command->add_option("--report", options->report,

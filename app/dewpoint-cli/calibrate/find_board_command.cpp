@@ -4,6 +4,7 @@
 #include "app/dewpoint-cli/common/exit_code.h"
 #include "app/wiring/open_project.h"
 #include "core/setup/calibration/board_proposal.h"
+#include "core/setup/calibration/mirrored_videos.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -19,27 +20,53 @@ struct FindBoardOptions {
   int looks = kFramesToLookAt;
 };
 
-Result<std::vector<BoardGuess>> proposedBoards(const FindBoardOptions& options) {
+/// The boards, and one sentence about mirrored videos or none.
+struct FoundGuesses {
+  std::vector<BoardGuess> guesses;
+  std::string mirrored;
+};
+
+/// The boards in a project's recording, and which of its videos are mirrored.
+Result<FoundGuesses> guessesIn(const SessionInputs& inputs, const BoardDescription& lengths,
+                               int looks, const CalibrationProgress& progress) {
+  auto guesses = proposeBoards(*inputs.source, lengths, looks, progress);
+  if (!guesses) {
+    return tl::make_unexpected(guesses.error());
+  }
+  std::vector<std::string> names;
+  for (const ProjectCamera& camera : inputs.project.cameras) {
+    names.push_back(camera.camera.name);
+  }
+  return findMirroredVideos(*inputs.source, guesses->front().board, looks, progress)
+      .map([&](const MirroredVideos& mirrored) {
+        return FoundGuesses{std::move(*guesses), mirroredText(mirrored, names)};
+      });
+}
+
+Result<FoundGuesses> proposedBoards(const FindBoardOptions& options) {
   BoardDescription lengths;
   lengths.squareSize = options.square > 0.0 ? options.square : lengths.squareSize;
   const auto progress = interruptibleProgress();
   if (!isProject(options.inputs)) {
     return proposeBoards({options.inputs.begin(), options.inputs.end()}, lengths, options.looks,
-                         progress);
+                         progress)
+        .map([](std::vector<BoardGuess> guesses) {
+          return FoundGuesses{std::move(guesses), {}};
+        });
   }
   return resolveProject(options.inputs.front())
       .and_then(openInputs)
       .and_then([&](const SessionInputs& inputs) {
-        return proposeBoards(*inputs.source, lengths, options.looks, progress);
+        return guessesIn(inputs, lengths, options.looks, progress);
       });
 }
 
 int findBoard(const FindBoardOptions& options) {
-  const auto guesses = proposedBoards(options);
-  if (!guesses) {
-    return reportCalibrationError(guesses.error());
+  const auto found = proposedBoards(options);
+  if (!found) {
+    return reportCalibrationError(found.error());
   }
-  for (const BoardGuess& guess : *guesses) {
+  for (const BoardGuess& guess : found->guesses) {
     fmt::print("{}\n  {}: {} corners in {} of {} images\n", boardText(guess.board),
                guessText(guess), guess.corners, guess.images, guess.searched);
     if (guess.mirrored) {
@@ -47,10 +74,13 @@ int findBoard(const FindBoardOptions& options) {
                  "or false if it is set.\n");
     }
   }
+  if (!found->mirrored.empty()) {
+    fmt::print("note: {}\n", found->mirrored);
+  }
   if (options.square <= 0.0) {
     fmt::print("Images do not show lengths. Replace {} by the measured side of a square in "
                "meters, or use --square.\n",
-               guesses->front().board.squareSize);
+               found->guesses.front().board.squareSize);
   }
   return kExitDone;
 }

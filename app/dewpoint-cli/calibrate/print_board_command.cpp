@@ -30,7 +30,12 @@ int print(const PrintOptions& options) {
     error.field = error.field == "paper" ? "--paper" : error.field;
     return report(error);
   }
-  fmt::print("{}\nPrint it at 100 % and check the scale bar with a ruler.\n", options.out);
+  fmt::print("{}\n", options.out);
+  if (const auto sheets = sheetsToPrint(*board, *paper); sheets && *sheets > 1) {
+    fmt::print("The board is larger than {}: page 1 shows how to put its {} sheets together.\n",
+               paper->name, *sheets);
+  }
+  fmt::print("Print it at 100 % and check the scale bar with a ruler.\n");
   return kExitDone;
 }
 
@@ -52,7 +57,10 @@ void addPrintBoardCommand(CLI::App& app, int& exitCode) {
                    "chessboard:9x6:0.025 or charuco:7x5:0.025:0.019:DICT_4X4_50")
       ->required();
   command->add_option("OUT", options->out, "PDF to write")->required();
-  command->add_option("--paper", options->paper, "A4, A3 or letter")->capture_default_str();
+  command
+      ->add_option("--paper", options->paper,
+                   "A4, A3 or letter. A board that is larger is split on several sheets")
+      ->capture_default_str();
   command->callback([options, &exitCode] { exitCode = print(*options); });
 }
 

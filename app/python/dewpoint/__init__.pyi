@@ -299,6 +299,8 @@ class Project:
         size: Optional[Tuple[int, int]] = ...,
         lens: Optional[str] = ...,
         poses: Optional[str] = ...,
+        fit: Optional[str] = ...,
+        names: Mapping[str, str] = ...,
     ) -> CalibrationImport: ...
     def export_calibration(
         self, path: _Path, *, format: str = ..., unit: Optional[str] = ..., replace: bool = ...
@@ -379,5 +381,7 @@ def make(
     calibration: Optional[_Path] = ...,
     name: str = ...,
     frames_per_second: float = ...,
+    fit: Optional[str] = ...,
+    names: Mapping[str, str] = ...,
 ) -> Project: ...
 def read_trajectory(file: _Path) -> Trajectory: ...

@@ -70,6 +70,20 @@ std::optional<BoardDetection> BoardDetector::detect(const cv::Mat& image,
   return found;
 }
 
+int BoardDetector::countCorners(const cv::Mat& image) const {
+  if (board_.kind != BoardDescription::Kind::Charuco) {
+    return 0;
+  }
+  std::vector<int> ids;
+  std::vector<cv::Point2f> corners;
+  try {
+    charucoCorners(grayOf(image, board_.inverted), board_, markerSquares_, ids, corners);
+  } catch (const cv::Exception&) {
+    return 0;
+  }
+  return static_cast<int>(corners.size());
+}
+
 std::optional<double> motionBetween(const BoardDetection& one, const BoardDetection& other) {
   std::vector<double> distances;
   std::size_t k = 0;

@@ -44,6 +44,9 @@ public:
   const BoardDescription& board() const { return board_; }
   /// Detects the board. Returns nothing if it is not found. `image`: CV_8UC1 or CV_8UC3 (BGR).
   std::optional<BoardDetection> detect(const cv::Mat& image, DetectionEffort effort) const;
+  /// Returns how many corners of a ChArUco board are found, even if they are too few to count as a
+  /// detection; 0 for a chessboard. `image` as above.
+  int countCorners(const cv::Mat& image) const;
 
 private:
   BoardDescription board_;

@@ -5,6 +5,7 @@
 #include "core/base/text_file.h"
 #include "core/base/units.h"
 #include "core/calibration/board/board_picture.h"
+#include "core/calibration/board/board_sheets.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +13,9 @@
 #include <cmath>
 #include <hpdf.h>
 #include <memory>
+#include <optional>
 #include <stdexcept>
+#include <vector>
 
 namespace dewpoint::calibration {
 namespace {
@@ -40,29 +43,47 @@ using Document = std::unique_ptr<std::remove_pointer_t<HPDF_Doc>, FreeDocument>;
   throw std::runtime_error(fmt::format("libharu error {:#x}, {}", error, detail));
 }
 
-Result<Layout> layoutOf(const BoardDescription& board, const Paper& paper) {
+/// The layout on one page; nothing if the board does not fit.
+std::optional<Layout> layoutOf(const BoardDescription& board, const Paper& paper) {
   const double squares[] = {static_cast<double>(board.squareColumns()),
                             static_cast<double>(board.squareRows())};
   const double size = inMillimeters(board.squareSize);
-  double largest = 0.0;
   for (const bool lengthwise : {squares[0] > squares[1], squares[0] <= squares[1]}) {
     Layout layout;
     layout.pageWidth = lengthwise ? paper.height : paper.width;
     layout.pageHeight = lengthwise ? paper.width : paper.height;
     const double room[] = {layout.pageWidth - 2.0 * kMarginMm,
                            layout.pageHeight - 2.0 * kMarginMm - kFootMm};
-    largest = std::max(largest, std::min(room[0] / squares[0], room[1] / squares[1]));
     if (size * squares[0] <= room[0] && size * squares[1] <= room[1]) {
       layout.left = 0.5 * (layout.pageWidth - size * squares[0]);
       layout.top = kMarginMm + 0.5 * (room[1] - size * squares[1]);
       return layout;
     }
   }
-  return failure(
-      ErrorCode::BadValue, "", "paper",
-      fmt::format(
-          "the board of {:.0f} x {:.0f} mm does not fit on {}; with squares of {} m, it would fit",
-          size * squares[0], size * squares[1], paper.name, fromMillimeters(std::floor(largest))));
+  return std::nullopt;
+}
+
+/// What is printed around the squares of an inverted board; other boards have white paper there.
+double borderOf(const BoardDescription& board) {
+  return board.inverted ? std::min(kMarginMm, inMillimeters(0.5 * board.squareSize)) : 0.0;
+}
+
+/// Everything dark, millimeters from the upper left corner of the squares.
+std::vector<BoardPattern::Rectangle> darkParts(const BoardDescription& board) {
+  const double width = inMillimeters(board.squareSize) * board.squareColumns();
+  const double height = inMillimeters(board.squareSize) * board.squareRows();
+  std::vector<BoardPattern::Rectangle> parts;
+  if (const double border = borderOf(board); border > 0.0) {
+    parts.push_back({-border, -border, width + 2.0 * border, border});
+    parts.push_back({-border, height, width + 2.0 * border, border});
+    parts.push_back({-border, 0.0, border, height});
+    parts.push_back({width, 0.0, border, height});
+  }
+  for (const auto& dark : BoardPattern(board).darkRectangles()) {
+    parts.push_back({inMillimeters(dark.left), inMillimeters(dark.top), inMillimeters(dark.width),
+                     inMillimeters(dark.height)});
+  }
+  return parts;
 }
 
 /// Draws in millimeters from the upper left corner of the page.
@@ -94,26 +115,15 @@ private:
 };
 
 void drawSquares(Pen& pen, const BoardDescription& board, const Layout& layout) {
-  const double width = inMillimeters(board.squareSize) * board.squareColumns();
-  const double height = inMillimeters(board.squareSize) * board.squareRows();
-  if (board.inverted) { // the border that is white on other boards
-    const double border = std::min(kMarginMm, 500.0 * board.squareSize);
-    pen.rectangle(layout.left - border, layout.top - border, width + 2.0 * border, border);
-    pen.rectangle(layout.left - border, layout.top + height, width + 2.0 * border, border);
-    pen.rectangle(layout.left - border, layout.top, border, height);
-    pen.rectangle(layout.left + width, layout.top, border, height);
-  }
-  for (const auto& dark : BoardPattern(board).darkRectangles()) {
-    pen.rectangle(layout.left + inMillimeters(dark.left), layout.top + inMillimeters(dark.top),
-                  inMillimeters(dark.width), inMillimeters(dark.height));
+  for (const auto& dark : darkParts(board)) {
+    pen.rectangle(layout.left + dark.left, layout.top + dark.top, dark.width, dark.height);
   }
   pen.fill(); // all at once: no hairlines between neighbors
 }
 
-void drawFoot(Pen& pen, const BoardDescription& board, const Layout& layout) {
-  const double bar =
-      std::min(kScaleBarMm, std::floor((layout.pageWidth - 2 * kMarginMm) / 10) * 10);
-  const double line = layout.pageHeight - kMarginMm - kTextMm;
+void drawFoot(Pen& pen, double pageWidth, double pageHeight, const std::string& text) {
+  const double bar = std::min(kScaleBarMm, std::floor((pageWidth - 2 * kMarginMm) / 10) * 10);
+  const double line = pageHeight - kMarginMm - kTextMm;
   const double top = line - kTextMm - 5.5;
   for (double at = 0.0; at < bar; at += 20.0) {
     pen.rectangle(kMarginMm, top, bar, 0.25);
@@ -124,29 +134,165 @@ void drawFoot(Pen& pen, const BoardDescription& board, const Layout& layout) {
   pen.fill();
   pen.text(kMarginMm + bar + 3.0, top + 2.8,
            fmt::format("{:.0f} mm: print at 100 %, then check with a ruler", bar));
-  pen.text(kMarginMm, line, boardText(board));
+  pen.text(kMarginMm, line, text);
 }
 
-std::string pdfOf(const BoardDescription& board, const Layout& layout) {
-  const Document document(HPDF_New(onError, nullptr));
-  if (document == nullptr) {
-    throw std::runtime_error("no memory");
+/// Marks on all sides of a sheet: where it is cut, and where the cut edge of a neighbor lies.
+void drawMarks(Pen& pen, const BoardSheets& sheets, int column, int row) {
+  constexpr double kGap = 1.0;
+  constexpr double kLength = 3.5;
+  constexpr double kThickness = 0.2;
+  const double right = sheets.left + sheets.width;
+  const double bottom = sheets.top + sheets.height;
+  const auto down = [&](double x) {
+    pen.rectangle(x - 0.5 * kThickness, sheets.top - kGap - kLength, kThickness, kLength);
+    pen.rectangle(x - 0.5 * kThickness, bottom + kGap, kThickness, kLength);
+  };
+  const auto across = [&](double y) {
+    pen.rectangle(sheets.left - kGap - kLength, y - 0.5 * kThickness, kLength, kThickness);
+    pen.rectangle(right + kGap, y - 0.5 * kThickness, kLength, kThickness);
+  };
+  if (column > 0) {
+    down(sheets.left);
   }
-  HPDF_SetInfoAttr(document.get(), HPDF_INFO_TITLE, boardText(board).c_str());
-  HPDF_SetCompressionMode(document.get(), HPDF_COMP_ALL);
-  const HPDF_Page page = HPDF_AddPage(document.get());
-  HPDF_Page_SetWidth(page, static_cast<HPDF_REAL>(layout.pageWidth * kPointsPerMillimeter));
-  HPDF_Page_SetHeight(page, static_cast<HPDF_REAL>(layout.pageHeight * kPointsPerMillimeter));
-  Pen pen(page, HPDF_GetFont(document.get(), "Helvetica", nullptr));
+  if (column + 1 < sheets.columns) {
+    down(right - BoardSheets::kOverlap);
+  }
+  if (row > 0) {
+    across(sheets.top);
+  }
+  if (row + 1 < sheets.rows) {
+    across(bottom - BoardSheets::kOverlap);
+  }
+  pen.fill();
+}
+
+void drawFrame(Pen& pen, double left, double top, double width, double height) {
+  constexpr double kThickness = 0.2;
+  pen.rectangle(left, top, width, kThickness);
+  pen.rectangle(left, top + height - kThickness, width, kThickness);
+  pen.rectangle(left, top, kThickness, height);
+  pen.rectangle(left + width - kThickness, top, kThickness, height);
+}
+
+/// The number of a sheet, row by row.
+int sheetNumber(const BoardSheets& sheets, int column, int row) {
+  return row * sheets.columns + column + 1;
+}
+
+/// A small picture of the board, with the sheets on it, and how to put them together.
+void drawPlan(Pen& pen, HPDF_Page page, const BoardDescription& board, const BoardSheets& sheets) {
+  constexpr double kTextHeight = 32.0;
+  const double wholeWidth = sheets.partX(sheets.columns - 1) + sheets.width - sheets.partX(0);
+  const double wholeHeight = sheets.partY(sheets.rows - 1) + sheets.height - sheets.partY(0);
+  const double scale =
+      std::min((sheets.pageWidth - 2.0 * kMarginMm) / wholeWidth,
+               (sheets.pageHeight - 2.0 * kMarginMm - kTextHeight - kFootMm) / wholeHeight);
+  const double top = kMarginMm + kTextHeight;
+  const auto x = [&](double onBoard) { return kMarginMm + scale * (onBoard - sheets.partX(0)); };
+  const auto y = [&](double onBoard) { return top + scale * (onBoard - sheets.partY(0)); };
+  HPDF_Page_SetGrayFill(page, 0.8F);
+  for (const auto& dark : darkParts(board)) {
+    pen.rectangle(x(dark.left), y(dark.top), scale * dark.width, scale * dark.height);
+  }
+  pen.fill();
   HPDF_Page_SetGrayFill(page, 0.0F);
+  for (int row = 0; row < sheets.rows; ++row) {
+    for (int column = 0; column < sheets.columns; ++column) {
+      drawFrame(pen, x(sheets.partX(column)), y(sheets.partY(row)), scale * sheets.width,
+                scale * sheets.height);
+    }
+  }
+  pen.fill();
+  for (int row = 0; row < sheets.rows; ++row) {
+    for (int column = 0; column < sheets.columns; ++column) {
+      pen.text(x(sheets.partX(column)) + 0.5 * scale * sheets.width,
+               y(sheets.partY(row)) + 0.5 * scale * sheets.height,
+               fmt::format("{}", sheetNumber(sheets, column, row)));
+    }
+  }
+  const double size = inMillimeters(board.squareSize);
+  double line = kMarginMm + kTextMm;
+  for (const std::string& text :
+       {fmt::format("The board is split on {} sheets, in the order of the drawing.",
+                    sheets.count()),
+        std::string("Print them at 100 %. Cut off the left and the upper edge of a sheet along the "
+                    "marks, if it has marks there."),
+        std::string("Glue it onto its neighbor, so that the cut edge lies on the neighbor's marks "
+                    "and the pattern continues."),
+        fmt::format("Glue all sheets to something stiff and flat. The squares then measure {:.1f} "
+                    "x {:.1f} mm in all: check this with a ruler.",
+                    size * board.squareColumns(), size * board.squareRows())}) {
+    pen.text(kMarginMm, line, text);
+    line += 1.6 * kTextMm;
+  }
+  drawFoot(pen, sheets.pageWidth, sheets.pageHeight, boardText(board));
+}
+
+/// A PDF that grows page by page.
+class PdfPages {
+public:
+  explicit PdfPages(const std::string& title) : document_(HPDF_New(onError, nullptr)) {
+    if (document_ == nullptr) {
+      throw std::runtime_error("no memory");
+    }
+    HPDF_SetInfoAttr(document_.get(), HPDF_INFO_TITLE, title.c_str());
+    HPDF_SetCompressionMode(document_.get(), HPDF_COMP_ALL);
+  }
+
+  /// Adds a page of a size in millimeters, to be drawn on in black.
+  HPDF_Page add(double width, double height) {
+    const HPDF_Page page = HPDF_AddPage(document_.get());
+    HPDF_Page_SetWidth(page, static_cast<HPDF_REAL>(width * kPointsPerMillimeter));
+    HPDF_Page_SetHeight(page, static_cast<HPDF_REAL>(height * kPointsPerMillimeter));
+    HPDF_Page_SetGrayFill(page, 0.0F);
+    return page;
+  }
+  Pen penFor(HPDF_Page page) const {
+    return {page, HPDF_GetFont(document_.get(), "Helvetica", nullptr)};
+  }
+  std::string bytes() const {
+    HPDF_SaveToStream(document_.get());
+    std::string all(HPDF_GetStreamSize(document_.get()), '\0');
+    auto size = static_cast<HPDF_UINT32>(all.size());
+    HPDF_ReadFromStream(document_.get(), reinterpret_cast<HPDF_BYTE*>(all.data()), &size);
+    all.resize(size);
+    return all;
+  }
+
+private:
+  Document document_;
+};
+
+std::string pdfOf(const BoardDescription& board, const Layout& layout) {
+  PdfPages pages(boardText(board));
+  Pen pen = pages.penFor(pages.add(layout.pageWidth, layout.pageHeight));
   drawSquares(pen, board, layout);
-  drawFoot(pen, board, layout);
-  HPDF_SaveToStream(document.get());
-  std::string bytes(HPDF_GetStreamSize(document.get()), '\0');
-  auto size = static_cast<HPDF_UINT32>(bytes.size());
-  HPDF_ReadFromStream(document.get(), reinterpret_cast<HPDF_BYTE*>(bytes.data()), &size);
-  bytes.resize(size);
-  return bytes;
+  drawFoot(pen, layout.pageWidth, layout.pageHeight, boardText(board));
+  return pages.bytes();
+}
+
+std::string pdfOf(const BoardDescription& board, const BoardSheets& sheets) {
+  PdfPages pages(boardText(board));
+  const HPDF_Page plan = pages.add(sheets.pageWidth, sheets.pageHeight);
+  Pen planPen = pages.penFor(plan);
+  drawPlan(planPen, plan, board, sheets);
+  const auto dark = darkParts(board);
+  for (int row = 0; row < sheets.rows; ++row) {
+    for (int column = 0; column < sheets.columns; ++column) {
+      Pen pen = pages.penFor(pages.add(sheets.pageWidth, sheets.pageHeight));
+      for (const auto& part : rectanglesOnSheet(sheets, column, row, dark)) {
+        pen.rectangle(part.left, part.top, part.width, part.height);
+      }
+      pen.fill();
+      drawMarks(pen, sheets, column, row);
+      drawFoot(pen, sheets.pageWidth, sheets.pageHeight,
+               fmt::format("Sheet {} of {} (row {}, column {}): {}",
+                           sheetNumber(sheets, column, row), sheets.count(), row + 1, column + 1,
+                           boardText(board)));
+    }
+  }
+  return pages.bytes();
 }
 
 } // namespace
@@ -169,15 +315,25 @@ Result<Paper> paperNamed(const std::string& name, const std::string& field) {
 
 Status printBoard(const BoardDescription& board, const Paper& paper,
                   const std::filesystem::path& file) {
-  const auto layout = layoutOf(board, paper);
-  if (!layout) {
-    return tl::make_unexpected(layout.error());
-  }
   try {
-    return writeTextFile(file, pdfOf(board, *layout));
+    if (const auto layout = layoutOf(board, paper)) {
+      return writeTextFile(file, pdfOf(board, *layout));
+    }
+    return splitOnSheets(board, paper, borderOf(board)).and_then([&](const BoardSheets& sheets) {
+      return writeTextFile(file, pdfOf(board, sheets));
+    });
   } catch (const std::runtime_error& problem) {
     return failure(ErrorCode::FileUnwritable, file.string(), "", problem.what());
   }
+}
+
+Result<int> sheetsToPrint(const BoardDescription& board, const Paper& paper) {
+  if (layoutOf(board, paper)) {
+    return 1;
+  }
+  return splitOnSheets(board, paper, borderOf(board)).map([](const BoardSheets& sheets) {
+    return sheets.count();
+  });
 }
 
 } // namespace dewpoint::calibration

@@ -23,11 +23,17 @@ const std::vector<Paper>& papers();
 /// Returns the paper with a name, ignoring case. BadValue names `field` and the supported papers.
 Result<Paper> paperNamed(const std::string& name, const std::string& field = "--paper");
 
-/// Writes the board at its true size to a one-page PDF. The page includes a scale bar for checking
-/// the print with a ruler, and the board description that parseBoard() reads. The page has portrait
-/// or landscape format, whichever fits. Errors: BadValue if the board does not fit on the paper
-/// (the message contains the largest square size that fits), FileUnwritable.
+/// Writes the board at its true size to a PDF. Each page includes a scale bar for checking the
+/// print with a ruler, and the board description that parseBoard() reads. If the board fits on the
+/// paper, the PDF has one page, in portrait or landscape format. Otherwise, the first page is a
+/// plan of the sheets on which the board is split (see BoardSheets), and a page for each sheet
+/// follows, with marks for cutting and gluing. Errors: BadValue if there were more than 64 sheets,
+/// FileUnwritable.
 Status printBoard(const BoardDescription& board, const Paper& paper,
                   const std::filesystem::path& file);
+
+/// Returns the number of sheets on which printBoard() splits a board, without the plan; 1 if the
+/// board fits on the paper. Error: BadValue, as above.
+Result<int> sheetsToPrint(const BoardDescription& board, const Paper& paper);
 
 } // namespace dewpoint::calibration

@@ -195,6 +195,34 @@ Result<std::vector<CalibrationText>> folderSources(const std::filesystem::path& 
   return sources;
 }
 
+/// One file of a folder, as it was read.
+struct FolderPart {
+  std::string file; ///< its name
+  ParsedCalibration calibration;
+};
+
+/// Where only some files of a folder state their unit, the others take the requested one: no file
+/// decides for another one. MissingKey names a file without a unit.
+Status giveUnits(const std::string& folder, const CalibrationHints& hints,
+                 std::vector<FolderPart>& parts) {
+  const auto hasUnit = [](const FolderPart& part) { return part.calibration.unit.has_value(); };
+  const bool isMixed = std::ranges::any_of(parts, hasUnit) && !std::ranges::all_of(parts, hasUnit);
+  for (FolderPart& part : parts) {
+    if (!isMixed || hasUnit(part) || !part.calibration.hasPoses) {
+      continue;
+    }
+    if (!hints.unit) {
+      return failure(ErrorCode::MissingKey, folder, part.file + ": unit",
+                     "this file does not state its unit, although others in the folder do: specify "
+                     "it with --unit mm, m or the meters of one unit");
+    }
+    part.calibration.unit = *hints.unit;
+    part.calibration.decisions.push_back(
+        fmt::format("{}: lengths are in units of {} m, as requested.", part.file, *hints.unit));
+  }
+  return {};
+}
+
 void append(ParsedCalibration& whole, ParsedCalibration&& part) {
   if (part.unit && whole.unit) { // each file may have its own
     for (Camera& camera : part.rig) {
@@ -226,7 +254,7 @@ Result<ParsedCalibration> readCalibration(const std::filesystem::path& path,
   if (!sources) {
     return tl::make_unexpected(sources.error());
   }
-  ParsedCalibration whole;
+  std::vector<FolderPart> parts;
   const CalibrationFormat* format = nullptr;
   for (const CalibrationText& source : *sources) {
     const CalibrationFormat* before = format;
@@ -240,9 +268,22 @@ Result<ParsedCalibration> readCalibration(const std::filesystem::path& path,
                                  "program into a folder",
                                  before->title, format->title));
     }
-    append(whole, std::move(*part));
+    parts.push_back({source.file.filename().string(), std::move(*part)});
   }
-  if (const auto status = finish(*format, hints, path.string(), whole); !status) {
+  const bool isUnitOfEach = std::ranges::all_of(
+      parts, [](const auto& part) { return part.calibration.unit.has_value(); });
+  if (const auto given = giveUnits(path.string(), hints, parts); !given) {
+    return tl::make_unexpected(given.error());
+  }
+  ParsedCalibration whole;
+  for (FolderPart& part : parts) {
+    append(whole, std::move(part.calibration));
+  }
+  CalibrationHints remaining = hints;
+  if (whole.unit && !isUnitOfEach) {
+    remaining.unit.reset(); // it was for the files without one
+  }
+  if (const auto status = finish(*format, remaining, path.string(), whole); !status) {
     return tl::make_unexpected(status.error());
   }
   return whole;

@@ -16,6 +16,8 @@ namespace {
 
 /// Cameras agree when their residuals are within the best times this.
 constexpr double kAgreeingFactor = 2.0;
+/// Two cameras cannot tell shifted principal points: their poses explain the same images.
+constexpr std::size_t kLeastCamerasOfCommonFault = 3;
 constexpr double kSwapExplains = 0.5; ///< exchanged cameras fit at least so much better
 
 /// Lens data of another size than the video: no question of residuals.
@@ -58,7 +60,7 @@ public:
     if (auto swap = ofTwoCameras(); swap && (!named || swap->gain > named->gain)) {
       named = swap;
     }
-    if (!named && all_) {
+    if (!named && all_ && initialRig_.size() >= kLeastCamerasOfCommonFault) {
       named = findCommonFault(input_, imagePoints_, *all_);
     }
     if (named) {

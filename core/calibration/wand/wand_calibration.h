@@ -13,6 +13,11 @@
 
 namespace dewpoint::calibration {
 
+/// Errors of an initial rig that are assumed unless the user states others: of its orientations,
+/// radians, and of its positions, meters. Chosen for cameras that were placed by hand.
+inline constexpr double kInitialRotationError = 0.06;
+inline constexpr double kInitialPositionError = 0.12;
+
 /// Observation of a ball in one image.
 struct MarkerObservation {
   double time = 0.0;    ///< seconds, by the camera's own clock
@@ -53,8 +58,9 @@ struct WandProblem {
   bool findOffsets = false;    ///< estimate time offsets of the cameras relative to the first
   bool findFocal = false;      ///< estimate focal lengths, keeping their ratio
   bool findDistortion = false; ///< estimate k1 for every camera
-  double initialRotationError = 0.06; ///< expected error of the initial rig's orientations, radians
-  double initialPositionError = 0.12; ///< expected error of the initial rig's positions, meters
+  /// Expected error of the initial rig's orientations, radians.
+  double initialRotationError = kInitialRotationError;
+  double initialPositionError = kInitialPositionError; ///< same for its positions, meters
   int starts = 6;         ///< number of starts: the initial rig and perturbed copies of it
   std::uint64_t seed = 1; ///< random seed for the perturbations
   /// Maximum number of wand positions used, spread evenly over the recording.

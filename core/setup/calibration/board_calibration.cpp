@@ -3,6 +3,7 @@
 
 #include "core/calibration/board/view_choice.h"
 #include "core/calibration/quality/board_accuracy.h"
+#include "core/setup/calibration/missed_images.h"
 
 #include <fmt/format.h>
 
@@ -34,8 +35,11 @@ Result<IntrinsicsResult> lensOf(const BoardDetections::PerCamera& camera,
                                 const BoardCalibrationRequest& request,
                                 const CalibrationProgress& progress) {
   if (camera.views.empty()) {
-    return failure(ErrorCode::Undetermined, "", "",
-                   fmt::format("it never saw the board in {} images", camera.searched));
+    std::string text = fmt::format("it never saw the board in {} images", camera.searched);
+    if (isAnyExplained(camera)) {
+      text += "; " + missedText(camera);
+    }
+    return failure(ErrorCode::Undetermined, "", "", std::move(text));
   }
   IntrinsicsRequest lensRequest;
   lensRequest.board = request.board;
@@ -155,9 +159,13 @@ Result<ExtrinsicsResult> extrinsicsFromBoards(const Project& project, const Boar
     const auto& in = project.cameras[taking[i]].camera.intrinsics;
     const auto& camera = seen.cameras[taking[i]];
     if (!chosen[i].empty() && (in.width != camera.width || in.height != camera.height)) {
+      const bool isRotated = in.width == camera.height && in.height == camera.width;
       return failure(ErrorCode::Mismatch, project.file.string(), camera.name,
-                     fmt::format("its images have {} x {} pixels, its calibration {} x {}",
-                                 camera.width, camera.height, in.width, in.height));
+                     fmt::format("its images have {} x {} pixels, its calibration {} x {}{}",
+                                 camera.width, camera.height, in.width, in.height,
+                                 isRotated ? "; its video is probably rotated by 90 degrees: set "
+                                             "rotate = 90 or 270 for this camera"
+                                           : ""));
     }
     rigRequest.cameras.push_back({project.cameras[taking[i]].camera, chosen[i]});
   }

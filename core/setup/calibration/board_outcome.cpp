@@ -106,6 +106,9 @@ Result<BoardOutcome> calibrateFromBoards(const Project& project, const BoardDete
     outcome.project = withIntrinsics(std::move(outcome.project), lenses->cameras);
     recordLenses(*lenses, outcome.project);
     outcome.lenses = std::move(*lenses);
+    for (const auto& camera : seen.cameras) {
+      outcome.missed.push_back(missedRuns(camera));
+    }
   }
   const bool alone = project.cameras.size() < 2 && !request.worldFrame;
   if (goal.poses && !(alone && goal.lenses)) {

@@ -3,6 +3,7 @@
 
 #include "core/calibration/quality/calibration_accuracy.h"
 #include "core/setup/calibration/board_calibration.h"
+#include "core/setup/calibration/missed_images.h"
 
 #include <optional>
 #include <string>
@@ -31,6 +32,8 @@ struct BoardOutcome {
   /// were estimated.
   std::string accuracySummary;
   std::string report; ///< a single HTML page
+  /// Images in which each camera did not see the board, if intrinsics were requested.
+  std::vector<std::vector<MissedRun>> missed;
 };
 
 /// Estimates intrinsics, then poses with these intrinsics, from board detections. The command line

@@ -4,6 +4,8 @@
 #include "core/base/thread_count.h"
 #include "core/base/thread_team.h"
 #include "core/setup/calibration/frame_picker.h"
+#include "core/setup/calibration/mirrored_videos.h"
+#include "core/setup/calibration/missed_images.h"
 
 #include <fmt/format.h>
 
@@ -123,6 +125,9 @@ Status addOtherBoards(OtherBoards where, const KeptImages& kept, const BoardDesc
     }
     // A few views of the requested board are worth more than as many of a mere guess.
     if (*other && (*other)->images > static_cast<int>(boardViewsOf(seen))) {
+      for (std::size_t k = 0; (*other)->mirrored && k < seen.cameras.size(); ++k) {
+        seen.cameras[k].sides = countSides((*other)->board, kept.of(k));
+      }
       seen.otherBoard = std::move(*other);
     }
     return {};
@@ -135,6 +140,9 @@ Status addOtherBoards(OtherBoards where, const KeptImages& kept, const BoardDesc
     if (!other) {
       return tl::make_unexpected(other.error());
     }
+    if (*other && (*other)->mirrored) {
+      seen.cameras[k].sides = countSides((*other)->board, kept.of(k));
+    }
     seen.cameras[k].otherBoard = std::move(*other);
   }
   return {};
@@ -142,7 +150,7 @@ Status addOtherBoards(OtherBoards where, const KeptImages& kept, const BoardDesc
 
 /// One instant: the board in the images of all cameras, which are shared among threads.
 void detectAll(const BoardDetector& detector, DetectionEffort effort, const FrameSet& frames,
-               ThreadTeam& team, BoardDetections& seen) {
+               ThreadTeam& team, BoardDetections& seen, MissedImages& missed) {
   std::vector<std::optional<BoardDetection>> found(seen.cameras.size());
   const auto count = static_cast<std::int64_t>(seen.cameras.size());
   team.forEachRange(count, [&](std::int64_t begin, std::int64_t end) {
@@ -162,6 +170,8 @@ void detectAll(const BoardDetector& detector, DetectionEffort effort, const Fram
     ++camera.searched;
     if (found[k]) {
       camera.views.push_back({fmt::format("frame {}", frames.index), frames.index, *found[k]});
+    } else {
+      missed.add(k, {}, frames.index, frames.frames[k]->image, camera);
     }
   }
 }
@@ -209,7 +219,8 @@ BoardDetections nothingSeen(const Project& project, const FrameSetSource& source
 /// The search itself, in the given frames, with a few images to be looked at afterwards.
 Status searchFrames(const std::vector<std::int64_t>& frames, const BoardDetector& detector,
                     DetectionEffort effort, FrameSetSource& source,
-                    const CalibrationProgress& progress, BoardDetections& seen, KeptImages& kept) {
+                    const CalibrationProgress& progress, BoardDetections& seen, KeptImages& kept,
+                    MissedImages& missed) {
   ThreadTeam team(threadCountForTasks(seen.cameras.size()));
   FramePicker picker(source);
   const auto keep = evenlySpaced(static_cast<std::int64_t>(frames.size()), kFramesToLookAt);
@@ -225,7 +236,7 @@ Status searchFrames(const std::vector<std::int64_t>& frames, const BoardDetector
     if (*set == nullptr) {
       break; // the recording is shorter than it says
     }
-    detectAll(detector, effort, **set, team, seen);
+    detectAll(detector, effort, **set, team, seen, missed);
     if (std::ranges::binary_search(keep, static_cast<std::int64_t>(k))) {
       kept.keep(**set);
     }
@@ -239,12 +250,15 @@ Result<BoardDetections> searchedFrames(OtherBoards where, const std::vector<std:
                                        FrameSetSource& source, const CalibrationProgress& progress,
                                        BoardDetections seen) {
   KeptImages kept(seen.cameras.size());
-  if (const auto done = searchFrames(frames, detector, effort, source, progress, seen, kept);
+  MissedImages missed(seen.cameras.size(),
+                      where == OtherBoards::OfEach && effort != DetectionEffort::Live);
+  if (const auto done = searchFrames(frames, detector, effort, source, progress, seen, kept, missed)
+                            .and_then([&] {
+                              return addOtherBoards(where, kept, detector.board(), progress, seen);
+                            })
+                            .and_then([&] { return missed.explain(detector, progress, seen); });
       !done) {
     return tl::make_unexpected(done.error());
-  }
-  if (const auto added = addOtherBoards(where, kept, detector.board(), progress, seen); !added) {
-    return tl::make_unexpected(added.error());
   }
   return seen;
 }
@@ -257,6 +271,7 @@ Result<BoardDetections> searchedPictures(OtherBoards where,
   auto& camera = seen.cameras.emplace_back();
   camera.name = "camera";
   KeptImages kept(1);
+  MissedImages missed(1, where == OtherBoards::OfEach);
   const auto keep = evenlySpaced(static_cast<std::int64_t>(pictures.size()), kFramesToLookAt);
   for (const auto& file : pictures) {
     if (!reportProgress(progress, CalibrationStage::BoardDetection,
@@ -279,13 +294,19 @@ Result<BoardDetections> searchedPictures(OtherBoards where,
     }
     if (auto found = detector.detect(*picture, effort)) {
       camera.views.push_back({file.filename().string(), camera.searched, std::move(*found)});
+    } else {
+      missed.add(0, file.filename().string(), camera.searched, *picture, camera);
     }
     if (std::ranges::binary_search(keep, static_cast<std::int64_t>(camera.searched))) {
       kept.keep(0, *picture);
     }
     ++camera.searched;
   }
-  if (const auto added = addOtherBoards(where, kept, detector.board(), progress, seen); !added) {
+  if (const auto added =
+          addOtherBoards(where, kept, detector.board(), progress, seen).and_then([&] {
+            return missed.explain(detector, partOfSearch(progress, 1.0, 1.0), seen);
+          });
+      !added) {
     return tl::make_unexpected(added.error());
   }
   return seen;

@@ -3,6 +3,7 @@
 
 #include "core/calibration/board/board_detection.h"
 #include "core/calibration/board/board_guess.h"
+#include "core/calibration/board/board_miss.h"
 #include "core/calibration/board/intrinsics_from_board.h"
 #include "core/capture/frame_source.h"
 #include "core/project/project.h"
@@ -34,6 +35,21 @@ struct BoardCalibrationRequest {
   bool lookFirst = true;
 };
 
+/// Image in which the board was not found.
+struct MissedImage {
+  std::string file;         ///< name of an image file; empty for a frame of a recording
+  std::int64_t instant = 0; ///< number of the frame, or of the file in its list; counts from 0
+  /// Reason, if it is known. It is looked for only in image files and in recordings of few frames,
+  /// and only in a few images of each camera.
+  BoardMiss miss;
+};
+
+/// How a few images of a camera show a board: as it is, or only after they are mirrored.
+struct BoardSides {
+  int plain = 0;    ///< number of images that show the board as it is
+  int mirrored = 0; ///< number of images that show it after they are mirrored left to right
+};
+
 /// Board detections in the recording of several cameras, or in a set of images of one camera.
 struct BoardDetections {
   struct PerCamera {
@@ -45,6 +61,9 @@ struct BoardDetections {
     /// Other board that was found in a few of this camera's images. Set only if this camera never
     /// saw the requested board but other cameras did.
     std::optional<BoardGuess> otherBoard = std::nullopt;
+    std::vector<MissedImage> missed = {}; ///< the images without the board, in order
+    /// How a few images show the board. Counted only if some images show a mirrored board.
+    BoardSides sides = {};
   };
   std::vector<PerCamera> cameras;
   double framesPerSecond = 30.0;

@@ -98,6 +98,28 @@ CalibrationStatus calibrationStatus(const Project& project) {
   return status;
 }
 
+const char* originText(const PartStatus& part) {
+  if (part.knowledge == Knowledge::Missing) {
+    return "guessed";
+  }
+  if (!part.origin) {
+    return part.knowledge == Knowledge::Measured ? "exact (simulated)" : "set by hand";
+  }
+  switch (*part.origin) {
+  case CalibrationOrigin::Points:
+    return "measured points";
+  case CalibrationOrigin::Board:
+    return "board";
+  case CalibrationOrigin::Wand:
+    return "wand";
+  case CalibrationOrigin::File:
+    return "from a file";
+  case CalibrationOrigin::Marks:
+    break;
+  }
+  return "marks in the images";
+}
+
 std::size_t countKnown(const CalibrationStatus& status, PartStatus CameraCalibrationStatus::*part,
                        Knowledge least) {
   return static_cast<std::size_t>(

@@ -40,8 +40,8 @@ struct CalibrationStatus {
   PartStatus scale;                             ///< error: see WorldRecord::scaleError
   PartStatus floor;      ///< floor and upward direction; its error is never given
   bool isUpright = true; ///< false if the images show that the z axis does not point up
-  /// Position error in the calibrated volume that is not exceeded with a probability of 95 %,
-  /// meters.
+  /// Error, in meters, that 95 % of the positions measured in the calibrated volume do not exceed
+  /// (WorldRecord::accuracy).
   std::optional<double> accuracy;
   std::optional<LengthCheck> check;
 };
@@ -49,6 +49,10 @@ struct CalibrationStatus {
 /// Returns the calibration status of a project. Records about values that have changed since are
 /// ignored. Simulated cameras are known exactly: their status is Measured, without an origin.
 CalibrationStatus calibrationStatus(const Project& project);
+
+/// Returns where a part of the calibration comes from, in a few words: "guessed", "board". The
+/// window translates it.
+const char* originText(const PartStatus& part);
 
 /// Returns the number of cameras with at least this knowledge of a part. A part with `isPoor`
 /// counts as Given, not as Measured.

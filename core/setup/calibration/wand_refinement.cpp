@@ -1,16 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/setup/calibration/wand_refinement.h"
 
+#include "core/base/statistics.h"
+#include "core/base/units.h"
 #include "core/calibration/report/wand_report.h"
 #include "core/project/project_rig.h"
 #include "core/setup/calibration/calibrated_project.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <utility>
 
 namespace dewpoint::setup {
 namespace {
+
+// What makes a camera stand out from the others. Chosen: calibrations often have rotation errors of
+// less than 1.5 degrees (docs/calibration.md, cameras that cannot agree).
+constexpr double kFarRotation = 1.5 * kDegree; ///< radians
+constexpr double kFarDistance = 0.05;          ///< meters
+constexpr double kFarFactor = 3.0;             ///< times the median of the others
+constexpr std::size_t kLeastCamerasToCompare = 3;
 
 Result<WandRefinement> assessed(const Project& project, const WandOptions& options,
                                 Result<WandResult> result) {
@@ -55,6 +67,37 @@ void recordWorld(const WandRefinement& refinement, WorldRecord& world) {
 bool isInaccurate(const WandRefinement& refinement) {
   return refinement.accuracy &&
          refinement.accuracy->cameras95 > refinement.options.initialPositionError;
+}
+
+std::vector<FarOffCamera> farOffCameras(const WandRefinement& refinement) {
+  const CameraRig& after = refinement.result.cameras;
+  std::vector<PoseShift> shifts;
+  for (std::size_t k = 0; k < std::min(after.size(), refinement.before.size()); ++k) {
+    shifts.push_back(poseShift(refinement.before[k], after[k]));
+  }
+  std::vector<FarOffCamera> found;
+  for (std::size_t k = 0; shifts.size() >= kLeastCamerasToCompare && k < shifts.size(); ++k) {
+    std::vector<double> rotations;
+    std::vector<double> distances;
+    for (std::size_t other = 0; other < shifts.size(); ++other) {
+      if (other != k) {
+        rotations.push_back(shifts[other].radians);
+        distances.push_back(shifts[other].meters);
+      }
+    }
+    if (shifts[k].radians >= std::max(kFarRotation, kFarFactor * upperMedian(rotations)) ||
+        shifts[k].meters >= std::max(kFarDistance, kFarFactor * upperMedian(distances))) {
+      found.push_back({k, shifts[k]});
+    }
+  }
+  return found;
+}
+
+std::string farOffText(const FarOffCamera& camera, const CameraRig& rig) {
+  return fmt::format("{} was far off: the refinement rotates it by {:.1f} degrees and moves it by "
+                     "{:.1f} cm, much more than the others. Was it moved after its calibration?",
+                     rig.at(camera.camera).name, inDegrees(camera.shift.radians),
+                     inCentimeters(camera.shift.meters));
 }
 
 bool isDoubtful(const WandRefinement& refinement) {

@@ -24,6 +24,20 @@ struct WandRefinement {
 /// possible error before the calibration, WandOptions::initialPositionError.
 bool isInaccurate(const WandRefinement& refinement);
 
+/// Camera whose pose before the refinement was far off.
+struct FarOffCamera {
+  std::size_t camera = 0; ///< index in the rig
+  PoseShift shift;        ///< change by the refinement
+};
+
+/// Returns the cameras that the refinement rotated by at least 1.5 degrees, or moved by at least 5
+/// cm, and at least three times as much as the median of the other cameras. Empty if there are
+/// fewer than three cameras, because two cannot tell which of them was off.
+std::vector<FarOffCamera> farOffCameras(const WandRefinement& refinement);
+
+/// Returns a sentence that names the camera. `rig` contains the names.
+std::string farOffText(const FarOffCamera& camera, const CameraRig& rig);
+
 /// Returns whether a known fault, such as exchanged cameras, explains the views better than this
 /// result does, or isInaccurate() is true. If so, ask the user before you store the result in the
 /// project.

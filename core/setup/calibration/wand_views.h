@@ -52,8 +52,10 @@ struct WandOptions {
   std::vector<double> floorTimes;
   /// Times at which the ball begins and ends a free fall, seconds.
   std::optional<std::array<double, 2>> fallSpan;
-  double initialPositionError = 0.12; ///< possible error of the project's camera positions, meters
-  double initialRotationError = 0.06; ///< possible error of the camera orientations, radians
+  /// Possible error of the project's camera positions, meters.
+  double initialPositionError = kInitialPositionError;
+  /// Possible error of the camera orientations, radians.
+  double initialRotationError = kInitialRotationError;
 };
 
 /// Creates the calibration problem for a project and options, without views, which the caller adds.

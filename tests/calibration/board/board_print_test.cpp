@@ -2,8 +2,11 @@
 #include "core/base/text_file.h"
 #include "core/calibration/board/board_picture.h"
 #include "core/calibration/board/board_print.h"
+#include "core/calibration/board/board_sheets.h"
 #include "core/calibration/report/board_report.h"
 #include "tests/calibration/board_views.h"
+
+#include <algorithm>
 
 namespace dewpoint::tests {
 namespace {
@@ -22,12 +25,73 @@ TEST(BoardPrint, WritesAPdfOfOnePage) {
   std::filesystem::remove(file);
 }
 
-TEST(BoardPrint, ABoardTooLargeForThePaperIsRefused) {
-  const auto printed = printBoard(boardOf("chessboard:9x6:0.05"), *paperNamed("A4"), "none.pdf");
+TEST(BoardPrint, ABoardLargerThanThePaperIsSplitOnSheets) {
+  const auto file = std::filesystem::temp_directory_path() / "dewpoint-board-sheets-test.pdf";
+  for (const char* text : {"chessboard:9x6:0.05", "charuco:7x5:0.1:0.075:DICT_4X4_50:inverted"}) {
+    for (const Paper& paper : papers()) {
+      const auto sheets = sheetsToPrint(boardOf(text), paper);
+      ASSERT_TRUE(sheets) << sentence(sheets.error());
+      EXPECT_GT(*sheets, 1) << text << " " << paper.name;
+      ASSERT_TRUE(printBoard(boardOf(text), paper, file));
+      const auto bytes = readTextFile(file);
+      ASSERT_TRUE(bytes);
+      // A plan, and the sheets.
+      EXPECT_NE(bytes->find("/Count " + std::to_string(*sheets + 1)), std::string::npos) << text;
+    }
+  }
+  std::filesystem::remove(file);
+  EXPECT_EQ(sheetsToPrint(boardOf("chessboard:9x6:0.025"), *paperNamed("A4")).value(), 1);
+  // 500 x 350 mm on parts of 184 x 255 mm that overlap by 10 mm: 3 x 2; lengthwise 271 x 168: 2
+  // x 3.
+  EXPECT_EQ(sheetsToPrint(boardOf("chessboard:9x6:0.05"), *paperNamed("A4")).value(), 6);
+  EXPECT_EQ(sheetsToPrint(boardOf("chessboard:9x6:0.05"), *paperNamed("A3")).value(), 2);
+}
+
+TEST(BoardPrint, TheSheetsTogetherAreTheBoard) {
+  const BoardDescription board = boardOf("charuco:7x5:0.1:0.075:DICT_4X4_50");
+  std::vector<BoardPattern::Rectangle> dark;
+  for (const auto& one : BoardPattern(board).darkRectangles()) {
+    dark.push_back({1000.0 * one.left, 1000.0 * one.top, 1000.0 * one.width, 1000.0 * one.height});
+  }
+  const auto sheets = splitOnSheets(board, *paperNamed("letter"), 0.0);
+  ASSERT_TRUE(sheets);
+  // Everything is on a sheet, and neighbors have a strip of 10 mm in common.
+  EXPECT_LE(sheets->partX(0), 0.0);
+  EXPECT_LE(sheets->partY(0), 0.0);
+  EXPECT_GE(sheets->partX(sheets->columns - 1) + sheets->width, 700.0);
+  EXPECT_GE(sheets->partY(sheets->rows - 1) + sheets->height, 500.0);
+  EXPECT_DOUBLE_EQ(sheets->partX(0) + sheets->width - sheets->partX(1), BoardSheets::kOverlap);
+  const auto isDark = [](const std::vector<BoardPattern::Rectangle>& all, double x, double y) {
+    return std::ranges::any_of(all, [&](const auto& one) {
+      return x >= one.left && x < one.left + one.width && y >= one.top && y < one.top + one.height;
+    });
+  };
+  for (int row = 0; row < sheets->rows; ++row) {
+    for (int column = 0; column < sheets->columns; ++column) {
+      const auto parts = rectanglesOnSheet(*sheets, column, row, dark);
+      for (int k = 0; k < 200; ++k) {
+        const double x = sheets->width * (k % 17 + 0.37) / 17.0;
+        const double y = sheets->height * (k / 17 + 0.41) / 12.0; // NOLINT: whole rows
+        ASSERT_EQ(isDark(parts, sheets->left + x, sheets->top + y),
+                  isDark(dark, sheets->partX(column) + x, sheets->partY(row) + y))
+            << column << " " << row << " " << k;
+      }
+      for (const auto& part : parts) { // nothing on the edge of the page, where the marks are
+        EXPECT_GE(part.left, sheets->left - 1e-9);
+        EXPECT_LE(part.left + part.width, sheets->left + sheets->width + 1e-9);
+        EXPECT_LE(part.top + part.height, sheets->top + sheets->height + 1e-9);
+      }
+    }
+  }
+}
+
+TEST(BoardPrint, ABoardOfTooManySheetsIsRefused) {
+  const auto printed = printBoard(boardOf("chessboard:9x6:0.9"), *paperNamed("A4"), "none.pdf");
   ASSERT_FALSE(printed);
   EXPECT_EQ(printed.error().field, "paper");
-  // 10 x 7 squares within 281 x 178 mm: 25.4 mm by the height
-  EXPECT_NE(printed.error().detail.find("0.025 m"), std::string::npos) << printed.error().detail;
+  EXPECT_NE(printed.error().detail.find("more than 64 sheets"), std::string::npos)
+      << printed.error().detail;
+  EXPECT_FALSE(std::filesystem::exists("none.pdf"));
   EXPECT_FALSE(paperNamed("B5"));
 }
 

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 
 namespace dewpoint::tests {
@@ -118,6 +119,34 @@ TEST(FormatPlain, ReadsAFolderWithAFilePerCamera) {
   ASSERT_TRUE(read) << sentence(read.error());
   ASSERT_EQ(read->rig.size(), 2U);
   expectTheCamera(read->rig[1], "cam2");
+}
+
+TEST(FormatPlain, NoFileOfAFolderDecidesTheUnitOfAnother) {
+  const auto text = [](const char* unit, double distance) {
+    return R"({"size": [640, 480], "K": [500, 0, 320, 0, 510, 240, 0, 0, 1], )" +
+           std::string(unit) +
+           R"("dist": [-0.1, 0, 0, 0, 0], "rvec": [1.5707963267948966, 0, 0], "t": [0, 0, )" +
+           std::to_string(distance) + "]}";
+  };
+  const auto folder = ownFolder() / "cameras";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "cam1.json") << text(R"("unit": "mm", )", 2000.0);
+  std::ofstream(folder / "cam2.json") << text("", 2.0);
+  const auto read = readCalibration(folder);
+  ASSERT_FALSE(read);
+  EXPECT_EQ(read.error().field, "cam2.json: unit");
+  EXPECT_NE(read.error().detail.find("--unit"), std::string::npos) << read.error().detail;
+  const auto asked = readCalibration(folder, inMeters());
+  ASSERT_TRUE(asked) << sentence(asked.error());
+  expectTheCamera(asked->rig[0], "cam1");
+  expectTheCamera(asked->rig[1], "cam2");
+  EXPECT_NE(
+      std::ranges::find(asked->decisions, "cam2.json: lengths are in units of 1 m, as requested."),
+      asked->decisions.end());
+  // A unit that is not needed is still compared with that of the files.
+  std::ofstream(folder / "cam2.json") << text(R"("unit": "m", )", 2.0);
+  EXPECT_TRUE(readCalibration(folder));
+  EXPECT_FALSE(readCalibration(folder, inMeters()));
 }
 
 TEST(FormatPlain, AsksForWhatIsMissing) {

@@ -184,6 +184,24 @@ TEST(FaultFinder, HalfAPixelIsNamed) {
   }
 }
 
+// The poses of two cameras explain shifted principal points just as well.
+TEST(FaultFinder, TwoCamerasNeverNameHalfAPixel) {
+  for (const auto seed : kSeeds) {
+    SCOPED_TRACE(seed);
+    for (const double shift : {0.0, 0.5, -0.5}) {
+      WandProblem problem = clean(seed, 2);
+      for (auto& views : problem.views) {
+        for (MarkerObservation& view : views) {
+          view.pixel.array() += shift;
+        }
+      }
+      for (const DetectedFault& fault : find(problem).faults) {
+        EXPECT_NE(fault.fault, CalibrationFault::HalfPixel) << shift;
+      }
+    }
+  }
+}
+
 TEST(FaultFinder, MixedUnitsAreNamed) {
   for (const auto seed : kSeeds) {
     SCOPED_TRACE(seed);

@@ -173,6 +173,7 @@ struct BlindCamera {
     BoardDetections::PerCamera blind = seen.cameras[0];
     blind.name = "door";
     blind.views.clear();
+    blind.missed.clear();
     seen.cameras.insert(seen.cameras.begin(), blind);
     ProjectCamera camera = recorded.project.cameras[0];
     camera.camera.name = "door";
@@ -249,6 +250,20 @@ TEST(BoardCalibration, SaysAVerdictAndNoFault) {
   EXPECT_LT(outcome->accuracy->up95.value(), 0.05);
   EXPECT_LT(outcome->accuracy->position95, 0.002);
   EXPECT_NE(outcome->report.find("In this volume"), std::string::npos);
+}
+
+TEST(BoardCalibration, AVideoThatWasRotatedIsNamed) {
+  Recorded recorded;
+  const auto source = recorded.open();
+  const auto seen = findBoards(recorded.project, *source, recorded.wish());
+  ASSERT_TRUE(seen);
+  Intrinsics& in = recorded.project.cameras[1].camera.intrinsics;
+  std::swap(in.width, in.height);
+  const auto poses = extrinsicsFromBoards(recorded.project, *seen, recorded.wish());
+  ASSERT_FALSE(poses);
+  EXPECT_EQ(poses.error().field, "right");
+  EXPECT_NE(poses.error().detail.find("rotate = 90 or 270"), std::string::npos)
+      << poses.error().detail;
 }
 
 TEST(BoardCalibration, AWrongSquareSizeIsNamed) {

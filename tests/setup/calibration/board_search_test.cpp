@@ -4,6 +4,7 @@
 #include "core/capture/recording.h"
 #include "core/setup/calibration/board_outcome.h"
 #include "core/setup/calibration/board_proposal.h"
+#include "core/setup/calibration/mirrored_videos.h"
 #include "tests/calibration/board_views.h"
 
 #include <opencv2/imgproc.hpp>
@@ -124,6 +125,10 @@ TEST(BoardSearch, AMirroredCameraIsNamed) {
   EXPECT_FALSE(seen->cameras[0].otherBoard);
   ASSERT_TRUE(seen->cameras[1].otherBoard);
   EXPECT_TRUE(seen->cameras[1].otherBoard->mirrored);
+  const MirroredVideos mirrored = mirroredVideos(*seen);
+  EXPECT_EQ(mirrored.cause, MirroredVideos::Cause::Videos);
+  EXPECT_EQ(mirrored.cameras, std::vector<std::size_t>{1});
+  EXPECT_EQ(findMirroredVideos(*source, request.board).value(), mirrored);
   const auto lenses = intrinsicsFromBoards(*seen, request);
   ASSERT_TRUE(lenses) << sentence(lenses.error());
   ASSERT_EQ(lenses->kept.size(), 1U);

@@ -131,5 +131,13 @@ TEST(CalibrationStatus, ACalibrationFromAFileIsGiven) {
   EXPECT_EQ(status.scale.knowledge, Knowledge::Given);
 }
 
+TEST(CalibrationStatus, EachOriginHasAText) {
+  EXPECT_STREQ(originText({}), "guessed");
+  EXPECT_STREQ(originText({.knowledge = Knowledge::Measured}), "exact (simulated)");
+  EXPECT_STREQ(originText({.knowledge = Knowledge::Given}), "set by hand");
+  EXPECT_STREQ(originText({.knowledge = Knowledge::Measured, .origin = CalibrationOrigin::Board}),
+               "board");
+}
+
 } // namespace
 } // namespace dewpoint::tests

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/angle.h"
 #include "core/setup/calibration/wand_refinement.h"
 
 #include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
 
 namespace dewpoint::tests {
 namespace {
@@ -34,6 +38,38 @@ TEST(WandRefinement, AFaultOrTooLittleMakesItDoubtful) {
   faulty.result.faults = {{.fault = CalibrationFault::CamerasSwapped, .cameras = {0, 1}}};
   EXPECT_FALSE(isInaccurate(faulty));
   EXPECT_TRUE(isDoubtful(faulty));
+}
+
+/// Cameras that the refinement rotates about x by these angles, degrees.
+WandRefinement rotatedBy(const std::vector<double>& degrees) {
+  WandRefinement refinement;
+  for (std::size_t k = 0; k < degrees.size(); ++k) {
+    Camera camera;
+    camera.name = "camera " + std::to_string(k + 1);
+    refinement.before.push_back(camera);
+    camera.cameraFromWorld.linear() =
+        Eigen::AngleAxisd(degrees[k] * kDegree, Eigen::Vector3d::UnitX()).toRotationMatrix();
+    refinement.result.cameras.push_back(camera);
+  }
+  return refinement;
+}
+
+TEST(WandRefinement, ACameraThatWasFarOffIsNamed) {
+  const WandRefinement refinement = rotatedBy({0.2, 2.1, 0.3, 0.1});
+  const auto found = farOffCameras(refinement);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].camera, 1U);
+  EXPECT_NE(farOffText(found[0], refinement.before)
+                .find("camera 2 was far off: the refinement "
+                      "rotates it by 2.1 degrees"),
+            std::string::npos)
+      << farOffText(found[0], refinement.before);
+}
+
+TEST(WandRefinement, CamerasThatAllMoveAlikeAreNotNamed) {
+  EXPECT_TRUE(farOffCameras(rotatedBy({4.0, 5.0, 6.0, 5.5})).empty()); // placed by hand
+  EXPECT_TRUE(farOffCameras(rotatedBy({0.1, 0.6, 0.1})).empty());      // as calibrations are
+  EXPECT_TRUE(farOffCameras(rotatedBy({0.1, 3.0})).empty());           // two cannot tell
 }
 
 } // namespace

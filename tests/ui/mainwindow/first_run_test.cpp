@@ -52,6 +52,7 @@ private Q_SLOTS:
   void cleanup();
   void fromLaunchToACsvOfTheDemo();
   void fromTwoVideosAndACalibrationToATrack();
+  void fromTwoVideosToTheCalibrationGuide();
 
 private:
   void click(QWidget* widget) { QTest::mouseClick(widget, Qt::LeftButton); }
@@ -154,6 +155,17 @@ void FirstRunTest::fromTwoVideosAndACalibrationToATrack() {
                     place.toPoint());
   QVERIFY(isHeld());
   QVERIFY2(counter_->clicks <= 15, "two videos and a calibration file to a track");
+}
+
+void FirstRunTest::fromTwoVideosToTheCalibrationGuide() {
+  QVERIFY(recordDemo(folder_.path().toStdString(), 20));
+  chooseFiles({"left.mkv", "right.mkv"});
+  click(find<QToolButton>("startGuide"));
+  auto* create = find<QPushButton>("newCreate");
+  QVERIFY(waitFor([&] { return create->isEnabled(); }));
+  click(create);
+  QVERIFY(waitFor([this] { return window_->shown() && window_->shown()->frame >= 0; }));
+  QVERIFY(waitFor([this] { return find<QWidget>("guidePage")->isVisible(); }));
 }
 
 DEWPOINT_WINDOW_TEST(FirstRunTest)

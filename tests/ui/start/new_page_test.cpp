@@ -6,6 +6,7 @@
 #include "tests/ui/window_test.h"
 #include "ui/document/document.h"
 
+#include <QComboBox>
 #include <QDir>
 #include <QDockWidget>
 #include <QFile>
@@ -31,6 +32,8 @@ private Q_SLOTS:
   void aTypedFolderHasARate();
   void whatIsChosenIsReadAtOnce();
   void aCalibrationIsReadWhenItIsChosen();
+  void camerasOfOtherNamesAreMatched();
+  void aCalibrationForOtherImagesIsFitted();
   void aPageOverARunHasNoTransport();
 
 private:
@@ -202,6 +205,52 @@ void NewPageTest::aCalibrationIsReadWhenItIsChosen() {
   QVERIFY2(result->text().contains(QStringLiteral("Caliscope")), qPrintable(result->text()));
   find<QPushButton>("newDropCalibration")->click();
   QVERIFY(!result->isVisible());
+}
+
+void NewPageTest::camerasOfOtherNamesAreMatched() {
+  QVERIFY(recordDemo(folder_.path().toStdString()));
+  CameraRig rig = demoScene().cameras;
+  rig[0].name = "left"; // the other one has another name
+  QVERIFY(saveCalibration(rig, file("half.toml").toStdString()).has_value());
+  drop({file("left.mkv"), file("right.mkv"), file("half.toml")});
+  QVERIFY(hasRows(2));
+  QVERIFY(waitFor([this] {
+    const auto* choice = window_->findChild<QComboBox*>(QStringLiteral("newCalibrationName1"));
+    return choice != nullptr && choice->isVisible();
+  }));
+  QCOMPARE(find<QComboBox>("newCalibrationName0")->currentText(), QStringLiteral("left"));
+  auto* right = find<QComboBox>("newCalibrationName1");
+  right->setCurrentIndex(right->findText(QStringLiteral("camera 2")));
+  QVERIFY2(find<QLabel>("newCalibrationResult")->text().contains(QStringLiteral("✓")),
+           qPrintable(find<QLabel>("newCalibrationResult")->text()));
+  QTest::mouseClick(find<QPushButton>("newCreate"), Qt::LeftButton);
+  QVERIFY(isOpen(2));
+  const Project& project = window_->document().project();
+  QCOMPARE(project.cameras[1].camera.name, std::string("right"));
+  QVERIFY(project.cameras[1].camera.intrinsics == rig[1].intrinsics);
+}
+
+void NewPageTest::aCalibrationForOtherImagesIsFitted() {
+  QVERIFY(recordDemo(folder_.path().toStdString()));
+  CameraRig rig = demoScene().cameras;
+  for (Camera& camera : rig) {
+    camera.intrinsics.height += 8; // as of a video format that stores whole blocks
+  }
+  QVERIFY(saveCalibration(rig, file("tall.toml").toStdString()).has_value());
+  drop({file("left.mkv"), file("right.mkv"), file("tall.toml")});
+  QVERIFY(hasRows(2));
+  auto* fit = find<QComboBox>("newCalibrationFit");
+  QVERIFY(!fit->isVisible());
+  QTest::mouseClick(find<QPushButton>("newCreate"), Qt::LeftButton);
+  QVERIFY(waitFor([&] { return fit->isVisible(); }));
+  QVERIFY2(find<QLabel>("messageText")->text().contains(QStringLiteral("pixels")),
+           qPrintable(find<QLabel>("messageText")->text()));
+  fit->setCurrentIndex(fit->findData(QStringLiteral("trim")));
+  QVERIFY(waitFor([this] { return find<QPushButton>("newCreate")->isEnabled(); }));
+  QTest::mouseClick(find<QPushButton>("newCreate"), Qt::LeftButton);
+  QVERIFY(isOpen(2));
+  const Intrinsics& fitted = window_->document().project().cameras[0].camera.intrinsics;
+  QVERIFY(fitted == demoScene().cameras[0].intrinsics);
 }
 
 void NewPageTest::aPageOverARunHasNoTransport() {

@@ -36,7 +36,7 @@ private Q_SLOTS:
 
 void StartPageTest::everyCardHasAPictureAndSaysWhatItIsFor() {
   const auto cards = window_->findChildren<GalleryCard*>();
-  QCOMPARE(cards.size(), 10);
+  QCOMPARE(cards.size(), 11);
   for (const GalleryCard* card : cards) {
     QVERIFY2(!card->accessibleName().isEmpty(), qPrintable(card->objectName()));
     QVERIFY2(!card->accessibleDescription().isEmpty(), qPrintable(card->objectName()));

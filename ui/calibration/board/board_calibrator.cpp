@@ -106,6 +106,7 @@ void BoardCalibrator::compute(Computation computation, bool applyIt) {
   outcome_.reset();
   failure_.clear();
   proposal_.reset();
+  mirrored_ = {};
   job_->start([this, computation = std::move(computation), looking = searching_,
                applyIt](const BackgroundJob::Progress& progress) -> std::function<void()> {
     auto computed =
@@ -121,7 +122,10 @@ void BoardCalibrator::compute(Computation computation, bool applyIt) {
 
 void BoardCalibrator::applyResult(const std::shared_ptr<Computed>& computed, bool applyIt) {
   proposal_ = computed->otherBoard;
-  if (proposal_) {
+  mirrored_ = computed->mirrored;
+  if (mirrored_.cause != MirroredVideos::Cause::None) {
+    Q_EMIT mirroredVideosFound();
+  } else if (proposal_) {
     Q_EMIT boardProposed(!computed->searchedAll);
   }
   if (!computed->outcome) {
@@ -157,6 +161,7 @@ void BoardCalibrator::calibrateRecording(bool lookFirst) {
               .and_then([&](const BoardDetections& seen) {
                 computed.otherBoard = seen.otherBoard;
                 computed.searchedAll = seen.searchedAll;
+                computed.mirrored = mirroredVideos(seen);
                 return calibrateFromBoards(inputs.project, seen, request.board, request.goal,
                                            progress);
               });
@@ -173,24 +178,41 @@ void BoardCalibrator::findBoard() {
   *searching_ = true;
   failure_.clear();
   proposal_.reset();
-  job_->start([this, open = open_, project = project(), frames = liveFrames_,
-               board = request_.board.board, looking = searching_](
-                  const BackgroundJob::Progress& progress) -> std::function<void()> {
-    const CalibrationProgress report = [&](CalibrationStage, double part) {
-      return progress(part);
-    };
-    auto guesses = std::make_shared<Result<std::vector<BoardGuess>>>(
-        frames != nullptr ? proposeBoards(*frames, board, report)
-                          : open(project).and_then([&](const SessionInputs& inputs) {
-                              return proposeBoards(*inputs.source, board, kFramesToLookAt, report);
-                            }));
-    *looking = false;
-    return [this, guesses] { takeGuesses(*guesses); };
-  });
+  job_->start(
+      [this, open = open_, project = project(), frames = liveFrames_, board = request_.board.board,
+       looking = searching_](const BackgroundJob::Progress& progress) -> std::function<void()> {
+        const CalibrationProgress report = [&](CalibrationStage, double part) {
+          return progress(part);
+        };
+        auto proposed = std::make_shared<Proposed>();
+        if (frames != nullptr) {
+          proposed->guesses = proposeBoards(*frames, board, report);
+        } else if (const auto inputs = open(project)) {
+          *proposed = proposedIn(*inputs->source, board, report);
+        } else {
+          proposed->guesses = tl::make_unexpected(inputs.error());
+        }
+        *looking = false;
+        return [this, proposed] { takeGuesses(*proposed); };
+      });
   Q_EMIT changed();
 }
 
-void BoardCalibrator::takeGuesses(const Result<std::vector<BoardGuess>>& guesses) {
+BoardCalibrator::Proposed BoardCalibrator::proposedIn(FrameSetSource& source,
+                                                      const BoardDescription& board,
+                                                      const CalibrationProgress& progress) {
+  Proposed proposed;
+  proposed.guesses = proposeBoards(source, board, kFramesToLookAt, progress);
+  if (proposed.guesses) {
+    proposed.mirrored =
+        findMirroredVideos(source, proposed.guesses->front().board, kFramesToLookAt, progress)
+            .value_or(MirroredVideos());
+  }
+  return proposed;
+}
+
+void BoardCalibrator::takeGuesses(const Proposed& proposed) {
+  const auto& guesses = proposed.guesses;
   if (!guesses) {
     failure_ = guesses.error().code == ErrorCode::NotFound
                    ? tr("No board was found. Show the whole board in focus and in even light, then "
@@ -199,6 +221,12 @@ void BoardCalibrator::takeGuesses(const Result<std::vector<BoardGuess>>& guesses
     return;
   }
   const BoardGuess& best = guesses->front();
+  if (proposed.mirrored.cause != MirroredVideos::Cause::None) {
+    mirrored_ = proposed.mirrored;
+    proposal_ = best;
+    Q_EMIT mirroredVideosFound();
+    return;
+  }
   if (!best.mirrored && isSameBoard(best.board, request_.board.board)) {
     Q_EMIT boardConfirmed(best.images, best.searched);
     return;
@@ -216,6 +244,17 @@ void BoardCalibrator::useProposal() {
   proposal_.reset();
   failure_.clear();
   setRequest(request);
+}
+
+void BoardCalibrator::mirrorImages() {
+  const MirroredVideos mirrored = std::exchange(mirrored_, {});
+  useProposal();
+  const auto made = document_.edit(tr("Mirror images"), [&](Project& project) {
+    project = withUnmirroredVideos(std::move(project), mirrored);
+  });
+  if (!made) {
+    Q_EMIT failed(errorText(made.error()));
+  }
 }
 
 void BoardCalibrator::cancel() {
@@ -310,14 +349,18 @@ void BoardCalibrator::apply() {
   Q_EMIT changed();
 }
 
-void BoardCalibrator::write(const std::function<Status()>& task, const QString& file) {
-  writer_->start([this, task, file](const BackgroundJob::Progress&) -> std::function<void()> {
-    const Status done = task();
-    const QString sentence = done ? QString() : errorText(done.error());
-    return [this, sentence, file] {
-      sentence.isEmpty() ? Q_EMIT saved(file) : Q_EMIT failed(sentence);
-    };
-  });
+void BoardCalibrator::write(const std::function<Status()>& task, const QString& file, int sheets) {
+  writer_->start(
+      [this, task, file, sheets](const BackgroundJob::Progress&) -> std::function<void()> {
+        const Status done = task();
+        const QString sentence = done ? QString() : errorText(done.error());
+        return [this, sentence, file, sheets] {
+          sentence.isEmpty() ? Q_EMIT saved(file) : Q_EMIT failed(sentence);
+          if (sentence.isEmpty() && sheets > 1) {
+            Q_EMIT splitOnSheets(file, sheets);
+          }
+        };
+      });
 }
 
 void BoardCalibrator::saveReport(const QString& file) {
@@ -329,13 +372,16 @@ void BoardCalibrator::saveReport(const QString& file) {
 }
 
 void BoardCalibrator::printBoard(const QString& paper, const QString& file) {
+  const auto sheets = paperNamed(paper.toStdString()).and_then([this](const Paper& sheet) {
+    return sheetsToPrint(request_.board.board, sheet);
+  });
   write(
       [board = request_.board.board, name = paper.toStdString(), path = file.toStdString()] {
         return paperNamed(name).and_then([&](const Paper& sheet) {
           return dewpoint::calibration::printBoard(board, sheet, path);
         });
       },
-      file);
+      file, sheets.value_or(1));
 }
 
 void BoardCalibrator::discardResults() {
@@ -345,6 +391,7 @@ void BoardCalibrator::discardResults() {
   outcome_.reset();
   failure_.clear();
   proposal_.reset();
+  mirrored_ = {};
   request_.board.worldFrame.reset();
   Q_EMIT requestChanged();
   Q_EMIT changed();

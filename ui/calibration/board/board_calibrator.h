@@ -4,6 +4,7 @@
 #include "core/session/session.h"
 #include "core/setup/calibration/board_guide_thread.h"
 #include "core/setup/calibration/board_proposal.h"
+#include "core/setup/calibration/mirrored_videos.h"
 #include "ui/jobs/job_thread.h"
 
 #include <QObject>
@@ -63,6 +64,10 @@ public:
   const std::optional<BoardGuess>& proposal() const { return proposal_; }
   /// Sets the board in the settings to the proposed one.
   void useProposal();
+  /// Returns the cameras that show the board only mirrored, as far as the last search found out.
+  const MirroredVideos& mirrored() const { return mirrored_; }
+  /// Mirrors the images of these cameras in the project, as one step, and uses the proposed board.
+  void mirrorImages();
 
   // Live cameras.
   void start(); ///< starts or restarts the guidance
@@ -100,10 +105,13 @@ Q_SIGNALS:
   /// Emitted when images show the board in proposal() instead of the one in the settings. `stopped`
   /// is true if a calibration ended for this reason before it had searched all frames.
   void boardProposed(bool stopped);
+  void mirroredVideosFound();                    ///< see mirrored()
   void boardConfirmed(int images, int searched); ///< the images show the board in the settings
   void playRequested();                          ///< live images are needed
   void boardShown(bool shown); ///< whether the board is currently being shown to live cameras
   void saved(const QString& file);
+  /// Emitted after saved() if a board was printed that is split on several sheets.
+  void splitOnSheets(const QString& file, int sheets);
   void failed(const QString& sentence);
 
 private:
@@ -112,7 +120,15 @@ private:
     Result<BoardOutcome> outcome;
     std::optional<BoardGuess> otherBoard = std::nullopt;
     bool searchedAll = true; ///< see BoardDetections
+    MirroredVideos mirrored = {};
   };
+  /// Boards that a search proposes, and the videos that it found mirrored.
+  struct Proposed {
+    Result<std::vector<BoardGuess>> guesses;
+    MirroredVideos mirrored = {};
+  };
+  static Proposed proposedIn(FrameSetSource& source, const BoardDescription& board,
+                             const CalibrationProgress& progress);
   using Computation = std::function<Computed(const CalibrationProgress& progress)>;
   void calibrateRecording(bool lookFirst);
   void setWatching(bool watching);
@@ -120,8 +136,8 @@ private:
   void finishWhenGuided();
   void compute(Computation computation, bool applyIt);
   void applyResult(const std::shared_ptr<Computed>& computed, bool applyIt);
-  void takeGuesses(const Result<std::vector<BoardGuess>>& guesses);
-  void write(const std::function<Status()>& task, const QString& file);
+  void takeGuesses(const Proposed& proposed);
+  void write(const std::function<Status()>& task, const QString& file, int sheets = 1);
   void discardResults();
   std::function<void()> wakeUp();
   BoardPreferences preferences() const;
@@ -138,6 +154,7 @@ private:
   std::shared_ptr<const BoardOutcome> outcome_;
   QString failure_;
   std::optional<BoardGuess> proposal_;
+  MirroredVideos mirrored_;
   bool outdated_ = false; ///< the running computation belongs to a previous project
   std::shared_ptr<std::atomic<bool>> searching_;
   BackgroundJob* job_; ///< child of the calibrator, which deletes it

@@ -219,7 +219,8 @@ void BoardForm::retranslateUi() {
   print_->setText(tr("Print this board…"));
   print_->setToolTip(
       tr("Save the board as a PDF at its true size, with a scale bar to check with a ruler"));
-  name(paper_, tr("Paper"), tr("Size of the paper"));
+  name(paper_, tr("Paper"),
+       tr("Size of the paper. A board that is larger is split on several sheets"));
   refresh();
 }
 

@@ -49,7 +49,7 @@ void BoardGoalForm::createWidgets() {
   floor_->setObjectName(QStringLiteral("boardFloor"));
   floorFrame_ = new QSpinBox(this);
   floorFrame_->setObjectName(QStringLiteral("boardFloorFrame"));
-  floorFrame_->setRange(0, std::numeric_limits<int>::max());
+  floorFrame_->setRange(1, std::numeric_limits<int>::max()); // counted as in the timeline
   floorFrame_->setKeyboardTracking(false);
   floorHere_ = new QPushButton(this);
   floorHere_->setObjectName(QStringLiteral("boardFloorHere"));
@@ -100,11 +100,11 @@ void BoardGoalForm::connectFields() {
   connect(floor_, &QCheckBox::clicked, this, [this](bool on) {
     edit([&](BoardGuideRequest& request) {
       request.board.worldFrame =
-          on ? std::optional<std::int64_t>(floorFrame_->value()) : std::nullopt;
+          on ? std::optional<std::int64_t>(floorFrame_->value() - 1) : std::nullopt;
     });
   });
   connect(floorFrame_, &QSpinBox::valueChanged, this, [this](int frame) {
-    edit([frame](BoardGuideRequest& request) { request.board.worldFrame = frame; });
+    edit([frame](BoardGuideRequest& request) { request.board.worldFrame = frame - 1; });
   });
   connect(floorHere_, &QPushButton::clicked, this, [this] {
     edit([this](BoardGuideRequest& request) {
@@ -146,7 +146,8 @@ void BoardGoalForm::retranslateUi() {
   floor_->setToolTip(tr("The board as it lies in this video frame defines the world coordinates: X "
                         "along its rows, Y toward its upper edge, Z up from the floor. Without "
                         "such a frame, the first camera keeps its position"));
-  name(floorFrame_, tr("Frame number with the board on the floor"), tr("Frame number"));
+  name(floorFrame_, tr("Frame number with the board on the floor"),
+       tr("Number of the frame, as in the timeline (the first frame is 1)"));
   floorHere_->setText(tr("Use current frame"));
   name(floorHere_, tr("Use current frame for the floor"),
        tr("Enter the number of the frame that is shown now"));
@@ -179,7 +180,7 @@ void BoardGoalForm::refresh() {
   floorHere_->setEnabled(calibrator_.shownFrame() >= 0);
   {
     const QSignalBlocker quiet(floorFrame_);
-    floorFrame_->setValue(static_cast<int>(request.board.worldFrame.value_or(0)));
+    floorFrame_->setValue(static_cast<int>(request.board.worldFrame.value_or(0)) + 1);
   }
   accuracyLabel_->setVisible(live);
   lensAccuracy_->setVisible(live && request.goal.lenses);

@@ -47,6 +47,10 @@ void installBoardCalibration(const Workbench& bench, CalibrationMode& mode,
         }
         messages->ask(proposalQuestion(*board->proposal()), answers);
       });
+  QObject::connect(board, &BoardCalibrator::mirroredVideosFound, messages, [board, messages] {
+    messages->ask(mirroredQuestion(*board), {{BoardCalibrationPage::tr("Mirror images"),
+                                              [board] { board->mirrorImages(); }}});
+  });
   QObject::connect(
       board, &BoardCalibrator::boardConfirmed, messages, [messages](int images, int searched) {
         messages->showNotice(BoardCalibrationPage::tr(
@@ -57,6 +61,13 @@ void installBoardCalibration(const Workbench& bench, CalibrationMode& mode,
   QObject::connect(board, &BoardCalibrator::saved, messages, [messages](const QString& file) {
     messages->showNotice(BoardCalibrationPage::tr("Saved %1.").arg(file));
   });
+  QObject::connect(board, &BoardCalibrator::splitOnSheets, messages,
+                   [messages](const QString& file, int sheets) {
+                     messages->showNotice(
+                         BoardCalibrationPage::tr("Saved %1: the board is larger than the paper. "
+                                                  "Page 1 shows how to put its %2 sheets together.")
+                             .arg(file, QString::number(sheets)));
+                   });
 }
 
 } // namespace dewpoint::ui

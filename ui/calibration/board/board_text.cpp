@@ -35,6 +35,43 @@ QString lensLine(const QString& name, const IntrinsicsResult& lens) {
   return line;
 }
 
+/// Why an image shows no board, in parentheses behind its name or number.
+QString missReason(const QString& image, const BoardMiss& miss) {
+  switch (miss.reason) {
+  case BoardMiss::Reason::TooFewCorners:
+    return BoardText::tr("%1 (too few corners: %2)").arg(image, QString::number(miss.corners));
+  case BoardMiss::Reason::Blurred:
+    return BoardText::tr("%1 (blurred, edge width %2)").arg(image, pixelText(miss.edgeWidthPx, 0));
+  case BoardMiss::Reason::TooSmall:
+    return BoardText::tr("%1 (too small, squares of %2)").arg(image, pixelText(miss.squarePx, 0));
+  case BoardMiss::Reason::Unknown:
+    break;
+  }
+  return image;
+}
+
+/// The frames without the board, counted from 1 as in the timeline.
+QString missedLine(const QString& name, const std::vector<MissedRun>& runs) {
+  QStringList listed;
+  int others = 0;
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    const MissedRun& run = runs[k];
+    if (k >= kMostListedRuns) {
+      others += run.images;
+      continue;
+    }
+    const QString first = QString::number(run.first + 1);
+    listed << missReason(run.first == run.last
+                             ? first
+                             : QStringLiteral("%1–%2").arg(first, QString::number(run.last + 1)),
+                         run.miss);
+  }
+  const QString frames = listed.join(QStringLiteral(", "));
+  return others == 0 ? BoardText::tr("%1: no board was found in frames %2.").arg(name, frames)
+                     : BoardText::tr("%1: no board was found in frames %2 and in %3 others.")
+                           .arg(name, frames, QString::number(others));
+}
+
 QString placeLine(const QString& name, const CameraFit& fit) {
   if (fit.views.empty()) {
     return BoardText::tr("%1 keeps its position because it never saw the board.").arg(name);
@@ -48,13 +85,16 @@ QString placeLine(const QString& name, const CameraFit& fit) {
   return BoardText::tr("%1: RMS reprojection error %2").arg(name, pixelText(fit.rmsPx, 3));
 }
 
-void addLenses(const BoardCalibrator& calibrator, const LensesFromBoards& lenses,
-               QStringList& lines) {
+void addLenses(const BoardCalibrator& calibrator, const BoardOutcome& outcome, QStringList& lines) {
+  const LensesFromBoards& lenses = *outcome.lenses;
   lines << BoardText::tr("Intrinsics");
   std::size_t kept = 0;
   for (std::size_t k = 0; k < lenses.cameras.size(); ++k) {
     if (lenses.cameras[k]) {
       lines << lensLine(calibrator.nameOf(k), *lenses.cameras[k]);
+      if (k < outcome.missed.size() && !outcome.missed[k].empty()) {
+        lines << missedLine(calibrator.nameOf(k), outcome.missed[k]);
+      }
     } else {
       lines << QStringLiteral("⚠ ") +
                    BoardText::tr("The intrinsics of %1 are unchanged: %2")
@@ -207,10 +247,26 @@ QString proposalQuestion(const BoardGuess& guess) {
                               .arg(images, searched, guessedBoardText(guess));
 }
 
+QString mirroredQuestion(const BoardCalibrator& calibrator) {
+  QStringList names;
+  for (const std::size_t camera : calibrator.mirrored().cameras) {
+    names << calibrator.nameOf(camera);
+  }
+  const QString cameras = names.join(QStringLiteral(", "));
+  return calibrator.mirrored().cause == MirroredVideos::Cause::Videos
+             ? BoardText::tr(
+                   "The video of %1 is mirrored: it shows the board mirrored, but another "
+                   "camera shows it as it is.")
+                   .arg(cameras)
+             : BoardText::tr("The board or the video of %1 is mirrored: no camera shows the board "
+                             "as it is. Check whether writing in the images is readable.")
+                   .arg(cameras);
+}
+
 QString outcomeText(const BoardCalibrator& calibrator, const BoardOutcome& outcome) {
   QStringList lines;
   if (outcome.lenses) {
-    addLenses(calibrator, *outcome.lenses, lines);
+    addLenses(calibrator, outcome, lines);
   }
   if (outcome.extrinsicsError) {
     lines << QStringLiteral("⚠ ") + BoardText::tr("The camera positions could not be computed: %1")

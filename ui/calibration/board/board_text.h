@@ -38,6 +38,9 @@ QString guessedBoardText(const BoardGuess& guess);
 /// Returns the question whether to use a board that was found.
 QString proposalQuestion(const BoardGuess& guess);
 
+/// Returns the question whether to mirror the images of the cameras that show the board mirrored.
+QString mirroredQuestion(const BoardCalibrator& calibrator);
+
 /// Returns the result in sentences: what was found for each camera, the quality, and remarks.
 QString outcomeText(const BoardCalibrator& calibrator, const BoardOutcome& outcome);
 

@@ -136,12 +136,7 @@ void CalibrationImportDialog::retranslateFields() {
   setChoicesWithData(*poses_, {{tr("format default"), {}},
                                {tr("camera from world"), QStringLiteral("no")},
                                {tr("world from camera"), QStringLiteral("yes")}});
-  setChoicesWithData(*fit_, {{tr("the same as when calibrated"), {}},
-                             {tr("cropped on all sides"), QStringLiteral("crop")},
-                             {tr("cropped at the right and below"), QStringLiteral("trim")},
-                             {tr("scaled"), QStringLiteral("scale")},
-                             {tr("rotated clockwise by 90°"), QStringLiteral("rotate-90")},
-                             {tr("rotated clockwise by 270°"), QStringLiteral("rotate-270")}});
+  setChoicesWithData(*fit_, sizeFitChoices());
   size_->setPlaceholderText(own);
   fillCameras();
   fillNames({});

@@ -5,6 +5,8 @@
 
 #include <QCoreApplication>
 
+#include <array>
+
 namespace dewpoint::ui {
 namespace {
 
@@ -12,32 +14,24 @@ class GuideText {
   Q_DECLARE_TR_FUNCTIONS(GuideText)
 };
 
+/// The texts of setup::originText(), for the translators.
+[[maybe_unused]] constexpr std::array kOriginTexts{
+    QT_TRANSLATE_NOOP("GuideText", "guessed"),
+    QT_TRANSLATE_NOOP("GuideText", "exact (simulated)"),
+    QT_TRANSLATE_NOOP("GuideText", "set by hand"),
+    QT_TRANSLATE_NOOP("GuideText", "measured points"),
+    QT_TRANSLATE_NOOP("GuideText", "board"),
+    QT_TRANSLATE_NOOP("GuideText", "wand"),
+    QT_TRANSLATE_NOOP("GuideText", "from a file"),
+    QT_TRANSLATE_NOOP("GuideText", "marks in the images")};
+
 /// Where numbers come from, or how they are otherwise known.
-QString originText(const PartStatus& part) {
-  if (part.knowledge == Knowledge::Missing) {
-    return GuideText::tr("guessed");
-  }
-  if (!part.origin) {
-    return part.knowledge == Knowledge::Measured ? GuideText::tr("exact (simulated)")
-                                                 : GuideText::tr("set by hand");
-  }
-  switch (*part.origin) {
-  case CalibrationOrigin::Points:
-    return GuideText::tr("measured points");
-  case CalibrationOrigin::Board:
-    return GuideText::tr("board");
-  case CalibrationOrigin::Wand:
-    return GuideText::tr("wand");
-  case CalibrationOrigin::File:
-    return GuideText::tr("from a file");
-  case CalibrationOrigin::Marks:
-    break;
-  }
-  return GuideText::tr("marks in the images");
+QString originName(const PartStatus& part) {
+  return GuideText::tr(originText(part));
 }
 
 QString withError(const PartStatus& part, const QString& error) {
-  const QString origin = originText(part);
+  const QString origin = originName(part);
   return error.isEmpty() ? origin
          : part.isPoor   ? GuideText::tr("%1, ±%2: too inaccurate").arg(origin, error)
                          : GuideText::tr("%1, ±%2").arg(origin, error);
@@ -224,7 +218,7 @@ QString scaleText(const PartStatus& scale) {
 }
 
 QString floorText(const PartStatus& floor, bool isUpright) {
-  return isUpright ? originText(floor) : GuideText::tr("the z axis does not seem to point up");
+  return isUpright ? originName(floor) : GuideText::tr("the z axis does not seem to point up");
 }
 
 QString knowledgeMark(const PartStatus& part) {

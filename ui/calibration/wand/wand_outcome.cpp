@@ -174,6 +174,14 @@ void WandOutcome::showOutcome() {
     for (const DetectedFault& fault : found->result.faults) {
       notes << QStringLiteral("⚠ ") + faultText(fault, cameraNames(found->before));
     }
+    for (const FarOffCamera& camera : farOffCameras(*found)) {
+      notes << QStringLiteral("⚠ ") +
+                   tr("%1 was far off: the refinement rotates it by %2 and moves it by %3, much "
+                      "more than the others. Was it moved after its calibration?")
+                       .arg(cameraName(found->before, camera.camera),
+                            angleText(camera.shift.radians, 1),
+                            lengthText(camera.shift.meters, LengthScale::Centimeters, 1));
+    }
     if (isInaccurate(*found)) {
       notes << QStringLiteral("⚠ ") +
                    tr("The result is less accurate than the initial camera positions: you entered "

@@ -6,6 +6,7 @@
 #include "tests/ui/window_test.h"
 #include "ui/calibration/board/board_calibrator.h"
 #include "ui/calibration/board/board_map.h"
+#include "ui/calibration/board/board_text.h"
 #include "ui/document/document.h"
 #include "ui/widgets/message_bar.h"
 
@@ -33,6 +34,8 @@ private Q_SLOTS:
   void init() { QSettings().clear(); }
   void cleanup() { window_.reset(); }
   void aRecordingCalibratesInOneStep();
+  void framesWithoutTheBoardAreNamed();
+  void theFloorFrameCountsFromOne();
   void theCommandLineGivesTheSameBits();
   void cancelKeepsWhatWas();
   void theShownBoardSetsTheFloor();
@@ -91,6 +94,32 @@ void BoardPageTest::aRecordingCalibratesInOneStep() {
   history().redo();
   QVERIFY(project().cameras == after);
   QVERIFY(!find<QPushButton>(QStringLiteral("boardApply"))->isVisible());
+}
+
+void BoardPageTest::framesWithoutTheBoardAreNamed() {
+  openRecording();
+  QVERIFY(calibrate());
+  BoardOutcome outcome = *calibrator().outcome();
+  BoardMiss small;
+  small.reason = BoardMiss::Reason::TooSmall;
+  small.squarePx = 6.2;
+  outcome.missed = {{{"", 0, 4, 5, {}}, {"", 9, 9, 1, small}}, {}};
+  // Counted from 1, as in the timeline.
+  const QString text = outcomeText(calibrator(), outcome);
+  QVERIFY2(text.contains(QStringLiteral("left: no board was found in frames 1–5, 10 (too small, ")),
+           qPrintable(text));
+  QVERIFY2(!text.contains(QStringLiteral("right: no board")), qPrintable(text));
+}
+
+void BoardPageTest::theFloorFrameCountsFromOne() {
+  openRecording();
+  BoardGuideRequest request = calibrator().request();
+  request.board.worldFrame = 4;
+  calibrator().setRequest(request);
+  auto* frame = find<QSpinBox>(QStringLiteral("boardFloorFrame"));
+  QCOMPARE(frame->value(), 5);
+  frame->setValue(8);
+  QCOMPARE(*calibrator().request().board.worldFrame, std::int64_t{7});
 }
 
 void BoardPageTest::theCommandLineGivesTheSameBits() {
@@ -155,6 +184,14 @@ void BoardPageTest::printsAndReports() {
   const QByteArray text = html.readAll();
   QVERIFY(text.contains("<svg"));
   QVERIFY(text.contains("In this volume"));
+  BoardGuideRequest large = calibrator().request();
+  large.board.board.squareSize *= 3.0;
+  large.board.board.markerSize *= 3.0;
+  calibrator().setRequest(large);
+  QSignalSpy split(&calibrator(), &BoardCalibrator::splitOnSheets);
+  calibrator().printBoard(QStringLiteral("A4"), file("sheets.pdf"));
+  QVERIFY(split.wait(kTimeoutMs));
+  QVERIFY(split.first().at(1).toInt() > 1);
   QSignalSpy failed(&calibrator(), &BoardCalibrator::failed);
   calibrator().printBoard(QStringLiteral("A4"), file("nowhere/board.pdf"));
   QVERIFY(failed.wait(kTimeoutMs));

@@ -18,6 +18,7 @@ private Q_SLOTS:
   void cleanup() { window_.reset(); }
   void aWrongBoardIsSaid();
   void theBoardFindsItself();
+  void aMirroredVideoIsMendedWithOneClick();
   void liveCamerasShowWhichBoardItIs();
 
 private:
@@ -75,6 +76,30 @@ void BoardSearchPageTest::theBoardFindsItself() {
   QCOMPARE(find<QSpinBox>(QStringLiteral("boardColumns"))->value(), 7);
   QCOMPARE(find<QComboBox>(QStringLiteral("boardKind"))->currentIndex(), 1);
   QCOMPARE(history().count(), 0);
+}
+
+void BoardSearchPageTest::aMirroredVideoIsMendedWithOneClick() {
+  // The camera mirrors the images of its file: as if the file were mirrored.
+  Project mirrored = shown_.project();
+  mirrored.cameras[1].mirrored = true;
+  QVERIFY(saveProject(mirrored, file("mirrored.toml").toStdString()).has_value());
+  openWindow(&openProject, file("mirrored.toml").toStdString());
+  setBoard({true, true});
+  QSignalSpy found(&calibrator(), &BoardCalibrator::mirroredVideosFound);
+  QVERIFY(calibrate());
+  QCOMPARE(found.count(), 1);
+  QVERIFY2(messages().text().contains(QStringLiteral("video of right is mirrored")),
+           qPrintable(messages().text()));
+  const int steps = history().count();
+  QTest::mouseClick(answer(QStringLiteral("Mirror images")), Qt::LeftButton);
+  QVERIFY(!project().cameras[1].mirrored);
+  QVERIFY(!project().cameras[0].mirrored);
+  QCOMPARE(history().count(), steps + 1);
+  QVERIFY(waitFor([this] { return shown().frames != nullptr; }));
+  QVERIFY(
+      waitFor([this] { return find<QPushButton>(QStringLiteral("boardCalibrate"))->isEnabled(); }));
+  QVERIFY(calibrate());
+  QVERIFY2(calibrator().isApplied(), qPrintable(result()));
 }
 
 void BoardSearchPageTest::liveCamerasShowWhichBoardItIs() {

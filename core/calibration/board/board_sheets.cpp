@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/board/board_sheets.h"
+
+#include "core/base/units.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace dewpoint::calibration {
+namespace {
+
+/// White edge of a page, which printers leave white (8 mm), and the marks for the cuts beside it.
+constexpr double kSheetEdge = 13.0;
+constexpr double kSheetFoot = 16.0; ///< for the scale bar and the text
+
+int sheetsFor(double length, double part) {
+  return std::max(1, static_cast<int>(std::ceil((length - BoardSheets::kOverlap) /
+                                                (part - BoardSheets::kOverlap))));
+}
+
+BoardSheets splitIn(double boardWidth, double boardHeight, double border, double pageWidth,
+                    double pageHeight) {
+  BoardSheets sheets;
+  sheets.pageWidth = pageWidth;
+  sheets.pageHeight = pageHeight;
+  sheets.left = kSheetEdge;
+  sheets.top = kSheetEdge;
+  sheets.width = pageWidth - 2.0 * kSheetEdge;
+  sheets.height = pageHeight - 2.0 * kSheetEdge - kSheetFoot;
+  const double width = boardWidth + 2.0 * border;
+  const double height = boardHeight + 2.0 * border;
+  sheets.columns = sheetsFor(width, sheets.width);
+  sheets.rows = sheetsFor(height, sheets.height);
+  // What is left over is shared by both ends.
+  const double covered =
+      sheets.columns * (sheets.width - BoardSheets::kOverlap) + BoardSheets::kOverlap;
+  const double coveredDown =
+      sheets.rows * (sheets.height - BoardSheets::kOverlap) + BoardSheets::kOverlap;
+  sheets.firstX = 0.5 * (boardWidth - covered);
+  sheets.firstY = 0.5 * (boardHeight - coveredDown);
+  return sheets;
+}
+
+} // namespace
+
+Result<BoardSheets> splitOnSheets(const BoardDescription& board, const Paper& paper,
+                                  double border) {
+  const double width = inMillimeters(board.squareSize) * board.squareColumns();
+  const double height = inMillimeters(board.squareSize) * board.squareRows();
+  // Before anything is counted in whole numbers: a board in millimeters has millions of sheets.
+  const double area = (width / paper.width) * (height / paper.height);
+  std::optional<BoardSheets> best;
+  if (area <= kMostSheets) {
+    for (const bool lengthwise : {false, true}) {
+      const BoardSheets sheets =
+          splitIn(width, height, border, lengthwise ? paper.height : paper.width,
+                  lengthwise ? paper.width : paper.height);
+      if (sheets.count() <= kMostSheets && (!best || sheets.count() < best->count())) {
+        best = sheets;
+      }
+    }
+  }
+  if (!best) {
+    return failure(ErrorCode::BadValue, "", "paper",
+                   fmt::format("the board of {:.0f} x {:.0f} mm needs more than {} sheets of {}",
+                               width, height, kMostSheets, paper.name));
+  }
+  return *best;
+}
+
+std::vector<BoardPattern::Rectangle>
+rectanglesOnSheet(const BoardSheets& sheets, int column, int row,
+                  const std::vector<BoardPattern::Rectangle>& dark) {
+  const double x = sheets.partX(column);
+  const double y = sheets.partY(row);
+  std::vector<BoardPattern::Rectangle> parts;
+  for (const auto& rectangle : dark) {
+    const double left = std::max(rectangle.left, x);
+    const double top = std::max(rectangle.top, y);
+    const double right = std::min(rectangle.left + rectangle.width, x + sheets.width);
+    const double bottom = std::min(rectangle.top + rectangle.height, y + sheets.height);
+    if (left < right && top < bottom) {
+      parts.push_back({sheets.left + left - x, sheets.top + top - y, right - left, bottom - top});
+    }
+  }
+  return parts;
+}
+
+} // namespace dewpoint::calibration

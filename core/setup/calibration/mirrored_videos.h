@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/setup/calibration/board_search.h"
+
+#include <opencv2/core/mat.hpp>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace dewpoint::setup {
+
+/// Which cameras show a ChArUco board mirrored left to right, and what is mirrored: the board or
+/// the video. A chessboard looks the same in a mirrored image, so nothing can be found out with it.
+struct MirroredVideos {
+  enum class Cause {
+    None,          ///< no camera shows a mirrored board
+    Videos,        ///< the videos of `cameras`: another camera shows the board as it is
+    BoardOrVideos, ///< the videos of `cameras` or the board: no camera shows the board as it is
+  };
+  Cause cause = Cause::None;
+  std::vector<std::size_t> cameras; ///< index of each camera in the project
+
+  bool operator==(const MirroredVideos&) const = default;
+};
+
+/// Counts the images (CV_8UC1 or CV_8UC3, BGR) that show a board as it is and mirrored.
+BoardSides countSides(const BoardDescription& board, const std::vector<cv::Mat>& images);
+
+/// Decides which videos are mirrored. A camera shows a mirrored board if at least three of its
+/// images do, and none shows the board as it is.
+MirroredVideos mirroredVideos(const std::vector<BoardSides>& cameras);
+/// Decides this from a search. A camera that saw the board in any frame is not mirrored.
+MirroredVideos mirroredVideos(const BoardDetections& seen);
+/// Decides this from `frames` evenly spaced frames of a recording. Returns Cause::None for a
+/// chessboard. Returns BadValue if the cameras are live, Canceled, or the errors of the source.
+Result<MirroredVideos> findMirroredVideos(FrameSetSource& source, const BoardDescription& board,
+                                          int frames = kFramesToLookAt,
+                                          const CalibrationProgress& progress = {});
+
+/// Returns a sentence that names the mirrored videos. `names` contains the names of all cameras.
+/// Empty if there are none.
+std::string mirroredText(const MirroredVideos& mirrored, const std::vector<std::string>& names);
+
+/// Returns the project with the images of these cameras mirrored (see withImageSymmetry()), except
+/// for simulated cameras.
+Project withUnmirroredVideos(Project project, const MirroredVideos& mirrored);
+
+} // namespace dewpoint::setup

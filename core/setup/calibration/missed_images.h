@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/setup/calibration/board_search.h"
+
+#include <opencv2/core/mat.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace dewpoint::setup {
+
+/// Collects the images in which a search did not find the board, and finds out why.
+class MissedImages {
+public:
+  /// `explained`: whether reasons are looked for at all, because there is time for each image.
+  MissedImages(std::size_t cameras, bool explained) : images_(cameras), explained_(explained) {}
+
+  /// Adds an image of camera `index` to its `missed` images. `file` is empty for a frame.
+  void add(std::size_t index, std::string file, std::int64_t instant, const cv::Mat& image,
+           BoardDetections::PerCamera& camera);
+  /// Sets the reasons of the first images that each camera missed. A camera whose images show
+  /// another board needs no reasons. Returns Canceled.
+  Status explain(const BoardDetector& detector, const CalibrationProgress& progress,
+                 BoardDetections& seen) const;
+
+private:
+  std::vector<std::vector<cv::Mat>> images_; ///< the first missed ones of each camera
+  bool explained_ = false;
+};
+
+/// Missed images that follow each other in a search and have the same reason.
+struct MissedRun {
+  std::string file; ///< empty for frames; a file is a run of its own
+  std::int64_t first = 0;
+  std::int64_t last = 0; ///< the last frame of the run
+  int images = 0;        ///< number of images in the run
+  BoardMiss miss;
+};
+
+/// Returns the missed images of a camera. Frames are combined into one run if no frame between them
+/// shows the board.
+std::vector<MissedRun> missedRuns(const BoardDetections::PerCamera& camera);
+
+/// Number of runs that a sentence about missed images lists at most.
+inline constexpr std::size_t kMostListedRuns = 8;
+
+/// Returns whether the reason of any missed image is known.
+bool isAnyExplained(const BoardDetections::PerCamera& camera);
+
+/// Returns a clause like "no board was found in left03.jpg (blurred, edges of 9 px), left07.jpg" or
+/// "no board was found in frames 0-40, 60". Empty if the board was found in all images.
+std::string missedText(const BoardDetections::PerCamera& camera);
+
+} // namespace dewpoint::setup
