@@ -184,7 +184,7 @@ std::vector<LiveCamera> liveCamerasOf(const Project& project) {
   for (const auto& camera : project.cameras) {
     const auto& intrinsics = camera.camera.intrinsics;
     cameras.push_back({camera.camera.name, camera.location, camera.rotateDegrees, intrinsics.width,
-                       intrinsics.height, camera.mirrored, camera.delay});
+                       intrinsics.height, camera.mirrored, camera.delay, camera.device});
   }
   return cameras;
 }

@@ -2,6 +2,7 @@
 #include "core/project/project_check.h"
 
 #include "core/project/project_corrections.h"
+#include "core/project/project_devices.h"
 #include "core/project/project_format.h"
 #include "core/project/project_output.h"
 #include "core/project/project_people.h"
@@ -125,6 +126,10 @@ Status checkCameras(const Project& project) {
     if (!(std::abs(project.cameras[i].delay) <= kMaxDelay)) {
       return wrong(ErrorCode::BadValue, fmt::format("camera {}.late_by", i + 1),
                    fmt::format("{} to {} s are expected", -kMaxDelay, kMaxDelay));
+    }
+    if (const auto good = checkDeviceSettings(project.cameras[i].device); !good) {
+      return wrong(good.error().code, fmt::format("camera {}.{}", i + 1, good.error().field),
+                   good.error().detail);
     }
   }
   return {};

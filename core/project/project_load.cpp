@@ -8,6 +8,7 @@
 #include "core/calibration/formats/camera_calibration.h"
 #include "core/project/project_check.h"
 #include "core/project/project_corrections.h"
+#include "core/project/project_devices.h"
 #include "core/project/project_format.h"
 #include "core/project/project_migration.h"
 #include "core/project/project_output.h"
@@ -119,6 +120,7 @@ ProjectCamera readCamera(const toml::table& table, const std::string& file,
     }
   }
   camera.camera.name = name;
+  readDeviceSettings(reader, file, prefix, camera);
   camera.calibrated = readCameraRecord(reader, file, prefix);
   error = reader.finish();
   return camera;

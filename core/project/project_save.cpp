@@ -6,6 +6,7 @@
 #include "core/calibration/formats/camera_calibration.h"
 #include "core/project/project_comments.h"
 #include "core/project/project_corrections.h"
+#include "core/project/project_devices.h"
 #include "core/project/project_format.h"
 #include "core/project/project_output.h"
 #include "core/project/project_people.h"
@@ -38,6 +39,8 @@ std::string cameraText(const ProjectCamera& camera, const path& folder) {
                       isFile ? storedPath(camera.location, folder) : tomlQuoted(camera.location));
     }
   }
+  const bool isDevice = camera.source == SourceKind::Device;
+  text += isDevice ? deviceFormatText(camera.device.format) : "";
   if (camera.rotateDegrees != 0) {
     text += fmt::format("rotate = {}   # degrees clockwise\n", camera.rotateDegrees);
   }
@@ -54,7 +57,8 @@ std::string cameraText(const ProjectCamera& camera, const path& folder) {
     text += "empty_room = " + storedPath(camera.backgroundImage, folder) + "\n";
   }
   return text + "[camera.calibration]   # pixels, radians, meters; camera from world\n" +
-         cameraToToml(camera.camera, RotationForm::Matrix) + cameraRecordText(camera.calibrated);
+         cameraToToml(camera.camera, RotationForm::Matrix) + cameraRecordText(camera.calibrated) +
+         (isDevice ? deviceTablesText(camera.device) : "");
 }
 
 std::string parametersText(const ParameterValues& parameters) {

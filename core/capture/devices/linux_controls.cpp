@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cerrno>
 #include <linux/videodev2.h>
 #include <optional>
@@ -40,9 +39,10 @@ std::string controlName(std::uint32_t id, std::string_view label) {
     return known->second;
   }
   std::string name;
-  for (const unsigned char letter : label) {
-    if (std::isalnum(letter) != 0) {
-      name += static_cast<char>(std::tolower(letter));
+  for (const char letter : label) {
+    const bool isLarge = letter >= 'A' && letter <= 'Z';
+    if (isLarge || (letter >= 'a' && letter <= 'z') || (letter >= '0' && letter <= '9')) {
+      name += isLarge ? static_cast<char>(letter - 'A' + 'a') : letter;
     } else if (!name.empty() && name.back() != '_') {
       name += '_';
     }
@@ -85,7 +85,10 @@ std::vector<QueriedControl> queriedControls(LinuxNode& node) {
     last = query.id;
     const auto kind = kindOf(query.type);
     if (kind && (query.flags & V4L2_CTRL_FLAG_DISABLED) == 0 && query.elems <= 1) {
-      controls.push_back({query, *kind, controlName(query.id, query.name)});
+      std::string name = controlName(query.id, query.name);
+      if (!name.empty()) {
+        controls.push_back({query, *kind, std::move(name)});
+      }
     }
   }
   return controls;
