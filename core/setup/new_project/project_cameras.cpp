@@ -2,6 +2,7 @@
 #include "core/setup/new_project/project_cameras.h"
 
 #include "core/capture/gstreamer/open_live.h"
+#include "core/capture/redacted_location.h"
 #include "core/geometry/camera_name.h"
 #include "core/setup/new_project/image_size.h"
 #include "core/setup/new_project/new_project.h"
@@ -89,6 +90,10 @@ cv::Size rotatedSize(const cv::Size& size, const ProjectCamera& camera) {
 
 bool comesFromRecording(SourceKind kind) {
   return kind == SourceKind::Video || kind == SourceKind::Images;
+}
+
+std::string shownLocation(const std::string& location) {
+  return redactedLocation(location);
 }
 
 Result<CameraSource> examinedSource(const std::string& location, const std::string& name) {

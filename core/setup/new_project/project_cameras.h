@@ -29,6 +29,9 @@ struct CameraSource {
 /// Returns whether images of this kind come from recordings: videos and image folders.
 bool comesFromRecording(SourceKind kind);
 
+/// Returns a location as it is shown: without passwords.
+std::string shownLocation(const std::string& location);
+
 /// Returns the source at a location. The first image of a recording is read, which may take long;
 /// live sources are not opened. Errors: BadValue if the location is empty or of no known type,
 /// FileMissing, FileUnreadable.
