@@ -183,8 +183,10 @@ std::vector<LiveCamera> liveCamerasOf(const Project& project) {
   std::vector<LiveCamera> cameras;
   for (const auto& camera : project.cameras) {
     const auto& intrinsics = camera.camera.intrinsics;
+    const bool isDevice = camera.source == SourceKind::Device;
     cameras.push_back({camera.camera.name, camera.location, camera.rotateDegrees, intrinsics.width,
-                       intrinsics.height, camera.mirrored, camera.delay, camera.device});
+                       intrinsics.height, camera.mirrored, camera.delay,
+                       isDevice ? camera.device : DeviceSettings{}});
   }
   return cameras;
 }

@@ -67,21 +67,36 @@ Status setOne(DeviceAccess& access, const std::string& path, const ColorControl&
   return {};
 }
 
-/// What the device has now: it rounds values, and may ignore a switch.
-void readBack(const std::vector<DeviceControl>& controls, ColorLock& lock) {
+/// Switches automatics off (`switches`) or sets the values that hold instead, and reads back what
+/// the device has now: it rounds values, and may ignore a switch.
+Status lockStep(DeviceAccess& access, const std::string& path, bool switches,
+                const std::vector<DeviceControl>& before, ColorLock& lock) {
   for (const ColorControl& one : kColorControls) {
-    const DeviceControl* control = controlNamed(controls, one.name);
+    const DeviceControl* control = controlNamed(before, one.name);
+    if (one.off.has_value() != switches || control == nullptr || control->readOnly) {
+      continue;
+    }
+    if (auto set = setOne(access, path, one, one.off.value_or(control->value), lock); !set) {
+      return set;
+    }
+  }
+  const auto after = access.controls(path);
+  if (!after) {
+    return tl::make_unexpected(after.error());
+  }
+  for (const ColorControl& one : kColorControls) {
+    const DeviceControl* control = controlNamed(*after, one.name);
     const auto kept = lock.values.find(one.name);
     if (control == nullptr || kept == lock.values.end()) {
       continue;
     }
+    kept->second = control->value;
     if (one.off && control->value != *one.off) {
       lock.values.erase(kept);
       lock.refused.push_back({one.automatic, one.name, "the device does not switch it off"});
-    } else {
-      kept->second = control->value;
     }
   }
+  return {};
 }
 
 bool isSwitch(const std::string& name) {
@@ -97,21 +112,10 @@ Result<ColorLock> lockColors(DeviceAccess& access, const std::string& path) {
   }
   ColorLock lock;
   for (const bool switches : {true, false}) {
-    for (const ColorControl& one : kColorControls) {
-      const DeviceControl* control = controlNamed(*before, one.name);
-      const bool isDue =
-          one.off.has_value() == switches && control != nullptr && !control->readOnly;
-      const std::int64_t value = isDue ? one.off.value_or(control->value) : 0;
-      if (const auto set = isDue ? setOne(access, path, one, value, lock) : Status(); !set) {
-        return tl::make_unexpected(set.error());
-      }
+    if (const auto done = lockStep(access, path, switches, *before, lock); !done) {
+      return tl::make_unexpected(done.error());
     }
   }
-  const auto after = access.controls(path);
-  if (!after) {
-    return tl::make_unexpected(after.error());
-  }
-  readBack(*after, lock);
   for (const auto automatic :
        {ColorAutomatic::Exposure, ColorAutomatic::Gain, ColorAutomatic::WhiteBalance}) {
     if (std::ranges::none_of(kColorControls, [&](const ColorControl& one) {

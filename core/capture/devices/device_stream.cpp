@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/devices/device_stream.h"
 
+#include "core/base/text_number.h"
 #include "core/capture/devices/color_lock.h"
 #include "core/capture/devices/device_match.h"
 
@@ -11,6 +12,11 @@
 
 namespace dewpoint::capture {
 namespace {
+
+/// The path of a device's node, which a location may name by its number alone.
+std::string nodePath(const std::string& location) {
+  return toNumber<int>(location) ? "/dev/video" + location : location;
+}
 
 using OpenResult = tl::expected<void, std::string>;
 
@@ -29,7 +35,7 @@ public:
     stream_ = makeStream_(found);
     auto opened = stream_->open();
     if (opened) {
-      setControls(found.location);
+      setControls(nodePath(found.location));
     }
     return opened;
   }
@@ -50,23 +56,23 @@ private:
     const std::vector<CameraDevice> devices = lookup_.access->list();
     if (settings.identity.isEmpty()) {
       const auto device = std::ranges::find_if(devices, [&](const CameraDevice& one) {
-        return one.path == camera.location || one.address == camera.location;
+        return one.path == nodePath(camera.location) || one.address == camera.location;
       });
-      return device == devices.end() ? OpenResult() : checkFormat(*device);
+      return device == devices.end() ? OpenResult() : check(*device);
     }
     const DeviceMatch match = matchDevices(lookup_.identities, devices).at(lookup_.camera);
     if (!match.device) {
       return tl::make_unexpected(mismatchReason(match, settings.identity, devices));
     }
-    const CameraDevice& device = devices[*match.device];
+    camera.location = devices[*match.device].path;
+    return check(devices[*match.device]);
+  }
+
+  /// Whether the device can deliver what is requested.
+  OpenResult check(const CameraDevice& device) const {
     if (!device.problem.empty()) {
       return tl::make_unexpected(device.problem);
     }
-    camera.location = device.path;
-    return checkFormat(device);
-  }
-
-  OpenResult checkFormat(const CameraDevice& device) const {
     const DeviceFormat& format = camera_.device.format;
     if (isOffered(format, device.formats)) {
       return {};

@@ -52,6 +52,37 @@ TEST(PipelineText, RequestsTheSizeBeforeTheRotation) {
   EXPECT_TRUE(has(pipeline->text, "video/x-raw,width=640,height=480")) << pipeline->text;
 }
 
+TEST(PipelineText, RequestsTheFormatOfTheDevice) {
+  LiveCamera camera = cameraAt("0");
+  camera.width = 480; // of the calibration
+  camera.height = 640;
+  camera.device.format = {"YUYV", 1280, 720, 30000.0 / 1001.0};
+  const auto raw = pipelineText(camera);
+  ASSERT_TRUE(raw);
+  EXPECT_TRUE(has(raw->text, "capsfilter caps=\"video/x-raw,format=YUY2,width=1280,height=720,"
+                             "framerate=30000/1001;video/x-raw,format=YUY2,width=1280,height=720,"
+                             "framerate=[29670/1000,30270/1000]\""))
+      << raw->text;
+  camera.device.format = {"MJPG", 0, 0, 7.5};
+  const auto jpeg = pipelineText(camera);
+  ASSERT_TRUE(jpeg);
+  EXPECT_TRUE(has(jpeg->text, "image/jpeg,width=480,height=640,framerate=15/2;")) << jpeg->text;
+  EXPECT_FALSE(has(jpeg->text, "video/x-raw,width"));
+  camera.device.format = {"", 320, 240, 0.0};
+  const auto any = pipelineText(camera);
+  ASSERT_TRUE(any);
+  EXPECT_TRUE(has(any->text, "image/jpeg,width=320,height=240;video/x-raw,width=320,height=240"))
+      << any->text;
+  camera.device.format = {"H264", 0, 0, 0.0};
+  EXPECT_TRUE(has(pipelineText(camera)->text, "max-size-buffers=30")); // images need each other
+  camera.device.format = {"XYZ1", 0, 0, 0.0};
+  const auto unknown = pipelineText(camera);
+  ASSERT_FALSE(unknown);
+  EXPECT_EQ(unknown.error().code, ErrorCode::BadValue);
+  EXPECT_EQ(unknown.error().field, "camera 'left'");
+  EXPECT_TRUE(has(unknown.error().detail, "'XYZ1'"));
+}
+
 TEST(PipelineText, KnowsAddresses) {
   const PipelineText http = pipelineAt("http://anna:s\"cret@host:80/v");
   EXPECT_TRUE(has(http.text, "souphttpsrc location=\"http://host:80/v\"")) << http.text;
