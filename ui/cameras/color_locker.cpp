@@ -36,6 +36,8 @@ std::size_t sampleCount(const Project& project) {
 struct LockOutcome {
   int camera = 0;
   QString name;
+  std::string path;
+  std::vector<capture::DeviceControl> before; ///< its controls
   Result<capture::ColorLock> lock;
 };
 
@@ -103,7 +105,10 @@ void ColorLocker::lock(int camera) {
                project = bench_.document.state()](const BackgroundJob::Progress&) {
     auto outcomes = std::make_shared<std::vector<LockOutcome>>();
     for (const Locked& one : chosen) {
-      outcomes->push_back({one.camera, one.name, capture::lockColors(*access, one.path)});
+      auto before = access->controls(one.path);
+      outcomes->push_back({one.camera, one.name, one.path,
+                           before ? std::move(*before) : std::vector<capture::DeviceControl>(),
+                           capture::lockColors(*access, one.path)});
     }
     return [this, outcomes, project] {
       if (bench_.document.project().cameras.size() != project->cameras.size()) {
@@ -117,6 +122,7 @@ void ColorLocker::lock(int camera) {
           complaints << errorText(outcome.lock.error());
           continue;
         }
+        Q_EMIT locking(outcome.path, outcome.before);
         values[outcome.camera] = outcome.lock->values;
         names << outcome.name;
         if (const QString complaint = complaintAbout(outcome); !complaint.isEmpty()) {
@@ -157,7 +163,7 @@ void ColorLocker::considerOffer() {
 
 void ColorLocker::offer(const QString& cameras) {
   offered_ = true;
-  bench_.messages.ask(
+  bench_.messages.askUntilAnswered(
       tr("Some cameras change their colors by themselves: %1. The learned color may not fit when "
          "the light changes.")
           .arg(cameras),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/capture/devices/device_control.h"
 #include "ui/jobs/background_job.h"
 #include "ui/workbench/workbench.h"
 
@@ -30,6 +31,8 @@ public:
 
 Q_SIGNALS:
   void busyChanged();
+  /// Emitted before locked values are stored, with the controls that the device had before.
+  void locking(const std::string& path, const std::vector<capture::DeviceControl>& before);
   /// Emitted with a sentence about what was locked, and what was not.
   void done(const QString& sentence);
   void failed(const QString& sentence);

@@ -31,9 +31,10 @@ ControlSync::ControlSync(Document& document, DeviceWatch& watch, QObject* parent
 
 void ControlSync::remember(const std::string& path,
                            const std::vector<capture::DeviceControl>& controls) {
-  const auto set = applied_.find(path);
+  const capture::ControlValues set = applied_[path];
+  const capture::ControlValues due = wanted()[path]; // perhaps set, but not reported yet
   for (const capture::DeviceControl& control : controls) {
-    if (set == applied_.end() || !set->second.contains(control.name)) {
+    if (!set.contains(control.name) && !due.contains(control.name)) {
       before_[path][control.name] = control.value;
     }
   }
