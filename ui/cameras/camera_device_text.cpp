@@ -90,12 +90,12 @@ QString devicePlace(const capture::CameraDevice& device) {
   return parts.join(QStringLiteral(" · "));
 }
 
-QString sizeText(int width, int height) {
+QString imageSizeText(int width, int height) {
   return QStringLiteral("%1 × %2").arg(width).arg(height);
 }
 
 QString imageText(const QSize& size, double framesPerSecond) {
-  const QString text = sizeText(size.width(), size.height());
+  const QString text = imageSizeText(size.width(), size.height());
   constexpr int kDecimals = 1;
   return framesPerSecond > 0.0 ? CameraDeviceText::tr("%1, %2 images per second")
                                      .arg(text, numberText(framesPerSecond, kDecimals))
@@ -112,10 +112,11 @@ QString formatSummary(const capture::CameraDevice& device) {
     const capture::OfferedSize& size = format.sizes.front();
     formats << (size.rates.empty()
                     ? QStringLiteral("%1 %2").arg(QString::fromStdString(format.pixelFormat),
-                                                  sizeText(size.width, size.height))
+                                                  imageSizeText(size.width, size.height))
                     : CameraDeviceText::tr("%1 %2, %3 per second")
                           .arg(QString::fromStdString(format.pixelFormat),
-                               sizeText(size.width, size.height), rateText(size.rates.front())));
+                               imageSizeText(size.width, size.height),
+                               rateText(size.rates.front())));
   }
   return formats.join(QStringLiteral("; "));
 }
@@ -125,9 +126,10 @@ QString formatDetails(const capture::CameraDevice& device) {
   for (const capture::OfferedFormat& format : device.formats) {
     QStringList sizes;
     for (const capture::OfferedSize& size : format.sizes) {
-      sizes << (size.rates.empty() ? sizeText(size.width, size.height)
-                                   : QStringLiteral("%1 (%2)").arg(
-                                         sizeText(size.width, size.height), ratesText(size.rates)));
+      sizes << (size.rates.empty()
+                    ? imageSizeText(size.width, size.height)
+                    : QStringLiteral("%1 (%2)").arg(imageSizeText(size.width, size.height),
+                                                    ratesText(size.rates)));
     }
     lines << QStringLiteral("%1: %2").arg(QString::fromStdString(format.pixelFormat),
                                           sizes.join(QStringLiteral(", ")));

@@ -25,7 +25,7 @@ QString formatDetails(const capture::CameraDevice& device);
 /// Returns the size and the rate of images: "640 × 480, 30 per second"; without a rate if it is 0.
 QString imageText(const QSize& size, double framesPerSecond);
 /// Returns the size of a format in words for a list: "1280 × 720".
-QString sizeText(int width, int height);
+QString imageSizeText(int width, int height);
 /// Returns a control in words; the driver's words if it is not a common one.
 QString controlText(const capture::DeviceControl& control);
 /// Returns a menu item of a control; the driver's words if it is not a common one.

@@ -103,7 +103,8 @@ void FormatChoice::fill() {
   ChoicesWithData sizesOffered{{tr("automatic"), QSize(0, 0)}};
   ChoicesWithData rates{{tr("automatic"), 0.0}};
   for (const capture::OfferedSize& size : sizes()) {
-    sizesOffered.emplace_back(sizeText(size.width, size.height), QSize(size.width, size.height));
+    sizesOffered.emplace_back(imageSizeText(size.width, size.height),
+                              QSize(size.width, size.height));
     const bool isRequested = size.width == requested_.width && size.height == requested_.height;
     for (const double rate : size.rates) {
       if (isRequested || (requested_.width == 0 && rates.size() == 1)) {
@@ -112,7 +113,7 @@ void FormatChoice::fill() {
     }
   }
   fillChoice(*size_, std::move(sizesOffered), QSize(requested_.width, requested_.height),
-             sizeText(requested_.width, requested_.height));
+             imageSizeText(requested_.width, requested_.height));
   fillChoice(*rate_, std::move(rates), requested_.rate, rateText(requested_.rate));
 }
 

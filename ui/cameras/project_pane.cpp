@@ -286,7 +286,7 @@ void ProjectPane::refreshNotes() {
       notes << tr("This camera is not calibrated yet.");
     } else if (format.width > 0 && (format.width != width || format.height != height)) {
       notes << tr("▲ The calibration is for images of %1. Choose this size, or calibrate again.")
-                   .arg(sizeText(width, height));
+                   .arg(imageSizeText(width, height));
     }
   }
   notes_->setText(notes.join(QLatin1Char('\n')));
