@@ -35,6 +35,8 @@ void addTrackBoxCommand(CLI::App& app, int& exitCode);
 void addPeopleCommand(CLI::App& app, int& exitCode);
 
 // live/: live cameras.
+/// Adds the command that lists devices, and locks their colors.
+void addCamerasCommand(CLI::App& app, int& exitCode);
 void addRecordCommand(CLI::App& app, int& exitCode);
 
 // trajectory/: commands for the results of a run.

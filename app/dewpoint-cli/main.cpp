@@ -29,6 +29,7 @@ int run(int argc, char** argv) {
   addTrackBackwardsCommand(app, exitCode);
   addTrackPositionsCommand(app, exitCode);
   addTrackBoxCommand(app, exitCode);
+  addCamerasCommand(app, exitCode);
   addRecordCommand(app, exitCode);
   addEvaluateCommand(app, exitCode);
   addSimulateCommand(app, exitCode);

@@ -3,9 +3,11 @@
 #include "app/dewpoint-cli/common/exit_code.h"
 #include "app/wiring/open_project.h"
 #include "core/camera_motion/agreement/disagreement_sentence.h"
+#include "core/capture/devices/device_access.h"
 #include "core/project/project_rig.h"
 #include "core/project/project_save.h"
 #include "core/session/run/background_images.h"
+#include "core/setup/device_list.h"
 #include "core/setup/new_project/footage.h"
 #include "core/setup/new_project/new_project.h"
 
@@ -131,6 +133,7 @@ int makeNew(NewOptions& options) {
   if (!made) {
     return report(made.error());
   }
+  identifyDevices(made->project, systemDevices()->list());
   if (const auto added = addBackgroundImages(options.backgroundImages, made->project); !added) {
     return report(added.error());
   }

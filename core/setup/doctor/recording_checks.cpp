@@ -3,10 +3,12 @@
 
 #include "core/capture/background_image.h"
 #include "core/capture/capture_schedule.h"
+#include "core/capture/devices/device_access.h"
 #include "core/capture/image_reader.h"
 #include "core/capture/image_shape.h"
 #include "core/capture/video_reader.h"
 #include "core/project/project_format.h"
+#include "core/setup/new_project/project_devices.h"
 
 #include <fmt/format.h>
 
@@ -195,6 +197,16 @@ void checkLive(Examination& examination, std::size_t number) {
   const std::string field = cameraKey(number, sourceKey(camera.source));
   if (camera.source == SourceKind::Stream) {
     examination.add(FindingKind::StreamNotTested, {name}, field);
+    return;
+  }
+  if (!camera.device.identity.isEmpty()) {
+    const auto devices = systemDevices()->list();
+    const bool isConnected =
+        matchProjectDevices(examination.project, devices).at(number).device.has_value();
+    examination.add(isConnected ? FindingKind::DeviceFound : FindingKind::DeviceMissing,
+                    isConnected ? std::vector{name}
+                                : std::vector{name, describe(camera.device.identity)},
+                    field);
     return;
   }
   std::error_code problem;

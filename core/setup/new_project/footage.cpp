@@ -2,6 +2,7 @@
 #include "core/setup/new_project/footage.h"
 
 #include "core/base/lower_case.h"
+#include "core/capture/devices/device_access.h"
 
 #include <algorithm>
 #include <array>
@@ -189,15 +190,11 @@ std::vector<std::string> footageIn(const fs::path& folder) {
 }
 
 std::vector<std::string> connectedCameras() {
-  std::vector<std::string> devices;
-  std::error_code problem;
-  for (const auto& entry : fs::directory_iterator("/dev", problem)) {
-    if (entry.path().filename().string().starts_with("video") && entry.is_character_file(problem)) {
-      devices.push_back(entry.path().string());
-    }
+  std::vector<std::string> paths;
+  for (const CameraDevice& device : systemDevices()->list()) {
+    paths.push_back(device.path);
   }
-  std::ranges::sort(devices);
-  return devices;
+  return paths;
 }
 
 } // namespace dewpoint::setup

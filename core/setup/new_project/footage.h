@@ -36,8 +36,8 @@ bool canBeImageSource(const std::string& location);
 /// not the subfolders of image folders. Empty if the folder cannot be read.
 std::vector<std::string> footageIn(const std::filesystem::path& folder);
 
-/// Returns the paths of this computer's video devices ("/dev/video0"), sorted by name, without
-/// testing them.
+/// Returns the paths of the cameras that are connected to this computer ("/dev/video0"), ordered by
+/// number, also of those that you have no permission to open. Asks their drivers, but starts none.
 std::vector<std::string> connectedCameras();
 
 } // namespace dewpoint::setup
