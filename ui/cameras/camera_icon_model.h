@@ -18,7 +18,7 @@ namespace dewpoint::ui {
 /// view, small enough for four rows beside each other.
 inline constexpr QSize kCameraIconSize(96, 54);
 
-/// Returns an image in the middle of a tile of kCameraIconSize, so that rows are alike; an empty
+/// Returns an image centered in a tile of kCameraIconSize, so that rows are alike; an empty
 /// tile without an image.
 QIcon cameraIcon(const QImage& image, const QPalette& palette, double pixelRatio);
 
