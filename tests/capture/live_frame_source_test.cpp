@@ -74,6 +74,7 @@ struct FakeDevice {
   std::atomic<bool> hangs{false};
   std::atomic<int> width{64};
   std::atomic<int> opened{0};
+  std::string remark = {}; ///< does not change
 };
 
 class FakeStream final : public LiveStream {
@@ -94,6 +95,7 @@ public:
     return device_->present;
   }
   cv::Mat retrieve() override { return cv::Mat::zeros(48, device_->width, CV_8UC3); }
+  std::string remark() const override { return device_->remark; }
 
 private:
   std::shared_ptr<FakeDevice> device_;
@@ -103,6 +105,24 @@ LiveStreamFactory makes(std::vector<std::shared_ptr<FakeDevice>> devices) {
   return [devices = std::move(devices)](const LiveCamera& description) -> LiveStreamPtr {
     return std::make_unique<FakeStream>(devices.at(std::stoul(description.location)));
   };
+}
+
+TEST(LiveFrameSource, reportsWhatIsWrongWithACameraThatDelivers) {
+  const auto device = std::make_shared<FakeDevice>();
+  device->remark = "controls were not set: gain";
+  const auto opened = openLive({camera("0")}, makes({device}));
+  ASSERT_TRUE(opened);
+  FrameSetSource& source = **opened;
+  ASSERT_TRUE(waitFor(source, complete));
+  const auto notices = source.notices();
+  ASSERT_EQ(notices.size(), 1U);
+  EXPECT_EQ(notices[0].field, "camera 'left'");
+  EXPECT_EQ(notices[0].detail, "controls were not set: gain");
+  device->present = false; // another problem, which hides it
+  ASSERT_TRUE(waitFor(source, [&](const FrameSet&) {
+    const auto now = source.notices();
+    return now.size() == 1 && now[0].code == ErrorCode::ConnectionLost;
+  }));
 }
 
 TEST(LiveFrameSource, deliversAMovingPictureFromTheNetwork) {

@@ -95,7 +95,10 @@ Result<std::vector<std::size_t>> camerasToLock(const LockOptions& options, const
       return failure(ErrorCode::BadValue, options.project, "camera",
                      fmt::format("no camera with a device is called '{}'", name));
     }
-    cameras.push_back(static_cast<std::size_t>(found - project.cameras.begin()));
+    const auto index = static_cast<std::size_t>(found - project.cameras.begin());
+    if (std::ranges::find(cameras, index) == cameras.end()) { // named once
+      cameras.push_back(index);
+    }
   }
   if (cameras.empty()) {
     return failure(ErrorCode::Mismatch, options.project, "camera", "no camera has a device");
@@ -124,8 +127,9 @@ Result<std::vector<std::string>> devicePaths(Project& project, const std::string
   return paths;
 }
 
-/// Shows images to the cameras' automatics, which have no values otherwise.
-Status runCameras(const Project& project, const std::vector<std::size_t>& cameras, double seconds) {
+/// Opens the cameras and lets their automatics adjust. They go on as long as the source lives.
+Result<std::unique_ptr<FrameSetSource>>
+runningCameras(const Project& project, const std::vector<std::size_t>& cameras, double seconds) {
   const std::vector<LiveCamera> all = liveCamerasOf(project);
   std::vector<LiveCamera> chosen;
   for (const std::size_t k : cameras) {
@@ -135,7 +139,7 @@ Status runCameras(const Project& project, const std::vector<std::size_t>& camera
   }
   auto source = openLive(chosen);
   if (!source) {
-    return tl::make_unexpected(source.error());
+    return source;
   }
   const auto end = LockClock::now() + std::chrono::duration<double>(seconds);
   while (LockClock::now() < end && !interruptionRequested()) {
@@ -144,7 +148,10 @@ Status runCameras(const Project& project, const std::vector<std::size_t>& camera
     }
   }
   const auto notices = (*source)->notices();
-  return notices.empty() ? Status() : tl::make_unexpected(notices.front());
+  if (!notices.empty()) {
+    return tl::make_unexpected(notices.front());
+  }
+  return source;
 }
 
 /// Prints what was set; returns whether everything could be.
@@ -181,8 +188,9 @@ int lockCameras(const LockOptions& options) {
     return report(guessed.error());
   }
   catchInterruption();
-  if (const auto ran = runCameras(*project, *cameras, options.seconds); !ran) {
-    return report(ran.error());
+  const auto running = runningCameras(*project, *cameras, options.seconds);
+  if (!running) {
+    return report(running.error());
   }
   if (interruptionRequested()) {
     return kExitInterrupted;
