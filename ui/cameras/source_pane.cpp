@@ -25,6 +25,7 @@
 #include <QSet>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <utility>
 
 namespace dewpoint::ui {
