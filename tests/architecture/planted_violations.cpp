@@ -142,6 +142,7 @@ const std::vector<PlantedViolation>& plantedViolations() {
       {"ui/help/a.h", "ui/start/b.h"},
       {"ui/recording/a.h", "ui/export/b.h"},
       {"ui/broadcast/a.h", "ui/recording/b.h"},
+      {"ui/cameras/a.h", "ui/color/b.h"},
       {"app/command_pages/a.h", "QString"},
       {"app/dewpoint/main.cpp", "tests/session/fake_recording.h"},
       {"app/dewpoint-cli/main.cpp", "ui/session/session_bridge.h"},

@@ -113,7 +113,7 @@ const std::vector<Names>& windowFloors() {
       {"cameraview", "view3d", "plots", "timeline"},
       {"panels", "trajectory"},
       {"calibration", "color", "correction", "people", "export", "experiments", "start", "help",
-       "recording", "broadcast"},
+       "recording", "broadcast", "cameras"},
       {"mainwindow"},
   };
   return kFloors;

@@ -27,6 +27,8 @@ inline constexpr auto kActionNames = std::to_array<std::string_view>({
     "actionLearnColor",
     "actionAddTarget",
     "actionRemoveTarget",
+    "actionCameras",
+    "actionLockColors",
     "actionPlacePerson",
     "actionRemovePerson",
     "actionCorrectPosition",

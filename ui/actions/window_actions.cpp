@@ -2,6 +2,7 @@
 #include "ui/actions/window_actions.h"
 
 #include "ui/actions/action_registry.h"
+#include "ui/actions/camera_actions.h"
 
 #include <QAction>
 #include <QActionGroup>
@@ -378,8 +379,8 @@ std::vector<ActionDeclaration> helpActions() {
 } // namespace
 
 void declareWindowActions(ActionRegistry& registry) {
-  for (const auto& group : {projectActions(), editActions(), calibrationActions(), runActions(),
-                            viewActions(), plotActions(), helpActions()}) {
+  for (const auto& group : {projectActions(), editActions(), cameraActions(), calibrationActions(),
+                            runActions(), viewActions(), plotActions(), helpActions()}) {
     for (const ActionDeclaration& declaration : group) {
       registry.add(declaration);
     }

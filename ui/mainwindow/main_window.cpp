@@ -13,6 +13,7 @@
 #include "ui/calibration/planner/planner_installer.h"
 #include "ui/calibration/wand/wand_installer.h"
 #include "ui/calibration/world/world_installer.h"
+#include "ui/cameras/cameras_installer.h"
 #include "ui/cameraview/camera_docks.h"
 #include "ui/cameraview/image_pick_tool.h"
 #include "ui/color/color_dock.h"
@@ -136,6 +137,7 @@ void MainWindow::installFeatures() {
   installCalibrationExchange(bench);
   installExport(bench, *timeline);
   installExperiments(bench);
+  installCameraSources(bench);
   new OutputController(bench);
   auto* takes = new TakeController(bench);
   connect(takes, &TakeController::openRequested, this, &MainWindow::openProject);

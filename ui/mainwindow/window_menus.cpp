@@ -47,8 +47,9 @@ void WindowMenus::make() {
   makeFileMenu();
   add(tr("&Edit"), "menuEdit",
       {"actionUndo", "actionRedo", nullptr, "actionLearnColor", "actionAddTarget",
-       "actionRemoveTarget", nullptr, "actionCorrectPosition", "actionRemoveCorrection", nullptr,
-       "actionPlacePerson", "actionRemovePerson", nullptr, "actionShortcuts"});
+       "actionRemoveTarget", nullptr, "actionCameras", "actionLockColors", nullptr,
+       "actionCorrectPosition", "actionRemoveCorrection", nullptr, "actionPlacePerson",
+       "actionRemovePerson", nullptr, "actionShortcuts"});
   makeViewMenu();
   add(tr("&Calibration"), "menuCalibration",
       {"actionCalibrate", nullptr, "actionCalibrateByHand", "actionCalibrateBoard",

@@ -2,6 +2,7 @@
 #include "core/setup/new_project/project_cameras.h"
 
 #include "core/capture/gstreamer/open_live.h"
+#include "core/capture/redacted_location.h"
 #include "core/geometry/camera_name.h"
 #include "core/setup/new_project/image_size.h"
 #include "core/setup/new_project/new_project.h"
@@ -85,10 +86,29 @@ cv::Size rotatedSize(const cv::Size& size, const ProjectCamera& camera) {
   return camera.rotateDegrees % 180 == 0 ? size : cv::Size(size.height, size.width);
 }
 
+/// Whether a camera has this source already. Where both devices are known, their place does not
+/// count: another one may be plugged in there by now.
+bool isSameSource(const ProjectCamera& camera, const CameraSource& source) {
+  const DeviceIdentity& has = camera.device.identity;
+  const DeviceIdentity& wanted = source.device.identity;
+  if (camera.source != source.kind) {
+    return false;
+  }
+  return has.isEmpty() || wanted.isEmpty() ? camera.location == source.location : has == wanted;
+}
+
+bool isSameModel(const DeviceIdentity& one, const DeviceIdentity& other) {
+  return !one.isEmpty() && one.vendorProduct == other.vendorProduct && one.name == other.name;
+}
+
 } // namespace
 
 bool comesFromRecording(SourceKind kind) {
   return kind == SourceKind::Video || kind == SourceKind::Images;
+}
+
+std::string shownLocation(const std::string& location) {
+  return redactedLocation(location);
 }
 
 Result<CameraSource> examinedSource(const std::string& location, const std::string& name) {
@@ -157,11 +177,8 @@ Status addCameras(Project& project, const std::vector<CameraSource>& sources) {
 }
 
 Status replaceSource(Project& project, std::size_t camera, const CameraSource& source) {
-  const auto other = std::ranges::find_if(project.cameras, [&](const ProjectCamera& one) {
-    const bool isSameDevice =
-        !source.device.identity.isEmpty() && one.device.identity == source.device.identity;
-    return one.source == source.kind && (one.location == source.location || isSameDevice);
-  });
+  const auto other = std::ranges::find_if(
+      project.cameras, [&](const ProjectCamera& one) { return isSameSource(one, source); });
   ProjectCamera& changed = project.cameras[camera];
   if (other != project.cameras.end()) {
     exchangeSources(project, camera, static_cast<std::size_t>(other - project.cameras.begin()));
@@ -186,7 +203,11 @@ Status replaceSource(Project& project, std::size_t camera, const CameraSource& s
   }
   changed.source = source.kind;
   changed.location = source.location;
-  changed.device = source.device;
+  if (isSameModel(changed.device.identity, source.device.identity)) {
+    changed.device.identity = source.device.identity; // format and controls suit it, too
+  } else {
+    changed.device = source.device;
+  }
   changed.times.clear();
   return {};
 }

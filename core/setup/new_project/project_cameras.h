@@ -29,6 +29,9 @@ struct CameraSource {
 /// Returns whether images of this kind come from recordings: videos and image folders.
 bool comesFromRecording(SourceKind kind);
 
+/// Returns a location as it is shown: without passwords.
+std::string shownLocation(const std::string& location);
+
 /// Returns the source at a location. The first image of a recording is read, which may take long;
 /// live sources are not opened. Errors: BadValue if the location is empty or of no known type,
 /// FileMissing, FileUnreadable.
@@ -45,10 +48,11 @@ Status checkCanAdd(const Project& project, SourceKind kind);
 Status addCameras(Project& project, const std::vector<CameraSource>& sources);
 
 /// Gives a camera another source; it keeps its name and calibration. If another camera has this
-/// source, the two cameras exchange their sources. A table of times belongs to its recording. A
-/// calibration that was only guessed is guessed again for the new image size. Errors: Mismatch if
-/// the kinds of the sources differ (checkCanAdd(); the only camera of a project may get any
-/// source), or if the images of a recording do not have the size that the camera is calibrated for.
+/// source, the two cameras exchange their sources. A device of the same model gets the format and
+/// the controls of the one before. A table of times belongs to its recording. A calibration that
+/// was only guessed is guessed again for the new image size. Errors: Mismatch if the kinds of the
+/// sources differ (checkCanAdd(); the only camera of a project may get any source), or if the
+/// images of a recording do not have the size that the camera is calibrated for.
 Status replaceSource(Project& project, std::size_t camera, const CameraSource& source);
 
 /// Makes two cameras exchange their sources, for example after their cables were exchanged.

@@ -178,6 +178,14 @@ TEST(ProjectCameras, ADeviceIsTheSameWhereverItIsPluggedIn) {
   EXPECT_EQ(project.cameras[0].device.identity.serial, "B");
   EXPECT_EQ(project.cameras[1].device.identity.serial, "A");
   EXPECT_EQ(project.cameras[1].device.controls.count("gain"), 1U);
+  // What is plugged in where another one was before is not that one.
+  ASSERT_TRUE(replaceSource(project, 2, device(project.cameras[0].location, "C")));
+  EXPECT_EQ(project.cameras[0].device.identity.serial, "B");
+  EXPECT_EQ(project.cameras[2].device.identity.serial, "C");
+  // A new device of the same model takes over what was set.
+  ASSERT_TRUE(replaceSource(project, 1, device("/dev/video8", "D")));
+  EXPECT_EQ(project.cameras[1].device.identity.serial, "D");
+  EXPECT_EQ(project.cameras[1].device.controls.count("gain"), 1U);
 }
 
 TEST(ProjectCameras, RecordingsSayTheirSize) {

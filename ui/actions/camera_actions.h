@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/actions/action_registry.h"
+
+#include <vector>
+
+namespace dewpoint::ui {
+
+/// Returns the actions about the cameras of a project. declareWindowActions() declares them.
+std::vector<ActionDeclaration> cameraActions();
+
+} // namespace dewpoint::ui

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/jobs/background_job.h"
+
+#include <QSize>
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace dewpoint::ui {
+
+/// Adds network cameras, GStreamer pipelines and test patterns by their address. *Try* opens the
+/// address in another thread, and shows its first image with size and rate, or why there is none.
+class AddressForm : public QWidget {
+  Q_OBJECT
+public:
+  explicit AddressForm(QWidget* parent = nullptr);
+
+  /// Sets why addresses cannot be added to this project; empty if they can.
+  void setObstacle(const QString& obstacle);
+
+Q_SIGNALS:
+  /// Emitted when a camera with this address is to be added. `size`: of its images, pixels; empty
+  /// if it has not been tried.
+  void addRequested(const QString& address, const QSize& size);
+  /// Emitted when this address is to become the source of the selected camera.
+  void replaceRequested(const QString& address);
+
+private:
+  void arrange();
+  void retranslateUi();
+  void refresh();
+  void chooseKind(int kind);
+  void tryAddress();
+  QString address() const;
+
+  QLabel* label_;
+  QComboBox* kind_;
+  QLineEdit* address_;
+  QPushButton* try_;
+  QPushButton* add_;
+  QPushButton* replace_;
+  QLabel* image_;
+  QLabel* result_;
+  QString obstacle_;
+  QString tried_; ///< address that the result is about
+  QSize size_;    ///< of its images
+  BackgroundJob job_;
+};
+
+} // namespace dewpoint::ui

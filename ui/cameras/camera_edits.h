@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/capture/devices/color_lock.h"
+#include "core/setup/new_project/project_cameras.h"
+#include "ui/jobs/job_queue.h"
+
+#include <QObject>
+#include <QSize>
+#include <QString>
+#include <QStringList>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace dewpoint::ui {
+
+class Document;
+
+/// Undoable changes to the cameras of the open project. Sources are examined in another thread
+/// before they are added; what fails leaves the project as it is, and is reported by `failed()`.
+class CameraEdits : public QObject {
+  Q_OBJECT
+public:
+  explicit CameraEdits(Document& document, QObject* parent = nullptr);
+
+  /// Adds one camera for each location: videos and image folders, or addresses. `size` is that of
+  /// their images if it is known, pixels.
+  void addLocations(const QStringList& locations, const QSize& size = {});
+  /// Adds cameras whose sources are known.
+  void add(const std::vector<CameraSource>& sources);
+  void remove(int camera);
+  /// Gives a camera another source.
+  void replace(int camera, const CameraSource& source);
+  /// Examines a location, and makes it the source of a camera.
+  void replaceByLocation(int camera, const QString& location);
+  /// Makes two cameras exchange their sources.
+  void exchange(int camera, int other);
+  void rename(int camera, const QString& name);
+  /// Sets how the images of a camera are rotated (clockwise, degrees) and mirrored. The calibration
+  /// is converted.
+  void orient(int camera, int rotateDegrees, bool mirrored);
+  /// Sets the formats that are requested from devices, by camera.
+  void setFormats(const std::map<int, capture::DeviceFormat>& formats);
+  /// Sets a control of a camera's device. Successive changes of the same control, as by dragging a
+  /// slider, are one step.
+  void setControl(int camera, const std::string& name, std::int64_t value);
+  /// Stores locked colors, by camera.
+  void lockColors(const std::map<int, capture::ControlValues>& values);
+  bool isBusy() const { return pending_ > 0; }
+
+Q_SIGNALS:
+  void failed(const QString& sentence);
+  /// Emitted when a source begins or ends to be examined.
+  void busyChanged(bool busy);
+
+private:
+  using Sources = std::vector<CameraSource>;
+  /// Examines locations in another thread, then calls `use` in this one, unless another project has
+  /// been opened or one of them cannot be used.
+  void examine(const QStringList& locations, std::function<void(Sources)> use);
+  void edit(const QString& step, const std::function<Status(Project&)>& change);
+  void setPending(int pending);
+
+  Document& document_;
+  JobQueue jobs_;
+  int pending_ = 0;
+  int projects_ = 0; ///< counts the projects that have been opened
+};
+
+} // namespace dewpoint::ui

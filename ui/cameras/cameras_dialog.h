@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/capture/devices/usb_bandwidth.h"
+#include "ui/cameras/camera_parts.h"
+#include "ui/workbench/workbench.h"
+
+#include <QDialog>
+#include <QTimer>
+
+#include <vector>
+
+class QDialogButtonBox;
+class QLabel;
+class QPushButton;
+
+namespace dewpoint::ui {
+
+class ProjectPane;
+class SourcePane;
+
+/// The dialog *Cameras*: on the left the cameras of the project, on the right where cameras can
+/// come from. Changes take effect at once, and can be undone.
+class CamerasDialog : public QDialog {
+  Q_OBJECT
+public:
+  CamerasDialog(const Workbench& bench, const CameraParts& parts);
+
+protected:
+  void showEvent(QShowEvent* event) override; ///< previews run only while it is visible
+  void hideEvent(QHideEvent* event) override;
+
+private:
+  void arrange();
+  void retranslateUi();
+  void setMessage(const QString& text);
+  void updateBandwidth();
+  void useProposals();
+
+  Workbench bench_;
+  CameraParts parts_;
+  ProjectPane* project_;
+  SourcePane* sources_;
+  QLabel* bandwidth_;
+  QPushButton* fit_;
+  QLabel* message_;
+  QDialogButtonBox* buttons_;
+  QTimer images_; ///< shows the newest images
+  std::vector<capture::BandwidthShortage> shortages_;
+};
+
+} // namespace dewpoint::ui

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/capture/devices/device_control.h"
+#include "ui/jobs/background_job.h"
+#include "ui/workbench/workbench.h"
+
+#include <QObject>
+#include <QString>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace dewpoint::ui {
+
+class CameraEdits;
+class DeviceWatch;
+
+/// Locks the colors of cameras: switches their automatic exposure, gain and white balance off, and
+/// keeps the present values, in the devices and in the project. When a color has been learned while
+/// a camera changes its colors by itself, a message offers this, once for each project.
+class ColorLocker : public QObject {
+  Q_OBJECT
+public:
+  ColorLocker(const Workbench& bench, DeviceWatch& watch, CameraEdits& edits);
+
+  /// Locks the colors of one camera, or of all cameras if it is -1. Does nothing while it is busy.
+  void lock(int camera);
+  bool isBusy() const { return job_->isRunning(); }
+
+Q_SIGNALS:
+  void busyChanged();
+  /// Emitted before locked values are stored, with the controls that the device had before.
+  void locking(const std::string& path, const std::vector<capture::DeviceControl>& before);
+  /// Emitted with a sentence about what was locked, and what was not.
+  void done(const QString& sentence);
+  void failed(const QString& sentence);
+
+private:
+  /// Device of a camera of the project.
+  struct Locked {
+    int camera = 0;
+    QString name;
+    std::string path;
+  };
+  /// Returns the connected devices of one camera, or of all.
+  std::vector<Locked> devices(int camera) const;
+  void considerOffer();
+  void offer(const QString& cameras);
+
+  Workbench bench_;
+  DeviceWatch& watch_;
+  CameraEdits& edits_;
+  BackgroundJob* job_;
+  BackgroundJob* question_; ///< asks the devices whether anything is automatic
+  std::size_t samples_ = 0; ///< color samples in the project
+  bool offered_ = false;
+};
+
+} // namespace dewpoint::ui

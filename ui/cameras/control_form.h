@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/capture/devices/device_control.h"
+
+#include <QWidget>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+class QFormLayout;
+
+namespace dewpoint::ui {
+
+/// Controls of a device: a slider with its range for a number, a check box, or a list. Controls
+/// that an automatic of the device sets at present are disabled, and show the value that it has
+/// chosen.
+class ControlForm : public QWidget {
+  Q_OBJECT
+public:
+  explicit ControlForm(QWidget* parent = nullptr);
+
+  /// Shows these controls with their values.
+  void show(const std::vector<capture::DeviceControl>& controls);
+
+Q_SIGNALS:
+  /// Emitted when the user changes a control, also while a slider is dragged.
+  void changed(const std::string& name, qint64 value);
+  /// Emitted when a slider is released.
+  void dragEnded();
+
+protected:
+  void changeEvent(QEvent* event) override; ///< the texts of the controls
+
+private:
+  QWidget* makeField(const capture::DeviceControl& control);
+  QWidget* makeSlider(const capture::DeviceControl& control);
+  void rebuild();
+  void showValues();
+
+  QFormLayout* form_;
+  std::vector<capture::DeviceControl> controls_;
+  bool isDragged_ = false;
+};
+
+} // namespace dewpoint::ui

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/capture/device_settings.h"
+#include "core/capture/devices/device_control.h"
+#include "ui/jobs/latest_job.h"
+
+#include <QObject>
+#include <QString>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace dewpoint::ui {
+
+class DeviceWatch;
+class Document;
+
+/// Sets the controls of connected devices to the values in the project whenever these change, for
+/// example while a slider is dragged, or when a change is undone. (The connection of a camera sets
+/// them when it opens.) Works in another thread, and skips values that were changed again
+/// meanwhile.
+class ControlSync : public QObject {
+  Q_OBJECT
+public:
+  ControlSync(Document& document, DeviceWatch& watch, QObject* parent = nullptr);
+
+  /// Remembers the present values of a device's controls. A control that the project no longer sets
+  /// after an undo gets this value back.
+  void remember(const std::string& path, const std::vector<capture::DeviceControl>& controls);
+
+Q_SIGNALS:
+  /// Emitted when controls were set. Others may have changed with them.
+  void applied();
+  /// Emitted with a sentence about a control that could not be set.
+  void failed(const QString& sentence);
+
+private:
+  using ValuesByPath = std::map<std::string, capture::ControlValues>;
+  /// Returns the values in the project, by device path.
+  ValuesByPath wanted() const;
+  void apply();
+
+  Document& document_;
+  DeviceWatch& watch_;
+  ValuesByPath applied_; ///< values that the devices have, as far as the project sets them
+  ValuesByPath before_;  ///< values before the project set them
+  LatestJob job_{LatestJob::Superseded::Kept};
+};
+
+} // namespace dewpoint::ui

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/capture/devices/camera_device.h"
+
+#include <QWidget>
+
+#include <vector>
+
+class QComboBox;
+class QLabel;
+
+namespace dewpoint::ui {
+
+/// Chooses the pixel format, the size and the rate that are requested from a device, among those
+/// that it offers. Each can be left to the device.
+class FormatChoice : public QWidget {
+  Q_OBJECT
+public:
+  explicit FormatChoice(QWidget* parent = nullptr);
+
+  /// Shows what a device offers, and what the project requests.
+  void show(const std::vector<capture::OfferedFormat>& offered,
+            const capture::DeviceFormat& requested);
+
+Q_SIGNALS:
+  /// Emitted when the user has chosen another format.
+  void chosen(const dewpoint::capture::DeviceFormat& format);
+
+private:
+  void retranslateUi();
+  void fill();
+  void apply();
+  /// Returns the sizes of the requested pixel format, or those of all formats.
+  std::vector<capture::OfferedSize> sizes() const;
+
+  QLabel* pixelLabel_;
+  QComboBox* pixel_;
+  QLabel* sizeLabel_;
+  QComboBox* size_;
+  QLabel* rateLabel_;
+  QComboBox* rate_;
+  std::vector<capture::OfferedFormat> offered_;
+  capture::DeviceFormat requested_;
+};
+
+} // namespace dewpoint::ui

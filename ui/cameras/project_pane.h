@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/capture/devices/device_control.h"
+#include "ui/cameras/camera_parts.h"
+#include "ui/jobs/latest_job.h"
+#include "ui/workbench/workbench.h"
+
+#include <QWidget>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QListView;
+class QPushButton;
+class QScrollArea;
+
+namespace dewpoint::ui {
+
+class CameraIconModel;
+class ControlForm;
+class FormatChoice;
+
+/// The cameras of the project: their list with their newest images, and the settings of the
+/// selected one. The selection is that of the window.
+class ProjectPane : public QWidget {
+  Q_OBJECT
+public:
+  ProjectPane(const Workbench& bench, const CameraParts& parts, QWidget* parent = nullptr);
+
+  /// Returns the index of the selected camera, or -1 without cameras.
+  int camera() const;
+  /// Shows the newest image of each camera.
+  void showImages();
+
+private:
+  void arrange();
+  void connectParts();
+  void retranslateUi();
+  void refresh();
+  void refreshNotes();
+  /// Reads the controls of the selected camera's device again, in another thread.
+  void readControls();
+  void showControls();
+  void fillExchange();
+  /// Returns the index of the selected camera's device among the connected ones.
+  std::optional<std::size_t> device() const;
+
+  Workbench bench_;
+  CameraParts parts_;
+  CameraIconModel* icons_;
+  QLabel* title_;
+  QListView* list_;
+  QPushButton* remove_;
+  QPushButton* exchange_;
+  QLabel* nameLabel_;
+  QLineEdit* name_;
+  QLabel* source_;
+  QLabel* rotationLabel_;
+  QComboBox* rotation_;
+  QCheckBox* mirror_;
+  QLabel* notes_;
+  QWidget* deviceBox_;
+  FormatChoice* format_;
+  ControlForm* controls_;
+  QScrollArea* controlArea_;
+  QLabel* controlNote_;
+  QPushButton* lock_;
+  QPushButton* lockAll_;
+  std::string path_;                            ///< of the device whose controls are shown
+  std::vector<capture::DeviceControl> present_; ///< its controls as they were read last
+  LatestJob job_{LatestJob::Superseded::Kept};
+};
+
+} // namespace dewpoint::ui
