@@ -27,7 +27,7 @@ cv::Mat grayPicture(int level) {
   return cv::Mat(48, 64, CV_8UC3, cv::Scalar::all(level));
 }
 
-std::size_t filesIn(const TemporaryFolder& folder) {
+std::size_t fileCount(const TemporaryFolder& folder) {
   const std::filesystem::directory_iterator files(folder / "");
   return static_cast<std::size_t>(std::distance(begin(files), end(files)));
 }
@@ -35,7 +35,7 @@ std::size_t filesIn(const TemporaryFolder& folder) {
 TEST(VideoEncoder, WritesEveryEncodingThatItOffers) {
   const TemporaryFolder folder;
   const auto encodings = writableVideoEncodings(folder / "");
-  EXPECT_EQ(filesIn(folder), 0U); // the probes are gone
+  EXPECT_EQ(fileCount(folder), 0U); // the probes are gone
   ASSERT_FALSE(encodings.empty());
   EXPECT_EQ(encodings.back().id, "ffv1");
   for (const VideoEncoding& encoding : encodings) {
@@ -79,9 +79,9 @@ TEST(VideoEncoder, LeavesNothingUnlessItIsFinished) {
     auto encoder = VideoEncoder::create(losslessOutput(folder / "a.mkv"));
     ASSERT_TRUE(encoder);
     EXPECT_TRUE(encoder->write(grayPicture(1)));
-    EXPECT_EQ(filesIn(folder), 2U);
+    EXPECT_EQ(fileCount(folder), 2U);
   }
-  EXPECT_EQ(filesIn(folder), 1U);
+  EXPECT_EQ(fileCount(folder), 1U);
   EXPECT_EQ(*readTextFile(folder / "a.mkv"), "precious");
 }
 
@@ -93,7 +93,7 @@ TEST(VideoEncoder, AFullDiskIsOneSentenceAndLeavesNothing) {
   ASSERT_FALSE(encoder);
   EXPECT_EQ(encoder.error().code, ErrorCode::FileUnwritable);
   EXPECT_EQ(encoder.error().detail, "No space left on device");
-  EXPECT_EQ(filesIn(folder), 0U);
+  EXPECT_EQ(fileCount(folder), 0U);
 }
 
 TEST(VideoEncoder, SaysWhatIsWrong) {
@@ -113,7 +113,7 @@ TEST(VideoEncoder, SaysWhatIsWrong) {
   output = losslessOutput(folder / "a.mkv");
   output.encoding.codec = "????";
   EXPECT_NE(errorOf(output).find("no encoder"), std::string::npos);
-  EXPECT_EQ(filesIn(folder), 0U);
+  EXPECT_EQ(fileCount(folder), 0U);
 }
 
 TEST(VideoEncoder, RefusesImagesOfAnotherSize) {

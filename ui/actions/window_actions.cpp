@@ -35,6 +35,9 @@ std::vector<ActionDeclaration> projectActions() {
        QT_TRANSLATE_NOOP(
            "Actions", "Save the position, volume, hull and floor density of each person as tables"),
        nullptr, Qt::CTRL | Qt::ALT | Qt::Key_P},
+      {"actionExportVideo", group, QT_TRANSLATE_NOOP("Actions", "Export video…"),
+       QT_TRANSLATE_NOOP("Actions", "Save the camera views and the bird's-eye view as a video"),
+       nullptr, Qt::CTRL | Qt::ALT | Qt::Key_E},
       {"actionSavePicture", group, QT_TRANSLATE_NOOP("Actions", "Save a picture of a view…"),
        QT_TRANSLATE_NOOP("Actions", "Save a camera image, the bird's-eye view or a plot as PNG"),
        nullptr, Qt::CTRL | Qt::SHIFT | Qt::Key_P},
