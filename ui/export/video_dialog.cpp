@@ -228,7 +228,7 @@ void VideoDialog::updateSuffix() {
 }
 
 Result<VideoRequest> VideoDialog::request(const VideoOffer& offer) const {
-  VideoLook look = form_->look(offer.tallest);
+  VideoLook look = form_->look();
   if (look.views.empty()) {
     return failure(ErrorCode::BadValue, "", tr("Views").toStdString(),
                    tr("no view is checked").toStdString());

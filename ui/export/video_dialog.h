@@ -28,7 +28,6 @@ class VideoForm;
 struct VideoOffer {
   Session* session = nullptr;   ///< null if no run is open
   std::vector<VideoView> views; ///< as they are shown
-  int tallest = 480;            ///< largest height of the camera images, pixels
   const BirdsEyeView* scene = nullptr;
   QString recording; ///< name of the recording or take
   /// Returns all frames that can be shown, in increasing order; may be empty.

@@ -161,7 +161,7 @@ void VideoForm::setEncodings(std::vector<VideoEncoding> encodings) {
   Q_EMIT encodingChanged();
 }
 
-VideoLook VideoForm::look(int tallest) const {
+VideoLook VideoForm::look() const {
   VideoLook look;
   for (int k = 0; k < views_->count(); ++k) {
     if (views_->item(k)->checkState() == Qt::Checked) {
@@ -172,7 +172,7 @@ VideoLook VideoForm::look(int tallest) const {
   if (row > 0) {
     look.size = kVideoSizes[static_cast<std::size_t>(row - 1)];
   } else if (!look.views.empty()) {
-    look.size = naturalVideoSize(look.views, tallest);
+    look.size = naturalVideoSize(look.views);
   }
   look.titlesShown = titles_->isChecked();
   look.stampShown = stamp_->isChecked();

@@ -30,9 +30,9 @@ public:
   void setEncodings(std::vector<VideoEncoding> encodings);
   bool hasEncodings() const { return !encodings_.empty(); }
 
-  /// Returns the composition, without the name of the recording. `tallest` is the largest height of
-  /// the camera images (pixels). There are no views if none is checked.
-  VideoLook look(int tallest) const;
+  /// Returns the composition, without the name of the recording. There are no views if none is
+  /// checked.
+  VideoLook look() const;
   /// Returns the timing. `recorded` is the frame rate of the recording.
   VideoTiming timing(double recorded) const;
   /// Returns the first and last time to export (seconds); empty: the beginning or the end.

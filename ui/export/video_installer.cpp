@@ -24,6 +24,7 @@ namespace dewpoint::ui {
 
 namespace {
 
+constexpr int kHeightIfUnknown = 480;          ///< pixels
 constexpr double kAspectIfUnknown = 4.0 / 3.0; ///< of an image whose size is not known yet
 
 /// Name of the folder of a take, or of the project.
@@ -49,7 +50,8 @@ std::vector<VideoView> cameraViewsOf(const Workbench& bench) {
         {.camera = shown->camera(),
          .title = cameraName(cameras[index].camera.name, index),
          .look = shown->look(),
-         .aspect = isKnown ? static_cast<double>(size.width) / size.height : kAspectIfUnknown});
+         .aspect = isKnown ? static_cast<double>(size.width) / size.height : kAspectIfUnknown,
+         .height = isKnown ? size.height : kHeightIfUnknown});
   }
   std::ranges::sort(views, {}, [](const VideoView& view) { return view.camera; });
   return views;
@@ -64,9 +66,11 @@ void addSceneTo(VideoOffer& offer, const Workbench& bench) {
   VideoView view{.camera = std::nullopt,
                  .title = BirdsEyeView::tr("Bird's-eye view"),
                  .look = {},
-                 .aspect = std::clamp(aspect, 1.0, 16.0 / 9.0)};
+                 .aspect = std::clamp(aspect, 1.0, 16.0 / 9.0),
+                 .height = kHeightIfUnknown};
   if (!offer.views.empty()) {
     view.look.volume = offer.views.front().look.volume;
+    view.height = std::ranges::max(offer.views, {}, &VideoView::height).height;
   }
   offer.views.push_back(std::move(view));
   offer.scene = scene;
@@ -80,11 +84,6 @@ VideoOffer offerOf(const Workbench& bench, const TimelineModel& time) {
   }
   offer.views = cameraViewsOf(bench);
   addSceneTo(offer, bench);
-  int tallest = 0;
-  for (const ProjectCamera& camera : bench.document.project().cameras) {
-    tallest = std::max(tallest, camera.camera.intrinsics.height);
-  }
-  offer.tallest = tallest > 0 ? tallest : offer.tallest;
   offer.recording = recordingOf(bench.document.project());
   offer.frames = [&time] {
     std::vector<FrameTime> frames;

@@ -49,7 +49,7 @@ void paintLabel(QPainter& painter, const QRectF& area, Qt::Alignment edge, const
 
 } // namespace
 
-QSize naturalVideoSize(const std::vector<VideoView>& views, int tallest) {
+QSize naturalVideoSize(const std::vector<VideoView>& views) {
   // As many columns as a wide screen suits.
   constexpr QSize kScreen(1920, 1080);
   const ImageGrid grid = gridOf(views, kScreen);
@@ -60,11 +60,11 @@ QSize naturalVideoSize(const std::vector<VideoView>& views, int tallest) {
     double widest = 0.0;
     double rows = 0.0;
     for (std::size_t k = column; k < views.size(); k += columns) {
-      widest = std::max(widest, views[k].aspect * tallest);
-      rows += 1.0;
+      widest = std::max(widest, views[k].aspect * views[k].height);
+      rows += views[k].height;
     }
     width += widest;
-    height = std::max(height, rows * tallest);
+    height = std::max(height, rows);
   }
   const double shrink =
       std::min({1.0, kLargestVideo.width() / width, kLargestVideo.height() / height});

@@ -19,6 +19,7 @@ struct VideoView {
   QString title;
   CameraLook look;     ///< for cameras
   double aspect = 1.0; ///< width / height
+  int height = 480;    ///< pixels, as recorded; of the bird's-eye view, as large as the cameras
 };
 
 /// Composition of the images of an exported video.
@@ -31,9 +32,9 @@ struct VideoLook {
   QPalette palette;
 };
 
-/// Returns the size with even width and height in which the views have about the size of the camera
-/// images (pixels), `tallest` being the largest height among them. It is limited to 3840 x 2160.
-QSize naturalVideoSize(const std::vector<VideoView>& views, int tallest);
+/// Returns the size with even width and height in which the views have about the size in which they
+/// were recorded. It is limited to 3840 x 2160.
+QSize naturalVideoSize(const std::vector<VideoView>& views);
 
 /// Returns the area of each view in the image: a grid in which the views cover as much as possible.
 std::vector<QRect> videoAreas(const VideoLook& look);

@@ -98,7 +98,7 @@ void VideoExportTest::init() {
 void VideoExportTest::offersTheViewsAndWhatTheComputerCanWrite() {
   auto* views = field<QListWidget>("videoViews");
   QCOMPARE(views->count(), 3); // two cameras, the bird's-eye view
-  QCOMPARE(views->item(0)->text(), QStringLiteral("left"));
+  QCOMPARE(views->item(0)->text(), QStringLiteral("camera 1"));
   QVERIFY(views->item(2)->text().contains(QStringLiteral("Bird")));
   QVERIFY(field<QComboBox>("videoEncoding")->count() >= 1);
   QVERIFY(field<QLineEdit>("videoFile")->text().endsWith(QStringLiteral(".mkv")));
@@ -117,11 +117,12 @@ void VideoExportTest::previewsTheFirstImage() {
 void VideoExportTest::writesWhatIsSeen() {
   const auto frameBefore = window_->shown()->frame;
   field<QComboBox>("videoSize")->setCurrentIndex(0); // of the camera's images
-  QVERIFY(exportsTo(file("left.mkv")));
-  QVERIFY2(outcome().contains(file("left.mkv")), qPrintable(outcome()));
+  QVERIFY(exportsTo(file("camera.mkv")));
+  QVERIFY2(outcome().contains(file("camera.mkv")), qPrintable(outcome()));
   QCOMPARE(window_->shown()->frame, frameBefore); // the window has not moved
-  const auto reader = openVideoReader(path("left.mkv").string(), "");
+  const auto reader = openVideoReader(path("camera.mkv").string(), "");
   QVERIFY(reader);
+  QCOMPARE((*reader)->read(0)->cols, 320);
   auto* session = window_->findChild<SessionController*>()->session();
   auto* view = find<CameraView>("cameraView0");
   for (const std::int64_t frame : {0, 3, 6}) {

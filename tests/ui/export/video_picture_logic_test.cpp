@@ -68,10 +68,16 @@ TEST(VideoPicture, AreasCoverTheImageWithoutOverlap) {
 }
 
 TEST(VideoPicture, TheSizeOfTheCameraImagesIsEvenAndLimited) {
-  EXPECT_EQ(naturalVideoSize(camerasWith({4.0 / 3.0}), 480), QSize(640, 480));
-  EXPECT_EQ(naturalVideoSize(camerasWith({4.0 / 3.0, 4.0 / 3.0}), 480), QSize(1280, 480));
-  EXPECT_EQ(naturalVideoSize(camerasWith({1.0}), 241).height() % 2, 0);
-  const QSize large = naturalVideoSize(camerasWith({16.0 / 9.0, 16.0 / 9.0}), 4000);
+  const auto sizeOf = [](std::vector<VideoView> views, int height) {
+    for (VideoView& view : views) {
+      view.height = height;
+    }
+    return naturalVideoSize(views);
+  };
+  EXPECT_EQ(sizeOf(camerasWith({4.0 / 3.0}), 480), QSize(640, 480));
+  EXPECT_EQ(sizeOf(camerasWith({4.0 / 3.0, 4.0 / 3.0}), 480), QSize(1280, 480));
+  EXPECT_EQ(sizeOf(camerasWith({1.0}), 241).height() % 2, 0);
+  const QSize large = sizeOf(camerasWith({16.0 / 9.0, 16.0 / 9.0}), 4000);
   EXPECT_LE(large.width(), 3840);
   EXPECT_LE(large.height(), 2160);
   EXPECT_EQ(large.width() % 2, 0);
