@@ -7,7 +7,7 @@
 #include "tests/ui/window_test.h"
 #include "ui/cameraview/camera_view.h"
 #include "ui/export/video_dialog.h"
-#include "ui/export/video_form.h"
+#include "ui/workbench/workbench.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -19,6 +19,10 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSignalSpy>
+
+#include <algorithm>
+#include <cstdlib>
+#include <set>
 
 namespace dewpoint::tests {
 
@@ -123,7 +127,7 @@ void VideoExportTest::writesWhatIsSeen() {
   const auto reader = openVideoReader(path("camera.mkv").string(), "");
   QVERIFY(reader);
   QCOMPARE((*reader)->read(0)->cols, 320);
-  auto* session = window_->findChild<SessionController*>()->session();
+  Session* session = window_->workbench().session.session();
   auto* view = find<CameraView>("cameraView0");
   for (const std::int64_t frame : {0, 3, 6}) {
     session->showFrame(frame);
@@ -155,10 +159,13 @@ void VideoExportTest::writesTheBirdsEyeView() {
   const auto picture = (*reader)->read(6);
   QVERIFY(picture);
   QCOMPARE(picture->cols, 640);
-  cv::Scalar mean;
-  cv::Scalar deviation;
-  cv::meanStdDev(*picture, mean, deviation);
-  QVERIFY(deviation[1] > 1.0); // the room is seen, not only the ground
+  std::set<int> levels;
+  for (int y = 0; y < picture->rows; ++y) {
+    for (int x = 0; x < picture->cols; ++x) {
+      levels.insert(picture->at<cv::Vec3b>(y, x)[1]);
+    }
+  }
+  QVERIFY(levels.size() > 20); // the room is seen, not only the ground
 }
 
 void VideoExportTest::showsSlowMotion() {
