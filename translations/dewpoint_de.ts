@@ -24,8 +24,8 @@
         <translation>Projekt öffnen…</translation>
     </message>
     <message>
-        <source>Open a project</source>
-        <translation>Ein Projekt öffnen</translation>
+        <source>Open a project file</source>
+        <translation>Eine Projektdatei öffnen</translation>
     </message>
     <message>
         <source>Open the demo</source>
@@ -40,8 +40,8 @@
         <translation>Speichern</translation>
     </message>
     <message>
-        <source>Save the project</source>
-        <translation>Das Projekt speichern</translation>
+        <source>Write the project to its file</source>
+        <translation>Das Projekt in seine Datei schreiben</translation>
     </message>
     <message>
         <source>Save as…</source>
@@ -120,16 +120,16 @@
         <translation>Neu beginnen</translation>
     </message>
     <message>
-        <source>Start over with the same random numbers</source>
-        <translation>Von vorn beginnen, mit denselben Zufallszahlen</translation>
+        <source>Start the run again with the same random numbers</source>
+        <translation>Den Lauf von vorn beginnen, mit denselben Zufallszahlen</translation>
     </message>
     <message>
         <source>Restart with a new seed</source>
         <translation>Mit neuem Startwert beginnen</translation>
     </message>
     <message>
-        <source>Start over with other random numbers</source>
-        <translation>Von vorn beginnen, mit anderen Zufallszahlen</translation>
+        <source>Start the run again with other random numbers</source>
+        <translation>Den Lauf von vorn beginnen, mit anderen Zufallszahlen</translation>
     </message>
     <message>
         <source>View</source>
@@ -140,8 +140,8 @@
         <translation>Maske zeigen</translation>
     </message>
     <message>
-        <source>Show where the cameras see the target&apos;s color</source>
-        <translation>Zeigen, wo die Kameras die Zielfarbe sehen</translation>
+        <source>Show which pixels have the color of a target</source>
+        <translation>Zeigen, welche Pixel die Farbe eines Ziels haben</translation>
     </message>
     <message>
         <source>Bird&apos;s-eye view from above: the XY plane</source>
@@ -188,8 +188,8 @@
         <translation>Ziel entfernen</translation>
     </message>
     <message>
-        <source>Stop tracking the selected target</source>
-        <translation>Das gewählte Ziel nicht mehr verfolgen</translation>
+        <source>Remove the selected target from the project</source>
+        <translation>Das gewählte Ziel aus dem Projekt entfernen</translation>
     </message>
     <message>
         <source>Learn the color</source>
@@ -312,8 +312,8 @@
         <translation>Likelihood zeigen</translation>
     </message>
     <message>
-        <source>Log likelihood of the estimate in each camera</source>
-        <translation>Log-Likelihood der Schätzung in jeder Kamera</translation>
+        <source>How well the estimate fits each camera&apos;s image</source>
+        <translation>Wie gut die Schätzung zum Bild jeder Kamera passt</translation>
     </message>
     <message>
         <source>Plot existence</source>
@@ -356,7 +356,7 @@
         <translation>Kurven als CSV kopieren</translation>
     </message>
     <message>
-        <source>Copy the numbers of the plots shown, as a table</source>
+        <source>Copy the numbers of all plots shown, as a table</source>
         <translation>Die Zahlen der gezeigten Kurven als Tabelle kopieren</translation>
     </message>
     <message>
@@ -428,8 +428,8 @@
         <translation>Geplante Kamera hinzufügen</translation>
     </message>
     <message>
-        <source>Add a camera that does not exist yet and drag it in the bird&apos;s-eye view</source>
-        <translation>Eine Kamera hinzufügen, die es noch nicht gibt, und sie in der Vogelperspektive ziehen</translation>
+        <source>Add a planned camera; you can then drag it in the bird&apos;s-eye view to try out where to place it</source>
+        <translation>Eine geplante Kamera hinzufügen; Sie können sie dann in der Vogelperspektive ziehen, um einen Platz für sie auszuprobieren</translation>
     </message>
     <message>
         <source>Recompute camera pose</source>
@@ -440,8 +440,8 @@
         <translation>Die Lage der Kamera neu berechnen, die während des Laufs bewegt wurde; alle anderen Kameras bleiben unverändert</translation>
     </message>
     <message>
-        <source>Find best position</source>
-        <translation>Beste Position suchen</translation>
+        <source>Find best camera position</source>
+        <translation>Beste Kameraposition suchen</translation>
     </message>
     <message>
         <source>Search the walls and the ceiling for the position where another camera would help most</source>
@@ -460,8 +460,8 @@
         <translation>Volumen der Personen exportieren…</translation>
     </message>
     <message>
-        <source>Save the position, volume, hull and floor density of each person as tables</source>
-        <translation>Position, Volumen, Hülle und Dichte auf dem Boden jeder Person als Tabellen speichern</translation>
+        <source>Save tables with the position, the volume, the hull and the density on the floor of each person</source>
+        <translation>Tabellen mit Position, Volumen, Hülle und Dichte auf dem Boden jeder Person speichern</translation>
     </message>
     <message>
         <source>Add person…</source>
@@ -488,8 +488,8 @@
         <translation>Filter-Threads…</translation>
     </message>
     <message>
-        <source>Choose how many threads share the work of the filter</source>
-        <translation>Wählen, wie viele Threads sich die Arbeit des Filters teilen</translation>
+        <source>Choose how many processor threads compute the filter</source>
+        <translation>Wählen, wie viele Prozessor-Threads den Filter berechnen</translation>
     </message>
     <message>
         <source>Correct position</source>
@@ -680,8 +680,8 @@
         <translation>Kalibrieren…</translation>
     </message>
     <message>
-        <source>See what is known about the cameras, choose a way to calibrate them, and go through it step by step</source>
-        <translation>Sehen, was über die Kameras bekannt ist, einen Weg zur Kalibrierung wählen und ihn Schritt für Schritt gehen</translation>
+        <source>See what is known about the cameras, and calibrate them step by step in the way that you choose</source>
+        <translation>Sehen, was über die Kameras bekannt ist, und sie auf dem gewählten Weg Schritt für Schritt kalibrieren</translation>
     </message>
     <message>
         <source>Play the first iterations of a run one by one, until every target is being tracked (five seconds at most)</source>
@@ -712,11 +712,11 @@
         <translation>In der Vogelperspektive zeigen, welcher Positionsfehler für ein Ziel an jedem Punkt zu erwarten ist</translation>
     </message>
     <message>
-        <source>Track again from the frame shown, with the current method, parameters and colors. To stop, press pause</source>
-        <translation>Ab dem gezeigten Bild erneut verfolgen, mit dem aktuellen Verfahren und den aktuellen Parametern und Farben. Pause beendet es</translation>
+        <source>Track again from the frame shown, with the current method, parameters and colors. To stop, press Pause</source>
+        <translation>Ab dem gezeigten Bild erneut verfolgen, mit dem aktuellen Verfahren und den aktuellen Parametern und Farben. Zum Beenden „Pause“ drücken</translation>
     </message>
     <message>
-        <source>Track all frames again that still have results from earlier settings</source>
+        <source>Track again all frames whose results are from earlier settings</source>
         <translation>Alle Bilder erneut verfolgen, deren Ergebnisse noch von früheren Einstellungen stammen</translation>
     </message>
     <message>
@@ -744,28 +744,28 @@
         <translation>Ergebnisse senden</translation>
     </message>
     <message>
-        <source>Send positions to other programs while the run lasts, or stop sending; nothing is sent until you choose this</source>
-        <translation>Positionen während des Laufs an andere Programme senden, oder das Senden beenden; vorher wird nichts gesendet</translation>
+        <source>Start or stop sending positions to other programs during the run. Nothing is sent before you choose this</source>
+        <translation>Positionen während des Laufs an andere Programme senden, oder das Senden beenden. Bevor Sie dies wählen, wird nichts gesendet</translation>
     </message>
     <message>
         <source>Outputs…</source>
         <translation>Ausgänge…</translation>
     </message>
     <message>
-        <source>Choose where results are sent while a run lasts: TCP, WebSocket, OSC, TUIO, CSV</source>
-        <translation>Wählen, wohin Ergebnisse während eines Laufs gesendet werden: TCP, WebSocket, OSC, TUIO, CSV</translation>
+        <source>Choose where results are sent: TCP, WebSocket, OSC, TUIO, CSV</source>
+        <translation>Wählen, wohin Ergebnisse gesendet werden: TCP, WebSocket, OSC, TUIO, CSV</translation>
     </message>
     <message>
         <source>Reproduce figures of the papers that describe the methods, and write a report</source>
         <translation>Abbildungen der Artikel, die die Verfahren beschreiben, reproduzieren und einen Bericht schreiben</translation>
     </message>
     <message>
-        <source>Show how likely each position around the target is, and circle the positions that the method considers</source>
-        <translation>Zeigen, wie wahrscheinlich jede Position um das Ziel ist, und die Positionen einkreisen, die das Verfahren in Betracht zieht</translation>
+        <source>Show how likely each position around the target is. Circles mark positions at which the method suspects the target</source>
+        <translation>Zeigen, wie wahrscheinlich jede Position um das Ziel ist. Kreise markieren Positionen, an denen das Verfahren das Ziel vermutet</translation>
     </message>
     <message>
-        <source>In all views, mark the particle of each target that has the highest weight (MAP) with a triangle</source>
-        <translation>In allen Ansichten das Partikel jedes Ziels, das das höchste Gewicht hat (MAP), mit einem Dreieck markieren</translation>
+        <source>For each target, mark the particle with the highest weight (MAP) with a triangle, in all views</source>
+        <translation>Für jedes Ziel das Partikel mit dem höchsten Gewicht (MAP) mit einem Dreieck markieren, in allen Ansichten</translation>
     </message>
     <message>
         <source>When a target&apos;s particles are too close together to tell apart, show them enlarged</source>
@@ -811,8 +811,8 @@
 <context>
     <name>AssessedRegions</name>
     <message>
-        <source>also matches</source>
-        <translation>passt auch</translation>
+        <source>also matches the color</source>
+        <translation>passt auch zur Farbe</translation>
     </message>
     <message>
         <source>recognized as the target (if it is not, Alt-click it)</source>
@@ -826,16 +826,16 @@
         <translation>Die Ecken der Tafel decken nur %1 % des Bildes ab: Zeigen Sie die Tafel in jedem Teil des Bildes, und neigen Sie sie auch.</translation>
     </message>
     <message>
-        <source>%1 keeps its position: it never saw the board.</source>
-        <translation>%1 behält ihre Position: Sie hat die Tafel nie gesehen.</translation>
+        <source>%1 keeps its position because it never saw the board.</source>
+        <translation>%1 behält ihre Position, weil sie die Tafel nie gesehen hat.</translation>
     </message>
     <message>
         <source>Intrinsics</source>
         <translation>Intrinsische Parameter</translation>
     </message>
     <message>
-        <source>%1 keeps its intrinsics: %2</source>
-        <translation>%1 behält ihre intrinsischen Parameter: %2</translation>
+        <source>The intrinsics of %1 are unchanged: %2</source>
+        <translation>Die intrinsischen Parameter von %1 bleiben unverändert: %2</translation>
     </message>
     <message>
         <source>upper left</source>
@@ -926,8 +926,8 @@
         <translation>✓ Fertig</translation>
     </message>
     <message>
-        <source>✓ The cameras have enough shared views</source>
-        <translation>✓ Die Kameras haben genug gemeinsame Ansichten</translation>
+        <source>✓ The cameras share enough views of the board</source>
+        <translation>✓ Die Kameras haben genug gemeinsame Ansichten der Tafel</translation>
     </message>
     <message>
         <source>Show the board to %1 and %2 at the same time, hold it still, then repeat elsewhere</source>
@@ -938,12 +938,12 @@
         <translation>keine Tafel zu sehen</translation>
     </message>
     <message>
-        <source>⚠ blurred, edge width %1</source>
-        <translation>⚠ unscharf, Kantenbreite %1</translation>
+        <source>⚠ blurred: edges are %1 wide</source>
+        <translation>⚠ unscharf: Kanten sind %1 breit</translation>
     </message>
     <message>
-        <source>sharp, edge width %1</source>
-        <translation>scharf, Kantenbreite %1</translation>
+        <source>sharp: edges are %1 wide</source>
+        <translation>scharf: Kanten sind %1 breit</translation>
     </message>
     <message>
         <source>%1 views, accuracy %2 (goal: %3)</source>
@@ -998,8 +998,8 @@
         <translation>%1: RMS-Rückprojektionsfehler %2</translation>
     </message>
     <message>
-        <source>Positions: RMS reprojection error %1, from %2 board poses</source>
-        <translation>Positionen: RMS-Rückprojektionsfehler %1, aus %2 Lagen der Tafel</translation>
+        <source>Camera positions: RMS reprojection error %1, from %2 board poses</source>
+        <translation>Kamerapositionen: RMS-Rückprojektionsfehler %1, aus %2 Lagen der Tafel</translation>
     </message>
     <message>
         <source>%1 views; at least %2 are needed</source>
@@ -1010,8 +1010,8 @@
         <translation>Farben umgekehrt</translation>
     </message>
     <message>
-        <source>%1 of the %2 searched images show %3, but mirrored. Change the mirroring of the cameras that took these images. Use this board?</source>
-        <translation>%1 der %2 durchsuchten Bilder zeigen %3, aber gespiegelt. Ändern Sie die Spiegelung der Kameras, die diese Bilder aufgenommen haben. Diese Tafel verwenden?</translation>
+        <source>%1 of the %2 searched images show %3, but mirrored. To correct this, change “Mirrored” in the panel Cameras for the cameras that took these images. Use this board?</source>
+        <translation>%1 der %2 durchsuchten Bilder zeigen %3, aber gespiegelt. Ändern Sie dazu „Gespiegelt“ im Bereich „Kameras“ für die Kameras, die diese Bilder aufgenommen haben. Diese Tafel verwenden?</translation>
     </message>
     <message>
         <source>%1 of the %2 searched images show %3. Use this board?</source>
@@ -1032,44 +1032,28 @@
 <context>
     <name>CalibrationText</name>
     <message>
-        <source>The intrinsics of %1 are probably for another resolution: its images are %2 times as large. Convert the intrinsics, or record at the calibrated size.</source>
-        <translation>Die intrinsischen Parameter von %1 gelten wahrscheinlich für eine andere Auflösung: ihre Bilder sind %2-mal so groß. Rechnen Sie die Parameter um, oder nehmen Sie in der kalibrierten Größe auf.</translation>
-    </message>
-    <message>
-        <source>, scale ±%1 %</source>
-        <translation>, Maßstab ±%1 %</translation>
-    </message>
-    <message>
-        <source>, scale unknown</source>
-        <translation>, Maßstab unbekannt</translation>
-    </message>
-    <message>
-        <source>, upward direction ±%1</source>
-        <translation>, Lotrichtung ±%1</translation>
+        <source>The images of %1 are %2 times as large as those for which it was calibrated: its intrinsics are for another resolution. Convert the intrinsics, or record at the calibrated size.</source>
+        <translation>Die Bilder von %1 sind %2-mal so groß wie die, für die sie kalibriert wurde: Ihre intrinsischen Parameter gelten für eine andere Auflösung. Rechnen Sie die Parameter um, oder nehmen Sie in der kalibrierten Größe auf.</translation>
     </message>
     <message>
         <source>all cameras</source>
         <translation>alle Kameras</translation>
     </message>
     <message>
-        <source>All cameras seem to see the back of the board or floor: its points are probably mirrored. Check the direction of the axes, and that the print is not reversed.</source>
-        <translation>Alle Kameras sehen anscheinend die Rückseite der Tafel oder des Bodens: Die Punkte sind wahrscheinlich gespiegelt. Prüfen Sie die Richtung der Achsen, und dass der Druck nicht seitenverkehrt ist.</translation>
-    </message>
-    <message>
-        <source>, upward direction not measured yet (page Floor)</source>
-        <translation>, Richtung nach oben noch nicht gemessen (Seite Boden)</translation>
+        <source>All cameras seem to see the back of the board or of the floor: the measured points are probably mirrored. Check the direction of the axes, and that the print is not reversed.</source>
+        <translation>Alle Kameras sehen anscheinend die Rückseite der Tafel oder des Bodens: Die gemessenen Punkte sind wahrscheinlich gespiegelt. Prüfen Sie die Richtung der Achsen, und dass der Druck nicht seitenverkehrt ist.</translation>
     </message>
     <message>
         <source>Everything fits when %1 and %2 are exchanged: their videos are probably swapped. Exchange the two files.</source>
         <translation>Alles passt, wenn %1 und %2 vertauscht werden: wahrscheinlich sind ihre Videos verwechselt. Tauschen Sie die beiden Dateien.</translation>
     </message>
     <message>
-        <source>%1 agrees with the other cameras only if its video is shifted in time: the video is probably %2 frames late. Synchronize the videos, or calibrate with a wand and “Find time offsets”.</source>
-        <translation>%1 stimmt nur dann mit den anderen Kameras überein, wenn ihr Video zeitlich verschoben wird: Es ist wahrscheinlich %2 Bilder zu spät. Synchronisieren Sie die Videos, oder kalibrieren Sie mit dem Stab und „Zeitversätze suchen“.</translation>
+        <source>%1 agrees with the other cameras only if its video is shifted in time: the video is probably %2 frames late. Synchronize the videos, or calibrate with a wand and turn on “Find delays”.</source>
+        <translation>%1 stimmt nur dann mit den anderen Kameras überein, wenn ihr Video zeitlich verschoben wird: Es ist wahrscheinlich %2 Bilder zu spät. Synchronisieren Sie die Videos, oder kalibrieren Sie mit dem Stab, und schalten Sie „Verzögerungen suchen“ ein.</translation>
     </message>
     <message>
-        <source>%1 agrees with the other cameras only if its video is shifted in time: the video is probably %2 frames early. Synchronize the videos, or calibrate with a wand and “Find time offsets”.</source>
-        <translation>%1 stimmt nur dann mit den anderen Kameras überein, wenn ihr Video zeitlich verschoben wird: Es ist wahrscheinlich %2 Bilder zu früh. Synchronisieren Sie die Videos, oder kalibrieren Sie mit dem Stab und „Zeitversätze suchen“.</translation>
+        <source>%1 agrees with the other cameras only if its video is shifted in time: the video is probably %2 frames early. Synchronize the videos, or calibrate with a wand and turn on “Find delays”.</source>
+        <translation>%1 stimmt nur dann mit den anderen Kameras überein, wenn ihr Video zeitlich verschoben wird: Es ist wahrscheinlich %2 Bilder zu früh. Synchronisieren Sie die Videos, oder kalibrieren Sie mit dem Stab, und schalten Sie „Verzögerungen suchen“ ein.</translation>
     </message>
     <message>
         <source>The images of %1 fit one pose before %2 and another pose after that time: the camera was probably moved. Calibrate with the later part of the recording only.</source>
@@ -1080,16 +1064,8 @@
         <translation>Die Bilder von %1 passen nur, wenn sie umgekehrt werden: Das Video ist wahrscheinlich gespiegelt oder steht auf dem Kopf. Stellen Sie Drehung und Spiegelung dieser Bilder ein.</translation>
     </message>
     <message>
-        <source>The images of %1 fit a focal length that is %2 times the given one: the zoom or crop of the camera was probably changed. Calibrate its intrinsics again.</source>
-        <translation>Die Bilder von %1 passen zum %2-fachen der angegebenen Brennweite: Wahrscheinlich wurde der Zoom oder der Ausschnitt der Kamera geändert. Kalibrieren Sie ihre intrinsischen Parameter neu.</translation>
-    </message>
-    <message>
-        <source>In the calibrated volume: position ±%1 (95 %)</source>
-        <translation>Im kalibrierten Raum: Position ±%1 (95 %)</translation>
-    </message>
-    <message>
-        <source>In the calibrated volume: position unknown</source>
-        <translation>Im kalibrierten Raum: Position unbekannt</translation>
+        <source>The images of %1 fit a focal length that is %2 times the one in its calibration: the zoom or crop of the camera was probably changed. Calibrate its intrinsics again.</source>
+        <translation>Die Bilder von %1 passen zum %2-fachen der kalibrierten Brennweite: Wahrscheinlich wurde der Zoom oder der Ausschnitt der Kamera geändert. Kalibrieren Sie ihre intrinsischen Parameter neu.</translation>
     </message>
     <message>
         <source>The length that you entered is %1 times the length that the cameras see: millimeters and meters are probably mixed up.</source>
@@ -1108,8 +1084,28 @@
         <translation>Die von Ihnen eingegebene Größe der Felder ist das %1-fache der Größe, die die Kameras sehen. Messen Sie eine Reihe mit dem Lineal: Drucke werden oft skaliert.</translation>
     </message>
     <message>
-        <source>The images fit only if they are shifted by %1 along both axes: the calibration probably has its origin at the corner of the first pixel, not at its center. Convert the principal points.</source>
-        <translation>Die Bilder passen nur, wenn sie um %1 in beiden Achsen verschoben werden: Der Nullpunkt der Kalibrierung liegt wahrscheinlich an der Ecke des ersten Pixels statt in dessen Mitte. Rechnen Sie die Hauptpunkte um.</translation>
+        <source>The images fit only if they are shifted by %1 along both axes: the calibration probably measures from the corner of the first pixel, not from its center. Convert the principal points.</source>
+        <translation>Die Bilder passen nur, wenn sie um %1 in beiden Achsen verschoben werden: Die Kalibrierung misst wahrscheinlich ab der Ecke des ersten Pixels statt ab dessen Mitte. Rechnen Sie die Hauptpunkte um.</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>±%1</source>
+        <translation>±%1</translation>
+    </message>
+    <message>
+        <source>±%1 %</source>
+        <translation>±%1 %</translation>
+    </message>
+    <message>
+        <source>not measured yet (page Floor)</source>
+        <translation>noch nicht gemessen (Seite Boden)</translation>
+    </message>
+    <message>
+        <source>In the calibrated volume: position %1, scale %2, upward direction %3 (each with a probability of 95 %).</source>
+        <translation>Im kalibrierten Raum: Position %1, Maßstab %2, Richtung nach oben %3 (jeweils mit einer Wahrscheinlichkeit von 95 %).</translation>
     </message>
 </context>
 <context>
@@ -1215,8 +1211,8 @@
         <translation>Die markierte Stelle gehört zu einem größeren Objekt derselben Farbe. Nur diese Stelle wird verfolgt, als Ball mit Radius %1.</translation>
     </message>
     <message>
-        <source>The target&apos;s radius seems to be about %1, but %2 was entered. Is this the diameter?</source>
-        <translation>Der Radius des Ziels ist anscheinend etwa %1, eingegeben wurde aber %2. Ist das der Durchmesser?</translation>
+        <source>The target&apos;s radius seems to be about %1, but %2 was entered. Is %2 the diameter?</source>
+        <translation>Der Radius des Ziels ist anscheinend etwa %1, eingegeben wurde aber %2. Ist %2 der Durchmesser?</translation>
     </message>
     <message>
         <source>The target&apos;s radius seems to be about %1, but %2 was entered.</source>
@@ -1317,12 +1313,12 @@
         <translation>Rosafarbenes</translation>
     </message>
     <message>
-        <source>Much of the target does not match: Shift-click its light and its dark side.</source>
-        <translation>Vieles am Ziel passt nicht: Umschalt-Klick auf seine helle und seine dunkle Seite.</translation>
+        <source>Much of the target does not have the learned color: Shift-click its light and its dark side.</source>
+        <translation>Große Teile des Ziels haben nicht die gelernte Farbe: Umschalt-Klick auf seine helle und seine dunkle Seite.</translation>
     </message>
     <message>
-        <source>Exclude the other matching objects: Alt-click them.</source>
-        <translation>Schließen Sie die anderen passenden Objekte aus: Alt-Klick darauf.</translation>
+        <source>Other objects have this color too: Alt-click them to exclude them.</source>
+        <translation>Auch andere Objekte haben diese Farbe: Alt-Klick darauf schließt sie aus.</translation>
     </message>
     <message>
         <source>Cover objects of the same color, or take them out of view.</source>
@@ -1341,28 +1337,28 @@
         <translation>Das Ziel ist fast grau: Eine kräftigere Farbe würde helfen.</translation>
     </message>
     <message>
-        <source>%1 % of the pixels match. Shift-click the target to see how well it stands out.</source>
-        <translation>%1 % der Pixel passen. Umschalt-Klick auf das Ziel zeigt, wie gut es sich abhebt.</translation>
+        <source>%1 % of the pixels have this color. Shift-click the target to see how well its color stands out.</source>
+        <translation>%1 % der Pixel haben diese Farbe. Ein Umschalt-Klick auf das Ziel zeigt, wie gut sich seine Farbe abhebt.</translation>
     </message>
     <message>
-        <source>%1 % of the background matches too.</source>
-        <translation>%1 % des Hintergrunds passen auch.</translation>
+        <source>This color also covers %1 % of the background.</source>
+        <translation>Diese Farbe haben auch %1 % des Hintergrunds.</translation>
     </message>
     <message>
         <source>One sample hardly matches the learned color: it resembles its surroundings, or it shows another object.</source>
         <translation>Eine Probe passt kaum zur gelernten Farbe: Sie ähnelt ihrer Umgebung, oder sie zeigt ein anderes Objekt.</translation>
     </message>
     <message>
-        <source>In the image of %3, a region %2 also matches (%1).</source>
-        <translation>Im Bild von %3 passt auch ein Bereich %2 (%1).</translation>
+        <source>In the image of %3, a region %2 has this color too (it looks %1).</source>
+        <translation>Im Bild von %3 hat auch ein Bereich %2 diese Farbe (er ist %1).</translation>
     </message>
     <message>
         <source>Several objects have this color: another color would help.</source>
         <translation>Mehrere Objekte haben diese Farbe: Eine andere Farbe würde helfen.</translation>
     </message>
     <message>
-        <source>Only %1 % of the target matches, and %2 % of the background matches too.</source>
-        <translation>Nur %1 % des Ziels passen, und auch %2 % des Hintergrunds passen.</translation>
+        <source>This color covers only %1 % of the target, and %2 % of the background.</source>
+        <translation>Diese Farbe haben nur %1 % des Ziels und %2 % des Hintergrunds.</translation>
     </message>
     <message numerus="yes">
         <source>%n objects have this color and size: follow all of them, or cover the others.</source>
@@ -1396,8 +1392,8 @@
         <translation>Sie haben nur einen kleinen Fleck angeklickt: Ziehen Sie einen Rahmen um das ganze Ziel.</translation>
     </message>
     <message>
-        <source>A color range that covers the whole target would match %1 % of the background.</source>
-        <translation>Ein Farbbereich, der das ganze Ziel umfasst, würde auf %1 % des Hintergrunds passen.</translation>
+        <source>A color range that covers the whole target would also cover %1 % of the background.</source>
+        <translation>Ein Farbbereich, der das ganze Ziel umfasst, würde auch %1 % des Hintergrunds umfassen.</translation>
     </message>
 </context>
 <context>
@@ -1610,7 +1606,7 @@
         <translation>Ein Gedränge</translation>
     </message>
     <message>
-        <source>Five to eight people mill about for 12 s; their paths may touch and cross.</source>
+        <source>Five to eight people walk about for 12 s; their paths may touch and cross.</source>
         <translation>Fünf bis acht Personen laufen 12 s lang durcheinander; ihre Wege können sich berühren und kreuzen.</translation>
     </message>
     <message>
@@ -1658,16 +1654,16 @@
         <translation>Barrera et al. 2005, Abbildung 8: die Wolke in sechs Iterationen, mit kleinem und mit großem Bewegungs-Sigma.</translation>
     </message>
     <message>
-        <source>Barrera et al. 2005, section III-B: the share of runs that converge, for start volumes of several sizes and for start points behind the ball.</source>
-        <translation>Barrera et al. 2005, Abschnitt III-B: der Anteil der Läufe, die konvergieren, für Startvolumen verschiedener Größe und für Startpunkte hinter dem Ball.</translation>
+        <source>Barrera et al. 2005, section III-B: the share of runs that converge, depending on the size of the start volume, and on how far behind the ball a start point lies.</source>
+        <translation>Barrera et al. 2005, Abschnitt III-B: der Anteil der Läufe, die konvergieren, abhängig von der Größe des Startvolumens und davon, wie weit hinter dem Ball ein Startpunkt liegt.</translation>
     </message>
     <message>
-        <source>Error over the iterations, for different motion sigmas</source>
-        <translation>Fehler über die Iterationen, für verschiedene Bewegungs-Sigmas</translation>
+        <source>Error after each iteration, for different motion sigmas</source>
+        <translation>Fehler nach jeder Iteration, für verschiedene Bewegungs-Sigmas</translation>
     </message>
     <message>
-        <source>Mohedano et al. 2009: people enter and leave. Measures how long there are estimates without a person, and people without an estimate.</source>
-        <translation>Mohedano u. a. 2009: Personen kommen und gehen. Misst, wie lange es Schätzungen ohne Person und Personen ohne Schätzung gibt.</translation>
+        <source>Mohedano et al. 2009: people enter and leave. Measures how long an estimate exists where nobody is, and how long a person has no estimate.</source>
+        <translation>Mohedano u. a. 2009: Personen kommen und gehen. Misst, wie lange es eine Schätzung gibt, wo niemand ist, und wie lange eine Person keine Schätzung hat.</translation>
     </message>
     <message>
         <source>Mohedano et al. 2009: two people far apart. This is the easy case: no method should mix them up.</source>
@@ -1690,12 +1686,12 @@
         <translation>Drei Personen gehen umher: ein Kind von 0,9 bis 1,3 m Größe, eine Person von 1,3 bis 1,6 m und eine von 1,88 bis 2 m Größe.</translation>
     </message>
     <message>
-        <source>Where one camera finds the color</source>
-        <translation>Wo eine Kamera die Farbe findet</translation>
+        <source>Where a single camera finds the color</source>
+        <translation>Wo eine einzelne Kamera die Farbe findet</translation>
     </message>
     <message>
-        <source>Where the cloud can start and converge</source>
-        <translation>Wo die Wolke beginnen und konvergieren kann</translation>
+        <source>From which starting positions the particles still find the target</source>
+        <translation>Von welchen Startpositionen aus die Partikel das Ziel noch finden</translation>
     </message>
 </context>
 <context>
@@ -1791,8 +1787,8 @@
         <translation>%1 liegt %2 m unter dem Boden (z = 0).</translation>
     </message>
     <message>
-        <source>%1 sees nothing that another camera sees.</source>
-        <translation>%1 sieht nichts, was eine andere Kamera sieht.</translation>
+        <source>The view of %1 does not overlap with the view of any other camera.</source>
+        <translation>Das Blickfeld von %1 überschneidet sich mit dem keiner anderen Kamera.</translation>
     </message>
     <message>
         <source>A file of the project is missing: %1.</source>
@@ -1811,23 +1807,23 @@
         <translation>Fügen Sie Kameras hinzu, oder wählen Sie ein anderes Verfahren.</translation>
     </message>
     <message>
-        <source>Calibrate both again; one pose was probably copied from the other.</source>
-        <translation>Kalibrieren Sie beide neu; wahrscheinlich wurde die Lage der einen von der anderen kopiert.</translation>
+        <source>Calibrate both cameras again; the pose of one was probably copied from the other.</source>
+        <translation>Kalibrieren Sie beide Kameras neu; wahrscheinlich wurde die Lage der einen von der anderen kopiert.</translation>
     </message>
     <message>
-        <source>Calibrate them with a board, a wand or measured points.</source>
-        <translation>Kalibrieren Sie sie mit einer Tafel, einem Stab oder gemessenen Punkten.</translation>
+        <source>Calibrate the cameras with a board, a wand or measured points.</source>
+        <translation>Kalibrieren Sie die Kameras mit einer Tafel, einem Stab oder gemessenen Punkten.</translation>
     </message>
     <message>
-        <source>Calibrate them, or choose a method that tracks boxes in images.</source>
-        <translation>Kalibrieren Sie sie, oder wählen Sie ein Verfahren, das Rahmen in Bildern verfolgt.</translation>
+        <source>Calibrate the cameras, or choose a method that tracks boxes in images.</source>
+        <translation>Kalibrieren Sie die Kameras, oder wählen Sie ein Verfahren, das Rahmen in Bildern verfolgt.</translation>
     </message>
     <message>
-        <source>Check late_by; it is in seconds.</source>
-        <translation>Prüfen Sie late_by; die Angabe ist in Sekunden.</translation>
+        <source>Check late_by of this camera in the project file; its unit is seconds.</source>
+        <translation>Prüfen Sie late_by dieser Kamera in der Projektdatei; die Einheit ist Sekunden.</translation>
     </message>
     <message>
-        <source>Check that the camera sees the target, and its exposure and white balance.</source>
+        <source>Check that the camera sees the target, and check its exposure and white balance.</source>
         <translation>Prüfen Sie, ob die Kamera das Ziel sieht, und prüfen Sie Belichtung und Weißabgleich.</translation>
     </message>
     <message>
@@ -1835,80 +1831,80 @@
         <translation>Prüfen Sie, ob die Zeiten in allen Tabellen von derselben Uhr stammen.</translation>
     </message>
     <message>
-        <source>Check that this is the recording they were made for.</source>
-        <translation>Prüfen Sie, ob sie für diese Aufnahme gemacht wurden.</translation>
+        <source>Check that the corrections were made for this recording.</source>
+        <translation>Prüfen Sie, ob die Korrekturen für diese Aufnahme gemacht wurden.</translation>
     </message>
     <message>
         <source>Check that z points up and is 0 on the floor, unless you placed the origin elsewhere.</source>
         <translation>Prüfen Sie, ob z nach oben zeigt und am Boden 0 ist, sofern Sie den Ursprung nicht woandershin gelegt haben.</translation>
     </message>
     <message>
-        <source>Click on it in an image, or use the command learn-color.</source>
-        <translation>Klicken Sie es in einem Bild an, oder verwenden Sie den Befehl learn-color.</translation>
+        <source>Click the target in an image, or use the command learn-color.</source>
+        <translation>Klicken Sie das Ziel in einem Bild an, oder verwenden Sie den Befehl learn-color.</translation>
     </message>
     <message>
-        <source>Convert them to the same rate, or give each camera a table of times.</source>
-        <translation>Bringen Sie alle auf dieselbe Bildrate, oder geben Sie Zeittabellen an.</translation>
+        <source>Convert the recordings to the same frame rate, or give each camera a table of times.</source>
+        <translation>Bringen Sie die Aufnahmen auf dieselbe Bildrate, oder geben Sie für jede Kamera eine Zeittabelle an.</translation>
     </message>
     <message>
-        <source>Copy it again, or convert it with FFmpeg.</source>
-        <translation>Kopieren Sie sie noch einmal, oder wandeln Sie sie mit FFmpeg um.</translation>
+        <source>Copy the recording again, or convert it with FFmpeg.</source>
+        <translation>Kopieren Sie die Aufnahme noch einmal, oder wandeln Sie sie mit FFmpeg um.</translation>
     </message>
     <message>
-        <source>Copy it again, or repair it with FFmpeg (ffmpeg -i IN -c copy OUT).</source>
-        <translation>Kopieren Sie es noch einmal, oder reparieren Sie es mit FFmpeg (ffmpeg -i EINGABE -c copy AUSGABE).</translation>
+        <source>Copy the video again, or repair it with FFmpeg (ffmpeg -i IN -c copy OUT).</source>
+        <translation>Kopieren Sie das Video noch einmal, oder reparieren Sie es mit FFmpeg (ffmpeg -i EINGABE -c copy AUSGABE).</translation>
     </message>
     <message>
-        <source>Copy the folder again; otherwise the camera has no image in these frames.</source>
-        <translation>Kopieren Sie den Ordner noch einmal; sonst hat die Kamera zu diesen Zeitpunkten kein Bild.</translation>
+        <source>Copy the image folder again; otherwise the camera has no image in the missing frames.</source>
+        <translation>Kopieren Sie den Bilderordner noch einmal; sonst hat die Kamera an den fehlenden Stellen kein Bild.</translation>
     </message>
     <message>
-        <source>Copy the recording again, or use only the frames before it.</source>
+        <source>Copy the recording again, or use only the frames before this one.</source>
         <translation>Kopieren Sie die Aufnahme noch einmal, oder verwenden Sie nur die Bilder davor.</translation>
     </message>
     <message>
-        <source>Correct late_by; it is in seconds.</source>
-        <translation>Korrigieren Sie late_by; die Angabe ist in Sekunden.</translation>
+        <source>Correct late_by of this camera in the project file; its unit is seconds.</source>
+        <translation>Korrigieren Sie late_by dieser Kamera in der Projektdatei; die Einheit ist Sekunden.</translation>
     </message>
     <message>
-        <source>Correct the file, or remove truth from the project.</source>
-        <translation>Korrigieren Sie die Datei, oder entfernen Sie truth aus dem Projekt.</translation>
+        <source>Correct the file, or remove the key truth from the project file.</source>
+        <translation>Korrigieren Sie die Datei, oder entfernen Sie den Schlüssel truth aus der Projektdatei.</translation>
     </message>
     <message>
-        <source>Correct the line in a text editor, or make a new project.</source>
-        <translation>Korrigieren Sie die Zeile in einem Texteditor, oder erstellen Sie ein neues Projekt.</translation>
+        <source>Correct the project file in a text editor, or make a new project.</source>
+        <translation>Korrigieren Sie die Projektdatei in einem Texteditor, oder erstellen Sie ein neues Projekt.</translation>
     </message>
     <message>
-        <source>Correct the table, or remove times from this camera.</source>
-        <translation>Korrigieren Sie die Tabelle, oder entfernen Sie times bei dieser Kamera.</translation>
+        <source>Correct the table, or remove the key times of this camera from the project file.</source>
+        <translation>Korrigieren Sie die Tabelle, oder entfernen Sie den Schlüssel times dieser Kamera aus der Projektdatei.</translation>
     </message>
     <message>
-        <source>Corrections for frames that the recording does not have: %1.</source>
-        <translation>Korrekturen für Bilder, die es in der Aufnahme nicht gibt: %1.</translation>
+        <source>The project has corrections for frames that the recording does not have: %1.</source>
+        <translation>Das Projekt hat Korrekturen für Bilder, die es in der Aufnahme nicht gibt: %1.</translation>
     </message>
     <message>
-        <source>Draw it in an earlier frame.</source>
-        <translation>Ziehen Sie ihn in einem früheren Bild.</translation>
+        <source>Draw the box in an earlier frame.</source>
+        <translation>Ziehen Sie den Rahmen in einem früheren Bild.</translation>
     </message>
     <message>
-        <source>Draw one in an image.</source>
-        <translation>Ziehen Sie in einem Bild einen Rahmen.</translation>
+        <source>Draw a box around the target in an image.</source>
+        <translation>Ziehen Sie in einem Bild einen Rahmen um das Ziel.</translation>
     </message>
     <message>
         <source>Frame %2 of %1 cannot be read: %3.</source>
         <translation>Bild %2 von %1 kann nicht gelesen werden: %3.</translation>
     </message>
     <message>
-        <source>Give every camera one, or none.</source>
-        <translation>Geben Sie für alle Kameras eine an oder für keine.</translation>
+        <source>Give every camera a table of times, or no camera.</source>
+        <translation>Geben Sie für alle Kameras eine Zeittabelle an oder für keine.</translation>
     </message>
     <message>
         <source>Give the radius in meters.</source>
         <translation>Geben Sie den Radius in Metern an.</translation>
     </message>
     <message>
-        <source>Import it again, or calibrate again.</source>
-        <translation>Importieren Sie sie noch einmal, oder kalibrieren Sie neu.</translation>
+        <source>Import the calibration again, or calibrate the cameras again.</source>
+        <translation>Importieren Sie die Kalibrierung noch einmal, oder kalibrieren Sie die Kameras neu.</translation>
     </message>
     <message>
         <source>Import the calibration again with the right unit (calibration convert --unit).</source>
@@ -1939,11 +1935,11 @@
         <translation>Erstellen Sie ein Projekt mit den Livekameras und ein zweites mit den Aufnahmen.</translation>
     </message>
     <message>
-        <source>Make room, or write to another disk with --out.</source>
-        <translation>Schaffen Sie Platz, oder schreiben Sie mit --out auf ein anderes Laufwerk.</translation>
+        <source>Free some disk space, or write to another disk with the option --out.</source>
+        <translation>Schaffen Sie Platz, oder schreiben Sie mit der Option --out auf ein anderes Laufwerk.</translation>
     </message>
     <message>
-        <source>Move the volume, or remove it.</source>
+        <source>Move the volume of interest, or remove it.</source>
         <translation>Verschieben Sie den Suchraum, oder entfernen Sie ihn.</translation>
     </message>
     <message>
@@ -1971,8 +1967,8 @@
         <translation>Für Ergebnisse sind nur %1 MB frei.</translation>
     </message>
     <message>
-        <source>Only the first %2 frames are used; check that all begin at the same time.</source>
-        <translation>Nur die ersten %2 Bilder werden verwendet; prüfen Sie, ob alle Aufnahmen gleichzeitig beginnen.</translation>
+        <source>Only the first %2 frames of each recording are used; check that all recordings begin at the same time.</source>
+        <translation>Von jeder Aufnahme werden nur die ersten %2 Bilder verwendet; prüfen Sie, ob alle Aufnahmen gleichzeitig beginnen.</translation>
     </message>
     <message>
         <source>Open the project to see whether images arrive.</source>
@@ -1983,24 +1979,24 @@
         <translation>Andere Kameras haben eine Zeittabelle, %1 hat keine.</translation>
     </message>
     <message>
-        <source>Plug it in, or choose another one.</source>
-        <translation>Schließen Sie es an, oder wählen Sie ein anderes.</translation>
+        <source>Connect the device, or choose another one.</source>
+        <translation>Schließen Sie das Gerät an, oder wählen Sie ein anderes.</translation>
     </message>
     <message>
-        <source>Put it back, or correct the path in the project file.</source>
-        <translation>Legen Sie sie wieder an ihren Ort, oder korrigieren Sie den Pfad in der Projektdatei.</translation>
+        <source>Put the missing file or folder back, or correct its path in the project file.</source>
+        <translation>Bringen Sie die fehlende Datei oder den Ordner an den alten Ort zurück, oder korrigieren Sie den Pfad in der Projektdatei.</translation>
     </message>
     <message>
-        <source>Remove frames_per_second unless the video is wrong.</source>
-        <translation>Entfernen Sie frames_per_second, sofern die Angabe im Video nicht falsch ist.</translation>
+        <source>Remove frames_per_second from the project file, unless the rate stated in the video is wrong.</source>
+        <translation>Entfernen Sie frames_per_second aus der Projektdatei, sofern die Angabe im Video nicht falsch ist.</translation>
     </message>
     <message>
-        <source>Set frames_per_second; speeds depend on it.</source>
-        <translation>Setzen Sie frames_per_second; Geschwindigkeiten hängen davon ab.</translation>
+        <source>Set frames_per_second in the project file; the measured speeds depend on it.</source>
+        <translation>Setzen Sie frames_per_second in der Projektdatei; die gemessenen Geschwindigkeiten hängen davon ab.</translation>
     </message>
     <message>
-        <source>Set rotate to 90 or 270 for this camera.</source>
-        <translation>Setzen Sie rotate bei dieser Kamera auf 90 oder 270.</translation>
+        <source>Set rotate to 90 or 270 for this camera in the project file.</source>
+        <translation>Setzen Sie rotate bei dieser Kamera in der Projektdatei auf 90 oder 270.</translation>
     </message>
     <message>
         <source>Simulated cameras: %1.</source>
@@ -2015,8 +2011,8 @@
         <translation>Einige Kameras sind live, andere sind Aufnahmen.</translation>
     </message>
     <message>
-        <source>Take it again, or remove empty_room from this camera.</source>
-        <translation>Nehmen Sie es neu auf, oder entfernen Sie empty_room bei dieser Kamera.</translation>
+        <source>Take the background image again, or remove the key empty_room of this camera from the project file.</source>
+        <translation>Nehmen Sie das Hintergrundbild neu auf, oder entfernen Sie den Schlüssel empty_room dieser Kamera aus der Projektdatei.</translation>
     </message>
     <message>
         <source>Target %1 has a radius of %2 m, which is larger than a person.</source>
@@ -2071,12 +2067,12 @@
         <translation>Die Farbe von Ziel %1 war in keinem der geprüften Bilder von %2 zu finden.</translation>
     </message>
     <message>
-        <source>The delay of %1 is %2 s, which is unusual.</source>
-        <translation>Die Verzögerung von %1 beträgt %2 s, das ist ungewöhnlich.</translation>
+        <source>The delay of %1 is %2 s, which is unusually large.</source>
+        <translation>Die Verzögerung von %1 beträgt %2 s, das ist ungewöhnlich viel.</translation>
     </message>
     <message>
-        <source>The delay of %1, %2 s, is longer than its recording, so it has no image.</source>
-        <translation>Die Verzögerung von %1, %2 s, ist länger als ihre Aufnahme; deshalb hat sie kein Bild.</translation>
+        <source>The delay of %1 (%2 s) is longer than its recording, so this camera has no image in any frame.</source>
+        <translation>Die Verzögerung von %1 (%2 s) ist länger als ihre Aufnahme; deshalb hat diese Kamera zu keinem Zeitpunkt ein Bild.</translation>
     </message>
     <message>
         <source>The device of %1 is connected.</source>
@@ -2163,20 +2159,20 @@
         <translation>Für Ergebnisse ist Platz: %1 GB sind frei.</translation>
     </message>
     <message>
-        <source>Turn it toward the target, or calibrate it again.</source>
-        <translation>Drehen Sie sie zum Ziel, oder kalibrieren Sie sie neu.</translation>
+        <source>Turn this camera toward the target, or calibrate it again.</source>
+        <translation>Drehen Sie diese Kamera zum Ziel, oder kalibrieren Sie sie neu.</translation>
     </message>
     <message>
-        <source>Use the calibration of these images, or images of the calibrated size.</source>
-        <translation>Verwenden Sie die Kalibrierung dieser Bilder oder Bilder der kalibrierten Größe.</translation>
+        <source>Use a calibration for images of this size, or record images of the calibrated size.</source>
+        <translation>Verwenden Sie eine Kalibrierung für Bilder dieser Größe, oder nehmen Sie Bilder der kalibrierten Größe auf.</translation>
     </message>
     <message>
-        <source>Use the table that belongs to this recording.</source>
-        <translation>Verwenden Sie die Tabelle, die zu dieser Aufnahme gehört.</translation>
+        <source>Use the table of times that belongs to this recording.</source>
+        <translation>Verwenden Sie die Zeittabelle, die zu dieser Aufnahme gehört.</translation>
     </message>
     <message>
-        <source>Write results to another folder with --out.</source>
-        <translation>Schreiben Sie die Ergebnisse mit --out in einen anderen Ordner.</translation>
+        <source>Write the results to another folder with the option --out.</source>
+        <translation>Schreiben Sie die Ergebnisse mit der Option --out in einen anderen Ordner.</translation>
     </message>
 </context>
 <context>
@@ -2256,7 +2252,7 @@
         <translation>Stab: ein Ball oder ein Stab mit zwei Bällen</translation>
     </message>
     <message>
-        <source>File of another tool</source>
+        <source>File of another program</source>
         <translation>Datei eines anderen Programms</translation>
     </message>
     <message>
@@ -2420,8 +2416,8 @@
         <translation>Sie brauchen eine Kalibrierungsdatei für diese Kameras und für Bilder dieser Größe.</translation>
     </message>
     <message>
-        <source>Choose the file. If it lacks something, such as the unit, the dialog asks you for it. The dialog also shows how far each camera would move.</source>
-        <translation>Wählen Sie die Datei. Fehlt etwas in ihr, zum Beispiel die Einheit, fragt der Dialog Sie danach. Der Dialog zeigt auch, wie weit sich jede Kamera bewegen würde.</translation>
+        <source>Choose the file. If the file does not contain everything (for example, no unit), the dialog asks you for the rest. The dialog also shows how far each camera would move.</source>
+        <translation>Wählen Sie die Datei. Enthält sie nicht alles (zum Beispiel keine Einheit), fragt der Dialog Sie nach dem Rest. Der Dialog zeigt auch, wie weit sich jede Kamera bewegen würde.</translation>
     </message>
     <message>
         <source>Describe the board on the page Board, and print it at 100 %. Check the scale bar with a ruler, and glue the sheet to something stiff and flat. If you already have a board, just describe it and go on to the next step.</source>
@@ -2468,8 +2464,8 @@
         <translation>Messen Sie eine möglichst lange Strecke im Raum. Markieren Sie ihre Enden als A und B, geben Sie die Länge ein und drücken Sie Prüfen. Ergibt die Kalibrierung eine andere Länge, drücken Sie Maßstab festlegen, um die Kalibrierung zu berichtigen.</translation>
     </message>
     <message>
-        <source>Done: the distance differs by %1.</source>
-        <translation>Erledigt: Die Länge weicht um %1 ab.</translation>
+        <source>Done: the distance in the calibration differs from the measured one by %1.</source>
+        <translation>Erledigt: Die Länge in der Kalibrierung weicht um %1 von der gemessenen ab.</translation>
     </message>
     <message>
         <source>Done for %1 of %2 cameras.</source>
@@ -2572,8 +2568,8 @@
 <context>
     <name>Method</name>
     <message>
-        <source>A box in one video</source>
-        <translation>Ein Rahmen in einem Video</translation>
+        <source>Any object in the images of one camera (2D)</source>
+        <translation>Beliebige Objekte in den Bildern einer Kamera (2D)</translation>
     </message>
     <message>
         <source>A particle filter with color histograms</source>
@@ -2608,16 +2604,16 @@
         <translation>Zum Vergleich: unterscheidet Personen an ihrer Kleidung.</translation>
     </message>
     <message>
-        <source>For teaching: tracks a box in one video.</source>
-        <translation>Für die Lehre: verfolgt einen Rahmen in einem Video.</translation>
+        <source>For teaching: tracks an object as a box in the images of one camera.</source>
+        <translation>Für die Lehre: verfolgt ein Objekt als Rahmen in den Bildern einer Kamera.</translation>
     </message>
     <message>
         <source>For teaching: shows how a particle filter works.</source>
         <translation>Für die Lehre: zeigt, wie ein Partikelfilter arbeitet.</translation>
     </message>
     <message>
-        <source>For teaching: shows how particles follow measurements.</source>
-        <translation>Für die Lehre: zeigt, wie Partikel Messungen folgen.</translation>
+        <source>For teaching: shows how particles follow measured positions.</source>
+        <translation>Für die Lehre: zeigt, wie Partikel gemessenen Positionen folgen.</translation>
     </message>
     <message>
         <source>From papers, for teaching and comparison</source>
@@ -2644,12 +2640,12 @@
         <translation>Verfolgt mehrere Personen auf dem Boden, auch in ähnlicher Kleidung.</translation>
     </message>
     <message>
-        <source>The most accurate: decides whether the target is a ball or has another shape.</source>
-        <translation>Das genaueste: entscheidet, ob das Ziel ein Ball ist oder eine andere Form hat.</translation>
+        <source>The most accurate method. It finds out by itself whether the target is a ball or has another shape.</source>
+        <translation>Das genaueste Verfahren. Es stellt selbst fest, ob das Ziel ein Ball ist oder eine andere Form hat.</translation>
     </message>
     <message>
-        <source>Tracks the target by its colors, follows its size, and finds it again after it was hidden.</source>
-        <translation>Verfolgt das Ziel an seinen Farben, folgt seiner Größe und findet es wieder, wenn es verdeckt war.</translation>
+        <source>Tracks an object by its colors, adapts to its size, and finds it again after it was hidden.</source>
+        <translation>Verfolgt ein Objekt an seinen Farben, passt sich seiner Größe an und findet es wieder, wenn es verdeckt war.</translation>
     </message>
 </context>
 <context>
@@ -2661,6 +2657,41 @@
     <message>
         <source>Needs at least two cameras.</source>
         <translation>Braucht mindestens zwei Kameras.</translation>
+    </message>
+</context>
+<context>
+    <name>OutletText</name>
+    <message>
+        <source>JSON lines at %1</source>
+        <translation>JSON-Zeilen unter %1</translation>
+    </message>
+    <message>
+        <source>Web page and WebSocket at %1</source>
+        <translation>Webseite und WebSocket unter %1</translation>
+    </message>
+    <message>
+        <source>OSC messages to %1</source>
+        <translation>OSC-Nachrichten an %1</translation>
+    </message>
+    <message>
+        <source>TUIO cursors to %1</source>
+        <translation>TUIO-Cursor an %1</translation>
+    </message>
+    <message>
+        <source>CSV lines to the standard output</source>
+        <translation>CSV-Zeilen an die Standardausgabe</translation>
+    </message>
+    <message>
+        <source>CSV lines to %1</source>
+        <translation>CSV-Zeilen an %1</translation>
+    </message>
+    <message>
+        <source>No program is reading this pipe.</source>
+        <translation>Kein Programm liest aus dieser Pipe.</translation>
+    </message>
+    <message>
+        <source>Nothing can be written: %1</source>
+        <translation>Es kann nicht geschrieben werden: %1</translation>
     </message>
 </context>
 <context>
@@ -2742,8 +2773,8 @@
         <translation>Beschleunigungs-Sigma</translation>
     </message>
     <message>
-        <source>Edge length of the room in which a target may appear: larger values require a higher likelihood before a track is created.</source>
-        <translation>Kantenlänge des Raums, in dem ein Ziel auftauchen kann: Größere Werte verlangen eine höhere Likelihood, bevor eine Spur entsteht.</translation>
+        <source>Edge length of the space in which a target may appear: with larger values, a track is created only at a higher likelihood.</source>
+        <translation>Kantenlänge des Raums, in dem ein Ziel auftauchen kann: Bei größeren Werten entsteht eine Spur erst bei höherer Likelihood.</translation>
     </message>
     <message>
         <source>Fewest particles</source>
@@ -2806,8 +2837,8 @@
         <translation>Seitenverhältnis-Sigma</translation>
     </message>
     <message>
-        <source>Hidden below</source>
-        <translation>Verdeckt unterhalb</translation>
+        <source>Counts as hidden below</source>
+        <translation>Gilt als verdeckt unter</translation>
     </message>
     <message>
         <source>How far particles move at random along each axis between images, in multiples of the target size, in addition to their constant velocity.</source>
@@ -2842,12 +2873,12 @@
         <translation>Größen-Sigma</translation>
     </message>
     <message>
-        <source>How much of the box&apos;s current colors is blended into the reference colors at each image; 0 keeps the colors of the first image.</source>
+        <source>How much of the box&apos;s current colors is blended into the reference colors after each image; 0 keeps the colors of the first image.</source>
         <translation>Wie viel von den aktuellen Farben des Rahmens in jedem Bild in die Vorlagefarben eingeht; 0 behält die Farben des ersten Bildes.</translation>
     </message>
     <message>
-        <source>Share of the particles that are placed at other positions with the target&apos;s colors.</source>
-        <translation>Anteil der Partikel, die an andere Positionen mit den Farben des Ziels gesetzt werden.</translation>
+        <source>Share of the particles that jump to other positions at which the target&apos;s colors are found.</source>
+        <translation>Anteil der Partikel, die an andere Positionen springen, an denen die Farben des Ziels gefunden werden.</translation>
     </message>
     <message>
         <source>Sharpness</source>
@@ -2886,8 +2917,8 @@
         <translation>Hintergrundmodell</translation>
     </message>
     <message>
-        <source>Creation time</source>
-        <translation>Erscheinungszeit</translation>
+        <source>Confirmation time</source>
+        <translation>Bestätigungszeit</translation>
     </message>
     <message>
         <source>Create tracks</source>
@@ -2962,8 +2993,8 @@
         <translation>Bildbreite</translation>
     </message>
     <message>
-        <source>Images are reduced to at most this width before anything else; 0 keeps them as they are.</source>
-        <translation>Bilder werden zuerst auf höchstens diese Breite verkleinert; 0 lässt sie, wie sie sind.</translation>
+        <source>Images are reduced to at most this width before they are analyzed; 0 keeps them as they are.</source>
+        <translation>Bilder werden vor der Auswertung auf höchstens diese Breite verkleinert; 0 lässt sie, wie sie sind.</translation>
     </message>
     <message>
         <source>Learning time</source>
@@ -3046,8 +3077,8 @@
         <translation>1 verfolgt jede Person, die mehrere Kameras sehen. 0 verfolgt nur Personen, die Sie von Hand hinzufügen.</translation>
     </message>
     <message>
-        <source>Center of the tracked floor area along this axis.</source>
-        <translation>Mitte der beobachteten Bodenfläche entlang dieser Achse.</translation>
+        <source>Coordinate of the center of the tracked floor area along this axis.</source>
+        <translation>Koordinate der Mitte der verfolgten Bodenfläche entlang dieser Achse.</translation>
     </message>
     <message>
         <source>Error of the times at which the images were taken. It is part of the reported uncertainty of a moving target. 8 suits webcams.</source>
@@ -3078,8 +3109,8 @@
         <translation>Wie bewegte Bereiche gefunden werden. 0: eine Normalverteilung je Pixel (schnell). 1: MOG2 von OpenCV. 2: KNN von OpenCV.</translation>
     </message>
     <message>
-        <source>How much each camera that sees a whole person counts: larger values rely more on the masks.</source>
-        <translation>Wie viel jede Kamera zählt, die eine ganze Person sieht: Größere Werte vertrauen den Masken mehr.</translation>
+        <source>How strongly the mask of each camera influences where a person is tracked: larger values rely more on the masks.</source>
+        <translation>Wie stark die Maske jeder Kamera beeinflusst, wo eine Person verfolgt wird: Größere Werte vertrauen den Masken mehr.</translation>
     </message>
     <message>
         <source>How much the colors of a particle&apos;s box may differ from the reference colors (Bhattacharyya distance): smaller values trust the best particles more.</source>
@@ -3098,7 +3129,7 @@
         <translation>Kleinste Helligkeit eines Schattens, als Anteil der Helligkeit des Hintergrunds bei gleichem Farbton. Alles Dunklere gilt als bewegter Bereich.</translation>
     </message>
     <message>
-        <source>Smallest number of particles of each target, used when all particles are close together.</source>
+        <source>Smallest number of particles of each target; used when all its particles are close together.</source>
         <translation>Kleinste Zahl der Partikel je Ziel, benutzt, wenn alle Partikel dicht beieinander liegen.</translation>
     </message>
     <message>
@@ -3167,7 +3198,7 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>lernt Hintergrund: %1 % · bitte nicht ins Bild treten</translation>
     </message>
     <message>
-        <source>image ignored: %1 % of it moves</source>
+        <source>image ignored: %1 % of it is moving</source>
         <translation>Bild ignoriert: %1 % davon bewegen sich</translation>
     </message>
     <message>
@@ -3262,8 +3293,8 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>kein Bild</translation>
     </message>
     <message>
-        <source>covered or moved</source>
-        <translation>verdeckt oder bewegt</translation>
+        <source>camera covered or moved</source>
+        <translation>Kamera verdeckt oder bewegt</translation>
     </message>
     <message>
         <source>too dark</source>
@@ -3361,8 +3392,8 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>Ähnlichkeit</translation>
     </message>
     <message>
-        <source>to the reference</source>
-        <translation>zur Vorlage</translation>
+        <source>similarity to the reference</source>
+        <translation>Ähnlichkeit zur Vorlage</translation>
     </message>
     <message>
         <source>Position</source>
@@ -3612,16 +3643,16 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
 <context>
     <name>dewpoint::ui::BackgroundImageTaker</name>
     <message>
-        <source>“%1” is visible in this image and would become part of the background. Choose a frame without it.</source>
-        <translation>„%1“ ist in diesem Bild zu sehen und würde Teil des Hintergrunds. Wählen Sie ein Bild ohne es.</translation>
+        <source>“%1” is visible in this image and would become part of the background. Choose a frame without this target.</source>
+        <translation>„%1“ ist in diesem Bild zu sehen und würde Teil des Hintergrunds. Wählen Sie ein Bild ohne dieses Ziel.</translation>
     </message>
     <message>
-        <source>Use it anyway</source>
-        <translation>Trotzdem verwenden</translation>
+        <source>Use image anyway</source>
+        <translation>Bild trotzdem verwenden</translation>
     </message>
     <message>
-        <source>The camera has changed in the meantime. The image was saved as %1, but is not used.</source>
-        <translation>Die Kamera wurde inzwischen geändert: Das Bild ist als %1 aufgehoben, wird aber nicht verwendet.</translation>
+        <source>The image was saved as %1, but is not used, because the settings of the camera were changed in the meantime.</source>
+        <translation>Das Bild wurde als %1 gespeichert, wird aber nicht verwendet, weil die Einstellungen der Kamera inzwischen geändert wurden.</translation>
     </message>
     <message>
         <source>Change background image</source>
@@ -3639,8 +3670,8 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>Position korrigieren</translation>
     </message>
     <message>
-        <source>The target was tracked backward to frame %1 and is now tracked forward again from there.</source>
-        <translation>Das Ziel wurde rückwärts bis Bild %1 verfolgt und wird ab dort wieder vorwärts verfolgt.</translation>
+        <source>The target was tracked backward to frame %1. It is now being tracked forward again from this frame.</source>
+        <translation>Das Ziel wurde rückwärts bis Bild %1 verfolgt. Ab diesem Bild wird es jetzt wieder vorwärts verfolgt.</translation>
     </message>
     <message>
         <source>Tracking the target backward: frame %1.</source>
@@ -3745,8 +3776,8 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>Seite (*.html)</translation>
     </message>
     <message>
-        <source>Use it anyway</source>
-        <translation>Trotzdem verwenden</translation>
+        <source>Use calibration anyway</source>
+        <translation>Kalibrierung trotzdem verwenden</translation>
     </message>
     <message>
         <source>Saved %1.</source>
@@ -3765,8 +3796,8 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>Alle Bilder durchsuchen</translation>
     </message>
     <message>
-        <source>Find out which board the images show: its kind, its squares and its dictionary. Images do not show its size: measure its squares yourself</source>
-        <translation>Feststellen, welche Tafel die Bilder zeigen: ihre Art, ihre Felder und ihr Wörterbuch. Ihre Größe zeigen Bilder nicht: Messen Sie ihre Felder selbst</translation>
+        <source>Find out from the images which kind of board they show, how many squares it has, and its dictionary. The images do not show how large the squares are: measure this yourself</source>
+        <translation>Aus den Bildern bestimmen, welche Art von Tafel sie zeigen, wie viele Felder sie hat und welches Wörterbuch. Wie groß die Felder sind, zeigen die Bilder nicht: Messen Sie es selbst</translation>
     </message>
     <message>
         <source>Computing</source>
@@ -3849,24 +3880,24 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>Art der Tafel</translation>
     </message>
     <message>
-        <source>Squares across, down</source>
-        <translation>Felder quer, hoch</translation>
+        <source>Squares per row, per column</source>
+        <translation>Felder je Zeile, je Spalte</translation>
     </message>
     <message>
         <source>Squares in a row</source>
         <translation>Felder in einer Zeile</translation>
     </message>
     <message>
-        <source>All squares of a row, black and white</source>
-        <translation>Alle Felder einer Zeile, schwarze und weiße</translation>
+        <source>Number of squares in a row, black and white together</source>
+        <translation>Zahl der Felder in einer Zeile, schwarze und weiße zusammen</translation>
     </message>
     <message>
         <source>Squares in a column</source>
         <translation>Felder in einer Spalte</translation>
     </message>
     <message>
-        <source>All squares of a column, black and white</source>
-        <translation>Alle Felder einer Spalte, schwarze und weiße</translation>
+        <source>Number of squares in a column, black and white together</source>
+        <translation>Zahl der Felder in einer Spalte, schwarze und weiße zusammen</translation>
     </message>
     <message>
         <source>Side of a square</source>
@@ -3889,8 +3920,8 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>Wörterbuch der Marker</translation>
     </message>
     <message>
-        <source>The dictionary name used when the board was generated</source>
-        <translation>Der Name des Wörterbuchs, mit dem die Tafel erzeugt wurde</translation>
+        <source>The dictionary of the markers that was chosen when the board was made</source>
+        <translation>Das Wörterbuch der Marker, das beim Erstellen der Tafel gewählt wurde</translation>
     </message>
     <message>
         <source>Legacy layout (even rows)</source>
@@ -3968,8 +3999,8 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>Zu bestimmende Werte</translation>
     </message>
     <message>
-        <source>Intrinsics: lens and sensor of each camera separately. Positions: where the cameras are, from a board that several of them see at the same time</source>
-        <translation>Intrinsik: Objektiv und Sensor jeder Kamera für sich. Positionen: wo die Kameras stehen, aus einer Tafel, die mehrere zugleich sehen</translation>
+        <source>Intrinsics: lens and sensor, for each camera separately. Positions: where the cameras are, computed from a board that several cameras see at the same time</source>
+        <translation>Intrinsik: Objektiv und Sensor, für jede Kamera einzeln. Positionen: wo die Kameras stehen, berechnet aus einer Tafel, die mehrere Kameras zugleich sehen</translation>
     </message>
     <message>
         <source>Lens model</source>
@@ -4008,19 +4039,19 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>Aktuelles Bild für den Boden verwenden</translation>
     </message>
     <message>
-        <source>Take the frame that is shown now</source>
-        <translation>Das Bild nehmen, das jetzt gezeigt wird</translation>
+        <source>Enter the number of the frame that is shown now</source>
+        <translation>Die Nummer des jetzt gezeigten Bildes eintragen</translation>
     </message>
     <message>
-        <source>Stop at accuracy</source>
-        <translation>Ende bei Genauigkeit</translation>
+        <source>Accuracy goal</source>
+        <translation>Gewünschte Genauigkeit</translation>
     </message>
     <message>
         <source>Desired accuracy of the intrinsics</source>
         <translation>Gewünschte Genauigkeit der intrinsischen Parameter</translation>
     </message>
     <message>
-        <source>Guidance ends when the intrinsics are this accurate all over the image</source>
+        <source>Guidance ends when the intrinsics are this accurate in all parts of the image</source>
         <translation>Die Anleitung endet, wenn die intrinsischen Parameter überall im Bild so genau sind</translation>
     </message>
     <message>
@@ -4071,7 +4102,7 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>Weiter: Positionen</translation>
     </message>
     <message>
-        <source>Accept the present accuracy of the intrinsics, then show the board to several cameras at once</source>
+        <source>Accept the current accuracy of the intrinsics; then show the board to several cameras at once</source>
         <translation>Die jetzige Genauigkeit der intrinsischen Parameter annehmen, dann die Tafel mehreren Kameras zugleich zeigen</translation>
     </message>
     <message>
@@ -4257,8 +4288,8 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>Zustand</translation>
     </message>
     <message>
-        <source>Hidden: the box shows the expected position</source>
-        <translation>Verdeckt: Der Rahmen zeigt die erwartete Position</translation>
+        <source>Hidden: the target was not found in this frame; the box shows where it is expected</source>
+        <translation>Verdeckt: Das Ziel wurde in diesem Bild nicht gefunden; der Rahmen zeigt, wo es erwartet wird</translation>
     </message>
     <message>
         <source>● tracking</source>
@@ -4301,8 +4332,8 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
 <context>
     <name>dewpoint::ui::CalibrationChoice</name>
     <message>
-        <source>Calibration:</source>
-        <translation>Kalibrierung:</translation>
+        <source>Calibration file:</source>
+        <translation>Kalibrierungsdatei:</translation>
     </message>
     <message>
         <source>Choose calibration…</source>
@@ -4325,8 +4356,8 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>Eine Kalibrierung wählen</translation>
     </message>
     <message>
-        <source>Recognized: %1. Some information is missing: %2. Create the project without this file, then use Import calibration and enter what is missing.</source>
-        <translation>Erkannt: %1. Einige Angaben fehlen: %2. Erstellen Sie das Projekt ohne diese Datei, und geben Sie dann bei „Kalibrierung importieren“ das Fehlende an.</translation>
+        <source>Recognized: %1. The file does not contain everything: %2. Create the project without this file, then choose Calibration › Import calibration and enter what is missing.</source>
+        <translation>Erkannt: %1. Die Datei enthält nicht alles: %2. Erstellen Sie das Projekt ohne diese Datei, wählen Sie dann Kalibrierung › Kalibrierung importieren, und geben Sie das Fehlende ein.</translation>
     </message>
     <message>
         <source>Recognized: %1. It cannot be used: %2.</source>
@@ -4341,8 +4372,8 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>Nicht erkannt. Dewpoint liest: %1.</translation>
     </message>
     <message>
-        <source>Recognized as %1, but its cameras do not match those above: %2.</source>
-        <translation>Erkannt: %1. Ihre Kameras passen nicht zu denen oben: %2.</translation>
+        <source>Recognized: %1. The cameras in the file do not match the cameras above: %2.</source>
+        <translation>Erkannt: %1. Die Kameras in der Datei passen nicht zu den Kameras oben: %2.</translation>
     </message>
     <message numerus="yes">
         <source>✓ Recognized: %1, %n cameras</source>
@@ -4363,8 +4394,8 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
 <context>
     <name>dewpoint::ui::CalibrationDock</name>
     <message>
-        <source>Ways to calibrate</source>
-        <translation>Arten zu kalibrieren</translation>
+        <source>Pages of the camera calibration</source>
+        <translation>Seiten der Kamerakalibrierung</translation>
     </message>
 </context>
 <context>
@@ -4430,16 +4461,16 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>%1 gespeichert.</translation>
     </message>
     <message>
-        <source>%1: projected points change by at most %2 (the lens was fitted again to what the format can store)</source>
-        <translation>%1: projizierte Punkte ändern sich um höchstens %2 (das Objektiv wurde neu an das angepasst, was das Format speichern kann)</translation>
+        <source>%1: with the exported calibration, projected points move by at most %2, because the format cannot store this lens model and the lens was fitted again</source>
+        <translation>%1: mit der exportierten Kalibrierung verschieben sich projizierte Punkte um höchstens %2, weil das Format dieses Objektivmodell nicht speichern kann und das Objektiv neu angepasst wurde</translation>
     </message>
     <message>
-        <source>%1: projected points change by at most %2</source>
-        <translation>%1: projizierte Punkte ändern sich um höchstens %2</translation>
+        <source>%1: with the exported calibration, projected points move by at most %2</source>
+        <translation>%1: mit der exportierten Kalibrierung verschieben sich projizierte Punkte um höchstens %2</translation>
     </message>
     <message>
-        <source>%1: with the exported lens, %2 of 81 tested directions no longer have a pixel</source>
-        <translation>%1: mit dem exportierten Objektiv haben %2 von 81 geprüften Richtungen kein Pixel mehr</translation>
+        <source>%1: with the exported lens, %2 of 81 tested directions can no longer be projected into the image</source>
+        <translation>%1: mit dem exportierten Objektiv lassen sich %2 von 81 geprüften Richtungen nicht mehr ins Bild projizieren</translation>
     </message>
 </context>
 <context>
@@ -4453,11 +4484,11 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>Eine Kalibrierung importieren</translation>
     </message>
     <message>
-        <source>by name</source>
-        <translation>nach Namen</translation>
+        <source>match by name</source>
+        <translation>nach Namen zuordnen</translation>
     </message>
     <message>
-        <source>for %1 only</source>
+        <source>only for %1</source>
         <translation>nur für %1</translation>
     </message>
     <message>
@@ -4573,12 +4604,12 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>Kamera</translation>
     </message>
     <message>
-        <source>The camera to which a file with a single camera belongs</source>
-        <translation>Die Kamera, zu der eine Datei mit einer einzigen Kamera gehört</translation>
+        <source>If the file holds only one camera: the project camera that gets its calibration</source>
+        <translation>Wenn die Datei nur eine Kamera enthält: die Kamera des Projekts, die deren Kalibrierung erhält</translation>
     </message>
     <message>
-        <source>The file does not contain all information. Set “%1” above.</source>
-        <translation>Die Datei enthält nicht alle Angaben. Stellen Sie oben „%1“ ein.</translation>
+        <source>The file does not contain everything. Set “%1” above.</source>
+        <translation>Die Datei enthält nicht alles. Stellen Sie oben „%1“ ein.</translation>
     </message>
     <message>
         <source>The calibration uses other camera names. The cameras were matched by order.</source>
@@ -4621,8 +4652,8 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>um 270° im Uhrzeigersinn gedreht</translation>
     </message>
     <message>
-        <source>The images are</source>
-        <translation>Die Bilder sind</translation>
+        <source>Project images</source>
+        <translation>Bilder des Projekts</translation>
     </message>
     <message>
         <source>Names in the file</source>
@@ -4637,8 +4668,8 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>Wahrscheinlich ein Fehler: %1</translation>
     </message>
     <message>
-        <source>For each camera of the project: the camera of the file whose calibration it uses</source>
-        <translation>Für jede Kamera des Projekts: die Kamera der Datei, deren Kalibrierung sie verwendet</translation>
+        <source>For each camera of the project, choose the camera in the file from which it gets its calibration</source>
+        <translation>Wählen Sie für jede Kamera des Projekts die Kamera in der Datei, von der sie ihre Kalibrierung erhält</translation>
     </message>
     <message>
         <source>the same as when calibrated</source>
@@ -4653,15 +4684,15 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>Die Datei enthält keine Lage. Nur die Intrinsik wird importiert; die Kamera behält ihre jetzige Lage.</translation>
     </message>
     <message>
-        <source>Compared with the file, projected points change by at most %1</source>
-        <translation>Verglichen mit der Datei ändern sich projizierte Punkte um höchstens %1</translation>
+        <source>After the import, projected points are at most %1 away from where the file projects them</source>
+        <translation>Nach dem Import liegen projizierte Punkte höchstens %1 von der Stelle entfernt, an die die Datei sie projiziert</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::CalibrationMode</name>
     <message>
-        <source>Calibration</source>
-        <translation>Kalibrierung</translation>
+        <source>Camera calibration</source>
+        <translation>Kamerakalibrierung</translation>
     </message>
 </context>
 <context>
@@ -4885,20 +4916,20 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>%1 wurde um %2 gedreht (Bild %3).</translation>
     </message>
     <message>
-        <source>Its new pose is being computed.</source>
-        <translation>Ihre neue Lage wird gerade berechnet.</translation>
+        <source>The new pose of this camera is being computed.</source>
+        <translation>Die neue Lage dieser Kamera wird gerade berechnet.</translation>
     </message>
     <message>
-        <source>Its pose can be recomputed from its images.</source>
-        <translation>Ihre Lage lässt sich aus ihren Bildern neu berechnen.</translation>
+        <source>The pose of this camera can be recomputed from its images.</source>
+        <translation>Die Lage dieser Kamera lässt sich aus ihren Bildern neu berechnen.</translation>
     </message>
     <message>
         <source>Recompute pose of %1</source>
         <translation>Lage von %1 neu berechnen</translation>
     </message>
     <message>
-        <source>Its pose cannot be recomputed from its images: calibrate the camera again, or move it back.</source>
-        <translation>Ihre Lage lässt sich aus ihren Bildern nicht neu berechnen: Kalibrieren Sie die Kamera neu, oder stellen Sie sie zurück.</translation>
+        <source>The pose of this camera cannot be recomputed from its images: calibrate the camera again, or move it back.</source>
+        <translation>Die Lage dieser Kamera lässt sich aus ihren Bildern nicht neu berechnen: Kalibrieren Sie die Kamera neu, oder stellen Sie sie zurück.</translation>
     </message>
     <message>
         <source>Calibrate %1…</source>
@@ -4964,8 +4995,8 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>Gedreht</translation>
     </message>
     <message>
-        <source>Clockwise rotation of the images before use</source>
-        <translation>Drehung der Bilder im Uhrzeigersinn vor der Verwendung</translation>
+        <source>How far the images are rotated clockwise before they are used</source>
+        <translation>Wie weit die Bilder im Uhrzeigersinn gedreht werden, bevor sie verwendet werden</translation>
     </message>
     <message>
         <source>Load calibration…</source>
@@ -4981,9 +5012,9 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
     </message>
     <message>
         <source>%1 × %2 pixels, focal length %3 pixels
-at %4, %5, %6</source>
+Position x, y, z: %4, %5, %6</source>
         <translation>%1 × %2 Pixel, Brennweite %3 Pixel
-bei %4, %5, %6</translation>
+Position x, y, z: %4, %5, %6</translation>
     </message>
     <message>
         <source>Choose a folder of images</source>
@@ -5010,8 +5041,8 @@ bei %4, %5, %6</translation>
         <translation>Hintergrundbild</translation>
     </message>
     <message>
-        <source>Image, video or image folder that shows the scene without any target. Regions that have the target&apos;s color there are not taken for the target</source>
-        <translation>Bild, Video oder Bilderordner, der die Szene ohne Ziel zeigt. Bereiche, die dort die Farbe des Ziels haben, werden nicht für das Ziel gehalten</translation>
+        <source>Image, video or image folder that shows the scene without any target. An object in it that has the target&apos;s color is then not mistaken for the target</source>
+        <translation>Bild, Video oder Bilderordner, der die Szene ohne Ziel zeigt. Ein Gegenstand darin, der die Farbe des Ziels hat, wird dann nicht mit dem Ziel verwechselt</translation>
     </message>
     <message>
         <source>Choose background image</source>
@@ -5050,8 +5081,8 @@ bei %4, %5, %6</translation>
         <translation> ms</translation>
     </message>
     <message>
-        <source>Delay of this camera&apos;s images in ms, used to synchronize it with the other cameras. Calibration with a wand can measure the delay</source>
-        <translation>Verzögerung der Bilder dieser Kamera in ms, um sie mit den anderen Kameras zu synchronisieren. Die Kalibrierung mit Stab kann die Verzögerung messen</translation>
+        <source>How late this camera&apos;s images are, in ms. Dewpoint uses this delay to synchronize the cameras. Calibration with a wand can measure the delay</source>
+        <translation>Um wie viele ms die Bilder dieser Kamera zu spät sind. Dewpoint synchronisiert die Kameras mit dieser Verzögerung. Die Kalibrierung mit dem Stab kann die Verzögerung messen</translation>
     </message>
     <message>
         <source>Delay of the images in milliseconds</source>
@@ -5074,8 +5105,8 @@ bei %4, %5, %6</translation>
         <translation>Wahrscheinlich ein Fehler: %1</translation>
     </message>
     <message>
-        <source>%1. Use Import calibration.</source>
-        <translation>%1. Verwenden Sie „Kalibrierung importieren“.</translation>
+        <source>%1. Choose Calibration › Import calibration instead.</source>
+        <translation>%1. Wählen Sie stattdessen Kalibrierung › Kalibrierung importieren.</translation>
     </message>
 </context>
 <context>
@@ -5107,8 +5138,8 @@ bei %4, %5, %6</translation>
         <translation>✗ %1</translation>
     </message>
     <message>
-        <source>Live: tested when the project is created</source>
-        <translation>Live: wird ausprobiert, wenn das Projekt erstellt wird</translation>
+        <source>Live source: it is tested when the project is created</source>
+        <translation>Livequelle: wird geprüft, wenn das Projekt erstellt wird</translation>
     </message>
     <message>
         <source>The videos have different frame rates: frame N does not show the same time in each of them.</source>
@@ -5198,8 +5229,8 @@ bei %4, %5, %6</translation>
         <translation>Hier Farbe lernen</translation>
     </message>
     <message>
-        <source>Add a sample here</source>
-        <translation>Hier Probe hinzufügen</translation>
+        <source>Add color sample here</source>
+        <translation>Farbprobe hier hinzufügen</translation>
     </message>
     <message>
         <source>Exclude this color</source>
@@ -5218,8 +5249,8 @@ bei %4, %5, %6</translation>
         <translation>Diese Farbe zu den Farben des Ziels hinzufügen (Umschalt-Klick tut dasselbe)</translation>
     </message>
     <message>
-        <source>Learn that the target does not have this color (Alt-click does the same)</source>
-        <translation>Lernen, dass das Ziel diese Farbe nicht hat (Alt-Klick tut dasselbe)</translation>
+        <source>Remove this color from the colors of the target (Alt-click does the same)</source>
+        <translation>Diese Farbe aus den Farben des Ziels ausschließen (Alt-Klick tut dasselbe)</translation>
     </message>
 </context>
 <context>
@@ -5311,16 +5342,16 @@ bei %4, %5, %6</translation>
         <translation>&amp;Intensität</translation>
     </message>
     <message>
-        <source>First hue, 0 to 360 degrees; if it is above the last hue, the range goes through red</source>
-        <translation>Erster Farbton, 0 bis 360 Grad; liegt er über dem letzten Farbton, geht der Bereich durch Rot</translation>
+        <source>First hue, 0 to 360 degrees. If it is larger than the last hue, the range passes through red (0 degrees)</source>
+        <translation>Erster Farbton, 0 bis 360 Grad. Ist er größer als der letzte Farbton, geht der Bereich durch Rot (0 Grad)</translation>
     </message>
     <message>
         <source>Last hue, 0 to 360 degrees</source>
         <translation>Letzter Farbton, 0 bis 360 Grad</translation>
     </message>
     <message>
-        <source>Drag the ends or the center. Keyboard: Tab selects a handle, arrow keys move it (ten times as far with Shift)</source>
-        <translation>Ziehen Sie die Enden oder die Mitte. Tastatur: Tab wählt einen Griff, Pfeiltasten bewegen ihn (mit Umschalt zehnmal so weit)</translation>
+        <source>Drag the ends or the center of the range. Keyboard: Tab selects a handle, arrow keys move it (ten times as far with Shift)</source>
+        <translation>Ziehen Sie die Enden oder die Mitte des Bereichs. Tastatur: Tab wählt einen Griff, Pfeiltasten bewegen ihn (mit Umschalt zehnmal so weit)</translation>
     </message>
     <message>
         <source>Range of hues</source>
@@ -5366,12 +5397,12 @@ bei %4, %5, %6</translation>
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>excluded: %1, frame %2, at %3, %4</source>
-        <translation>ausgeschlossen: %1, Bild %2, bei %3, %4</translation>
+        <source>excluded: %1, frame %2, pixel %3, %4</source>
+        <translation>ausgeschlossen: %1, Bild %2, Pixel %3, %4</translation>
     </message>
     <message>
-        <source>%1, frame %2, at %3, %4</source>
-        <translation>%1, Bild %2, bei %3, %4</translation>
+        <source>%1, frame %2, pixel %3, %4</source>
+        <translation>%1, Bild %2, Pixel %3, %4</translation>
     </message>
     <message>
         <source>Shift-click in an image to add a sample, Alt-click or Ctrl+Shift-click to exclude one. Samples marked “found” were detected in other cameras.</source>
@@ -5382,8 +5413,8 @@ bei %4, %5, %6</translation>
         <translation>Die gewählte Probe entfernen und aus den übrigen lernen (Entf). Ist die Probe mit „gefunden“ bezeichnet, wird sie zu einer ausgeschlossenen Probe.</translation>
     </message>
     <message>
-        <source>found by Dewpoint: %1, frame %2, at %3, %4</source>
-        <translation>von Dewpoint gefunden: %1, Bild %2, bei %3, %4</translation>
+        <source>found by Dewpoint: %1, frame %2, pixel %3, %4</source>
+        <translation>von Dewpoint gefunden: %1, Bild %2, Pixel %3, %4</translation>
     </message>
 </context>
 <context>
@@ -5472,8 +5503,8 @@ bei %4, %5, %6</translation>
 <context>
     <name>dewpoint::ui::DockTitle</name>
     <message>
-        <source>Float or dock this view (double-click the title to maximize it)</source>
-        <translation>Diese Ansicht lösen oder andocken (Doppelklick auf den Titel maximiert sie)</translation>
+        <source>Float or dock this view (to maximize the view, double-click its title)</source>
+        <translation>Diese Ansicht lösen oder andocken (ein Doppelklick auf ihren Titel maximiert sie)</translation>
     </message>
     <message>
         <source>Show all views</source>
@@ -5510,8 +5541,8 @@ bei %4, %5, %6</translation>
         <translation>Videos hierher ziehen oder hinzufügen</translation>
     </message>
     <message>
-        <source>One video per camera, or image folders; also a calibration file</source>
-        <translation>Ein Video je Kamera oder Bildordner; auch eine Kalibrierungsdatei</translation>
+        <source>One video or image folder per camera; you can also drop a calibration file</source>
+        <translation>Ein Video oder Bilderordner je Kamera; auch eine Kalibrierungsdatei lässt sich hier ablegen</translation>
     </message>
 </context>
 <context>
@@ -5549,8 +5580,8 @@ bei %4, %5, %6</translation>
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>Change nothing</source>
-        <translation>Nichts ändern</translation>
+        <source>Close without changing anything</source>
+        <translation>Schließen, ohne etwas zu ändern</translation>
     </message>
 </context>
 <context>
@@ -5988,8 +6019,8 @@ bei %4, %5, %6</translation>
         </translation>
     </message>
     <message>
-        <source>Seconds from the last tracked frame before the gap to the first one after it</source>
-        <translation>Sekunden vom letzten verfolgten Bild vor der Lücke bis zum ersten danach</translation>
+        <source>Time in seconds between the last tracked frame before the gap and the first tracked frame after it</source>
+        <translation>Zeit in Sekunden zwischen dem letzten verfolgten Bild vor der Lücke und dem ersten danach</translation>
     </message>
 </context>
 <context>
@@ -6095,8 +6126,8 @@ bei %4, %5, %6</translation>
         <translation>Position der Ecke, an der die Achsen des Gitters beginnen, in Metern</translation>
     </message>
     <message>
-        <source>Hold down this button to show the grid as it was when the calibration was opened. Or hold down B while the pointer is over an image</source>
-        <translation>Diese Schaltfläche gedrückt halten, um das Gitter zu zeigen, wie es beim Öffnen der Kalibrierung war. Oder B gedrückt halten, während der Zeiger über einem Bild ist</translation>
+        <source>Hold down this button to show the grid as it was when you opened the calibration. You can also hold down B while the pointer is over an image</source>
+        <translation>Halten Sie diese Schaltfläche gedrückt, um das Gitter zu zeigen, wie es beim Öffnen der Kalibrierung war. Oder halten Sie B gedrückt, während der Zeiger über einem Bild ist</translation>
     </message>
 </context>
 <context>
@@ -6169,8 +6200,8 @@ bei %4, %5, %6</translation>
         <translation>%1 Maßstab: %2</translation>
     </message>
     <message>
-        <source>%1 Floor and up: %2</source>
-        <translation>%1 Boden und oben: %2</translation>
+        <source>%1 Floor and upward direction: %2</source>
+        <translation>%1 Boden und Richtung nach oben: %2</translation>
     </message>
     <message>
         <source>✓ Accuracy in the calibrated volume: %1 (95 %)</source>
@@ -6298,21 +6329,21 @@ bei %4, %5, %6</translation>
     </message>
     <message>
         <source>Click the object in a camera image, or drag a box around it.
-Shift-click works at any time.</source>
+When this button is off, Shift-click does the same.</source>
         <translation>Das Objekt in einem Kamerabild anklicken oder einen Rahmen darum ziehen.
-Umschalt-Klick geht jederzeit.</translation>
+Wenn diese Schaltfläche aus ist, tut Umschalt-Klick dasselbe.</translation>
     </message>
     <message>
-        <source>Click another part of the target, or the target in different light.
-Shift-click works at any time.</source>
-        <translation>Eine andere Stelle des Ziels anklicken, oder das Ziel in anderem Licht.
-Umschalt-Klick geht jederzeit.</translation>
+        <source>Click another part of the target, or the target in different light, to add its color.
+When this button is off, Shift-click does the same.</source>
+        <translation>Eine andere Stelle des Ziels anklicken, oder das Ziel in anderem Licht, um die Farbe hinzuzufügen.
+Wenn diese Schaltfläche aus ist, tut Umschalt-Klick dasselbe.</translation>
     </message>
     <message>
-        <source>Click something that matches but is not the target.
-Alt-click or Ctrl+Shift-click works at any time.</source>
-        <translation>Etwas anklicken, das auch passt, aber nicht das Ziel ist.
-Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
+        <source>Click something that has the target&apos;s color but is not the target, to exclude it.
+When this button is off, Alt-click or Ctrl+Shift-click does the same.</source>
+        <translation>Etwas anklicken, das die Farbe des Ziels hat, aber nicht das Ziel ist, um es auszuschließen.
+Wenn diese Schaltfläche aus ist, tut Alt-Klick oder Strg+Umschalt-Klick dasselbe.</translation>
     </message>
     <message>
         <source>Click the target in a camera image, or drag a box around it,
@@ -6340,8 +6371,8 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <translation>Dreieck: das Partikel mit dem höchsten Gewicht (Ansicht › Bestes Partikel zeigen).</translation>
     </message>
     <message>
-        <source>Line across the image: the line of sight of another camera, shown while you drag the target. The target must lie on it.</source>
-        <translation>Linie durch das Bild: die Sichtlinie einer anderen Kamera, gezeigt, während Sie das Ziel ziehen. Das Ziel muss auf ihr liegen.</translation>
+        <source>Line across the image: the line of sight of another camera, shown while you drag the target. The target must lie on this line.</source>
+        <translation>Linie durch das Bild: die Sichtlinie einer anderen Kamera, gezeigt, während Sie das Ziel ziehen. Das Ziel muss auf dieser Linie liegen.</translation>
     </message>
     <message>
         <source>Dots: particles. Each one is a guess of where the target is. Brighter particles fit the images better.</source>
@@ -6535,8 +6566,8 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <translation>Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>Opened with the located files. Save the project to keep their new paths.</source>
-        <translation>Mit den wiedergefundenen Dateien geöffnet. Speichern Sie das Projekt, um die neuen Pfade zu behalten.</translation>
+        <source>The project was opened with the files that you located. Save the project to keep their new paths.</source>
+        <translation>Das Projekt wurde mit den von Ihnen angegebenen Dateien geöffnet. Speichern Sie das Projekt, um die neuen Pfade zu behalten.</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -6671,8 +6702,8 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <translation>Gefunden</translation>
     </message>
     <message>
-        <source>%1. Create the project without this file, then use Import calibration.</source>
-        <translation>%1. Legen Sie das Projekt ohne diese Datei an, und verwenden Sie dann „Kalibrierung importieren“.</translation>
+        <source>%1. Create the project without this file, then choose Calibration › Import calibration.</source>
+        <translation>%1. Erstellen Sie das Projekt ohne diese Datei, und wählen Sie dann Kalibrierung › Kalibrierung importieren.</translation>
     </message>
     <message>
         <source>Probably a mistake in the calibration: %1</source>
@@ -6686,8 +6717,8 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <translation>Erneut verfolgen</translation>
     </message>
     <message>
-        <source>The settings have changed since these frames were tracked.</source>
-        <translation>Die Einstellungen haben sich geändert, seit diese Bilder verfolgt wurden.</translation>
+        <source>Some frames were tracked with earlier settings.</source>
+        <translation>Einige Bilder wurden mit früheren Einstellungen verfolgt.</translation>
     </message>
 </context>
 <context>
@@ -6739,8 +6770,8 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <translation>WebSocket und Webseite, Port</translation>
     </message>
     <message>
-        <source>A page that shows the targets in a browser, and a WebSocket for programs</source>
-        <translation>Eine Seite, die die Ziele im Browser zeigt, und ein WebSocket für Programme</translation>
+        <source>Port of a web page that shows the targets in a browser. At the same port, programs get the results through a WebSocket</source>
+        <translation>Port einer Webseite, die die Ziele im Browser zeigt. Am selben Port erhalten Programme die Ergebnisse über ein WebSocket</translation>
     </message>
     <message>
         <source>WebSocket port</source>
@@ -6771,12 +6802,12 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <translation>Datei oder benannte Pipe, die für jedes Ziel und Bild eine Zeile erhält. Leer: aus</translation>
     </message>
     <message>
-        <source>Ports are open to</source>
-        <translation>Ports sind offen für</translation>
+        <source>Who can connect</source>
+        <translation>Wer sich verbinden kann</translation>
     </message>
     <message>
-        <source>Which computers can connect to the ports. Anyone in the network can then see the results</source>
-        <translation>Welche Rechner sich mit den Ports verbinden können. Im Netzwerk kann dann jeder die Ergebnisse sehen</translation>
+        <source>Which computers can connect to the ports. If you allow all computers, anyone in the network can see the results</source>
+        <translation>Welche Rechner sich mit den Ports verbinden können. Wenn Sie alle Rechner zulassen, kann jeder im Netzwerk die Ergebnisse sehen</translation>
     </message>
     <message>
         <source>Axes</source>
@@ -6807,8 +6838,8 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <translation>Token für Fernbefehle</translation>
     </message>
     <message>
-        <source>Programs that send this word can start, stop and record. At least %1 characters. Empty: commands are ignored</source>
-        <translation>Programme, die dieses Wort senden, können starten, anhalten und aufnehmen. Mindestens %1 Zeichen. Leer: Befehle werden ignoriert</translation>
+        <source>Programs that send this word can start and stop the run and the recording of the cameras. At least %1 characters. Empty: commands are ignored</source>
+        <translation>Programme, die dieses Wort senden, können den Lauf und die Aufnahme der Kameras starten und anhalten. Mindestens %1 Zeichen. Leer: Befehle werden ignoriert</translation>
     </message>
     <message>
         <source>this computer only</source>
@@ -6873,8 +6904,8 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <translation>Parameter</translation>
     </message>
     <message>
-        <source>This is more than “%1”: %2 is used instead.</source>
-        <translation>Das ist mehr als „%1“: Stattdessen wird %2 verwendet.</translation>
+        <source>This value is larger than “%1”, so %2 is used instead.</source>
+        <translation>Dieser Wert ist größer als „%1“, daher wird stattdessen %2 verwendet.</translation>
     </message>
     <message>
         <source>Tracking method. Changing it restarts tracking; other settings are kept.</source>
@@ -6901,8 +6932,8 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <translation>Einige Werte hier weichen von ihren Vorgaben ab.</translation>
     </message>
     <message>
-        <source>This is less than “%1”, so “%1” has no effect.</source>
-        <translation>Das ist weniger als „%1“, daher hat „%1“ keine Wirkung.</translation>
+        <source>This value is smaller than “%1”, so “%1” has no effect.</source>
+        <translation>Dieser Wert ist kleiner als „%1“, daher hat „%1“ keine Wirkung.</translation>
     </message>
 </context>
 <context>
@@ -6987,8 +7018,8 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <translation>Tempo über dem Boden, in Metern je Sekunde</translation>
     </message>
     <message>
-        <source>Seen</source>
-        <translation>Gesehen</translation>
+        <source>Cameras</source>
+        <translation>Kameras</translation>
     </message>
     <message>
         <source>Number of cameras that see the person, out of all cameras</source>
@@ -7039,8 +7070,8 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <translation>Volumen der Hülle, die 95 % der Person umschließt, in Kubikmetern. Leer, solange die Volumen der Personen nicht gezeigt werden</translation>
     </message>
     <message>
-        <source>Another person is so close that the colors of this person are not learned</source>
-        <translation>Eine andere Person ist so nah, dass die Farben dieser Person nicht gelernt werden</translation>
+        <source>● means that another person is close. Until the two are apart again, the method learns nothing new about the colors of this person</source>
+        <translation>● bedeutet, dass eine andere Person nah ist. Bis die beiden wieder auseinander sind, lernt das Verfahren nichts Neues über die Farben dieser Person</translation>
     </message>
 </context>
 <context>
@@ -7073,8 +7104,8 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <translation>Geplante Kamera hinzufügen</translation>
     </message>
     <message>
-        <source>A camera that does not exist yet: drag it in the bird&apos;s-eye view, or enter its position (%1)</source>
-        <translation>Eine Kamera, die es noch nicht gibt: Ziehen Sie sie in der Vogelperspektive, oder geben Sie ihre Position ein (%1)</translation>
+        <source>Add a planned camera; you can then drag it in the bird&apos;s-eye view, or enter its position (%1)</source>
+        <translation>Eine geplante Kamera hinzufügen; Sie können sie dann in der Vogelperspektive ziehen oder ihre Position eingeben (%1)</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -7165,8 +7196,8 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <translation>An Wänden und Decke die Position suchen, an der eine weitere Kamera am meisten helfen würde (%1)</translation>
     </message>
     <message>
-        <source>The planned camera whose values are shown and changed below</source>
-        <translation>Die geplante Kamera, deren Werte unten gezeigt und geändert werden</translation>
+        <source>Choose the planned camera whose values are shown below</source>
+        <translation>Wählen Sie die geplante Kamera, deren Werte unten gezeigt werden</translation>
     </message>
     <message>
         <source>A point that the planned camera looks at, in meters</source>
@@ -7185,8 +7216,8 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <translation>Abstand zu Wänden und Decke</translation>
     </message>
     <message>
-        <source>Distance to the walls and the ceiling</source>
-        <translation>Abstand zu den Wänden und der Decke</translation>
+        <source>Distance from the volume to the walls and the ceiling</source>
+        <translation>Abstand des Raums zu den Wänden und der Decke</translation>
     </message>
 </context>
 <context>
@@ -7317,7 +7348,7 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <translation>%1 (ignorieren Sie dies, wenn die Kamera so montiert ist)</translation>
     </message>
     <message>
-        <source>%1. Once corrected, the average error is %2</source>
+        <source>%1. After this correction, the average error is %2</source>
         <translation>%1. Nach der Korrektur ist der mittlere Fehler %2</translation>
     </message>
     <message>
@@ -7564,8 +7595,8 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <translation>Jedes Bild lesen</translation>
     </message>
     <message>
-        <source>Find damaged frames anywhere in a recording. This takes longer</source>
-        <translation>Auch beschädigte Bilder mitten in einer Aufnahme finden. Das dauert länger</translation>
+        <source>Find damaged frames anywhere in a recording: all frames are read, not only a few of them. This takes longer</source>
+        <translation>Beschädigte Bilder überall in einer Aufnahme finden: Alle Bilder werden gelesen, nicht nur einige. Das dauert länger</translation>
     </message>
     <message>
         <source>Check again</source>
@@ -7619,8 +7650,8 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <translation>Dewpoint-Projekte (*.toml);;Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>Recovered. Save the project to keep it.</source>
-        <translation>Wiederhergestellt. Speichern Sie das Projekt, um es zu behalten.</translation>
+        <source>The changes were recovered. Save the project to keep them.</source>
+        <translation>Die Änderungen wurden wiederhergestellt. Speichern Sie das Projekt, um sie zu behalten.</translation>
     </message>
 </context>
 <context>
@@ -7750,8 +7781,8 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
 <context>
     <name>dewpoint::ui::RigPlanner</name>
     <message>
-        <source>With %1 here (x %2, y %3, z %4), the error is at most %6 in %5 of the volume. Without this camera, that part is %7.</source>
-        <translation>Mit %1 hier (x %2, y %3, z %4) ist der Fehler in %5 des Raums höchstens %6. Ohne diese Kamera ist dieser Anteil %7.</translation>
+        <source>With %1 here (x %2, y %3, z %4), the error is at most %6 in %5 of the volume; without this camera, only in %7.</source>
+        <translation>Mit %1 hier (x %2, y %3, z %4) ist der Fehler in %5 des Raums höchstens %6, ohne diese Kamera nur in %7.</translation>
     </message>
 </context>
 <context>
@@ -7814,24 +7845,24 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
 <context>
     <name>dewpoint::ui::RunDetails</name>
     <message>
-        <source>median %1, 99 of 100 within %2, longest %3</source>
-        <translation>Median %1, 99 von 100 innerhalb von %2, längste %3</translation>
+        <source>median %1, 99 % of them at most %2, longest %3</source>
+        <translation>Median %1, 99 % davon höchstens %2, längste %3</translation>
     </message>
     <message>
         <source>not set</source>
         <translation>nicht festgelegt</translation>
     </message>
     <message>
-        <source>%1, met in %2 % of the iterations of this run</source>
-        <translation>%1, in %2 % der Iterationen dieses Laufs eingehalten</translation>
+        <source>%1; %2 % of the iterations of this run were fast enough</source>
+        <translation>%1; %2 % der Iterationen dieses Laufs waren schnell genug</translation>
     </message>
     <message>
         <source>Median time per iteration</source>
         <translation>Mediane Zeit pro Iteration</translation>
     </message>
     <message>
-        <source>Time from frame to estimate</source>
-        <translation>Zeit vom Bild zur Schätzung</translation>
+        <source>Time from camera image to estimate</source>
+        <translation>Zeit vom Kamerabild zur Schätzung</translation>
     </message>
     <message>
         <source>Time budget per iteration</source>
@@ -8016,8 +8047,8 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <translation>Eine Sekunde lang verdeckt</translation>
     </message>
     <message>
-        <source>Three more balls of the same color lie around. Only one moves.</source>
-        <translation>Drei weitere Bälle derselben Farbe liegen herum. Nur einer bewegt sich.</translation>
+        <source>Four balls have the same color, but only one of them moves.</source>
+        <translation>Vier Bälle haben dieselbe Farbe, aber nur einer bewegt sich.</translation>
     </message>
     <message>
         <source>People in an office</source>
@@ -8032,8 +8063,8 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <translation>Eine Kamera und ein Rahmen</translation>
     </message>
     <message>
-        <source>No calibration: a box in the image is tracked by its colors.</source>
-        <translation>Keine Kalibrierung: Ein Rahmen im Bild wird anhand seiner Farben verfolgt.</translation>
+        <source>Needs no calibration: the object in a box is tracked by its colors.</source>
+        <translation>Braucht keine Kalibrierung: Das Objekt in einem Rahmen wird anhand seiner Farben verfolgt.</translation>
     </message>
     <message>
         <source>Calibrate by hand</source>
@@ -8135,8 +8166,8 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <translation>Rückblick</translation>
     </message>
     <message>
-        <source>Playing, paused, at the end, looking back at an earlier frame, or tracking again</source>
-        <translation>Läuft, angehalten, am Ende, im Rückblick auf ein früheres Bild oder erneut verfolgend</translation>
+        <source>State of the run: playing, paused, at the end, looking back at an earlier frame, or tracking again</source>
+        <translation>Zustand des Laufs: läuft, angehalten, am Ende, im Rückblick auf ein früheres Bild oder erneut verfolgend</translation>
     </message>
     <message>
         <source>the box shows the expected position</source>
@@ -8159,8 +8190,8 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <translation>○ Personen: %1, sucht</translation>
     </message>
     <message>
-        <source>other objects fit equally well: press X, drag the target</source>
-        <translation>andere Objekte passen ebenso gut: X drücken, Ziel ziehen</translation>
+        <source>other objects fit equally well: press X and drag the target to its position</source>
+        <translation>andere Objekte passen ebenso gut: X drücken und das Ziel an seine Position ziehen</translation>
     </message>
     <message>
         <source>± %1</source>
@@ -8397,8 +8428,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Change nothing</source>
-        <translation>Nichts ändern</translation>
+        <source>Close and keep the current number</source>
+        <translation>Schließen und die aktuelle Anzahl behalten</translation>
     </message>
 </context>
 <context>
@@ -8494,24 +8525,24 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>%1, m</translation>
     </message>
     <message>
-        <source>Position in the room, meters</source>
-        <translation>Ort im Raum, Meter</translation>
+        <source>Position in the room, in meters</source>
+        <translation>Position im Raum, in Metern</translation>
     </message>
     <message>
         <source>σ%1, mm</source>
         <translation>σ%1, mm</translation>
     </message>
     <message>
-        <source>Standard deviation of the position, millimeters</source>
-        <translation>Standardabweichung des Ortes, Millimeter</translation>
+        <source>Standard deviation of the position, in millimeters</source>
+        <translation>Standardabweichung der Position, in Millimetern</translation>
     </message>
     <message>
         <source>speed, m/s</source>
         <translation>Geschw., m/s</translation>
     </message>
     <message>
-        <source>Speed, meters per second: fitted over five frames</source>
-        <translation>Geschwindigkeit, Meter pro Sekunde: über fünf Bilder angepasst</translation>
+        <source>Speed in meters per second, computed from five frames</source>
+        <translation>Geschwindigkeit in Metern pro Sekunde, berechnet aus fünf Bildern</translation>
     </message>
     <message>
         <source>cameras</source>
@@ -8621,8 +8652,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Die Karte in der Vogelperspektive zeigen</translation>
     </message>
     <message>
-        <source>Expected position error of a target at each point; updated whenever a camera moves</source>
-        <translation>Erwarteter Positionsfehler eines Ziels an jedem Punkt; folgt jeder Bewegung einer Kamera</translation>
+        <source>Show the position error to expect for a target at each point. The map changes whenever a camera moves</source>
+        <translation>Zeigen, welcher Positionsfehler eines Ziels an jedem Punkt zu erwarten ist. Die Karte folgt jeder Bewegung einer Kamera</translation>
     </message>
     <message>
         <source>Colors show</source>
@@ -8697,8 +8728,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Bezugsgitter verwenden</translation>
     </message>
     <message>
-        <source>The volume above the reference grid, up to the highest camera</source>
-        <translation>Der Raum über dem Bezugsgitter, bis zur höchsten Kamera</translation>
+        <source>Use the volume above the reference grid, up to the highest camera</source>
+        <translation>Den Raum über dem Bezugsgitter verwenden, bis zur höchsten Kamera</translation>
     </message>
     <message>
         <source>Height of the layer above the floor, in meters</source>
@@ -8849,8 +8880,8 @@ Effektive Stichprobengröße %8 von %9</translation>
 <context>
     <name>dewpoint::ui::WandCalibrationPage</name>
     <message>
-        <source>Align the cameras by hand until they are roughly right. Then wave the ball, or a wand with two balls, through the whole volume, and refine.</source>
-        <translation>Richten Sie die Kameras von Hand aus, bis sie ungefähr stimmen. Schwenken Sie dann den Ball oder einen Stab mit zwei Bällen durch den ganzen Raum, und verfeinern Sie.</translation>
+        <source>Align the cameras by hand until they are roughly right. Then wave the ball, or a wand with two balls, through the whole volume, and press Refine cameras.</source>
+        <translation>Richten Sie die Kameras von Hand aus, bis sie ungefähr stimmen. Schwenken Sie dann den Ball oder einen Stab mit zwei Bällen durch den ganzen Raum, und drücken Sie „Kameras verfeinern“.</translation>
     </message>
     <message>
         <source>Floor</source>
@@ -8923,8 +8954,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Art des Stabs</translation>
     </message>
     <message>
-        <source>A wand with two balls also gives the scale, more accurately than the other ways</source>
-        <translation>Ein Stab mit zwei Bällen gibt auch den Maßstab, genauer als die anderen Wege</translation>
+        <source>A wand with two balls also gives the scale. It is more accurate than the scale from a diameter or a distance</source>
+        <translation>Ein Stab mit zwei Bällen gibt auch den Maßstab, und zwar genauer als ein Durchmesser oder eine Strecke</translation>
     </message>
     <message>
         <source>Ball</source>
@@ -8967,8 +8998,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Quelle des Maßstabs</translation>
     </message>
     <message>
-        <source>Images alone cannot show whether a room is large or small. A diameter gives the scale to about one percent, a distance as exactly as you measure it</source>
-        <translation>Bilder allein zeigen nicht, ob ein Raum groß oder klein ist. Ein Durchmesser ist auf etwa ein Prozent genau, eine Strecke so genau, wie Sie sie messen</translation>
+        <source>Images alone cannot show whether a room is large or small. A scale from the diameter of a ball is accurate to about one percent. A scale from a distance is as accurate as your measurement</source>
+        <translation>Bilder allein zeigen nicht, ob ein Raum groß oder klein ist. Ein Maßstab aus dem Durchmesser eines Balls ist auf etwa ein Prozent genau. Ein Maßstab aus einer Strecke ist so genau wie Ihre Messung</translation>
     </message>
     <message>
         <source>Distance</source>
@@ -8979,8 +9010,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Bekannte Strecke</translation>
     </message>
     <message>
-        <source>Distance between the two positions at which you held the center of the ball</source>
-        <translation>Abstand der beiden Positionen, an denen Sie die Mitte des Balls gehalten haben</translation>
+        <source>Distance between the two positions at which the center of the ball was held</source>
+        <translation>Abstand der beiden Positionen, an denen die Mitte des Balls gehalten wurde</translation>
     </message>
     <message>
         <source>Initial error</source>
@@ -9003,24 +9034,24 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Etwa wie weit jede Kamera gegen ihre wahre Ausrichtung gedreht sein kann</translation>
     </message>
     <message>
-        <source>Find time offsets</source>
-        <translation>Zeitversätze suchen</translation>
+        <source>Find delays</source>
+        <translation>Verzögerungen suchen</translation>
     </message>
     <message>
         <source>Find focal lengths</source>
         <translation>Brennweiten suchen</translation>
     </message>
     <message>
-        <source>For lenses that were never calibrated, or whose zoom has changed</source>
-        <translation>Für Objektive, die nie kalibriert wurden oder deren Zoom sich geändert hat</translation>
+        <source>Also compute the focal length of each camera. Use this for lenses that were never calibrated, or whose zoom has changed</source>
+        <translation>Auch die Brennweite jeder Kamera berechnen, bei Objektiven, die nie kalibriert wurden oder deren Zoom sich geändert hat</translation>
     </message>
     <message>
         <source>Find the distortion k1</source>
         <translation>Die Verzeichnung k1 suchen</translation>
     </message>
     <message>
-        <source>The first distortion coefficient of each lens; the ball must be seen up to the edges of the images</source>
-        <translation>Der erste Koeffizient jedes Objektivs; dazu muss der Ball bis an die Bildränder gesehen werden</translation>
+        <source>Also compute the first distortion coefficient of each lens. For this, the ball must be seen up to the edges of the images</source>
+        <translation>Auch den ersten Verzeichnungskoeffizienten jedes Objektivs berechnen. Dazu muss der Ball bis an die Bildränder zu sehen sein</translation>
     </message>
     <message>
         <source>Only the selected span</source>
@@ -9031,8 +9062,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Nur den Teil der Aufnahme verwenden, der in der Zeitleiste gewählt ist</translation>
     </message>
     <message>
-        <source>For cameras that do not take their images at the same time</source>
-        <translation>Für Kameras, die ihre Bilder nicht gleichzeitig aufnehmen</translation>
+        <source>Also compute the delay of each camera. Use this if the cameras do not take their images at the same time</source>
+        <translation>Auch die Verzögerung jeder Kamera berechnen, wenn die Kameras ihre Bilder nicht gleichzeitig aufnehmen</translation>
     </message>
 </context>
 <context>
@@ -9062,12 +9093,12 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Vorher</translation>
     </message>
     <message>
-        <source>Use it anyway</source>
-        <translation>Trotzdem verwenden</translation>
+        <source>Use calibration anyway</source>
+        <translation>Kalibrierung trotzdem verwenden</translation>
     </message>
     <message>
-        <source>Use these cameras although the result looks wrong; you can undo this</source>
-        <translation>Diese Kameras verwenden, obwohl das Ergebnis falsch aussieht; das lässt sich rückgängig machen</translation>
+        <source>Use this calibration although it looks wrong; you can undo this</source>
+        <translation>Diese Kalibrierung verwenden, obwohl sie falsch aussieht; das lässt sich rückgängig machen</translation>
     </message>
     <message>
         <source>Save report…</source>
@@ -9142,27 +9173,27 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Die Verzögerungen der Kameras sind im Projekt gespeichert und synchronisieren ab jetzt die Bilder.</translation>
     </message>
     <message>
-        <source>Hold down this button to draw the grid with the previous cameras</source>
-        <translation>Diese Schaltfläche gedrückt halten, um das Gitter mit den vorigen Kameras zu zeichnen</translation>
+        <source>Hold down this button to draw the grid with the calibration from before this refinement</source>
+        <translation>Diese Schaltfläche gedrückt halten, um das Gitter mit der Kalibrierung vor diesem Verfeinern zu zeichnen</translation>
     </message>
     <message>
         <source>Save a page with all numbers, the residuals as arrows, the coverage and a 3D drawing</source>
         <translation>Eine Seite mit allen Zahlen, den Residuen als Pfeilen, der Abdeckung und einer 3D-Zeichnung speichern</translation>
     </message>
     <message>
-        <source>The result is less accurate than the initial camera positions, whose error is given as up to %1. Wave through more of the volume.</source>
-        <translation>Das Ergebnis ist weniger genau als die anfänglichen Kamerapositionen, deren Fehler mit bis zu %1 angegeben ist. Schwenken Sie durch mehr vom Raum.</translation>
+        <source>The result is less accurate than the initial camera positions: you entered that their error is at most %1. Wave through more of the volume.</source>
+        <translation>Das Ergebnis ist weniger genau als die anfänglichen Kamerapositionen: Für deren Fehler haben Sie höchstens %1 eingegeben. Schwenken Sie durch mehr vom Raum.</translation>
     </message>
     <message>
-        <source>Calibrations from different parts of the recording differ by %1 times as much as the noise of the images explains. The stated accuracy takes this into account.</source>
+        <source>Calibrations from different parts of the recording differ from each other %1 times as much as image noise can explain. The stated accuracy takes this into account.</source>
         <translation>Kalibrierungen aus verschiedenen Teilen der Aufnahme weichen %1-mal so stark voneinander ab, wie das Rauschen der Bilder erklärt. Die angegebene Genauigkeit berücksichtigt das.</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::WandWaving</name>
     <message>
-        <source>Collect positions of the ball from all camera images; starting again discards those collected before</source>
-        <translation>Positionen des Balls aus allen Kamerabildern sammeln; ein neuer Beginn verwirft die vorher gesammelten</translation>
+        <source>Collect positions of the ball from all camera images. If you start again, the positions collected before are discarded</source>
+        <translation>Positionen des Balls aus allen Kamerabildern sammeln. Wenn Sie neu beginnen, werden die vorher gesammelten Positionen verworfen</translation>
     </message>
     <message>
         <source>■ Stop waving</source>
@@ -9185,16 +9216,16 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Noch nichts gesammelt.</translation>
     </message>
     <message>
-        <source>Every camera has seen the ball often enough: stop waving, or refine.</source>
-        <translation>Jede Kamera hat den Ball oft genug gesehen: Schwenken beenden oder verfeinern.</translation>
+        <source>Every camera has seen the ball often enough: stop waving, or press Refine cameras.</source>
+        <translation>Jede Kamera hat den Ball oft genug gesehen: Schwenken beenden, oder „Kameras verfeinern“ drücken.</translation>
     </message>
     <message>
         <source>Frames skipped because they arrived too fast: %1.</source>
         <translation>Übersprungene Bilder, weil sie zu schnell kamen: %1.</translation>
     </message>
     <message>
-        <source>Positions collected for %1.</source>
-        <translation>%1 lang Positionen gesammelt.</translation>
+        <source>Positions of the ball were collected for %1.</source>
+        <translation>Positionen des Balls wurden %1 lang gesammelt.</translation>
     </message>
     <message>
         <source>Keep waving: each camera should see the ball at least 150 times, spread over at least half of its image.</source>

@@ -24,8 +24,8 @@
         <translation>Abrir proyecto…</translation>
     </message>
     <message>
-        <source>Open a project</source>
-        <translation>Abrir un proyecto</translation>
+        <source>Open a project file</source>
+        <translation>Abrir un archivo de proyecto</translation>
     </message>
     <message>
         <source>Open the demo</source>
@@ -40,8 +40,8 @@
         <translation>Guardar</translation>
     </message>
     <message>
-        <source>Save the project</source>
-        <translation>Guardar el proyecto</translation>
+        <source>Write the project to its file</source>
+        <translation>Escribir el proyecto en su archivo</translation>
     </message>
     <message>
         <source>Save as…</source>
@@ -120,16 +120,16 @@
         <translation>Reiniciar</translation>
     </message>
     <message>
-        <source>Start over with the same random numbers</source>
-        <translation>Empezar de nuevo con los mismos números aleatorios</translation>
+        <source>Start the run again with the same random numbers</source>
+        <translation>Empezar de nuevo la ejecución con los mismos números aleatorios</translation>
     </message>
     <message>
         <source>Restart with a new seed</source>
         <translation>Reiniciar con otra semilla</translation>
     </message>
     <message>
-        <source>Start over with other random numbers</source>
-        <translation>Empezar de nuevo con otros números aleatorios</translation>
+        <source>Start the run again with other random numbers</source>
+        <translation>Empezar de nuevo la ejecución con otros números aleatorios</translation>
     </message>
     <message>
         <source>View</source>
@@ -140,8 +140,8 @@
         <translation>Mostrar máscara</translation>
     </message>
     <message>
-        <source>Show where the cameras see the target&apos;s color</source>
-        <translation>Mostrar dónde ven las cámaras el color del objetivo</translation>
+        <source>Show which pixels have the color of a target</source>
+        <translation>Mostrar qué píxeles tienen el color de un objetivo</translation>
     </message>
     <message>
         <source>Bird&apos;s-eye view from above: the XY plane</source>
@@ -188,8 +188,8 @@
         <translation>Quitar el objetivo</translation>
     </message>
     <message>
-        <source>Stop tracking the selected target</source>
-        <translation>Dejar de seguir el objetivo seleccionado</translation>
+        <source>Remove the selected target from the project</source>
+        <translation>Quitar del proyecto el objetivo seleccionado</translation>
     </message>
     <message>
         <source>Learn the color</source>
@@ -312,8 +312,8 @@
         <translation>Mostrar verosimilitud</translation>
     </message>
     <message>
-        <source>Log likelihood of the estimate in each camera</source>
-        <translation>Log-verosimilitud de la estimación en cada cámara</translation>
+        <source>How well the estimate fits each camera&apos;s image</source>
+        <translation>Cuánto encaja la estimación con la imagen de cada cámara</translation>
     </message>
     <message>
         <source>Plot existence</source>
@@ -356,7 +356,7 @@
         <translation>Copiar gráficos como CSV</translation>
     </message>
     <message>
-        <source>Copy the numbers of the plots shown, as a table</source>
+        <source>Copy the numbers of all plots shown, as a table</source>
         <translation>Copiar los números de los gráficos mostrados como tabla</translation>
     </message>
     <message>
@@ -428,8 +428,8 @@
         <translation>Añadir cámara planeada</translation>
     </message>
     <message>
-        <source>Add a camera that does not exist yet and drag it in the bird&apos;s-eye view</source>
-        <translation>Añadir una cámara que aún no existe y arrastrarla en la vista de pájaro</translation>
+        <source>Add a planned camera; you can then drag it in the bird&apos;s-eye view to try out where to place it</source>
+        <translation>Añadir una cámara planeada; después puede arrastrarla en la vista de pájaro para probar dónde colocarla</translation>
     </message>
     <message>
         <source>Recompute camera pose</source>
@@ -440,8 +440,8 @@
         <translation>Recalcular la pose de la cámara que se movió durante la ejecución; las demás cámaras no cambian</translation>
     </message>
     <message>
-        <source>Find best position</source>
-        <translation>Buscar mejor posición</translation>
+        <source>Find best camera position</source>
+        <translation>Buscar mejor posición de cámara</translation>
     </message>
     <message>
         <source>Search the walls and the ceiling for the position where another camera would help most</source>
@@ -460,8 +460,8 @@
         <translation>Exportar volúmenes de las personas…</translation>
     </message>
     <message>
-        <source>Save the position, volume, hull and floor density of each person as tables</source>
-        <translation>Guardar como tablas la posición, el volumen, la envolvente y la densidad en el suelo de cada persona</translation>
+        <source>Save tables with the position, the volume, the hull and the density on the floor of each person</source>
+        <translation>Guardar tablas con la posición, el volumen, la envolvente y la densidad en el suelo de cada persona</translation>
     </message>
     <message>
         <source>Add person…</source>
@@ -488,8 +488,8 @@
         <translation>Hilos del filtro…</translation>
     </message>
     <message>
-        <source>Choose how many threads share the work of the filter</source>
-        <translation>Elegir cuántos hilos se reparten el trabajo del filtro</translation>
+        <source>Choose how many processor threads compute the filter</source>
+        <translation>Elegir cuántos hilos del procesador calculan el filtro</translation>
     </message>
     <message>
         <source>Correct position</source>
@@ -680,8 +680,8 @@
         <translation>Calibrar…</translation>
     </message>
     <message>
-        <source>See what is known about the cameras, choose a way to calibrate them, and go through it step by step</source>
-        <translation>Ver lo que se sabe de las cámaras, elegir una forma de calibrarlas y seguirla paso a paso</translation>
+        <source>See what is known about the cameras, and calibrate them step by step in the way that you choose</source>
+        <translation>Ver lo que se sabe de las cámaras y calibrarlas paso a paso de la forma que elija</translation>
     </message>
     <message>
         <source>Play the first iterations of a run one by one, until every target is being tracked (five seconds at most)</source>
@@ -712,11 +712,11 @@
         <translation>Mostrar en la vista de pájaro el error de posición que cabe esperar para un objetivo en cada punto</translation>
     </message>
     <message>
-        <source>Track again from the frame shown, with the current method, parameters and colors. To stop, press pause</source>
-        <translation>Seguir de nuevo desde el fotograma mostrado, con el método, los parámetros y los colores actuales. Para detenerlo, pulse pausa</translation>
+        <source>Track again from the frame shown, with the current method, parameters and colors. To stop, press Pause</source>
+        <translation>Seguir de nuevo desde el fotograma mostrado, con el método, los parámetros y los colores actuales. Para detenerlo, pulse Pausa</translation>
     </message>
     <message>
-        <source>Track all frames again that still have results from earlier settings</source>
+        <source>Track again all frames whose results are from earlier settings</source>
         <translation>Seguir de nuevo todos los fotogramas que aún tienen resultados de ajustes anteriores</translation>
     </message>
     <message>
@@ -744,28 +744,28 @@
         <translation>Enviar resultados</translation>
     </message>
     <message>
-        <source>Send positions to other programs while the run lasts, or stop sending; nothing is sent until you choose this</source>
-        <translation>Enviar posiciones a otros programas durante la ejecución, o dejar de enviar; no se envía nada hasta que lo elija</translation>
+        <source>Start or stop sending positions to other programs during the run. Nothing is sent before you choose this</source>
+        <translation>Empezar o dejar de enviar posiciones a otros programas durante la ejecución. No se envía nada antes de que elija esto</translation>
     </message>
     <message>
         <source>Outputs…</source>
         <translation>Salidas…</translation>
     </message>
     <message>
-        <source>Choose where results are sent while a run lasts: TCP, WebSocket, OSC, TUIO, CSV</source>
-        <translation>Elegir adónde se envían los resultados durante una ejecución: TCP, WebSocket, OSC, TUIO, CSV</translation>
+        <source>Choose where results are sent: TCP, WebSocket, OSC, TUIO, CSV</source>
+        <translation>Elegir adónde se envían los resultados: TCP, WebSocket, OSC, TUIO, CSV</translation>
     </message>
     <message>
         <source>Reproduce figures of the papers that describe the methods, and write a report</source>
         <translation>Reproducir figuras de los artículos que describen los métodos y escribir un informe</translation>
     </message>
     <message>
-        <source>Show how likely each position around the target is, and circle the positions that the method considers</source>
-        <translation>Mostrar la verosimilitud de cada posición alrededor del objetivo y rodear con un círculo las posiciones que el método considera</translation>
+        <source>Show how likely each position around the target is. Circles mark positions at which the method suspects the target</source>
+        <translation>Mostrar la verosimilitud de cada posición alrededor del objetivo. Los círculos marcan posiciones en las que el método supone que puede estar el objetivo</translation>
     </message>
     <message>
-        <source>In all views, mark the particle of each target that has the highest weight (MAP) with a triangle</source>
-        <translation>En todas las vistas, marcar con un triángulo la partícula de cada objetivo que tiene el mayor peso (MAP)</translation>
+        <source>For each target, mark the particle with the highest weight (MAP) with a triangle, in all views</source>
+        <translation>Marcar con un triángulo, en todas las vistas, la partícula de mayor peso (MAP) de cada objetivo</translation>
     </message>
     <message>
         <source>When a target&apos;s particles are too close together to tell apart, show them enlarged</source>
@@ -811,8 +811,8 @@
 <context>
     <name>AssessedRegions</name>
     <message>
-        <source>also matches</source>
-        <translation>también coincide</translation>
+        <source>also matches the color</source>
+        <translation>también coincide con el color</translation>
     </message>
     <message>
         <source>recognized as the target (if it is not, Alt-click it)</source>
@@ -826,16 +826,16 @@
         <translation>Las esquinas del tablero cubren solo el %1 % de la imagen: muestre el tablero en todas las partes de la imagen e inclínelo también.</translation>
     </message>
     <message>
-        <source>%1 keeps its position: it never saw the board.</source>
-        <translation>%1 conserva su posición: nunca vio el tablero.</translation>
+        <source>%1 keeps its position because it never saw the board.</source>
+        <translation>%1 conserva su posición porque nunca vio el tablero.</translation>
     </message>
     <message>
         <source>Intrinsics</source>
         <translation>Parámetros intrínsecos</translation>
     </message>
     <message>
-        <source>%1 keeps its intrinsics: %2</source>
-        <translation>%1 conserva sus parámetros intrínsecos: %2</translation>
+        <source>The intrinsics of %1 are unchanged: %2</source>
+        <translation>Los parámetros intrínsecos de %1 no cambian: %2</translation>
     </message>
     <message>
         <source>upper left</source>
@@ -926,8 +926,8 @@
         <translation>✓ Listo</translation>
     </message>
     <message>
-        <source>✓ The cameras have enough shared views</source>
-        <translation>✓ Las cámaras tienen suficientes vistas comunes</translation>
+        <source>✓ The cameras share enough views of the board</source>
+        <translation>✓ Las cámaras comparten suficientes vistas del tablero</translation>
     </message>
     <message>
         <source>Show the board to %1 and %2 at the same time, hold it still, then repeat elsewhere</source>
@@ -938,12 +938,12 @@
         <translation>tablero no visible</translation>
     </message>
     <message>
-        <source>⚠ blurred, edge width %1</source>
-        <translation>⚠ borroso, ancho de borde %1</translation>
+        <source>⚠ blurred: edges are %1 wide</source>
+        <translation>⚠ borroso: los bordes miden %1 de ancho</translation>
     </message>
     <message>
-        <source>sharp, edge width %1</source>
-        <translation>nítido, ancho de borde %1</translation>
+        <source>sharp: edges are %1 wide</source>
+        <translation>nítido: los bordes miden %1 de ancho</translation>
     </message>
     <message>
         <source>%1 views, accuracy %2 (goal: %3)</source>
@@ -998,8 +998,8 @@
         <translation>%1: error de reproyección RMS %2</translation>
     </message>
     <message>
-        <source>Positions: RMS reprojection error %1, from %2 board poses</source>
-        <translation>Posiciones: error de reproyección RMS %1, con %2 poses del tablero</translation>
+        <source>Camera positions: RMS reprojection error %1, from %2 board poses</source>
+        <translation>Posiciones de las cámaras: error de reproyección RMS %1, con %2 poses del tablero</translation>
     </message>
     <message>
         <source>%1 views; at least %2 are needed</source>
@@ -1010,8 +1010,8 @@
         <translation>colores invertidos</translation>
     </message>
     <message>
-        <source>%1 of the %2 searched images show %3, but mirrored. Change the mirroring of the cameras that took these images. Use this board?</source>
-        <translation>%1 de las %2 imágenes examinadas muestran %3, pero reflejado. Cambie el reflejo de las cámaras que tomaron estas imágenes. ¿Usar este tablero?</translation>
+        <source>%1 of the %2 searched images show %3, but mirrored. To correct this, change “Mirrored” in the panel Cameras for the cameras that took these images. Use this board?</source>
+        <translation>%1 de las %2 imágenes examinadas muestran %3, pero reflejado. Para corregirlo, cambie «Reflejada» en el panel Cámaras para las cámaras que tomaron estas imágenes. ¿Usar este tablero?</translation>
     </message>
     <message>
         <source>%1 of the %2 searched images show %3. Use this board?</source>
@@ -1032,44 +1032,28 @@
 <context>
     <name>CalibrationText</name>
     <message>
-        <source>The intrinsics of %1 are probably for another resolution: its images are %2 times as large. Convert the intrinsics, or record at the calibrated size.</source>
-        <translation>Los parámetros intrínsecos de %1 son probablemente de otra resolución: sus imágenes son %2 veces mayores. Convierta los parámetros o grabe con el tamaño calibrado.</translation>
-    </message>
-    <message>
-        <source>, scale ±%1 %</source>
-        <translation>, escala ±%1 %</translation>
-    </message>
-    <message>
-        <source>, scale unknown</source>
-        <translation>, escala desconocida</translation>
-    </message>
-    <message>
-        <source>, upward direction ±%1</source>
-        <translation>, dirección vertical ±%1</translation>
+        <source>The images of %1 are %2 times as large as those for which it was calibrated: its intrinsics are for another resolution. Convert the intrinsics, or record at the calibrated size.</source>
+        <translation>Las imágenes de %1 son %2 veces mayores que aquellas para las que se calibró: sus parámetros intrínsecos son de otra resolución. Convierta los parámetros o grabe con el tamaño calibrado.</translation>
     </message>
     <message>
         <source>all cameras</source>
         <translation>todas las cámaras</translation>
     </message>
     <message>
-        <source>All cameras seem to see the back of the board or floor: its points are probably mirrored. Check the direction of the axes, and that the print is not reversed.</source>
-        <translation>Todas las cámaras parecen ver el reverso del tablero o del suelo: probablemente sus puntos están reflejados. Compruebe la dirección de los ejes y que la impresión no esté invertida.</translation>
-    </message>
-    <message>
-        <source>, upward direction not measured yet (page Floor)</source>
-        <translation>, dirección vertical aún sin medir (página Suelo)</translation>
+        <source>All cameras seem to see the back of the board or of the floor: the measured points are probably mirrored. Check the direction of the axes, and that the print is not reversed.</source>
+        <translation>Todas las cámaras parecen ver el reverso del tablero o del suelo: probablemente los puntos medidos están reflejados. Compruebe la dirección de los ejes y que la impresión no esté invertida.</translation>
     </message>
     <message>
         <source>Everything fits when %1 and %2 are exchanged: their videos are probably swapped. Exchange the two files.</source>
         <translation>Todo encaja al intercambiar %1 y %2: probablemente sus vídeos están cambiados. Intercambie los dos archivos.</translation>
     </message>
     <message>
-        <source>%1 agrees with the other cameras only if its video is shifted in time: the video is probably %2 frames late. Synchronize the videos, or calibrate with a wand and “Find time offsets”.</source>
-        <translation>%1 solo concuerda con las demás cámaras si su vídeo se desplaza en el tiempo: probablemente va %2 fotogramas tarde. Sincronice los vídeos o calibre con la varita y «Buscar desfases de tiempo».</translation>
+        <source>%1 agrees with the other cameras only if its video is shifted in time: the video is probably %2 frames late. Synchronize the videos, or calibrate with a wand and turn on “Find delays”.</source>
+        <translation>%1 solo concuerda con las demás cámaras si su vídeo se desplaza en el tiempo: probablemente va %2 fotogramas retrasado. Sincronice los vídeos, o calibre con la varita y active «Buscar retrasos».</translation>
     </message>
     <message>
-        <source>%1 agrees with the other cameras only if its video is shifted in time: the video is probably %2 frames early. Synchronize the videos, or calibrate with a wand and “Find time offsets”.</source>
-        <translation>%1 solo concuerda con las demás cámaras si su vídeo se desplaza en el tiempo: probablemente va %2 fotogramas adelantado. Sincronice los vídeos o calibre con la varita y «Buscar desfases de tiempo».</translation>
+        <source>%1 agrees with the other cameras only if its video is shifted in time: the video is probably %2 frames early. Synchronize the videos, or calibrate with a wand and turn on “Find delays”.</source>
+        <translation>%1 solo concuerda con las demás cámaras si su vídeo se desplaza en el tiempo: probablemente va %2 fotogramas adelantado. Sincronice los vídeos, o calibre con la varita y active «Buscar retrasos».</translation>
     </message>
     <message>
         <source>The images of %1 fit one pose before %2 and another pose after that time: the camera was probably moved. Calibrate with the later part of the recording only.</source>
@@ -1080,16 +1064,8 @@
         <translation>Las imágenes de %1 solo encajan si se voltean: el vídeo probablemente está reflejado o boca abajo. Ajuste el giro y el reflejo de estas imágenes.</translation>
     </message>
     <message>
-        <source>The images of %1 fit a focal length that is %2 times the given one: the zoom or crop of the camera was probably changed. Calibrate its intrinsics again.</source>
-        <translation>Las imágenes de %1 encajan con una distancia focal %2 veces la indicada: probablemente cambió el zoom o el recorte de la cámara. Calibre de nuevo sus parámetros intrínsecos.</translation>
-    </message>
-    <message>
-        <source>In the calibrated volume: position ±%1 (95 %)</source>
-        <translation>En el volumen calibrado: posición ±%1 (95 %)</translation>
-    </message>
-    <message>
-        <source>In the calibrated volume: position unknown</source>
-        <translation>En el volumen calibrado: posición desconocida</translation>
+        <source>The images of %1 fit a focal length that is %2 times the one in its calibration: the zoom or crop of the camera was probably changed. Calibrate its intrinsics again.</source>
+        <translation>Las imágenes de %1 encajan con una distancia focal %2 veces la de su calibración: probablemente cambió el zoom o el recorte de la cámara. Calibre de nuevo sus parámetros intrínsecos.</translation>
     </message>
     <message>
         <source>The length that you entered is %1 times the length that the cameras see: millimeters and meters are probably mixed up.</source>
@@ -1108,8 +1084,28 @@
         <translation>El tamaño de las casillas que introdujo es %1 veces el que ven las cámaras. Mida una fila con una regla: las impresiones suelen cambiar de escala.</translation>
     </message>
     <message>
-        <source>The images fit only if they are shifted by %1 along both axes: the calibration probably has its origin at the corner of the first pixel, not at its center. Convert the principal points.</source>
-        <translation>Las imágenes solo encajan desplazadas %1 en ambos ejes: probablemente el origen de la calibración está en la esquina del primer píxel y no en su centro. Convierta los puntos principales.</translation>
+        <source>The images fit only if they are shifted by %1 along both axes: the calibration probably measures from the corner of the first pixel, not from its center. Convert the principal points.</source>
+        <translation>Las imágenes solo encajan desplazadas %1 en ambos ejes: probablemente la calibración mide desde la esquina del primer píxel y no desde su centro. Convierta los puntos principales.</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>desconocida</translation>
+    </message>
+    <message>
+        <source>±%1</source>
+        <translation>±%1</translation>
+    </message>
+    <message>
+        <source>±%1 %</source>
+        <translation>±%1 %</translation>
+    </message>
+    <message>
+        <source>not measured yet (page Floor)</source>
+        <translation>aún sin medir (página Suelo)</translation>
+    </message>
+    <message>
+        <source>In the calibrated volume: position %1, scale %2, upward direction %3 (each with a probability of 95 %).</source>
+        <translation>En el volumen calibrado: posición %1, escala %2, dirección hacia arriba %3 (cada una con una probabilidad del 95 %).</translation>
     </message>
 </context>
 <context>
@@ -1212,11 +1208,11 @@
     </message>
     <message>
         <source>The marked spot is part of a larger object of the same color. Only this spot is tracked, as a ball with radius %1.</source>
-        <translation>El punto marcado es parte de un objeto mayor del mismo color. Solo se sigue este punto, como una bola con radio %1.</translation>
+        <translation>El punto marcado es parte de un objeto mayor del mismo color. Solo se sigue este punto, como una pelota con radio %1.</translation>
     </message>
     <message>
-        <source>The target&apos;s radius seems to be about %1, but %2 was entered. Is this the diameter?</source>
-        <translation>El radio del objetivo parece ser de unos %1, pero se introdujo %2. ¿Es ese el diámetro?</translation>
+        <source>The target&apos;s radius seems to be about %1, but %2 was entered. Is %2 the diameter?</source>
+        <translation>El radio del objetivo parece ser de unos %1, pero se introdujo %2. ¿Es %2 el diámetro?</translation>
     </message>
     <message>
         <source>The target&apos;s radius seems to be about %1, but %2 was entered.</source>
@@ -1317,12 +1313,12 @@
         <translation>rosa</translation>
     </message>
     <message>
-        <source>Much of the target does not match: Shift-click its light and its dark side.</source>
-        <translation>Gran parte del objetivo no coincide: Mayús-clic en su lado claro y en su lado oscuro.</translation>
+        <source>Much of the target does not have the learned color: Shift-click its light and its dark side.</source>
+        <translation>Gran parte del objetivo no tiene el color aprendido: Mayús-clic en su lado claro y en su lado oscuro.</translation>
     </message>
     <message>
-        <source>Exclude the other matching objects: Alt-click them.</source>
-        <translation>Excluya los otros objetos que coinciden: Alt-clic en ellos.</translation>
+        <source>Other objects have this color too: Alt-click them to exclude them.</source>
+        <translation>Otros objetos también tienen este color: Alt-clic en ellos los excluye.</translation>
     </message>
     <message>
         <source>Cover objects of the same color, or take them out of view.</source>
@@ -1341,28 +1337,28 @@
         <translation>El objetivo es casi gris: un color más vivo ayudaría.</translation>
     </message>
     <message>
-        <source>%1 % of the pixels match. Shift-click the target to see how well it stands out.</source>
-        <translation>Coincide el %1 % de los píxeles. Mayús-clic en el objetivo para ver cuánto destaca.</translation>
+        <source>%1 % of the pixels have this color. Shift-click the target to see how well its color stands out.</source>
+        <translation>El %1 % de los píxeles tiene este color. Mayús-clic en el objetivo muestra cuánto destaca su color.</translation>
     </message>
     <message>
-        <source>%1 % of the background matches too.</source>
-        <translation>El %1 % del fondo también coincide.</translation>
+        <source>This color also covers %1 % of the background.</source>
+        <translation>También tiene este color el %1 % del fondo.</translation>
     </message>
     <message>
         <source>One sample hardly matches the learned color: it resembles its surroundings, or it shows another object.</source>
         <translation>Una muestra apenas coincide con el color aprendido: se parece a su entorno, o muestra otro objeto.</translation>
     </message>
     <message>
-        <source>In the image of %3, a region %2 also matches (%1).</source>
-        <translation>En la imagen de %3 también coincide una zona %2 (%1).</translation>
+        <source>In the image of %3, a region %2 has this color too (it looks %1).</source>
+        <translation>En la imagen de %3, una zona %2 también tiene este color (%1).</translation>
     </message>
     <message>
         <source>Several objects have this color: another color would help.</source>
         <translation>Varios objetos tienen este color: otro color ayudaría.</translation>
     </message>
     <message>
-        <source>Only %1 % of the target matches, and %2 % of the background matches too.</source>
-        <translation>Solo coincide el %1 % del objetivo, y también el %2 % del fondo.</translation>
+        <source>This color covers only %1 % of the target, and %2 % of the background.</source>
+        <translation>Solo el %1 % del objetivo tiene este color, y el %2 % del fondo.</translation>
     </message>
     <message numerus="yes">
         <source>%n objects have this color and size: follow all of them, or cover the others.</source>
@@ -1396,8 +1392,8 @@
         <translation>Hizo clic solo en una mota: arrastre un recuadro alrededor de todo el objetivo.</translation>
     </message>
     <message>
-        <source>A color range that covers the whole target would match %1 % of the background.</source>
-        <translation>Un rango de color que abarque todo el objetivo coincidiría con el %1 % del fondo.</translation>
+        <source>A color range that covers the whole target would also cover %1 % of the background.</source>
+        <translation>Un rango de color que abarque todo el objetivo abarcaría también el %1 % del fondo.</translation>
     </message>
 </context>
 <context>
@@ -1610,7 +1606,7 @@
         <translation>Una multitud</translation>
     </message>
     <message>
-        <source>Five to eight people mill about for 12 s; their paths may touch and cross.</source>
+        <source>Five to eight people walk about for 12 s; their paths may touch and cross.</source>
         <translation>De cinco a ocho personas van y vienen durante 12 s; sus caminos pueden tocarse y cruzarse.</translation>
     </message>
     <message>
@@ -1658,16 +1654,16 @@
         <translation>Barrera et al. 2005, figura 8: la nube en seis iteraciones, con una sigma de movimiento pequeña y con una grande.</translation>
     </message>
     <message>
-        <source>Barrera et al. 2005, section III-B: the share of runs that converge, for start volumes of several sizes and for start points behind the ball.</source>
-        <translation>Barrera et al. 2005, sección III-B: la proporción de ejecuciones que convergen, para volúmenes iniciales de varios tamaños y para puntos iniciales detrás de la pelota.</translation>
+        <source>Barrera et al. 2005, section III-B: the share of runs that converge, depending on the size of the start volume, and on how far behind the ball a start point lies.</source>
+        <translation>Barrera et al. 2005, sección III-B: la proporción de ejecuciones que convergen, según el tamaño del volumen inicial y según lo lejos que esté el punto inicial detrás de la pelota.</translation>
     </message>
     <message>
-        <source>Error over the iterations, for different motion sigmas</source>
-        <translation>Error a lo largo de las iteraciones, con distintas sigmas de movimiento</translation>
+        <source>Error after each iteration, for different motion sigmas</source>
+        <translation>Error tras cada iteración, con distintas sigmas de movimiento</translation>
     </message>
     <message>
-        <source>Mohedano et al. 2009: people enter and leave. Measures how long there are estimates without a person, and people without an estimate.</source>
-        <translation>Mohedano et al. 2009: la gente entra y sale. Mide cuánto tiempo hay estimaciones sin persona y personas sin estimación.</translation>
+        <source>Mohedano et al. 2009: people enter and leave. Measures how long an estimate exists where nobody is, and how long a person has no estimate.</source>
+        <translation>Mohedano et al. 2009: la gente entra y sale. Mide cuánto tiempo hay una estimación donde no hay nadie, y cuánto tiempo una persona no tiene estimación.</translation>
     </message>
     <message>
         <source>Mohedano et al. 2009: two people far apart. This is the easy case: no method should mix them up.</source>
@@ -1690,12 +1686,12 @@
         <translation>Tres personas caminan por la sala: un niño de 0,9 a 1,3 m de altura, una persona de 1,3 a 1,6 m y otra de 1,88 a 2 m.</translation>
     </message>
     <message>
-        <source>Where one camera finds the color</source>
+        <source>Where a single camera finds the color</source>
         <translation>Dónde encuentra el color una sola cámara</translation>
     </message>
     <message>
-        <source>Where the cloud can start and converge</source>
-        <translation>Dónde puede empezar la nube y converger</translation>
+        <source>From which starting positions the particles still find the target</source>
+        <translation>Desde qué posiciones iniciales las partículas aún encuentran el objetivo</translation>
     </message>
 </context>
 <context>
@@ -1791,8 +1787,8 @@
         <translation>%1 está %2 m por debajo del suelo (z = 0).</translation>
     </message>
     <message>
-        <source>%1 sees nothing that another camera sees.</source>
-        <translation>%1 no ve nada que vea otra cámara.</translation>
+        <source>The view of %1 does not overlap with the view of any other camera.</source>
+        <translation>El campo de %1 no se solapa con el de ninguna otra cámara.</translation>
     </message>
     <message>
         <source>A file of the project is missing: %1.</source>
@@ -1811,23 +1807,23 @@
         <translation>Añada cámaras o elija otro método.</translation>
     </message>
     <message>
-        <source>Calibrate both again; one pose was probably copied from the other.</source>
-        <translation>Calibre ambas de nuevo; probablemente la pose de una se copió de la otra.</translation>
+        <source>Calibrate both cameras again; the pose of one was probably copied from the other.</source>
+        <translation>Calibre ambas cámaras de nuevo; probablemente la pose de una se copió de la otra.</translation>
     </message>
     <message>
-        <source>Calibrate them with a board, a wand or measured points.</source>
-        <translation>Calíbrelas con un tablero, una varita o puntos medidos.</translation>
+        <source>Calibrate the cameras with a board, a wand or measured points.</source>
+        <translation>Calibre las cámaras con un tablero, una varita o puntos medidos.</translation>
     </message>
     <message>
-        <source>Calibrate them, or choose a method that tracks boxes in images.</source>
-        <translation>Calíbrelas o elija un método que siga recuadros en imágenes.</translation>
+        <source>Calibrate the cameras, or choose a method that tracks boxes in images.</source>
+        <translation>Calibre las cámaras o elija un método que siga recuadros en imágenes.</translation>
     </message>
     <message>
-        <source>Check late_by; it is in seconds.</source>
-        <translation>Compruebe late_by; se indica en segundos.</translation>
+        <source>Check late_by of this camera in the project file; its unit is seconds.</source>
+        <translation>Compruebe late_by de esta cámara en el archivo del proyecto; la unidad es el segundo.</translation>
     </message>
     <message>
-        <source>Check that the camera sees the target, and its exposure and white balance.</source>
+        <source>Check that the camera sees the target, and check its exposure and white balance.</source>
         <translation>Compruebe que la cámara vea el objetivo, y también su exposición y su balance de blancos.</translation>
     </message>
     <message>
@@ -1835,80 +1831,80 @@
         <translation>Compruebe que los tiempos de todas las tablas procedan del mismo reloj.</translation>
     </message>
     <message>
-        <source>Check that this is the recording they were made for.</source>
-        <translation>Compruebe que se hicieran para esta grabación.</translation>
+        <source>Check that the corrections were made for this recording.</source>
+        <translation>Compruebe que las correcciones se hicieron para esta grabación.</translation>
     </message>
     <message>
         <source>Check that z points up and is 0 on the floor, unless you placed the origin elsewhere.</source>
         <translation>Compruebe que z apunte hacia arriba y sea 0 en el suelo, a menos que haya puesto el origen en otro sitio.</translation>
     </message>
     <message>
-        <source>Click on it in an image, or use the command learn-color.</source>
-        <translation>Haga clic en él en una imagen o use la orden learn-color.</translation>
+        <source>Click the target in an image, or use the command learn-color.</source>
+        <translation>Haga clic en el objetivo en una imagen o use la orden learn-color.</translation>
     </message>
     <message>
-        <source>Convert them to the same rate, or give each camera a table of times.</source>
-        <translation>Conviértalas a una misma frecuencia o indique tablas de tiempos.</translation>
+        <source>Convert the recordings to the same frame rate, or give each camera a table of times.</source>
+        <translation>Convierta las grabaciones a una misma frecuencia o indique una tabla de tiempos para cada cámara.</translation>
     </message>
     <message>
-        <source>Copy it again, or convert it with FFmpeg.</source>
-        <translation>Cópiela de nuevo o conviértala con FFmpeg.</translation>
+        <source>Copy the recording again, or convert it with FFmpeg.</source>
+        <translation>Copie la grabación de nuevo o conviértala con FFmpeg.</translation>
     </message>
     <message>
-        <source>Copy it again, or repair it with FFmpeg (ffmpeg -i IN -c copy OUT).</source>
-        <translation>Cópielo de nuevo o repárelo con FFmpeg (ffmpeg -i ENTRADA -c copy SALIDA).</translation>
+        <source>Copy the video again, or repair it with FFmpeg (ffmpeg -i IN -c copy OUT).</source>
+        <translation>Copie el vídeo de nuevo o repárelo con FFmpeg (ffmpeg -i ENTRADA -c copy SALIDA).</translation>
     </message>
     <message>
-        <source>Copy the folder again; otherwise the camera has no image in these frames.</source>
-        <translation>Copie de nuevo la carpeta; si no, la cámara no tendrá imagen en esos fotogramas.</translation>
+        <source>Copy the image folder again; otherwise the camera has no image in the missing frames.</source>
+        <translation>Copie de nuevo la carpeta de imágenes; si no, la cámara no tendrá imagen en los fotogramas que faltan.</translation>
     </message>
     <message>
-        <source>Copy the recording again, or use only the frames before it.</source>
+        <source>Copy the recording again, or use only the frames before this one.</source>
         <translation>Copie de nuevo la grabación o use solo los fotogramas anteriores.</translation>
     </message>
     <message>
-        <source>Correct late_by; it is in seconds.</source>
-        <translation>Corrija late_by; se indica en segundos.</translation>
+        <source>Correct late_by of this camera in the project file; its unit is seconds.</source>
+        <translation>Corrija late_by de esta cámara en el archivo del proyecto; la unidad es el segundo.</translation>
     </message>
     <message>
-        <source>Correct the file, or remove truth from the project.</source>
-        <translation>Corrija el archivo o quite truth del proyecto.</translation>
+        <source>Correct the file, or remove the key truth from the project file.</source>
+        <translation>Corrija el archivo o quite la clave truth del archivo del proyecto.</translation>
     </message>
     <message>
-        <source>Correct the line in a text editor, or make a new project.</source>
-        <translation>Corrija la línea en un editor de texto o cree un proyecto nuevo.</translation>
+        <source>Correct the project file in a text editor, or make a new project.</source>
+        <translation>Corrija el archivo del proyecto en un editor de texto o cree un proyecto nuevo.</translation>
     </message>
     <message>
-        <source>Correct the table, or remove times from this camera.</source>
-        <translation>Corrija la tabla o quite times de esta cámara.</translation>
+        <source>Correct the table, or remove the key times of this camera from the project file.</source>
+        <translation>Corrija la tabla o quite la clave times de esta cámara del archivo del proyecto.</translation>
     </message>
     <message>
-        <source>Corrections for frames that the recording does not have: %1.</source>
-        <translation>Correcciones de fotogramas que la grabación no tiene: %1.</translation>
+        <source>The project has corrections for frames that the recording does not have: %1.</source>
+        <translation>El proyecto tiene correcciones para fotogramas que la grabación no tiene: %1.</translation>
     </message>
     <message>
-        <source>Draw it in an earlier frame.</source>
-        <translation>Dibújelo en un fotograma anterior.</translation>
+        <source>Draw the box in an earlier frame.</source>
+        <translation>Dibuje el recuadro en un fotograma anterior.</translation>
     </message>
     <message>
-        <source>Draw one in an image.</source>
-        <translation>Dibuje uno en una imagen.</translation>
+        <source>Draw a box around the target in an image.</source>
+        <translation>Dibuje un recuadro alrededor del objetivo en una imagen.</translation>
     </message>
     <message>
         <source>Frame %2 of %1 cannot be read: %3.</source>
         <translation>No se puede leer el fotograma %2 de %1: %3.</translation>
     </message>
     <message>
-        <source>Give every camera one, or none.</source>
-        <translation>Indique una para todas las cámaras o para ninguna.</translation>
+        <source>Give every camera a table of times, or no camera.</source>
+        <translation>Indique una tabla de tiempos para todas las cámaras o para ninguna.</translation>
     </message>
     <message>
         <source>Give the radius in meters.</source>
         <translation>Indique el radio en metros.</translation>
     </message>
     <message>
-        <source>Import it again, or calibrate again.</source>
-        <translation>Impórtela de nuevo o calibre otra vez.</translation>
+        <source>Import the calibration again, or calibrate the cameras again.</source>
+        <translation>Importe la calibración de nuevo o calibre otra vez las cámaras.</translation>
     </message>
     <message>
         <source>Import the calibration again with the right unit (calibration convert --unit).</source>
@@ -1939,12 +1935,12 @@
         <translation>Cree un proyecto con las cámaras en vivo y otro con las grabaciones.</translation>
     </message>
     <message>
-        <source>Make room, or write to another disk with --out.</source>
-        <translation>Libere espacio o escriba en otro disco con --out.</translation>
+        <source>Free some disk space, or write to another disk with the option --out.</source>
+        <translation>Libere espacio o escriba en otro disco con la opción --out.</translation>
     </message>
     <message>
-        <source>Move the volume, or remove it.</source>
-        <translation>Mueva el volumen o quítelo.</translation>
+        <source>Move the volume of interest, or remove it.</source>
+        <translation>Mueva el volumen de interés o quítelo.</translation>
     </message>
     <message>
         <source>No part of the volume of interest is seen by enough cameras (at least %1).</source>
@@ -1971,8 +1967,8 @@
         <translation>Solo hay %1 MB libres para los resultados.</translation>
     </message>
     <message>
-        <source>Only the first %2 frames are used; check that all begin at the same time.</source>
-        <translation>Solo se usan los primeros %2 fotogramas; compruebe que todas empiecen al mismo tiempo.</translation>
+        <source>Only the first %2 frames of each recording are used; check that all recordings begin at the same time.</source>
+        <translation>Solo se usan los primeros %2 fotogramas de cada grabación; compruebe que todas empiecen al mismo tiempo.</translation>
     </message>
     <message>
         <source>Open the project to see whether images arrive.</source>
@@ -1983,24 +1979,24 @@
         <translation>Otras cámaras tienen una tabla de tiempos, pero %1 no.</translation>
     </message>
     <message>
-        <source>Plug it in, or choose another one.</source>
-        <translation>Conéctelo o elija otro.</translation>
+        <source>Connect the device, or choose another one.</source>
+        <translation>Conecte el dispositivo o elija otro.</translation>
     </message>
     <message>
-        <source>Put it back, or correct the path in the project file.</source>
-        <translation>Devuelva el archivo o la carpeta a su sitio, o corrija la ruta en el archivo del proyecto.</translation>
+        <source>Put the missing file or folder back, or correct its path in the project file.</source>
+        <translation>Devuelva a su sitio el archivo o la carpeta que falta, o corrija la ruta en el archivo del proyecto.</translation>
     </message>
     <message>
-        <source>Remove frames_per_second unless the video is wrong.</source>
-        <translation>Quite frames_per_second, a menos que el dato del vídeo sea erróneo.</translation>
+        <source>Remove frames_per_second from the project file, unless the rate stated in the video is wrong.</source>
+        <translation>Quite frames_per_second del archivo del proyecto, a menos que el dato del vídeo sea erróneo.</translation>
     </message>
     <message>
-        <source>Set frames_per_second; speeds depend on it.</source>
-        <translation>Defina frames_per_second; las velocidades dependen de ello.</translation>
+        <source>Set frames_per_second in the project file; the measured speeds depend on it.</source>
+        <translation>Defina frames_per_second en el archivo del proyecto; las velocidades medidas dependen de ello.</translation>
     </message>
     <message>
-        <source>Set rotate to 90 or 270 for this camera.</source>
-        <translation>Ponga rotate a 90 o 270 en esta cámara.</translation>
+        <source>Set rotate to 90 or 270 for this camera in the project file.</source>
+        <translation>Ponga rotate a 90 o 270 para esta cámara en el archivo del proyecto.</translation>
     </message>
     <message>
         <source>Simulated cameras: %1.</source>
@@ -2015,8 +2011,8 @@
         <translation>Algunas cámaras son en vivo y otras son grabaciones.</translation>
     </message>
     <message>
-        <source>Take it again, or remove empty_room from this camera.</source>
-        <translation>Tómela de nuevo o quite empty_room de esta cámara.</translation>
+        <source>Take the background image again, or remove the key empty_room of this camera from the project file.</source>
+        <translation>Tome de nuevo la imagen de fondo o quite la clave empty_room de esta cámara del archivo del proyecto.</translation>
     </message>
     <message>
         <source>Target %1 has a radius of %2 m, which is larger than a person.</source>
@@ -2071,12 +2067,12 @@
         <translation>El color del objetivo %1 no se encontró en ninguna de las imágenes examinadas de %2.</translation>
     </message>
     <message>
-        <source>The delay of %1 is %2 s, which is unusual.</source>
-        <translation>El retraso de %1 es de %2 s, lo que es inusual.</translation>
+        <source>The delay of %1 is %2 s, which is unusually large.</source>
+        <translation>El retraso de %1 es de %2 s, un valor inusualmente grande.</translation>
     </message>
     <message>
-        <source>The delay of %1, %2 s, is longer than its recording, so it has no image.</source>
-        <translation>El retraso de %1, %2 s, es más largo que su grabación, así que no tiene ninguna imagen.</translation>
+        <source>The delay of %1 (%2 s) is longer than its recording, so this camera has no image in any frame.</source>
+        <translation>El retraso de %1 (%2 s) es más largo que su grabación, así que esta cámara no tiene imagen en ningún fotograma.</translation>
     </message>
     <message>
         <source>The device of %1 is connected.</source>
@@ -2163,20 +2159,20 @@
         <translation>Hay espacio para los resultados: %1 GB libres.</translation>
     </message>
     <message>
-        <source>Turn it toward the target, or calibrate it again.</source>
-        <translation>Gírela hacia el objetivo o calíbrela de nuevo.</translation>
+        <source>Turn this camera toward the target, or calibrate it again.</source>
+        <translation>Gire esta cámara hacia el objetivo o calíbrela de nuevo.</translation>
     </message>
     <message>
-        <source>Use the calibration of these images, or images of the calibrated size.</source>
-        <translation>Use la calibración de estas imágenes, o imágenes del tamaño calibrado.</translation>
+        <source>Use a calibration for images of this size, or record images of the calibrated size.</source>
+        <translation>Use una calibración para imágenes de este tamaño, o grabe imágenes del tamaño calibrado.</translation>
     </message>
     <message>
-        <source>Use the table that belongs to this recording.</source>
-        <translation>Use la tabla que corresponde a esta grabación.</translation>
+        <source>Use the table of times that belongs to this recording.</source>
+        <translation>Use la tabla de tiempos que corresponde a esta grabación.</translation>
     </message>
     <message>
-        <source>Write results to another folder with --out.</source>
-        <translation>Escriba los resultados en otra carpeta con --out.</translation>
+        <source>Write the results to another folder with the option --out.</source>
+        <translation>Escriba los resultados en otra carpeta con la opción --out.</translation>
     </message>
 </context>
 <context>
@@ -2253,10 +2249,10 @@
     </message>
     <message>
         <source>Wand: a ball, or a stick with two balls</source>
-        <translation>Varita: una bola, o un palo con dos bolas</translation>
+        <translation>Varita: una pelota, o un palo con dos pelotas</translation>
     </message>
     <message>
-        <source>File of another tool</source>
+        <source>File of another program</source>
         <translation>Archivo de otro programa</translation>
     </message>
     <message>
@@ -2337,15 +2333,15 @@
     </message>
     <message>
         <source>Ball</source>
-        <translation>Bola</translation>
+        <translation>Pelota</translation>
     </message>
     <message>
         <source>Learn the color of the ball</source>
-        <translation>Aprender el color de la bola</translation>
+        <translation>Aprender el color de la pelota</translation>
     </message>
     <message>
         <source>Click the ball in an image. For a stick with two balls, learn two targets of different colors.</source>
-        <translation>Haga clic en la bola en una imagen. Para un palo con dos bolas, aprenda dos objetivos de colores distintos.</translation>
+        <translation>Haga clic en la pelota en una imagen. Para un palo con dos pelotas, aprenda dos objetivos de colores distintos.</translation>
     </message>
     <message>
         <source>Learn color</source>
@@ -2413,15 +2409,15 @@
     </message>
     <message>
         <source>You need rough camera positions and a ball to wave. This way gives the most accurate camera positions in a large room.</source>
-        <translation>Necesita posiciones aproximadas de las cámaras y una bola para agitar. Esta forma da las posiciones de cámara más exactas en una sala grande.</translation>
+        <translation>Necesita posiciones aproximadas de las cámaras y una pelota para agitar. Esta forma da las posiciones de cámara más exactas en una sala grande.</translation>
     </message>
     <message>
         <source>You need a calibration file for these cameras and for images of this size.</source>
         <translation>Necesita un archivo de calibración para estas cámaras y para imágenes de este tamaño.</translation>
     </message>
     <message>
-        <source>Choose the file. If it lacks something, such as the unit, the dialog asks you for it. The dialog also shows how far each camera would move.</source>
-        <translation>Elija el archivo. Si le falta algo, como la unidad, el cuadro de diálogo se lo pregunta. También muestra cuánto se movería cada cámara.</translation>
+        <source>Choose the file. If the file does not contain everything (for example, no unit), the dialog asks you for the rest. The dialog also shows how far each camera would move.</source>
+        <translation>Elija el archivo. Si no lo contiene todo (por ejemplo, falta la unidad), el cuadro de diálogo le pregunta el resto. También muestra cuánto se movería cada cámara.</translation>
     </message>
     <message>
         <source>Describe the board on the page Board, and print it at 100 %. Check the scale bar with a ruler, and glue the sheet to something stiff and flat. If you already have a board, just describe it and go on to the next step.</source>
@@ -2453,7 +2449,7 @@
     </message>
     <message>
         <source>Drag the grid in each image, or the cameras in the bird&apos;s-eye view, until each camera is within about 12 cm of its real position.</source>
-        <translation>Arrastre la cuadrícula en cada imagen, o las cámaras en la vista aérea, hasta que cada cámara esté a menos de unos 12 cm de su posición real.</translation>
+        <translation>Arrastre la cuadrícula en cada imagen, o las cámaras en la vista de pájaro, hasta que cada cámara esté a menos de unos 12 cm de su posición real.</translation>
     </message>
     <message>
         <source>On the page Wand, choose what you wave and where the scale comes from. With live cameras, press Start waving and wave slowly through the whole volume for half a minute. Then press Refine cameras. If you have already recorded this, just press Refine cameras.</source>
@@ -2468,8 +2464,8 @@
         <translation>Mida una distancia en la sala, lo más larga posible. Marque sus extremos como A y B, introduzca la distancia y pulse Comprobar. Si la calibración da otra distancia, pulse Definir escala para corregir la calibración.</translation>
     </message>
     <message>
-        <source>Done: the distance differs by %1.</source>
-        <translation>Hecho: la distancia difiere en %1.</translation>
+        <source>Done: the distance in the calibration differs from the measured one by %1.</source>
+        <translation>Hecho: la distancia de la calibración difiere en %1 de la medida.</translation>
     </message>
     <message>
         <source>Done for %1 of %2 cameras.</source>
@@ -2572,8 +2568,8 @@
 <context>
     <name>Method</name>
     <message>
-        <source>A box in one video</source>
-        <translation>Un recuadro en un vídeo</translation>
+        <source>Any object in the images of one camera (2D)</source>
+        <translation>Cualquier objeto en las imágenes de una cámara (2D)</translation>
     </message>
     <message>
         <source>A particle filter with color histograms</source>
@@ -2608,16 +2604,16 @@
         <translation>Para comparar: distingue a las personas por su ropa.</translation>
     </message>
     <message>
-        <source>For teaching: tracks a box in one video.</source>
-        <translation>Para enseñar: sigue un recuadro en un vídeo.</translation>
+        <source>For teaching: tracks an object as a box in the images of one camera.</source>
+        <translation>Para enseñar: sigue un objeto como recuadro en las imágenes de una cámara.</translation>
     </message>
     <message>
         <source>For teaching: shows how a particle filter works.</source>
         <translation>Para enseñar: muestra cómo funciona un filtro de partículas.</translation>
     </message>
     <message>
-        <source>For teaching: shows how particles follow measurements.</source>
-        <translation>Para enseñar: muestra cómo las partículas siguen las medidas.</translation>
+        <source>For teaching: shows how particles follow measured positions.</source>
+        <translation>Para enseñar: muestra cómo las partículas siguen posiciones medidas.</translation>
     </message>
     <message>
         <source>From papers, for teaching and comparison</source>
@@ -2644,12 +2640,12 @@
         <translation>Sigue a varias personas sobre el suelo, aunque lleven ropa parecida.</translation>
     </message>
     <message>
-        <source>The most accurate: decides whether the target is a ball or has another shape.</source>
-        <translation>El más preciso: decide si el objetivo es una bola o tiene otra forma.</translation>
+        <source>The most accurate method. It finds out by itself whether the target is a ball or has another shape.</source>
+        <translation>El método más preciso. Averigua por sí mismo si el objetivo es una pelota o tiene otra forma.</translation>
     </message>
     <message>
-        <source>Tracks the target by its colors, follows its size, and finds it again after it was hidden.</source>
-        <translation>Sigue el objetivo por sus colores, sigue su tamaño y lo reencuentra tras una ocultación.</translation>
+        <source>Tracks an object by its colors, adapts to its size, and finds it again after it was hidden.</source>
+        <translation>Sigue un objeto por sus colores, se adapta a su tamaño y lo reencuentra tras una ocultación.</translation>
     </message>
 </context>
 <context>
@@ -2661,6 +2657,41 @@
     <message>
         <source>Needs at least two cameras.</source>
         <translation>Necesita al menos dos cámaras.</translation>
+    </message>
+</context>
+<context>
+    <name>OutletText</name>
+    <message>
+        <source>JSON lines at %1</source>
+        <translation>Líneas JSON en %1</translation>
+    </message>
+    <message>
+        <source>Web page and WebSocket at %1</source>
+        <translation>Página web y WebSocket en %1</translation>
+    </message>
+    <message>
+        <source>OSC messages to %1</source>
+        <translation>Mensajes OSC a %1</translation>
+    </message>
+    <message>
+        <source>TUIO cursors to %1</source>
+        <translation>Cursores TUIO a %1</translation>
+    </message>
+    <message>
+        <source>CSV lines to the standard output</source>
+        <translation>Líneas CSV a la salida estándar</translation>
+    </message>
+    <message>
+        <source>CSV lines to %1</source>
+        <translation>Líneas CSV a %1</translation>
+    </message>
+    <message>
+        <source>No program is reading this pipe.</source>
+        <translation>Ningún programa lee esta tubería.</translation>
+    </message>
+    <message>
+        <source>Nothing can be written: %1</source>
+        <translation>No se puede escribir: %1</translation>
     </message>
 </context>
 <context>
@@ -2742,8 +2773,8 @@
         <translation>Sigma de la aceleración</translation>
     </message>
     <message>
-        <source>Edge length of the room in which a target may appear: larger values require a higher likelihood before a track is created.</source>
-        <translation>Arista del espacio en el que puede aparecer un objetivo: valores mayores exigen una verosimilitud más alta antes de iniciar un seguimiento.</translation>
+        <source>Edge length of the space in which a target may appear: with larger values, a track is created only at a higher likelihood.</source>
+        <translation>Arista del espacio en el que puede aparecer un objetivo: con valores mayores, el seguimiento solo empieza con una verosimilitud más alta.</translation>
     </message>
     <message>
         <source>Fewest particles</source>
@@ -2806,8 +2837,8 @@
         <translation>Sigma de la proporción</translation>
     </message>
     <message>
-        <source>Hidden below</source>
-        <translation>Oculto por debajo de</translation>
+        <source>Counts as hidden below</source>
+        <translation>Cuenta como oculto por debajo de</translation>
     </message>
     <message>
         <source>How far particles move at random along each axis between images, in multiples of the target size, in addition to their constant velocity.</source>
@@ -2842,12 +2873,12 @@
         <translation>Sigma de la escala</translation>
     </message>
     <message>
-        <source>How much of the box&apos;s current colors is blended into the reference colors at each image; 0 keeps the colors of the first image.</source>
+        <source>How much of the box&apos;s current colors is blended into the reference colors after each image; 0 keeps the colors of the first image.</source>
         <translation>Cuánto de los colores actuales del recuadro se mezcla en los de referencia en cada imagen; 0 conserva los colores de la primera imagen.</translation>
     </message>
     <message>
-        <source>Share of the particles that are placed at other positions with the target&apos;s colors.</source>
-        <translation>Proporción de partículas que se colocan en otras posiciones con los colores del objetivo.</translation>
+        <source>Share of the particles that jump to other positions at which the target&apos;s colors are found.</source>
+        <translation>Proporción de partículas que saltan a otras posiciones en las que se encuentran los colores del objetivo.</translation>
     </message>
     <message>
         <source>Sharpness</source>
@@ -2886,8 +2917,8 @@
         <translation>Modelo de fondo</translation>
     </message>
     <message>
-        <source>Creation time</source>
-        <translation>Tiempo de aparición</translation>
+        <source>Confirmation time</source>
+        <translation>Tiempo de confirmación</translation>
     </message>
     <message>
         <source>Create tracks</source>
@@ -2962,8 +2993,8 @@
         <translation>Ancho de imagen</translation>
     </message>
     <message>
-        <source>Images are reduced to at most this width before anything else; 0 keeps them as they are.</source>
-        <translation>Las imágenes se reducen primero a este ancho como máximo; 0 las deja como están.</translation>
+        <source>Images are reduced to at most this width before they are analyzed; 0 keeps them as they are.</source>
+        <translation>Las imágenes se reducen como mucho a este ancho antes de analizarlas; 0 las deja como están.</translation>
     </message>
     <message>
         <source>Learning time</source>
@@ -3046,8 +3077,8 @@
         <translation>1 sigue a toda persona que ven varias cámaras. 0 sigue solo a las personas que usted añade a mano.</translation>
     </message>
     <message>
-        <source>Center of the tracked floor area along this axis.</source>
-        <translation>Centro del suelo vigilado en este eje.</translation>
+        <source>Coordinate of the center of the tracked floor area along this axis.</source>
+        <translation>Coordenada del centro de la superficie de suelo seguida a lo largo de este eje.</translation>
     </message>
     <message>
         <source>Error of the times at which the images were taken. It is part of the reported uncertainty of a moving target. 8 suits webcams.</source>
@@ -3078,8 +3109,8 @@
         <translation>Cómo se hallan las zonas en movimiento. 0: una gaussiana por píxel (rápido). 1: MOG2 de OpenCV. 2: KNN de OpenCV.</translation>
     </message>
     <message>
-        <source>How much each camera that sees a whole person counts: larger values rely more on the masks.</source>
-        <translation>Cuánto cuenta cada cámara que ve a una persona entera: valores mayores confían más en las máscaras.</translation>
+        <source>How strongly the mask of each camera influences where a person is tracked: larger values rely more on the masks.</source>
+        <translation>Con qué fuerza influye la máscara de cada cámara en la posición de una persona: valores mayores confían más en las máscaras.</translation>
     </message>
     <message>
         <source>How much the colors of a particle&apos;s box may differ from the reference colors (Bhattacharyya distance): smaller values trust the best particles more.</source>
@@ -3098,7 +3129,7 @@
         <translation>Brillo mínimo de una sombra, como proporción del brillo del fondo con el mismo tono. Todo lo más oscuro cuenta como zona en movimiento.</translation>
     </message>
     <message>
-        <source>Smallest number of particles of each target, used when all particles are close together.</source>
+        <source>Smallest number of particles of each target; used when all its particles are close together.</source>
         <translation>Número mínimo de partículas de cada objetivo, que se usa cuando todas están muy juntas.</translation>
     </message>
     <message>
@@ -3167,7 +3198,7 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>aprendiendo el fondo: %1 % · no entre en la imagen</translation>
     </message>
     <message>
-        <source>image ignored: %1 % of it moves</source>
+        <source>image ignored: %1 % of it is moving</source>
         <translation>imagen ignorada: se mueve el %1 %</translation>
     </message>
     <message>
@@ -3262,8 +3293,8 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>sin imagen</translation>
     </message>
     <message>
-        <source>covered or moved</source>
-        <translation>tapada o movida</translation>
+        <source>camera covered or moved</source>
+        <translation>cámara tapada o movida</translation>
     </message>
     <message>
         <source>too dark</source>
@@ -3361,8 +3392,8 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>Similitud</translation>
     </message>
     <message>
-        <source>to the reference</source>
-        <translation>con la referencia</translation>
+        <source>similarity to the reference</source>
+        <translation>similitud con la referencia</translation>
     </message>
     <message>
         <source>Position</source>
@@ -3612,16 +3643,16 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
 <context>
     <name>dewpoint::ui::BackgroundImageTaker</name>
     <message>
-        <source>“%1” is visible in this image and would become part of the background. Choose a frame without it.</source>
-        <translation>«%1» se ve en esta imagen y pasaría a formar parte del fondo. Elija un fotograma sin él.</translation>
+        <source>“%1” is visible in this image and would become part of the background. Choose a frame without this target.</source>
+        <translation>«%1» se ve en esta imagen y pasaría a formar parte del fondo. Elija un fotograma sin este objetivo.</translation>
     </message>
     <message>
-        <source>Use it anyway</source>
-        <translation>Usarla de todos modos</translation>
+        <source>Use image anyway</source>
+        <translation>Usar la imagen de todos modos</translation>
     </message>
     <message>
-        <source>The camera has changed in the meantime. The image was saved as %1, but is not used.</source>
-        <translation>La cámara se cambió mientras tanto: la imagen se guardó como %1, pero no se usa.</translation>
+        <source>The image was saved as %1, but is not used, because the settings of the camera were changed in the meantime.</source>
+        <translation>La imagen se guardó como %1, pero no se usa, porque los ajustes de la cámara cambiaron mientras tanto.</translation>
     </message>
     <message>
         <source>Change background image</source>
@@ -3639,8 +3670,8 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>Corregir la posición</translation>
     </message>
     <message>
-        <source>The target was tracked backward to frame %1 and is now tracked forward again from there.</source>
-        <translation>El objetivo se siguió hacia atrás hasta el fotograma %1 y desde ahí se sigue de nuevo hacia delante.</translation>
+        <source>The target was tracked backward to frame %1. It is now being tracked forward again from this frame.</source>
+        <translation>El objetivo se siguió hacia atrás hasta el fotograma %1. Desde ese fotograma se sigue ahora de nuevo hacia delante.</translation>
     </message>
     <message>
         <source>Tracking the target backward: frame %1.</source>
@@ -3745,8 +3776,8 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>Página (*.html)</translation>
     </message>
     <message>
-        <source>Use it anyway</source>
-        <translation>Usarla de todos modos</translation>
+        <source>Use calibration anyway</source>
+        <translation>Usar la calibración de todos modos</translation>
     </message>
     <message>
         <source>Saved %1.</source>
@@ -3765,8 +3796,8 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>Buscar en todos los fotogramas</translation>
     </message>
     <message>
-        <source>Find out which board the images show: its kind, its squares and its dictionary. Images do not show its size: measure its squares yourself</source>
-        <translation>Averiguar qué tablero muestran las imágenes: su tipo, sus casillas y su diccionario. Las imágenes no muestran su tamaño: mida usted sus casillas</translation>
+        <source>Find out from the images which kind of board they show, how many squares it has, and its dictionary. The images do not show how large the squares are: measure this yourself</source>
+        <translation>Averiguar con las imágenes qué tipo de tablero muestran, cuántas casillas tiene y su diccionario. Las imágenes no muestran el tamaño de las casillas: mídalo usted</translation>
     </message>
     <message>
         <source>Computing</source>
@@ -3849,24 +3880,24 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>Tipo de tablero</translation>
     </message>
     <message>
-        <source>Squares across, down</source>
-        <translation>Casillas a lo ancho y alto</translation>
+        <source>Squares per row, per column</source>
+        <translation>Casillas por fila, por columna</translation>
     </message>
     <message>
         <source>Squares in a row</source>
         <translation>Casillas por fila</translation>
     </message>
     <message>
-        <source>All squares of a row, black and white</source>
-        <translation>Todas las casillas de una fila, negras y blancas</translation>
+        <source>Number of squares in a row, black and white together</source>
+        <translation>Número de casillas de una fila, negras y blancas juntas</translation>
     </message>
     <message>
         <source>Squares in a column</source>
         <translation>Casillas por columna</translation>
     </message>
     <message>
-        <source>All squares of a column, black and white</source>
-        <translation>Todas las casillas de una columna, negras y blancas</translation>
+        <source>Number of squares in a column, black and white together</source>
+        <translation>Número de casillas de una columna, negras y blancas juntas</translation>
     </message>
     <message>
         <source>Side of a square</source>
@@ -3889,8 +3920,8 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>Diccionario de los marcadores</translation>
     </message>
     <message>
-        <source>The dictionary name used when the board was generated</source>
-        <translation>El nombre del diccionario con que se generó el tablero</translation>
+        <source>The dictionary of the markers that was chosen when the board was made</source>
+        <translation>El diccionario de marcadores que se eligió al crear el tablero</translation>
     </message>
     <message>
         <source>Legacy layout (even rows)</source>
@@ -3968,12 +3999,12 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>Valores que se calibran</translation>
     </message>
     <message>
-        <source>Intrinsics: lens and sensor of each camera separately. Positions: where the cameras are, from a board that several of them see at the same time</source>
-        <translation>Intrínsecos: objetivo y sensor de cada cámara por separado. Posiciones: dónde están las cámaras, con un tablero que varias ven a la vez</translation>
+        <source>Intrinsics: lens and sensor, for each camera separately. Positions: where the cameras are, computed from a board that several cameras see at the same time</source>
+        <translation>Intrínsecos: lente y sensor, para cada cámara por separado. Posiciones: dónde están las cámaras, calculado con un tablero que varias cámaras ven a la vez</translation>
     </message>
     <message>
         <source>Lens model</source>
-        <translation>Modelo de objetivo</translation>
+        <translation>Modelo de lente</translation>
     </message>
     <message>
         <source>Pinhole, 5 coefficients</source>
@@ -4008,19 +4039,19 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>Usar el fotograma actual para el suelo</translation>
     </message>
     <message>
-        <source>Take the frame that is shown now</source>
-        <translation>Tomar el fotograma que se muestra ahora</translation>
+        <source>Enter the number of the frame that is shown now</source>
+        <translation>Introducir el número del fotograma que se muestra ahora</translation>
     </message>
     <message>
-        <source>Stop at accuracy</source>
-        <translation>Precisión final</translation>
+        <source>Accuracy goal</source>
+        <translation>Precisión deseada</translation>
     </message>
     <message>
         <source>Desired accuracy of the intrinsics</source>
         <translation>Precisión deseada de los parámetros intrínsecos</translation>
     </message>
     <message>
-        <source>Guidance ends when the intrinsics are this accurate all over the image</source>
+        <source>Guidance ends when the intrinsics are this accurate in all parts of the image</source>
         <translation>La guía termina cuando los parámetros intrínsecos tienen esta precisión en toda la imagen</translation>
     </message>
     <message>
@@ -4071,7 +4102,7 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>Siguiente: posiciones</translation>
     </message>
     <message>
-        <source>Accept the present accuracy of the intrinsics, then show the board to several cameras at once</source>
+        <source>Accept the current accuracy of the intrinsics; then show the board to several cameras at once</source>
         <translation>Aceptar la precisión actual de los parámetros intrínsecos y mostrar luego el tablero a varias cámaras a la vez</translation>
     </message>
     <message>
@@ -4257,8 +4288,8 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>estado</translation>
     </message>
     <message>
-        <source>Hidden: the box shows the expected position</source>
-        <translation>Oculto: el recuadro muestra la posición esperada</translation>
+        <source>Hidden: the target was not found in this frame; the box shows where it is expected</source>
+        <translation>Oculto: no se encontró el objetivo en este fotograma; el recuadro muestra dónde se espera</translation>
     </message>
     <message>
         <source>● tracking</source>
@@ -4301,8 +4332,8 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
 <context>
     <name>dewpoint::ui::CalibrationChoice</name>
     <message>
-        <source>Calibration:</source>
-        <translation>Calibración:</translation>
+        <source>Calibration file:</source>
+        <translation>Archivo de calibración:</translation>
     </message>
     <message>
         <source>Choose calibration…</source>
@@ -4325,8 +4356,8 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>Elija una calibración</translation>
     </message>
     <message>
-        <source>Recognized: %1. Some information is missing: %2. Create the project without this file, then use Import calibration and enter what is missing.</source>
-        <translation>Reconocido: %1. Falta información: %2. Cree el proyecto sin este archivo y después use «Importar calibración» para indicar lo que falta.</translation>
+        <source>Recognized: %1. The file does not contain everything: %2. Create the project without this file, then choose Calibration › Import calibration and enter what is missing.</source>
+        <translation>Reconocido: %1. El archivo no lo contiene todo: %2. Cree el proyecto sin este archivo, elija después Calibración › Importar calibración e indique lo que falta.</translation>
     </message>
     <message>
         <source>Recognized: %1. It cannot be used: %2.</source>
@@ -4341,8 +4372,8 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>No reconocido. Dewpoint lee: %1.</translation>
     </message>
     <message>
-        <source>Recognized as %1, but its cameras do not match those above: %2.</source>
-        <translation>Reconocido: %1. Sus cámaras no concuerdan con las de arriba: %2.</translation>
+        <source>Recognized: %1. The cameras in the file do not match the cameras above: %2.</source>
+        <translation>Reconocido: %1. Las cámaras del archivo no concuerdan con las cámaras de arriba: %2.</translation>
     </message>
     <message numerus="yes">
         <source>✓ Recognized: %1, %n cameras</source>
@@ -4363,8 +4394,8 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
 <context>
     <name>dewpoint::ui::CalibrationDock</name>
     <message>
-        <source>Ways to calibrate</source>
-        <translation>Formas de calibrar</translation>
+        <source>Pages of the camera calibration</source>
+        <translation>Páginas de la calibración de cámaras</translation>
     </message>
 </context>
 <context>
@@ -4430,16 +4461,16 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>Se guardó %1.</translation>
     </message>
     <message>
-        <source>%1: projected points change by at most %2 (the lens was fitted again to what the format can store)</source>
-        <translation>%1: los puntos proyectados cambian como mucho %2 (la lente se reajustó a lo que el formato puede guardar)</translation>
+        <source>%1: with the exported calibration, projected points move by at most %2, because the format cannot store this lens model and the lens was fitted again</source>
+        <translation>%1: con la calibración exportada, los puntos proyectados se desplazan como mucho %2, porque el formato no puede guardar este modelo de lente y la lente se reajustó</translation>
     </message>
     <message>
-        <source>%1: projected points change by at most %2</source>
-        <translation>%1: los puntos proyectados cambian como mucho %2</translation>
+        <source>%1: with the exported calibration, projected points move by at most %2</source>
+        <translation>%1: con la calibración exportada, los puntos proyectados se desplazan como mucho %2</translation>
     </message>
     <message>
-        <source>%1: with the exported lens, %2 of 81 tested directions no longer have a pixel</source>
-        <translation>%1: con la lente exportada, %2 de 81 direcciones probadas ya no tienen píxel</translation>
+        <source>%1: with the exported lens, %2 of 81 tested directions can no longer be projected into the image</source>
+        <translation>%1: con la lente exportada, %2 de 81 direcciones probadas ya no se pueden proyectar en la imagen</translation>
     </message>
 </context>
 <context>
@@ -4453,11 +4484,11 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>Importar una calibración</translation>
     </message>
     <message>
-        <source>by name</source>
-        <translation>por nombre</translation>
+        <source>match by name</source>
+        <translation>asignar por nombre</translation>
     </message>
     <message>
-        <source>for %1 only</source>
+        <source>only for %1</source>
         <translation>solo para %1</translation>
     </message>
     <message>
@@ -4550,7 +4581,7 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
     </message>
     <message>
         <source>Meaning of the four lens coefficients</source>
-        <translation>Significado de los cuatro coeficientes del objetivo</translation>
+        <translation>Significado de los cuatro coeficientes de la lente</translation>
     </message>
     <message>
         <source>Image size</source>
@@ -4573,12 +4604,12 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>Cámara</translation>
     </message>
     <message>
-        <source>The camera to which a file with a single camera belongs</source>
-        <translation>La cámara a la que pertenece un archivo con una sola cámara</translation>
+        <source>If the file holds only one camera: the project camera that gets its calibration</source>
+        <translation>Si el archivo contiene una sola cámara: la cámara del proyecto que recibe su calibración</translation>
     </message>
     <message>
-        <source>The file does not contain all information. Set “%1” above.</source>
-        <translation>El archivo no contiene toda la información. Indique «%1» arriba.</translation>
+        <source>The file does not contain everything. Set “%1” above.</source>
+        <translation>El archivo no lo contiene todo. Indique «%1» arriba.</translation>
     </message>
     <message>
         <source>The calibration uses other camera names. The cameras were matched by order.</source>
@@ -4621,8 +4652,8 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>giradas 270° en sentido horario</translation>
     </message>
     <message>
-        <source>The images are</source>
-        <translation>Las imágenes son</translation>
+        <source>Project images</source>
+        <translation>Imágenes del proyecto</translation>
     </message>
     <message>
         <source>Names in the file</source>
@@ -4637,8 +4668,8 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>Probablemente un error: %1</translation>
     </message>
     <message>
-        <source>For each camera of the project: the camera of the file whose calibration it uses</source>
-        <translation>Para cada cámara del proyecto: la cámara del archivo cuya calibración usa</translation>
+        <source>For each camera of the project, choose the camera in the file from which it gets its calibration</source>
+        <translation>Elija, para cada cámara del proyecto, la cámara del archivo de la que recibe su calibración</translation>
     </message>
     <message>
         <source>the same as when calibrated</source>
@@ -4653,15 +4684,15 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>El archivo no contiene ninguna pose. Solo se importan los parámetros intrínsecos; la cámara conserva su pose actual.</translation>
     </message>
     <message>
-        <source>Compared with the file, projected points change by at most %1</source>
-        <translation>En comparación con el archivo, los puntos proyectados cambian como mucho %1</translation>
+        <source>After the import, projected points are at most %1 away from where the file projects them</source>
+        <translation>Tras la importación, los puntos proyectados distan como mucho %1 de donde los proyecta el archivo</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::CalibrationMode</name>
     <message>
-        <source>Calibration</source>
-        <translation>Calibración</translation>
+        <source>Camera calibration</source>
+        <translation>Calibración de cámaras</translation>
     </message>
 </context>
 <context>
@@ -4723,7 +4754,7 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
     </message>
     <message>
         <source>Lens</source>
-        <translation>Objetivo</translation>
+        <translation>Lente</translation>
     </message>
     <message>
         <source>focal length</source>
@@ -4735,7 +4766,7 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
     </message>
     <message>
         <source>Lens parameter</source>
-        <translation>Parámetro del objetivo</translation>
+        <translation>Parámetro de la lente</translation>
     </message>
     <message>
         <source>Focal length in pixels, or the horizontal field of view in degrees</source>
@@ -4885,20 +4916,20 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>%1 giró %2 (fotograma %3).</translation>
     </message>
     <message>
-        <source>Its new pose is being computed.</source>
-        <translation>Se está calculando su nueva pose.</translation>
+        <source>The new pose of this camera is being computed.</source>
+        <translation>Se está calculando la nueva pose de esta cámara.</translation>
     </message>
     <message>
-        <source>Its pose can be recomputed from its images.</source>
-        <translation>Su pose se puede recalcular a partir de sus imágenes.</translation>
+        <source>The pose of this camera can be recomputed from its images.</source>
+        <translation>La pose de esta cámara se puede recalcular a partir de sus imágenes.</translation>
     </message>
     <message>
         <source>Recompute pose of %1</source>
         <translation>Recalcular pose de %1</translation>
     </message>
     <message>
-        <source>Its pose cannot be recomputed from its images: calibrate the camera again, or move it back.</source>
-        <translation>Su pose no se puede recalcular a partir de sus imágenes: calibre la cámara otra vez o devuélvala a su sitio.</translation>
+        <source>The pose of this camera cannot be recomputed from its images: calibrate the camera again, or move it back.</source>
+        <translation>La pose de esta cámara no se puede recalcular a partir de sus imágenes: calibre la cámara otra vez o devuélvala a su sitio.</translation>
     </message>
     <message>
         <source>Calibrate %1…</source>
@@ -4964,8 +4995,8 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>Girada</translation>
     </message>
     <message>
-        <source>Clockwise rotation of the images before use</source>
-        <translation>Giro de las imágenes en sentido horario antes de usarlas</translation>
+        <source>How far the images are rotated clockwise before they are used</source>
+        <translation>Cuánto se giran las imágenes en sentido horario antes de usarlas</translation>
     </message>
     <message>
         <source>Load calibration…</source>
@@ -4981,9 +5012,9 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
     </message>
     <message>
         <source>%1 × %2 pixels, focal length %3 pixels
-at %4, %5, %6</source>
+Position x, y, z: %4, %5, %6</source>
         <translation>%1 × %2 píxeles, distancia focal %3 píxeles
-en %4, %5, %6</translation>
+Posición x, y, z: %4, %5, %6</translation>
     </message>
     <message>
         <source>Choose a folder of images</source>
@@ -5010,8 +5041,8 @@ en %4, %5, %6</translation>
         <translation>Imagen de fondo</translation>
     </message>
     <message>
-        <source>Image, video or image folder that shows the scene without any target. Regions that have the target&apos;s color there are not taken for the target</source>
-        <translation>Imagen, vídeo o carpeta de imágenes que muestra la escena sin ningún objetivo. Las zonas que allí tienen el color del objetivo no se toman por él</translation>
+        <source>Image, video or image folder that shows the scene without any target. An object in it that has the target&apos;s color is then not mistaken for the target</source>
+        <translation>Imagen, vídeo o carpeta de imágenes que muestra la escena sin ningún objetivo. Así, un objeto de la escena que tiene el color del objetivo no se confunde con él</translation>
     </message>
     <message>
         <source>Choose background image</source>
@@ -5050,8 +5081,8 @@ en %4, %5, %6</translation>
         <translation> ms</translation>
     </message>
     <message>
-        <source>Delay of this camera&apos;s images in ms, used to synchronize it with the other cameras. Calibration with a wand can measure the delay</source>
-        <translation>Retraso de las imágenes de esta cámara en ms, para sincronizarla con las demás cámaras. La calibración con varita puede medir el retraso</translation>
+        <source>How late this camera&apos;s images are, in ms. Dewpoint uses this delay to synchronize the cameras. Calibration with a wand can measure the delay</source>
+        <translation>Cuánto se retrasan las imágenes de esta cámara, en ms. Dewpoint sincroniza las cámaras con este retraso. La calibración con varita puede medir el retraso</translation>
     </message>
     <message>
         <source>Delay of the images in milliseconds</source>
@@ -5074,8 +5105,8 @@ en %4, %5, %6</translation>
         <translation>Probablemente un error: %1</translation>
     </message>
     <message>
-        <source>%1. Use Import calibration.</source>
-        <translation>%1. Use «Importar calibración».</translation>
+        <source>%1. Choose Calibration › Import calibration instead.</source>
+        <translation>%1. Elija en su lugar Calibración › Importar calibración.</translation>
     </message>
 </context>
 <context>
@@ -5107,8 +5138,8 @@ en %4, %5, %6</translation>
         <translation>✗ %1</translation>
     </message>
     <message>
-        <source>Live: tested when the project is created</source>
-        <translation>En vivo: se prueba al crear el proyecto</translation>
+        <source>Live source: it is tested when the project is created</source>
+        <translation>Fuente en vivo: se prueba al crear el proyecto</translation>
     </message>
     <message>
         <source>The videos have different frame rates: frame N does not show the same time in each of them.</source>
@@ -5198,8 +5229,8 @@ en %4, %5, %6</translation>
         <translation>Aprender el color aquí</translation>
     </message>
     <message>
-        <source>Add a sample here</source>
-        <translation>Añadir una muestra aquí</translation>
+        <source>Add color sample here</source>
+        <translation>Añadir muestra de color aquí</translation>
     </message>
     <message>
         <source>Exclude this color</source>
@@ -5218,8 +5249,8 @@ en %4, %5, %6</translation>
         <translation>Añadir este color a los colores del objetivo (Mayús-clic hace lo mismo)</translation>
     </message>
     <message>
-        <source>Learn that the target does not have this color (Alt-click does the same)</source>
-        <translation>Aprender que el objetivo no tiene este color (Alt-clic hace lo mismo)</translation>
+        <source>Remove this color from the colors of the target (Alt-click does the same)</source>
+        <translation>Excluir este color de los colores del objetivo (Alt-clic hace lo mismo)</translation>
     </message>
 </context>
 <context>
@@ -5311,16 +5342,16 @@ en %4, %5, %6</translation>
         <translation>&amp;Intensidad</translation>
     </message>
     <message>
-        <source>First hue, 0 to 360 degrees; if it is above the last hue, the range goes through red</source>
-        <translation>Primer tono, de 0 a 360 grados; si supera el último tono, el intervalo pasa por el rojo</translation>
+        <source>First hue, 0 to 360 degrees. If it is larger than the last hue, the range passes through red (0 degrees)</source>
+        <translation>Primer tono, de 0 a 360 grados. Si es mayor que el último tono, el rango pasa por el rojo (0 grados)</translation>
     </message>
     <message>
         <source>Last hue, 0 to 360 degrees</source>
         <translation>Último tono, de 0 a 360 grados</translation>
     </message>
     <message>
-        <source>Drag the ends or the center. Keyboard: Tab selects a handle, arrow keys move it (ten times as far with Shift)</source>
-        <translation>Arrastre los extremos o el centro. Teclado: Tab elige un control, las flechas lo mueven (con Mayús, diez veces más)</translation>
+        <source>Drag the ends or the center of the range. Keyboard: Tab selects a handle, arrow keys move it (ten times as far with Shift)</source>
+        <translation>Arrastre los extremos o el centro del rango. Teclado: Tab elige un control, las flechas lo mueven (con Mayús, diez veces más)</translation>
     </message>
     <message>
         <source>Range of hues</source>
@@ -5366,12 +5397,12 @@ en %4, %5, %6</translation>
         <translation>Quitar</translation>
     </message>
     <message>
-        <source>excluded: %1, frame %2, at %3, %4</source>
-        <translation>excluida: %1, fotograma %2, en %3, %4</translation>
+        <source>excluded: %1, frame %2, pixel %3, %4</source>
+        <translation>excluida: %1, fotograma %2, píxel %3, %4</translation>
     </message>
     <message>
-        <source>%1, frame %2, at %3, %4</source>
-        <translation>%1, fotograma %2, en %3, %4</translation>
+        <source>%1, frame %2, pixel %3, %4</source>
+        <translation>%1, fotograma %2, píxel %3, %4</translation>
     </message>
     <message>
         <source>Shift-click in an image to add a sample, Alt-click or Ctrl+Shift-click to exclude one. Samples marked “found” were detected in other cameras.</source>
@@ -5382,8 +5413,8 @@ en %4, %5, %6</translation>
         <translation>Quitar la muestra elegida y aprender de las demás (Supr). Si la muestra está marcada como «encontrada», pasa a ser una muestra excluida.</translation>
     </message>
     <message>
-        <source>found by Dewpoint: %1, frame %2, at %3, %4</source>
-        <translation>encontrado por Dewpoint: %1, fotograma %2, en %3, %4</translation>
+        <source>found by Dewpoint: %1, frame %2, pixel %3, %4</source>
+        <translation>encontrada por Dewpoint: %1, fotograma %2, píxel %3, %4</translation>
     </message>
 </context>
 <context>
@@ -5472,8 +5503,8 @@ en %4, %5, %6</translation>
 <context>
     <name>dewpoint::ui::DockTitle</name>
     <message>
-        <source>Float or dock this view (double-click the title to maximize it)</source>
-        <translation>Soltar o acoplar esta vista (doble clic en el título para maximizarla)</translation>
+        <source>Float or dock this view (to maximize the view, double-click its title)</source>
+        <translation>Soltar o acoplar esta vista (doble clic en su título la maximiza)</translation>
     </message>
     <message>
         <source>Show all views</source>
@@ -5510,8 +5541,8 @@ en %4, %5, %6</translation>
         <translation>Suelte vídeos aquí o añádalos</translation>
     </message>
     <message>
-        <source>One video per camera, or image folders; also a calibration file</source>
-        <translation>Un vídeo por cámara o carpetas de imágenes; también un archivo de calibración</translation>
+        <source>One video or image folder per camera; you can also drop a calibration file</source>
+        <translation>Un vídeo o una carpeta de imágenes por cámara; también puede soltar un archivo de calibración</translation>
     </message>
 </context>
 <context>
@@ -5549,8 +5580,8 @@ en %4, %5, %6</translation>
         <translation>Cerrar</translation>
     </message>
     <message>
-        <source>Change nothing</source>
-        <translation>No cambiar nada</translation>
+        <source>Close without changing anything</source>
+        <translation>Cerrar sin cambiar nada</translation>
     </message>
 </context>
 <context>
@@ -5988,8 +6019,8 @@ en %4, %5, %6</translation>
         </translation>
     </message>
     <message>
-        <source>Seconds from the last tracked frame before the gap to the first one after it</source>
-        <translation>Segundos desde el último fotograma seguido antes del hueco hasta el primero después</translation>
+        <source>Time in seconds between the last tracked frame before the gap and the first tracked frame after it</source>
+        <translation>Tiempo en segundos entre el último fotograma seguido antes del hueco y el primero después</translation>
     </message>
 </context>
 <context>
@@ -6095,7 +6126,7 @@ en %4, %5, %6</translation>
         <translation>Posición de la esquina en que empiezan los ejes de la cuadrícula, en metros</translation>
     </message>
     <message>
-        <source>Hold down this button to show the grid as it was when the calibration was opened. Or hold down B while the pointer is over an image</source>
+        <source>Hold down this button to show the grid as it was when you opened the calibration. You can also hold down B while the pointer is over an image</source>
         <translation>Mantenga pulsado este botón para mostrar la cuadrícula como estaba al abrir la calibración. O mantenga pulsada la tecla B con el puntero sobre una imagen</translation>
     </message>
 </context>
@@ -6169,8 +6200,8 @@ en %4, %5, %6</translation>
         <translation>%1 Escala: %2</translation>
     </message>
     <message>
-        <source>%1 Floor and up: %2</source>
-        <translation>%1 Suelo y vertical: %2</translation>
+        <source>%1 Floor and upward direction: %2</source>
+        <translation>%1 Suelo y dirección hacia arriba: %2</translation>
     </message>
     <message>
         <source>✓ Accuracy in the calibrated volume: %1 (95 %)</source>
@@ -6298,21 +6329,21 @@ en %4, %5, %6</translation>
     </message>
     <message>
         <source>Click the object in a camera image, or drag a box around it.
-Shift-click works at any time.</source>
+When this button is off, Shift-click does the same.</source>
         <translation>Haga clic en el objeto en una imagen, o dibuje un recuadro a su alrededor.
-Mayús-clic funciona en cualquier momento.</translation>
+Si este botón está desactivado, Mayús-clic hace lo mismo.</translation>
     </message>
     <message>
-        <source>Click another part of the target, or the target in different light.
-Shift-click works at any time.</source>
-        <translation>Haga clic en otra parte del objetivo, o en el objetivo con otra luz.
-Mayús-clic funciona en cualquier momento.</translation>
+        <source>Click another part of the target, or the target in different light, to add its color.
+When this button is off, Shift-click does the same.</source>
+        <translation>Haga clic en otra parte del objetivo, o en el objetivo con otra luz, para añadir su color.
+Si este botón está desactivado, Mayús-clic hace lo mismo.</translation>
     </message>
     <message>
-        <source>Click something that matches but is not the target.
-Alt-click or Ctrl+Shift-click works at any time.</source>
-        <translation>Haga clic en algo que coincide pero no es el objetivo.
-Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
+        <source>Click something that has the target&apos;s color but is not the target, to exclude it.
+When this button is off, Alt-click or Ctrl+Shift-click does the same.</source>
+        <translation>Haga clic en algo que tiene el color del objetivo pero no es el objetivo, para excluirlo.
+Si este botón está desactivado, Alt-clic o Ctrl+Mayús-clic hace lo mismo.</translation>
     </message>
     <message>
         <source>Click the target in a camera image, or drag a box around it,
@@ -6340,8 +6371,8 @@ alrededor, para aprender de nuevo su color.</translation>
         <translation>Triángulo: la partícula de mayor peso (Ver › Mostrar la mejor partícula).</translation>
     </message>
     <message>
-        <source>Line across the image: the line of sight of another camera, shown while you drag the target. The target must lie on it.</source>
-        <translation>Línea a través de la imagen: la línea de visión de otra cámara, que se muestra mientras arrastra el objetivo. El objetivo debe estar sobre ella.</translation>
+        <source>Line across the image: the line of sight of another camera, shown while you drag the target. The target must lie on this line.</source>
+        <translation>Línea a través de la imagen: la línea de visión de otra cámara, que se muestra mientras arrastra el objetivo. El objetivo debe estar sobre esta línea.</translation>
     </message>
     <message>
         <source>Dots: particles. Each one is a guess of where the target is. Brighter particles fit the images better.</source>
@@ -6353,7 +6384,7 @@ alrededor, para aprender de nuevo su color.</translation>
     </message>
     <message>
         <source>Dashed ellipse: the size of the target itself, if the target is not a ball.</source>
-        <translation>Elipse discontinua: el tamaño del propio objetivo, si el objetivo no es una bola.</translation>
+        <translation>Elipse discontinua: el tamaño del propio objetivo, si el objetivo no es una pelota.</translation>
     </message>
 </context>
 <context>
@@ -6535,8 +6566,8 @@ alrededor, para aprender de nuevo su color.</translation>
         <translation>Todos los archivos (*)</translation>
     </message>
     <message>
-        <source>Opened with the located files. Save the project to keep their new paths.</source>
-        <translation>Abierto con los archivos localizados. Guarde el proyecto para conservar sus nuevas rutas.</translation>
+        <source>The project was opened with the files that you located. Save the project to keep their new paths.</source>
+        <translation>El proyecto se abrió con los archivos que localizó. Guarde el proyecto para conservar sus nuevas rutas.</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -6671,8 +6702,8 @@ alrededor, para aprender de nuevo su color.</translation>
         <translation>Encontrado</translation>
     </message>
     <message>
-        <source>%1. Create the project without this file, then use Import calibration.</source>
-        <translation>%1. Cree el proyecto sin este archivo y use después «Importar calibración».</translation>
+        <source>%1. Create the project without this file, then choose Calibration › Import calibration.</source>
+        <translation>%1. Cree el proyecto sin este archivo y elija después Calibración › Importar calibración.</translation>
     </message>
     <message>
         <source>Probably a mistake in the calibration: %1</source>
@@ -6686,8 +6717,8 @@ alrededor, para aprender de nuevo su color.</translation>
         <translation>Seguir de nuevo</translation>
     </message>
     <message>
-        <source>The settings have changed since these frames were tracked.</source>
-        <translation>Los ajustes han cambiado desde que se siguieron estos fotogramas.</translation>
+        <source>Some frames were tracked with earlier settings.</source>
+        <translation>Algunos fotogramas se siguieron con ajustes anteriores.</translation>
     </message>
 </context>
 <context>
@@ -6739,8 +6770,8 @@ alrededor, para aprender de nuevo su color.</translation>
         <translation>WebSocket y página web, puerto</translation>
     </message>
     <message>
-        <source>A page that shows the targets in a browser, and a WebSocket for programs</source>
-        <translation>Una página que muestra los objetivos en un navegador y un WebSocket para programas</translation>
+        <source>Port of a web page that shows the targets in a browser. At the same port, programs get the results through a WebSocket</source>
+        <translation>Puerto de una página web que muestra los objetivos en un navegador. En el mismo puerto, los programas reciben los resultados por un WebSocket</translation>
     </message>
     <message>
         <source>WebSocket port</source>
@@ -6771,12 +6802,12 @@ alrededor, para aprender de nuevo su color.</translation>
         <translation>Archivo o tubería con nombre que recibe una línea por objetivo y fotograma. Vacío: desactivado</translation>
     </message>
     <message>
-        <source>Ports are open to</source>
-        <translation>Los puertos están abiertos a</translation>
+        <source>Who can connect</source>
+        <translation>Quién puede conectarse</translation>
     </message>
     <message>
-        <source>Which computers can connect to the ports. Anyone in the network can then see the results</source>
-        <translation>Qué equipos pueden conectarse a los puertos. Entonces cualquiera en la red puede ver los resultados</translation>
+        <source>Which computers can connect to the ports. If you allow all computers, anyone in the network can see the results</source>
+        <translation>Qué equipos pueden conectarse a los puertos. Si permite todos los equipos, cualquiera en la red puede ver los resultados</translation>
     </message>
     <message>
         <source>Axes</source>
@@ -6807,8 +6838,8 @@ alrededor, para aprender de nuevo su color.</translation>
         <translation>Testigo para órdenes remotas</translation>
     </message>
     <message>
-        <source>Programs that send this word can start, stop and record. At least %1 characters. Empty: commands are ignored</source>
-        <translation>Los programas que envían esta palabra pueden iniciar, detener y grabar. Al menos %1 caracteres. Vacío: se ignoran las órdenes</translation>
+        <source>Programs that send this word can start and stop the run and the recording of the cameras. At least %1 characters. Empty: commands are ignored</source>
+        <translation>Los programas que envían esta palabra pueden iniciar y detener la ejecución y la grabación de las cámaras. Al menos %1 caracteres. Vacío: se ignoran las órdenes</translation>
     </message>
     <message>
         <source>this computer only</source>
@@ -6873,8 +6904,8 @@ alrededor, para aprender de nuevo su color.</translation>
         <translation>Parámetros</translation>
     </message>
     <message>
-        <source>This is more than “%1”: %2 is used instead.</source>
-        <translation>Es mayor que «%1»: en su lugar se usa %2.</translation>
+        <source>This value is larger than “%1”, so %2 is used instead.</source>
+        <translation>Este valor es mayor que «%1», así que en su lugar se usa %2.</translation>
     </message>
     <message>
         <source>Tracking method. Changing it restarts tracking; other settings are kept.</source>
@@ -6901,8 +6932,8 @@ alrededor, para aprender de nuevo su color.</translation>
         <translation>Algunos valores aquí difieren de sus valores por defecto.</translation>
     </message>
     <message>
-        <source>This is less than “%1”, so “%1” has no effect.</source>
-        <translation>Es menor que «%1», así que «%1» no tiene efecto.</translation>
+        <source>This value is smaller than “%1”, so “%1” has no effect.</source>
+        <translation>Este valor es menor que «%1», así que «%1» no tiene efecto.</translation>
     </message>
 </context>
 <context>
@@ -6987,8 +7018,8 @@ alrededor, para aprender de nuevo su color.</translation>
         <translation>Velocidad sobre el suelo, en metros por segundo</translation>
     </message>
     <message>
-        <source>Seen</source>
-        <translation>Vista</translation>
+        <source>Cameras</source>
+        <translation>Cámaras</translation>
     </message>
     <message>
         <source>Number of cameras that see the person, out of all cameras</source>
@@ -7039,8 +7070,8 @@ alrededor, para aprender de nuevo su color.</translation>
         <translation>Volumen de la envolvente que encierra el 95 % de la persona, en metros cúbicos. Vacío mientras no se muestran los volúmenes de las personas</translation>
     </message>
     <message>
-        <source>Another person is so close that the colors of this person are not learned</source>
-        <translation>Otra persona está tan cerca que no se aprenden los colores de esta persona</translation>
+        <source>● means that another person is close. Until the two are apart again, the method learns nothing new about the colors of this person</source>
+        <translation>● significa que hay otra persona cerca. Hasta que se separen, el método no aprende nada nuevo sobre los colores de esta persona</translation>
     </message>
 </context>
 <context>
@@ -7073,8 +7104,8 @@ alrededor, para aprender de nuevo su color.</translation>
         <translation>Añadir cámara planeada</translation>
     </message>
     <message>
-        <source>A camera that does not exist yet: drag it in the bird&apos;s-eye view, or enter its position (%1)</source>
-        <translation>Una cámara que aún no existe: arrástrela en la vista de pájaro o introduzca su posición (%1)</translation>
+        <source>Add a planned camera; you can then drag it in the bird&apos;s-eye view, or enter its position (%1)</source>
+        <translation>Añadir una cámara planeada; después puede arrastrarla en la vista de pájaro o introducir su posición (%1)</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -7165,8 +7196,8 @@ alrededor, para aprender de nuevo su color.</translation>
         <translation>Buscar en paredes y techo la posición donde más ayudaría otra cámara (%1)</translation>
     </message>
     <message>
-        <source>The planned camera whose values are shown and changed below</source>
-        <translation>La cámara planeada cuyos valores se muestran y cambian abajo</translation>
+        <source>Choose the planned camera whose values are shown below</source>
+        <translation>Elija la cámara planeada cuyos valores se muestran abajo</translation>
     </message>
     <message>
         <source>A point that the planned camera looks at, in meters</source>
@@ -7185,19 +7216,19 @@ alrededor, para aprender de nuevo su color.</translation>
         <translation>Distancia a las paredes y el techo</translation>
     </message>
     <message>
-        <source>Distance to the walls and the ceiling</source>
-        <translation>Distancia a las paredes y al techo</translation>
+        <source>Distance from the volume to the walls and the ceiling</source>
+        <translation>Distancia del volumen a las paredes y al techo</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::PlannerInstaller</name>
     <message>
         <source>Move %1 in the bird&apos;s-eye view</source>
-        <translation>Mover %1 en la vista aérea</translation>
+        <translation>Mover %1 en la vista de pájaro</translation>
     </message>
     <message>
         <source>Turn %1 in the bird&apos;s-eye view</source>
-        <translation>Girar %1 en la vista aérea</translation>
+        <translation>Girar %1 en la vista de pájaro</translation>
     </message>
 </context>
 <context>
@@ -7317,7 +7348,7 @@ alrededor, para aprender de nuevo su color.</translation>
         <translation>%1 (ignore esto si la cámara está montada así)</translation>
     </message>
     <message>
-        <source>%1. Once corrected, the average error is %2</source>
+        <source>%1. After this correction, the average error is %2</source>
         <translation>%1. Una vez corregido, el error medio es de %2</translation>
     </message>
     <message>
@@ -7564,8 +7595,8 @@ alrededor, para aprender de nuevo su color.</translation>
         <translation>Leer todos los fotogramas</translation>
     </message>
     <message>
-        <source>Find damaged frames anywhere in a recording. This takes longer</source>
-        <translation>Encontrar también fotogramas dañados en medio de una grabación. Tarda más</translation>
+        <source>Find damaged frames anywhere in a recording: all frames are read, not only a few of them. This takes longer</source>
+        <translation>Encontrar fotogramas dañados en cualquier parte de una grabación: se leen todos los fotogramas, no solo algunos. Tarda más</translation>
     </message>
     <message>
         <source>Check again</source>
@@ -7619,8 +7650,8 @@ alrededor, para aprender de nuevo su color.</translation>
         <translation>Proyectos de Dewpoint (*.toml);;Todos los archivos (*)</translation>
     </message>
     <message>
-        <source>Recovered. Save the project to keep it.</source>
-        <translation>Recuperado. Guarde el proyecto para conservarlo.</translation>
+        <source>The changes were recovered. Save the project to keep them.</source>
+        <translation>Los cambios se recuperaron. Guarde el proyecto para conservarlos.</translation>
     </message>
 </context>
 <context>
@@ -7750,8 +7781,8 @@ alrededor, para aprender de nuevo su color.</translation>
 <context>
     <name>dewpoint::ui::RigPlanner</name>
     <message>
-        <source>With %1 here (x %2, y %3, z %4), the error is at most %6 in %5 of the volume. Without this camera, that part is %7.</source>
-        <translation>Con %1 aquí (x %2, y %3, z %4), el error es como mucho %6 en el %5 del volumen. Sin esta cámara, esa parte es el %7.</translation>
+        <source>With %1 here (x %2, y %3, z %4), the error is at most %6 in %5 of the volume; without this camera, only in %7.</source>
+        <translation>Con %1 aquí (x %2, y %3, z %4), el error es como mucho %6 en el %5 del volumen; sin esta cámara, solo en el %7.</translation>
     </message>
 </context>
 <context>
@@ -7814,24 +7845,24 @@ alrededor, para aprender de nuevo su color.</translation>
 <context>
     <name>dewpoint::ui::RunDetails</name>
     <message>
-        <source>median %1, 99 of 100 within %2, longest %3</source>
-        <translation>mediana %1, 99 de 100 por debajo de %2, máximo %3</translation>
+        <source>median %1, 99 % of them at most %2, longest %3</source>
+        <translation>mediana %1, el 99 % como mucho %2, máximo %3</translation>
     </message>
     <message>
         <source>not set</source>
         <translation>sin fijar</translation>
     </message>
     <message>
-        <source>%1, met in %2 % of the iterations of this run</source>
-        <translation>%1, cumplido en el %2 % de las iteraciones de esta ejecución</translation>
+        <source>%1; %2 % of the iterations of this run were fast enough</source>
+        <translation>%1; el %2 % de las iteraciones de esta ejecución cumplió el límite</translation>
     </message>
     <message>
         <source>Median time per iteration</source>
         <translation>Tiempo mediano por iteración</translation>
     </message>
     <message>
-        <source>Time from frame to estimate</source>
-        <translation>Tiempo del fotograma a la estimación</translation>
+        <source>Time from camera image to estimate</source>
+        <translation>Tiempo de la imagen de cámara a la estimación</translation>
     </message>
     <message>
         <source>Time budget per iteration</source>
@@ -8016,8 +8047,8 @@ alrededor, para aprender de nuevo su color.</translation>
         <translation>Oculta durante un segundo</translation>
     </message>
     <message>
-        <source>Three more balls of the same color lie around. Only one moves.</source>
-        <translation>Hay otras tres pelotas del mismo color alrededor. Solo una se mueve.</translation>
+        <source>Four balls have the same color, but only one of them moves.</source>
+        <translation>Cuatro pelotas tienen el mismo color, pero solo una se mueve.</translation>
     </message>
     <message>
         <source>People in an office</source>
@@ -8032,8 +8063,8 @@ alrededor, para aprender de nuevo su color.</translation>
         <translation>Una cámara y un recuadro</translation>
     </message>
     <message>
-        <source>No calibration: a box in the image is tracked by its colors.</source>
-        <translation>Sin calibración: un recuadro en la imagen se sigue por sus colores.</translation>
+        <source>Needs no calibration: the object in a box is tracked by its colors.</source>
+        <translation>No necesita calibración: el objeto de un recuadro se sigue por sus colores.</translation>
     </message>
     <message>
         <source>Calibrate by hand</source>
@@ -8081,7 +8112,7 @@ alrededor, para aprender de nuevo su color.</translation>
     </message>
     <message>
         <source>Four identical balls</source>
-        <translation>Cuatro bolas iguales</translation>
+        <translation>Cuatro pelotas iguales</translation>
     </message>
     <message>
         <source>A box passes in front of the ball. One camera is enough to keep tracking the ball.</source>
@@ -8135,8 +8166,8 @@ alrededor, para aprender de nuevo su color.</translation>
         <translation>mirando atrás</translation>
     </message>
     <message>
-        <source>Playing, paused, at the end, looking back at an earlier frame, or tracking again</source>
-        <translation>En marcha, en pausa, al final, mirando un fotograma anterior o siguiendo de nuevo</translation>
+        <source>State of the run: playing, paused, at the end, looking back at an earlier frame, or tracking again</source>
+        <translation>Estado de la ejecución: en marcha, en pausa, al final, mirando un fotograma anterior o siguiendo de nuevo</translation>
     </message>
     <message>
         <source>the box shows the expected position</source>
@@ -8159,8 +8190,8 @@ alrededor, para aprender de nuevo su color.</translation>
         <translation>○ personas: %1, buscando</translation>
     </message>
     <message>
-        <source>other objects fit equally well: press X, drag the target</source>
-        <translation>otros objetos encajan igual: pulse X y arrastre el objetivo</translation>
+        <source>other objects fit equally well: press X and drag the target to its position</source>
+        <translation>otros objetos encajan igual: pulse X y arrastre el objetivo a su posición</translation>
     </message>
     <message>
         <source>± %1</source>
@@ -8257,7 +8288,7 @@ alrededor, para aprender de nuevo su color.</translation>
     </message>
     <message>
         <source>Radius of the ball, 0 to 2,000 mm. If unknown, it is estimated.</source>
-        <translation>Radio de la bola, de 0 a 2000 mm. Si es desconocido, se estima.</translation>
+        <translation>Radio de la pelota, de 0 a 2000 mm. Si es desconocido, se estima.</translation>
     </message>
     <message>
         <source>Shape</source>
@@ -8269,7 +8300,7 @@ alrededor, para aprender de nuevo su color.</translation>
     </message>
     <message>
         <source>ball</source>
-        <translation>bola</translation>
+        <translation>pelota</translation>
     </message>
     <message>
         <source>any</source>
@@ -8359,7 +8390,7 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     </message>
     <message>
         <source>Ball: the outline of the target is a circle in every image. Any: the size of the target is learned, and its position is the center of the region that has its color. Automatic: the shape is determined from the images. Only method dewpoint uses this setting.</source>
-        <translation>Bola: el contorno del objetivo es un círculo en cada imagen. Cualquiera: se aprende el tamaño del objetivo, y su posición es el centro de la zona que tiene su color. Automática: la forma se determina con las imágenes. Solo el método dewpoint usa este ajuste.</translation>
+        <translation>Pelota: el contorno del objetivo es un círculo en cada imagen. Cualquiera: se aprende el tamaño del objetivo, y su posición es el centro de la zona que tiene su color. Automática: la forma se determina con las imágenes. Solo el método dewpoint usa este ajuste.</translation>
     </message>
 </context>
 <context>
@@ -8397,8 +8428,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Cancelar</translation>
     </message>
     <message>
-        <source>Change nothing</source>
-        <translation>No cambiar nada</translation>
+        <source>Close and keep the current number</source>
+        <translation>Cerrar y conservar el número actual</translation>
     </message>
 </context>
 <context>
@@ -8494,24 +8525,24 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>%1, m</translation>
     </message>
     <message>
-        <source>Position in the room, meters</source>
-        <translation>Posición en la sala, metros</translation>
+        <source>Position in the room, in meters</source>
+        <translation>Posición en la sala, en metros</translation>
     </message>
     <message>
         <source>σ%1, mm</source>
         <translation>σ%1, mm</translation>
     </message>
     <message>
-        <source>Standard deviation of the position, millimeters</source>
-        <translation>Desviación típica de la posición, milímetros</translation>
+        <source>Standard deviation of the position, in millimeters</source>
+        <translation>Desviación típica de la posición, en milímetros</translation>
     </message>
     <message>
         <source>speed, m/s</source>
         <translation>veloc., m/s</translation>
     </message>
     <message>
-        <source>Speed, meters per second: fitted over five frames</source>
-        <translation>Velocidad, metros por segundo: ajustada en cinco fotogramas</translation>
+        <source>Speed in meters per second, computed from five frames</source>
+        <translation>Velocidad en metros por segundo, calculada con cinco fotogramas</translation>
     </message>
     <message>
         <source>cameras</source>
@@ -8621,8 +8652,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Mostrar el mapa en la vista de pájaro</translation>
     </message>
     <message>
-        <source>Expected position error of a target at each point; updated whenever a camera moves</source>
-        <translation>Error de posición esperado de un objetivo en cada punto; se actualiza con cada movimiento de una cámara</translation>
+        <source>Show the position error to expect for a target at each point. The map changes whenever a camera moves</source>
+        <translation>Mostrar el error de posición que cabe esperar de un objetivo en cada punto. El mapa se actualiza con cada movimiento de una cámara</translation>
     </message>
     <message>
         <source>Colors show</source>
@@ -8697,8 +8728,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Usar cuadrícula</translation>
     </message>
     <message>
-        <source>The volume above the reference grid, up to the highest camera</source>
-        <translation>El volumen sobre la cuadrícula de referencia, hasta la cámara más alta</translation>
+        <source>Use the volume above the reference grid, up to the highest camera</source>
+        <translation>Usar el volumen sobre la cuadrícula de referencia, hasta la cámara más alta</translation>
     </message>
     <message>
         <source>Height of the layer above the floor, in meters</source>
@@ -8849,8 +8880,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
 <context>
     <name>dewpoint::ui::WandCalibrationPage</name>
     <message>
-        <source>Align the cameras by hand until they are roughly right. Then wave the ball, or a wand with two balls, through the whole volume, and refine.</source>
-        <translation>Ajuste las cámaras a mano hasta que estén más o menos bien. Después agite la pelota, o una varita con dos pelotas, por todo el volumen y refine.</translation>
+        <source>Align the cameras by hand until they are roughly right. Then wave the ball, or a wand with two balls, through the whole volume, and press Refine cameras.</source>
+        <translation>Ajuste las cámaras a mano hasta que estén más o menos bien. Después agite la pelota, o una varita con dos pelotas, por todo el volumen y pulse «Refinar cámaras».</translation>
     </message>
     <message>
         <source>Floor</source>
@@ -8923,8 +8954,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Tipo de varita</translation>
     </message>
     <message>
-        <source>A wand with two balls also gives the scale, more accurately than the other ways</source>
-        <translation>Una varita con dos pelotas da también la escala, con más precisión que las otras formas</translation>
+        <source>A wand with two balls also gives the scale. It is more accurate than the scale from a diameter or a distance</source>
+        <translation>Una varita con dos pelotas da también la escala, con más precisión que un diámetro o una distancia</translation>
     </message>
     <message>
         <source>Ball</source>
@@ -8967,8 +8998,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Origen de la escala</translation>
     </message>
     <message>
-        <source>Images alone cannot show whether a room is large or small. A diameter gives the scale to about one percent, a distance as exactly as you measure it</source>
-        <translation>Las imágenes solas no muestran si una sala es grande o pequeña. Un diámetro es preciso hasta un uno por ciento; una distancia, tanto como la mida</translation>
+        <source>Images alone cannot show whether a room is large or small. A scale from the diameter of a ball is accurate to about one percent. A scale from a distance is as accurate as your measurement</source>
+        <translation>Las imágenes solas no muestran si una sala es grande o pequeña. La escala obtenida del diámetro de una pelota es exacta hasta un uno por ciento. La obtenida de una distancia es tan exacta como su medición</translation>
     </message>
     <message>
         <source>Distance</source>
@@ -8979,8 +9010,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Distancia conocida</translation>
     </message>
     <message>
-        <source>Distance between the two positions at which you held the center of the ball</source>
-        <translation>Distancia entre las dos posiciones en las que sostuvo el centro de la pelota</translation>
+        <source>Distance between the two positions at which the center of the ball was held</source>
+        <translation>Distancia entre las dos posiciones en las que estuvo el centro de la pelota</translation>
     </message>
     <message>
         <source>Initial error</source>
@@ -9003,24 +9034,24 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Aproximadamente cuánto puede estar girada cada cámara respecto a su orientación real</translation>
     </message>
     <message>
-        <source>Find time offsets</source>
-        <translation>Buscar desfases de tiempo</translation>
+        <source>Find delays</source>
+        <translation>Buscar retrasos</translation>
     </message>
     <message>
         <source>Find focal lengths</source>
         <translation>Buscar distancias focales</translation>
     </message>
     <message>
-        <source>For lenses that were never calibrated, or whose zoom has changed</source>
-        <translation>Para objetivos que nunca se calibraron o cuyo zoom ha cambiado</translation>
+        <source>Also compute the focal length of each camera. Use this for lenses that were never calibrated, or whose zoom has changed</source>
+        <translation>Calcular también la distancia focal de cada cámara, con lentes que nunca se calibraron o cuyo zoom ha cambiado</translation>
     </message>
     <message>
         <source>Find the distortion k1</source>
         <translation>Buscar la distorsión k1</translation>
     </message>
     <message>
-        <source>The first distortion coefficient of each lens; the ball must be seen up to the edges of the images</source>
-        <translation>El primer coeficiente de cada objetivo; la pelota debe verse hasta los bordes de las imágenes</translation>
+        <source>Also compute the first distortion coefficient of each lens. For this, the ball must be seen up to the edges of the images</source>
+        <translation>Calcular también el primer coeficiente de distorsión de cada lente. Para ello, la pelota debe verse hasta los bordes de las imágenes</translation>
     </message>
     <message>
         <source>Only the selected span</source>
@@ -9031,8 +9062,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Usar solo la parte de la grabación seleccionada en la línea de tiempo</translation>
     </message>
     <message>
-        <source>For cameras that do not take their images at the same time</source>
-        <translation>Para cámaras que no toman sus imágenes al mismo tiempo</translation>
+        <source>Also compute the delay of each camera. Use this if the cameras do not take their images at the same time</source>
+        <translation>Calcular también el retraso de cada cámara, si las cámaras no toman sus imágenes al mismo tiempo</translation>
     </message>
 </context>
 <context>
@@ -9062,12 +9093,12 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Antes</translation>
     </message>
     <message>
-        <source>Use it anyway</source>
-        <translation>Usarla de todos modos</translation>
+        <source>Use calibration anyway</source>
+        <translation>Usar la calibración de todos modos</translation>
     </message>
     <message>
-        <source>Use these cameras although the result looks wrong; you can undo this</source>
-        <translation>Usar estas cámaras aunque el resultado parece erróneo; se puede deshacer</translation>
+        <source>Use this calibration although it looks wrong; you can undo this</source>
+        <translation>Usar esta calibración aunque parece errónea; se puede deshacer</translation>
     </message>
     <message>
         <source>Save report…</source>
@@ -9142,27 +9173,27 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Los retrasos de las cámaras se guardan en el proyecto y desde ahora sincronizan las imágenes.</translation>
     </message>
     <message>
-        <source>Hold down this button to draw the grid with the previous cameras</source>
-        <translation>Mantenga pulsado este botón para dibujar la cuadrícula con las cámaras anteriores</translation>
+        <source>Hold down this button to draw the grid with the calibration from before this refinement</source>
+        <translation>Mantenga pulsado este botón para dibujar la cuadrícula con la calibración anterior a este refinamiento</translation>
     </message>
     <message>
         <source>Save a page with all numbers, the residuals as arrows, the coverage and a 3D drawing</source>
         <translation>Guardar una página con todos los números, los residuos como flechas, la cobertura y un dibujo en 3D</translation>
     </message>
     <message>
-        <source>The result is less accurate than the initial camera positions, whose error is given as up to %1. Wave through more of the volume.</source>
-        <translation>El resultado es menos preciso que las posiciones iniciales de las cámaras, cuyo error se indica como de hasta %1. Agite por una parte mayor del volumen.</translation>
+        <source>The result is less accurate than the initial camera positions: you entered that their error is at most %1. Wave through more of the volume.</source>
+        <translation>El resultado es menos preciso que las posiciones iniciales de las cámaras: indicó que su error es como mucho %1. Agite por una parte mayor del volumen.</translation>
     </message>
     <message>
-        <source>Calibrations from different parts of the recording differ by %1 times as much as the noise of the images explains. The stated accuracy takes this into account.</source>
+        <source>Calibrations from different parts of the recording differ from each other %1 times as much as image noise can explain. The stated accuracy takes this into account.</source>
         <translation>Las calibraciones con distintas partes de la grabación difieren %1 veces lo que explica el ruido de las imágenes. La precisión indicada lo tiene en cuenta.</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::WandWaving</name>
     <message>
-        <source>Collect positions of the ball from all camera images; starting again discards those collected before</source>
-        <translation>Reunir posiciones de la pelota de todas las imágenes; empezar de nuevo descarta las reunidas antes</translation>
+        <source>Collect positions of the ball from all camera images. If you start again, the positions collected before are discarded</source>
+        <translation>Reunir posiciones de la pelota de todas las imágenes. Si empieza de nuevo, se descartan las posiciones reunidas antes</translation>
     </message>
     <message>
         <source>■ Stop waving</source>
@@ -9185,16 +9216,16 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Aún no se ha reunido nada.</translation>
     </message>
     <message>
-        <source>Every camera has seen the ball often enough: stop waving, or refine.</source>
-        <translation>Cada cámara ha visto la pelota bastantes veces: deje de agitar o refine.</translation>
+        <source>Every camera has seen the ball often enough: stop waving, or press Refine cameras.</source>
+        <translation>Cada cámara ha visto la pelota bastantes veces: deje de agitar o pulse «Refinar cámaras».</translation>
     </message>
     <message>
         <source>Frames skipped because they arrived too fast: %1.</source>
         <translation>Fotogramas omitidos por llegar demasiado rápido: %1.</translation>
     </message>
     <message>
-        <source>Positions collected for %1.</source>
-        <translation>Posiciones reunidas durante %1.</translation>
+        <source>Positions of the ball were collected for %1.</source>
+        <translation>Se reunieron posiciones de la pelota durante %1.</translation>
     </message>
     <message>
         <source>Keep waving: each camera should see the ball at least 150 times, spread over at least half of its image.</source>

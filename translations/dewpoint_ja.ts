@@ -24,8 +24,8 @@
         <translation>プロジェクトを開く…</translation>
     </message>
     <message>
-        <source>Open a project</source>
-        <translation>プロジェクトを開く</translation>
+        <source>Open a project file</source>
+        <translation>プロジェクトファイルを開きます</translation>
     </message>
     <message>
         <source>Open the demo</source>
@@ -40,8 +40,8 @@
         <translation>保存</translation>
     </message>
     <message>
-        <source>Save the project</source>
-        <translation>プロジェクトを保存</translation>
+        <source>Write the project to its file</source>
+        <translation>プロジェクトをファイルに書き込みます</translation>
     </message>
     <message>
         <source>Save as…</source>
@@ -120,16 +120,16 @@
         <translation>最初から</translation>
     </message>
     <message>
-        <source>Start over with the same random numbers</source>
-        <translation>同じ乱数で最初からやり直す</translation>
+        <source>Start the run again with the same random numbers</source>
+        <translation>同じ乱数で、実行を最初からやり直します</translation>
     </message>
     <message>
         <source>Restart with a new seed</source>
         <translation>新しいシードで最初から</translation>
     </message>
     <message>
-        <source>Start over with other random numbers</source>
-        <translation>別の乱数で最初からやり直す</translation>
+        <source>Start the run again with other random numbers</source>
+        <translation>別の乱数で、実行を最初からやり直します</translation>
     </message>
     <message>
         <source>View</source>
@@ -140,8 +140,8 @@
         <translation>マスクを表示</translation>
     </message>
     <message>
-        <source>Show where the cameras see the target&apos;s color</source>
-        <translation>カメラが目標の色を捉えている場所を表示</translation>
+        <source>Show which pixels have the color of a target</source>
+        <translation>ターゲットの色をしたピクセルを表示します</translation>
     </message>
     <message>
         <source>Bird&apos;s-eye view from above: the XY plane</source>
@@ -173,7 +173,7 @@
     </message>
     <message>
         <source>Light colors</source>
-        <translation>ライトの配色</translation>
+        <translation>明るい配色</translation>
     </message>
     <message>
         <source>Dark</source>
@@ -181,15 +181,15 @@
     </message>
     <message>
         <source>Dark colors</source>
-        <translation>ダークの配色</translation>
+        <translation>暗い配色</translation>
     </message>
     <message>
         <source>Remove the target</source>
         <translation>ターゲットを取り除く</translation>
     </message>
     <message>
-        <source>Stop tracking the selected target</source>
-        <translation>選択中のターゲットの追跡をやめます</translation>
+        <source>Remove the selected target from the project</source>
+        <translation>選択中のターゲットをプロジェクトから取り除きます</translation>
     </message>
     <message>
         <source>Learn the color</source>
@@ -285,7 +285,7 @@
     </message>
     <message>
         <source>Show best particle</source>
-        <translation>最良のパーティクルを表示</translation>
+        <translation>最良の粒子を表示</translation>
     </message>
     <message>
         <source>Plots</source>
@@ -312,8 +312,8 @@
         <translation>尤度を表示</translation>
     </message>
     <message>
-        <source>Log likelihood of the estimate in each camera</source>
-        <translation>各カメラから見た推定の対数尤度</translation>
+        <source>How well the estimate fits each camera&apos;s image</source>
+        <translation>推定が各カメラの画像にどれだけ合うか</translation>
     </message>
     <message>
         <source>Plot existence</source>
@@ -356,7 +356,7 @@
         <translation>グラフを CSV でコピー</translation>
     </message>
     <message>
-        <source>Copy the numbers of the plots shown, as a table</source>
+        <source>Copy the numbers of all plots shown, as a table</source>
         <translation>表示中のグラフの数値を表としてコピー</translation>
     </message>
     <message>
@@ -373,19 +373,19 @@
     </message>
     <message>
         <source>Calibrate by hand…</source>
-        <translation>手動で校正…</translation>
+        <translation>手動でキャリブレーション…</translation>
     </message>
     <message>
         <source>Import calibration…</source>
-        <translation>較正をインポート…</translation>
+        <translation>キャリブレーションをインポート…</translation>
     </message>
     <message>
         <source>Export calibration…</source>
-        <translation>較正をエクスポート…</translation>
+        <translation>キャリブレーションをエクスポート…</translation>
     </message>
     <message>
         <source>Calibrate with wand…</source>
-        <translation>ワンドで較正…</translation>
+        <translation>ワンドでキャリブレーション…</translation>
     </message>
     <message>
         <source>Refine the calibration by waving a ball, or a wand with two balls</source>
@@ -428,8 +428,8 @@
         <translation>計画用のカメラを追加</translation>
     </message>
     <message>
-        <source>Add a camera that does not exist yet and drag it in the bird&apos;s-eye view</source>
-        <translation>まだ存在しないカメラを追加し、鳥瞰図でドラッグします</translation>
+        <source>Add a planned camera; you can then drag it in the bird&apos;s-eye view to try out where to place it</source>
+        <translation>計画中のカメラを追加します。鳥瞰図でドラッグして、置く場所を試せます</translation>
     </message>
     <message>
         <source>Recompute camera pose</source>
@@ -440,8 +440,8 @@
         <translation>実行中に動いたカメラの姿勢を計算し直します。他のカメラはそのままです</translation>
     </message>
     <message>
-        <source>Find best position</source>
-        <translation>最適な位置を探す</translation>
+        <source>Find best camera position</source>
+        <translation>最適なカメラ位置を探す</translation>
     </message>
     <message>
         <source>Search the walls and the ceiling for the position where another camera would help most</source>
@@ -460,8 +460,8 @@
         <translation>人物の体積を書き出す…</translation>
     </message>
     <message>
-        <source>Save the position, volume, hull and floor density of each person as tables</source>
-        <translation>各人物の位置、体積、凸包、床の上の密度を表として保存します</translation>
+        <source>Save tables with the position, the volume, the hull and the density on the floor of each person</source>
+        <translation>各人物の位置、体積、凸包、床の上の密度を表に保存します</translation>
     </message>
     <message>
         <source>Add person…</source>
@@ -488,8 +488,8 @@
         <translation>フィルターのスレッド数…</translation>
     </message>
     <message>
-        <source>Choose how many threads share the work of the filter</source>
-        <translation>フィルターの処理を分担するスレッド数を選びます</translation>
+        <source>Choose how many processor threads compute the filter</source>
+        <translation>フィルターの計算に使うプロセッサのスレッド数を選びます</translation>
     </message>
     <message>
         <source>Correct position</source>
@@ -680,8 +680,8 @@
         <translation>キャリブレーション…</translation>
     </message>
     <message>
-        <source>See what is known about the cameras, choose a way to calibrate them, and go through it step by step</source>
-        <translation>カメラについてわかっていることを見て、キャリブレーションの方法を選び、ステップごとに進めます</translation>
+        <source>See what is known about the cameras, and calibrate them step by step in the way that you choose</source>
+        <translation>カメラについて分かっていることを確認し、選んだ方法でステップごとにキャリブレーションします</translation>
     </message>
     <message>
         <source>Play the first iterations of a run one by one, until every target is being tracked (five seconds at most)</source>
@@ -712,11 +712,11 @@
         <translation>ターゲットが各点にあるときに予想される位置誤差を、鳥瞰図に表示します</translation>
     </message>
     <message>
-        <source>Track again from the frame shown, with the current method, parameters and colors. To stop, press pause</source>
+        <source>Track again from the frame shown, with the current method, parameters and colors. To stop, press Pause</source>
         <translation>表示中のフレームから、現在の手法・パラメータ・色で追跡し直します。止めるには一時停止を押します</translation>
     </message>
     <message>
-        <source>Track all frames again that still have results from earlier settings</source>
+        <source>Track again all frames whose results are from earlier settings</source>
         <translation>以前の設定による結果が残っているフレームをすべて追跡し直します</translation>
     </message>
     <message>
@@ -744,27 +744,27 @@
         <translation>結果を送信</translation>
     </message>
     <message>
-        <source>Send positions to other programs while the run lasts, or stop sending; nothing is sent until you choose this</source>
-        <translation>実行中の位置を他のプログラムに送信する、または送信を停止する。これを選ぶまで何も送信されません</translation>
+        <source>Start or stop sending positions to other programs during the run. Nothing is sent before you choose this</source>
+        <translation>実行中に他のプログラムへの位置の送信を開始または停止します。これを選ぶまで何も送信されません</translation>
     </message>
     <message>
         <source>Outputs…</source>
         <translation>出力…</translation>
     </message>
     <message>
-        <source>Choose where results are sent while a run lasts: TCP, WebSocket, OSC, TUIO, CSV</source>
-        <translation>実行中の結果の送信先を選ぶ: TCP、WebSocket、OSC、TUIO、CSV</translation>
+        <source>Choose where results are sent: TCP, WebSocket, OSC, TUIO, CSV</source>
+        <translation>結果の送信先を選びます: TCP、WebSocket、OSC、TUIO、CSV</translation>
     </message>
     <message>
         <source>Reproduce figures of the papers that describe the methods, and write a report</source>
         <translation>手法を説明した論文の図を再現し、レポートを書き出します</translation>
     </message>
     <message>
-        <source>Show how likely each position around the target is, and circle the positions that the method considers</source>
-        <translation>ターゲット周辺の各位置の尤度を表示し、手法が候補とする位置を円で囲みます</translation>
+        <source>Show how likely each position around the target is. Circles mark positions at which the method suspects the target</source>
+        <translation>ターゲット周辺の各位置の尤度を表示します。円は、手法がターゲットの候補とする位置を示します</translation>
     </message>
     <message>
-        <source>In all views, mark the particle of each target that has the highest weight (MAP) with a triangle</source>
+        <source>For each target, mark the particle with the highest weight (MAP) with a triangle, in all views</source>
         <translation>すべてのビューで、各ターゲットの重みが最大の粒子（MAP）を三角形で示します</translation>
     </message>
     <message>
@@ -811,8 +811,8 @@
 <context>
     <name>AssessedRegions</name>
     <message>
-        <source>also matches</source>
-        <translation>これも一致</translation>
+        <source>also matches the color</source>
+        <translation>この色にも一致</translation>
     </message>
     <message>
         <source>recognized as the target (if it is not, Alt-click it)</source>
@@ -826,15 +826,15 @@
         <translation>ボードの角が覆うのは画像の %1 % だけです。画像のあらゆる場所で、傾けても見せてください。</translation>
     </message>
     <message>
-        <source>%1 keeps its position: it never saw the board.</source>
-        <translation>%1の位置はそのままです。ボードが一度も見えませんでした。</translation>
+        <source>%1 keeps its position because it never saw the board.</source>
+        <translation>%1 はボードを一度も見なかったため、位置はそのままです。</translation>
     </message>
     <message>
         <source>Intrinsics</source>
         <translation>内部パラメータ</translation>
     </message>
     <message>
-        <source>%1 keeps its intrinsics: %2</source>
+        <source>The intrinsics of %1 are unchanged: %2</source>
         <translation>%1 の内部パラメータはそのままです: %2</translation>
     </message>
     <message>
@@ -926,8 +926,8 @@
         <translation>✓ 完了</translation>
     </message>
     <message>
-        <source>✓ The cameras have enough shared views</source>
-        <translation>✓ カメラの共通ビューが十分に集まりました</translation>
+        <source>✓ The cameras share enough views of the board</source>
+        <translation>✓ 複数のカメラに共通するボードのビューが十分に集まりました</translation>
     </message>
     <message>
         <source>Show the board to %1 and %2 at the same time, hold it still, then repeat elsewhere</source>
@@ -938,12 +938,12 @@
         <translation>ボードが見えません</translation>
     </message>
     <message>
-        <source>⚠ blurred, edge width %1</source>
-        <translation>⚠ ぼけ、エッジ幅 %1</translation>
+        <source>⚠ blurred: edges are %1 wide</source>
+        <translation>⚠ ぼけ: エッジの幅は %1</translation>
     </message>
     <message>
-        <source>sharp, edge width %1</source>
-        <translation>鮮明、エッジ幅 %1</translation>
+        <source>sharp: edges are %1 wide</source>
+        <translation>鮮明: エッジの幅は %1</translation>
     </message>
     <message>
         <source>%1 views, accuracy %2 (goal: %3)</source>
@@ -998,8 +998,8 @@
         <translation>%1: 再投影誤差（RMS）%2</translation>
     </message>
     <message>
-        <source>Positions: RMS reprojection error %1, from %2 board poses</source>
-        <translation>位置: 再投影誤差（RMS）%1、ボードの姿勢 %2 個</translation>
+        <source>Camera positions: RMS reprojection error %1, from %2 board poses</source>
+        <translation>カメラ位置: 再投影誤差（RMS）%1、ボードの姿勢 %2 個</translation>
     </message>
     <message>
         <source>%1 views; at least %2 are needed</source>
@@ -1010,8 +1010,8 @@
         <translation>白黒反転</translation>
     </message>
     <message>
-        <source>%1 of the %2 searched images show %3, but mirrored. Change the mirroring of the cameras that took these images. Use this board?</source>
-        <translation>調べた%2枚の画像のうち%1枚に、%3が左右反転して写っています。これらの画像を撮影したカメラの鏡像の設定を変更してください。このボードを使いますか？</translation>
+        <source>%1 of the %2 searched images show %3, but mirrored. To correct this, change “Mirrored” in the panel Cameras for the cameras that took these images. Use this board?</source>
+        <translation>調べた %2 枚の画像のうち %1 枚に、%3 が左右反転して写っています。直すには、これらの画像を撮影したカメラについて「カメラ」パネルの「鏡像」を変更してください。このボードを使いますか？</translation>
     </message>
     <message>
         <source>%1 of the %2 searched images show %3. Use this board?</source>
@@ -1032,44 +1032,28 @@
 <context>
     <name>CalibrationText</name>
     <message>
-        <source>The intrinsics of %1 are probably for another resolution: its images are %2 times as large. Convert the intrinsics, or record at the calibrated size.</source>
-        <translation>%1 の内部パラメータは別の解像度のもののようです。画像は %2 倍の大きさです。内部パラメータを換算するか、較正した大きさで録画してください。</translation>
-    </message>
-    <message>
-        <source>, scale ±%1 %</source>
-        <translation>、縮尺 ±%1 %</translation>
-    </message>
-    <message>
-        <source>, scale unknown</source>
-        <translation>、縮尺は不明</translation>
-    </message>
-    <message>
-        <source>, upward direction ±%1</source>
-        <translation>、鉛直方向 ±%1</translation>
+        <source>The images of %1 are %2 times as large as those for which it was calibrated: its intrinsics are for another resolution. Convert the intrinsics, or record at the calibrated size.</source>
+        <translation>%1 の画像は、キャリブレーションの対象となった画像の %2 倍の大きさです。内部パラメータは別の解像度のものです。内部パラメータを換算するか、キャリブレーションした大きさで録画してください。</translation>
     </message>
     <message>
         <source>all cameras</source>
         <translation>全カメラ</translation>
     </message>
     <message>
-        <source>All cameras seem to see the back of the board or floor: its points are probably mirrored. Check the direction of the axes, and that the print is not reversed.</source>
-        <translation>すべてのカメラがボードまたは床の裏側を見ているようです。点がおそらく鏡像になっています。軸の向きと、印刷が反転していないことを確かめてください。</translation>
-    </message>
-    <message>
-        <source>, upward direction not measured yet (page Floor)</source>
-        <translation>、上方向は未測定(「床」ページ)</translation>
+        <source>All cameras seem to see the back of the board or of the floor: the measured points are probably mirrored. Check the direction of the axes, and that the print is not reversed.</source>
+        <translation>すべてのカメラがボードまたは床の裏側を見ているようです。測定した点がおそらく鏡像になっています。軸の向きと、印刷が反転していないことを確かめてください。</translation>
     </message>
     <message>
         <source>Everything fits when %1 and %2 are exchanged: their videos are probably swapped. Exchange the two files.</source>
         <translation>%1 と %2 を入れ替えるとすべて合います。動画が逆になっているようです。2つのファイルを入れ替えてください。</translation>
     </message>
     <message>
-        <source>%1 agrees with the other cameras only if its video is shifted in time: the video is probably %2 frames late. Synchronize the videos, or calibrate with a wand and “Find time offsets”.</source>
-        <translation>%1 は動画の時間をずらしたときだけ他のカメラと合います。おそらく %2 フレーム遅れています。動画を同期させるか、「時間のずれを求める」を選んでワンドで校正してください。</translation>
+        <source>%1 agrees with the other cameras only if its video is shifted in time: the video is probably %2 frames late. Synchronize the videos, or calibrate with a wand and turn on “Find delays”.</source>
+        <translation>%1 は動画の時間をずらしたときだけ他のカメラと合います。おそらく %2 フレーム遅れています。動画を同期させるか、ワンドで「遅れを求める」をオンにしてキャリブレーションしてください。</translation>
     </message>
     <message>
-        <source>%1 agrees with the other cameras only if its video is shifted in time: the video is probably %2 frames early. Synchronize the videos, or calibrate with a wand and “Find time offsets”.</source>
-        <translation>%1 は動画の時間をずらしたときだけ他のカメラと合います。おそらく %2 フレーム早まっています。動画を同期させるか、「時間のずれを求める」を選んでワンドで校正してください。</translation>
+        <source>%1 agrees with the other cameras only if its video is shifted in time: the video is probably %2 frames early. Synchronize the videos, or calibrate with a wand and turn on “Find delays”.</source>
+        <translation>%1 は動画の時間をずらしたときだけ他のカメラと合います。おそらく %2 フレーム早まっています。動画を同期させるか、ワンドで「遅れを求める」をオンにしてキャリブレーションしてください。</translation>
     </message>
     <message>
         <source>The images of %1 fit one pose before %2 and another pose after that time: the camera was probably moved. Calibrate with the later part of the recording only.</source>
@@ -1080,16 +1064,8 @@
         <translation>%1 の画像は反転させたときだけ合います。動画が鏡像か上下逆のようです。この画像の回転と鏡像を設定してください。</translation>
     </message>
     <message>
-        <source>The images of %1 fit a focal length that is %2 times the given one: the zoom or crop of the camera was probably changed. Calibrate its intrinsics again.</source>
-        <translation>%1 の画像は、指定の %2 倍の焦点距離に合います。カメラのズームまたは切り出しが変わったようです。内部パラメータをキャリブレーションし直してください。</translation>
-    </message>
-    <message>
-        <source>In the calibrated volume: position ±%1 (95 %)</source>
-        <translation>キャリブレーションした空間内: 位置 ±%1 (95 %)</translation>
-    </message>
-    <message>
-        <source>In the calibrated volume: position unknown</source>
-        <translation>キャリブレーションした空間内: 位置の精度は不明</translation>
+        <source>The images of %1 fit a focal length that is %2 times the one in its calibration: the zoom or crop of the camera was probably changed. Calibrate its intrinsics again.</source>
+        <translation>%1 の画像は、キャリブレーションの値の %2 倍の焦点距離に合います。カメラのズームまたは切り出しが変わったようです。内部パラメータをキャリブレーションし直してください。</translation>
     </message>
     <message>
         <source>The length that you entered is %1 times the length that the cameras see: millimeters and meters are probably mixed up.</source>
@@ -1108,8 +1084,28 @@
         <translation>入力したマス目の大きさは、カメラの見る大きさの %1 倍です。定規で1列を測ってください。印刷はよく拡大縮小されます。</translation>
     </message>
     <message>
-        <source>The images fit only if they are shifted by %1 along both axes: the calibration probably has its origin at the corner of the first pixel, not at its center. Convert the principal points.</source>
-        <translation>画像は両軸に %1 ずらしたときだけ合います。おそらくキャリブレーションの原点が最初のピクセルの中心ではなく角にあります。主点を換算してください。</translation>
+        <source>The images fit only if they are shifted by %1 along both axes: the calibration probably measures from the corner of the first pixel, not from its center. Convert the principal points.</source>
+        <translation>画像は両軸に %1 ずらしたときだけ合います。おそらくキャリブレーションは、最初のピクセルの中心ではなく角から測っています。主点を換算してください。</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>不明</translation>
+    </message>
+    <message>
+        <source>±%1</source>
+        <translation>±%1</translation>
+    </message>
+    <message>
+        <source>±%1 %</source>
+        <translation>±%1 %</translation>
+    </message>
+    <message>
+        <source>not measured yet (page Floor)</source>
+        <translation>未測定（ページ「床」）</translation>
+    </message>
+    <message>
+        <source>In the calibrated volume: position %1, scale %2, upward direction %3 (each with a probability of 95 %).</source>
+        <translation>キャリブレーションした空間内: 位置 %1、縮尺 %2、上方向 %3（それぞれ確率 95 %）。</translation>
     </message>
 </context>
 <context>
@@ -1215,8 +1211,8 @@
         <translation>印を付けた場所は、同じ色のより大きな物体の一部です。この場所だけを、半径 %1 の球として追跡します。</translation>
     </message>
     <message>
-        <source>The target&apos;s radius seems to be about %1, but %2 was entered. Is this the diameter?</source>
-        <translation>ターゲットの半径は約 %1 のようですが、%2 と入力されています。それは直径ではありませんか?</translation>
+        <source>The target&apos;s radius seems to be about %1, but %2 was entered. Is %2 the diameter?</source>
+        <translation>ターゲットの半径は約 %1 のようですが、%2 と入力されています。%2 は直径ではありませんか？</translation>
     </message>
     <message>
         <source>The target&apos;s radius seems to be about %1, but %2 was entered.</source>
@@ -1317,12 +1313,12 @@
         <translation>ピンクの物</translation>
     </message>
     <message>
-        <source>Much of the target does not match: Shift-click its light and its dark side.</source>
-        <translation>ターゲットの多くが一致しません。明るい側と暗い側を Shift クリックしてください。</translation>
+        <source>Much of the target does not have the learned color: Shift-click its light and its dark side.</source>
+        <translation>ターゲットの多くの部分が、学習した色ではありません。明るい側と暗い側を Shift クリックしてください。</translation>
     </message>
     <message>
-        <source>Exclude the other matching objects: Alt-click them.</source>
-        <translation>一致している別の物を Alt クリックして除外してください。</translation>
+        <source>Other objects have this color too: Alt-click them to exclude them.</source>
+        <translation>ほかの物もこの色です。Alt クリックして除外してください。</translation>
     </message>
     <message>
         <source>Cover objects of the same color, or take them out of view.</source>
@@ -1341,28 +1337,28 @@
         <translation>ターゲットがほぼ灰色です。もっと鮮やかな色が良いでしょう。</translation>
     </message>
     <message>
-        <source>%1 % of the pixels match. Shift-click the target to see how well it stands out.</source>
-        <translation>ピクセルの %1 % が一致します。ターゲットを Shift クリックすると、どれだけ見分けやすいか分かります。</translation>
+        <source>%1 % of the pixels have this color. Shift-click the target to see how well its color stands out.</source>
+        <translation>ピクセルの %1 % がこの色です。ターゲットを Shift クリックすると、その色がどれだけ見分けやすいか分かります。</translation>
     </message>
     <message>
-        <source>%1 % of the background matches too.</source>
-        <translation>背景の %1 % も一致します。</translation>
+        <source>This color also covers %1 % of the background.</source>
+        <translation>背景の %1 % もこの色です。</translation>
     </message>
     <message>
         <source>One sample hardly matches the learned color: it resembles its surroundings, or it shows another object.</source>
         <translation>学習した色にほとんど合わない見本があります。周囲と似ているか、別の物体を示しています。</translation>
     </message>
     <message>
-        <source>In the image of %3, a region %2 also matches (%1).</source>
-        <translation>%3 の%2にある%1も一致します。</translation>
+        <source>In the image of %3, a region %2 has this color too (it looks %1).</source>
+        <translation>%3 の画像の%2にある領域（%1）もこの色です。</translation>
     </message>
     <message>
         <source>Several objects have this color: another color would help.</source>
         <translation>この色の物体がいくつもあります。別の色にするとよいでしょう。</translation>
     </message>
     <message>
-        <source>Only %1 % of the target matches, and %2 % of the background matches too.</source>
-        <translation>ターゲットの %1 % しか一致せず、背景の %2 % も一致します。</translation>
+        <source>This color covers only %1 % of the target, and %2 % of the background.</source>
+        <translation>この色なのはターゲットの %1 % だけで、背景では %2 % です。</translation>
     </message>
     <message numerus="yes">
         <source>%n objects have this color and size: follow all of them, or cover the others.</source>
@@ -1395,8 +1391,8 @@
         <translation>小さな点だけをクリックしました。ターゲット全体を囲む枠をドラッグしてください。</translation>
     </message>
     <message>
-        <source>A color range that covers the whole target would match %1 % of the background.</source>
-        <translation>ターゲット全体を含む色の範囲は、背景の %1 % にも一致します。</translation>
+        <source>A color range that covers the whole target would also cover %1 % of the background.</source>
+        <translation>ターゲット全体を含む色の範囲は、背景の %1 % も含んでしまいます。</translation>
     </message>
 </context>
 <context>
@@ -1490,11 +1486,11 @@
     <name>Experiment</name>
     <message>
         <source>Barrera et al. 2005, figure 3: the particles projected into both cameras while the cloud finds the ball.</source>
-        <translation>Barrera ら 2005、図3:雲がボールを見つけるまで、両カメラに投影したパーティクル。</translation>
+        <translation>Barrera ら 2005、図3:雲がボールを見つけるまで、両カメラに投影した粒子。</translation>
     </message>
     <message>
         <source>Barrera et al. 2005, figure 4: the particle cloud of figure 3 from above.</source>
-        <translation>Barrera ら 2005、図4:図3のパーティクルの雲を上から見たもの。</translation>
+        <translation>Barrera ら 2005、図4:図3の粒子の雲を上から見たもの。</translation>
     </message>
     <message>
         <source>Barrera et al. 2005, figure 6: the object jumps 2 m at iteration 30.</source>
@@ -1510,7 +1506,7 @@
     </message>
     <message>
         <source>Mohedano et al. 2009, figures 1 and 3: the regions that move in a camera&apos;s images, and the likelihood of a person at each pixel.</source>
-        <translation>Mohedano ら 2009、図1と図3：カメラの画像で動く領域と、各画素での人物の尤度。</translation>
+        <translation>Mohedano ら 2009、図1と図3：カメラの画像で動く領域と、各ピクセルでの人物の尤度。</translation>
     </message>
     <message>
         <source>Drift along the optical axis</source>
@@ -1522,11 +1518,11 @@
     </message>
     <message>
         <source>Particles from above</source>
-        <translation>上から見たパーティクル</translation>
+        <translation>上から見た粒子</translation>
     </message>
     <message>
         <source>Particles in both images</source>
-        <translation>両画像のパーティクル</translation>
+        <translation>両画像の粒子</translation>
     </message>
     <message>
         <source>The cloud over time</source>
@@ -1609,7 +1605,7 @@
         <translation>人混み</translation>
     </message>
     <message>
-        <source>Five to eight people mill about for 12 s; their paths may touch and cross.</source>
+        <source>Five to eight people walk about for 12 s; their paths may touch and cross.</source>
         <translation>5～8 人が 12 秒間動き回ります。進路は触れたり交わったりします。</translation>
     </message>
     <message>
@@ -1657,16 +1653,16 @@
         <translation>Barrera ら 2005、図8：小さいモーションシグマと大きいモーションシグマでの、6回の反復における雲。</translation>
     </message>
     <message>
-        <source>Barrera et al. 2005, section III-B: the share of runs that converge, for start volumes of several sizes and for start points behind the ball.</source>
-        <translation>Barrera ら 2005、III-B節：さまざまな大きさの開始体積と、ボールの後ろの開始点について、収束した実行の割合。</translation>
+        <source>Barrera et al. 2005, section III-B: the share of runs that converge, depending on the size of the start volume, and on how far behind the ball a start point lies.</source>
+        <translation>Barrera ら 2005、III-B節：収束した実行の割合。開始体積の大きさと、開始点がボールのどれだけ後ろにあるかによる違いを示します。</translation>
     </message>
     <message>
-        <source>Error over the iterations, for different motion sigmas</source>
+        <source>Error after each iteration, for different motion sigmas</source>
         <translation>反復ごとの誤差（さまざまなモーションシグマ）</translation>
     </message>
     <message>
-        <source>Mohedano et al. 2009: people enter and leave. Measures how long there are estimates without a person, and people without an estimate.</source>
-        <translation>Mohedano ら 2009：人が出入りします。人のいない推定と、推定のない人がどれだけ続くかを測ります。</translation>
+        <source>Mohedano et al. 2009: people enter and leave. Measures how long an estimate exists where nobody is, and how long a person has no estimate.</source>
+        <translation>Mohedano ら 2009：人が出入りします。人がいないのに推定がある時間と、人がいるのに推定がない時間を測ります。</translation>
     </message>
     <message>
         <source>Mohedano et al. 2009: two people far apart. This is the easy case: no method should mix them up.</source>
@@ -1689,12 +1685,12 @@
         <translation>3 人が歩き回ります。身長 0.9〜1.3 m の子ども、1.3〜1.6 m の人、1.88〜2 m の人です。</translation>
     </message>
     <message>
-        <source>Where one camera finds the color</source>
+        <source>Where a single camera finds the color</source>
         <translation>カメラ1台で色が見つかる場所</translation>
     </message>
     <message>
-        <source>Where the cloud can start and converge</source>
-        <translation>雲がどこから始まれば収束するか</translation>
+        <source>From which starting positions the particles still find the target</source>
+        <translation>どの開始位置からなら、粒子がターゲットを見つけられるか</translation>
     </message>
 </context>
 <context>
@@ -1790,8 +1786,8 @@
         <translation>%1 が床（z = 0）より %2 m 下にあります。</translation>
     </message>
     <message>
-        <source>%1 sees nothing that another camera sees.</source>
-        <translation>%1 とほかのカメラの両方に写る場所がありません。</translation>
+        <source>The view of %1 does not overlap with the view of any other camera.</source>
+        <translation>%1 の視野は、ほかのどのカメラの視野とも重なりません。</translation>
     </message>
     <message>
         <source>A file of the project is missing: %1.</source>
@@ -1810,23 +1806,23 @@
         <translation>カメラを追加するか、別の手法を選んでください。</translation>
     </message>
     <message>
-        <source>Calibrate both again; one pose was probably copied from the other.</source>
-        <translation>両方のキャリブレーションをやり直してください。おそらく一方の姿勢が他方にコピーされています。</translation>
+        <source>Calibrate both cameras again; the pose of one was probably copied from the other.</source>
+        <translation>両方のカメラのキャリブレーションをやり直してください。おそらく一方の姿勢が他方にコピーされています。</translation>
     </message>
     <message>
-        <source>Calibrate them with a board, a wand or measured points.</source>
-        <translation>ボード、ワンド、または測った点でキャリブレーションしてください。</translation>
+        <source>Calibrate the cameras with a board, a wand or measured points.</source>
+        <translation>ボード、ワンド、または測った点でカメラをキャリブレーションしてください。</translation>
     </message>
     <message>
-        <source>Calibrate them, or choose a method that tracks boxes in images.</source>
-        <translation>キャリブレーションするか、画像の中の枠を追跡する手法を選んでください。</translation>
+        <source>Calibrate the cameras, or choose a method that tracks boxes in images.</source>
+        <translation>カメラをキャリブレーションするか、画像の中の枠を追跡する手法を選んでください。</translation>
     </message>
     <message>
-        <source>Check late_by; it is in seconds.</source>
-        <translation>late_by を確かめてください。単位は秒です。</translation>
+        <source>Check late_by of this camera in the project file; its unit is seconds.</source>
+        <translation>プロジェクトファイルで、このカメラの late_by を確かめてください。単位は秒です。</translation>
     </message>
     <message>
-        <source>Check that the camera sees the target, and its exposure and white balance.</source>
+        <source>Check that the camera sees the target, and check its exposure and white balance.</source>
         <translation>カメラにターゲットが写っているか、露光とホワイトバランスが適切かを確かめてください。</translation>
     </message>
     <message>
@@ -1834,7 +1830,7 @@
         <translation>すべての表の時刻が同じ時計によるものか確かめてください。</translation>
     </message>
     <message>
-        <source>Check that this is the recording they were made for.</source>
+        <source>Check that the corrections were made for this recording.</source>
         <translation>この録画のための修正かどうか確かめてください。</translation>
     </message>
     <message>
@@ -1842,72 +1838,72 @@
         <translation>原点を別の場所に置いた場合を除き、z が上向きで、床で 0 になることを確かめてください。</translation>
     </message>
     <message>
-        <source>Click on it in an image, or use the command learn-color.</source>
-        <translation>画像の中でクリックするか、learn-color コマンドを使ってください。</translation>
+        <source>Click the target in an image, or use the command learn-color.</source>
+        <translation>画像の中でターゲットをクリックするか、learn-color コマンドを使ってください。</translation>
     </message>
     <message>
-        <source>Convert them to the same rate, or give each camera a table of times.</source>
-        <translation>同じフレームレートに変換するか、時刻の表を指定してください。</translation>
+        <source>Convert the recordings to the same frame rate, or give each camera a table of times.</source>
+        <translation>録画を同じフレームレートに変換するか、各カメラに時刻の表を指定してください。</translation>
     </message>
     <message>
-        <source>Copy it again, or convert it with FFmpeg.</source>
-        <translation>コピーし直すか、FFmpeg で変換してください。</translation>
+        <source>Copy the recording again, or convert it with FFmpeg.</source>
+        <translation>録画をコピーし直すか、FFmpeg で変換してください。</translation>
     </message>
     <message>
-        <source>Copy it again, or repair it with FFmpeg (ffmpeg -i IN -c copy OUT).</source>
-        <translation>コピーし直すか、FFmpeg で修復してください（ffmpeg -i 入力 -c copy 出力）。</translation>
+        <source>Copy the video again, or repair it with FFmpeg (ffmpeg -i IN -c copy OUT).</source>
+        <translation>動画をコピーし直すか、FFmpeg で修復してください（ffmpeg -i 入力 -c copy 出力）。</translation>
     </message>
     <message>
-        <source>Copy the folder again; otherwise the camera has no image in these frames.</source>
-        <translation>フォルダーをコピーし直してください。このままでは、これらのフレームにこのカメラの画像がありません。</translation>
+        <source>Copy the image folder again; otherwise the camera has no image in the missing frames.</source>
+        <translation>画像フォルダーをコピーし直してください。このままでは、欠けているフレームにこのカメラの画像がありません。</translation>
     </message>
     <message>
-        <source>Copy the recording again, or use only the frames before it.</source>
+        <source>Copy the recording again, or use only the frames before this one.</source>
         <translation>録画をコピーし直すか、それより前のフレームだけを使ってください。</translation>
     </message>
     <message>
-        <source>Correct late_by; it is in seconds.</source>
-        <translation>late_by を直してください。単位は秒です。</translation>
+        <source>Correct late_by of this camera in the project file; its unit is seconds.</source>
+        <translation>プロジェクトファイルで、このカメラの late_by を直してください。単位は秒です。</translation>
     </message>
     <message>
-        <source>Correct the file, or remove truth from the project.</source>
-        <translation>ファイルを直すか、プロジェクトから truth を削除してください。</translation>
+        <source>Correct the file, or remove the key truth from the project file.</source>
+        <translation>ファイルを直すか、プロジェクトファイルからキー truth を削除してください。</translation>
     </message>
     <message>
-        <source>Correct the line in a text editor, or make a new project.</source>
-        <translation>テキストエディターでその行を直すか、新しいプロジェクトを作成してください。</translation>
+        <source>Correct the project file in a text editor, or make a new project.</source>
+        <translation>テキストエディターでプロジェクトファイルを直すか、新しいプロジェクトを作成してください。</translation>
     </message>
     <message>
-        <source>Correct the table, or remove times from this camera.</source>
-        <translation>表を直すか、このカメラから times を削除してください。</translation>
+        <source>Correct the table, or remove the key times of this camera from the project file.</source>
+        <translation>表を直すか、プロジェクトファイルからこのカメラのキー times を削除してください。</translation>
     </message>
     <message>
-        <source>Corrections for frames that the recording does not have: %1.</source>
-        <translation>録画にないフレームの修正が %1 個あります。</translation>
+        <source>The project has corrections for frames that the recording does not have: %1.</source>
+        <translation>プロジェクトに、録画にないフレームの修正があります: %1。</translation>
     </message>
     <message>
-        <source>Draw it in an earlier frame.</source>
+        <source>Draw the box in an earlier frame.</source>
         <translation>もっと前のフレームで枠を引いてください。</translation>
     </message>
     <message>
-        <source>Draw one in an image.</source>
-        <translation>画像の中で枠を引いてください。</translation>
+        <source>Draw a box around the target in an image.</source>
+        <translation>画像の中で、ターゲットを枠で囲んでください。</translation>
     </message>
     <message>
         <source>Frame %2 of %1 cannot be read: %3.</source>
         <translation>%1 のフレーム %2 を読み込めません: %3。</translation>
     </message>
     <message>
-        <source>Give every camera one, or none.</source>
-        <translation>すべてのカメラに指定するか、どのカメラにも指定しないでください。</translation>
+        <source>Give every camera a table of times, or no camera.</source>
+        <translation>すべてのカメラに時刻の表を指定するか、どのカメラにも指定しないでください。</translation>
     </message>
     <message>
         <source>Give the radius in meters.</source>
         <translation>半径をメートルで指定してください。</translation>
     </message>
     <message>
-        <source>Import it again, or calibrate again.</source>
-        <translation>インポートし直すか、キャリブレーションをやり直してください。</translation>
+        <source>Import the calibration again, or calibrate the cameras again.</source>
+        <translation>キャリブレーションをインポートし直すか、カメラのキャリブレーションをやり直してください。</translation>
     </message>
     <message>
         <source>Import the calibration again with the right unit (calibration convert --unit).</source>
@@ -1938,11 +1934,11 @@
         <translation>ライブカメラと録画を別々のプロジェクトに分けてください。</translation>
     </message>
     <message>
-        <source>Make room, or write to another disk with --out.</source>
-        <translation>空きを増やすか、--out で別のディスクに書き出してください。</translation>
+        <source>Free some disk space, or write to another disk with the option --out.</source>
+        <translation>空きを増やすか、オプション --out で別のディスクに書き出してください。</translation>
     </message>
     <message>
-        <source>Move the volume, or remove it.</source>
+        <source>Move the volume of interest, or remove it.</source>
         <translation>探索範囲を動かすか、削除してください。</translation>
     </message>
     <message>
@@ -1970,8 +1966,8 @@
         <translation>結果を保存する空きが %1 MB しかありません。</translation>
     </message>
     <message>
-        <source>Only the first %2 frames are used; check that all begin at the same time.</source>
-        <translation>最初の %2 フレームだけを使います。すべての録画が同時に始まることを確かめてください。</translation>
+        <source>Only the first %2 frames of each recording are used; check that all recordings begin at the same time.</source>
+        <translation>各録画の最初の %2 フレームだけを使います。すべての録画が同時に始まることを確かめてください。</translation>
     </message>
     <message>
         <source>Open the project to see whether images arrive.</source>
@@ -1982,24 +1978,24 @@
         <translation>ほかのカメラには時刻の表がありますが、%1 にはありません。</translation>
     </message>
     <message>
-        <source>Plug it in, or choose another one.</source>
-        <translation>接続するか、別のデバイスを選んでください。</translation>
+        <source>Connect the device, or choose another one.</source>
+        <translation>デバイスを接続するか、別のデバイスを選んでください。</translation>
     </message>
     <message>
-        <source>Put it back, or correct the path in the project file.</source>
-        <translation>元の場所に戻すか、プロジェクトファイルのパスを直してください。</translation>
+        <source>Put the missing file or folder back, or correct its path in the project file.</source>
+        <translation>見つからないファイルまたはフォルダーを元の場所に戻すか、プロジェクトファイルのパスを直してください。</translation>
     </message>
     <message>
-        <source>Remove frames_per_second unless the video is wrong.</source>
-        <translation>動画の値が誤っている場合を除き、frames_per_second を削除してください。</translation>
+        <source>Remove frames_per_second from the project file, unless the rate stated in the video is wrong.</source>
+        <translation>動画に書かれた値が誤っている場合を除き、プロジェクトファイルから frames_per_second を削除してください。</translation>
     </message>
     <message>
-        <source>Set frames_per_second; speeds depend on it.</source>
-        <translation>frames_per_second を設定してください。速度の値に影響します。</translation>
+        <source>Set frames_per_second in the project file; the measured speeds depend on it.</source>
+        <translation>プロジェクトファイルで frames_per_second を設定してください。測定される速度に影響します。</translation>
     </message>
     <message>
-        <source>Set rotate to 90 or 270 for this camera.</source>
-        <translation>このカメラの rotate を 90 か 270 にしてください。</translation>
+        <source>Set rotate to 90 or 270 for this camera in the project file.</source>
+        <translation>プロジェクトファイルで、このカメラの rotate を 90 か 270 にしてください。</translation>
     </message>
     <message>
         <source>Simulated cameras: %1.</source>
@@ -2014,8 +2010,8 @@
         <translation>ライブカメラと録画が混在しています。</translation>
     </message>
     <message>
-        <source>Take it again, or remove empty_room from this camera.</source>
-        <translation>撮り直すか、このカメラから empty_room を削除してください。</translation>
+        <source>Take the background image again, or remove the key empty_room of this camera from the project file.</source>
+        <translation>背景画像を撮り直すか、プロジェクトファイルからこのカメラのキー empty_room を削除してください。</translation>
     </message>
     <message>
         <source>Target %1 has a radius of %2 m, which is larger than a person.</source>
@@ -2070,12 +2066,12 @@
         <translation>%2 の調べた画像のどれにも、ターゲット %1 の色が見つかりませんでした。</translation>
     </message>
     <message>
-        <source>The delay of %1 is %2 s, which is unusual.</source>
-        <translation>%1 の遅れは %2 s です。普通の値ではありません。</translation>
+        <source>The delay of %1 is %2 s, which is unusually large.</source>
+        <translation>%1 の遅れは %2 s です。普通より大きな値です。</translation>
     </message>
     <message>
-        <source>The delay of %1, %2 s, is longer than its recording, so it has no image.</source>
-        <translation>%1 の遅れ %2 s は録画の長さを超えているため、画像がありません。</translation>
+        <source>The delay of %1 (%2 s) is longer than its recording, so this camera has no image in any frame.</source>
+        <translation>%1 の遅れ（%2 s）は録画の長さを超えているため、このカメラの画像はどのフレームにもありません。</translation>
     </message>
     <message>
         <source>The device of %1 is connected.</source>
@@ -2162,20 +2158,20 @@
         <translation>結果を保存する空きがあります: %1 GB。</translation>
     </message>
     <message>
-        <source>Turn it toward the target, or calibrate it again.</source>
-        <translation>ターゲットに向けるか、キャリブレーションをやり直してください。</translation>
+        <source>Turn this camera toward the target, or calibrate it again.</source>
+        <translation>このカメラをターゲットに向けるか、キャリブレーションをやり直してください。</translation>
     </message>
     <message>
-        <source>Use the calibration of these images, or images of the calibrated size.</source>
-        <translation>この画像に合うキャリブレーションを使うか、キャリブレーションに合う大きさの画像を使ってください。</translation>
+        <source>Use a calibration for images of this size, or record images of the calibrated size.</source>
+        <translation>この大きさの画像用のキャリブレーションを使うか、キャリブレーションした大きさで録画してください。</translation>
     </message>
     <message>
-        <source>Use the table that belongs to this recording.</source>
-        <translation>この録画に対応する表を使ってください。</translation>
+        <source>Use the table of times that belongs to this recording.</source>
+        <translation>この録画に対応する時刻の表を使ってください。</translation>
     </message>
     <message>
-        <source>Write results to another folder with --out.</source>
-        <translation>--out で別のフォルダーに結果を書き出してください。</translation>
+        <source>Write the results to another folder with the option --out.</source>
+        <translation>オプション --out で別のフォルダーに結果を書き出してください。</translation>
     </message>
 </context>
 <context>
@@ -2240,7 +2236,7 @@
     </message>
     <message>
         <source>By hand, with a grid</source>
-        <translation>グリッドを使って手動で</translation>
+        <translation>格子を使って手動で</translation>
     </message>
     <message>
         <source>Measured points</source>
@@ -2255,8 +2251,8 @@
         <translation>ワンド: ボール 1 個、またはボール 2 個付きの棒</translation>
     </message>
     <message>
-        <source>File of another tool</source>
-        <translation>他のツールのファイル</translation>
+        <source>File of another program</source>
+        <translation>他のプログラムのファイル</translation>
     </message>
     <message>
         <source>File</source>
@@ -2300,11 +2296,11 @@
     </message>
     <message>
         <source>Grid</source>
-        <translation>グリッド</translation>
+        <translation>格子</translation>
     </message>
     <message>
         <source>Lay the grid over the room</source>
-        <translation>グリッドを部屋に重ねる</translation>
+        <translation>格子を部屋に重ねる</translation>
     </message>
     <message>
         <source>Points</source>
@@ -2419,8 +2415,8 @@
         <translation>これらのカメラと、この画像サイズのためのキャリブレーションファイルが必要です。</translation>
     </message>
     <message>
-        <source>Choose the file. If it lacks something, such as the unit, the dialog asks you for it. The dialog also shows how far each camera would move.</source>
-        <translation>ファイルを選びます。単位など、ファイルにないものはダイアログで尋ねられます。各カメラがどれだけ動くかも表示されます。</translation>
+        <source>Choose the file. If the file does not contain everything (for example, no unit), the dialog asks you for the rest. The dialog also shows how far each camera would move.</source>
+        <translation>ファイルを選びます。単位などファイルに含まれないものは、ダイアログが尋ねます。各カメラがどれだけ動くかも表示されます。</translation>
     </message>
     <message>
         <source>Describe the board on the page Board, and print it at 100 %. Check the scale bar with a ruler, and glue the sheet to something stiff and flat. If you already have a board, just describe it and go on to the next step.</source>
@@ -2436,7 +2432,7 @@
     </message>
     <message>
         <source>Give the grid the size of a real object that you have measured. In each image, drag the grid until it lies on this object. Click a point of the grid to hold it in place.</source>
-        <translation>グリッドを、実際に測った物の大きさにします。各画像で、その物に重なるまでグリッドをドラッグします。グリッドの点をクリックすると、その点が固定されます。</translation>
+        <translation>格子を、実際に測った物の大きさにします。各画像で、その物に重なるまで格子をドラッグします。格子の点をクリックすると、その点が固定されます。</translation>
     </message>
     <message>
         <source>Add points whose positions in the room you have measured, in meters. Then click each point in the images. Each camera needs at least four points, or better six that do not all lie in one plane.</source>
@@ -2452,7 +2448,7 @@
     </message>
     <message>
         <source>Drag the grid in each image, or the cameras in the bird&apos;s-eye view, until each camera is within about 12 cm of its real position.</source>
-        <translation>各画像のグリッド、または俯瞰ビューのカメラをドラッグし、各カメラを実際の位置から約 12 cm 以内に合わせます。</translation>
+        <translation>各画像の格子、または鳥瞰図のカメラをドラッグし、各カメラを実際の位置から約 12 cm 以内に合わせます。</translation>
     </message>
     <message>
         <source>On the page Wand, choose what you wave and where the scale comes from. With live cameras, press Start waving and wave slowly through the whole volume for half a minute. Then press Refine cameras. If you have already recorded this, just press Refine cameras.</source>
@@ -2467,8 +2463,8 @@
         <translation>部屋の中でできるだけ長い距離を測ります。両端を A と B としてマークし、距離を入力して「確認」を押します。キャリブレーションの値が違う場合は、「縮尺を設定」を押してキャリブレーションを直します。</translation>
     </message>
     <message>
-        <source>Done: the distance differs by %1.</source>
-        <translation>完了: 距離の差は %1。</translation>
+        <source>Done: the distance in the calibration differs from the measured one by %1.</source>
+        <translation>完了: キャリブレーションでの距離と測定した距離の差は %1 です。</translation>
     </message>
     <message>
         <source>Done for %1 of %2 cameras.</source>
@@ -2571,20 +2567,20 @@
 <context>
     <name>Method</name>
     <message>
-        <source>A box in one video</source>
-        <translation>1 本の動画の中の枠</translation>
+        <source>Any object in the images of one camera (2D)</source>
+        <translation>1 台のカメラの画像の中の任意の物体（2D）</translation>
     </message>
     <message>
         <source>A particle filter with color histograms</source>
-        <translation>色ヒストグラムのパーティクルフィルタ</translation>
+        <translation>色ヒストグラムの粒子フィルター</translation>
     </message>
     <message>
         <source>A particle filter with position measurements</source>
-        <translation>位置の測定によるパーティクルフィルタ</translation>
+        <translation>位置の測定による粒子フィルター</translation>
     </message>
     <message>
         <source>A simple particle filter with color</source>
-        <translation>色の単純なパーティクルフィルタ</translation>
+        <translation>色の単純な粒子フィルター</translation>
     </message>
     <message>
         <source>Colored objects in 3D</source>
@@ -2607,16 +2603,16 @@
         <translation>比較用：人を服で区別します。</translation>
     </message>
     <message>
-        <source>For teaching: tracks a box in one video.</source>
-        <translation>教育用：1 本の動画の中の枠を追います。</translation>
+        <source>For teaching: tracks an object as a box in the images of one camera.</source>
+        <translation>教育用：1 台のカメラの画像の中の物体を枠で追跡します。</translation>
     </message>
     <message>
         <source>For teaching: shows how a particle filter works.</source>
-        <translation>教育用：パーティクルフィルタの仕組みを示します。</translation>
+        <translation>教育用：粒子フィルターの仕組みを示します。</translation>
     </message>
     <message>
-        <source>For teaching: shows how particles follow measurements.</source>
-        <translation>教育用：粒子が測定を追う様子を示します。</translation>
+        <source>For teaching: shows how particles follow measured positions.</source>
+        <translation>教育用：粒子が、測定された位置を追う様子を示します。</translation>
     </message>
     <message>
         <source>From papers, for teaching and comparison</source>
@@ -2643,12 +2639,12 @@
         <translation>似た服を着ていても、床の上の複数の人物を追跡します。</translation>
     </message>
     <message>
-        <source>The most accurate: decides whether the target is a ball or has another shape.</source>
-        <translation>最も正確：ターゲットがボールかほかの形かを判断します。</translation>
+        <source>The most accurate method. It finds out by itself whether the target is a ball or has another shape.</source>
+        <translation>最も正確な手法です。ターゲットがボールかほかの形かを自動で判断します。</translation>
     </message>
     <message>
-        <source>Tracks the target by its colors, follows its size, and finds it again after it was hidden.</source>
-        <translation>ターゲットを色で追跡し、大きさの変化にも従い、隠れた後も見つけ直します。</translation>
+        <source>Tracks an object by its colors, adapts to its size, and finds it again after it was hidden.</source>
+        <translation>物体を色で追跡し、大きさの変化に合わせ、隠れた後も見つけ直します。</translation>
     </message>
 </context>
 <context>
@@ -2660,6 +2656,41 @@
     <message>
         <source>Needs at least two cameras.</source>
         <translation>2 台以上のカメラが必要です。</translation>
+    </message>
+</context>
+<context>
+    <name>OutletText</name>
+    <message>
+        <source>JSON lines at %1</source>
+        <translation>JSON 行（%1）</translation>
+    </message>
+    <message>
+        <source>Web page and WebSocket at %1</source>
+        <translation>ウェブページと WebSocket（%1）</translation>
+    </message>
+    <message>
+        <source>OSC messages to %1</source>
+        <translation>OSC メッセージの送信先 %1</translation>
+    </message>
+    <message>
+        <source>TUIO cursors to %1</source>
+        <translation>TUIO カーソルの送信先 %1</translation>
+    </message>
+    <message>
+        <source>CSV lines to the standard output</source>
+        <translation>CSV 行の出力先は標準出力</translation>
+    </message>
+    <message>
+        <source>CSV lines to %1</source>
+        <translation>CSV 行の出力先 %1</translation>
+    </message>
+    <message>
+        <source>No program is reading this pipe.</source>
+        <translation>このパイプを読み取っているプログラムがありません。</translation>
+    </message>
+    <message>
+        <source>Nothing can be written: %1</source>
+        <translation>書き込めません: %1</translation>
     </message>
 </context>
 <context>
@@ -2741,7 +2772,7 @@
         <translation>加速度のシグマ</translation>
     </message>
     <message>
-        <source>Edge length of the room in which a target may appear: larger values require a higher likelihood before a track is created.</source>
+        <source>Edge length of the space in which a target may appear: with larger values, a track is created only at a higher likelihood.</source>
         <translation>ターゲットが現れうる空間の一辺の長さ。大きいほど、追跡を始めるのに高い尤度が必要になります。</translation>
     </message>
     <message>
@@ -2754,11 +2785,11 @@
     </message>
     <message>
         <source>Largest number of particles of each target.</source>
-        <translation>各目標が使う粒子の最大数。</translation>
+        <translation>各ターゲットが使う粒子の最大数。</translation>
     </message>
     <message>
         <source>How strongly targets accelerate, brake and turn: larger values follow abrupt motion, smaller values bridge gaps better.</source>
-        <translation>目標がどれだけ強く加速、減速、方向転換するか。大きいほど急な動きを追え、小さいほど途切れをうまく補えます。</translation>
+        <translation>ターゲットがどれだけ強く加速、減速、方向転換するか。大きいほど急な動きを追え、小さいほど途切れをうまく補えます。</translation>
     </message>
     <message>
         <source>Sampling error</source>
@@ -2805,7 +2836,7 @@
         <translation>縦横比のシグマ</translation>
     </message>
     <message>
-        <source>Hidden below</source>
+        <source>Counts as hidden below</source>
         <translation>これ未満で隠れたとみなす</translation>
     </message>
     <message>
@@ -2841,12 +2872,12 @@
         <translation>大きさのシグマ</translation>
     </message>
     <message>
-        <source>How much of the box&apos;s current colors is blended into the reference colors at each image; 0 keeps the colors of the first image.</source>
+        <source>How much of the box&apos;s current colors is blended into the reference colors after each image; 0 keeps the colors of the first image.</source>
         <translation>画像ごとに、枠の現在の色を基準の色にどれだけ混ぜるか。0 では最初の画像の色のままです。</translation>
     </message>
     <message>
-        <source>Share of the particles that are placed at other positions with the target&apos;s colors.</source>
-        <translation>ターゲットの色がある別の位置に置かれる粒子の割合。</translation>
+        <source>Share of the particles that jump to other positions at which the target&apos;s colors are found.</source>
+        <translation>ターゲットの色が見つかった別の位置へ飛ばす粒子の割合。</translation>
     </message>
     <message>
         <source>Sharpness</source>
@@ -2885,8 +2916,8 @@
         <translation>背景モデル</translation>
     </message>
     <message>
-        <source>Creation time</source>
-        <translation>出現までの時間</translation>
+        <source>Confirmation time</source>
+        <translation>確認時間</translation>
     </message>
     <message>
         <source>Create tracks</source>
@@ -2961,8 +2992,8 @@
         <translation>画像の幅</translation>
     </message>
     <message>
-        <source>Images are reduced to at most this width before anything else; 0 keeps them as they are.</source>
-        <translation>最初に画像をこの幅まで縮小します。0 では縮小しません。</translation>
+        <source>Images are reduced to at most this width before they are analyzed; 0 keeps them as they are.</source>
+        <translation>画像を解析する前に、最大でもこの幅まで縮小します。0 では縮小しません。</translation>
     </message>
     <message>
         <source>Learning time</source>
@@ -3045,8 +3076,8 @@
         <translation>1 では、複数のカメラに写った人をすべて追跡します。0 では、手で追加した人物だけを追跡します。</translation>
     </message>
     <message>
-        <source>Center of the tracked floor area along this axis.</source>
-        <translation>この軸に沿った、追跡する床の中心。</translation>
+        <source>Coordinate of the center of the tracked floor area along this axis.</source>
+        <translation>追跡する床面の中心の、この軸に沿った座標。</translation>
     </message>
     <message>
         <source>Error of the times at which the images were taken. It is part of the reported uncertainty of a moving target. 8 suits webcams.</source>
@@ -3074,11 +3105,11 @@
     </message>
     <message>
         <source>How moving regions are found. 0: one Gaussian for each pixel (fast). 1: MOG2 of OpenCV. 2: KNN of OpenCV.</source>
-        <translation>動く領域の見つけ方。0：画素ごとに 1 つのガウス分布（高速）。1：OpenCV の MOG2。2：OpenCV の KNN。</translation>
+        <translation>動く領域の見つけ方。0：ピクセルごとに 1 つのガウス分布（高速）。1：OpenCV の MOG2。2：OpenCV の KNN。</translation>
     </message>
     <message>
-        <source>How much each camera that sees a whole person counts: larger values rely more on the masks.</source>
-        <translation>全身が写った各カメラの重み。大きいほどマスクを信用します。</translation>
+        <source>How strongly the mask of each camera influences where a person is tracked: larger values rely more on the masks.</source>
+        <translation>各カメラのマスクが人物の位置にどれだけ影響するか。大きいほどマスクを信用します。</translation>
     </message>
     <message>
         <source>How much the colors of a particle&apos;s box may differ from the reference colors (Bhattacharyya distance): smaller values trust the best particles more.</source>
@@ -3097,7 +3128,7 @@
         <translation>影の最低の明るさ（色相が同じ背景の明るさに対する割合）。これより暗いものは動く領域とみなします。</translation>
     </message>
     <message>
-        <source>Smallest number of particles of each target, used when all particles are close together.</source>
+        <source>Smallest number of particles of each target; used when all its particles are close together.</source>
         <translation>各ターゲットの粒子の最小数。すべての粒子が近くに集まっているときに使います。</translation>
     </message>
     <message>
@@ -3166,7 +3197,7 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>背景を学習中：%1 % · 画面に入らないでください</translation>
     </message>
     <message>
-        <source>image ignored: %1 % of it moves</source>
+        <source>image ignored: %1 % of it is moving</source>
         <translation>画像を使いません：%1 % が動いています</translation>
     </message>
     <message>
@@ -3193,7 +3224,7 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     </message>
     <message>
         <source>filter iteration</source>
-        <translation>フィルタ反復</translation>
+        <translation>フィルター反復</translation>
     </message>
     <message>
         <source>Dewpoint plots</source>
@@ -3261,8 +3292,8 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>画像なし</translation>
     </message>
     <message>
-        <source>covered or moved</source>
-        <translation>覆われたか動いた</translation>
+        <source>camera covered or moved</source>
+        <translation>カメラが覆われたか動いた</translation>
     </message>
     <message>
         <source>too dark</source>
@@ -3360,8 +3391,8 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>類似度</translation>
     </message>
     <message>
-        <source>to the reference</source>
-        <translation>基準との</translation>
+        <source>similarity to the reference</source>
+        <translation>基準との類似度</translation>
     </message>
     <message>
         <source>Position</source>
@@ -3565,7 +3596,7 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     </message>
     <message>
         <source>Tracks colored objects in 3D, live, from ordinary cameras with particle filters.</source>
-        <translation>普通のカメラとパーティクルフィルタで、色の付いた物体を 3D でリアルタイムに追跡します。</translation>
+        <translation>普通のカメラと粒子フィルターで、色の付いた物体を 3D でリアルタイムに追跡します。</translation>
     </message>
     <message>
         <source>Free software under the GNU General Public License, version 3 or later (GPL-3.0-or-later), without any warranty.</source>
@@ -3610,16 +3641,16 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
 <context>
     <name>dewpoint::ui::BackgroundImageTaker</name>
     <message>
-        <source>“%1” is visible in this image and would become part of the background. Choose a frame without it.</source>
-        <translation>この画像には「%1」が写っていて、背景の一部になってしまいます。写っていないフレームを選んでください。</translation>
+        <source>“%1” is visible in this image and would become part of the background. Choose a frame without this target.</source>
+        <translation>この画像には「%1」が写っていて、背景の一部になってしまいます。このターゲットが写っていないフレームを選んでください。</translation>
     </message>
     <message>
-        <source>Use it anyway</source>
-        <translation>それでも使う</translation>
+        <source>Use image anyway</source>
+        <translation>それでも画像を使う</translation>
     </message>
     <message>
-        <source>The camera has changed in the meantime. The image was saved as %1, but is not used.</source>
-        <translation>その間にカメラが変更されました。画像は %1 として保存しましたが、使用しません。</translation>
+        <source>The image was saved as %1, but is not used, because the settings of the camera were changed in the meantime.</source>
+        <translation>画像は %1 として保存しましたが、その間にカメラの設定が変更されたため、使用しません。</translation>
     </message>
     <message>
         <source>Change background image</source>
@@ -3637,8 +3668,8 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>位置を修正</translation>
     </message>
     <message>
-        <source>The target was tracked backward to frame %1 and is now tracked forward again from there.</source>
-        <translation>ターゲットをフレーム%1までさかのぼって追跡しました。そこから先へ追跡し直します。</translation>
+        <source>The target was tracked backward to frame %1. It is now being tracked forward again from this frame.</source>
+        <translation>ターゲットをフレーム %1 までさかのぼって追跡しました。このフレームから先へ追跡し直しています。</translation>
     </message>
     <message>
         <source>Tracking the target backward: frame %1.</source>
@@ -3743,8 +3774,8 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>ページ (*.html)</translation>
     </message>
     <message>
-        <source>Use it anyway</source>
-        <translation>それでも使う</translation>
+        <source>Use calibration anyway</source>
+        <translation>それでもキャリブレーションを使う</translation>
     </message>
     <message>
         <source>Saved %1.</source>
@@ -3763,8 +3794,8 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>すべてのフレームを検索</translation>
     </message>
     <message>
-        <source>Find out which board the images show: its kind, its squares and its dictionary. Images do not show its size: measure its squares yourself</source>
-        <translation>画像に写っているボードの種類、マス目の数、辞書を調べます。大きさは画像からはわからないので、マス目をご自分で測ってください</translation>
+        <source>Find out from the images which kind of board they show, how many squares it has, and its dictionary. The images do not show how large the squares are: measure this yourself</source>
+        <translation>画像から、ボードの種類、マス目の数、辞書を調べます。マス目の大きさは画像からは分からないので、ご自分で測ってください</translation>
     </message>
     <message>
         <source>Computing</source>
@@ -3846,7 +3877,7 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>ボードの種類</translation>
     </message>
     <message>
-        <source>Squares across, down</source>
+        <source>Squares per row, per column</source>
         <translation>マス目の数（横・縦）</translation>
     </message>
     <message>
@@ -3854,16 +3885,16 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>横のマス目の数</translation>
     </message>
     <message>
-        <source>All squares of a row, black and white</source>
-        <translation>1行のすべてのマス目（黒と白）</translation>
+        <source>Number of squares in a row, black and white together</source>
+        <translation>1 行のマス目の数（黒と白の合計）</translation>
     </message>
     <message>
         <source>Squares in a column</source>
         <translation>縦のマス目の数</translation>
     </message>
     <message>
-        <source>All squares of a column, black and white</source>
-        <translation>1列のすべてのマス目（黒と白）</translation>
+        <source>Number of squares in a column, black and white together</source>
+        <translation>1 列のマス目の数（黒と白の合計）</translation>
     </message>
     <message>
         <source>Side of a square</source>
@@ -3886,8 +3917,8 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>マーカーの辞書</translation>
     </message>
     <message>
-        <source>The dictionary name used when the board was generated</source>
-        <translation>ボードの生成に使った辞書の名前</translation>
+        <source>The dictionary of the markers that was chosen when the board was made</source>
+        <translation>ボードを作ったときに選んだマーカーの辞書</translation>
     </message>
     <message>
         <source>Legacy layout (even rows)</source>
@@ -3965,8 +3996,8 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>求める値</translation>
     </message>
     <message>
-        <source>Intrinsics: lens and sensor of each camera separately. Positions: where the cameras are, from a board that several of them see at the same time</source>
-        <translation>内部パラメータ: 各カメラのレンズとセンサー。位置: 複数のカメラが同時に見るボードから求めるカメラの場所</translation>
+        <source>Intrinsics: lens and sensor, for each camera separately. Positions: where the cameras are, computed from a board that several cameras see at the same time</source>
+        <translation>内部パラメータ: 各カメラのレンズとセンサー。位置: 複数のカメラが同時に見るボードから計算した、カメラの場所</translation>
     </message>
     <message>
         <source>Lens model</source>
@@ -4005,19 +4036,19 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>現在のフレームを床に使う</translation>
     </message>
     <message>
-        <source>Take the frame that is shown now</source>
-        <translation>今表示しているフレームを使います</translation>
+        <source>Enter the number of the frame that is shown now</source>
+        <translation>今表示しているフレームの番号を入力します</translation>
     </message>
     <message>
-        <source>Stop at accuracy</source>
-        <translation>目標精度</translation>
+        <source>Accuracy goal</source>
+        <translation>目標とする精度</translation>
     </message>
     <message>
         <source>Desired accuracy of the intrinsics</source>
         <translation>内部パラメータの目標精度</translation>
     </message>
     <message>
-        <source>Guidance ends when the intrinsics are this accurate all over the image</source>
+        <source>Guidance ends when the intrinsics are this accurate in all parts of the image</source>
         <translation>内部パラメータが画像全体でこの精度になると案内が終わります</translation>
     </message>
     <message>
@@ -4068,7 +4099,7 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>次へ: 位置</translation>
     </message>
     <message>
-        <source>Accept the present accuracy of the intrinsics, then show the board to several cameras at once</source>
+        <source>Accept the current accuracy of the intrinsics; then show the board to several cameras at once</source>
         <translation>内部パラメータは今の精度でよいことにして、次にボードを複数のカメラに同時に見せます</translation>
     </message>
     <message>
@@ -4254,8 +4285,8 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>状態</translation>
     </message>
     <message>
-        <source>Hidden: the box shows the expected position</source>
-        <translation>隠れている：枠は予測位置を示します</translation>
+        <source>Hidden: the target was not found in this frame; the box shows where it is expected</source>
+        <translation>隠れている：このフレームではターゲットが見つからず、枠は予想される位置を示します</translation>
     </message>
     <message>
         <source>● tracking</source>
@@ -4270,7 +4301,7 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     <name>dewpoint::ui::BoxPanel</name>
     <message>
         <source>Boxes of the targets</source>
-        <translation>目標の枠</translation>
+        <translation>ターゲットの枠</translation>
     </message>
     <message>
         <source>This method tracks boxes in images. Click the object or drag a box around it in any camera view. Its box in each frame appears here, in pixels.</source>
@@ -4297,8 +4328,8 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
 <context>
     <name>dewpoint::ui::CalibrationChoice</name>
     <message>
-        <source>Calibration:</source>
-        <translation>キャリブレーション:</translation>
+        <source>Calibration file:</source>
+        <translation>キャリブレーションファイル:</translation>
     </message>
     <message>
         <source>Choose calibration…</source>
@@ -4321,8 +4352,8 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>キャリブレーションを選択</translation>
     </message>
     <message>
-        <source>Recognized: %1. Some information is missing: %2. Create the project without this file, then use Import calibration and enter what is missing.</source>
-        <translation>判別: %1。足りない情報があります: %2。このファイルなしでプロジェクトを作成し、その後「較正をインポート」で足りないものを指定してください。</translation>
+        <source>Recognized: %1. The file does not contain everything: %2. Create the project without this file, then choose Calibration › Import calibration and enter what is missing.</source>
+        <translation>判別: %1。ファイルに足りない情報があります: %2。このファイルなしでプロジェクトを作成し、その後「キャリブレーション › キャリブレーションをインポート」で足りない情報を入力してください。</translation>
     </message>
     <message>
         <source>Recognized: %1. It cannot be used: %2.</source>
@@ -4337,8 +4368,8 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>判別できません。Dewpoint が読める形式: %1。</translation>
     </message>
     <message>
-        <source>Recognized as %1, but its cameras do not match those above: %2.</source>
-        <translation>判別: %1。カメラが上のものと合いません: %2。</translation>
+        <source>Recognized: %1. The cameras in the file do not match the cameras above: %2.</source>
+        <translation>判別: %1。ファイルのカメラが上のカメラと合いません: %2。</translation>
     </message>
     <message numerus="yes">
         <source>✓ Recognized: %1, %n cameras</source>
@@ -4358,8 +4389,8 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
 <context>
     <name>dewpoint::ui::CalibrationDock</name>
     <message>
-        <source>Ways to calibrate</source>
-        <translation>校正の方法</translation>
+        <source>Pages of the camera calibration</source>
+        <translation>カメラのキャリブレーションのページ</translation>
     </message>
 </context>
 <context>
@@ -4370,7 +4401,7 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     </message>
     <message>
         <source>Export the calibration</source>
-        <translation>較正をエクスポート</translation>
+        <translation>キャリブレーションをエクスポート</translation>
     </message>
     <message>
         <source>File</source>
@@ -4425,16 +4456,16 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>%1 を保存しました。</translation>
     </message>
     <message>
-        <source>%1: projected points change by at most %2 (the lens was fitted again to what the format can store)</source>
-        <translation>%1: 投影した点の変化は最大 %2（形式で保存できるようにレンズを当てはめ直しました）</translation>
+        <source>%1: with the exported calibration, projected points move by at most %2, because the format cannot store this lens model and the lens was fitted again</source>
+        <translation>%1: 書き出したキャリブレーションでは、投影した点が最大 %2 ずれます。この形式ではこのレンズモデルを保存できないため、レンズを当てはめ直しました</translation>
     </message>
     <message>
-        <source>%1: projected points change by at most %2</source>
-        <translation>%1: 投影した点の変化は最大 %2</translation>
+        <source>%1: with the exported calibration, projected points move by at most %2</source>
+        <translation>%1: 書き出したキャリブレーションでは、投影した点が最大 %2 ずれます</translation>
     </message>
     <message>
-        <source>%1: with the exported lens, %2 of 81 tested directions no longer have a pixel</source>
-        <translation>%1: 書き出したレンズでは、調べた 81 方向のうち %2 方向に対応する画素がなくなりました</translation>
+        <source>%1: with the exported lens, %2 of 81 tested directions can no longer be projected into the image</source>
+        <translation>%1: 書き出したレンズでは、調べた 81 方向のうち %2 方向を画像に投影できなくなりました</translation>
     </message>
 </context>
 <context>
@@ -4445,14 +4476,14 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     </message>
     <message>
         <source>Import a calibration</source>
-        <translation>較正をインポート</translation>
+        <translation>キャリブレーションをインポート</translation>
     </message>
     <message>
-        <source>by name</source>
-        <translation>名前で対応</translation>
+        <source>match by name</source>
+        <translation>名前で対応付ける</translation>
     </message>
     <message>
-        <source>for %1 only</source>
+        <source>only for %1</source>
         <translation>%1 だけに</translation>
     </message>
     <message>
@@ -4473,7 +4504,7 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     </message>
     <message>
         <source>Use the calibration in the project; you can undo this</source>
-        <translation>較正をプロジェクトで使います。元に戻せます</translation>
+        <translation>キャリブレーションをプロジェクトで使います。元に戻せます</translation>
     </message>
     <message>
         <source>as in the file</source>
@@ -4568,11 +4599,11 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>カメラ</translation>
     </message>
     <message>
-        <source>The camera to which a file with a single camera belongs</source>
-        <translation>1台分のファイルがどのカメラのものか</translation>
+        <source>If the file holds only one camera: the project camera that gets its calibration</source>
+        <translation>ファイルにカメラが 1 台分しかない場合に、そのキャリブレーションを使うプロジェクトのカメラ</translation>
     </message>
     <message>
-        <source>The file does not contain all information. Set “%1” above.</source>
+        <source>The file does not contain everything. Set “%1” above.</source>
         <translation>ファイルの情報が足りません。上の「%1」を設定してください。</translation>
     </message>
     <message>
@@ -4585,7 +4616,7 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     </message>
     <message>
         <source>Import calibration</source>
-        <translation>較正をインポート</translation>
+        <translation>キャリブレーションをインポート</translation>
     </message>
     <message>
         <source>The cameras now use the calibration from %1.</source>
@@ -4616,8 +4647,8 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>時計回りに270°回転したもの</translation>
     </message>
     <message>
-        <source>The images are</source>
-        <translation>画像は</translation>
+        <source>Project images</source>
+        <translation>プロジェクトの画像</translation>
     </message>
     <message>
         <source>Names in the file</source>
@@ -4632,8 +4663,8 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>おそらく誤りです: %1</translation>
     </message>
     <message>
-        <source>For each camera of the project: the camera of the file whose calibration it uses</source>
-        <translation>プロジェクトの各カメラについて、どのカメラのキャリブレーションをファイルから使うか</translation>
+        <source>For each camera of the project, choose the camera in the file from which it gets its calibration</source>
+        <translation>プロジェクトの各カメラについて、どのカメラのキャリブレーションをファイルから使うかを選びます</translation>
     </message>
     <message>
         <source>the same as when calibrated</source>
@@ -4645,25 +4676,25 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     </message>
     <message>
         <source>The file contains no pose. Only the intrinsics are imported; the camera keeps its current pose.</source>
-        <translation>ファイルに位置姿勢が含まれていません。内部パラメーターだけを読み込み、カメラの現在の位置姿勢は変わりません。</translation>
+        <translation>ファイルに位置姿勢が含まれていません。内部パラメータだけを読み込み、カメラの現在の位置姿勢は変わりません。</translation>
     </message>
     <message>
-        <source>Compared with the file, projected points change by at most %1</source>
-        <translation>ファイルと比べて、投影した点の変化は最大 %1</translation>
+        <source>After the import, projected points are at most %1 away from where the file projects them</source>
+        <translation>インポート後、投影した点の位置は、ファイルによる投影位置から最大 %1 ずれます</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::CalibrationMode</name>
     <message>
-        <source>Calibration</source>
-        <translation>校正</translation>
+        <source>Camera calibration</source>
+        <translation>カメラのキャリブレーション</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::CameraAgreementAlerts</name>
     <message>
         <source>Calibrate %1…</source>
-        <translation>%1 を校正…</translation>
+        <translation>%1 をキャリブレーション…</translation>
     </message>
 </context>
 <context>
@@ -4880,28 +4911,28 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>%1 が %2 回転しました（フレーム %3）。</translation>
     </message>
     <message>
-        <source>Its new pose is being computed.</source>
-        <translation>新しい姿勢を計算しています。</translation>
+        <source>The new pose of this camera is being computed.</source>
+        <translation>このカメラの新しい姿勢を計算しています。</translation>
     </message>
     <message>
-        <source>Its pose can be recomputed from its images.</source>
-        <translation>画像から姿勢を計算し直せます。</translation>
+        <source>The pose of this camera can be recomputed from its images.</source>
+        <translation>このカメラの姿勢は、その画像から計算し直せます。</translation>
     </message>
     <message>
         <source>Recompute pose of %1</source>
         <translation>%1 の姿勢を再計算</translation>
     </message>
     <message>
-        <source>Its pose cannot be recomputed from its images: calibrate the camera again, or move it back.</source>
-        <translation>画像からは姿勢を計算し直せません。カメラを再校正するか、元に戻してください。</translation>
+        <source>The pose of this camera cannot be recomputed from its images: calibrate the camera again, or move it back.</source>
+        <translation>このカメラの姿勢は、その画像からは計算し直せません。カメラをキャリブレーションし直すか、元に戻してください。</translation>
     </message>
     <message>
         <source>Calibrate %1…</source>
-        <translation>%1 を校正…</translation>
+        <translation>%1 をキャリブレーション…</translation>
     </message>
     <message>
         <source>%1 is back in its calibrated pose.</source>
-        <translation>%1 は校正時の姿勢に戻りました。</translation>
+        <translation>%1 はキャリブレーション時の姿勢に戻りました。</translation>
     </message>
 </context>
 <context>
@@ -4959,8 +4990,8 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>回転</translation>
     </message>
     <message>
-        <source>Clockwise rotation of the images before use</source>
-        <translation>画像を使う前の時計回りの回転</translation>
+        <source>How far the images are rotated clockwise before they are used</source>
+        <translation>画像を使う前に、時計回りに回転する角度</translation>
     </message>
     <message>
         <source>Load calibration…</source>
@@ -4976,9 +5007,9 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     </message>
     <message>
         <source>%1 × %2 pixels, focal length %3 pixels
-at %4, %5, %6</source>
+Position x, y, z: %4, %5, %6</source>
         <translation>%1 × %2 ピクセル、焦点距離 %3 ピクセル
-位置 %4, %5, %6</translation>
+位置 x, y, z: %4, %5, %6</translation>
     </message>
     <message>
         <source>Choose a folder of images</source>
@@ -5005,8 +5036,8 @@ at %4, %5, %6</source>
         <translation>背景画像</translation>
     </message>
     <message>
-        <source>Image, video or image folder that shows the scene without any target. Regions that have the target&apos;s color there are not taken for the target</source>
-        <translation>ターゲットのない場面を写した画像、動画、または画像フォルダー。そこでターゲットと同じ色の領域はターゲットとみなしません</translation>
+        <source>Image, video or image folder that shows the scene without any target. An object in it that has the target&apos;s color is then not mistaken for the target</source>
+        <translation>ターゲットのない場面を写した画像、動画、または画像フォルダー。これに写っているターゲットと同じ色の物は、ターゲットと間違えられなくなります</translation>
     </message>
     <message>
         <source>Choose background image</source>
@@ -5045,8 +5076,8 @@ at %4, %5, %6</source>
         <translation> ms</translation>
     </message>
     <message>
-        <source>Delay of this camera&apos;s images in ms, used to synchronize it with the other cameras. Calibration with a wand can measure the delay</source>
-        <translation>このカメラの画像の遅れ（ミリ秒）。ほかのカメラと同期させるために使います。ワンドによる較正で測定できます</translation>
+        <source>How late this camera&apos;s images are, in ms. Dewpoint uses this delay to synchronize the cameras. Calibration with a wand can measure the delay</source>
+        <translation>このカメラの画像の遅れ（ミリ秒）。Dewpoint はこの値でカメラを同期させます。遅れはワンドによるキャリブレーションで測定できます</translation>
     </message>
     <message>
         <source>Delay of the images in milliseconds</source>
@@ -5069,8 +5100,8 @@ at %4, %5, %6</source>
         <translation>おそらく誤りです: %1</translation>
     </message>
     <message>
-        <source>%1. Use Import calibration.</source>
-        <translation>%1。「キャリブレーションを読み込む」を使ってください。</translation>
+        <source>%1. Choose Calibration › Import calibration instead.</source>
+        <translation>%1。代わりに「キャリブレーション › キャリブレーションをインポート」を選んでください。</translation>
     </message>
 </context>
 <context>
@@ -5100,8 +5131,8 @@ at %4, %5, %6</source>
         <translation>✗ %1</translation>
     </message>
     <message>
-        <source>Live: tested when the project is created</source>
-        <translation>ライブ: プロジェクトの作成時に接続を試します</translation>
+        <source>Live source: it is tested when the project is created</source>
+        <translation>ライブ入力: プロジェクトの作成時に接続を試します</translation>
     </message>
     <message>
         <source>The videos have different frame rates: frame N does not show the same time in each of them.</source>
@@ -5190,8 +5221,8 @@ at %4, %5, %6</source>
         <translation>ここの色を学習</translation>
     </message>
     <message>
-        <source>Add a sample here</source>
-        <translation>ここの見本を追加</translation>
+        <source>Add color sample here</source>
+        <translation>ここの色を見本に追加</translation>
     </message>
     <message>
         <source>Exclude this color</source>
@@ -5210,8 +5241,8 @@ at %4, %5, %6</source>
         <translation>この色をターゲットの色に加えます（Shift クリックでも可）</translation>
     </message>
     <message>
-        <source>Learn that the target does not have this color (Alt-click does the same)</source>
-        <translation>ターゲットがこの色ではないことを学習します（Alt クリックでも可）</translation>
+        <source>Remove this color from the colors of the target (Alt-click does the same)</source>
+        <translation>この色をターゲットの色から除外します（Alt クリックでも可）</translation>
     </message>
 </context>
 <context>
@@ -5303,16 +5334,16 @@ at %4, %5, %6</source>
         <translation>輝度(&amp;I)</translation>
     </message>
     <message>
-        <source>First hue, 0 to 360 degrees; if it is above the last hue, the range goes through red</source>
-        <translation>最初の色相（0〜360度）。最後の色相より大きいと赤をまたぎます</translation>
+        <source>First hue, 0 to 360 degrees. If it is larger than the last hue, the range passes through red (0 degrees)</source>
+        <translation>最初の色相（0〜360 度）。最後の色相より大きいと、範囲は赤（0 度）をまたぎます</translation>
     </message>
     <message>
         <source>Last hue, 0 to 360 degrees</source>
         <translation>最後の色相（0〜360度）</translation>
     </message>
     <message>
-        <source>Drag the ends or the center. Keyboard: Tab selects a handle, arrow keys move it (ten times as far with Shift)</source>
-        <translation>両端または中央をドラッグします。キーボード：Tab でつまみを選び、矢印キーで動かします（Shift で10倍）</translation>
+        <source>Drag the ends or the center of the range. Keyboard: Tab selects a handle, arrow keys move it (ten times as far with Shift)</source>
+        <translation>範囲の両端または中央をドラッグします。キーボード：Tab でつまみを選び、矢印キーで動かします（Shift で 10 倍）</translation>
     </message>
     <message>
         <source>Range of hues</source>
@@ -5358,24 +5389,24 @@ at %4, %5, %6</source>
         <translation>取り除く</translation>
     </message>
     <message>
-        <source>excluded: %1, frame %2, at %3, %4</source>
-        <translation>除外: %1、フレーム %2、位置 %3, %4</translation>
+        <source>excluded: %1, frame %2, pixel %3, %4</source>
+        <translation>除外: %1、フレーム %2、ピクセル %3, %4</translation>
     </message>
     <message>
-        <source>%1, frame %2, at %3, %4</source>
-        <translation>%1、フレーム %2、位置 %3, %4</translation>
+        <source>%1, frame %2, pixel %3, %4</source>
+        <translation>%1、フレーム %2、ピクセル %3, %4</translation>
     </message>
     <message>
         <source>Shift-click in an image to add a sample, Alt-click or Ctrl+Shift-click to exclude one. Samples marked “found” were detected in other cameras.</source>
-        <translation>画像を Shift+クリックするとサンプルを追加し、Alt+クリックまたは Ctrl+Shift+クリックすると除外します。「検出」と表示されたサンプルは、他のカメラで見つかったものです。</translation>
+        <translation>画像を Shift+クリックすると見本を追加し、Alt+クリックまたは Ctrl+Shift+クリックすると除外します。「検出」と表示された見本は、他のカメラで見つかったものです。</translation>
     </message>
     <message>
         <source>Remove the selected sample and learn from the others (Del). If the sample is marked “found”, it becomes an excluded sample.</source>
-        <translation>選択したサンプルを削除し、残りから学習します (Del)。「検出」と表示されたサンプルは除外サンプルになります。</translation>
+        <translation>選択した見本を削除し、残りから学習します (Del)。「検出」と表示された見本は除外見本になります。</translation>
     </message>
     <message>
-        <source>found by Dewpoint: %1, frame %2, at %3, %4</source>
-        <translation>Dewpoint が検出: %1、フレーム %2、位置 %3, %4</translation>
+        <source>found by Dewpoint: %1, frame %2, pixel %3, %4</source>
+        <translation>Dewpoint が検出: %1、フレーム %2、ピクセル %3, %4</translation>
     </message>
 </context>
 <context>
@@ -5464,8 +5495,8 @@ at %4, %5, %6</source>
 <context>
     <name>dewpoint::ui::DockTitle</name>
     <message>
-        <source>Float or dock this view (double-click the title to maximize it)</source>
-        <translation>この表示を切り離す、またはドッキングする（タイトルをダブルクリックで最大化）</translation>
+        <source>Float or dock this view (to maximize the view, double-click its title)</source>
+        <translation>このビューを切り離す、またはドッキングする（タイトルをダブルクリックすると最大化）</translation>
     </message>
     <message>
         <source>Show all views</source>
@@ -5492,7 +5523,7 @@ at %4, %5, %6</source>
     </message>
     <message>
         <source>Reset all parameters</source>
-        <translation>すべてのパラメーターを既定値に戻す</translation>
+        <translation>すべてのパラメータを既定値に戻す</translation>
     </message>
 </context>
 <context>
@@ -5502,8 +5533,8 @@ at %4, %5, %6</source>
         <translation>動画をここにドロップするか、追加してください</translation>
     </message>
     <message>
-        <source>One video per camera, or image folders; also a calibration file</source>
-        <translation>カメラごとに動画 1 つ、または画像フォルダー。キャリブレーションファイルも可</translation>
+        <source>One video or image folder per camera; you can also drop a calibration file</source>
+        <translation>カメラごとに動画または画像フォルダーを 1 つ。キャリブレーションファイルもドロップできます</translation>
     </message>
 </context>
 <context>
@@ -5541,8 +5572,8 @@ at %4, %5, %6</source>
         <translation>閉じる</translation>
     </message>
     <message>
-        <source>Change nothing</source>
-        <translation>何も変更しない</translation>
+        <source>Close without changing anything</source>
+        <translation>何も変更せずに閉じる</translation>
     </message>
 </context>
 <context>
@@ -5625,7 +5656,7 @@ at %4, %5, %6</source>
     </message>
     <message>
         <source>Recordings folder</source>
-        <translation>記録のフォルダー</translation>
+        <translation>録画のフォルダー</translation>
     </message>
     <message>
         <source>Clothes</source>
@@ -5649,7 +5680,7 @@ at %4, %5, %6</source>
     </message>
     <message>
         <source>Recordings</source>
-        <translation>記録</translation>
+        <translation>録画</translation>
     </message>
     <message>
         <source>none: a rendered clip only</source>
@@ -5657,11 +5688,11 @@ at %4, %5, %6</source>
     </message>
     <message>
         <source>Folder with the recordings juggle1 and otb; without a folder, only a rendered clip is used</source>
-        <translation>記録 juggle1 と otb のあるフォルダー。なければ計算で作った映像だけを使います</translation>
+        <translation>録画 juggle1 と otb のあるフォルダー。なければ計算で作った映像だけを使います</translation>
     </message>
     <message>
         <source>Choose the folder of the recordings</source>
-        <translation>記録のフォルダーを選ぶ</translation>
+        <translation>録画のフォルダーを選ぶ</translation>
     </message>
     <message>
         <source>How often each case is run, each time with another seed. More runs take longer and give more certain results.</source>
@@ -5835,7 +5866,7 @@ at %4, %5, %6</source>
     </message>
     <message>
         <source>as recorded</source>
-        <translation>記録のまま</translation>
+        <translation>録画のまま</translation>
     </message>
     <message>
         <source> s</source>
@@ -5978,7 +6009,7 @@ at %4, %5, %6</source>
         </translation>
     </message>
     <message>
-        <source>Seconds from the last tracked frame before the gap to the first one after it</source>
+        <source>Time in seconds between the last tracked frame before the gap and the first tracked frame after it</source>
         <translation>途切れ前の最後の追跡フレームから、その後の最初の追跡フレームまでの秒数</translation>
     </message>
 </context>
@@ -6085,7 +6116,7 @@ at %4, %5, %6</source>
         <translation>格子の軸が始まる角の位置（メートル）</translation>
     </message>
     <message>
-        <source>Hold down this button to show the grid as it was when the calibration was opened. Or hold down B while the pointer is over an image</source>
+        <source>Hold down this button to show the grid as it was when you opened the calibration. You can also hold down B while the pointer is over an image</source>
         <translation>このボタンを押している間、キャリブレーションを開いたときの格子を表示します。ポインターを画像に重ねて B を押し続けても表示できます</translation>
     </message>
 </context>
@@ -6159,7 +6190,7 @@ at %4, %5, %6</source>
         <translation>%1 縮尺: %2</translation>
     </message>
     <message>
-        <source>%1 Floor and up: %2</source>
+        <source>%1 Floor and upward direction: %2</source>
         <translation>%1 床と上方向: %2</translation>
     </message>
     <message>
@@ -6288,21 +6319,21 @@ at %4, %5, %6</source>
     </message>
     <message>
         <source>Click the object in a camera image, or drag a box around it.
-Shift-click works at any time.</source>
+When this button is off, Shift-click does the same.</source>
         <translation>カメラ画像で物体をクリックするか、枠で囲みます。
-Shift クリックはいつでも使えます。</translation>
+このボタンがオフのときは、Shift クリックで同じことができます。</translation>
     </message>
     <message>
-        <source>Click another part of the target, or the target in different light.
-Shift-click works at any time.</source>
-        <translation>ターゲットの別の部分、または別の光の当たり方のターゲットをクリックします。
-Shift クリックはいつでも使えます。</translation>
+        <source>Click another part of the target, or the target in different light, to add its color.
+When this button is off, Shift-click does the same.</source>
+        <translation>ターゲットの別の部分、または別の光の当たり方のターゲットをクリックして、その色を加えます。
+このボタンがオフのときは、Shift クリックで同じことができます。</translation>
     </message>
     <message>
-        <source>Click something that matches but is not the target.
-Alt-click or Ctrl+Shift-click works at any time.</source>
-        <translation>一致するがターゲットではない物をクリックします。
-Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。</translation>
+        <source>Click something that has the target&apos;s color but is not the target, to exclude it.
+When this button is off, Alt-click or Ctrl+Shift-click does the same.</source>
+        <translation>ターゲットの色をしているがターゲットではない物をクリックして除外します。
+このボタンがオフのときは、Alt クリックまたは Ctrl+Shift クリックで同じことができます。</translation>
     </message>
     <message>
         <source>Click the target in a camera image, or drag a box around it,
@@ -6327,10 +6358,10 @@ to learn its color again.</source>
     </message>
     <message>
         <source>Triangle: the particle of highest weight (View › Show best particle).</source>
-        <translation>三角形：重みが最大のパーティクル（表示 › 最良のパーティクルを表示）。</translation>
+        <translation>三角形：重みが最大の粒子（表示 › 最良の粒子を表示）。</translation>
     </message>
     <message>
-        <source>Line across the image: the line of sight of another camera, shown while you drag the target. The target must lie on it.</source>
+        <source>Line across the image: the line of sight of another camera, shown while you drag the target. The target must lie on this line.</source>
         <translation>画像を横切る線：ターゲットをドラッグする間に示される、他のカメラの視線。ターゲットはこの線上にあるはずです。</translation>
     </message>
     <message>
@@ -6524,8 +6555,8 @@ to learn its color again.</source>
         <translation>すべてのファイル (*)</translation>
     </message>
     <message>
-        <source>Opened with the located files. Save the project to keep their new paths.</source>
-        <translation>場所を指定したファイルで開きました。新しいパスを残すには、プロジェクトを保存してください。</translation>
+        <source>The project was opened with the files that you located. Save the project to keep their new paths.</source>
+        <translation>指定されたファイルでプロジェクトを開きました。新しいパスを残すには、プロジェクトを保存してください。</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -6660,8 +6691,8 @@ to learn its color again.</source>
         <translation>検出結果</translation>
     </message>
     <message>
-        <source>%1. Create the project without this file, then use Import calibration.</source>
-        <translation>%1。このファイルなしでプロジェクトを作成し、その後「キャリブレーションを読み込む」を使ってください。</translation>
+        <source>%1. Create the project without this file, then choose Calibration › Import calibration.</source>
+        <translation>%1。このファイルなしでプロジェクトを作成し、その後「キャリブレーション › キャリブレーションをインポート」を選んでください。</translation>
     </message>
     <message>
         <source>Probably a mistake in the calibration: %1</source>
@@ -6675,8 +6706,8 @@ to learn its color again.</source>
         <translation>再追跡</translation>
     </message>
     <message>
-        <source>The settings have changed since these frames were tracked.</source>
-        <translation>これらのフレームを追跡した後に設定が変わりました。</translation>
+        <source>Some frames were tracked with earlier settings.</source>
+        <translation>以前の設定で追跡したフレームがあります。</translation>
     </message>
 </context>
 <context>
@@ -6727,8 +6758,8 @@ to learn its color again.</source>
         <translation>WebSocket とウェブページ、ポート</translation>
     </message>
     <message>
-        <source>A page that shows the targets in a browser, and a WebSocket for programs</source>
-        <translation>ターゲットをブラウザーに表示するページと、プログラム用の WebSocket</translation>
+        <source>Port of a web page that shows the targets in a browser. At the same port, programs get the results through a WebSocket</source>
+        <translation>ターゲットをブラウザーに表示するウェブページのポート。プログラムは同じポートの WebSocket で結果を受け取れます</translation>
     </message>
     <message>
         <source>WebSocket port</source>
@@ -6759,12 +6790,12 @@ to learn its color again.</source>
         <translation>ターゲットとフレームごとに 1 行を受け取るファイルまたは名前付きパイプ。空欄: 無効</translation>
     </message>
     <message>
-        <source>Ports are open to</source>
-        <translation>ポートに接続できる相手</translation>
+        <source>Who can connect</source>
+        <translation>接続できる相手</translation>
     </message>
     <message>
-        <source>Which computers can connect to the ports. Anyone in the network can then see the results</source>
-        <translation>ポートに接続できるコンピューター。ネットワーク全体に開くと、誰でも結果を見られます</translation>
+        <source>Which computers can connect to the ports. If you allow all computers, anyone in the network can see the results</source>
+        <translation>ポートに接続できるコンピューター。すべてのコンピューターを許可すると、ネットワークの誰でも結果を見られます</translation>
     </message>
     <message>
         <source>Axes</source>
@@ -6795,8 +6826,8 @@ to learn its color again.</source>
         <translation>リモートコマンドのトークン</translation>
     </message>
     <message>
-        <source>Programs that send this word can start, stop and record. At least %1 characters. Empty: commands are ignored</source>
-        <translation>この語を送るプログラムは開始、停止、録画ができます。%1 文字以上。空欄: コマンドを無視します</translation>
+        <source>Programs that send this word can start and stop the run and the recording of the cameras. At least %1 characters. Empty: commands are ignored</source>
+        <translation>この語を送るプログラムは、実行とカメラの録画を開始・停止できます。%1 文字以上。空欄: コマンドを無視します</translation>
     </message>
     <message>
         <source>this computer only</source>
@@ -6846,7 +6877,7 @@ to learn its color again.</source>
     <name>dewpoint::ui::ParameterPanel</name>
     <message>
         <source>The parameters appear here once a project is open.</source>
-        <translation>プロジェクトを開くと、ここにパラメーターが表示されます。</translation>
+        <translation>プロジェクトを開くと、ここにパラメータが表示されます。</translation>
     </message>
     <message>
         <source>&amp;Method</source>
@@ -6858,11 +6889,11 @@ to learn its color again.</source>
     </message>
     <message>
         <source>Parameters</source>
-        <translation>パラメーター</translation>
+        <translation>パラメータ</translation>
     </message>
     <message>
-        <source>This is more than “%1”: %2 is used instead.</source>
-        <translation>「%1」より大きいため、代わりに %2 を使います。</translation>
+        <source>This value is larger than “%1”, so %2 is used instead.</source>
+        <translation>この値は「%1」より大きいため、代わりに %2 を使います。</translation>
     </message>
     <message>
         <source>Tracking method. Changing it restarts tracking; other settings are kept.</source>
@@ -6874,7 +6905,7 @@ to learn its color again.</source>
     </message>
     <message>
         <source>Reset all parameters of this method to their defaults</source>
-        <translation>この手法のすべてのパラメーターを既定値にします</translation>
+        <translation>この手法のすべてのパラメータを既定値にします</translation>
     </message>
     <message>
         <source>Volume of interest</source>
@@ -6889,8 +6920,8 @@ to learn its color again.</source>
         <translation>ここに既定値と異なるものがあります。</translation>
     </message>
     <message>
-        <source>This is less than “%1”, so “%1” has no effect.</source>
-        <translation>「%1」より小さいため、「%1」は効果がありません。</translation>
+        <source>This value is smaller than “%1”, so “%1” has no effect.</source>
+        <translation>この値は「%1」より小さいため、「%1」は効果がありません。</translation>
     </message>
 </context>
 <context>
@@ -6975,8 +7006,8 @@ to learn its color again.</source>
         <translation>床の上での秒速（m/s）</translation>
     </message>
     <message>
-        <source>Seen</source>
-        <translation>見える</translation>
+        <source>Cameras</source>
+        <translation>カメラ</translation>
     </message>
     <message>
         <source>Number of cameras that see the person, out of all cameras</source>
@@ -7027,8 +7058,8 @@ to learn its color again.</source>
         <translation>その人物の 95 % を囲む凸包の体積（m³）。人物の体積を表示していない間は空欄</translation>
     </message>
     <message>
-        <source>Another person is so close that the colors of this person are not learned</source>
-        <translation>ほかの人が近すぎるので、この人物の色を学習しません</translation>
+        <source>● means that another person is close. Until the two are apart again, the method learns nothing new about the colors of this person</source>
+        <translation>● は、近くに別の人がいることを示します。2 人が離れるまで、この人物の色を新たに学習しません</translation>
     </message>
 </context>
 <context>
@@ -7061,8 +7092,8 @@ to learn its color again.</source>
         <translation>計画用のカメラを追加</translation>
     </message>
     <message>
-        <source>A camera that does not exist yet: drag it in the bird&apos;s-eye view, or enter its position (%1)</source>
-        <translation>まだ存在しないカメラ：鳥瞰図でドラッグするか位置を入力します（%1）</translation>
+        <source>Add a planned camera; you can then drag it in the bird&apos;s-eye view, or enter its position (%1)</source>
+        <translation>計画中のカメラを追加します。鳥瞰図でドラッグするか、位置を入力できます（%1）</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -7153,8 +7184,8 @@ to learn its color again.</source>
         <translation>もう1台のカメラが最も役立つ場所を壁と天井で探します（%1）</translation>
     </message>
     <message>
-        <source>The planned camera whose values are shown and changed below</source>
-        <translation>下に値を表示して変更する計画中のカメラ</translation>
+        <source>Choose the planned camera whose values are shown below</source>
+        <translation>下に値を表示する計画中のカメラを選びます</translation>
     </message>
     <message>
         <source>A point that the planned camera looks at, in meters</source>
@@ -7173,8 +7204,8 @@ to learn its color again.</source>
         <translation>壁と天井までの距離</translation>
     </message>
     <message>
-        <source>Distance to the walls and the ceiling</source>
-        <translation>壁と天井までの距離</translation>
+        <source>Distance from the volume to the walls and the ceiling</source>
+        <translation>空間から壁と天井までの距離</translation>
     </message>
 </context>
 <context>
@@ -7305,8 +7336,8 @@ to learn its color again.</source>
         <translation>%1（カメラをそのように取り付けている場合は無視してください）</translation>
     </message>
     <message>
-        <source>%1. Once corrected, the average error is %2</source>
-        <translation>%1。直すと平均誤差は %2 です</translation>
+        <source>%1. After this correction, the average error is %2</source>
+        <translation>%1。こう直すと平均誤差は %2 です</translation>
     </message>
     <message>
         <source>%1 does not fit the other points (%2, %3): measure or click it again</source>
@@ -7551,8 +7582,8 @@ to learn its color again.</source>
         <translation>すべてのフレームを読み込む</translation>
     </message>
     <message>
-        <source>Find damaged frames anywhere in a recording. This takes longer</source>
-        <translation>録画の途中にある壊れたフレームも見つけます。時間が長くかかります</translation>
+        <source>Find damaged frames anywhere in a recording: all frames are read, not only a few of them. This takes longer</source>
+        <translation>録画のどこにある壊れたフレームも見つけます。一部ではなく、すべてのフレームを読みます。時間が長くかかります</translation>
     </message>
     <message>
         <source>Check again</source>
@@ -7606,8 +7637,8 @@ to learn its color again.</source>
         <translation>Dewpoint プロジェクト (*.toml);;すべてのファイル (*)</translation>
     </message>
     <message>
-        <source>Recovered. Save the project to keep it.</source>
-        <translation>復元しました。残すにはプロジェクトを保存してください。</translation>
+        <source>The changes were recovered. Save the project to keep them.</source>
+        <translation>変更を復元しました。残すにはプロジェクトを保存してください。</translation>
     </message>
 </context>
 <context>
@@ -7737,8 +7768,8 @@ to learn its color again.</source>
 <context>
     <name>dewpoint::ui::RigPlanner</name>
     <message>
-        <source>With %1 here (x %2, y %3, z %4), the error is at most %6 in %5 of the volume. Without this camera, that part is %7.</source>
-        <translation>%1 をここ（x %2、y %3、z %4）に置くと、誤差が %6 以内の空間が %5 になります。このカメラがなければ %7 です。</translation>
+        <source>With %1 here (x %2, y %3, z %4), the error is at most %6 in %5 of the volume; without this camera, only in %7.</source>
+        <translation>%1 をここ（x %2、y %3、z %4）に置くと、誤差が %6 以内の空間は %5 です。このカメラがなければ %7 だけです。</translation>
     </message>
 </context>
 <context>
@@ -7800,24 +7831,24 @@ to learn its color again.</source>
 <context>
     <name>dewpoint::ui::RunDetails</name>
     <message>
-        <source>median %1, 99 of 100 within %2, longest %3</source>
-        <translation>中央値 %1、100 回中 99 回は %2 以内、最長 %3</translation>
+        <source>median %1, 99 % of them at most %2, longest %3</source>
+        <translation>中央値 %1、99 % が %2 以内、最長 %3</translation>
     </message>
     <message>
         <source>not set</source>
         <translation>設定なし</translation>
     </message>
     <message>
-        <source>%1, met in %2 % of the iterations of this run</source>
-        <translation>%1、この実行の反復の %2 % で守られました</translation>
+        <source>%1; %2 % of the iterations of this run were fast enough</source>
+        <translation>%1、この実行の反復の %2 % が時間内に終わりました</translation>
     </message>
     <message>
         <source>Median time per iteration</source>
         <translation>1 反復の時間（中央値）</translation>
     </message>
     <message>
-        <source>Time from frame to estimate</source>
-        <translation>フレームから推定までの時間</translation>
+        <source>Time from camera image to estimate</source>
+        <translation>カメラ画像から推定までの時間</translation>
     </message>
     <message>
         <source>Time budget per iteration</source>
@@ -8002,8 +8033,8 @@ to learn its color again.</source>
         <translation>1 秒間隠れる</translation>
     </message>
     <message>
-        <source>Three more balls of the same color lie around. Only one moves.</source>
-        <translation>同じ色のボールがほかに 3 つ置かれています。動くのは 1 つだけです。</translation>
+        <source>Four balls have the same color, but only one of them moves.</source>
+        <translation>4 つのボールが同じ色ですが、動くのは 1 つだけです。</translation>
     </message>
     <message>
         <source>People in an office</source>
@@ -8018,12 +8049,12 @@ to learn its color again.</source>
         <translation>カメラ 1 台と枠</translation>
     </message>
     <message>
-        <source>No calibration: a box in the image is tracked by its colors.</source>
-        <translation>キャリブレーションなし：画像の中の枠を色で追跡します。</translation>
+        <source>Needs no calibration: the object in a box is tracked by its colors.</source>
+        <translation>キャリブレーション不要：枠の中の物体を色で追跡します。</translation>
     </message>
     <message>
         <source>Calibrate by hand</source>
-        <translation>手動で校正</translation>
+        <translation>手動でキャリブレーション</translation>
     </message>
     <message>
         <source>Drag a grid over the images until it matches the floor.</source>
@@ -8035,7 +8066,7 @@ to learn its color again.</source>
     </message>
     <message>
         <source>Two simulated cameras see a pink ball; a particle filter finds it and follows it through space. Pause, go back, change anything: you cannot break it.</source>
-        <translation>2 台のシミュレーションのカメラがピンクのボールを見ています。パーティクルフィルタがそれを見つけ、空間を追跡します。一時停止しても、過去を表示しても、何を変えても、壊れることはありません。</translation>
+        <translation>2 台のシミュレーションのカメラがピンクのボールを見ています。粒子フィルターがそれを見つけ、空間を追跡します。一時停止しても、過去を表示しても、何を変えても、壊れることはありません。</translation>
     </message>
     <message>
         <source>Your own data</source>
@@ -8098,7 +8129,7 @@ to learn its color again.</source>
     </message>
     <message>
         <source>Estimated position of the target in the room</source>
-        <translation>部屋の中での目標の推定位置</translation>
+        <translation>部屋の中でのターゲットの推定位置</translation>
     </message>
     <message>
         <source>frame %1 / %2</source>
@@ -8121,8 +8152,8 @@ to learn its color again.</source>
         <translation>過去を表示中</translation>
     </message>
     <message>
-        <source>Playing, paused, at the end, looking back at an earlier frame, or tracking again</source>
-        <translation>再生中、一時停止、終端、過去のフレームを表示中、または再追跡中</translation>
+        <source>State of the run: playing, paused, at the end, looking back at an earlier frame, or tracking again</source>
+        <translation>実行の状態：再生中、一時停止、終端、過去のフレームを表示中、または再追跡中</translation>
     </message>
     <message>
         <source>the box shows the expected position</source>
@@ -8145,8 +8176,8 @@ to learn its color again.</source>
         <translation>○ 人物：%1、探索中</translation>
     </message>
     <message>
-        <source>other objects fit equally well: press X, drag the target</source>
-        <translation>別の物体も同じくらい合います：X を押してターゲットをドラッグ</translation>
+        <source>other objects fit equally well: press X and drag the target to its position</source>
+        <translation>別の物体も同じくらい合います：X を押し、ターゲットをその位置へドラッグ</translation>
     </message>
     <message>
         <source>± %1</source>
@@ -8301,7 +8332,7 @@ Effective sample size %8 of %9</source>
         <translation>%1（%2）
 中心 %3, %4、大きさ %5 × %6
 類似度 %7
-有効サンプル数 %8 / %9</translation>
+有効サンプルサイズ %8 / %9</translation>
     </message>
     <message>
         <source>Spread %1</source>
@@ -8383,15 +8414,15 @@ Effective sample size %8 of %9</source>
         <translation>キャンセル</translation>
     </message>
     <message>
-        <source>Change nothing</source>
-        <translation>何も変更しない</translation>
+        <source>Close and keep the current number</source>
+        <translation>今の数のまま閉じる</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::Timeline</name>
     <message>
         <source>Memory for looking back: images, particles and saved states of the method. When it is full, only the estimates of older frames are kept.</source>
-        <translation>過去を表示するためのメモリ: 画像、パーティクル、手法の保存状態。いっぱいになると、古いフレームは推定値だけが残ります。</translation>
+        <translation>過去を表示するためのメモリ: 画像、粒子、手法の保存状態。いっぱいになると、古いフレームは推定値だけが残ります。</translation>
     </message>
     <message>
         <source>Nothing tracked yet: press play (Space), then drag here to move through time.</source>
@@ -8480,7 +8511,7 @@ Effective sample size %8 of %9</source>
         <translation>%1, m</translation>
     </message>
     <message>
-        <source>Position in the room, meters</source>
+        <source>Position in the room, in meters</source>
         <translation>室内での位置（メートル）</translation>
     </message>
     <message>
@@ -8488,7 +8519,7 @@ Effective sample size %8 of %9</source>
         <translation>σ%1, mm</translation>
     </message>
     <message>
-        <source>Standard deviation of the position, millimeters</source>
+        <source>Standard deviation of the position, in millimeters</source>
         <translation>位置の標準偏差（ミリメートル）</translation>
     </message>
     <message>
@@ -8496,8 +8527,8 @@ Effective sample size %8 of %9</source>
         <translation>速さ, m/s</translation>
     </message>
     <message>
-        <source>Speed, meters per second: fitted over five frames</source>
-        <translation>速さ（メートル毎秒、5 フレームに当てはめ）</translation>
+        <source>Speed in meters per second, computed from five frames</source>
+        <translation>速さ（メートル毎秒）。5 フレームから計算します</translation>
     </message>
     <message>
         <source>cameras</source>
@@ -8604,8 +8635,8 @@ Effective sample size %8 of %9</source>
         <translation>鳥瞰図にマップを表示</translation>
     </message>
     <message>
-        <source>Expected position error of a target at each point; updated whenever a camera moves</source>
-        <translation>各点でのターゲットの予想位置誤差。カメラの動きに追従します</translation>
+        <source>Show the position error to expect for a target at each point. The map changes whenever a camera moves</source>
+        <translation>各点で予想されるターゲットの位置誤差を表示します。マップはカメラの動きに追従します</translation>
     </message>
     <message>
         <source>Colors show</source>
@@ -8677,11 +8708,11 @@ Effective sample size %8 of %9</source>
     </message>
     <message>
         <source>Use reference grid</source>
-        <translation>基準グリッドに合わせる</translation>
+        <translation>基準格子に合わせる</translation>
     </message>
     <message>
-        <source>The volume above the reference grid, up to the highest camera</source>
-        <translation>基準グリッドの上、最も高いカメラまでの空間</translation>
+        <source>Use the volume above the reference grid, up to the highest camera</source>
+        <translation>基準格子の上、最も高いカメラまでの空間を使います</translation>
     </message>
     <message>
         <source>Height of the layer above the floor, in meters</source>
@@ -8832,8 +8863,8 @@ Effective sample size %8 of %9</source>
 <context>
     <name>dewpoint::ui::WandCalibrationPage</name>
     <message>
-        <source>Align the cameras by hand until they are roughly right. Then wave the ball, or a wand with two balls, through the whole volume, and refine.</source>
-        <translation>まず手作業でカメラをおおよそ合わせます。次にボール、または2つのボールの付いたワンドを空間全体で振り、精密化します。</translation>
+        <source>Align the cameras by hand until they are roughly right. Then wave the ball, or a wand with two balls, through the whole volume, and press Refine cameras.</source>
+        <translation>まず手作業でカメラをおおよそ合わせます。次にボール、または 2 つのボールの付いたワンドを空間全体で振り、「カメラを精密化」を押します。</translation>
     </message>
     <message>
         <source>Floor</source>
@@ -8906,8 +8937,8 @@ Effective sample size %8 of %9</source>
         <translation>ワンドの種類</translation>
     </message>
     <message>
-        <source>A wand with two balls also gives the scale, more accurately than the other ways</source>
-        <translation>2つのボールの付いたワンドからは縮尺も求まり、ほかの方法より正確です</translation>
+        <source>A wand with two balls also gives the scale. It is more accurate than the scale from a diameter or a distance</source>
+        <translation>2 つのボールの付いたワンドからは縮尺も求まります。直径や距離から求めるより正確です</translation>
     </message>
     <message>
         <source>Ball</source>
@@ -8950,8 +8981,8 @@ Effective sample size %8 of %9</source>
         <translation>縮尺の求め方</translation>
     </message>
     <message>
-        <source>Images alone cannot show whether a room is large or small. A diameter gives the scale to about one percent, a distance as exactly as you measure it</source>
-        <translation>画像だけでは部屋が大きいか小さいか分かりません。直径なら約1パーセント、距離なら測定の精度です</translation>
+        <source>Images alone cannot show whether a room is large or small. A scale from the diameter of a ball is accurate to about one percent. A scale from a distance is as accurate as your measurement</source>
+        <translation>画像だけでは部屋が大きいか小さいか分かりません。ボールの直径から求めた縮尺の精度は約 1 パーセントです。距離から求めた縮尺の精度は、その測定の精度と同じです</translation>
     </message>
     <message>
         <source>Distance</source>
@@ -8962,7 +8993,7 @@ Effective sample size %8 of %9</source>
         <translation>既知の距離</translation>
     </message>
     <message>
-        <source>Distance between the two positions at which you held the center of the ball</source>
+        <source>Distance between the two positions at which the center of the ball was held</source>
         <translation>ボールの中心を置いた2か所の間の距離</translation>
     </message>
     <message>
@@ -8986,24 +9017,24 @@ Effective sample size %8 of %9</source>
         <translation>各カメラの真の向きからのおおよその角度</translation>
     </message>
     <message>
-        <source>Find time offsets</source>
-        <translation>時間のずれを求める</translation>
+        <source>Find delays</source>
+        <translation>遅れを求める</translation>
     </message>
     <message>
         <source>Find focal lengths</source>
         <translation>焦点距離を求める</translation>
     </message>
     <message>
-        <source>For lenses that were never calibrated, or whose zoom has changed</source>
-        <translation>較正していない、またはズームしたレンズのために</translation>
+        <source>Also compute the focal length of each camera. Use this for lenses that were never calibrated, or whose zoom has changed</source>
+        <translation>各カメラの焦点距離も計算します。キャリブレーションしたことのないレンズや、ズームが変わったレンズに使います</translation>
     </message>
     <message>
         <source>Find the distortion k1</source>
         <translation>歪み k1 を求める</translation>
     </message>
     <message>
-        <source>The first distortion coefficient of each lens; the ball must be seen up to the edges of the images</source>
-        <translation>各レンズの第1係数。画像の端までボールが見えている必要があります</translation>
+        <source>Also compute the first distortion coefficient of each lens. For this, the ball must be seen up to the edges of the images</source>
+        <translation>各レンズの第 1 歪み係数も計算します。それには、画像の端までボールが写っている必要があります</translation>
     </message>
     <message>
         <source>Only the selected span</source>
@@ -9014,8 +9045,8 @@ Effective sample size %8 of %9</source>
         <translation>録画のうち、タイムラインで選択した部分だけを使います</translation>
     </message>
     <message>
-        <source>For cameras that do not take their images at the same time</source>
-        <translation>同時に撮影しないカメラのために</translation>
+        <source>Also compute the delay of each camera. Use this if the cameras do not take their images at the same time</source>
+        <translation>各カメラの遅れも計算します。カメラが同時に撮影しない場合に使います</translation>
     </message>
 </context>
 <context>
@@ -9045,12 +9076,12 @@ Effective sample size %8 of %9</source>
         <translation>前の状態</translation>
     </message>
     <message>
-        <source>Use it anyway</source>
-        <translation>それでも使う</translation>
+        <source>Use calibration anyway</source>
+        <translation>それでもキャリブレーションを使う</translation>
     </message>
     <message>
-        <source>Use these cameras although the result looks wrong; you can undo this</source>
-        <translation>結果に問題がありそうでもこのカメラを使います。元に戻せます</translation>
+        <source>Use this calibration although it looks wrong; you can undo this</source>
+        <translation>問題がありそうでも、このキャリブレーションを使います。元に戻せます</translation>
     </message>
     <message>
         <source>Save report…</source>
@@ -9125,27 +9156,27 @@ Effective sample size %8 of %9</source>
         <translation>カメラの遅れはプロジェクトに保存され、以後の画像の同期に使われます。</translation>
     </message>
     <message>
-        <source>Hold down this button to draw the grid with the previous cameras</source>
-        <translation>このボタンを押している間、以前のカメラで格子を描きます</translation>
+        <source>Hold down this button to draw the grid with the calibration from before this refinement</source>
+        <translation>このボタンを押している間、この精密化の前のキャリブレーションで格子を描きます</translation>
     </message>
     <message>
         <source>Save a page with all numbers, the residuals as arrows, the coverage and a 3D drawing</source>
         <translation>すべての数値、残差の矢印、網羅範囲、3D の図を含むページを保存します</translation>
     </message>
     <message>
-        <source>The result is less accurate than the initial camera positions, whose error is given as up to %1. Wave through more of the volume.</source>
-        <translation>結果は初期のカメラ位置より不正確です。初期位置の誤差は %1 までと指定されています。空間のより広い範囲で振ってください。</translation>
+        <source>The result is less accurate than the initial camera positions: you entered that their error is at most %1. Wave through more of the volume.</source>
+        <translation>結果は初期のカメラ位置より不正確です。初期位置の誤差は最大 %1 と入力されています。空間のより広い範囲で振ってください。</translation>
     </message>
     <message>
-        <source>Calibrations from different parts of the recording differ by %1 times as much as the noise of the images explains. The stated accuracy takes this into account.</source>
+        <source>Calibrations from different parts of the recording differ from each other %1 times as much as image noise can explain. The stated accuracy takes this into account.</source>
         <translation>録画の各部分から求めたキャリブレーションのばらつきは、画像の雑音から予想される大きさの %1 倍です。示された精度にはそれが含まれています。</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::WandWaving</name>
     <message>
-        <source>Collect positions of the ball from all camera images; starting again discards those collected before</source>
-        <translation>すべてのカメラの画像からボールの位置を集めます。始め直すと前に集めたものは破棄されます</translation>
+        <source>Collect positions of the ball from all camera images. If you start again, the positions collected before are discarded</source>
+        <translation>すべてのカメラの画像からボールの位置を集めます。始め直すと、前に集めた位置は破棄されます</translation>
     </message>
     <message>
         <source>■ Stop waving</source>
@@ -9168,16 +9199,16 @@ Effective sample size %8 of %9</source>
         <translation>まだ何も集めていません。</translation>
     </message>
     <message>
-        <source>Every camera has seen the ball often enough: stop waving, or refine.</source>
-        <translation>どのカメラもボールを十分に見ました。振り終えるか、精密化してください。</translation>
+        <source>Every camera has seen the ball often enough: stop waving, or press Refine cameras.</source>
+        <translation>どのカメラもボールを十分に見ました。振り終えるか、「カメラを精密化」を押してください。</translation>
     </message>
     <message>
         <source>Frames skipped because they arrived too fast: %1.</source>
         <translation>速すぎたため飛ばしたフレーム: %1。</translation>
     </message>
     <message>
-        <source>Positions collected for %1.</source>
-        <translation>%1間、位置を集めました。</translation>
+        <source>Positions of the ball were collected for %1.</source>
+        <translation>%1間、ボールの位置を集めました。</translation>
     </message>
     <message>
         <source>Keep waving: each camera should see the ball at least 150 times, spread over at least half of its image.</source>

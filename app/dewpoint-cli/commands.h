@@ -36,6 +36,8 @@ void addPeopleCommand(CLI::App& app, int& exitCode);
 
 // live/: live cameras.
 void addRecordCommand(CLI::App& app, int& exitCode);
+/// Adds the command that compares a take with what was tracked live.
+void addTakeCommand(CLI::App& app, int& exitCode);
 
 // trajectory/: commands for the results of a run.
 void addEvaluateCommand(CLI::App& app, int& exitCode);

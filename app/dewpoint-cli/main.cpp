@@ -30,6 +30,7 @@ int run(int argc, char** argv) {
   addTrackPositionsCommand(app, exitCode);
   addTrackBoxCommand(app, exitCode);
   addRecordCommand(app, exitCode);
+  addTakeCommand(app, exitCode);
   addEvaluateCommand(app, exitCode);
   addSimulateCommand(app, exitCode);
   addExperimentCommand(app, exitCode);

@@ -79,13 +79,14 @@ void describe(CLI::App& app, Options& options) {
                                            : std::string("give it as WIDTHxHEIGHT, from 400x300");
       });
   app.add_option("--language", options.language,
-                 "Language of the window; the system's when omitted")
+                 "Language of the window; if omitted, the language of the system")
       ->check(CLI::IsMember(languageNames()));
   app.add_flag("--list-actions", options.listActions,
                "Print all actions with their shortcuts as a page of the manual, then quit")
       ->group(""); // of use to script/manual only: --help does not list it
   app.add_flag("--self-test", options.selfTest,
-               "Print what works on this computer, then quit; 1 when there is a problem");
+               "Check what works on this computer, print the result, then quit; the exit code is 1 "
+               "if there is a problem");
   app.set_version_flag("--version", DEWPOINT_VERSION);
   dewpoint::app::addDescribeOption(app, "dewpoint-cli");
 }

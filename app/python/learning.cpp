@@ -158,7 +158,7 @@ void bindLearning(py::module_& module, ProjectClass& project) {
       .def_readonly("target_share", &ColorLesson::targetShare,
                     "Share of the sampled colors that match, 0 to 1.")
       .def_readonly("background_share", &ColorLesson::backgroundShare,
-                    "Share of the background that also matches.")
+                    "Share of the background that also has this color.")
       .def("__repr__", [](const ColorLesson& lesson) {
         return fmt::format("<dewpoint.ColorLesson {}, {} of 100>", lesson.target.name,
                            lesson.score);

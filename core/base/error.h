@@ -37,6 +37,8 @@ struct Error {
   std::string file;
   std::string field;
   std::string detail;
+
+  bool operator==(const Error&) const = default;
 };
 
 /// A value, or the error that prevented computing it.

@@ -66,10 +66,10 @@ Result<std::unique_ptr<Broadcaster>> Broadcaster::open(const BroadcastInputs& in
         WebServer::open(settings.listen, *settings.websocket, gate));
   }
   if (!settings.osc.empty()) {
-    add("output.osc", oscMessages(), DatagramSender::open(settings.osc, "OSC messages"));
+    add("output.osc", oscMessages(), DatagramSender::open(settings.osc, OutletKind::OscMessages));
   }
   if (!settings.tuio.empty()) {
-    add("output.tuio", tuioCursors(), DatagramSender::open(settings.tuio, "TUIO cursors"));
+    add("output.tuio", tuioCursors(), DatagramSender::open(settings.tuio, OutletKind::TuioCursors));
   }
   if (!settings.csv.empty()) {
     const std::filesystem::path file = settings.csv;

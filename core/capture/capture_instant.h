@@ -4,6 +4,7 @@
 #include "core/base/floors.h"
 
 #include <chrono>
+#include <cstdint>
 
 namespace dewpoint::capture {
 
@@ -31,6 +32,18 @@ constexpr const char* originName(TimeOrigin origin) {
 struct CaptureInstant {
   std::chrono::steady_clock::time_point time{};
   TimeOrigin origin = TimeOrigin::Arrival;
+  /// Identifies the image within its connection: the same for the compressed and the decoded image;
+  /// -1 if there is none.
+  std::int64_t stamp = -1;
+};
+
+/// When a live image passed the stages of its way through the computer.
+struct LiveInstants {
+  std::chrono::steady_clock::time_point
+      captured{};                                  ///< see CaptureInstant, minus the camera's delay
+  std::chrono::steady_clock::time_point arrived{}; ///< its data were here, not yet decoded
+  std::chrono::steady_clock::time_point decoded{}; ///< the image was finished
+  std::int64_t stamp = -1;                         ///< CaptureInstant::stamp
 };
 
 } // namespace dewpoint::capture

@@ -20,6 +20,7 @@ struct Frame {
   cv::Mat image;           ///< CV_8UC3; blue, green, red
   /// Where a live camera's capture time comes from; not used for recordings.
   TimeOrigin origin = TimeOrigin::Arrival;
+  LiveInstants instants{}; ///< of a live image; all zero for recordings
 };
 using FramePtr = std::shared_ptr<const Frame>;
 

@@ -178,15 +178,18 @@ void LiveCameraThread::readAll(const std::stop_token& stop, Shared& shared, Live
     const auto grabbed = Clock::now();
     const cv::Mat picture = stream.retrieve();
     if (!picture.empty() && !stop.stop_requested()) {
-      publish(shared, picture, grabbed,
-              stream.captureTime().value_or(CaptureInstant{grabbed, TimeOrigin::Arrival}),
+      publish(shared, picture,
+              {grabbed, stream.arrivalTime().value_or(grabbed),
+               stream.captureTime().value_or(CaptureInstant{grabbed, TimeOrigin::Arrival})},
               progress);
     }
   }
 }
 
-void LiveCameraThread::publish(Shared& shared, const cv::Mat& picture, Clock::time_point grabbed,
-                               const CaptureInstant& captured, Progress& progress) {
+void LiveCameraThread::publish(Shared& shared, const cv::Mat& picture, const Grabbed& when,
+                               Progress& progress) {
+  const Clock::time_point grabbed = when.time;
+  const CaptureInstant& captured = when.captured;
   progress.pause = kFirstPause;
   if (progress.lastGrab && grabbed > *progress.lastGrab) {
     const double interval = std::chrono::duration<double>(grabbed - *progress.lastGrab).count();
@@ -215,8 +218,11 @@ void LiveCameraThread::publish(Shared& shared, const cv::Mat& picture, Clock::ti
     shared.problem.reset();
   }
   shared.frames.put(std::make_shared<Frame>(
-      Frame{progress.frames++, std::chrono::duration_cast<TimeStamp>(captured.time - shared.zero),
-            std::move(*image), captured.origin}));
+      Frame{progress.frames++,
+            std::chrono::duration_cast<TimeStamp>(captured.time - shared.zero),
+            std::move(*image),
+            captured.origin,
+            {captured.time, when.arrived, Clock::now(), captured.stamp}}));
   shared.wakeSignal->notify();
 }
 

@@ -100,8 +100,14 @@ private:
   static void run(const std::stop_token& stop, Shared& shared);
   static void readAll(const std::stop_token& stop, Shared& shared, LiveStream& stream,
                       Progress& progress);
-  static void publish(Shared& shared, const cv::Mat& picture, Clock::time_point grabbed,
-                      const CaptureInstant& captured, Progress& progress);
+  /// When an image was grabbed, when its data had arrived, and when it was captured.
+  struct Grabbed {
+    Clock::time_point time{};
+    Clock::time_point arrived{};
+    CaptureInstant captured;
+  };
+  static void publish(Shared& shared, const cv::Mat& picture, const Grabbed& grabbed,
+                      Progress& progress);
   static void setProblem(Shared& shared, Error problem);
   static void setDisconnected(Shared& shared, const std::string& detail);
 

@@ -26,8 +26,11 @@ FramePtr inTime(FramePtr frame, TimeStamp delay) {
   if (delay == TimeStamp{}) {
     return frame;
   }
-  return std::make_shared<const Frame>(
-      Frame{frame->index, frame->captureTime - delay, frame->image, frame->origin});
+  Frame shifted = *frame; // shares the pixels
+  shifted.captureTime -= delay;
+  shifted.instants.captured -=
+      std::chrono::duration_cast<std::chrono::steady_clock::duration>(delay);
+  return std::make_shared<const Frame>(std::move(shifted));
 }
 
 std::vector<TimeStamp> delaysOf(const std::vector<LiveCamera>& cameras) {

@@ -7,6 +7,7 @@
 
 #include <opencv2/core/mat.hpp>
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -28,6 +29,11 @@ public:
   /// Returns the capture time of the image that was just grabbed, or nothing if the device does not
   /// report it. Capture times increase.
   virtual std::optional<CaptureInstant> captureTime() const { return std::nullopt; }
+  /// Returns when the data of the image that was just grabbed arrived, before they were decoded, or
+  /// nothing if that is not known.
+  virtual std::optional<std::chrono::steady_clock::time_point> arrivalTime() const {
+    return std::nullopt;
+  }
   /// Returns why grab() returned false, in words that follow a colon; empty if unknown.
   virtual std::string lostReason() const { return {}; }
   /// Returns whether the source has delivered all its images, so that there is no point in opening

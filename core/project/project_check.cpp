@@ -41,7 +41,7 @@ Status checkBox(const Project& project, std::size_t index, const TargetBox& targ
   const auto camera = static_cast<std::size_t>(target.camera);
   if (target.camera < 0 || (!project.cameras.empty() && camera >= project.cameras.size())) {
     return wrong(ErrorCode::BadValue, field + ".camera",
-                 fmt::format("there are {} cameras", project.cameras.size()));
+                 fmt::format("the project has only {} cameras", project.cameras.size()));
   }
   const ImageBox& box = target.box;
   if (target.frame < 0 || !(box.width >= kSmallestBox && box.height >= kSmallestBox) ||

@@ -55,7 +55,7 @@ Status checkPerson(const PersonCorrection& person, const std::string& field,
     // The cameras of a scene come later, when it is opened.
     const auto cameras = static_cast<int>(project.cameras.size());
     if (person.click->camera < 0 || (cameras > 0 && person.click->camera >= cameras)) {
-      return wrong(".camera", fmt::format("there are {} cameras", cameras));
+      return wrong(".camera", fmt::format("the project has only {} cameras", cameras));
     }
     if (!person.click->pixel.allFinite()) {
       return wrong(".pixel", "finite numbers are expected");

@@ -60,6 +60,7 @@ bool RunDriver::takeFrame() {
     playback_.endInput();
     return false;
   }
+  noteTaken(**taken);
   if (!hasImages(**taken)) {
     return false; // live, and nothing came
   }
@@ -68,7 +69,7 @@ bool RunDriver::takeFrame() {
   }
   current_.begin(*taken);
   playback_.take((*taken)->index);
-  recorder_.noteArrival();
+  recorder_.noteArrival(takesFromCameras());
   return true;
 }
 
@@ -100,10 +101,6 @@ void RunDriver::advance(bool oneIteration) {
   } else {
     iterateFrame(oneIteration ? FrameStep::OneIteration : FrameStep::WholeFrame);
   }
-}
-
-void RunDriver::showNext() {
-  playback_.advance(timeTravel().nextShowable(*playback_.viewedFrame()), head());
 }
 
 void RunDriver::play() {
@@ -144,6 +141,7 @@ bool RunDriver::restart(std::optional<std::uint64_t> seed) {
     agreementWatch_.restart();
   }
   recorder_.restart();
+  runTime_ = 0.0;
   playback_.restart();
   if (const auto sought = source_->seek(0); !sought) {
     note(sought.error());
@@ -375,11 +373,13 @@ void RunDriver::fill(const SnapshotBuilder& builder, bool quickly, TrackSnapshot
   snapshot.cameraMotions = motionWatch_.reports();
   snapshot.disagreements = agreementWatch_.found(snapshot.family);
   if (source_) {
-    std::ranges::move(source_->notices(), std::back_inserter(snapshot.notices));
+    sourceNotices_ = source_->notices();
+    std::ranges::copy(sourceNotices_, std::back_inserter(snapshot.notices));
     snapshot.frameCount = source_->frameCount();
     snapshot.droppedFrames = source_->droppedFrames();
     snapshot.history = timeTravel().state();
   }
+  log_.setNotices(snapshot.notices, runTime_); // without those below, whose numbers change
   std::ranges::move(motionWatch_.notices(), std::back_inserter(snapshot.notices));
   recorder_.addStatistics(snapshot);
   recorder_.updateOldResults(definition());

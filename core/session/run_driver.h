@@ -89,6 +89,10 @@ public:
   /// true, the images of a past frame may be previews (small images scaled up) when the full images
   /// are not available immediately.
   void fill(const SnapshotBuilder& builder, bool quickly, TrackSnapshot& snapshot);
+  /// Returns whether live cameras have other problems than in the last snapshot.
+  bool haveNoticesChanged() const {
+    return isReady() && isLive() && source_->notices() != sourceNotices_;
+  }
   /// Adds likelihood maps or motion masks to a snapshot of a past frame. For this, the run is
   /// tracked again up to that frame. If `shouldContinue` returns false, the tracking stops and
   /// nothing is added.
@@ -123,7 +127,18 @@ private:
   /// cameras have delivered no image.
   bool takeFrame();
   void iterateFrame(FrameStep step = FrameStep::WholeFrame);
-  void showNext();
+  void showNext() {
+    playback_.advance(timeTravel().nextShowable(*playback_.viewedFrame()), head());
+  }
+  /// Returns whether the next frame comes from live cameras, not from the past.
+  bool takesFromCameras() const { return isLive() && !playback_.rerunRange(); }
+  /// Notes the time of a frame set that was just taken, and the problems of live cameras.
+  void noteTaken(const FrameSet& taken) {
+    runTime_ = std::max(runTime_, seconds(taken.time));
+    if (takesFromCameras()) {
+      recorder_.setCameraProblems(source_->notices());
+    }
+  }
   void record() {
     recorder_.record(run(), current_.record());
     playback_.record();
@@ -156,6 +171,8 @@ private:
   std::array<FrameObserver*, 3> observers_{&motionObserver_, &agreementWatch_, &recorder_};
   Playback playback_;
   std::vector<Error> errors_;
+  std::vector<Error> sourceNotices_; ///< those of the source in the last snapshot
+  double runTime_ = 0.0;             ///< seconds; newest time of the source since the run began
 };
 
 } // namespace dewpoint::session

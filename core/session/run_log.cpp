@@ -58,6 +58,7 @@ void RunLog::restart(const Project& project, int threads) {
   people_.clear();
   trajectory_ = Trajectory{trajectoryHeader(project), {}};
   boxes_.clear();
+  liveSets_.clear();
   project_ = project;
   statistics_ = RunStatistics{};
   statistics_.threads = threads;
@@ -101,9 +102,44 @@ void RunLog::countFrame(double sinceArrival, double sinceFirst) {
   statistics_.seconds = sinceFirst;
 }
 
+void RunLog::countLiveFrame(const FrameSet& frames, LatencyStages::Clock::time_point taken,
+                            LatencyStages::Clock::time_point estimated) {
+  const std::lock_guard lock(mutex_);
+  statistics_.live.addFrames(frames, taken, estimated);
+}
+
+void RunLog::addLiveSet(const FrameSet& frames) {
+  LiveSet set{frames.index, frames.time, {}};
+  for (const FramePtr& frame : frames.frames) {
+    set.images.push_back(
+        frame ? std::optional(LiveSet::Image{frame->instants.stamp, frame->captureTime})
+              : std::nullopt);
+  }
+  const std::lock_guard lock(mutex_);
+  const bool isNew = liveSets_.empty() || liveSets_.back().index < frames.index;
+  if (isNew && liveSets_.size() < kMaxLiveSets) {
+    liveSets_.push_back(std::move(set));
+  }
+}
+
+std::vector<LiveSet> RunLog::liveSets() const {
+  const std::lock_guard lock(mutex_);
+  return liveSets_;
+}
+
+void RunLog::countDrawing(double seconds) {
+  const std::lock_guard lock(mutex_);
+  statistics_.live.addDrawing(seconds);
+}
+
 void RunLog::setFinished(bool finished) {
   const std::lock_guard lock(mutex_);
   statistics_.finished = finished;
+}
+
+void RunLog::setNotices(const std::vector<Error>& notices, double time) {
+  const std::lock_guard lock(mutex_);
+  statistics_.noticeLog.update(notices, time);
 }
 
 void RunLog::append(const std::vector<IterationRecord>& records) {
@@ -249,8 +285,12 @@ Trajectory RunLog::trajectory() const {
 
 Latency RunLog::latency() const {
   const std::lock_guard lock(mutex_);
-  const DurationHistogram& taken = statistics_.latency;
-  return {taken.quantile(0.5), taken.quantile(0.99), taken.longest()};
+  return latencyOf(statistics_.latency);
+}
+
+LiveLatency RunLog::liveLatency() const {
+  const std::lock_guard lock(mutex_);
+  return statistics_.live.summary();
 }
 
 std::pair<Project, RunStatistics> RunLog::runReportData() const {

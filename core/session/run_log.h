@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/session/frames/live_set.h"
 #include "core/session/log_update.h"
 #include "core/session/people/people_frame.h"
 #include "core/session/run/box_track_file.h"
@@ -42,8 +43,21 @@ public:
   /// Adds a finished frame. `sinceArrival` is the time in seconds since this frame arrived,
   /// `sinceFirst` since the first frame of the run arrived.
   void countFrame(double sinceArrival, double sinceFirst);
+  /// Adds the images of a live frame; see LatencyStages::addFrames().
+  void countLiveFrame(const FrameSet& frames, LatencyStages::Clock::time_point taken,
+                      LatencyStages::Clock::time_point estimated);
+  /// Adds which live images a tracked frame has. At most kMaxLiveSets frames are kept, the first
+  /// ones of the run. A frame that is tracked again is the same.
+  void addLiveSet(const FrameSet& frames);
+  static constexpr std::size_t kMaxLiveSets = 500000;
+  /// Returns the images of all live frames, in ascending order.
+  std::vector<LiveSet> liveSets() const;
+  /// Adds the time from a live estimate until it was painted, in seconds.
+  void countDrawing(double seconds);
   /// Sets whether the end of the input was reached.
   void setFinished(bool finished);
+  /// Sets the notices that the run has now; `time` is in seconds of the run.
+  void setNotices(const std::vector<Error>& notices, double time);
   /// Sets the number of filter threads.
   void setThreads(int threads);
   /// Removes the records of this frame and later ones; readers receive all records again.
@@ -83,6 +97,7 @@ public:
   void setOldResults(OldResults old);
   OldResults oldResults() const;
   Latency latency() const;
+  LiveLatency liveLatency() const;
   /// Returns the data for run.json.
   std::pair<Project, RunStatistics> runReportData() const;
 
@@ -97,6 +112,7 @@ private:
   Project project_;
   RunStatistics statistics_;
   OldResults oldResults_;
+  std::vector<LiveSet> liveSets_;
 };
 
 } // namespace dewpoint::session

@@ -35,14 +35,24 @@ void RunRecorder::restart() {
   settings_.clear();
 }
 
-void RunRecorder::noteArrival() {
+void RunRecorder::noteArrival(bool isLive) {
   arrival_ = Clock::now();
+  isFresh_ = isLive_ = isLive;
   append(frameTimes_, arrival_, kFrameTimesKept);
+}
+
+void RunRecorder::setCameraProblems(std::vector<Error> problems) {
+  if (problems.empty()) {
+    cameraProblems_ = nullptr;
+  } else if (cameraProblems_ == nullptr || *cameraProblems_ != problems) {
+    cameraProblems_ = std::make_shared<const std::vector<Error>>(std::move(problems));
+  }
 }
 
 void RunRecorder::resetArrival() {
   arrival_ = Clock::now();
   begun_.reset(); // it was taken long ago
+  isFresh_ = false;
 }
 
 void RunRecorder::iterated(const TrackingRun& run, double microseconds) {
@@ -54,10 +64,17 @@ void RunRecorder::iterated(const TrackingRun& run, double microseconds) {
   log_.append(records(run));
 }
 
-Status RunRecorder::tracked(const TrackingRun& /*run*/) {
+Status RunRecorder::tracked(const TrackingRun& run) {
   const auto now = Clock::now();
+  estimated_ = now;
   firstArrival_ = firstArrival_.value_or(arrival_);
   log_.countFrame(Seconds(now - arrival_).count(), Seconds(now - *firstArrival_).count());
+  if (std::exchange(isLive_, false)) {
+    log_.addLiveSet(*run.frames());
+  }
+  if (std::exchange(isFresh_, false)) {
+    log_.countLiveFrame(*run.frames(), arrival_, now);
+  }
   return {};
 }
 
@@ -121,7 +138,9 @@ void RunRecorder::countAgainstBudget(const ParameterValues& parameters, double m
 void RunRecorder::record(const TrackingRun& run, const TrackedFrame& trackedFrame) {
   log_.append(run.samples());
   log_.append(run.boxSamples());
-  log_.append(frameRecord(trackedFrame, *run.frames()));
+  FrameRecord frame = frameRecord(trackedFrame, *run.frames());
+  frame.cameraProblems = cameraProblems_;
+  log_.append(frame);
   if (run.definition()->family().writesBodies() && !trackedFrame.targets.empty()) {
     log_.append(peopleFrame(trackedFrame));
   }
@@ -148,7 +167,9 @@ void RunRecorder::addStatistics(TrackSnapshot& snapshot) const {
   }
   snapshot.microsecondsPerIteration = upperMedian({iterationTimes_.begin(), iterationTimes_.end()});
   snapshot.budget = budget_;
+  snapshot.estimated = estimated_;
   snapshot.latency = log_.latency();
+  snapshot.liveLatency = log_.liveLatency();
 }
 
 } // namespace dewpoint::session

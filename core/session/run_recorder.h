@@ -10,6 +10,7 @@
 #include <chrono>
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -30,8 +31,10 @@ public:
   void interrupt() { frameTimes_.clear(); }
   /// Notes that a frame is about to be taken.
   void begin() { begun_ = Clock::now(); }
-  /// Notes that a frame was taken.
-  void noteArrival();
+  /// Notes that a frame was taken; `isLive` if it has just come from a live source.
+  void noteArrival(bool isLive);
+  /// Sets the problems that the live cameras have from now on. They are recorded with each frame.
+  void setCameraProblems(std::vector<Error> problems);
   /// Sets the arrival time of the next tracked frame to now. Otherwise, the time for which the run
   /// was paused would count as latency.
   void resetArrival();
@@ -57,11 +60,15 @@ private:
   RunLog& log_;
   const TruthTable& truth_;
   Clock::time_point arrival_;                     ///< arrival of the current frame
+  Clock::time_point estimated_{};                 ///< end of the newest frame
   std::optional<Clock::time_point> firstArrival_; ///< first arrival since the last start or restart
+  bool isLive_ = false;  ///< the current frame is live, and has not been tracked before
+  bool isFresh_ = false; ///< the current frame is live, and its tracking began at its arrival
   std::deque<Clock::time_point> frameTimes_;
   std::deque<double> iterationTimes_; ///< microseconds
   BudgetStatistics budget_;
   ResultSettings settings_;
+  std::shared_ptr<const std::vector<Error>> cameraProblems_; ///< null: none
   std::optional<Clock::time_point> begun_; ///< start of the work on the current frame
   std::deque<double> workTimes_;           ///< work per frame, seconds
 };

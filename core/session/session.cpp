@@ -6,6 +6,7 @@
 #include "core/tracking/catalog/method_catalog.h"
 #include "core/trajectory/trajectory_writer.h"
 
+#include <algorithm>
 #include <thread>
 #include <utility>
 
@@ -62,10 +63,23 @@ RunRecord Session::record() const {
   auto [project, figures] = impl_->loop.log().runReportData();
   const TrackSnapshotPtr last = newest();
   figures.droppedFrames = last->droppedFrames;
+  figures.clocks = last->clocks;
+  const auto add = [&notices = figures.notices](std::string text) {
+    if (std::ranges::find(notices, text) == notices.end()) {
+      notices.push_back(std::move(text));
+    }
+  };
+  for (const NoticePeriod& period : figures.noticeLog.periods()) {
+    add(period.text);
+  }
   for (const Error& notice : last->notices) {
-    figures.notices.push_back(sentence(notice));
+    add(sentence(notice));
   }
   return {std::move(project), std::move(figures), peopleRecord(), boxTrack()};
+}
+
+std::vector<LiveSet> Session::liveSets() const {
+  return impl_->loop.log().liveSets();
 }
 
 Status Session::saveRun(const std::filesystem::path& folder) const {
@@ -98,6 +112,10 @@ Status RunRecord::saveTables(const std::filesystem::path& folder) const {
 
 PeopleRecord Session::peopleRecord() const {
   return {trajectory(), impl_->loop.log().people()};
+}
+
+void Session::countDrawing(double seconds) {
+  impl_->loop.countDrawing(seconds);
 }
 
 void Session::setFrameTap(FrameTap tap) {

@@ -3,6 +3,7 @@
 
 #include "core/session/command.h"
 #include "core/session/frames/frame_tap.h"
+#include "core/session/frames/live_set.h"
 #include "core/session/log_update.h"
 #include "core/session/people/people_frame.h"
 #include "core/session/run/box_track_file.h"
@@ -78,6 +79,8 @@ public:
   Result<std::size_t> saveTrajectory(const std::filesystem::path& file) const;
   /// Returns the results of the run so far.
   RunRecord record() const;
+  /// Returns which images of live cameras the run has tracked since its last start or restart.
+  std::vector<LiveSet> liveSets() const;
   /// Writes the results of the run so far to a folder; see RunRecord.
   Status saveRun(const std::filesystem::path& folder) const;
   /// Returns the trajectory so far and, if the method tracks people, the people of its frames.
@@ -131,6 +134,9 @@ public:
   void setCorrections(const std::vector<PositionCorrection>& corrections) {
     send(command::SetCorrections{corrections});
   }
+  /// Adds the time from a live estimate until the window has painted it, in seconds, to the
+  /// statistics.
+  void countDrawing(double seconds);
   /// Sets a function that also receives every frame set taken from now on; an empty tap removes it.
   /// It is called in the tracking thread. A calibration uses it to access the cameras while
   /// tracking continues.

@@ -223,6 +223,7 @@ void SnapshotBuilder::showCurrent(const TrackingRun& run, const History* history
                                   TrackSnapshot& snapshot) const {
   snapshot.frames = run.frames();
   snapshot.frame = run.frames() ? run.frames()->index : -1;
+  snapshot.clocks = run.clockEstimates();
   const TrackedFrame* recorded = history != nullptr ? history->at(snapshot.frame) : nullptr;
   snapshot.tracked = recorded != nullptr;
   const std::int64_t tailEnd = isRecorded ? snapshot.frame : snapshot.frame - 1;
@@ -244,6 +245,7 @@ Status SnapshotBuilder::showPast(const TrackingRun& run, TimeTravel& travel, std
   }
   snapshot.frames = std::move(*frames);
   snapshot.frame = frame;
+  snapshot.clocks = run.clockEstimates();
   const TrackedFrame* trackedFrame = travel.history().at(frame);
   snapshot.tracked = trackedFrame != nullptr;
   show(trackedFrame != nullptr ? *trackedFrame : TrackedFrame(), run, &travel.history(), frame,

@@ -11,6 +11,8 @@ namespace dewpoint::session {
 namespace {
 
 constexpr std::chrono::milliseconds kSnapshotInterval(30);
+/// How often a paused live run looks whether its cameras have other problems.
+constexpr std::chrono::milliseconds kNoticeInterval(250);
 /// How long a rerun may keep the view; one that takes longer shows where it is.
 constexpr std::chrono::seconds kLongestKeptView(2);
 
@@ -36,8 +38,13 @@ void TrackingLoop::run(const std::stop_token& stop) {
     if (playback().missing() == Playback::Missing::Maps) {
       addMaps(stop);
     }
-    if (!stop.stop_requested() && playback().isRunning()) {
+    if (stop.stop_requested()) {
+      break;
+    }
+    if (playback().isRunning()) {
       takeDueStep();
+    } else if (driver_.haveNoticesChanged()) {
+      publish(Publish::Now);
     }
   }
 }
@@ -47,7 +54,11 @@ std::optional<TrackingLoop::Clock::time_point> TrackingLoop::deadline() const {
   if (isIncomplete || (playback().isRunning() && playback().rerunRange())) {
     return Clock::now();
   }
-  return playback().isRunning() ? std::optional(nextStepDue_) : std::nullopt;
+  if (playback().isRunning()) {
+    return nextStepDue_;
+  }
+  const bool mayChange = driver_.isReady() && driver_.isLive();
+  return mayChange ? std::optional(Clock::now() + kNoticeInterval) : std::nullopt;
 }
 
 PlaybackPace::Situation TrackingLoop::situation() const {

@@ -6,6 +6,7 @@
 #include "core/geometry/camera.h"
 #include "core/geometry/world_box.h"
 #include "core/tracking/camera_report.h"
+#include "core/tracking/clock_estimate.h"
 #include "core/tracking/parameters.h"
 #include "core/tracking/people_state.h"
 #include "core/tracking/target_box.h"
@@ -115,6 +116,14 @@ public:
   /// Returns one report per camera on a track in the current frame, in the order of the cameras in
   /// the rig; empty before the first frame. Call it after the last iteration of the frame.
   virtual std::vector<CameraReport> cameraReports(std::size_t track) const = 0;
+};
+
+/// Estimates during tracking how late the cameras stamp their images.
+class ClockEstimating {
+public:
+  virtual ~ClockEstimating() = default;
+  /// Returns the current estimates, one per camera of the rig.
+  virtual std::vector<ClockEstimate> clockEstimates() const = 0;
 };
 
 /// Reports the candidate positions of a track.

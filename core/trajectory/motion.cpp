@@ -88,7 +88,7 @@ MotionLog::Change MotionLog::replaceFrom(std::size_t first,
     updateSpeeds(tracks_[samples[skipped].target], change.firstChanged);
   }
   if (rows_.size() > kMaxRows) {
-    change.dropped = trim();
+    change.dropped = dropOldRows();
     change.firstChanged -= std::min(change.firstChanged, change.dropped);
   }
   return change;
@@ -156,7 +156,7 @@ void MotionLog::truncate(std::size_t size) {
   }
 }
 
-std::size_t MotionLog::trim() {
+std::size_t MotionLog::dropOldRows() {
   const std::size_t surplus = rows_.size() / 2;
   rows_.erase(rows_.begin(), rows_.begin() + static_cast<std::ptrdiff_t>(surplus));
   dropped_ += surplus;

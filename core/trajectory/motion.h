@@ -89,7 +89,8 @@ private:
   void truncate(std::size_t size);
   void extendGaps(Track& track, const TrajectorySample* before, const TrajectorySample& sample);
   void updateSpeeds(const Track& track, std::size_t& firstChanged);
-  std::size_t trim();
+  /// Removes the older half of the rows. Returns the number of rows removed.
+  std::size_t dropOldRows();
 
   std::vector<Row> rows_;
   std::size_t dropped_ = 0; ///< number of rows removed

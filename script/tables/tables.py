@@ -11,7 +11,7 @@ SMOOTHED = "dewpoint-smoothed"
 QUICK_FRAMES = 5  # a start counts as quick that takes no more (kQuickFrames of the suite)
 COSTLY = ("csrt",)  # of which plan.toml asks fewer runs
 ACCURACY, PEOPLE, FIDELITY = "docs/accuracy.md", "docs/measurements-people.md", "docs/fidelity.md"
-METHOD = "docs/method-dewpoint.md"
+METHOD = "docs/measurements-dewpoint.md"
 BOXES = "docs/method-sugandi.md"
 
 

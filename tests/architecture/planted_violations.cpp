@@ -59,7 +59,7 @@ const std::vector<PlantedViolation>& plantedViolations() {
       {"core/session/session.h", "core/simulation/scene/scene.h"},
       {"core/session/session.h", "ui/session/session_bridge.h"},
       {"core/session/a.h", "core/session/selftest/b.h"},
-      {"core/session/take/a.h", "core/session/run/b.h"},
+      {"core/session/take/a.h", "core/session/rewind/b.h"},
       {"core/session/frames/a.h", "core/session/run/b.h"},
       {"core/session/people/a.h", "core/session/rewind/b.h"},
       {"core/session/rewind/a.h", "core/session/session.h"},

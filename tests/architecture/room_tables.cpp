@@ -72,7 +72,7 @@ const std::map<std::string, std::map<std::string, Names>, std::less<>>& roomTabl
         {"snapshot", {"frames", "people", "watch"}},
         {"rewind", {"frames", "run", "snapshot"}},
         {"selftest", {"", "frames", "run"}},
-        {"take", {}},
+        {"take", {"frames", "run"}},
         {"", {"frames", "people", "run", "watch", "snapshot", "rewind"}}}},
       {"broadcast",
        {{"message", {}},

@@ -104,7 +104,7 @@ TEST(Broadcaster, OpensEverythingOfTheSettings) {
   ASSERT_TRUE(broadcaster) << sentence(broadcaster.error());
   const auto reports = (*broadcaster)->reports();
   ASSERT_EQ(reports.size(), 5U);
-  const std::string place = reports[0].place;
+  const std::string place = reports[0].address;
   const auto port = static_cast<std::uint16_t>(std::stoi(place.substr(place.rfind(':') + 1)));
   TestSocket client = TestSocket::connectedTo(port);
   ASSERT_TRUE(becomesTrue([&] { return (*broadcaster)->reports()[0].clients == 1; }));

@@ -105,6 +105,22 @@ LiveStreamFactory makes(std::vector<std::shared_ptr<FakeDevice>> devices) {
   };
 }
 
+TEST(LiveFrameSource, AnImageKnowsWhenItPassedTheStages) {
+  const auto device = std::make_shared<FakeDevice>();
+  LiveCamera late = camera("0");
+  late.delay = 0.05;
+  const auto before = std::chrono::steady_clock::now();
+  const auto source = openLive({late}, makes({device}));
+  ASSERT_TRUE(source) << sentence(source.error());
+  const FrameSetPtr set = waitFor(**source, complete);
+  ASSERT_TRUE(set);
+  const LiveInstants& passed = set->frames[0]->instants;
+  EXPECT_GT(passed.arrived, before);
+  EXPECT_EQ(passed.captured, passed.arrived - 50ms); // its light is that much older
+  EXPECT_GE(passed.decoded, passed.arrived);
+  EXPECT_LE(passed.decoded, std::chrono::steady_clock::now());
+}
+
 TEST(LiveFrameSource, deliversAMovingPictureFromTheNetwork) {
   const MjpegServer left(movingSquare);
   const MjpegServer right(movingSquare);

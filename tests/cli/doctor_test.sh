@@ -16,7 +16,7 @@ expectExit 0 doctor "$project"
 # Without one of its videos it is not: exit code 1, and the line says file and field.
 mv made/camera-1.mkv gone.mkv
 expectExit 1 doctor "$project"
-expectText out.txt "problem  The recording of 'camera 1' is missing" "camera 1.video" "Put it back"
+expectText out.txt "problem  The recording of 'camera 1' is missing" "camera 1.video" "Put the missing file or folder back"
 [[ ! -s err.txt ]] || fail "nothing was to be said: $(cat err.txt)"
 
 # The same for programs.

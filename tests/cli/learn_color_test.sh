@@ -12,7 +12,7 @@ expectExit 0 new fresh.toml --camera "camera 1=made/camera-1.mkv" \
 expectExit 0 learn-color fresh.toml --camera "camera 1" --frame 2 --pixel 157,117 \
   --target "pink ball" --radius 0.035 --mask mask.png --out taught.toml
 [[ ! -s err.txt ]] || fail "nothing was to be said: $(cat err.txt)"
-expectText out.txt 'pink ball' 'Hue ' 'degrees' ' of 100.' 'background'
+expectText out.txt 'pink ball' 'Hue ' 'degrees' ' of 100 points).' 'background'
 [[ $(head -c 8 mask.png | od -An -tx1 | tr -d ' \n') == 89504e470d0a1a0a ]] || fail "mask.png is no PNG"
 expectText taught.toml '[[target]]' 'name = "pink ball"' '[[target.sample]]' 'pixel = [157, 117]'
 # The other camera was found to show it, within ten pixels of its center too.
@@ -23,7 +23,7 @@ expectText taught.toml 'found = true'
 ! grep -q 'Its radius' out.txt || fail "the radius fits: $(cat out.txt)"
 # A diameter given as radius, a radius that nothing has, and none.
 expectExit 0 learn-color fresh.toml --camera "camera 1" --frame 2 --pixel 157,117 --radius 0.07
-expectText out.txt "The target's radius seems to be about 0.03" 'but 0.07 m is given. Is that its diameter?'
+expectText out.txt "The target's radius seems to be about 0.03" 'but 0.07 m is given. Is the given value the diameter?'
 expectExit 0 learn-color fresh.toml --camera "camera 1" --frame 2 --pixel 157,117 --radius 100
 expectText out.txt "The target's radius seems to be about 0.03" 'but 100 m is given.'
 expectExit 0 learn-color fresh.toml --camera "camera 1" --frame 2 --pixel 157,117

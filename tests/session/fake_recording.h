@@ -67,6 +67,7 @@ public:
     std::optional<std::int64_t> frames = 12;       ///< nothing: live
     std::optional<std::int64_t> failsAt;           ///< next() of this frame is an error
     std::shared_ptr<std::atomic<bool>> delivering; ///< live: empty sets while false
+    std::shared_ptr<std::atomic<bool>> unplugged;  ///< a notice for each camera while true
   };
   explicit FakeRecording(Options options) : options_(std::move(options)) {
     for (const auto& camera : twoCameras()) {
@@ -75,6 +76,12 @@ public:
   }
   std::optional<std::int64_t> frameCount() const override { return options_.frames; }
   double framesPerSecond() const override { return 1e6; } // as fast as possible
+  std::vector<Error> notices() const override {
+    const bool is = options_.unplugged && *options_.unplugged;
+    return is ? std::vector<Error>{{ErrorCode::ConnectionLost, "/dev/left", "camera 'left'", ""},
+                                   {ErrorCode::ConnectionLost, "/dev/right", "camera 'right'", ""}}
+              : std::vector<Error>();
+  }
   Result<FrameSetPtr> next() override {
     if (options_.failsAt == position_) {
       return failure(ErrorCode::EndedEarly, "left.mkv", "", "frame 5 of 12");

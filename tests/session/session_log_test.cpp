@@ -4,13 +4,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <memory>
 
 namespace dewpoint::tests {
 namespace {
 
 using test::eventually;
 using test::inputs;
+using test::reaches;
 using test::showsFrame;
 
 TEST(Session, TheLogIsReadInPiecesAndKnowsRestarts) {
@@ -108,6 +112,34 @@ TEST(Session, SamplesAreReadInPiecesAndTheLastFrameComesAgain) {
   EXPECT_TRUE(piece.restarted);
   EXPECT_EQ(piece.first, 0U);
   EXPECT_EQ(piece.records.size(), 1U);
+}
+
+TEST(Session, NoticesOfLiveCamerasComeAndGoAlsoWhilePausedAndAreLogged) {
+  test::FakeRecording::Options options;
+  options.frames.reset();
+  options.unplugged = std::make_shared<std::atomic<bool>>(false);
+  Session session(inputs(options));
+  ASSERT_TRUE(eventually([&] { return session.newest()->frame >= 0; }));
+  EXPECT_TRUE(session.newest()->notices.empty());
+  *options.unplugged = true; // paused
+  ASSERT_TRUE(eventually([&] { return session.newest()->notices.size() == 2; }));
+  session.play();
+  std::uint64_t generation = 0;
+  std::size_t position = 0;
+  ASSERT_TRUE(eventually([&] { // with each tracked frame, for the timeline
+    const auto news = session.framesSince(generation, position);
+    return std::ranges::any_of(news.records, [](const FrameRecord& record) {
+      return record.cameraProblems != nullptr && record.cameraProblems->size() == 2;
+    });
+  }));
+  *options.unplugged = false;
+  ASSERT_TRUE(eventually([&] { return session.newest()->notices.empty(); }));
+  session.pause();
+  ASSERT_TRUE(reaches(session, PlayState::Paused));
+  const RunStatistics figures = session.record().figures;
+  EXPECT_EQ(figures.notices.size(), 2U); // also after they are over
+  ASSERT_EQ(figures.noticeLog.periods().size(), 2U);
+  EXPECT_TRUE(figures.noticeLog.periods()[0].to.has_value());
 }
 
 } // namespace

@@ -89,6 +89,7 @@ public:
   }
 
   SphereEstimate estimate(std::size_t target = 0) const { return sphereOf(*tracker_, target); }
+  std::vector<ClockEstimate> estimateClocks() const { return tracker_->clockEstimates(); }
   DewpointTracker& tracker() { return *tracker_; }
   const CameraRig& rig() const { return rig_; }
   std::int64_t index() const { return index_; }

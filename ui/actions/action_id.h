@@ -63,6 +63,7 @@ inline constexpr auto kActionNames = std::to_array<std::string_view>({
     "actionNextMark",
     "actionZoomToSpan",
     "actionRecord",
+    "actionTakeNotes",
     "actionSendResults",
     "actionOutputs",
     "actionRestart",

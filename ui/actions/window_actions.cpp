@@ -20,11 +20,11 @@ std::vector<ActionDeclaration> projectActions() {
        QT_TRANSLATE_NOOP("Actions", "Create a project from videos or connected cameras"), "new",
        QKeySequence::New},
       {"actionOpen", group, QT_TRANSLATE_NOOP("Actions", "Open project…"),
-       QT_TRANSLATE_NOOP("Actions", "Open a project"), "open", QKeySequence::Open},
+       QT_TRANSLATE_NOOP("Actions", "Open a project file"), "open", QKeySequence::Open},
       {"actionOpenDemo", group, QT_TRANSLATE_NOOP("Actions", "Open the demo"),
        QT_TRANSLATE_NOOP("Actions", "Open the simulated demo scene")},
       {"actionSave", group, QT_TRANSLATE_NOOP("Actions", "Save"),
-       QT_TRANSLATE_NOOP("Actions", "Save the project"), "save", QKeySequence::Save},
+       QT_TRANSLATE_NOOP("Actions", "Write the project to its file"), "save", QKeySequence::Save},
       {"actionSaveAs", group, QT_TRANSLATE_NOOP("Actions", "Save as…"),
        QT_TRANSLATE_NOOP("Actions", "Save the project under another name"), nullptr,
        Qt::CTRL | Qt::SHIFT | Qt::Key_S},
@@ -32,8 +32,8 @@ std::vector<ActionDeclaration> projectActions() {
        QT_TRANSLATE_NOOP("Actions", "Export the trajectory so far for use in another program"),
        "export", Qt::CTRL | Qt::Key_E},
       {"actionExportPeople", group, QT_TRANSLATE_NOOP("Actions", "Export people's volumes…"),
-       QT_TRANSLATE_NOOP(
-           "Actions", "Save the position, volume, hull and floor density of each person as tables"),
+       QT_TRANSLATE_NOOP("Actions", "Save tables with the position, the volume, the hull and the "
+                                    "density on the floor of each person"),
        nullptr, Qt::CTRL | Qt::ALT | Qt::Key_P},
       {"actionExportVideo", group, QT_TRANSLATE_NOOP("Actions", "Export video…"),
        QT_TRANSLATE_NOOP("Actions", "Save the camera views and the bird's-eye view as a video"),
@@ -62,7 +62,7 @@ std::vector<ActionDeclaration> editActions() {
        QT_TRANSLATE_NOOP("Actions", "Track one more object: click it in a camera image"),
        "add-target", Qt::SHIFT | Qt::Key_L},
       {"actionRemoveTarget", group, QT_TRANSLATE_NOOP("Actions", "Remove the target"),
-       QT_TRANSLATE_NOOP("Actions", "Stop tracking the selected target"), "remove",
+       QT_TRANSLATE_NOOP("Actions", "Remove the selected target from the project"), "remove",
        Qt::SHIFT | Qt::Key_Delete},
       {"actionPlacePerson", group, QT_TRANSLATE_NOOP("Actions", "Add person…"),
        QT_TRANSLATE_NOOP("Actions",
@@ -89,8 +89,8 @@ std::vector<ActionDeclaration> calibrationActions() {
   const char* group = QT_TRANSLATE_NOOP("Actions", "Calibration");
   return {
       {"actionCalibrate", group, QT_TRANSLATE_NOOP("Actions", "Calibrate…"),
-       QT_TRANSLATE_NOOP("Actions", "See what is known about the cameras, choose a way to "
-                                    "calibrate them, and go through it step by step"),
+       QT_TRANSLATE_NOOP("Actions", "See what is known about the cameras, and calibrate them step "
+                                    "by step in the way that you choose"),
        nullptr, Qt::CTRL | Qt::ALT | Qt::Key_G},
       {"actionCalibrateByHand", group, QT_TRANSLATE_NOOP("Actions", "Calibrate by hand…"),
        QT_TRANSLATE_NOOP("Actions", "Adjust the calibration of the cameras until a grid drawn over "
@@ -128,14 +128,14 @@ std::vector<ActionDeclaration> calibrationActions() {
            "In the bird's-eye view, show the position error to expect for a target at each point"),
        nullptr, Qt::SHIFT | Qt::Key_M, true},
       {"actionPlanCamera", group, QT_TRANSLATE_NOOP("Actions", "Add planned camera"),
-       QT_TRANSLATE_NOOP("Actions",
-                         "Add a camera that does not exist yet and drag it in the bird's-eye view"),
+       QT_TRANSLATE_NOOP("Actions", "Add a planned camera; you can then drag it in the bird's-eye "
+                                    "view to try out where to place it"),
        nullptr, Qt::SHIFT | Qt::Key_P},
       {"actionResolveCamera", group, QT_TRANSLATE_NOOP("Actions", "Recompute camera pose"),
        QT_TRANSLATE_NOOP("Actions", "Recompute the pose of the camera that was moved during the "
                                     "run; all other cameras stay unchanged"),
        nullptr, Qt::CTRL | Qt::SHIFT | Qt::Key_B},
-      {"actionFindPlace", group, QT_TRANSLATE_NOOP("Actions", "Find best position"),
+      {"actionFindPlace", group, QT_TRANSLATE_NOOP("Actions", "Find best camera position"),
        QT_TRANSLATE_NOOP("Actions", "Search the walls and the ceiling for the position where "
                                     "another camera would help most"),
        nullptr, Qt::SHIFT | Qt::Key_F},
@@ -160,11 +160,11 @@ std::vector<ActionDeclaration> runActions() {
        Qt::Key_N},
       {"actionRerun", group, QT_TRANSLATE_NOOP("Actions", "Track again from here"),
        QT_TRANSLATE_NOOP("Actions", "Track again from the frame shown, with the current method, "
-                                    "parameters and colors. To stop, press pause"),
+                                    "parameters and colors. To stop, press Pause"),
        "rerun", Qt::CTRL | Qt::Key_R},
       {"actionTrackAgain", group, QT_TRANSLATE_NOOP("Actions", "Track again"),
        QT_TRANSLATE_NOOP("Actions",
-                         "Track all frames again that still have results from earlier settings"),
+                         "Track again all frames whose results are from earlier settings"),
        nullptr, Qt::CTRL | Qt::SHIFT | Qt::Key_R},
       {"actionSlower", group, QT_TRANSLATE_NOOP("Actions", "Slower"),
        QT_TRANSLATE_NOOP("Actions",
@@ -195,25 +195,27 @@ std::vector<ActionDeclaration> runActions() {
        QT_TRANSLATE_NOOP("Actions", "Fill the timeline with the selected span of the recording"),
        nullptr, Qt::Key_Z},
       {"actionRestart", group, QT_TRANSLATE_NOOP("Actions", "Restart"),
-       QT_TRANSLATE_NOOP("Actions", "Start over with the same random numbers"), "restart",
+       QT_TRANSLATE_NOOP("Actions", "Start the run again with the same random numbers"), "restart",
        Qt::Key_R},
       {"actionRestartNewSeed", group, QT_TRANSLATE_NOOP("Actions", "Restart with a new seed"),
-       QT_TRANSLATE_NOOP("Actions", "Start over with other random numbers"), "restart-new",
+       QT_TRANSLATE_NOOP("Actions", "Start the run again with other random numbers"), "restart-new",
        Qt::SHIFT | Qt::Key_R},
       {"actionRecord", group, QT_TRANSLATE_NOOP("Actions", "Record"),
        QT_TRANSLATE_NOOP("Actions",
                          "Record the live cameras into a folder that opens as a project, "
                          "or stop recording"),
        "record", Qt::Key_F9, true},
+      {"actionTakeNotes", group, QT_TRANSLATE_NOOP("Actions", "Take number and notes…"),
+       QT_TRANSLATE_NOOP("Actions", "Set number and notes of the next take, or notes of this one")},
       {"actionSendResults", group, QT_TRANSLATE_NOOP("Actions", "Send results"),
-       QT_TRANSLATE_NOOP("Actions", "Send positions to other programs while the run lasts, or stop "
-                                    "sending; nothing is sent until you choose this"),
+       QT_TRANSLATE_NOOP("Actions", "Start or stop sending positions to other programs during the "
+                                    "run. Nothing is sent before you choose this"),
        nullptr, Qt::SHIFT | Qt::Key_F9, true},
       {"actionOutputs", group, QT_TRANSLATE_NOOP("Actions", "Outputs…"),
-       QT_TRANSLATE_NOOP("Actions", "Choose where results are sent while a run lasts: TCP, "
-                                    "WebSocket, OSC, TUIO, CSV")},
+       QT_TRANSLATE_NOOP("Actions",
+                         "Choose where results are sent: TCP, WebSocket, OSC, TUIO, CSV")},
       {"actionFilterThreads", group, QT_TRANSLATE_NOOP("Actions", "Filter threads…"),
-       QT_TRANSLATE_NOOP("Actions", "Choose how many threads share the work of the filter"),
+       QT_TRANSLATE_NOOP("Actions", "Choose how many processor threads compute the filter"),
        nullptr, Qt::CTRL | Qt::ALT | Qt::Key_F},
       {"actionExperiments", group, QT_TRANSLATE_NOOP("Actions", "Experiments…"),
        QT_TRANSLATE_NOOP(
@@ -227,15 +229,15 @@ std::vector<ActionDeclaration> viewActions() {
   const char* group = QT_TRANSLATE_NOOP("Actions", "View");
   return {
       {"actionShowMask", group, QT_TRANSLATE_NOOP("Actions", "Show mask"),
-       QT_TRANSLATE_NOOP("Actions", "Show where the cameras see the target's color"), "mask",
+       QT_TRANSLATE_NOOP("Actions", "Show which pixels have the color of a target"), "mask",
        Qt::Key_M, true},
       {"actionShowEvidence", group, QT_TRANSLATE_NOOP("Actions", "Show likelihood map"),
-       QT_TRANSLATE_NOOP("Actions", "Show how likely each position around the target is, and "
-                                    "circle the positions that the method considers"),
+       QT_TRANSLATE_NOOP("Actions", "Show how likely each position around the target is. Circles "
+                                    "mark positions at which the method suspects the target"),
        "evidence", Qt::Key_E, true},
       {"actionShowBest", group, QT_TRANSLATE_NOOP("Actions", "Show best particle"),
-       QT_TRANSLATE_NOOP("Actions", "In all views, mark the particle of each target that has the "
-                                    "highest weight (MAP) with a triangle"),
+       QT_TRANSLATE_NOOP("Actions", "For each target, mark the particle with the highest weight "
+                                    "(MAP) with a triangle, in all views"),
        nullptr, Qt::SHIFT | Qt::Key_E, true},
       {"actionShowMagnifier", group, QT_TRANSLATE_NOOP("Actions", "Show magnifier"),
        QT_TRANSLATE_NOOP(
@@ -317,7 +319,7 @@ std::vector<ActionDeclaration> plotActions() {
        QT_TRANSLATE_NOOP("Actions", "Effective sample size, and number of particles"), nullptr,
        Qt::CTRL | Qt::Key_3, true},
       {"actionPlotLikelihood", group, QT_TRANSLATE_NOOP("Actions", "Plot likelihood"),
-       QT_TRANSLATE_NOOP("Actions", "Log likelihood of the estimate in each camera"), nullptr,
+       QT_TRANSLATE_NOOP("Actions", "How well the estimate fits each camera's image"), nullptr,
        Qt::CTRL | Qt::Key_4, true},
       {"actionPlotExistence", group, QT_TRANSLATE_NOOP("Actions", "Plot existence"),
        QT_TRANSLATE_NOOP(
@@ -339,7 +341,7 @@ std::vector<ActionDeclaration> plotActions() {
        QT_TRANSLATE_NOOP("Actions", "Show the whole run in the plots again (or double-click)"),
        nullptr, Qt::CTRL | Qt::SHIFT | Qt::Key_0},
       {"actionPlotCopy", group, QT_TRANSLATE_NOOP("Actions", "Copy plots as CSV"),
-       QT_TRANSLATE_NOOP("Actions", "Copy the numbers of the plots shown, as a table"), nullptr,
+       QT_TRANSLATE_NOOP("Actions", "Copy the numbers of all plots shown, as a table"), nullptr,
        Qt::CTRL | Qt::ALT | Qt::Key_C},
       {"actionPlotSave", group, QT_TRANSLATE_NOOP("Actions", "Save plots as picture…"),
        QT_TRANSLATE_NOOP("Actions", "Save a picture of the plots as they look now, as SVG or PNG"),

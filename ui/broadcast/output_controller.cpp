@@ -2,6 +2,7 @@
 #include "ui/broadcast/output_controller.h"
 
 #include "core/project/project.h"
+#include "ui/broadcast/outlet_text.h"
 #include "ui/broadcast/output_dialog.h"
 #include "ui/document/document.h"
 #include "ui/text/error_sentence.h"
@@ -158,13 +159,12 @@ void OutputController::showStatus() {
   bool troubled = false;
   for (const broadcast::OutletReport& report : reports()) {
     clients += report.clients;
-    troubled = troubled || !report.problem.empty();
-    lines += tr("%1: %2 sent, %3 dropped")
-                 .arg(QString::fromStdString(report.place))
-                 .arg(report.sent)
-                 .arg(report.dropped);
-    if (!report.problem.empty()) {
-      lines += QStringLiteral("  ") + QString::fromStdString(report.problem);
+    const QString problem = outletProblem(report);
+    troubled = troubled || !problem.isEmpty();
+    lines +=
+        tr("%1: %2 sent, %3 dropped").arg(outletPlace(report)).arg(report.sent).arg(report.dropped);
+    if (!problem.isEmpty()) {
+      lines += QStringLiteral("  ") + problem;
     }
   }
   label_->setText(

@@ -181,7 +181,8 @@ void OutputDialog::retranslateUi() {
   tcpPort_->setAccessibleName(tr("TCP port"));
   tcpPort_->setToolTip(tcp_->toolTip());
   web_->setText(tr("WebSocket and web page, port"));
-  web_->setToolTip(tr("A page that shows the targets in a browser, and a WebSocket for programs"));
+  web_->setToolTip(tr("Port of a web page that shows the targets in a browser. At the same port, "
+                      "programs get the results through a WebSocket"));
   webPort_->setAccessibleName(tr("WebSocket port"));
   webPort_->setToolTip(web_->toolTip());
   const auto row = [this](QWidget* field, const QString& label, const QString& tip) {
@@ -197,16 +198,16 @@ void OutputDialog::retranslateUi() {
          "Empty: off"));
   row(csv_, tr("CSV file"),
       tr("File or named pipe that gets one line for each target and frame. Empty: off"));
-  row(listen_, tr("Ports are open to"),
-      tr("Which computers can connect to the ports. Anyone in the network can then see the "
-         "results"));
+  row(listen_, tr("Who can connect"),
+      tr("Which computers can connect to the ports. If you allow all computers, anyone in the "
+         "network can see the results"));
   row(axes_, tr("Axes"), tr("Axes of the positions that are sent"));
   row(unit_, tr("Unit"), tr("Unit of the positions that are sent"));
   row(rate_, tr("Frames per second, at most"),
       tr("Largest number of frames per second that are sent. 0: all frames"));
   row(token_, tr("Token for remote commands"),
-      tr("Programs that send this word can start, stop and record. At least %1 characters. Empty: "
-         "commands are ignored")
+      tr("Programs that send this word can start and stop the run and the recording of the "
+         "cameras. At least %1 characters. Empty: commands are ignored")
           .arg(OutputSettings::kMinTokenBytes));
   setChoicesWithData(*listen_,
                      {{tr("this computer only"), QLatin1String(kThisComputer)},

@@ -24,7 +24,7 @@ CalibrationDock::CalibrationDock(QWidget* parent) : QWidget(parent), tabs_(new Q
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(tabs_);
-  onRetranslate(this, [this] { tabs_->setAccessibleName(tr("Ways to calibrate")); });
+  onRetranslate(this, [this] { tabs_->setAccessibleName(tr("Pages of the camera calibration")); });
   connect(tabs_, &QTabWidget::currentChanged, this, [this] { Q_EMIT pageChanged(shownPage()); });
 }
 

@@ -150,6 +150,11 @@ void CameraDocks::make() {
          .rank = camera});
     dock->title().setState(view->state());
     connect(view, &CameraView::stateChanged, &dock->title(), &DockTitle::setState);
+    connect(view, &CameraView::estimatePainted, this, [this](double seconds) {
+      if (Session* session = bench_.session.session()) {
+        session->countDrawing(seconds);
+      }
+    });
     view->setMaskShown(mask);
     view->setLikelihoodShown(evidence);
     view->setBestShown(best);

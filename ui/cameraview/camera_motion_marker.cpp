@@ -9,6 +9,27 @@
 
 namespace dewpoint::ui {
 
+void paintCameraProblem(QPainter& painter, const QRectF& image, const QString& text,
+                        const QPalette& palette) {
+  if (text.isEmpty()) {
+    return;
+  }
+  constexpr double kMargin = 6.0;
+  constexpr int kLayout = Qt::AlignCenter | Qt::TextWordWrap;
+  painter.save();
+  const QString shown = QStringLiteral("◆ ") + text;
+  const QRectF room = image.adjusted(2.0 * kMargin, 0.0, -2.0 * kMargin, -kMargin);
+  QRectF label = painter.boundingRect(room, kLayout, shown);
+  label.moveBottom(room.bottom());
+  label = label.adjusted(-kMargin, -kMargin, kMargin, 0.0).intersected(image);
+  QColor ground = palette.color(QPalette::Base);
+  ground.setAlphaF(0.9F);
+  painter.fillRect(label, ground);
+  painter.setPen(holdColor(HoldState::Ambiguous, palette));
+  painter.drawText(label, kLayout, shown);
+  painter.restore();
+}
+
 void paintCameraMotionMarker(QPainter& painter, const QRectF& image, const QString& text,
                              const QPalette& palette) {
   if (text.isEmpty()) {

@@ -11,6 +11,11 @@ class QRectF;
 
 namespace dewpoint::ui {
 
+/// Draws the reason why a live camera delivers no images, `text`, at the bottom of its last image.
+/// Draws nothing if `text` is empty.
+void paintCameraProblem(QPainter& painter, const QRectF& image, const QString& text,
+                        const QPalette& palette);
+
 /// Marks the image of a camera that has moved since it was calibrated. Draws a dashed frame, and
 /// `text` in the upper left corner. Draws nothing if `text` is empty.
 void paintCameraMotionMarker(QPainter& painter, const QRectF& image, const QString& text,

@@ -3,13 +3,17 @@
 
 #include "core/session/snapshot/snapshot.h"
 #include "core/session/snapshot/snapshot_state.h"
+#include "ui/cameraview/camera_motion_marker.h"
 #include "ui/cameraview/image_navigation.h"
+#include "ui/text/error_sentence.h"
+#include "ui/text/reason_text.h"
 
 #include <QContextMenuEvent>
 #include <QPaintEvent>
 #include <QPainter>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -212,6 +216,13 @@ bool CameraView::showNewest() {
   return false;
 }
 
+QString CameraView::problemText() const {
+  // That of a recording is about all of its images, and does not cover one of them.
+  const bool isLive = snapshot_ && !snapshot_->frameCount && !snapshot_->past;
+  const Error* notice = isLive ? noticeOf(*snapshot_, camera_) : nullptr;
+  return notice != nullptr ? errorText(*notice) : QString();
+}
+
 void CameraView::paintEvent(QPaintEvent*) {
   showNewest(); // the size may be another one
   QPainter painter(this);
@@ -231,6 +242,19 @@ void CameraView::paintEvent(QPaintEvent*) {
   painter.setClipRect(shownArea());
   paintEstimates(painter, picture_, shown_, look(),
                  {.placement = placement_, .seen = shownArea(), .isZoomed = isZoomed()});
+  paintCameraProblem(painter, shownArea(), problemText(), palette());
+  reportPainted();
+}
+
+void CameraView::reportPainted() {
+  const bool isLive = shown_ && !shown_->frameCount && !shown_->past && shown_->tracked &&
+                      shown_->state == PlayState::Playing;
+  if (isLive && shown_->frame != reportedFrame_) {
+    reportedFrame_ = shown_->frame;
+    Q_EMIT estimatePainted(
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - shown_->estimated)
+            .count());
+  }
 }
 
 QRectF CameraView::drawnArea() const {

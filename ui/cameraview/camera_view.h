@@ -11,6 +11,7 @@
 
 #include <QWidget>
 
+#include <cstdint>
 #include <optional>
 
 namespace dewpoint::ui {
@@ -76,6 +77,8 @@ Q_SIGNALS:
   /// Emitted when the state in the title of this view has changed.
   void stateChanged(HoldState state);
   void menuRequested(const QPointF& position);
+  /// Emitted when a new live estimate is painted, with the time since it was finished in seconds.
+  void estimatePainted(double seconds);
 
 protected:
   void contextMenuEvent(QContextMenuEvent* event) override;
@@ -104,6 +107,10 @@ private:
   /// Shows the newest snapshot and returns true if its pixels are ready. Otherwise starts drawing
   /// them.
   bool showNewest();
+  /// Reports how long it took until the frame shown was painted, once.
+  void reportPainted();
+  /// Returns why a live camera delivers no images now; empty if it delivers them.
+  QString problemText() const;
 
   int camera_;
   TrackSnapshotPtr snapshot_; ///< newest snapshot
@@ -114,6 +121,7 @@ private:
   QSize imageSize_;
   CameraImage picture_;
   TrackSnapshotPtr shown_;            ///< snapshot that belongs to `picture_`
+  std::int64_t reportedFrame_ = -1;   ///< last frame in reportPainted()
   CameraImageSource requestedSource_; ///< input that `job_` is processing or will process
   LatestJob job_{LatestJob::Superseded::Kept};
 };

@@ -28,7 +28,8 @@ std::map<int, std::vector<ImagePickOverlay::Region>>
 assessedRegions(const ColorAssessment& assessment, const std::vector<setup::FoundOutline>& found) {
   std::map<int, std::vector<ImagePickOverlay::Region>> regions;
   for (const DistractorRegion& region : assessment.distractors) {
-    regions[region.camera].push_back(regionOf(region.outline, AssessedRegions::tr("also matches")));
+    regions[region.camera].push_back(
+        regionOf(region.outline, AssessedRegions::tr("also matches the color")));
   }
   const QString also = AssessedRegions::tr("recognized as the target (if it is not, Alt-click it)");
   for (const setup::FoundOutline& target : found) {

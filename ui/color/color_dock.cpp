@@ -58,11 +58,11 @@ std::vector<ImageMenuEntry> ColorDock::menuEntries(ImagePickTool& pick, int came
   }
   return {{QStringLiteral("imageLearnColor"), tr("Learn the color here"),
            tr("Learn the target's color from this spot"), true, point(Qt::NoModifier)},
-          {QStringLiteral("imageAddSample"), tr("Add a sample here"),
+          {QStringLiteral("imageAddSample"), tr("Add color sample here"),
            tr("Add this color to the colors of the target (Shift-click does the same)"),
            panel_->hasTarget(), point(Qt::ShiftModifier)},
           {QStringLiteral("imageExclude"), tr("Exclude this color"),
-           tr("Learn that the target does not have this color (Alt-click does the same)"),
+           tr("Remove this color from the colors of the target (Alt-click does the same)"),
            panel_->hasTarget(), point(Qt::AltModifier)}};
 }
 

@@ -106,19 +106,19 @@ void ColorPicker::retranslateUi() {
   labels_[0]->setText(tr("H&ue"));
   labels_[1]->setText(tr("&Saturation"));
   labels_[2]->setText(tr("&Intensity"));
-  const QString hints[] = {
-      tr("First hue, 0 to 360 degrees; if it is above the last hue, the range goes through red"),
-      tr("Last hue, 0 to 360 degrees"),
-      tr("Smallest saturation, 0 to 1"),
-      tr("Largest saturation, 0 to 1"),
-      tr("Smallest intensity, 0 to 1"),
-      tr("Largest intensity, 0 to 1")};
+  const QString hints[] = {tr("First hue, 0 to 360 degrees. If it is larger than the last hue, the "
+                              "range passes through red (0 degrees)"),
+                           tr("Last hue, 0 to 360 degrees"),
+                           tr("Smallest saturation, 0 to 1"),
+                           tr("Largest saturation, 0 to 1"),
+                           tr("Smallest intensity, 0 to 1"),
+                           tr("Largest intensity, 0 to 1")};
   for (std::size_t i = 0; i < boxes_.size(); ++i) {
     boxes_[i]->setToolTip(hints[i]);
     boxes_[i]->setAccessibleName(hints[i]);
   }
-  const QString how = tr("Drag the ends or the center. Keyboard: Tab selects a handle, arrow keys "
-                         "move it (ten times as far with Shift)");
+  const QString how = tr("Drag the ends or the center of the range. Keyboard: Tab selects a "
+                         "handle, arrow keys move it (ten times as far with Shift)");
   for (QWidget* hand : std::initializer_list<QWidget*>{ring_, saturation_, intensity_}) {
     hand->setToolTip(how);
   }

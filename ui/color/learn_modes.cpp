@@ -74,17 +74,20 @@ void LearnModes::showHints() {
   buttons_[1]->setEnabled(canAdd_);
   buttons_[2]->setEnabled(canExclude_);
   buttons_[0]->setToolTip(takesBoxes_
-                              ? tr("Click the object in a camera image, or drag a box around it.\n"
-                                   "Shift-click works at any time.")
+                              ? tr("Click the object in a camera image, or drag a box around "
+                                   "it.\nWhen this button is off, Shift-click does the same.")
                               : tr("Click the target in a camera image, or drag a box around "
                                    "it,\nto learn its color again."));
   const QString first = tr("Learn the color first: click the target in a camera image.");
-  buttons_[1]->setToolTip(canAdd_ ? tr("Click another part of the target, or the target in "
-                                       "different light.\nShift-click works at any time.")
-                                  : first);
-  buttons_[2]->setToolTip(canExclude_ ? tr("Click something that matches but is not the target.\n"
-                                           "Alt-click or Ctrl+Shift-click works at any time.")
-                                      : first);
+  buttons_[1]->setToolTip(
+      canAdd_ ? tr("Click another part of the target, or the target in different light, to add its "
+                   "color.\nWhen this button is off, Shift-click does the same.")
+              : first);
+  buttons_[2]->setToolTip(
+      canExclude_
+          ? tr("Click something that has the target's color but is not the target, to exclude "
+               "it.\nWhen this button is off, Alt-click or Ctrl+Shift-click does the same.")
+          : first);
 }
 
 QString LearnModes::hintOf(ColorLearner::SampleAction mode) {

@@ -87,9 +87,9 @@ void BackwardTracker::storeCorrections(const PositionCorrection& from,
     return;
   }
   clearProgress();
-  bench_.messages.showNotice(
-      tr("The target was tracked backward to frame %1 and is now tracked forward again from there.")
-          .arg(QLocale().toString(found.front().frame + 1)));
+  bench_.messages.showNotice(tr("The target was tracked backward to frame %1. It is now being "
+                                "tracked forward again from this frame.")
+                                 .arg(QLocale().toString(found.front().frame + 1)));
 }
 
 void BackwardTracker::showProgress(double part) {

@@ -105,7 +105,7 @@ QString LegendPicture::meaningOf(LegendSign sign) {
     return tr("Triangle: the particle of highest weight (View › Show best particle).");
   case LegendSign::Ray:
     return tr("Line across the image: the line of sight of another camera, shown while you drag "
-              "the target. The target must lie on it.");
+              "the target. The target must lie on this line.");
   case LegendSign::Mask:
     return tr("Tinted and outlined: regions with the color of the target (View › Show mask).");
   }

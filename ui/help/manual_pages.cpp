@@ -65,10 +65,10 @@ QStringList manualPages() {
     pages << manualPage(page);
   }
   pages << QStringLiteral("method-calibration.md") << QStringLiteral("method-color.md")
-        << QStringLiteral("fidelity.md") << QStringLiteral("measurements-people.md")
-        << QStringLiteral("measurements-calibration.md") << QStringLiteral("measurements-color.md")
-        << QStringLiteral("accuracy.md") << QStringLiteral("speed.md")
-        << QStringLiteral("changelog.md");
+        << QStringLiteral("fidelity.md") << QStringLiteral("measurements-dewpoint.md")
+        << QStringLiteral("measurements-people.md") << QStringLiteral("measurements-calibration.md")
+        << QStringLiteral("measurements-color.md") << QStringLiteral("accuracy.md")
+        << QStringLiteral("speed.md") << QStringLiteral("changelog.md");
   return pages;
 }
 

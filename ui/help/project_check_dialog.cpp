@@ -216,7 +216,8 @@ void ProjectCheckDialog::retranslateUi() {
   list_->setAccessibleName(tr("Result of the check"));
   progress_->setAccessibleName(tr("Progress of the check"));
   everyFrame_->setText(tr("Read every frame"));
-  everyFrame_->setToolTip(tr("Find damaged frames anywhere in a recording. This takes longer"));
+  everyFrame_->setToolTip(tr("Find damaged frames anywhere in a recording: all frames are read, "
+                             "not only a few of them. This takes longer"));
   check_->setText(tr("Check again"));
   check_->setToolTip(tr("Check the project as it is now"));
   cancel_->setText(tr("Cancel"));

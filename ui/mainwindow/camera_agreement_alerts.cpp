@@ -27,8 +27,7 @@ void CameraAgreementAlerts::setSnapshot(const TrackSnapshotPtr& snapshot) {
   }
   const auto next = std::ranges::find_if(
       found, [&](const CameraDisagreement& one) { return !isAmong(shown_, one); });
-  const bool isOpen =
-      !text_.isEmpty() && bar_.isVisibleTo(bar_.parentWidget()) && bar_.text() == text_;
+  const bool isOpen = bar_.isAsking(text_);
   if (next != found.end() && !isOpen && !suppressed_) {
     shown_.push_back(*next);
     show(*next, cameraNames(*snapshot));
@@ -36,8 +35,8 @@ void CameraAgreementAlerts::setSnapshot(const TrackSnapshotPtr& snapshot) {
 }
 
 void CameraAgreementAlerts::withdraw() {
-  if (!text_.isEmpty() && bar_.text() == text_) {
-    bar_.dismiss();
+  if (!text_.isEmpty()) {
+    bar_.withdraw(text_);
   }
   text_.clear();
 }
@@ -55,7 +54,7 @@ void CameraAgreementAlerts::show(const CameraDisagreement& found, const QStringL
           [this, camera] { Q_EMIT calibrationRequested(static_cast<int>(camera)); });
     }
   }
-  bar_.ask(disagreementText(found, names), answers);
+  bar_.askUntilAnswered(disagreementText(found, names), answers);
   text_ = bar_.text();
 }
 

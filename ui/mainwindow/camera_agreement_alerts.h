@@ -37,7 +37,7 @@ private:
 
   MessageBar& bar_;
   std::vector<CameraDisagreement> shown_; ///< disagreements that were shown and still exist
-  QString text_;                          ///< last text shown in the bar
+  QString text_;                          ///< last question asked
   bool suppressed_ = false;
 };
 

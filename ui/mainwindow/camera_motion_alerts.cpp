@@ -12,7 +12,7 @@ CameraMotionAlerts::CameraMotionAlerts(MessageBar& bar, QObject* parent)
 
 void CameraMotionAlerts::clear() {
   news_.clear();
-  text_.clear();
+  withdraw();
 }
 
 void CameraMotionAlerts::setSnapshot(const TrackSnapshotPtr& shown) {
@@ -33,10 +33,26 @@ void CameraMotionAlerts::setSnapshot(const TrackSnapshotPtr& shown) {
 }
 
 void CameraMotionAlerts::withdraw() {
-  if (!text_.isEmpty() && bar_.text() == text_) {
+  if (!notice_.isEmpty() && bar_.text() == notice_) {
     bar_.dismiss();
   }
-  text_.clear();
+  notice_.clear();
+  while (!questions_.empty()) {
+    withdraw(questions_.begin()->first);
+  }
+}
+
+void CameraMotionAlerts::withdraw(int camera) {
+  if (const auto asked = questions_.extract(camera)) {
+    bar_.withdraw(asked.mapped());
+  }
+}
+
+void CameraMotionAlerts::ask(int camera, const QString& question, const QString& answer,
+                             void (CameraMotionAlerts::*answered)(int)) {
+  const auto report = [this, camera, answered] { (this->*answered)(camera); }; // a signal
+  bar_.askUntilAnswered(question, {{answer, report}});
+  questions_[camera] = question;
 }
 
 void CameraMotionAlerts::showAlert(const CameraMotionReport& report, CameraMotionStage stage,
@@ -44,28 +60,29 @@ void CameraMotionAlerts::showAlert(const CameraMotionReport& report, CameraMotio
   const int camera = static_cast<int>(report.event.camera);
   const QString what = tr("%1 was rotated by %2 (frame %3).")
                            .arg(name, angleText(report.event.turn.turn.norm(), 2))
-                           .arg(static_cast<qlonglong>(report.event.frame));
+                           .arg(static_cast<qlonglong>(report.event.frame)) +
+                       QLatin1Char(' ');
+  withdraw(camera);
   switch (stage) {
   case CameraMotionStage::Waiting:
-    bar_.showNotice(what + QLatin1Char(' ') + tr("Its new pose is being computed."));
+    notice_ = what + tr("The new pose of this camera is being computed.");
+    bar_.showNotice(notice_);
     break;
   case CameraMotionStage::Solved:
-    bar_.ask(what + QLatin1Char(' ') + tr("Its pose can be recomputed from its images."),
-             {{tr("Recompute pose of %1").arg(name),
-               [this, camera] { Q_EMIT newPoseRequested(camera); }}});
+    ask(camera, what + tr("The pose of this camera can be recomputed from its images."),
+        tr("Recompute pose of %1").arg(name), &CameraMotionAlerts::newPoseRequested);
     break;
   case CameraMotionStage::Unsolvable:
-    bar_.ask(
-        what + QLatin1Char(' ') +
-            tr("Its pose cannot be recomputed from its images: calibrate the camera again, or "
-               "move it back."),
-        {{tr("Calibrate %1…").arg(name), [this, camera] { Q_EMIT calibrationRequested(camera); }}});
+    ask(camera,
+        what + tr("The pose of this camera cannot be recomputed from its images: calibrate the "
+                  "camera again, or move it back."),
+        tr("Calibrate %1…").arg(name), &CameraMotionAlerts::calibrationRequested);
     break;
   case CameraMotionStage::Back:
-    bar_.showNotice(tr("%1 is back in its calibrated pose.").arg(name));
+    notice_ = tr("%1 is back in its calibrated pose.").arg(name);
+    bar_.showNotice(notice_);
     break;
   }
-  text_ = bar_.text();
 }
 
 } // namespace dewpoint::ui

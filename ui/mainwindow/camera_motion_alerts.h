@@ -7,13 +7,16 @@
 #include <QObject>
 #include <QString>
 
+#include <map>
+
 namespace dewpoint::ui {
 
 class MessageBar;
 
 /// Shows a message when a camera has moved, with advice. If the run has found the new pose, one
-/// click applies it. Each state of a moved camera is reported once. Once closed by the user, a
-/// message does not reappear.
+/// click applies it. Each state of a moved camera is reported once. If several cameras have moved,
+/// the question about each one stays until it is answered. Once closed by the user, a message does
+/// not reappear.
 class CameraMotionAlerts : public QObject {
   Q_OBJECT
 public:
@@ -29,11 +32,16 @@ Q_SIGNALS:
 private:
   void clear();
   void showAlert(const CameraMotionReport& report, CameraMotionStage stage, const QString& camera);
+  void ask(int camera, const QString& question, const QString& answer,
+           void (CameraMotionAlerts::*answered)(int));
+  /// Withdraws the questions about all cameras, or about one of them.
   void withdraw();
+  void withdraw(int camera);
 
   MessageBar& bar_;
   CameraMotionMessages news_;
-  QString text_; ///< last text shown in the bar
+  QString notice_;                   ///< last notice shown in the bar
+  std::map<int, QString> questions_; ///< last question about each camera
 };
 
 } // namespace dewpoint::ui

@@ -52,6 +52,7 @@
 #include "ui/view3d/birds_eye_view.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/widgets/message_row.h"
+#include "ui/widgets/notice_list.h"
 #include "ui/workbench/dock_manager.h"
 #include "ui/workbench/workbench.h"
 
@@ -88,6 +89,7 @@ MainWindow::MainWindow(ProjectOpener opener, QWidget* parent)
       session_(new SessionController(std::move(opener), *document_, *selection_, this)),
       actions_(new ActionRegistry(this)),
       docks_(new DockManager(*this, *document_, *session_, this)), messages_(new MessageBar(this)),
+      notices_(new NoticeList(this)),
       bench_(new Workbench{*this, *actions_, *document_, *cameraList_, *targetList_, *selection_,
                            *session_, *docks_, *messages_}),
       runWriter_(new RunWriter(*bench_)) {
@@ -139,7 +141,7 @@ void MainWindow::installFeatures() {
   new OutputController(bench);
   auto* takes = new TakeController(bench);
   connect(takes, &TakeController::openRequested, this, &MainWindow::openProject);
-  new RunAlerts(bench, calibration->manual());
+  new RunAlerts(bench, *notices_, calibration->manual());
   new OldResultsOffer(bench);
   installRunActions(bench);
   history_ = new HistoryDock(bench);
@@ -148,7 +150,7 @@ void MainWindow::installFeatures() {
   installStatusBar();
   installHelp(bench);
   installTransportBar(bench);
-  messageRow_ = new MessageRow(messages_, this);
+  messageRow_ = new MessageRow(messages_, notices_, this);
   placeMessageRow();
   connect(messageRow_, &MessageRow::heightChanging, docks_,
           [this] { docks_->keepHeightsBelow(true); });

@@ -24,6 +24,7 @@ class Document;
 class HistoryDock;
 class MessageBar;
 class MessageRow;
+class NoticeList;
 class ProjectController;
 class ProjectSaver;
 class RunWriter;
@@ -104,6 +105,7 @@ private:
   ActionRegistry* actions_;
   DockManager* docks_;
   MessageBar* messages_;
+  NoticeList* notices_;
   MessageRow* messageRow_ = nullptr; ///< row for the message bar in the window
   std::unique_ptr<Workbench> bench_;
   ProjectController* projects_ = nullptr;

@@ -76,7 +76,8 @@ void MissingFilesOffer::locate(const OpenRequest& request, const MissingFiles& m
     again.what.moved.insert(moved.begin(), moved.end());
   }
   again.unsaved = true;
-  again.note = tr("Opened with the located files. Save the project to keep their new paths.");
+  again.note = tr("The project was opened with the files that you located. Save the project to "
+                  "keep their new paths.");
   bench_.session.open(std::move(again));
 }
 

@@ -22,7 +22,7 @@ OldResultsOffer::OldResultsOffer(const Workbench& bench) : QObject(&bench.window
 
 void OldResultsOffer::offer(bool offers) {
   if (offers) {
-    shown_ = tr("The settings have changed since these frames were tracked.");
+    shown_ = tr("Some frames were tracked with earlier settings.");
     ResultRefresher* results = &bench_.session.results();
     bench_.messages.ask(shown_, {{tr("Track again"), [results] { results->trackAgain(); }}});
   } else if (!shown_.isEmpty() && bench_.messages.text() == shown_) {

@@ -251,10 +251,11 @@ void ProjectController::enableRecovery(const std::filesystem::path& folder, Text
   });
   connect(recovery_, &RecoveryOffer::recovered, this,
           [this](const Project& project, const RecoverableWork& work) {
-            bench_.session.open({.what = project,
-                                 .unsaved = true,
-                                 .note = tr("Recovered. Save the project to keep it."),
-                                 .recovered = work});
+            bench_.session.open(
+                {.what = project,
+                 .unsaved = true,
+                 .note = tr("The changes were recovered. Save the project to keep them."),
+                 .recovered = work});
           });
 }
 

@@ -13,23 +13,33 @@
 #include "ui/text/error_sentence.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/reason_text.h"
+#include "ui/text/retranslation.h"
 #include "ui/widgets/message_bar.h"
+#include "ui/widgets/notice_list.h"
 
 #include <QAction>
 #include <QMainWindow>
+#include <QStatusBar>
+#include <QToolButton>
 
 #include <algorithm>
 
 namespace dewpoint::ui {
 
-RunAlerts::RunAlerts(const Workbench& bench, ManualCalibration& manual)
-    : QObject(&bench.window), bench_(bench), manual_(manual) {
+RunAlerts::RunAlerts(const Workbench& bench, NoticeList& notices, ManualCalibration& manual)
+    : QObject(&bench.window), bench_(bench), notices_(notices), manual_(manual) {
   auto* alerts = new CameraMotionAlerts(bench_.messages, this);
   connect(&bench_.session, &SessionController::snapshotChanged, this, &RunAlerts::showNotices);
   bench_.connectView(alerts);
   connect(alerts, &CameraMotionAlerts::newPoseRequested, this, &RunAlerts::applyNewPose);
   connect(alerts, &CameraMotionAlerts::calibrationRequested, this, &RunAlerts::calibrate);
   connectAgreement();
+  addHiddenButton();
+  connect(&notices_, &NoticeList::began, this,
+          [this](const QString& notice) { bench_.messages.record(notice, Severity::Warning); });
+  connect(&notices_, &NoticeList::ended, this, [this](const QString& notice) {
+    bench_.messages.record(tr("No longer: %1").arg(notice), Severity::Information);
+  });
   bench_.onTriggered("actionResolveCamera", this, [this] { applyFirstNewPose(); });
   bench_.requireRun({"actionResolveCamera"});
   connect(&bench_.session, &SessionController::failed, &bench_.messages, &MessageBar::showError);
@@ -65,17 +75,34 @@ void RunAlerts::correctRig(const CameraDisagreement& found, std::size_t choice) 
 }
 
 void RunAlerts::showNotices(const TrackSnapshotPtr& snapshot) {
-  if (!snapshot) {
-    noticesShown_ = 0;
-    return;
+  QStringList texts;
+  if (snapshot) {
+    // A camera that was moved is said with what can be done about it.
+    const std::size_t count = snapshot->notices.size() -
+                              std::min(snapshot->cameraMotions.size(), snapshot->notices.size());
+    for (std::size_t k = 0; k < count; ++k) {
+      texts += errorText(snapshot->notices[k]);
+    }
   }
-  // A camera that was moved is said with what can be done about it.
-  const std::size_t count =
-      snapshot->notices.size() - std::min(snapshot->cameraMotions.size(), snapshot->notices.size());
-  if (count > noticesShown_) {
-    bench_.messages.showNotice(errorText(snapshot->notices[count - 1]));
-  }
-  noticesShown_ = count;
+  notices_.setNotices(texts);
+}
+
+void RunAlerts::addHiddenButton() {
+  auto* button = new QToolButton(&bench_.window);
+  button->setObjectName(QStringLiteral("hiddenNotices"));
+  button->setAutoRaise(true);
+  button->setFocusPolicy(Qt::TabFocus);
+  button->hide();
+  bench_.window.statusBar()->addPermanentWidget(button);
+  const auto update = [this, button] {
+    const auto count = static_cast<int>(notices_.hiddenCount());
+    button->setText(tr("◆ %n notice(s)", nullptr, count));
+    button->setToolTip(tr("Show the hidden notices"));
+    button->setVisible(count > 0);
+  };
+  connect(&notices_, &NoticeList::hiddenCountChanged, button, update);
+  connect(button, &QToolButton::clicked, &notices_, &NoticeList::showAll);
+  onRetranslate(button, update);
 }
 
 void RunAlerts::applyFirstNewPose() {

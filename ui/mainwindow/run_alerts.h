@@ -10,16 +10,19 @@ namespace dewpoint::ui {
 
 class CameraAgreementAlerts;
 class ManualCalibration;
+class NoticeList;
 
-/// Shows the alerts of a run: its notices, cameras that moved, and cameras that disagree. Performs
-/// the corrections that the alerts offer.
+/// Shows the alerts of a run: its notices, as long as their causes last, cameras that moved, and
+/// cameras that disagree. Performs the corrections that the alerts offer.
 class RunAlerts : public QObject {
   Q_OBJECT
 public:
-  RunAlerts(const Workbench& bench, ManualCalibration& manual);
+  RunAlerts(const Workbench& bench, NoticeList& notices, ManualCalibration& manual);
 
 private:
   void showNotices(const TrackSnapshotPtr& snapshot);
+  /// Adds a button to the status bar that shows hidden notices again.
+  void addHiddenButton();
   void applyFirstNewPose();
   /// Applies the pose found by the run for a moved camera to the project.
   void applyNewPose(int camera);
@@ -30,8 +33,8 @@ private:
   void correctRig(const CameraDisagreement& found, std::size_t choice);
 
   Workbench bench_;
+  NoticeList& notices_;
   ManualCalibration& manual_;
-  std::size_t noticesShown_ = 0;
 };
 
 } // namespace dewpoint::ui

@@ -21,10 +21,36 @@ const QString kUnknown(QStringLiteral("–"));
 
 QString latencyText(const Latency& latency) {
   return latency.longest <= 0.0 ? kUnknown
-                                : RunDetails::tr("median %1, 99 of 100 within %2, longest %3")
+                                : RunDetails::tr("median %1, 99 % of them at most %2, longest %3")
                                       .arg(millisecondsText(inMilliseconds(latency.median)),
                                            millisecondsText(inMilliseconds(latency.p99)),
                                            millisecondsText(inMilliseconds(latency.longest)));
+}
+
+QString stageText(const Latency& stage) {
+  return stage.longest <= 0.0 ? kUnknown : millisecondsText(inMilliseconds(stage.median));
+}
+
+/// Of live cameras: median and 99th percentile from light to estimate, and the medians of its
+/// parts.
+QString liveLatencyText(const LiveLatency& live) {
+  if (live.total.longest <= 0.0) {
+    return kUnknown;
+  }
+  QString text = RunDetails::tr("median %1, 99 of 100 within %2")
+                     .arg(millisecondsText(inMilliseconds(live.total.median)),
+                          millisecondsText(inMilliseconds(live.total.p99)));
+  text += QLatin1Char('\n') +
+          RunDetails::tr("capture %1 · decode %2 · wait %3 · compute %4 · draw %5")
+              .arg(stageText(live.capture), stageText(live.decode), stageText(live.wait),
+                   stageText(live.compute), stageText(live.draw));
+  if (live.images[static_cast<std::size_t>(TimeOrigin::Arrival)] > 0) {
+    text +=
+        QLatin1Char('\n') +
+        RunDetails::tr(
+            "Counted from the arrival of the image where a camera does not report capture times");
+  }
+  return text;
 }
 
 QString budgetText(const BudgetStatistics& budget) {
@@ -33,7 +59,7 @@ QString budgetText(const BudgetStatistics& budget) {
   }
   const double kept =
       1.0 - static_cast<double>(budget.late) / static_cast<double>(budget.iterations);
-  return RunDetails::tr("%1, met in %2 % of the iterations of this run")
+  return RunDetails::tr("%1; %2 % of the iterations of this run were fast enough")
       .arg(millisecondsText(budget.milliseconds), percentText(kept, 1));
 }
 
@@ -48,6 +74,7 @@ RunDetails::RunDetails(QWidget* parent) : QFrame(parent, Qt::Popup), rows_(new Q
   for (const auto& [label, name] :
        std::initializer_list<std::pair<QLabel**, const char*>>{{&time_, "statusTime"},
                                                                {&latency_, "statusLatency"},
+                                                               {&liveLatency_, "statusLiveLatency"},
                                                                {&budget_, "statusBudget"},
                                                                {&sampleSize_, "statusSampleSize"},
                                                                {&iterations_, "statusIterations"},
@@ -75,7 +102,8 @@ QLabel* RunDetails::row(const char* name) {
 
 void RunDetails::retranslateUi() {
   names_[time_]->setText(tr("Median time per iteration"));
-  names_[latency_]->setText(tr("Time from frame to estimate"));
+  names_[latency_]->setText(tr("Time from camera image to estimate"));
+  names_[liveLatency_]->setText(tr("Time from light to estimate"));
   names_[budget_]->setText(tr("Time budget per iteration"));
   names_[sampleSize_]->setText(tr("Effective sample size"));
   names_[iterations_]->setText(tr("Iterations since the start"));
@@ -97,6 +125,7 @@ void RunDetails::setSnapshot(const TrackSnapshotPtr& snapshot, const TargetSnaps
 void RunDetails::refresh(const TrackSnapshot& snapshot, const TargetSnapshot* target) {
   time_->setText(durationText(snapshot.microsecondsPerIteration));
   latency_->setText(latencyText(snapshot.latency));
+  liveLatency_->setText(liveLatencyText(snapshot.liveLatency));
   budget_->setText(budgetText(snapshot.budget));
   const int particles = target != nullptr ? particleCountOf(target->estimate) : 0;
   sampleSize_->setText(particles <= 0

@@ -41,6 +41,7 @@ private:
   QGridLayout* rows_;
   QLabel* time_;
   QLabel* latency_;
+  QLabel* liveLatency_;
   QLabel* budget_;
   QLabel* sampleSize_;
   QLabel* iterations_;

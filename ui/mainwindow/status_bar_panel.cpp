@@ -60,7 +60,8 @@ QString playWord(const TrackSnapshot& snapshot) {
 QString reasonOf(const TrackSnapshot& snapshot, const TargetSnapshot& target) {
   const auto ofCameras = [&] {
     return target.status == TargetStatus::Ambiguous
-               ? StatusBarPanel::tr("other objects fit equally well: press X, drag the target")
+               ? StatusBarPanel::tr(
+                     "other objects fit equally well: press X and drag the target to its position")
            : snapshot.family.isDefined(target.target)
                ? reasonText(target.reasons, cameraNames(snapshot))
                : StatusBarPanel::tr("click the object or drag a box around it");
@@ -114,7 +115,8 @@ void StatusBarPanel::retranslateUi() {
     label->setToolTip(hint);
   };
   explain(playing_, tr("tracking again"),
-          tr("Playing, paused, at the end, looking back at an earlier frame, or tracking again"));
+          tr("State of the run: playing, paused, at the end, looking back at an earlier frame, or "
+             "tracking again"));
   explain(frame_, tr("frame %1 / %2").arg("0000", "0000"),
           tr("Number of the frame shown, and number of all frames"));
   explain(rate_, tr("%1 /s").arg("0000.0"), tr("Frames tracked per second"));

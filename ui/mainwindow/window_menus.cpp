@@ -80,6 +80,7 @@ void WindowMenus::make() {
        "actionRestartNewSeed",
        nullptr,
        "actionRecord",
+       "actionTakeNotes",
        "actionSendResults",
        "actionOutputs",
        nullptr,

@@ -60,9 +60,9 @@ void BackgroundImageTaker::take(int camera) {
   if (const QString target = targetSeenBy(camera); !target.isEmpty()) {
     Q_EMIT confirmationRequested(
         tr("“%1” is visible in this image and would become part of the background. Choose a frame "
-           "without it.")
+           "without this target.")
             .arg(target),
-        tr("Use it anyway"), [this, camera, image, asked = QPointer(writeQueue_.get())] {
+        tr("Use image anyway"), [this, camera, image, asked = QPointer(writeQueue_.get())] {
           if (asked && !isWriting_) { // else another project was opened meanwhile
             write(camera, image);
           }
@@ -104,9 +104,9 @@ void BackgroundImageTaker::applyWritten(const Project& then, int camera,
   const QString file = QString::fromStdString(kept->string());
   const auto& cameras = document_.project().cameras;
   if (row >= cameras.size() || !isStillAs(cameras[row], then.cameras[row])) {
-    Q_EMIT messageRequested(
-        tr("The camera has changed in the meantime. The image was saved as %1, but is not used.")
-            .arg(file));
+    Q_EMIT messageRequested(tr("The image was saved as %1, but is not used, because the settings "
+                               "of the camera were changed in the meantime.")
+                                .arg(file));
     return;
   }
   const auto edited = document_.edit(tr("Change background image"), [&](Project& project) {

@@ -7,6 +7,7 @@
 #include "ui/document/camera_list_model.h"
 #include "ui/document/document.h"
 #include "ui/panels/background_image_taker.h"
+#include "ui/panels/delay_estimate.h"
 #include "ui/selection/selection.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/retranslation.h"
@@ -48,7 +49,8 @@ CameraPanel::CameraPanel(Document& document, Selection& selection, CameraListMod
       rotationLabel_(new QLabel(this)), rotation_(new QComboBox(this)),
       mirror_(new QCheckBox(this)), delayLabel_(new QLabel(this)),
       delay_(makeNumberField(QStringLiteral("cameraLate"), {-kMostLate, kMostLate, 1.0, 1}, this)),
-      calibration_(new QLabel(this)), load_(new QPushButton(this)),
+      delayEstimate_(new DelayEstimate(this)), calibration_(new QLabel(this)),
+      load_(new QPushButton(this)),
       taker_(new BackgroundImageTaker(document, selection, cameras, this)) {
   setObjectName(QStringLiteral("cameraPanel"));
   list_->setModel(&cameras_);
@@ -87,6 +89,7 @@ void CameraPanel::makeFields() {
   form->addRow(rotationLabel_, rotation_);
   form->addRow(nullptr, mirror_);
   form->addRow(delayLabel_, delay_);
+  form->addRow(delayEstimate_);
   form->addRow(backgroundImageLabel_, backgroundImage_);
   auto* rooms = new QHBoxLayout;
   rooms->setSpacing(8);
@@ -139,6 +142,12 @@ void CameraPanel::connectFields() {
       }
     });
   });
+  connect(delayEstimate_, &DelayEstimate::kept, this, [this](double delay) {
+    edit(tr("Keep estimated delay"), [delay](ProjectCamera& camera) {
+      camera.delay = std::clamp(camera.delay + delay, -fromMilliseconds(kMostLate),
+                                fromMilliseconds(kMostLate));
+    });
+  });
   connect(browse_, &QPushButton::clicked, this, &CameraPanel::relocate);
   connect(backgroundImage_, &QLineEdit::editingFinished, this,
           [this] { setBackgroundImage(backgroundImage_->text().trimmed()); });
@@ -164,19 +173,18 @@ void CameraPanel::retranslateUi() {
   browse_->setText(tr("Choose…"));
   browse_->setToolTip(tr("Choose the file, folder or device of this camera"));
   rotationLabel_->setText(tr("Rotated"));
-  rotation_->setToolTip(tr("Clockwise rotation of the images before use"));
+  rotation_->setToolTip(tr("How far the images are rotated clockwise before they are used"));
   mirror_->setText(tr("Mirrored"));
   mirror_->setToolTip(tr("Mirror the images left to right, after rotation"));
   delayLabel_->setText(tr("Delay"));
   delay_->setSuffix(tr(" ms"));
-  delay_->setToolTip(
-      tr("Delay of this camera's images in ms, used to synchronize it with the other "
-         "cameras. Calibration with a wand can measure the delay"));
+  delay_->setToolTip(tr("How late this camera's images are, in ms. Dewpoint uses this delay to "
+                        "synchronize the cameras. Calibration with a wand can measure the delay"));
   delay_->setAccessibleName(tr("Delay of the images in milliseconds"));
   backgroundImageLabel_->setText(tr("Background image"));
   backgroundImage_->setToolTip(
-      tr("Image, video or image folder that shows the scene without any target. Regions that have "
-         "the target's color there are not taken for the target"));
+      tr("Image, video or image folder that shows the scene without any target. An object in it "
+         "that has the target's color is then not mistaken for the target"));
   backgroundImageBrowse_->setText(tr("Choose…"));
   backgroundImageBrowse_->setAccessibleName(tr("Choose background image"));
   backgroundImageBrowse_->setToolTip(
@@ -212,6 +220,8 @@ void CameraPanel::showChosen() {
     field->setEnabled(own);
   }
   browse_->setEnabled(own && isFile);
+  delayEstimate_->setEditable(own);
+  showDelayEstimate();
   updateTakeButton();
   backgroundImage_->setText(QString::fromStdString(camera.backgroundImage));
   name_->setText(QString::fromStdString(camera.camera.name));
@@ -229,7 +239,7 @@ void CameraPanel::showCalibration(const ProjectCamera& camera) {
   const Intrinsics& in = camera.camera.intrinsics;
   const Eigen::Vector3d place = camera.camera.center();
   calibration_->setText(
-      tr("%1 × %2 pixels, focal length %3 pixels\nat %4, %5, %6")
+      tr("%1 × %2 pixels, focal length %3 pixels\nPosition x, y, z: %4, %5, %6")
           .arg(in.width)
           .arg(in.height)
           .arg(numberText(in.focalX, 1, NumberForm::Rounded), coordinate(place.x()),
@@ -269,6 +279,16 @@ void CameraPanel::relocate() {
 void CameraPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
   taker_->setSnapshot(snapshot);
   updateTakeButton();
+  clocks_ = snapshot ? snapshot->clocks : std::vector<ClockEstimate>();
+  showDelayEstimate();
+}
+
+void CameraPanel::showDelayEstimate() {
+  const auto row = static_cast<std::size_t>(std::max(0, chosen()));
+  const auto& cameras = document_.project().cameras;
+  delayEstimate_->setEstimate(row < clocks_.size() ? std::optional(clocks_[row]) : std::nullopt,
+                              cameras.empty() ? QString()
+                                              : QString::fromStdString(cameras[0].camera.name));
 }
 
 void CameraPanel::updateTakeButton() {

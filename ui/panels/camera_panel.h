@@ -6,6 +6,7 @@
 #include <QWidget>
 
 #include <functional>
+#include <vector>
 
 class QCheckBox;
 class QComboBox;
@@ -25,6 +26,7 @@ namespace dewpoint::ui {
 
 class BackgroundImageTaker;
 class CameraListModel;
+class DelayEstimate;
 class Document;
 class Selection;
 
@@ -56,6 +58,7 @@ private:
   void chooseBackgroundImage();
   void setBackgroundImage(const QString& file);
   void updateTakeButton();
+  void showDelayEstimate();
   void makeFields();
   void connectFields();
 
@@ -77,9 +80,11 @@ private:
   QCheckBox* mirror_;
   QLabel* delayLabel_;
   QDoubleSpinBox* delay_;
+  DelayEstimate* delayEstimate_;
   QLabel* calibration_;
   QPushButton* load_;
   BackgroundImageTaker* taker_;
+  std::vector<ClockEstimate> clocks_; ///< from the last snapshot
 };
 
 } // namespace dewpoint::ui

@@ -64,7 +64,8 @@ void loadCalibration(const Workbench& bench, LatestJob* job, const QString& file
         bench.messages.showError(
             asked.question == ImportQuestion::None
                 ? errorText(asked.error)
-                : CameraPanel::tr("%1. Use Import calibration.").arg(errorText(asked.error)));
+                : CameraPanel::tr("%1. Choose Calibration › Import calibration instead.")
+                      .arg(errorText(asked.error)));
       } else if (project->cameras == bench.document.project().cameras) { // not changed meanwhile
         takeCameras(bench, *made, file);
       }

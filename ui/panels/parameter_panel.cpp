@@ -60,7 +60,7 @@ QString boundNote(const ParameterValues& used, const ParameterDeclaration& decla
   if (tracking::exceedsBound(used, declaration)) {
     const auto bound =
         std::ranges::find(declarations, declaration.bound, &ParameterDeclaration::key);
-    return ParameterPanel::tr("This is more than “%1”: %2 is used instead.")
+    return ParameterPanel::tr("This value is larger than “%1”, so %2 is used instead.")
         .arg(labelText(*bound), declaredText(used.at(declaration.bound)));
   }
   const auto bounded = std::ranges::find_if(declarations, [&](const ParameterDeclaration& other) {
@@ -68,7 +68,7 @@ QString boundNote(const ParameterValues& used, const ParameterDeclaration& decla
   });
   return bounded == declarations.end()
              ? QString()
-             : ParameterPanel::tr("This is less than “%1”, so “%1” has no effect.")
+             : ParameterPanel::tr("This value is smaller than “%1”, so “%1” has no effect.")
                    .arg(labelText(*bounded));
 }
 

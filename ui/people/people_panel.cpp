@@ -112,11 +112,12 @@ void PeoplePanel::retranslateUi() {
       {tr("Position"), tr("Position on the floor, x and y in meters")},
       {tr("Height"), tr("Estimated height in meters; empty if the method does not estimate it")},
       {tr("Speed"), tr("Speed over the floor, in meters per second")},
-      {tr("Seen"), tr("Number of cameras that see the person, out of all cameras")},
+      {tr("Cameras"), tr("Number of cameras that see the person, out of all cameras")},
       {tr("Volume"), tr("Volume of the hull that encloses 95 % of the person, in cubic meters. "
                         "Empty unless “Show people's volumes” is on")},
       {tr("Time"), tr("Time since the person entered, in seconds")},
-      {tr("Near"), tr("Another person is so close that the colors of this person are not learned")},
+      {tr("Near"), tr("● means that another person is close. Until the two are apart again, the "
+                      "method learns nothing new about the colors of this person")},
   };
   for (int column = 0; column < kColumns; ++column) {
     auto* item = new QTableWidgetItem(headers[column].first);

@@ -138,7 +138,8 @@ std::vector<PlotDeclaration> boxRunPlots() {
       {QStringLiteral("likelihood"),
        RunPlots::tr("Similarity"),
        PlotQuantity::Probability,
-       {{RunPlots::tr("to the reference"), QStringLiteral("similarity"), kExistence, 1}}},
+       {{RunPlots::tr("similarity to the reference"), QStringLiteral("similarity"), kExistence,
+         1}}},
       durationPlot(),
   };
 }

@@ -18,6 +18,7 @@ constexpr QLatin1String kRecentProjects("recentProjects");
 constexpr QLatin1String kLastFolder("lastFolder");
 constexpr QLatin1String kFilterThreads("filter/threads");
 constexpr QLatin1String kSlowUntilHeld("playback/slowUntilHeld");
+constexpr QLatin1String kPreRollSeconds("recording/preRollSeconds");
 constexpr QLatin1String kShortcuts("shortcuts/");
 constexpr QLatin1String kPlotsShown("plots/shown");
 constexpr QLatin1String kPlotsOverTime("plots/overTime");
@@ -102,6 +103,14 @@ bool Preferences::slowUntilHeld() const {
 
 void Preferences::setSlowUntilHeld(bool slow) {
   write(kSlowUntilHeld, slow);
+}
+
+int Preferences::preRollSeconds() const {
+  return std::max(0, read(kPreRollSeconds, 0).toInt());
+}
+
+void Preferences::setPreRollSeconds(int seconds) {
+  write(kPreRollSeconds, std::max(0, seconds));
 }
 
 std::optional<QKeySequence> Preferences::shortcut(const QString& action) const {

@@ -61,6 +61,10 @@ public:
   bool slowUntilHeld() const;
   void setSlowUntilHeld(bool slow);
 
+  /// Returns how many seconds before the start of a take are recorded; 0: none.
+  int preRollSeconds() const;
+  void setPreRollSeconds(int seconds);
+
   /// Returns the shortcut that the user assigned to an action; empty if the user removed the
   /// shortcut. Returns nothing if the action has its default shortcut.
   std::optional<QKeySequence> shortcut(const QString& action) const;

@@ -2,7 +2,10 @@
 #include "ui/recording/take_controller.h"
 
 #include "core/project/project.h"
+#include "core/session/session.h"
 #include "ui/document/document.h"
+#include "ui/preferences/preferences.h"
+#include "ui/recording/take_comparison.h"
 #include "ui/recording/take_text.h"
 #include "ui/text/error_sentence.h"
 #include "ui/widgets/message_bar.h"
@@ -27,19 +30,24 @@ constexpr std::chrono::milliseconds kUpdate(250);
 
 TakeController::TakeController(const Workbench& bench)
     : QObject(&bench.window), bench_(bench), action_(bench.action("actionRecord")),
-      label_(new QLabel(&bench.window)), job_(new BackgroundJob(this)) {
+      label_(new QLabel(&bench.window)), job_(new BackgroundJob(this)),
+      notesJobs_(new JobQueue(this)) {
   label_->setObjectName(QStringLiteral("takeLabel"));
   label_->hide();
   bench_.window.statusBar()->addPermanentWidget(label_);
   connect(action_, &QAction::triggered, this, &TakeController::toggle);
+  bench_.onTriggered("actionTakeNotes", this, [this] { editDetails(recorder_); });
   connect(&timer_, &QTimer::timeout, this, &TakeController::showStatus);
-  connect(&bench_.session, &SessionController::runStarted, this, &TakeController::updateAction);
-  connect(&bench_.session, &SessionController::runEnded, this, [this] {
-    stop(tr("The recording ended, because its cameras were closed."));
+  connect(&bench_.session, &SessionController::runStarted, this, [this] {
+    keepPreRoll();
     updateAction();
   });
+  connect(&bench_.session, &SessionController::runEnding, this,
+          [this] { stop(tr("The recording ended, because its cameras were closed.")); });
+  connect(&bench_.session, &SessionController::runEnded, this, &TakeController::updateAction);
   connect(job_, &BackgroundJob::ended, this, &TakeController::updateAction);
   updateAction();
+  new TakeComparison(bench_);
 }
 
 std::filesystem::path TakeController::takesFolder() const {
@@ -65,16 +73,18 @@ void TakeController::toggle(bool record) {
 
 void TakeController::start() {
   using Started = Result<std::unique_ptr<TakeRecorder>>;
-  const bool starts = job_->start(
-      [this, project = bench_.document.project(), feeds = bench_.session.feeds(),
-       folder = takesFolder()](const BackgroundJob::Progress&) -> std::function<void()> {
-        auto take = std::make_shared<Started>(TakeRecorder::start(project, feeds, folder, {}));
+  const bool starts =
+      job_->start([this, project = bench_.document.project(), feeds = bench_.session.feeds(),
+                   folder = takesFolder(), options = nextOptions()](
+                      const BackgroundJob::Progress&) -> std::function<void()> {
+        auto take = std::make_shared<Started>(TakeRecorder::start(project, feeds, folder, options));
         return [this, take] {
           if (!*take) {
             bench_.messages.showError(errorText(take->error()));
             return;
           }
           recorder_ = std::move(**take);
+          next_ = {}; // the one after it counts up by itself
           shownProblem_.clear();
           timer_.start(kUpdate);
           showStatus();
@@ -93,17 +103,41 @@ void TakeController::stop(const QString& reason) {
   label_->hide();
   action_->setEnabled(false);
   // Completing the files takes up to a second.
-  job_->start([this, recorder, reason](const BackgroundJob::Progress&) -> std::function<void()> {
+  job_->start([this, recorder, reason,
+               live = liveRun()](const BackgroundJob::Progress&) -> std::function<void()> {
     (void)recorder->stop(); // its problem is in the status
-    return [this, take = recorder->status(), reason] { finish(take, reason); };
+    const Status added = recorder->addLiveRun(*live);
+    return [this, recorder, reason, added] {
+      finish(recorder, reason);
+      if (!added) {
+        bench_.messages.showWarning(errorText(added.error()));
+      }
+    };
   });
 }
 
-void TakeController::finish(const TakeStatus& take, const QString& reason) {
+std::shared_ptr<const LiveRun> TakeController::liveRun() const {
+  auto live = std::make_shared<LiveRun>();
+  if (const Session* session = bench_.session.session()) {
+    RunRecord record = session->record();
+    live->report = runReport(record.project, record.figures);
+    live->project = std::move(record.project);
+    live->trajectory = std::move(record.people.trajectory);
+    live->sets = session->liveSets();
+    live->otherSettings = session->oldResults().frames;
+  }
+  return live;
+}
+
+void TakeController::finish(const std::shared_ptr<TakeRecorder>& recorder, const QString& reason) {
+  const TakeStatus take = recorder->status();
   const QString folder = QString::fromStdString(take.folder.string());
   QString text = tr("Take %1 (%2) is in %3.").arg(take.number).arg(clockText(take.seconds), folder);
   if (!reason.isEmpty()) {
     text.prepend(reason + QLatin1Char(' '));
+  }
+  if (const QString before = preRollText(take); !before.isEmpty()) {
+    text += QLatin1Char(' ') + before;
   }
   if (const QString problem = takeProblem(take); !problem.isEmpty()) {
     text += QLatin1Char(' ') + tr("Problem: %1").arg(problem);
@@ -111,8 +145,63 @@ void TakeController::finish(const TakeStatus& take, const QString& reason) {
   bench_.messages.ask(
       text,
       {{tr("Open take"), [this, take] { Q_EMIT openRequested(take.folder / "project.toml"); }},
-       {tr("Show folder"), [folder] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); }}});
+       {tr("Show folder"), [folder] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); }},
+       {tr("Notes…"), [this, recorder] { editDetails(recorder); }}});
   Q_EMIT stopped(take);
+}
+
+void TakeController::keepPreRoll() {
+  TakeRecorder::setPreRoll(bench_.session.feeds(), Preferences().preRollSeconds());
+}
+
+TakeOptions TakeController::nextOptions() const {
+  TakeOptions options;
+  options.notes = next_.notes.toStdString();
+  if (next_.number > 0) {
+    options.number = next_.number;
+  }
+  return options;
+}
+
+void TakeController::editDetails(const std::shared_ptr<TakeRecorder>& take) {
+  TakeDetails details = next_;
+  if (take != nullptr) {
+    const TakeStatus status = take->status();
+    details = {status.number, QString::fromStdString(status.notes)};
+  } else {
+    details.preRoll = Preferences().preRollSeconds();
+  }
+  auto* dialog = new TakeDialog(details, take != nullptr, &bench_.window);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, dialog, take] {
+    if (take != nullptr) {
+      saveNotes(take, dialog->details().notes);
+    } else {
+      next_ = dialog->details();
+      if (next_.preRoll != Preferences().preRollSeconds()) {
+        Preferences().setPreRollSeconds(next_.preRoll);
+        keepPreRoll();
+      }
+    }
+  });
+  // The next take has become this one: its number is fixed.
+  connect(this, &TakeController::started, dialog, [this, dialog, take] {
+    if (take == nullptr) {
+      saveNotes(recorder_, dialog->details().notes);
+      dialog->reject();
+    }
+  });
+  Workbench::present(dialog);
+}
+
+void TakeController::saveNotes(const std::shared_ptr<TakeRecorder>& take, const QString& notes) {
+  notesJobs_->add([this, take, notes]() -> std::function<void()> {
+    const Status saved = take->setNotes(notes.toStdString());
+    if (saved) {
+      return {};
+    }
+    return [this, text = errorText(saved.error())] { bench_.messages.showError(text); };
+  });
 }
 
 void TakeController::showStatus() {
@@ -128,7 +217,9 @@ void TakeController::showStatus() {
 }
 
 void TakeController::updateAction() {
-  action_->setEnabled(!bench_.session.feeds().empty() && !job_->isRunning());
+  const bool isLive = !bench_.session.feeds().empty();
+  action_->setEnabled(isLive && !job_->isRunning());
+  bench_.action("actionTakeNotes")->setEnabled(isLive);
   action_->setChecked(isRecording());
 }
 

@@ -3,6 +3,8 @@
 
 #include "core/session/take/take_recorder.h"
 #include "ui/jobs/background_job.h"
+#include "ui/jobs/job_queue.h"
+#include "ui/recording/take_dialog.h"
 #include "ui/workbench/workbench.h"
 
 #include <QObject>
@@ -17,9 +19,11 @@ class QLabel;
 namespace dewpoint::ui {
 
 /// Records the live cameras of the run: starts and stops takes (actionRecord), shows in the status
-/// bar what has been recorded, and says where a take is. A take goes on while the run is paused or
-/// restarted; it ends when the project is closed or its cameras are opened again. Closing the
-/// window completes it.
+/// bar what has been recorded, and says where a take is. Number and notes of a take can be set
+/// before it begins, and its notes also later (actionTakeNotes). A take may begin with
+/// images from before its start. If the run tracks, its results are added to the take. A take goes
+/// on while the run is paused or restarted; it ends when the project is closed or its cameras are
+/// opened again. Closing the window completes it.
 class TakeController : public QObject {
   Q_OBJECT
 public:
@@ -42,9 +46,18 @@ Q_SIGNALS:
 
 private:
   void toggle(bool record);
+  /// Opens the dialog for the notes of a take; null: for number and notes of the next one.
+  void editDetails(const std::shared_ptr<TakeRecorder>& take);
+  void saveNotes(const std::shared_ptr<TakeRecorder>& take, const QString& notes);
   void start();
   void stop(const QString& reason);
-  void finish(const TakeStatus& take, const QString& reason);
+  /// Returns the results of the run, which belong to the take that ends now; empty without a run.
+  std::shared_ptr<const LiveRun> liveRun() const;
+  void finish(const std::shared_ptr<TakeRecorder>& recorder, const QString& reason);
+  /// Makes the cameras keep their last images as the preferences say.
+  void keepPreRoll();
+  /// Returns the options of the next take.
+  TakeOptions nextOptions() const;
   void showStatus();
   void updateAction();
 
@@ -53,7 +66,9 @@ private:
   QLabel* label_;
   QTimer timer_; ///< updates the label
   BackgroundJob* job_;
+  JobQueue* notesJobs_; ///< writes notes, one after the other
   std::shared_ptr<TakeRecorder> recorder_;
+  TakeDetails next_; ///< of the next take
   QString shownProblem_;
 };
 

@@ -2,6 +2,7 @@
 #include "ui/recording/take_text.h"
 
 #include "core/session/take/take_recorder.h"
+#include "core/session/take/take_replay.h"
 #include "ui/text/error_sentence.h"
 #include "ui/text/quantity_text.h"
 
@@ -9,6 +10,7 @@
 #include <QLocale>
 #include <QStringList>
 
+#include <algorithm>
 #include <cstdint>
 
 namespace dewpoint::ui {
@@ -83,7 +85,78 @@ QString takeDetails(const TakeStatus& take) {
                  .arg(counts.dropped)
                  .arg(sizeText(static_cast<std::uint64_t>(counts.bytes)));
   }
+  if (const QString before = preRollText(take); !before.isEmpty()) {
+    lines += before;
+  }
   return lines.join(QLatin1Char('\n'));
+}
+
+QString preRollText(const TakeStatus& take) {
+  if (take.preRoll <= 0.0) {
+    return {};
+  }
+  const QString time = secondsText(take.preRoll, 1);
+  const bool isShortened = std::ranges::any_of(
+      take.cameras, [](const auto& camera) { return camera.preRoll.shortened; });
+  return isShortened
+             ? QCoreApplication::translate(
+                   "TakeText",
+                   "It contains %1 from before you pressed Record; memory was too small for more.")
+                   .arg(time)
+             : QCoreApplication::translate("TakeText",
+                                           "It contains %1 from before you pressed Record.")
+                   .arg(time);
+}
+
+QString replayText(const ReplayComparison& found) {
+  const auto number = [](std::int64_t frame) { return QString::number(frame + 1); };
+  QStringList parts;
+  if (found.framesBefore > 0) {
+    parts += QCoreApplication::translate(
+        "TakeText",
+        "The run began before the take, so it cannot be tracked again from its beginning. "
+        "Restart the run while you record to avoid this.");
+  } else if (found.isSame()) {
+    parts += QCoreApplication::translate(
+                 "TakeText",
+                 "The take gives the results of the live run, to the last bit, in all %1 frames.")
+                 .arg(found.frames);
+  } else {
+    parts += QCoreApplication::translate(
+                 "TakeText",
+                 "%1 of %2 frames differ from the live run, the first one is frame %3. Positions "
+                 "differ by up to %4.")
+                 .arg(found.differing)
+                 .arg(found.frames)
+                 .arg(number(found.firstDifference.value_or(0)), lengthText(found.largestDistance));
+  }
+  if (found.incomplete > 0) {
+    parts += QCoreApplication::translate("TakeText",
+                                         "Images of %1 frames were dropped, the first in frame %2.")
+                 .arg(found.incomplete)
+                 .arg(number(found.firstIncomplete.value_or(0)));
+  }
+  for (const ResultRange& range : found.otherSettings) {
+    parts +=
+        QCoreApplication::translate("TakeText", "Frames %1 to %2 were tracked with other settings.")
+            .arg(number(range.first), number(range.last));
+  }
+  if (found.hasTimeBudget) {
+    parts += QCoreApplication::translate(
+        "TakeText", "A time budget is set, so results depend on the speed of the computer.");
+  }
+  if (!found.changedCameras.empty()) {
+    QStringList names;
+    for (const std::string& name : found.changedCameras) {
+      names += QString::fromStdString(name);
+    }
+    parts += QCoreApplication::translate(
+                 "TakeText",
+                 "The images of %1 are stored with slightly other colors, because the camera sends "
+                 "them uncompressed.")
+                 .arg(names.join(QStringLiteral(", ")));
+  }
+  return parts.join(QLatin1Char(' '));
 }
 
 QString takeProblem(const TakeStatus& take) {

@@ -6,6 +6,7 @@
 #include <QString>
 
 namespace dewpoint::session {
+struct ReplayComparison;
 struct TakeStatus;
 } // namespace dewpoint::session
 
@@ -15,6 +16,11 @@ namespace dewpoint::ui {
 QString takeLine(const TakeStatus& take);
 /// Returns one line for each camera: images, rate and dropped images.
 QString takeDetails(const TakeStatus& take);
+/// Returns how much was recorded before the start of a take, and whether memory limited it; empty
+/// if nothing was.
+QString preRollText(const TakeStatus& take);
+/// Returns the sentences that tell how a take compares with the live run (describeReplay()).
+QString replayText(const ReplayComparison& comparison);
 /// Returns the first problem of a take as a sentence; empty if there is none.
 QString takeProblem(const TakeStatus& take);
 /// Returns a duration as minutes and seconds, or hours, minutes and seconds: "0:07", "1:02:03".

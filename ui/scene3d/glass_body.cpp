@@ -67,7 +67,7 @@ GlassBody::GlassBody(vtkRenderer* renderer, Layer layer)
   setAppearance(SceneColor::Zero(), SceneColor::Zero(), 0.0, 0.0);
   const std::array<float, 3> towardsEye{0.0F, 0.0F, 1.0F};
   uniformsOf(actor_)->SetUniform3f("eyeSide", towardsEye.data());
-  addNew(renderer_, actor_);
+  addKnownToBeNew(renderer_, actor_);
 }
 
 GlassBody::~GlassBody() {

@@ -37,7 +37,7 @@ ParticleCloud::ParticleCloud(vtkRenderer* renderer) : renderer_(renderer) {
   actor_->ForceTranslucentOn(); // in its turn, and without hiding what is behind a soft rim
   actor_->PickableOff();
   actor_->VisibilityOff();
-  addNew(renderer_, actor_);
+  addKnownToBeNew(renderer_, actor_);
 }
 
 ParticleCloud::~ParticleCloud() {

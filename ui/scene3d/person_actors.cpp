@@ -51,11 +51,11 @@ PersonActors::PersonActors(vtkRenderer* renderer)
   for (std::size_t k = 0; k < curves_.size(); ++k) {
     curves_[k] = flatActor(curveData_[k]);
     curves_[k]->VisibilityOff();
-    addNew(renderer_, curves_[k]);
+    addKnownToBeNew(renderer_, curves_[k]);
   }
   for (vtkActor* actor : {hull_.Get(), edges_.Get()}) {
     actor->VisibilityOff();
-    addNew(renderer_, actor);
+    addKnownToBeNew(renderer_, actor);
   }
 }
 

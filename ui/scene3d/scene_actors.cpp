@@ -63,7 +63,7 @@ Eigen::Vector3d ScreenScale::movedCloser(const Eigen::Vector3d& point, double di
   return eye + (point - eye) * closerFactor(point, distance);
 }
 
-void addNew(vtkRenderer* renderer, vtkProp* prop) {
+void addKnownToBeNew(vtkRenderer* renderer, vtkProp* prop) {
   renderer->GetViewProps()->AddItem(prop);
   prop->AddConsumer(renderer);
 }
@@ -82,7 +82,7 @@ vtkSmartPointer<vtkActor> addNewActor(vtkRenderer* renderer, vtkPolyData* data) 
   auto actor = flatActor(data);
   actor->ForceTranslucentOn();
   actor->VisibilityOff();
-  addNew(renderer, actor);
+  addKnownToBeNew(renderer, actor);
   return actor;
 }
 

@@ -48,7 +48,7 @@ struct ScreenScale {
 
 /// Adds a prop that has not been added to the renderer yet. AddActor first searches all existing
 /// props, so adding thousands of them would take quadratic time.
-void addNew(vtkRenderer* renderer, vtkProp* prop);
+void addKnownToBeNew(vtkRenderer* renderer, vtkProp* prop);
 /// Creates an unlit actor for lines or faces.
 vtkSmartPointer<vtkActor> flatActor(vtkPolyData* data);
 /// Like flatActor(), but the actor is initially hidden, and it is added to the renderer. Actors are

@@ -9,7 +9,7 @@ namespace dewpoint::ui {
 WireActor::WireActor(vtkRenderer* renderer, double widthPx)
     : renderer_(renderer), widthPx_(widthPx), actor_(flatActor(data_)) {
   actor_->VisibilityOff();
-  addNew(renderer_, actor_);
+  addKnownToBeNew(renderer_, actor_);
 }
 
 WireActor::~WireActor() {

@@ -182,6 +182,9 @@ void SessionController::close() {
 }
 
 void SessionController::endRun() {
+  if (bridge_ != nullptr) {
+    Q_EMIT runEnding();
+  }
   SessionBridge* over = std::exchange(bridge_, nullptr);
   backgroundImageLoader_->cancel();
   results_->watch(nullptr);

@@ -114,6 +114,8 @@ Q_SIGNALS:
   void opened(const OpenRequest& request);
   /// Emitted when the run restarts from the beginning. Earlier data are no longer shown.
   void restarting();
+  /// Emitted when the session is about to end, while it still exists.
+  void runEnding();
   /// Emitted when the session has ended. `snapshotChanged()` with null follows.
   void runEnded();
   /// Emitted when the user has closed the project.

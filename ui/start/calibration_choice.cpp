@@ -49,7 +49,7 @@ QWidget* CalibrationChoice::lastButton() const {
 }
 
 void CalibrationChoice::retranslateUi() {
-  label_->setText(tr("Calibration:"));
+  label_->setText(tr("Calibration file:"));
   choose_->setText(tr("Choose calibration…"));
   choose_->setToolTip(tr("A calibration file of Dewpoint or another program. Cameras are matched "
                          "by name, or by order if the names differ"));
@@ -97,8 +97,9 @@ QString CalibrationChoice::resultText(const CheckedCalibration& checked, bool& g
     problem.file.clear(); // it stands above
     const QString reason = errorText(problem);
     if (checked.needsInput) {
-      return tr("Recognized: %1. Some information is missing: %2. Create the project without this "
-                "file, then use Import calibration and enter what is missing.")
+      return tr("Recognized: %1. The file does not contain everything: %2. Create the project "
+                "without this file, then choose Calibration › Import calibration and enter what is "
+                "missing.")
           .arg(title, reason);
     }
     if (!title.isEmpty()) {
@@ -115,7 +116,7 @@ QString CalibrationChoice::resultText(const CheckedCalibration& checked, bool& g
     for (const std::string& camera : checked.cameras) {
       names << QString::fromStdString(camera);
     }
-    return tr("Recognized as %1, but its cameras do not match those above: %2.")
+    return tr("Recognized: %1. The cameras in the file do not match the cameras above: %2.")
         .arg(title, names.join(QStringLiteral(", ")));
   }
   good = true;

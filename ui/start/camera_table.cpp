@@ -250,7 +250,7 @@ void CameraTable::showKnown(int row) {
     text = tr("✗ %1").arg(errorText(*known->second.problem));
     color = holdColor(HoldState::Lost, palette());
   } else {
-    text = tr("Live: tested when the project is created");
+    text = tr("Live source: it is tested when the project is created");
   }
   found->setText(text);
   found->setToolTip(text);

@@ -35,7 +35,7 @@ QSize DropZone::sizeHint() const {
 
 void DropZone::retranslateUi() {
   setText(tr("Drop videos here, or add them"));
-  line_ = tr("One video per camera, or image folders; also a calibration file");
+  line_ = tr("One video or image folder per camera; you can also drop a calibration file");
   setAccessibleName(text());
   setAccessibleDescription(line_);
   update();

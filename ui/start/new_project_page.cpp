@@ -313,7 +313,8 @@ void NewProjectPage::finish(const Result<CreatedProject>& result) {
     const AskedQuestion asked = askedQuestion(result.error());
     Q_EMIT failed(asked.question == ImportQuestion::None
                       ? errorText(asked.error)
-                      : tr("%1. Create the project without this file, then use Import calibration.")
+                      : tr("%1. Create the project without this file, then choose Calibration › "
+                           "Import calibration.")
                             .arg(errorText(asked.error)));
     return;
   }

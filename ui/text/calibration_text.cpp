@@ -30,11 +30,11 @@ QString cameraFault(const DetectedFault& fault, const QString& first, const QStr
                 ? CalibrationText::tr(
                       "%1 agrees with the other cameras only if its video is shifted in time: the "
                       "video is probably %2 frames late. Synchronize the videos, or calibrate with "
-                      "a wand and “Find time offsets”.")
+                      "a wand and turn on “Find delays”.")
                 : CalibrationText::tr(
                       "%1 agrees with the other cameras only if its video is shifted in time: the "
                       "video is probably %2 frames early. Synchronize the videos, or calibrate "
-                      "with a wand and “Find time offsets”."))
+                      "with a wand and turn on “Find delays”."))
         .arg(first, numberText(std::abs(fault.value), 0));
   case CalibrationFault::CameraMoved:
     return CalibrationText::tr(
@@ -47,14 +47,14 @@ QString cameraFault(const DetectedFault& fault, const QString& first, const QStr
                "upside down. Set the rotation and mirroring of these images.")
         .arg(first);
   case CalibrationFault::ZoomChanged:
-    return CalibrationText::tr(
-               "The images of %1 fit a focal length that is %2 times the given one: the zoom or "
-               "crop of the camera was probably changed. Calibrate its intrinsics again.")
-        .arg(first, ratioText(fault.value));
+    return CalibrationText::
+        tr("The images of %1 fit a focal length that is %2 times the one in its calibration: the "
+           "zoom or crop of the camera was probably changed. Calibrate its intrinsics again.")
+            .arg(first, ratioText(fault.value));
   default:
-    return CalibrationText::tr(
-               "The intrinsics of %1 are probably for another resolution: its images are %2 times "
-               "as large. Convert the intrinsics, or record at the calibrated size.")
+    return CalibrationText::tr("The images of %1 are %2 times as large as those for which it was "
+                               "calibrated: its intrinsics are for another resolution. Convert the "
+                               "intrinsics, or record at the calibrated size.")
         .arg(first, ratioText(fault.value));
   }
 }
@@ -65,17 +65,21 @@ QString accuracyText(const CalibrationAccuracy& accuracy) {
   const auto isKnown = [](const std::optional<double>& value) {
     return value && std::isfinite(*value);
   };
-  QString text = isKnown(accuracy.position95)
-                     ? CalibrationText::tr("In the calibrated volume: position ±%1 (95 %)")
-                           .arg(lengthText(accuracy.position95, LengthForm::TwoDigits))
-                     : CalibrationText::tr("In the calibrated volume: position unknown");
-  text += isKnown(accuracy.scale95)
-              ? CalibrationText::tr(", scale ±%1 %").arg(percentAccuracyText(*accuracy.scale95))
-              : CalibrationText::tr(", scale unknown");
-  text += isKnown(accuracy.up95)
-              ? CalibrationText::tr(", upward direction ±%1").arg(angleAccuracyText(*accuracy.up95))
-              : CalibrationText::tr(", upward direction not measured yet (page Floor)");
-  return text + QStringLiteral(".");
+  const QString unknown = CalibrationText::tr("unknown");
+  const QString position =
+      isKnown(accuracy.position95)
+          ? CalibrationText::tr("±%1").arg(lengthText(accuracy.position95, LengthForm::TwoDigits))
+          : unknown;
+  const QString scale =
+      isKnown(accuracy.scale95)
+          ? CalibrationText::tr("±%1 %").arg(percentAccuracyText(*accuracy.scale95))
+          : unknown;
+  const QString up = isKnown(accuracy.up95)
+                         ? CalibrationText::tr("±%1").arg(angleAccuracyText(*accuracy.up95))
+                         : CalibrationText::tr("not measured yet (page Floor)");
+  return CalibrationText::tr("In the calibrated volume: position %1, scale %2, upward direction %3 "
+                             "(each with a probability of 95 %).")
+      .arg(position, scale, up);
 }
 
 QString faultText(const DetectedFault& fault, const QStringList& cameraNames) {
@@ -86,8 +90,8 @@ QString faultText(const DetectedFault& fault, const QStringList& cameraNames) {
   switch (fault.fault) {
   case CalibrationFault::MirroredBoard:
     return CalibrationText::tr(
-        "All cameras seem to see the back of the board or floor: its points are probably mirrored. "
-        "Check the direction of the axes, and that the print is not reversed.");
+        "All cameras seem to see the back of the board or of the floor: the measured points are "
+        "probably mirrored. Check the direction of the axes, and that the print is not reversed.");
   case CalibrationFault::WrongUnitMillimeters:
     return CalibrationText::tr("The length that you entered is %1 times the length that the "
                                "cameras see: millimeters and meters are probably mixed up.")
@@ -108,8 +112,8 @@ QString faultText(const DetectedFault& fault, const QStringList& cameraNames) {
         .arg(ratioText(fault.value));
   case CalibrationFault::HalfPixel:
     return CalibrationText::tr("The images fit only if they are shifted by %1 along both axes: the "
-                               "calibration probably has its origin at the corner of the first "
-                               "pixel, not at its center. Convert the principal points.")
+                               "calibration probably measures from the corner of the first pixel, "
+                               "not from its center. Convert the principal points.")
         .arg(pixelText(fault.value));
   default:
     return cameraFault(fault, name(0), name(1));

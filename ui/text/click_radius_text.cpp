@@ -29,9 +29,9 @@ QString clickRadiusText(double given, const std::optional<double>& shown) {
   case setup::RadiusFit::Fits:
     return {};
   case setup::RadiusFit::IsDiameter:
-    return ClickRadiusText::
-        tr("The target's radius seems to be about %1, but %2 was entered. Is this the diameter?")
-            .arg(seen, declared);
+    return ClickRadiusText::tr(
+               "The target's radius seems to be about %1, but %2 was entered. Is %2 the diameter?")
+        .arg(seen, declared);
   case setup::RadiusFit::Differs:
     return ClickRadiusText::tr("The target's radius seems to be about %1, but %2 was entered.")
         .arg(seen, declared);

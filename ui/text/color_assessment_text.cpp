@@ -43,10 +43,10 @@ QString separationSentence(int score) {
 QString suggestionSentence(const ColorAssessment& assessment) {
   switch (assessment.suggestion) {
   case Suggestion::AddSamples:
-    return ColorText::tr(
-        "Much of the target does not match: Shift-click its light and its dark side.");
+    return ColorText::tr("Much of the target does not have the learned color: Shift-click its "
+                         "light and its dark side.");
   case Suggestion::ExcludeDistractor:
-    return ColorText::tr("Exclude the other matching objects: Alt-click them.");
+    return ColorText::tr("Other objects have this color too: Alt-click them to exclude them.");
   case Suggestion::RemoveDistractor:
     return ColorText::tr("Cover objects of the same color, or take them out of view.");
   case Suggestion::MoreLight:
@@ -76,16 +76,16 @@ QString suggestionSentence(const ColorAssessment& assessment) {
 QString sharesSentence(const ColorAssessment& assessment) {
   const QString background = percentText(assessment.backgroundShare, 2);
   if (!assessment.missesTarget()) {
-    return ColorText::tr("%1 % of the background matches too.").arg(background);
+    return ColorText::tr("This color also covers %1 % of the background.").arg(background);
   }
   const QString few =
-      ColorText::tr("Only %1 % of the target matches, and %2 % of the background matches too.")
+      ColorText::tr("This color covers only %1 % of the target, and %2 % of the background.")
           .arg(percentText(assessment.targetShare, 0), background);
   const double whole = assessment.backgroundShareOfFullRange.value_or(0.0);
   return whole > assessment.backgroundShare
              ? few + QLatin1Char(' ') +
-                   ColorText::tr("A color range that covers the whole target would match %1 % of "
-                                 "the background.")
+                   ColorText::tr("A color range that covers the whole target would also cover %1 % "
+                                 "of the background.")
                        .arg(percentText(whole, 2))
              : few;
 }
@@ -106,8 +106,8 @@ QString colorName(ColorWord color) {
 QString colorAssessmentText(const ColorAssessment& assessment,
                             const std::vector<QString>& cameras) {
   if (!assessment.targetKnown) {
-    return ColorText::tr(
-               "%1 % of the pixels match. Shift-click the target to see how well it stands out.")
+    return ColorText::tr("%1 % of the pixels have this color. Shift-click the target to see how "
+                         "well its color stands out.")
         .arg(percentText(assessment.backgroundShare, 2));
   }
   QStringList sentences{separationSentence(assessment.score()), sharesSentence(assessment)};
@@ -118,7 +118,7 @@ QString colorAssessmentText(const ColorAssessment& assessment,
   if (!assessment.distractors.empty()) {
     const DistractorRegion& region = assessment.distractors.front();
     const auto camera = static_cast<std::size_t>(region.camera);
-    sentences << ColorText::tr("In the image of %3, a region %2 also matches (%1).")
+    sentences << ColorText::tr("In the image of %3, a region %2 has this color too (it looks %1).")
                      .arg(colorName(region.color), placeName(region.horizontal, region.vertical),
                           camera < cameras.size() ? cameras[camera] : QString());
   }

@@ -43,7 +43,7 @@ QString peopleObstacleText(const TrackSnapshot& snapshot, int camera) {
   if (state == nullptr || state->usable || state->foregroundShare <= 0.0) {
     return {};
   }
-  return QCoreApplication::translate("People", "image ignored: %1 % of it moves")
+  return QCoreApplication::translate("People", "image ignored: %1 % of it is moving")
       .arg(percentText(state->foregroundShare));
 }
 

@@ -27,7 +27,7 @@ QString cameraReasonText(const CameraReport& report) {
   case CameraStatus::NoImage:
     return Reason::tr("no image");
   case CameraStatus::Covered:
-    return Reason::tr("covered or moved");
+    return Reason::tr("camera covered or moved");
   case CameraStatus::Dark:
     return Reason::tr("too dark");
   case CameraStatus::OutOfView:

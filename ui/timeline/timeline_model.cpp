@@ -2,6 +2,7 @@
 #include "ui/timeline/timeline_model.h"
 
 #include "core/trajectory/motion.h"
+#include "ui/text/error_sentence.h"
 #include "ui/text/hold_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/reason_text.h"
@@ -99,6 +100,11 @@ QString TimelineModel::describe(qint64 frame) const {
   const FrameRecord* record = at(frame);
   if (record == nullptr) {
     return text + QLatin1Char('\n') + QCoreApplication::translate("Timeline", "not tracked");
+  }
+  if (record->cameraProblems != nullptr) {
+    for (const Error& problem : *record->cameraProblems) {
+      text += QStringLiteral("\n◆ ") + errorText(problem);
+    }
   }
   if (isOld(frame)) {
     text += QLatin1Char('\n') + QCoreApplication::translate("Timeline", "from earlier settings");

@@ -111,7 +111,9 @@ QVariant BoxModel::headerData(int section, Qt::Orientation orientation, int role
     return name ? tr("spread, px")
                 : tr("Root mean square distance of the particles from their mean");
   case Seen:
-    return name ? tr("state") : tr("Hidden: the box shows the expected position");
+    return name ? tr("state")
+                : tr("Hidden: the target was not found in this frame; the box shows where it is "
+                     "expected");
   default:
     return {};
   }

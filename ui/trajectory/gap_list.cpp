@@ -77,8 +77,8 @@ void GapList::fill() {
         setItem(row, column, cell);
       }
       cell->setText(texts[column]);
-      cell->setToolTip(tr("Seconds from the last tracked frame before the gap to the first one "
-                          "after it"));
+      cell->setToolTip(tr("Time in seconds between the last tracked frame before the gap and the "
+                          "first tracked frame after it"));
     }
   }
   widen();

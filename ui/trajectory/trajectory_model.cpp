@@ -113,16 +113,17 @@ QVariant TrajectoryModel::headerData(int section, Qt::Orientation orientation, i
   case Y:
   case Z: {
     const QChar axis("xyz"[section - X]);
-    return name ? tr("%1, m").arg(axis) : tr("Position in the room, meters");
+    return name ? tr("%1, m").arg(axis) : tr("Position in the room, in meters");
   }
   case SigmaX:
   case SigmaY:
   case SigmaZ: {
     const QChar axis("xyz"[section - SigmaX]);
-    return name ? tr("σ%1, mm").arg(axis) : tr("Standard deviation of the position, millimeters");
+    return name ? tr("σ%1, mm").arg(axis)
+                : tr("Standard deviation of the position, in millimeters");
   }
   case Speed:
-    return name ? tr("speed, m/s") : tr("Speed, meters per second: fitted over five frames");
+    return name ? tr("speed, m/s") : tr("Speed in meters per second, computed from five frames");
   case Cameras:
     return name ? tr("cameras") : tr("Number of cameras that see the target");
   case Existence:

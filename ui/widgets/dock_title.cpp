@@ -39,7 +39,8 @@ DockTitle::DockTitle(QDockWidget* dock)
   restore_->setFocusPolicy(Qt::NoFocus);
   restore_->hide();
   onRetranslate(this, [this] {
-    float_->setToolTip(tr("Float or dock this view (double-click the title to maximize it)"));
+    float_->setToolTip(
+        tr("Float or dock this view (to maximize the view, double-click its title)"));
     restore_->setText(tr("Show all views"));
     restore_->setToolTip(tr("Restore the other views (Esc, or double-click here)"));
     applyPalette();

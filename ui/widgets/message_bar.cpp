@@ -17,6 +17,7 @@
 #include <QTimer>
 #include <QToolButton>
 
+#include <algorithm>
 #include <utility>
 
 namespace dewpoint::ui {
@@ -101,10 +102,15 @@ void MessageBar::askUntilAnswered(const QString& question, const std::vector<Ans
 }
 
 void MessageBar::withdraw(const QString& question) {
-  if (isVisible() && text() == question) {
+  if (!isHidden() && text() == question) {
     dismiss();
   }
   std::erase_if(pending_, [&](const Question& asked) { return asked.text == question; });
+}
+
+bool MessageBar::isAsking(const QString& question) const {
+  return std::ranges::any_of(pending_,
+                             [&](const Question& asked) { return asked.text == question; });
 }
 
 void MessageBar::clearAnswers() {
@@ -140,20 +146,28 @@ void MessageBar::setMessage(const QString& text, Severity severity) {
   clearAnswers();
   showsPending_ = false;
   severity_ = severity;
-  mark_->setText(severity == Severity::Information ? QStringLiteral("●")
-                 : severity == Severity::Warning   ? QStringLiteral("◆")
-                                                   : QStringLiteral("▲"));
+  mark_->setText(markOf(severity));
   text_->setText(text);
-  recent_.append(
-      QStringLiteral("%1  %2  %3")
-          .arg(QTime::currentTime().toString(QStringLiteral("HH:mm:ss")), mark_->text(), text));
-  if (recent_.size() > kMostRecent) {
-    recent_.removeFirst();
-  }
   applyPalette();
   show();
   updateGeometry();
   startHideTimer();
+  record(text, severity);
+}
+
+QString MessageBar::markOf(Severity severity) {
+  return severity == Severity::Information ? QStringLiteral("●")
+         : severity == Severity::Warning   ? QStringLiteral("◆")
+                                           : QStringLiteral("▲");
+}
+
+void MessageBar::record(const QString& text, Severity severity) {
+  recent_.append(
+      QStringLiteral("%1  %2  %3")
+          .arg(QTime::currentTime().toString(QStringLiteral("HH:mm:ss")), markOf(severity), text));
+  if (recent_.size() > kMostRecent) {
+    recent_.removeFirst();
+  }
   Q_EMIT messageShown(text);
 }
 

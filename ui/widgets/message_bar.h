@@ -44,17 +44,21 @@ public:
   void askUntilAnswered(const QString& question, const std::vector<Answer>& answers);
   /// Removes a question that needs no answer any more, whether it is shown or waits.
   void withdraw(const QString& question);
+  /// Returns whether a question of askUntilAnswered() is shown or waits.
+  bool isAsking(const QString& question) const;
   QString text() const;
   /// Removes the current message.
   void dismiss();
   /// Removes an error or a warning that is outdated because other work has begun. If `notices` is
   /// true, also removes a notice. Questions stay.
   void forget(bool notices);
+  /// Adds a message to recent() without showing it, because it is shown elsewhere.
+  void record(const QString& text, Severity severity);
   /// Returns the last messages in this window, oldest first, each with its time.
   const QStringList& recent() const { return recent_; }
 
 Q_SIGNALS:
-  /// Emitted for every message and question, with its text.
+  /// Emitted for every message and question, also those that are only recorded, with its text.
   void messageShown(const QString& text);
 
 protected:
@@ -67,6 +71,7 @@ protected:
 private:
   void setMessage(const QString& text, Severity severity);
   void clearAnswers();
+  static QString markOf(Severity severity);
   QColor severityColor() const;
   void applyPalette();
   void startHideTimer();

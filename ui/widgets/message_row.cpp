@@ -3,6 +3,7 @@
 
 #include "ui/text/retranslation.h"
 #include "ui/widgets/message_bar.h"
+#include "ui/widgets/notice_list.h"
 
 #include <QEvent>
 #include <QLayout>
@@ -11,26 +12,30 @@
 
 namespace dewpoint::ui {
 
-MessageRow::MessageRow(MessageBar* bar, QWidget* parent) : QToolBar(parent), bar_(bar) {
+MessageRow::MessageRow(MessageBar* bar, NoticeList* notices, QWidget* parent)
+    : QToolBar(parent), bar_(bar), notices_(notices) {
   setObjectName(QStringLiteral("messageRow"));
   onRetranslate(this, [this] { setWindowTitle(tr("Messages")); });
   setMovable(false);
   setFloatable(false);
   setContextMenuPolicy(Qt::PreventContextMenu);
-  bar_->setParent(this);
-  bar_->hide();
-  bar_->installEventFilter(this);
+  for (QWidget* part : {bar_, notices_}) {
+    part->setParent(this);
+    part->hide();
+    part->installEventFilter(this);
+  }
   fit();
 }
 
-int MessageRow::neededHeight() const {
-  if (bar_->isHidden()) {
+int MessageRow::neededHeight(const QWidget* part) const {
+  if (part->isHidden()) {
     return 0;
   }
-  bar_->layout()->activate();
-  return std::max(bar_->layout()->minimumSize().height(),
-                  bar_->layout()->hasHeightForWidth() ? bar_->layout()->heightForWidth(width())
-                                                      : bar_->sizeHint().height());
+  QLayout* layout = part->layout();
+  layout->activate();
+  return std::max(layout->minimumSize().height(), layout->hasHeightForWidth()
+                                                      ? layout->heightForWidth(width())
+                                                      : part->sizeHint().height());
 }
 
 QSize MessageRow::sizeHint() const {
@@ -42,14 +47,17 @@ QSize MessageRow::minimumSizeHint() const {
 }
 
 void MessageRow::fit() {
-  const int wanted = neededHeight();
+  const int ofBar = neededHeight(bar_);
+  const int ofNotices = neededHeight(notices_);
+  const int wanted = ofBar + ofNotices;
   if (wanted != maximumHeight()) {
     Q_EMIT heightChanging();
     setFixedHeight(wanted);
     updateGeometry();
     Q_EMIT heightChanged();
   }
-  bar_->setGeometry(0, 0, width(), wanted);
+  bar_->setGeometry(0, 0, width(), ofBar);
+  notices_->setGeometry(0, ofBar, width(), ofNotices);
 }
 
 void MessageRow::resizeEvent(QResizeEvent* event) {

@@ -52,7 +52,7 @@ void ThreadCountDialog::retranslateUi() {
   accept_->setText(tr("OK"));
   accept_->setToolTip(tr("Use this number"));
   cancel_->setText(tr("Cancel"));
-  cancel_->setToolTip(tr("Change nothing"));
+  cancel_->setToolTip(tr("Close and keep the current number"));
 }
 
 } // namespace dewpoint::ui

@@ -211,11 +211,13 @@ int intrinsics(BoardOptions& options) {
     return calibrateProject(options, {true, false});
   }
   if (options.output.apply) {
-    report({ErrorCode::BadValue, "", "--apply", "image files have no project; use --out"});
+    report({ErrorCode::BadValue, "", "--apply",
+            "image files have no project file to write to; use --out"});
     return kExitUsage;
   }
   if (!options.frames.empty()) {
-    report({ErrorCode::BadValue, "", "--frames", "image files are no recording; omit the option"});
+    report({ErrorCode::BadValue, "", "--frames",
+            "this option is only for recordings; omit it for image files"});
     return kExitUsage;
   }
   return intrinsicsOfPictures(options);
@@ -244,7 +246,7 @@ void addBoardOptions(CLI::App& command, BoardOptions& options) {
   command.add_option("--frames", options.frames,
                      "Search only frames A to B-1 of a recording, as A:B (either may be empty)");
   command.add_flag("--search-all", options.searchAll,
-                   "Search all of these frames, even if the few that are looked at first show only "
+                   "Search all of these frames, even if the first few that are searched show only "
                    "another board");
 }
 

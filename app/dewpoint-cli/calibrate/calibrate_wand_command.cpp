@@ -225,13 +225,12 @@ void addCalibrateWandCommand(CLI::App& group, int& exitCode) {
                     "Find the delay of each camera relative to the first; --apply saves it");
   command->add_flag("--focal", wand.findFocal, "Find the focal lengths");
   command->add_flag("--k1", wand.findDistortion, "Find the first distortion coefficient");
-  auto* distance =
-      command
-          ->add_option(
-              "--distance", options->distance,
-              "T1 T2 METERS: the ball was held at two positions this far apart at these times")
-          ->expected(3)
-          ->excludes(length);
+  auto* distance = command
+                       ->add_option("--distance", options->distance,
+                                    "T1 T2 METERS: at the times T1 and T2, in seconds, the ball "
+                                    "was held at two positions that are METERS apart")
+                       ->expected(3)
+                       ->excludes(length);
   command->add_flag("--diameter", wand.fromDiameter, "Scale from the ball's diameter")
       ->excludes(length)
       ->excludes(distance);

@@ -59,7 +59,8 @@ int findBoard(const FindBoardOptions& options) {
 
 void addFindBoardCommand(CLI::App& group, int& exitCode) {
   auto* command = group.add_subcommand(
-      "find-board", "Find out which board images show: its kind, size and dictionary.");
+      "find-board",
+      "Find out from images which board they show: its kind, squares and dictionary.");
   auto options = std::make_shared<FindBoardOptions>();
   command
       ->add_option("INPUT", options->inputs,
@@ -72,7 +73,7 @@ void addFindBoardCommand(CLI::App& group, int& exitCode) {
       ->check(CLI::Range(1e-4, 10.0));
   command
       ->add_option("--looks", options->looks,
-                   "Number of frames of the recording, or of image files, to look at")
+                   "Number of frames of the recording, or number of image files, to search")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   command->callback([options, &exitCode] { exitCode = findBoard(*options); });

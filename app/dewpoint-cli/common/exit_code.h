@@ -8,7 +8,7 @@ namespace dewpoint::app {
 /// Exit codes of the process, as documented by --help.
 enum ExitCode {
   kExitDone = 0,
-  kExitProblems = 1,   ///< a check found a problem (doctor, self-test)
+  kExitProblems = 1,   ///< a check found a problem (doctor, self-test, take check)
   kExitUsage = 2,      ///< the command line is invalid
   kExitBadInput = 3,   ///< nothing could be computed from the input
   kExitEndedEarly = 4, ///< the input ended early, or results are missing; existing results are kept

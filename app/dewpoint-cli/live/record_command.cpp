@@ -3,8 +3,13 @@
 #include "app/dewpoint-cli/common/exit_code.h"
 #include "app/dewpoint-cli/common/interruption.h"
 #include "app/dewpoint-cli/common/progress.h"
+#include "app/dewpoint-cli/common/token_file.h"
+#include "app/dewpoint-cli/live/take_trigger.h"
 #include "app/wiring/open_project.h"
+#include "core/broadcast/broadcaster.h"
 #include "core/capture/gstreamer/open_live.h"
+#include "core/project/project_output.h"
+#include "core/session/take/take_folder.h"
 #include "core/session/take/take_recorder.h"
 #include "core/setup/new_project/new_project.h"
 
@@ -13,6 +18,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
+#include <cstdio>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -31,13 +38,20 @@ constexpr auto kCameraPatience = 3s;
 /// After which all streams are called ended, although their cameras could come back.
 constexpr auto kEndPatience = 2s;
 constexpr double kMegabyte = 1e6;
+constexpr std::uint16_t kLastPort = 65535;
 
 struct RecordOptions {
   std::string project;
   std::string folder;
   std::optional<double> seconds;
   std::string notes;
+  std::optional<int> number;
   bool lossless = false;
+  bool wait = false;
+  double preRoll = 0.0; ///< seconds
+  std::optional<std::uint16_t> tcp;
+  std::optional<std::string> listen;
+  std::string tokenFile;
 };
 
 using Feeds = std::vector<EncodedFeedPtr>;
@@ -147,15 +161,116 @@ Status awaitCameras(Project& project, FrameSetSource& source, NoticePrinter& not
   return {};
 }
 
+/// The port for remote commands, if there is to be one.
+Result<std::unique_ptr<broadcast::Broadcaster>>
+openRemote(const RecordOptions& options, const Project& project, TakeTrigger& trigger) {
+  if (!options.tcp) {
+    return nullptr;
+  }
+  OutputSettings settings;
+  settings.tcp = options.tcp;
+  settings.listen = options.listen.value_or(project.output.listen);
+  settings.token = project.output.token;
+  if (!options.tokenFile.empty()) {
+    auto token = readTokenFile(options.tokenFile);
+    if (!token) {
+      return tl::make_unexpected(token.error());
+    }
+    settings.token = std::move(*token);
+  }
+  if (settings.token.empty()) {
+    return failure(ErrorCode::MissingKey, options.project, "output.token",
+                   "--tcp needs a token, in the project or with --token-file");
+  }
+  const auto receive = [&trigger](const broadcast::RemoteCommand& command) {
+    return trigger.receive(command);
+  };
+  const auto named = [&](Error error) {
+    error.file = options.tokenFile.empty() ? options.project : options.tokenFile;
+    return error;
+  };
+  if (const Status good = checkOutput(settings).map_error(named); !good) {
+    return tl::make_unexpected(good.error());
+  }
+  return broadcast::Broadcaster::open({settings, {}, {}, receive});
+}
+
+/// Waits for the signal to start. Returns false if it cannot come any more.
+Result<bool> awaitTrigger(TakeTrigger& trigger, bool isRemote, FrameSetSource& source,
+                          const Feeds& feeds, NoticePrinter& notices) {
+  fmt::print(stderr, "dewpoint-cli: waiting; a line on standard input{} starts the take.\n",
+             isRemote ? " or the remote command record" : "");
+  bool hasCome = false;
+  const Status watched = watchCameras(source, notices, [&] {
+    hasCome = trigger.takeStart();
+    return hasCome || (trigger.hasInputEnded() && !isRemote) || allEnded(feeds);
+  });
+  return watched.map([&] { return hasCome; });
+}
+
+/// Prints how much was recorded before the start.
+void printPreRoll(const TakeStatus& take, double wanted) {
+  if (wanted <= 0.0) {
+    return;
+  }
+  fmt::print("Before the start: {:.1f} s\n", take.preRoll);
+  for (const TakeStatus::CameraStatus& camera : take.cameras) {
+    if (camera.preRoll.shortened) {
+      fmt::print(stderr,
+                 "dewpoint-cli: camera '{}': only {:.1f} s before the start were kept in {:.0f} MB "
+                 "of memory.\n",
+                 camera.name, camera.preRoll.seconds,
+                 static_cast<double>(camera.preRoll.bytes) / kMegabyte);
+    }
+  }
+}
+
+/// Prints the ports that are open.
+void printPorts(const broadcast::Broadcaster& remote) {
+  for (const broadcast::OutletReport& port : remote.reports()) {
+    fmt::print("{}\n", broadcast::placeText(port));
+  }
+  std::fflush(stdout); // a program may wait for the port
+}
+
+/// Reports why a take can start no more.
+int reportNotStarted(const std::string& project, bool isInputOver) {
+  return report(isInputOver ? Error{ErrorCode::EndedEarly, "standard input", "",
+                                    "no line came to start the take"}
+                            : Error{ErrorCode::EndedEarly, project, "camera",
+                                    "all streams ended before the take was started"});
+}
+
 int recordTake(const RecordOptions& options, Project project, FrameSetSource& source,
                const Feeds& feeds) {
   NoticePrinter notices;
+  TakeTrigger trigger;
+  const auto remote = openRemote(options, project, trigger);
+  if (!remote) {
+    return report(remote.error());
+  }
+  const bool isRemote = *remote != nullptr;
+  if (isRemote) {
+    printPorts(**remote);
+  }
   if (auto waited = awaitCameras(project, source, notices); !waited) {
     return report(waited.error());
   }
-  auto take = TakeRecorder::start(
-      project, feeds, options.folder,
-      {options.lossless ? RawStorage::Lossless : RawStorage::Jpeg, options.notes});
+  if (options.wait) {
+    const auto started = awaitTrigger(trigger, isRemote, source, feeds, notices);
+    if (!started) {
+      return report(started.error());
+    }
+    if (!*started) {
+      const bool isInputOver = trigger.hasInputEnded() && !isRemote;
+      return interruptionRequested() ? kExitInterrupted
+                                     : reportNotStarted(options.project, isInputOver);
+    }
+  }
+  auto take =
+      TakeRecorder::start(project, feeds, options.folder,
+                          {options.lossless ? RawStorage::Lossless : RawStorage::Jpeg,
+                           options.notes.empty() ? trigger.name() : options.notes, options.number});
   if (!take) {
     return report(take.error());
   }
@@ -164,7 +279,8 @@ int recordTake(const RecordOptions& options, Project project, FrameSetSource& so
   auto lastLook = begin;
   const Status watched = watchCameras(source, notices, [&] {
     const double seconds = std::chrono::duration<double>(RecordClock::now() - begin).count();
-    if ((options.seconds && seconds >= *options.seconds) || allEnded(feeds)) {
+    const bool isStopped = options.wait && trigger.takeStop();
+    if (isStopped || (options.seconds && seconds >= *options.seconds) || allEnded(feeds)) {
       return true;
     }
     if (RecordClock::now() - lastLook < 200ms) {
@@ -177,6 +293,7 @@ int recordTake(const RecordOptions& options, Project project, FrameSetSource& so
   progress.finish();
   const Status stopped = (*take)->stop();
   const bool complete = printTake((*take)->status());
+  printPreRoll((*take)->status(), options.preRoll);
   if (!stopped) {
     return report(stopped.error());
   }
@@ -208,6 +325,7 @@ int record(const RecordOptions& options) {
   if (!source) {
     return report(source.error());
   }
+  TakeRecorder::setPreRoll(feeds, options.preRoll);
   return recordTake(options, std::move(*project), **source, feeds);
 }
 
@@ -227,7 +345,30 @@ void addRecordCommand(CLI::App& app, int& exitCode) {
       ->add_option("--seconds", options->seconds,
                    "Stop after this time (default: at Ctrl+C, or when all streams have ended)")
       ->check(CLI::Range(0.1, 1e7));
+  command
+      ->add_option("--take", options->number,
+                   "Number of the take (default: the next one after all takes in the folder)")
+      ->check(CLI::Range(1, kHighestTakeNumber));
   command->add_option("--take-notes", options->notes, "Text that is kept with the take");
+  auto* wait = command->add_flag("--wait", options->wait,
+                                 "Start at a line on standard input, and stop at the next one");
+  command
+      ->add_option("--pre-roll", options->preRoll,
+                   "Also record this many seconds before the start (with --wait; default: 0)")
+      ->check(CLI::Range(0.0, TakeRecorder::kLongestPreRoll))
+      ->needs(wait);
+  command
+      ->add_option("--tcp", options->tcp,
+                   "Also start and stop at the remote commands record and stop-recording on this "
+                   "port (with --wait); 0: any free port")
+      ->check(CLI::Range(std::uint16_t{0}, kLastPort))
+      ->needs(wait);
+  command->add_option("--listen", options->listen,
+                      "Address of this computer on which the port is opened (default: the "
+                      "project's, or 127.0.0.1: only this computer)");
+  command->add_option("--token-file", options->tokenFile,
+                      "Token of the remote commands, in the first line of this file (default: the "
+                      "project's)");
   command->add_flag("--lossless", options->lossless,
                     "Store uncompressed images unchanged, not as JPEG of quality 95");
   command->callback([options, &exitCode] { exitCode = record(*options); });

@@ -10,10 +10,10 @@ namespace dewpoint::app {
 namespace {
 
 const char* separation(int score) {
-  return score >= 90   ? "Stands out well"
-         : score >= 70 ? "Stands out"
-         : score >= 40 ? "Hard to tell apart"
-                       : "Hardly stands out";
+  return score >= 90   ? "The color stands out well"
+         : score >= 70 ? "The color stands out"
+         : score >= 40 ? "The color is hard to tell from the background"
+                       : "The color hardly stands out";
 }
 
 const char* nameOf(ColorWord word) {
@@ -34,9 +34,11 @@ std::string partOfImage(const DistractorRegion& region) {
 const char* advice(Suggestion suggestion) {
   switch (suggestion) {
   case Suggestion::AddSamples:
-    return "Much of the target does not match: add its light and its dark side with --more.";
+    return "Much of the target does not have the learned color: add its light and its dark side "
+           "with "
+           "--more.";
   case Suggestion::ExcludeDistractor:
-    return "Exclude the other matching objects with --exclude.";
+    return "Other objects have this color too: exclude them with --exclude.";
   case Suggestion::RemoveDistractor:
     return "Cover objects of the same color, or take them out of view.";
   case Suggestion::MoreLight:
@@ -51,7 +53,8 @@ const char* advice(Suggestion suggestion) {
     return "Several objects have this color and size: make each of them a target, or cover the "
            "others.";
   case Suggestion::ClickObjectItself:
-    return "This fills much of the image: click only the target, or give a box on it.";
+    return "The clicked region fills much of the image: click only the target, or give a box on "
+           "it.";
   case Suggestion::ClickMore:
     return "You clicked only a speck: give a box on the whole target.";
   case Suggestion::None:
@@ -72,12 +75,13 @@ std::string describeRange(const ColorRange& range) {
 std::vector<std::string> describeAssessment(const ColorAssessment& assessment,
                                             const std::vector<std::string>& cameras) {
   std::vector<std::string> sentences{
-      fmt::format("{}: {} of 100.", separation(assessment.score()), assessment.score()),
-      fmt::format("{:.0f} % of the target and {:.2f} % of the background match.",
+      fmt::format("{} ({} of 100 points).", separation(assessment.score()), assessment.score()),
+      fmt::format("{:.0f} % of the target and {:.2f} % of the background have this color.",
                   inPercent(assessment.targetShare), inPercent(assessment.backgroundShare))};
   if (assessment.backgroundShareOfFullRange) {
     sentences.push_back(
-        fmt::format("A range that covers the whole target would match {:.2f} % of the background.",
+        fmt::format("A color range that covers the whole target would also cover {:.2f} % of the "
+                    "background.",
                     inPercent(*assessment.backgroundShareOfFullRange)));
   }
   if (assessment.sampleLeftOut) {
@@ -87,7 +91,7 @@ std::vector<std::string> describeAssessment(const ColorAssessment& assessment,
   for (const DistractorRegion& region : assessment.distractors) {
     const cv::Point middle = (region.box.tl() + region.box.br()) / 2;
     sentences.push_back(
-        fmt::format("In the image of {2}, a {0} region {1} also matches, near pixel {3},{4}.",
+        fmt::format("In the image of {2}, a {0} region {1} has this color too, near pixel {3},{4}.",
                     nameOf(region.color), partOfImage(region),
                     cameras.at(static_cast<std::size_t>(region.camera)), middle.x, middle.y));
   }
@@ -107,7 +111,7 @@ std::string describeRadius(double given, const std::optional<double>& shown) {
   if (given > 0.0) {
     text += fmt::format(", but {:g} m is given", given);
   }
-  return text + (fit == setup::RadiusFit::IsDiameter ? ". Is that its diameter?" : ".");
+  return text + (fit == setup::RadiusFit::IsDiameter ? ". Is the given value the diameter?" : ".");
 }
 
 } // namespace dewpoint::app

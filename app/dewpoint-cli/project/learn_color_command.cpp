@@ -101,8 +101,8 @@ void printLearned(const Target& target, const setup::ClickLearningResult& lesson
     fmt::print("{}\n", text);
   }
   if (lesson.part) {
-    fmt::print("This is part of a larger object of the same color. It is tracked as a ball with "
-               "radius {:.2g} m, starting at the marked spot.\n",
+    fmt::print("The marked spot is part of a larger object of the same color. Only this spot is "
+               "tracked, as a ball with radius {:.2g} m.\n",
                target.radius);
   }
   if (const auto text = describeRadius(target.radius, lesson.radius); !text.empty()) {

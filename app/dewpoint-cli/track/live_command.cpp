@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/dewpoint-cli/commands.h"
 #include "app/dewpoint-cli/common/exit_code.h"
+#include "app/dewpoint-cli/common/token_file.h"
 #include "app/dewpoint-cli/track/live_job.h"
 #include "app/wiring/open_project.h"
-#include "core/base/text_file.h"
 #include "core/project/project_check.h"
 #include "core/project/project_output.h"
 #include "core/tracking/catalog/method_catalog.h"
@@ -43,22 +43,6 @@ void replace(LiveJob& job, const char* key, const std::optional<Value>& given, a
   }
 }
 
-/// The first line of the file.
-Status readToken(const std::string& file, OutputSettings& output) {
-  if (file.empty()) {
-    return {};
-  }
-  const auto text = readTextFile(file);
-  if (!text) {
-    return tl::make_unexpected(text.error());
-  }
-  output.token = text->substr(0, text->find_first_of("\r\n"));
-  if (output.token.empty()) {
-    return failure(ErrorCode::BadValue, file, "", "the first line is empty");
-  }
-  return {};
-}
-
 /// The outputs of the project, and in their place those of the command line.
 Status setOutput(LiveOptions& options, const Project& project) {
   LiveJob& job = options.job;
@@ -80,10 +64,12 @@ Status setOutput(LiveOptions& options, const Project& project) {
   if (options.unit) {
     output.unit = *outputUnit(*options.unit);
   }
-  if (const auto read = readToken(options.tokenFile, output); !read) {
-    return read;
-  }
   if (!options.tokenFile.empty()) {
+    const auto token = readTokenFile(options.tokenFile);
+    if (!token) {
+      return tl::make_unexpected(token.error());
+    }
+    output.token = *token;
     job.options.insert("token");
   }
   return checkOutput(output).map_error([&](Error error) { return job.located(std::move(error)); });
@@ -157,7 +143,8 @@ void addLiveCommand(CLI::App& app, int& exitCode) {
   auto options = std::make_shared<LiveOptions>();
   command->add_option("PROJECT", options->project, "Project file (TOML), or a built-in scene: demo")
       ->required();
-  command->add_option("--out", options->job.folder, "Folder to write, as track does");
+  command->add_option("--out", options->job.folder,
+                      "Folder for the files that the command track also writes");
   command->add_option("--seconds", options->job.seconds, "End after this time")
       ->check(CLI::PositiveNumber);
   command

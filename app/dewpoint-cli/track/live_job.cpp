@@ -64,7 +64,7 @@ public:
 
   void showPlaces(const broadcast::Broadcaster& broadcaster) {
     for (const broadcast::OutletReport& report : broadcaster.reports()) {
-      fmt::print(out_, "{}\n", report.place);
+      fmt::print(out_, "{}\n", broadcast::placeText(report));
     }
     std::fflush(out_); // a program may wait for the port
   }
@@ -109,6 +109,10 @@ public:
     fmt::print(out_, "frames sent             {:>10}\n", broadcaster.sentFrames());
     fmt::print(out_, "images dropped          {:>10}\n", snapshot.droppedFrames);
     fmt::print(out_, "latency p99             {:>7.1f} ms\n", inMilliseconds(snapshot.latency.p99));
+    if (snapshot.liveLatency.total.longest > 0.0) {
+      fmt::print(out_, "light to estimate p99   {:>7.1f} ms\n",
+                 inMilliseconds(snapshot.liveLatency.total.p99));
+    }
     std::fflush(out_);
   }
 

@@ -23,6 +23,8 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
+#include <cstddef>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -32,6 +34,11 @@
 
 namespace dewpoint::app {
 namespace {
+
+// A delay is named if it is larger than this, in seconds and in standard deviations: less shifts a
+// walking person by a millimeter. Judgments.
+constexpr double kNotableDelay = 1e-3;
+constexpr double kNotableSigmas = 3.0;
 
 /// Where the results of a run go: a file that grows with it, or boxes that are written at its end.
 struct TrackOutput {
@@ -166,7 +173,20 @@ std::vector<std::vector<std::string>> targetsAlike(const std::vector<Target>& ta
   return groups;
 }
 
-void printSummary(const Trajectory& estimate, const Trajectory& truth,
+/// Names the cameras whose images are clearly late or early.
+void printClocks(const std::vector<ClockEstimate>& clocks, const CameraRig& rig) {
+  for (std::size_t k = 1; k < clocks.size(); ++k) {
+    const ClockEstimate& clock = clocks[k];
+    if (std::abs(clock.delay) > std::max(kNotableDelay, kNotableSigmas * clock.delaySigma)) {
+      fmt::print("images of {:<13} {:>7.1f} ms {} than those of {} (± {:.1f} ms, corrected)\n",
+                 rig[k].name, inMilliseconds(std::abs(clock.delay)),
+                 clock.delay > 0.0 ? "later" : "earlier", rig[0].name,
+                 inMilliseconds(clock.delaySigma));
+    }
+  }
+}
+
+void printSummary(const Trajectory& estimate, const Trajectory& truth, const CameraRig& rig,
                   const std::vector<Target>& targets, int iterationsPerFrame,
                   const RunStatistics& figures) {
   fmt::print("frames                  {:>10}\n", figures.frames);
@@ -174,6 +194,7 @@ void printSummary(const Trajectory& estimate, const Trajectory& truth,
              static_cast<double>(figures.frames) / std::max(1e-9, figures.seconds));
   fmt::print("us per iteration p50    {:>10.1f}\n", 1e6 * figures.iterations.quantile(0.5));
   fmt::print("us per iteration p99    {:>10.1f}\n", 1e6 * figures.iterations.quantile(0.99));
+  printClocks(figures.clocks, rig);
   if (truth.samples.empty()) {
     return;
   }
@@ -251,9 +272,10 @@ int TrackJob::run(SessionInputs inputs) const {
     figures.notices.push_back(sentence(tracked.error()));
   }
   figures.droppedFrames = inputs.source->droppedFrames();
+  figures.clocks = run->clockEstimates();
   const auto ended = writeTextFile(folder / "run.json", runReport(inputs.project, figures));
-  printSummary(output.kept, inputs.truth, inputs.project.targets, run->iterationsPerFrame(),
-               figures);
+  printSummary(output.kept, inputs.truth, run->rig(), inputs.project.targets,
+               run->iterationsPerFrame(), figures);
   if (!tracked) {
     // Frames were tracked before the input broke: that is "ended early", whatever broke it.
     const int code = report(tracked.error());

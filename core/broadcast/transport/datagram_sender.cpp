@@ -12,7 +12,7 @@
 namespace dewpoint::broadcast {
 
 Result<std::unique_ptr<DatagramSender>> DatagramSender::open(const std::string& address,
-                                                             const std::string& title) {
+                                                             OutletKind kind) {
   const auto parsed = parseOutputAddress(address);
   if (!parsed) {
     return tl::make_unexpected(parsed.error());
@@ -30,8 +30,7 @@ Result<std::unique_ptr<DatagramSender>> DatagramSender::open(const std::string& 
     return failure(ErrorCode::BadValue, "", "",
                    "nothing can be sent to " + address + ": " + std::strerror(errno));
   }
-  return std::unique_ptr<DatagramSender>(
-      new DatagramSender(std::move(socket), title + " to " + address));
+  return std::unique_ptr<DatagramSender>(new DatagramSender(std::move(socket), kind, address));
 }
 
 void DatagramSender::send(const std::vector<std::string>& pieces) {
@@ -49,7 +48,7 @@ void DatagramSender::send(const std::vector<std::string>& pieces) {
 }
 
 OutletReport DatagramSender::report() const {
-  return {place_, 0, sent_, dropped_};
+  return {kind_, address_, 0, sent_, dropped_};
 }
 
 } // namespace dewpoint::broadcast

@@ -14,21 +14,21 @@ namespace dewpoint::broadcast {
 /// Sends each piece as one UDP datagram to one receiver, which need not exist. There is no opening.
 class DatagramSender final : public Outlet {
 public:
-  /// `address` is HOST:PORT; broadcast and multicast addresses are possible. `title` is used in the
+  /// `address` is HOST:PORT; broadcast and multicast addresses are possible. `kind` is used in the
   /// report. BadValue if the address is unknown.
-  static Result<std::unique_ptr<DatagramSender>> open(const std::string& address,
-                                                      const std::string& title);
+  static Result<std::unique_ptr<DatagramSender>> open(const std::string& address, OutletKind kind);
 
   void setOpening(const std::string& /*opening*/) override {}
   void send(const std::vector<std::string>& pieces) override;
   OutletReport report() const override;
 
 private:
-  DatagramSender(FileDescriptor socket, std::string place)
-      : socket_(std::move(socket)), place_(std::move(place)) {}
+  DatagramSender(FileDescriptor socket, OutletKind kind, std::string address)
+      : socket_(std::move(socket)), kind_(kind), address_(std::move(address)) {}
 
   FileDescriptor socket_;
-  std::string place_;
+  OutletKind kind_;
+  std::string address_;
   std::atomic<std::int64_t> sent_ = 0;
   std::atomic<std::int64_t> dropped_ = 0;
 };

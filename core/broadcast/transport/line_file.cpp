@@ -26,13 +26,13 @@ void blockPipeSignal() {
 
 Result<std::unique_ptr<LineFile>> LineFile::open(const std::filesystem::path& file) {
   std::unique_ptr<LineFile> made(new LineFile(file));
+  made->report_.kind = OutletKind::CsvLines;
+  made->report_.address = file.string();
   struct stat status {};
   if (file == "-") {
     made->number_ = STDOUT_FILENO;
-    made->report_.place = "CSV lines to standard output";
     ::fstat(STDOUT_FILENO, &status);
   } else {
-    made->report_.place = "CSV lines to " + file.string();
     made->isNamed_ = ::stat(file.c_str(), &status) == 0 && S_ISFIFO(status.st_mode);
     if (!made->isNamed_) {
       made->own_ = FileDescriptor(::open(
@@ -60,7 +60,8 @@ bool LineFile::isReady() {
     isOpened_ = false;
     const std::lock_guard lock(mutex_);
     report_.clients = number_ >= 0 ? 1 : 0;
-    report_.problem = number_ >= 0 ? "" : "no program reads it";
+    report_.lacksReader = number_ < 0;
+    report_.problem.clear();
   }
   return number_ >= 0 && !isBroken_;
 }
@@ -68,7 +69,8 @@ bool LineFile::isReady() {
 void LineFile::fail(int reason) {
   const std::lock_guard lock(mutex_);
   report_.clients = 0;
-  report_.problem = std::strerror(reason);
+  report_.lacksReader = isNamed_ && reason == EPIPE;
+  report_.problem = report_.lacksReader ? "" : std::strerror(reason);
   own_.close();
   number_ = -1;
   isBroken_ = !isNamed_;

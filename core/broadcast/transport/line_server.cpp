@@ -102,7 +102,7 @@ public:
   }
 
   OutletReport report() const {
-    return {"JSON lines at " + address_.text(), clientCount_, sent_, dropped_};
+    return {OutletKind::JsonLines, address_.text(), clientCount_, sent_, dropped_};
   }
   std::uint16_t port() const { return address_.port(); }
 

@@ -281,7 +281,7 @@ public:
   }
 
   OutletReport report() const {
-    return {"page and WebSocket at http://" + endpointText(place_) + "/", hub_.clientCount,
+    return {OutletKind::WebPage, "http://" + endpointText(place_) + "/", hub_.clientCount,
             hub_.sent, hub_.dropped};
   }
   std::uint16_t port() const { return place_.port(); }

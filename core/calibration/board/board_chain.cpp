@@ -151,11 +151,11 @@ spanningTreePoses(const ExtrinsicsRequest& request, const std::vector<std::vecto
           missing.push_back(fmt::format("'{}'", nameOf(k)));
         }
       }
-      return failure(
-          ErrorCode::Undetermined, "", "views",
-          fmt::format(
-              "{} never see{} the board in the same frame as '{}' or the cameras connected with it",
-              fmt::join(missing, ", "), missing.size() == 1 ? "s" : "", nameOf(0)));
+      return failure(ErrorCode::Undetermined, "", "views",
+                     fmt::format("{0} never see{1} the board in the same frame as '{2}' or as a "
+                                 "camera that is linked to '{2}'",
+                                 fmt::join(missing, ", "), missing.size() == 1 ? "s" : "",
+                                 nameOf(0)));
     }
     if (best->ambiguous) {
       notices.push_back(

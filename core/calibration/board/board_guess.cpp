@@ -245,6 +245,7 @@ Result<std::vector<BoardGuess>> guessBoards(const std::vector<cv::Mat>& images,
                                             const BoardDescription& requested,
                                             const CalibrationProgress& progress) {
   std::vector<cv::Mat> searched;
+  searched.reserve(images.size());
   for (const cv::Mat& image : images) {
     searched.push_back(imageForGuess(image));
   }

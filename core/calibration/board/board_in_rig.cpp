@@ -113,7 +113,7 @@ Result<BoardInRig> boardInRig(const BoardDescription& board, const CameraRig& ri
     }
   }
   if (!start) {
-    return failure(ErrorCode::NotFound, "", "board", "no camera sees enough of its corners");
+    return failure(ErrorCode::NotFound, "", "board", "no camera sees enough corners of the board");
   }
   counted = renumbered(*start, board, rig, counted);
   const auto adjusted = adjustBundle(problemOf(*start, board, rig, counted));
@@ -125,8 +125,8 @@ Result<BoardInRig> boardInRig(const BoardDescription& board, const CameraRig& ri
   const double most = maxViewError(0.0, rig[result.cameras.front()].intrinsics);
   if (result.rmsPx > most) {
     return failure(ErrorCode::Mismatch, "", "board",
-                   fmt::format("its corners are {:.1f} px off: the calibration is wrong, or the "
-                               "board was moved between the images",
+                   fmt::format("the corners of the board are {:.1f} px off: the calibration is "
+                               "wrong, or the board was moved between the images",
                                result.rmsPx));
   }
   return result;

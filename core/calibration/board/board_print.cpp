@@ -60,9 +60,9 @@ Result<Layout> layoutOf(const BoardDescription& board, const Paper& paper) {
   }
   return failure(
       ErrorCode::BadValue, "", "paper",
-      fmt::format("the board of {:.0f} x {:.0f} mm does not fit {}; squares of {} m would",
-                  size * squares[0], size * squares[1], paper.name,
-                  fromMillimeters(std::floor(largest))));
+      fmt::format(
+          "the board of {:.0f} x {:.0f} mm does not fit on {}; with squares of {} m, it would fit",
+          size * squares[0], size * squares[1], paper.name, fromMillimeters(std::floor(largest))));
 }
 
 /// Draws in millimeters from the upper left corner of the page.
@@ -164,7 +164,7 @@ Result<Paper> paperNamed(const std::string& name, const std::string& field) {
     }
   }
   return failure(ErrorCode::BadValue, "", field,
-                 fmt::format("'{}' is not known; A4, A3 and letter are", name));
+                 fmt::format("'{}' is not a known paper size; use A4, A3 or letter", name));
 }
 
 Status printBoard(const BoardDescription& board, const Paper& paper,

@@ -173,9 +173,11 @@ private:
         goodFits.push_back(fits_[k]);
         continue;
       }
-      auto left = leftOutView(*view.view, fmt::format("its corners are {:.2f} px off, those of the "
-                                                      "others {:.2f} px",
-                                                      fits_[k].rmsPx, median));
+      auto left = leftOutView(
+          *view.view,
+          fmt::format(
+              "the corners of this view are {:.2f} px off, those of the other views {:.2f} px",
+              fits_[k].rmsPx, median));
       left.rmsPx = fits_[k].rmsPx;
       chain_.leftOut[view.camera].push_back(std::move(left));
     }

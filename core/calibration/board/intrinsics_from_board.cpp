@@ -174,10 +174,11 @@ private:
       if (fits_[k].rmsPx <= limit) {
         good.push_back(views_[k]);
       } else {
-        left_.push_back(
-            leftOutView(*views_[k], fmt::format("its corners are {:.2f} px off, those of "
-                                                "the others {:.2f} px",
-                                                fits_[k].rmsPx, median)));
+        left_.push_back(leftOutView(
+            *views_[k],
+            fmt::format(
+                "the corners of this view are {:.2f} px off, those of the other views {:.2f} px",
+                fits_[k].rmsPx, median)));
         left_.back().rmsPx = fits_[k].rmsPx;
       }
     }
@@ -219,8 +220,8 @@ private:
       return {};
     }
     return failure(ErrorCode::BadValue, "", "board",
-                   fmt::format("with it the corners are {:.1f} px off on average and the focal "
-                               "length would be {:.0f} px; count its inner corners again",
+                   fmt::format("with this board, the corners are {:.1f} px off (RMS) and the focal "
+                               "length is {:.0f} px; count the inner corners of the board again",
                                result.rmsPx, focal));
   }
 

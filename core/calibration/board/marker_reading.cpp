@@ -128,7 +128,8 @@ std::optional<ReadMarker> lookedUp(const CodeTable& table, const cv::Mat& cells,
     return std::nullopt;
   }
   ReadMarker marker{found->second.id, outline};
-  std::ranges::rotate(marker.corners, marker.corners.begin() + found->second.rotation);
+  std::rotate(marker.corners.begin(), marker.corners.begin() + found->second.rotation,
+              marker.corners.end());
   return marker;
 }
 

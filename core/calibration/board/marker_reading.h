@@ -26,7 +26,7 @@ struct MarkerReading {
   bool inverted = false; ///< black and white are exchanged
   bool mirrored = false; ///< the image is mirrored left to right
 
-  auto operator<=>(const MarkerReading&) const = default;
+  auto operator<=>(const MarkerReading&) const = default; // NOLINT(modernize-use-nullptr)
 };
 
 /// Returns the names of the largest dictionaries, one for each code. A code is a family of

@@ -80,9 +80,9 @@ void markDoubtful(std::vector<ViewFit>& fits) {
   for (ViewFit& fit : fits) {
     if (fit.used && fit.rmsPx > kDoubtfulFactor * median) {
       fit.doubtful = true;
-      fit.reason =
-          fmt::format("its corners are {:.2f} px off, those of the median picture {:.2f} px",
-                      fit.rmsPx, median);
+      fit.reason = fmt::format(
+          "the corners in this image are {:.2f} px off, those in the median image {:.2f} px",
+          fit.rmsPx, median);
     }
   }
 }

@@ -23,54 +23,58 @@ std::string faultDescription(const DetectedFault& fault,
   };
   switch (fault.fault) {
   case CalibrationFault::MirroredBoard:
-    return "All cameras seem to see the back of the board or floor: its points are probably "
-           "mirrored. Check the direction of the axes, and that the print is not reversed.";
+    return "All cameras seem to see the back of the board or of the floor: the measured points are "
+           "probably mirrored. Check the direction of the axes, and that the print is not "
+           "reversed.";
   case CalibrationFault::WrongUnitMillimeters:
-    return fmt::format("The given length is {:.3g} times what the cameras see: millimeters and "
-                       "meters are probably mixed up. Give all lengths in meters.",
+    return fmt::format("The given length is {:.3g} times the length that the cameras see: "
+                       "millimeters and meters are probably mixed up. Give all lengths in meters.",
                        fault.value);
   case CalibrationFault::WrongUnitInches:
-    return fmt::format("The given length is {:.3g} times what the cameras see: it is probably in "
-                       "inches. Give it in meters (1 inch = 0.0254 m).",
+    return fmt::format("The given length is {:.3g} times the length that the cameras see: it is "
+                       "probably in inches. Give it in meters (1 inch = 0.0254 m).",
                        fault.value);
   case CalibrationFault::CamerasSwapped:
     return fmt::format("Everything fits when {} and {} are exchanged: their videos are probably "
                        "swapped. Exchange the two files.",
                        name(0), name(1));
   case CalibrationFault::WrongSquareCount:
-    return fmt::format("The corners form a board with {:.0f} squares in a row: the number of "
-                       "squares is probably wrong. Count them and correct the board.",
+    return fmt::format("The corners form a board with {:.0f} squares in a row, so the given number "
+                       "of squares is probably wrong. Count the squares and correct the number.",
                        fault.value);
   case CalibrationFault::WrongSquareSize:
-    return fmt::format("The given size of the squares is {:.3g} times what the cameras see: "
-                       "measure a row with a ruler (prints are often rescaled).",
+    return fmt::format("The given size of the squares is {:.3g} times the size that the cameras "
+                       "see. Measure a row with a ruler: prints are often rescaled.",
                        fault.value);
   case CalibrationFault::HalfPixel:
-    return fmt::format(
-        "The images fit when shifted by {:+.1f} px along both axes: the calibration probably "
-        "counts pixels from their corners, not their centers. Convert the principal points.",
-        fault.value);
+    return fmt::format("The images fit only if they are shifted by {:+.1f} px along both axes: the "
+                       "calibration probably measures from the corner of the first pixel, not from "
+                       "its center. Convert the principal points.",
+                       fault.value);
   case CalibrationFault::CameraDelayed:
-    return fmt::format(
-        "{} fits when its video is shifted in time: the video is probably {:.0f} frames {}. "
-        "Synchronize the videos, or set the offset of its source.",
-        name(0), std::abs(fault.value), fault.value > 0.0 ? "late" : "early");
+    return fmt::format("{} agrees with the other cameras only if its video is shifted in time: the "
+                       "video is probably {:.0f} frames {}. Synchronize the videos, or set late_by "
+                       "of this camera in the project file.",
+                       name(0), std::abs(fault.value), fault.value > 0.0 ? "late" : "early");
   case CalibrationFault::CameraMoved:
-    return fmt::format("{} fits one pose before {:.1f} s and another pose after that time: the "
-                       "camera was probably moved. Calibrate with the later part only.",
-                       name(0), fault.value);
+    return fmt::format(
+        "The images of {} fit one pose before {:.1f} s and another pose after that time: the "
+        "camera was probably moved. Calibrate with the later part of the recording only.",
+        name(0), fault.value);
   case CalibrationFault::VideoFlipped:
-    return fmt::format("{} fits only with flipped images: its video is probably mirrored or upside "
-                       "down. Set the rotation and mirroring of its source.",
-                       name(0));
+    return fmt::format(
+        "The images of {} fit only if they are flipped: the video is probably mirrored or upside "
+        "down. Set rotate and mirror of this camera in the project file.",
+        name(0));
   case CalibrationFault::ZoomChanged:
-    return fmt::format("{} fits with {:.3g} times the given focal length: its zoom or crop was "
-                       "probably changed. Calibrate its intrinsics again.",
-                       name(0), fault.value);
+    return fmt::format(
+        "The images of {} fit a focal length that is {:.3g} times the one in its calibration: the "
+        "zoom or crop of the camera was probably changed. Calibrate its intrinsics again.",
+        name(0), fault.value);
   case CalibrationFault::WrongResolution:
-    return fmt::format("The intrinsics of {} are probably for another resolution: its images are "
-                       "{:.3g} times as large. Convert the intrinsics, or record at the "
-                       "calibrated size.",
+    return fmt::format("The images of {} are {:.3g} times as large as those for which it was "
+                       "calibrated: its intrinsics are for another resolution. Convert the "
+                       "intrinsics, or record at the calibrated size.",
                        name(0), fault.value);
   }
   return {};

@@ -65,7 +65,8 @@ Status checkRigFits(const CalibrationFormat& format, const CameraRig& rig,
   if (format.layout == FileLayout::CameraPair &&
       (rig.size() != 2 || size(rig[0]) != size(rig[1]))) {
     return failure(ErrorCode::Mismatch, file, "",
-                   fmt::format("{} holds two cameras with images of one size; here are {} cameras",
+                   fmt::format("a file of the format {} has exactly two cameras with images of the "
+                               "same size; this calibration has {} cameras",
                                format.title, rig.size()));
   }
   return {};
@@ -119,7 +120,8 @@ void noteTangentialDistortion(const CalibrationFormat& format, const CameraRig& 
       Camera plain = camera;
       plain.distortion[2] = plain.distortion[3] = 0.0;
       conversion.decisions.push_back(fmt::format(
-          "Anipose ignores p1 and p2 when it projects: errors up to {:.3g} px in {}.",
+          "Anipose ignores p1 and p2 when it projects points. This causes errors of up to {:.3g} "
+          "px in {}.",
           difference(camera, plain, Eigen::Isometry3d::Identity()).largestPixels, camera.name));
     }
   }

@@ -46,12 +46,13 @@ Result<ParsedCalibration> read(const CalibrationText& source, const CalibrationH
   }
   ParsedCalibration calibration;
   calibration.rig = std::move(*cameras);
-  calibration.decisions = {"Poses are camera from world, as here."};
+  calibration.decisions = {"The poses are stored as camera from world, as in Dewpoint."};
   if (hints.lens) {
     setLens(calibration.rig, *hints.lens);
     calibration.decisions.emplace_back(
-        *hints.lens == LensModel::Fisheye ? "The coefficients are those of a fisheye, as requested."
-                                          : "Coefficients are those of a pinhole, as asked.");
+        *hints.lens == LensModel::Fisheye
+            ? "The coefficients are those of a fisheye, as requested."
+            : "The coefficients are those of a pinhole, as requested.");
   } else if (std::ranges::any_of(calibration.rig, [](const Camera& camera) {
                return camera.lens == LensModel::Fisheye;
              })) {

@@ -23,7 +23,7 @@ Status readCamera(const std::string& key, const toml::table& table, const std::s
   const std::string name = "cam_" + key;
   if (table["ignore"].value_or(false)) {
     calibration.decisions.push_back(
-        fmt::format("Camera {} is left out: the file ignores it.", key));
+        fmt::format("Camera {} was left out, because the file marks it as ignored.", key));
     return {};
   }
   if (!table.contains("rotation") || !table.contains("translation")) {
@@ -60,7 +60,7 @@ Result<ParsedCalibration> read(const CalibrationText& source, const CalibrationH
     return failure(ErrorCode::MissingKey, file, "cameras", "");
   }
   ParsedCalibration calibration;
-  calibration.decisions = {"Poses are camera from world, as here."};
+  calibration.decisions = {"The poses are stored as camera from world, as in Dewpoint."};
   std::vector<std::pair<std::string, const toml::table*>> sections;
   for (const auto& [key, node] : *cameras) {
     if (node.is_table()) {

@@ -51,7 +51,7 @@ Result<ParsedCalibration> read(const CalibrationText& source, const CalibrationH
   ParsedCalibration calibration;
   calibration.rig = std::move(*cameras);
   calibration.unit = *unit;
-  calibration.decisions = {"Poses are camera from world, as here."};
+  calibration.decisions = {"The poses are stored as camera from world, as in Dewpoint."};
   return calibration;
 }
 

@@ -77,9 +77,8 @@ Result<ParsedCalibration> read(const CalibrationText& source, const CalibrationH
   }
   ParsedCalibration calibration;
   calibration.decisions = {
-      "T_cn_cnm1 leads from the camera before to each camera: chained from cam0, whose axes are "
-      "the "
-      "world.",
+      "T_cn_cnm1 is the transform from the previous camera to each camera. The transforms were "
+      "chained; the axes of cam0 are the world.",
       "camera_model, intrinsics: fu fv pu pv in pixels; timeshift_cam_imu is left out."};
   Eigen::Matrix4d pose = Eigen::Matrix4d::Identity();
   for (int k = 0; reader.has(fmt::format("cam{}", k).c_str()); ++k) {

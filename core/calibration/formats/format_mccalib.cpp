@@ -57,7 +57,7 @@ Result<ParsedCalibration> read(const CalibrationText& source, const CalibrationH
     return tl::make_unexpected(*reader.error());
   }
   ParsedCalibration calibration;
-  calibration.decisions = {"camera_pose_matrix is rig from camera: inverted."};
+  calibration.decisions = {"camera_pose_matrix is the transform rig from camera; it was inverted."};
   std::string group;
   for (int k = 0; k < count; ++k) {
     const std::string name = fmt::format("camera_{}", k);

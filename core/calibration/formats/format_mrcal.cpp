@@ -92,7 +92,8 @@ Result<ParsedCalibration> read(const CalibrationText& source, const CalibrationH
     return tl::make_unexpected(camera.error());
   }
   ParsedCalibration calibration;
-  calibration.decisions = {"Poses are camera from reference, as here."};
+  calibration.decisions = {
+      "The poses are stored as camera from reference; the reference becomes the world."};
   calibration.rig.push_back(std::move(*camera));
   return calibration;
 }

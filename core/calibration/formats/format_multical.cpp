@@ -88,8 +88,8 @@ Result<ParsedCalibration> read(const CalibrationText& source, const CalibrationH
     entries[key.substr(0, key.find("_to_"))] = readPose(poses, key);
   }
   ParsedCalibration calibration;
-  calibration.decisions = {"\"b_to_a\" is b from a: chained from the first camera, whose axes are "
-                           "the world."};
+  calibration.decisions = {"\"b_to_a\" is the transform b from a. The transforms were chained; the "
+                           "axes of the first camera are the world."};
   for (const std::string& name : cameras.keys()) {
     const YamlReader section = cameras.child(name);
     auto parts = readLens(section, name);

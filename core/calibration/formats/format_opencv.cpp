@@ -65,12 +65,13 @@ void readView(const YamlReader& reader, CameraParts& parts, ParsedCalibration& c
                 "six numbers per view are expected: rotation vector, translation");
   } else if (views.size() > 6) {
     calibration.decisions.push_back(fmt::format(
-        "The {} poses are those of a moved board, not of the camera: left out.", views.size() / 6));
+        "The {} poses are those of a moved board, not of the camera, and were left out.",
+        views.size() / 6));
   } else {
     calibration.hasPoses = true;
     parts.rotation = rotationFromVector({views[0], views[1], views[2]});
     parts.translation = {views[3], views[4], views[5]};
-    calibration.decisions.emplace_back("The world is the board of the one view.");
+    calibration.decisions.emplace_back("The world is defined by the board in the only view.");
   }
 }
 
@@ -148,9 +149,10 @@ Result<ParsedCalibration> readPair(const CalibrationText& source, const Calibrat
     files[missing] = otherFileOfPair(source.file, hasIntrinsics);
     auto other = readTextFile(files[missing]);
     if (!other) {
-      return failure(ErrorCode::FileMissing, file, hasIntrinsics ? "R" : "M1",
-                     fmt::format("a pair has two files; beside this one {} is expected",
-                                 files[missing].filename().string()));
+      return failure(
+          ErrorCode::FileMissing, file, hasIntrinsics ? "R" : "M1",
+          fmt::format("a pair of cameras has two files: {} is expected in the same folder",
+                      files[missing].filename().string()));
     }
     text[missing] = std::move(*other);
   }
@@ -167,8 +169,8 @@ Result<ParsedCalibration> readPair(const CalibrationText& source, const Calibrat
         "the stereo sample does not write the image size; convert with --size WIDTHxHEIGHT");
   }
   ParsedCalibration calibration;
-  calibration.decisions = {"The world is the axes of the first camera; R and T lead from it to the "
-                           "second."};
+  calibration.decisions = {"The axes of the first camera are the world; R and T are the transform "
+                           "from the first camera to the second."};
   for (const char* number : {"1", "2"}) {
     CameraParts parts;
     const std::string matrix = std::string("M") + number;

@@ -110,7 +110,8 @@ Result<ParsedCalibration> read(const CalibrationText& source, const CalibrationH
   }
   ParsedCalibration calibration;
   calibration.decisions = {
-      "Rotation is read column by column and turned half about x: Qualisys' cameras look along -z.",
+      "The rotation was read column by column and turned by 180 degrees about x, because Qualisys' "
+      "cameras look along -z.",
       "Intrinsics are in 1/64 pixels, shifted by the left and top of fov_video; distortion as it "
       "is "
       "(Pose2Sim divides it by 64 too)."};
@@ -131,7 +132,7 @@ Result<ParsedCalibration> read(const CalibrationText& source, const CalibrationH
   }
   if (markerCameras > 0) {
     calibration.decisions.push_back(
-        fmt::format("{} cameras that make no video are left out.", markerCameras));
+        fmt::format("{} cameras that make no video were left out.", markerCameras));
   }
   if (calibration.rig.empty()) {
     return failure(ErrorCode::MissingKey, file, "calibration.cameras.camera",

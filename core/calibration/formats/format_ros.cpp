@@ -96,9 +96,9 @@ Status readPose(const CalibrationText& source, CameraParts& parts, ParsedCalibra
   const Eigen::Isometry3d cameraFromWorld = (*pose)->inverse();
   parts.rotation = cameraFromWorld.linear();
   parts.translation = cameraFromWorld.translation();
-  calibration.decisions.push_back(
-      fmt::format("Poses are those of the frames *{} in {}, world from camera: inverted.",
-                  kFrameEnding, kTransforms));
+  calibration.decisions.push_back(fmt::format("The poses are those of the frames *{} in {}. They "
+                                              "are stored as world from camera and were inverted.",
+                                              kFrameEnding, kTransforms));
   return {};
 }
 

@@ -37,12 +37,12 @@ Result<const CalibrationFormat*> formatOf(const CalibrationText& source,
   if (recognized && recognized->format != *requested &&
       !(recognized->format->sharesKeys && (*requested)->sharesKeys)) {
     return failure(ErrorCode::Mismatch, source.file.string(), "",
-                   fmt::format("it looks like {}, with {}, not like {}", recognized->format->title,
-                               recognized->reason, (*requested)->title));
+                   fmt::format("it looks like a file of {} (recognized by {}), not of {}",
+                               recognized->format->title, recognized->reason, (*requested)->title));
   }
   if (!recognized) {
     return failure(ErrorCode::NotParsed, source.file.string(), "",
-                   fmt::format("it does not look like {}", (*requested)->title));
+                   fmt::format("it does not look like a file of {}", (*requested)->title));
   }
   reason = fmt::format("Read as {}, as requested.", (*requested)->title);
   return requested;
@@ -71,8 +71,9 @@ Status toMeters(const CalibrationFormat& format, const CalibrationHints& hints,
   if (!unit) {
     return failure(
         ErrorCode::MissingKey, file, "unit",
-        fmt::format("{} files do not say their unit; the cameras are up to {} apart, "
-                    "likely {}: convert them with --unit mm, m or the meters of one unit",
+        fmt::format("files of {} do not contain their unit. The cameras are up to {} units apart, "
+                    "so the unit is probably {}: convert the file with --unit mm, --unit m, or the "
+                    "length of one unit in meters",
                     format.title,
                     spread >= 100.0 ? fmt::format("{:.0f}", spread) : fmt::format("{:.3g}", spread),
                     likelyUnit(spread)));
@@ -90,7 +91,7 @@ Status finish(const CalibrationFormat& format, const CalibrationHints& hints,
   calibration.format = format.name;
   if (hints.posesAreWorldFromCamera.value_or(false)) {
     calibration.rig = withInvertedPoses(std::move(calibration.rig));
-    calibration.decisions.emplace_back("Poses were inverted, as asked.");
+    calibration.decisions.emplace_back("The poses were inverted, as requested.");
   }
   if (auto status = toMeters(format, hints, file, calibration); !status) {
     return status;
@@ -101,7 +102,8 @@ Status finish(const CalibrationFormat& format, const CalibrationHints& hints,
           ErrorCode::MissingKey, file, "pose",
           fmt::format("these files contain {} cameras, but no poses", calibration.rig.size()));
     }
-    calibration.decisions.emplace_back("There is no pose: the camera's axes are the world.");
+    calibration.decisions.emplace_back(
+        "The file contains no pose, so the axes of the camera are the world.");
   }
   return checkPlausible(calibration, hints, file);
 }
@@ -233,9 +235,10 @@ Result<ParsedCalibration> readCalibration(const std::filesystem::path& path,
       return tl::make_unexpected(part.error());
     }
     if (before != nullptr && before != format) {
-      return failure(
-          ErrorCode::Mismatch, path.string(), source.file.filename().string(),
-          fmt::format("files of {} and of {} in one folder", before->title, format->title));
+      return failure(ErrorCode::Mismatch, path.string(), source.file.filename().string(),
+                     fmt::format("the folder contains files of {} and of {}; put only files of one "
+                                 "program into a folder",
+                                 before->title, format->title));
     }
     append(whole, std::move(*part));
   }

@@ -74,9 +74,10 @@ Status checkViews(const WandProblem& problem) {
           views, [ball](const MarkerObservation& view) { return view.ball == ball; });
     });
     if (!seen) {
-      return failure(ErrorCode::Undetermined, "", "stick",
-                     fmt::format("its {} ball was found in no image: learn its color first",
-                                 ball == 0 ? "first" : "second"));
+      return failure(
+          ErrorCode::Undetermined, "", "stick",
+          fmt::format("the {} ball of the wand was found in no image: learn its color first",
+                      ball == 0 ? "first" : "second"));
     }
   }
   return {};

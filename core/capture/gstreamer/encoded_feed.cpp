@@ -11,11 +11,16 @@ void EncodedFeed::put(const EncodedImage& image) {
   endedSince_.reset();
   if (receiver_) {
     receiver_(image);
+  } else if (preRoll_) {
+    preRoll_->add(image);
   }
 }
 
 void EncodedFeed::setEnded() {
   std::scoped_lock lock(mutex_);
+  if (preRoll_) {
+    preRoll_->clear(); // what comes next does not continue it
+  }
   if (!endedSince_) {
     endedSince_ = Clock::now();
   }
@@ -24,6 +29,31 @@ void EncodedFeed::setEnded() {
 void EncodedFeed::connect(Receiver receiver) {
   std::scoped_lock lock(mutex_);
   receiver_ = std::move(receiver);
+  if (receiver_ && preRoll_) {
+    for (const EncodedImage& image : preRoll_->images()) {
+      receiver_(image);
+    }
+    preRoll_->clear();
+  }
+}
+
+void EncodedFeed::setPreRoll(const PreRollLimits& limits) {
+  std::scoped_lock lock(mutex_);
+  preRoll_.reset();
+  if (limits.length.count() > 0.0) {
+    preRoll_.emplace(limits);
+  }
+}
+
+PreRollStatus EncodedFeed::preRoll() const {
+  std::scoped_lock lock(mutex_);
+  return preRoll_ ? preRoll_->status() : PreRollStatus();
+}
+
+std::optional<EncodedFeed::Clock::time_point> EncodedFeed::preRollBegin() const {
+  std::scoped_lock lock(mutex_);
+  const bool hasAny = preRoll_ && !preRoll_->images().empty();
+  return hasAny ? std::optional(preRoll_->images().front().captured.time) : std::nullopt;
 }
 
 void EncodedFeed::disconnect() {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/capture/capture_instant.h"
+#include "core/capture/gstreamer/pre_roll.h"
 
 #include <chrono>
 #include <cstdint>
@@ -10,19 +10,12 @@
 #include <mutex>
 #include <optional>
 
-struct _GstSample;
-
 namespace dewpoint::capture {
 
-/// One image of a live stream as it came, before it is decoded.
-struct EncodedImage {
-  std::shared_ptr<_GstSample> sample; ///< its bytes and their format
-  CaptureInstant captured;
-};
-
 /// Passes the images of one camera, as they come, from its connection to a recording. It outlives
-/// the connection, so that a recording continues after the camera was connected again. All
-/// functions may be called from any thread.
+/// the connection, so that a recording continues after the camera was connected again. While nobody
+/// receives the images, it keeps the last ones on request. All functions may be called from any
+/// thread.
 class EncodedFeed {
 public:
   using Clock = std::chrono::steady_clock;
@@ -34,7 +27,14 @@ public:
   /// Reports that the stream has ended. It begins again with the next image.
   void setEnded();
 
-  /// Makes `receiver` get all images from now on, instead of the one before.
+  /// Keeps the last images while there is no receiver. A length of 0 keeps nothing.
+  void setPreRoll(const PreRollLimits& limits);
+  PreRollStatus preRoll() const;
+  /// Returns when the oldest image that is kept was captured; nothing without one.
+  std::optional<Clock::time_point> preRollBegin() const;
+
+  /// Makes `receiver` get the images that are kept and then all images from now on, instead of the
+  /// one before.
   void connect(Receiver receiver);
   /// Ends this; the receiver is not called after this function has returned.
   void disconnect();
@@ -47,6 +47,7 @@ public:
 private:
   mutable std::mutex mutex_;
   Receiver receiver_;
+  std::optional<PreRoll> preRoll_;
   std::int64_t images_ = 0;
   std::optional<Clock::time_point> endedSince_;
 };

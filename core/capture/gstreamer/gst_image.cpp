@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/gstreamer/gst_image.h"
 
+#include <fmt/format.h>
+
 #include <cstring>
 #include <gst/gst.h>
 #include <gst/video/video.h>
@@ -44,6 +46,23 @@ cv::Mat converted(GstVideoFrame& frame) {
 }
 
 } // namespace
+
+std::string storedFormatOf(_GstSample& sample) {
+  GstCaps* caps = gst_sample_get_caps(&sample);
+  if (caps == nullptr || gst_caps_get_size(caps) == 0) {
+    return {};
+  }
+  const GstStructure* structure = gst_caps_get_structure(caps, 0);
+  std::string format = gst_structure_get_name(structure);
+  for (const char* field : {"format", "width", "height", "stream-format", "codec_data"}) {
+    if (const GValue* value = gst_structure_get_value(structure, field)) {
+      gchar* text = gst_value_serialize(value);
+      format += fmt::format(" {}={}", field, text != nullptr ? text : "?");
+      g_free(text);
+    }
+  }
+  return format;
+}
 
 std::string mediaTypeOf(_GstSample& sample) {
   GstCaps* caps = gst_sample_get_caps(&sample);

@@ -7,12 +7,15 @@
 
 #include <string>
 
-struct _GstSample;
+struct _GstSample; // NOLINT(bugprone-reserved-identifier): the library's
 
 namespace dewpoint::capture {
 
 /// Returns the media type of a sample, such as video/x-raw or image/jpeg; empty if it has none.
 std::string mediaTypeOf(_GstSample& sample);
+
+/// Returns what has to stay the same for all images of one file: media type, size and format.
+std::string storedFormatOf(_GstSample& sample);
 
 /// Returns a copy of a raw image of any format as CV_8UC3 (blue, green, red); empty if the sample
 /// is not a raw image, or too short for its size.

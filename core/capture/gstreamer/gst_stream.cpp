@@ -3,9 +3,12 @@
 
 #include "core/capture/gstreamer/gst_image.h"
 
+#include <algorithm>
+#include <deque>
 #include <filesystem>
 #include <gst/app/gstappsink.h>
 #include <gst/gst.h>
+#include <mutex>
 #include <string_view>
 #include <utility>
 
@@ -15,9 +18,10 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr auto kStreamSilence = 2s; ///< after which a stream is lost
-constexpr auto kLongestGrab = 1s;   ///< of a stream of which no image can be made yet
-constexpr auto kPullSlice = 50ms;   ///< between two looks at errors
+constexpr auto kStreamSilence = 2s;       ///< after which a stream is lost
+constexpr auto kLongestGrab = 1s;         ///< of a stream of which no image can be made yet
+constexpr auto kPullSlice = 50ms;         ///< between two looks at errors
+constexpr std::size_t kArrivalsKept = 64; ///< more than a decoder holds back
 
 using SteadyClock = std::chrono::steady_clock;
 
@@ -36,6 +40,15 @@ std::optional<SteadyClock::time_point> stampOf(GstSample* sample, GstElement* el
     return std::nullopt;
   }
   return SteadyClock::time_point(std::chrono::nanoseconds(base + running));
+}
+
+/// The time stamp of a sample as it is, by which its compressed and its decoded form are known to
+/// be the same image; -1 if it has none.
+std::int64_t identityOf(GstSample* sample) {
+  GstBuffer* buffer = gst_sample_get_buffer(sample);
+  return buffer != nullptr && GST_CLOCK_TIME_IS_VALID(GST_BUFFER_PTS(buffer))
+             ? static_cast<std::int64_t>(GST_BUFFER_PTS(buffer))
+             : -1;
 }
 
 /// The appsink in a user's pipeline.
@@ -64,6 +77,32 @@ struct GstStream::EncodedBranch {
   BufferClock clock; ///< used only by the thread of the branch
   std::atomic<Clock::rep> lastData = 0;
   std::atomic<bool> hasData = false;
+  std::mutex mutex; ///< guards `arrivals`
+  /// Time stamps of the newest samples, and when they arrived.
+  std::deque<std::pair<GstClockTime, Clock::time_point>> arrivals;
+
+  void noteArrival(GstSample& sample, Clock::time_point arrival) {
+    GstBuffer* buffer = gst_sample_get_buffer(&sample);
+    if (buffer == nullptr || !GST_CLOCK_TIME_IS_VALID(GST_BUFFER_PTS(buffer))) {
+      return;
+    }
+    std::scoped_lock lock(mutex);
+    arrivals.emplace_back(GST_BUFFER_PTS(buffer), arrival);
+    if (arrivals.size() > kArrivalsKept) {
+      arrivals.pop_front();
+    }
+  }
+  /// When the data of a decoded image arrived; decoders keep its time stamp.
+  std::optional<Clock::time_point> arrivalOf(GstSample& sample) {
+    GstBuffer* buffer = gst_sample_get_buffer(&sample);
+    if (buffer == nullptr) {
+      return std::nullopt;
+    }
+    std::scoped_lock lock(mutex);
+    const auto found = std::ranges::find(arrivals, GST_BUFFER_PTS(buffer),
+                                         &std::pair<GstClockTime, Clock::time_point>::first);
+    return found != arrivals.end() ? std::optional(found->second) : std::nullopt;
+  }
 
   void setData(Clock::time_point now) {
     lastData = now.time_since_epoch().count();
@@ -82,9 +121,12 @@ struct GstStream::EncodedBranch {
       return GST_FLOW_EOS;
     }
     branch->setData(arrival);
+    branch->noteArrival(*sample, arrival);
     if (branch->feed) {
       const auto stamp = stampOf(sample.get(), GST_ELEMENT(sink));
-      branch->feed->put({sample, branch->clock.next(stamp, arrival)});
+      CaptureInstant captured = branch->clock.next(stamp, arrival);
+      captured.stamp = identityOf(sample.get());
+      branch->feed->put({sample, captured});
     }
     return GST_FLOW_OK;
   }
@@ -190,7 +232,11 @@ GstSamplePtr GstStream::pull(Clock::duration patience) {
 
 void GstStream::take(GstSamplePtr sample) {
   sample_ = std::move(sample);
-  captured_ = clock_.next(stampOf(sample_.get(), imageSink_), Clock::now());
+  const auto now = Clock::now();
+  captured_ = clock_.next(stampOf(sample_.get(), imageSink_), now);
+  captured_->stamp = identityOf(sample_.get());
+  const auto arrived = branch_->arrivalOf(*sample_);
+  arrived_ = arrived && *arrived < now ? *arrived : now;
   if (pipelineText_.hasOwnSink && feed_) {
     feed_->put(
         {std::shared_ptr<GstSample>(gst_sample_ref(sample_.get()), gst_sample_unref), *captured_});
@@ -200,6 +246,7 @@ void GstStream::take(GstSamplePtr sample) {
 bool GstStream::grab() {
   sample_.reset();
   captured_.reset();
+  arrived_.reset();
   const auto deadline = Clock::now() + kLongestGrab;
   while (Clock::now() < deadline) {
     if (GstSamplePtr sample = first_ ? std::move(first_) : pull(kPullSlice)) {

@@ -36,6 +36,9 @@ public:
   bool grab() override;
   cv::Mat retrieve() override;
   std::optional<CaptureInstant> captureTime() const override { return captured_; }
+  std::optional<std::chrono::steady_clock::time_point> arrivalTime() const override {
+    return arrived_;
+  }
   std::string lostReason() const override { return lost_; }
   bool hasEnded() const override { return ended_ && pipelineText_.isFinite; }
 
@@ -62,6 +65,7 @@ private:
   GstSamplePtr first_;               ///< an image that came while opening
   BufferClock clock_;
   std::optional<CaptureInstant> captured_;
+  std::optional<Clock::time_point> arrived_;
   std::string lost_;
   bool ended_ = false;
 };

@@ -344,16 +344,29 @@ Result<PipelineText> pipelineText(const LiveCamera& camera) {
                      "test: and a test pattern");
 }
 
+bool isStoredLossless(std::string_view rawFormat) {
+  static constexpr std::array<std::string_view, 4> kFormats{"YUY2", "I420", "UYVY", "GRAY8"};
+  return std::ranges::find(kFormats, rawFormat) != kFormats.end();
+}
+
+std::string storedPipelineText(const std::string& file) {
+  return fmt::format("filesrc location={} ! parsebin ! decodebin ! videoconvert"
+                     " ! video/x-raw,format=BGR ! appsink name={} sync=false max-buffers=4",
+                     quotedValue(file), kImageSinkName);
+}
+
 std::string recordingPipelineText(const std::string& mediaType, bool lossless,
                                   const std::string& file) {
   std::string format;
   if (mediaType == "video/x-raw") {
     // Lossless: the formats that FFmpeg reads uncompressed. For a JPEG through blue, green and red:
     // the encoder stores limited YUV as if it had the full range, and colors would fade.
-    format = lossless ? " ! videoconvert ! "
-                        "capsfilter caps=\"video/x-raw,format={YUY2,I420,UYVY,GRAY8}\""
-                      : fmt::format(" ! videoconvert ! video/x-raw,format=BGR ! jpegenc quality={}",
-                                    kJpegQuality);
+    format =
+        lossless
+            ? " ! videoconvert ! "
+              "capsfilter caps=\"video/x-raw,format={YUY2,I420,UYVY,GRAY8}\"" // isStoredLossless()
+            : fmt::format(" ! videoconvert ! video/x-raw,format=BGR ! jpegenc quality={}",
+                          kJpegQuality);
   } else if (mediaType == "image/jpeg") {
     format = " ! jpegparse"; // a network camera does not say the size, which the file needs
   } else if (mediaType == "video/x-h264" || mediaType == "video/x-h265") {

@@ -61,4 +61,11 @@ bool isOnlyForFfmpeg(std::string_view location);
 std::string recordingPipelineText(const std::string& mediaType, bool lossless,
                                   const std::string& file);
 
+/// Returns whether a lossless recording keeps raw images of this format exactly as they are.
+bool isStoredLossless(std::string_view rawFormat);
+
+/// Returns the pipeline that decodes the video of a recording as a live camera's images are
+/// decoded, into an appsink named kImageSinkName.
+std::string storedPipelineText(const std::string& file);
+
 } // namespace dewpoint::capture

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <condition_variable>
 #include <deque>
 #include <gst/app/gstappsrc.h>
@@ -16,6 +17,7 @@
 #include <mutex>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace dewpoint::capture {
 
@@ -26,26 +28,10 @@ namespace {
 // Judgments.
 constexpr std::uint64_t kMostWaitingBytes = 256ULL << 20;
 /// Of images that wait to be written: what a killed program loses. A last second is for the rest.
-constexpr auto kLongestWaiting = 1s;
+constexpr std::chrono::seconds kLongestWaiting = 1s;
 constexpr auto kStopPatience = 800ms;
-
-/// What has to stay the same in a file.
-std::string formatOf(GstSample& sample) {
-  GstCaps* caps = gst_sample_get_caps(&sample);
-  if (caps == nullptr || gst_caps_get_size(caps) == 0) {
-    return {};
-  }
-  const GstStructure* structure = gst_caps_get_structure(caps, 0);
-  std::string format = gst_structure_get_name(structure);
-  for (const char* field : {"format", "width", "height", "stream-format", "codec_data"}) {
-    if (const GValue* value = gst_structure_get_value(structure, field)) {
-      gchar* text = gst_value_serialize(value);
-      format += fmt::format(" {}={}", field, text != nullptr ? text : "?");
-      g_free(text);
-    }
-  }
-  return format;
-}
+/// How long the images before the start may take to be written, before live images are dropped.
+constexpr std::chrono::seconds kPreRollPatience = 5s;
 
 /// Width and height of a sample's images for a sentence.
 std::string sizeOf(GstSample& sample) {
@@ -59,6 +45,15 @@ std::string sizeOf(GstSample& sample) {
   return fmt::format("{} x {}", width, height);
 }
 
+/// The pixel format of a raw image; empty if it is none.
+std::string rawFormatOf(GstSample& sample) {
+  GstCaps* caps = gst_sample_get_caps(&sample);
+  const char* format = caps != nullptr && gst_caps_get_size(caps) > 0
+                           ? gst_structure_get_string(gst_caps_get_structure(caps, 0), "format")
+                           : nullptr;
+  return format != nullptr ? format : "";
+}
+
 bool isOfSeveralImages(const std::string& mediaType) {
   return mediaType != "image/jpeg" && mediaType != "image/png" && mediaType != "video/x-raw";
 }
@@ -70,6 +65,7 @@ struct StreamRecording::Writer {
   StreamFiles files;
   RawStorage raw = RawStorage::Jpeg;
   Clock::time_point zero;
+  GstClockTime begin = 0; ///< of the take; earlier images are the pre-roll
   std::string field;
 
   /// Used only by the thread that passes images on, or after it was disconnected.
@@ -84,9 +80,16 @@ struct StreamRecording::Writer {
   bool hasEnded = false;
   bool isStopped = false;
   std::optional<GrowingFile> table;
-  std::deque<std::pair<GstClockTime, TimeOrigin>> origins; ///< of images on their way to the file
+  struct WaitingImage {
+    GstClockTime time = 0;
+    CaptureInstant captured;
+  };
+  std::deque<WaitingImage> waiting; ///< images on their way to the file
+  std::vector<std::int64_t> stamps; ///< of the images in the file
+  bool isChanged = false;           ///< images are stored with other pixels
   std::int64_t received = 0;
   std::int64_t written = 0;
+  std::int64_t preRoll = 0; ///< of them, captured before the start
   TimeOrigin lastOrigin = TimeOrigin::Arrival;
   GstClockTime firstTime = GST_CLOCK_TIME_NONE;
   GstClockTime lastTime = 0;
@@ -169,7 +172,12 @@ bool StreamRecording::Writer::start(const std::shared_ptr<Writer>& self, GstSamp
   GstBus* bus = gst_element_get_bus(pipeline.get());
   gst_bus_set_sync_handler(bus, &Writer::onMessage, new std::shared_ptr<Writer>(self), release);
   gst_object_unref(bus);
-  format = formatOf(sample);
+  format = storedFormatOf(sample);
+  {
+    std::scoped_lock lock(mutex);
+    isChanged = mediaType == "video/x-raw" &&
+                (raw == RawStorage::Jpeg || !isStoredLossless(rawFormatOf(sample)));
+  }
   isInter = isOfSeveralImages(mediaType);
   needsKey = isInter;
   if (gst_element_set_state(pipeline.get(), GST_STATE_PLAYING) == GST_STATE_CHANGE_FAILURE) {
@@ -180,9 +188,15 @@ bool StreamRecording::Writer::start(const std::shared_ptr<Writer>& self, GstSamp
 }
 
 bool StreamRecording::Writer::hasRoom(GstClockTime time) const {
+  if (time < begin) {
+    return true; // its memory is limited already
+  }
   std::scoped_lock lock(mutex);
-  const bool isLate = !origins.empty() && time > origins.front().first &&
-                      std::chrono::nanoseconds(time - origins.front().first) > kLongestWaiting;
+  // The pre-roll comes all at once, and takes its time.
+  const bool isPreRoll = !waiting.empty() && waiting.front().time < begin;
+  const GstClockTime since = waiting.empty() ? time : std::max(waiting.front().time, begin);
+  const bool isLate = time > since && std::chrono::nanoseconds(time - since) >
+                                          (isPreRoll ? kPreRollPatience : kLongestWaiting);
   return !isLate && gst_app_src_get_current_level_bytes(GST_APP_SRC(source)) < kMostWaitingBytes;
 }
 
@@ -203,7 +217,7 @@ void StreamRecording::Writer::receive(const std::shared_ptr<Writer>& self,
   if (hasFailed() || (!pipeline && !start(self, *image.sample))) {
     return;
   }
-  if (formatOf(*image.sample) != format) {
+  if (storedFormatOf(*image.sample) != format) {
     setProblem(
         files.video,
         fmt::format("the camera's format changed during the recording, images of {} are left "
@@ -226,7 +240,7 @@ void StreamRecording::Writer::receive(const std::shared_ptr<Writer>& self,
     constexpr GstClockTime kLeast = 1000;
     time = GST_CLOCK_TIME_IS_VALID(lastPushed) ? std::max(time, lastPushed + kLeast) : time;
     lastPushed = time;
-    origins.emplace_back(time, image.captured.origin);
+    waiting.push_back({time, image.captured});
   }
   GstBuffer* buffer = gst_buffer_copy(original); // shares the bytes
   GST_BUFFER_PTS(buffer) = time;
@@ -246,9 +260,11 @@ GstPadProbeReturn StreamRecording::Writer::onImage(GstPad*, GstPadProbeInfo* inf
 
 void StreamRecording::Writer::writeTime(GstClockTime time) {
   std::unique_lock lock(mutex);
-  while (!origins.empty() && origins.front().first <= time) {
-    lastOrigin = origins.front().second;
-    origins.pop_front();
+  std::int64_t stamp = -1;
+  while (!waiting.empty() && waiting.front().time <= time) {
+    lastOrigin = waiting.front().captured.origin;
+    stamp = waiting.front().captured.stamp;
+    waiting.pop_front();
   }
   if (!table || isBroken()) {
     return;
@@ -262,6 +278,8 @@ void StreamRecording::Writer::writeTime(GstClockTime time) {
     return;
   }
   ++written;
+  stamps.push_back(stamp);
+  preRoll += time < begin ? 1 : 0;
   firstTime = GST_CLOCK_TIME_IS_VALID(firstTime) ? firstTime : time;
   lastTime = time;
 }
@@ -306,11 +324,14 @@ void StreamRecording::Writer::finish() {
 }
 
 StreamRecording::StreamRecording(EncodedFeedPtr feed, StreamFiles files, RawStorage raw,
-                                 Clock::time_point zero, std::string field)
+                                 Clock::time_point zero, std::string field,
+                                 std::optional<Clock::time_point> begin)
     : feed_(std::move(feed)), writer_(std::make_shared<Writer>()) {
   writer_->files = std::move(files);
   writer_->raw = raw;
   writer_->zero = zero;
+  writer_->begin = static_cast<GstClockTime>(
+      std::max<std::int64_t>(0, std::chrono::nanoseconds(begin.value_or(zero) - zero).count()));
   writer_->field = std::move(field);
   feed_->connect([writer = writer_](const EncodedImage& image) { writer->receive(writer, image); });
 }
@@ -324,10 +345,12 @@ RecordedCounts StreamRecording::counts() const {
   std::scoped_lock lock(writer_->mutex);
   const Writer& writer = *writer_;
   counts.images = writer.written;
+  counts.preRollImages = writer.preRoll;
+  counts.isChanged = writer.isChanged;
   counts.dropped = writer.received - writer.written -
                    (stopped_ || writer.isBroken() // what waited is lost
                         ? 0
-                        : static_cast<std::int64_t>(writer.origins.size()));
+                        : static_cast<std::int64_t>(writer.waiting.size()));
   if (writer.written > 1 && writer.lastTime > writer.firstTime) {
     counts.framesPerSecond = static_cast<double>(writer.written - 1) * 1e9 /
                              static_cast<double>(writer.lastTime - writer.firstTime);
@@ -338,6 +361,11 @@ RecordedCounts StreamRecording::counts() const {
   const auto size = std::filesystem::file_size(writer.files.video, none);
   counts.bytes = none ? 0 : static_cast<std::int64_t>(size);
   return counts;
+}
+
+std::vector<std::int64_t> StreamRecording::stamps() const {
+  std::scoped_lock lock(writer_->mutex);
+  return writer_->stamps;
 }
 
 void StreamRecording::stop() {

@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace dewpoint::capture {
 
@@ -29,13 +30,15 @@ struct StreamFiles {
 
 /// What a recording has stored so far.
 struct RecordedCounts {
-  std::int64_t images = 0;  ///< in the files
-  std::int64_t dropped = 0; ///< came, but are not in the files
-  std::int64_t bytes = 0;   ///< size of the video
+  std::int64_t images = 0;        ///< in the files
+  std::int64_t preRollImages = 0; ///< of them, captured before the start of the take
+  std::int64_t dropped = 0;       ///< came, but are not in the files
+  std::int64_t bytes = 0;         ///< size of the video
   /// Images per second, from the capture times of the first and the last image; 0 before the second
   /// one.
   double framesPerSecond = 0.0;
   TimeOrigin origin = TimeOrigin::Arrival; ///< of the last capture time
+  bool isChanged = false; ///< images are stored with other pixels: raw ones as JPEG, for example
   /// Why something is missing, for instance a full disk. What was written before can be read.
   std::optional<Error> problem;
 };
@@ -53,9 +56,10 @@ public:
 
   /// Connects to `feed` and begins with its next image (of H.264 and H.265: the next key frame).
   /// The files are created then. Capture times are relative to `zero`; images captured before it
-  /// are left out. `field` names the camera in errors.
+  /// are left out. `field` names the camera in errors. Images of the feed's pre-roll that were
+  /// captured between `zero` and `begin`, the start of the take, are written first.
   StreamRecording(EncodedFeedPtr feed, StreamFiles files, RawStorage raw, Clock::time_point zero,
-                  std::string field);
+                  std::string field, std::optional<Clock::time_point> begin = std::nullopt);
   StreamRecording(const StreamRecording&) = delete;
   StreamRecording& operator=(const StreamRecording&) = delete;
   /// Stops if that was not done.
@@ -63,6 +67,8 @@ public:
 
   /// May be called from any thread.
   RecordedCounts counts() const;
+  /// Returns for each image in the video its CaptureInstant::stamp. May be called from any thread.
+  std::vector<std::int64_t> stamps() const;
   /// Ends the recording in less than 1 s, and completes the files: with an index of the video, and
   /// a last line in the table. Images that cannot be written in this time are dropped.
   void stop();

@@ -57,6 +57,7 @@ Result<ParameterValues> parametersFor(const std::string& method, const ScenarioR
   if (run.exactSensing) {
     told["calibration_error"] = 0.0;
     told["time_error"] = 0.0;
+    told["delay_spread"] = 0.0;
   }
   ParameterValues values(methodParameters(method));
   for (const auto& [key, value] : told) {

@@ -84,6 +84,9 @@ struct ScenarioRun {
   /// estimates take this uncertainty into account.
   double truthSigma = 0.0;
   std::vector<ScenarioEvent> events;
+  /// How late the time stamps of each camera are at the end of the run, without their jitter,
+  /// seconds. Methods do not know this. Empty for real recordings.
+  std::vector<double> delaysAtEnd = {};
   /// Frames with a known truth, ascending. Only these frames are evaluated. If empty, all frames
   /// are evaluated.
   std::vector<std::int64_t> measuredFrames;

@@ -183,7 +183,7 @@ Status barreraFigure5(const ExperimentOptions& options) {
   const Camera& camera = setup.cameras.front();
   const StayCurves curves = stayCurves(coneSlope(camera));
   FigurePage page(
-      "Where one camera finds the color (figure 5)",
+      "Where a single camera finds the color (figure 5)",
       "Where one camera alone finds the ball's color is a cone: the ball's outline, "
       "widened by half a window of 5 x 5 pixels. The cloud starts on the ball, at (0.5, "
       "0.5, 0.15), and only camera 1 of the simulated demo looks.");
@@ -308,7 +308,7 @@ Status barreraStarts(const ExperimentOptions& options) {
   if (!pointShares) {
     return tl::make_unexpected(pointShares.error());
   }
-  FigurePage page("Where the cloud can start and converge",
+  FigurePage page("From which starting positions the particles still find the target",
                   fmt::format("The ball lies at (0.5, 0.5, 0.15); {} runs per start, 150 "
                               "iterations. A run converges when the spread of its cloud falls "
                               "below {:.0f} mm for good: by that much one step of motion alone "

@@ -224,7 +224,7 @@ Status dynamicsFigure7(const ExperimentOptions& options) {
       return stoppedExperimentError();
     }
   }
-  FigurePage page("Error over the iterations, for different motion sigmas (figure 7)",
+  FigurePage page("Error after each iteration, for different motion sigmas (figure 7)",
                   chosen("on the object, so that a small sigma_m has found it, too"));
   page.pngImage(
       "figure7",

@@ -45,7 +45,7 @@ std::span<const FigureExperiment> figureExperiments() {
       FigureExperiment{"barrera-fig4", "Particles from above",
                        "Barrera et al. 2005, figure 4: the particle cloud of figure 3 from above.",
                        1, &intoFolder<&barreraFigure4>},
-      FigureExperiment{"barrera-fig5", "Where one camera finds the color",
+      FigureExperiment{"barrera-fig5", "Where a single camera finds the color",
                        "Barrera et al. 2005, figure 5: where a single camera finds the color, and "
                        "why the cloud moves away from the camera.",
                        1, &intoFolder<&barreraFigure5>},
@@ -53,14 +53,15 @@ std::span<const FigureExperiment> figureExperiments() {
                        "Barrera et al. 2005, section III-B: with one camera, the cloud moves away "
                        "from the camera.",
                        50, &intoFolder<&barreraDrift>},
-      FigureExperiment{"starts", "Where the cloud can start and converge",
-                       "Barrera et al. 2005, section III-B: the share of runs that converge, for "
-                       "start volumes of several sizes and for start points behind the ball.",
-                       100, &intoFolder<&barreraStarts>},
+      FigureExperiment{
+          "starts", "From which starting positions the particles still find the target",
+          "Barrera et al. 2005, section III-B: the share of runs that converge, depending on the "
+          "size of the start volume, and on how far behind the ball a start point lies.",
+          100, &intoFolder<&barreraStarts>},
       FigureExperiment{"dynamics-fig6", "Error after a jump",
                        "Barrera et al. 2005, figure 6: the object jumps 2 m at iteration 30.", 100,
                        &intoFolder<&dynamicsFigure6>},
-      FigureExperiment{"dynamics-fig7", "Error over the iterations, for different motion sigmas",
+      FigureExperiment{"dynamics-fig7", "Error after each iteration, for different motion sigmas",
                        "Barrera et al. 2005, figure 7: the error after the jump of figure 6, for "
                        "motion sigmas from 0.001 to 0.3 m, drawn as an image.",
                        20, &intoFolder<&dynamicsFigure7>},

@@ -127,8 +127,8 @@ std::span<const FigureExperiment> studyExperiments() {
           ExperimentGroup::Mohedano),
       sceneOfPeople(
           "people-enter-leave", "People who enter and leave",
-          "Mohedano et al. 2009: people enter and leave. Measures how long there are estimates "
-          "without a person, and people without an estimate.",
+          "Mohedano et al. 2009: people enter and leave. Measures how long an estimate exists "
+          "where nobody is, and how long a person has no estimate.",
           [](const ExperimentOptions& options) { return studyScenario("enter-leave", options); },
           ExperimentGroup::Mohedano),
       sceneOfPeople(
@@ -152,7 +152,7 @@ std::span<const FigureExperiment> studyExperiments() {
           [](const ExperimentOptions& options) { return studyScenario("carrying", options); }),
       sceneOfPeople(
           "people-crowd", "A crowd",
-          "Five to eight people mill about for 12 s; their paths may touch and cross.",
+          "Five to eight people walk about for 12 s; their paths may touch and cross.",
           [](const ExperimentOptions& options) { return studyScenario("crowd", options); }),
       sceneOfPeople(
           "people-two-cameras", "People seen by two cameras",

@@ -72,7 +72,8 @@ private:
   };
   struct TargetImage;
   using Quantiles = FollowedRange::Quantiles;
-  /// Quantiles of each range. Empty if too few pixels have approximately its color.
+  /// For each color range, the quantiles of the colors of the pixels near it. An entry is empty if
+  /// too few pixels have a color near this range.
   using Measured = std::vector<std::optional<Quantiles>>;
 
   static PerCamera initialState(const ColorRanges& base);

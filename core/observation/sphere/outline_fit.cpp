@@ -190,12 +190,14 @@ CameraEquations equationsOf(const OutlineView& view, const Eigen::Vector3d& cent
   return result;
 }
 
-/// Fills in how much the cameras disagree after the last step.
+/// Fills in how much the cameras disagree after the last step, and which way each one pulls.
 void compareCameras(const std::vector<CameraEquations>& cameras, const Vector4& step,
                     OutlineFit& fit) {
   int seeing = 0;
   double sum = 0.0;
-  for (const CameraEquations& camera : cameras) {
+  fit.pulls.assign(cameras.size(), {});
+  for (std::size_t k = 0; k < cameras.size(); ++k) {
+    const CameraEquations& camera = cameras[k];
     if (camera.edges < kFewestEdges) {
       continue;
     }
@@ -203,6 +205,7 @@ void compareCameras(const std::vector<CameraEquations>& cameras, const Vector4& 
     fit.sizeMisfit += camera.sizeMisfit;
     const Eigen::Vector3d left = (camera.vector - camera.matrix * step).head<3>();
     Eigen::Matrix3d own = camera.matrix.topLeftCorner<3, 3>();
+    fit.pulls[k] = {own, left};
     own.diagonal().array() += kLeastOwnShare * own.trace();
     sum += left.dot(own.inverse() * left);
   }

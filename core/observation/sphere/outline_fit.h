@@ -22,6 +22,15 @@ struct OutlineView {
   Eigen::Vector3d offset = Eigen::Vector3d::Zero();
 };
 
+/// Information that the image of one camera alone gives about the center of a fit, linearized at
+/// the fit. If this camera sees the sphere displaced by d (meters, world) from OutlineFit::center,
+/// the expected value of `vector` is information * d.
+struct CameraPull {
+  /// Inverse covariance of the center, 1/m²; zero if the camera does not show the outline.
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d vector = Eigen::Vector3d::Zero(); ///< 1/m
+};
+
 /// Sphere fitted jointly to its outlines in all cameras.
 struct OutlineFit {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();     ///< meters, world
@@ -39,6 +48,7 @@ struct OutlineFit {
   /// Deviation of the outline from its expected size. In each camera, the offset that is common to
   /// all edges is squared and divided by its variance. The deviation is the sum over the cameras.
   double sizeMisfit = 0.0;
+  std::vector<CameraPull> pulls; ///< per camera
 };
 
 /// Prior knowledge for the fit. World frame.

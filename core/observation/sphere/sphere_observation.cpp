@@ -199,4 +199,29 @@ OutlineFit SphereObservation::fit(const OutlinePrior& prior, const Eigen::Vector
   return fitOutline(views, prior, reach);
 }
 
+std::vector<CameraPull> SphereObservation::fitEachCamera(const Eigen::Vector3d& center,
+                                                         const Eigen::Vector3d& velocity) {
+  std::vector<CameraPull> pulls(views_.size());
+  OutlinePrior prior;
+  prior.center = center;
+  prior.radius = radius_;
+  // Only the depth needs it, of which one camera says little.
+  prior.information.diagonal().setConstant(1.0 / (radius_ * radius_));
+  for (std::size_t k = 0; k < views_.size(); ++k) {
+    View& view = views_[k];
+    const Eigen::Vector3d offset = view.timeOffset * velocity;
+    const OutlineFit fit = fitOutline({{&view.projector, &view.labels, offset}}, prior);
+    if (!fit.found || fit.pulls.front().information.isZero(0.0)) {
+      continue;
+    }
+    const auto outline = view.projector.project(fit.center + offset, radius_);
+    if (outline && isInImage(*outline, view.labels.size()) &&
+        SphereEvidence::matchShare(view.labels, *outline) >= kWholeShare) {
+      const CameraPull& own = fit.pulls.front();
+      pulls[k] = {own.information, own.vector + own.information * (fit.center - center)};
+    }
+  }
+  return pulls;
+}
+
 } // namespace dewpoint::observation

@@ -96,6 +96,12 @@ public:
   /// Fits the outline (fitOutline()) in all cameras that have an image.
   OutlineFit fit(const OutlinePrior& prior, const Eigen::Vector3d& velocity,
                  OutlineReach reach = OutlineReach::Far);
+  /// Fits the outline in each camera alone, starting from `center`. The displacements of the pulls
+  /// are relative to `center`. A camera has no information if it has no image, or if less than the
+  /// fraction kWholeShare of its fitted outline has the target color. Unlike fit(), this also works
+  /// if the cameras see the target at different positions, up to about a radius apart.
+  std::vector<CameraPull> fitEachCamera(const Eigen::Vector3d& center,
+                                        const Eigen::Vector3d& velocity);
 
 private:
   struct View {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/error.h"
 #include "core/capture/frame.h"
 #include "core/tracking/tracker_capabilities.h"
 
@@ -62,6 +63,9 @@ struct FrameRecord {
   std::int64_t frame = 0;
   double time = 0.0;                ///< seconds
   std::uint64_t missingCameras = 0; ///< bit k: camera k delivered no image (the first 64 cameras)
+  /// Problems of live cameras at the time of the frame; null if there were none. Consecutive frames
+  /// share the list while it does not change.
+  std::shared_ptr<const std::vector<Error>> cameraProblems = nullptr;
   std::vector<Entry> targets;
 };
 

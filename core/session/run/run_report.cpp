@@ -6,10 +6,16 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+
 namespace dewpoint::session {
 namespace {
 
 constexpr double kMicroseconds = 1e6; ///< in a second
+constexpr double kPartsPerMillion = 1e6;
 
 /// Nothing where the target or camera has just been removed.
 template <class Named>
@@ -42,7 +48,75 @@ nlohmann::ordered_json correctionJson(const PositionCorrection& correction,
   return json;
 }
 
+/// What is known of the times of the cameras, relative to the first one. Nothing where nothing is
+/// estimated.
+nlohmann::ordered_json clocksJson(const std::vector<ClockEstimate>& clocks,
+                                  const Project& project) {
+  const CameraRig rig = rigOf(project);
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (std::size_t k = 1; k < std::min(clocks.size(), rig.size()); ++k) {
+    if (clocks[k].delaySigma > 0.0) {
+      json.push_back({{"camera", rig[k].name},
+                      {"relative_to", rig[0].name},
+                      {"delay_milliseconds", inMilliseconds(clocks[k].delay)},
+                      {"delay_sigma_milliseconds", inMilliseconds(clocks[k].delaySigma)},
+                      {"drift_ppm", kPartsPerMillion * clocks[k].drift},
+                      {"drift_sigma_ppm", kPartsPerMillion * clocks[k].driftSigma}});
+    }
+  }
+  return json;
+}
+
+/// Median and 99th percentile in milliseconds.
+nlohmann::ordered_json millisecondsJson(const Latency& latency) {
+  return {{"p50", inMilliseconds(latency.median)}, {"p99", inMilliseconds(latency.p99)}};
+}
+
+/// Nothing (null) for recordings.
+nlohmann::ordered_json liveLatencyJson(const LiveLatency& live) {
+  nlohmann::ordered_json json;
+  for (const TimeOrigin origin : {TimeOrigin::Driver, TimeOrigin::Sender, TimeOrigin::Arrival}) {
+    if (const std::int64_t images = live.images[static_cast<std::size_t>(origin)]; images > 0) {
+      json["images"][originName(origin)] = images;
+    }
+  }
+  if (json.is_null()) {
+    return json;
+  }
+  json["capture"] = millisecondsJson(live.capture);
+  json["decode"] = millisecondsJson(live.decode);
+  json["wait"] = millisecondsJson(live.wait);
+  json["compute"] = millisecondsJson(live.compute);
+  if (live.draw.longest > 0.0) { // in the window
+    json["draw"] = millisecondsJson(live.draw);
+  }
+  json["light_to_estimate"] = millisecondsJson(live.total);
+  return json;
+}
+
 } // namespace
+
+void NoticeLog::update(const std::vector<Error>& notices, double time) {
+  std::vector<std::string> present;
+  std::ranges::transform(notices, std::back_inserter(present), sentence);
+  for (NoticePeriod& period : periods_) {
+    if (period.to) {
+      continue;
+    }
+    if (const auto still = std::ranges::find(present, period.text); still != present.end()) {
+      present.erase(still);
+    } else {
+      period.to = time;
+    }
+  }
+  for (std::string& text : present) {
+    const bool isKnown = std::ranges::any_of(
+        periods_, [&](const NoticePeriod& period) { return !period.to && period.text == text; });
+    if (!isKnown && periods_.size() < kMaxPeriods) {
+      periods_.push_back({std::move(text), time, std::nullopt});
+    }
+  }
+}
 
 std::string runReport(const Project& project, const RunStatistics& figures) {
   nlohmann::ordered_json json;
@@ -63,7 +137,11 @@ std::string runReport(const Project& project, const RunStatistics& figures) {
                                     {"p99", inMilliseconds(figures.latency.quantile(0.99))},
                                     {"p99.9", inMilliseconds(figures.latency.quantile(0.999))},
                                     {"max", inMilliseconds(figures.latency.longest())}};
+  if (auto live = liveLatencyJson(figures.live.summary()); !live.is_null()) {
+    json["live_milliseconds"] = std::move(live);
+  }
   json["dropped_frames"] = figures.droppedFrames;
+  json["clocks"] = clocksJson(figures.clocks, project);
   for (const auto& declaration : project.parameters.declarations()) {
     json["parameters"][declaration.key] = project.parameters.at(declaration.key);
   }
@@ -76,6 +154,12 @@ std::string runReport(const Project& project, const RunStatistics& figures) {
     json["corrections"].push_back(correctionJson(correction, project));
   }
   json["notices"] = figures.notices;
+  for (const NoticePeriod& period : figures.noticeLog.periods()) {
+    nlohmann::ordered_json& one = json["notice_log"].emplace_back();
+    one["notice"] = period.text;
+    one["from"] = period.from;
+    one["to"] = period.to ? nlohmann::ordered_json(*period.to) : nlohmann::ordered_json(nullptr);
+  }
   return json.dump(2) + "\n";
 }
 

@@ -2,13 +2,40 @@
 #pragma once
 
 #include "core/base/duration_histogram.h"
+#include "core/base/error.h"
 #include "core/project/project.h"
+#include "core/session/frames/latency_stages.h"
+#include "core/tracking/clock_estimate.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace dewpoint::session {
+
+/// Notice of a run, and how long its cause lasted.
+struct NoticePeriod {
+  std::string text;
+  double from = 0.0;        ///< seconds of the run when it was first noticed
+  std::optional<double> to; ///< seconds of the run when it was over; nothing while it lasts
+};
+
+/// Records which notices a run had, and when. A cause that comes back gets another period.
+class NoticeLog {
+public:
+  /// Maximum number of periods; later ones are not recorded.
+  static constexpr std::size_t kMaxPeriods = 1000;
+
+  /// Sets the notices that the run has at a time, in seconds of the run. Times must not decrease.
+  void update(const std::vector<Error>& notices, double time);
+  /// Returns the periods in the order of their beginnings.
+  const std::vector<NoticePeriod>& periods() const { return periods_; }
+
+private:
+  std::vector<NoticePeriod> periods_;
+};
 
 /// Statistics of a run so far.
 struct RunStatistics {
@@ -16,11 +43,14 @@ struct RunStatistics {
   /// Wall-clock time from the arrival of the first frame to the last estimate.
   double seconds = 0.0;
   std::int64_t droppedFrames = 0;
-  int threads = 1;              ///< number of filter threads
-  bool finished = false;        ///< the end of the input was reached
-  DurationHistogram iterations; ///< duration of one filter iteration, per target
-  DurationHistogram latency;    ///< time from the arrival of a frame set to its estimate
-  std::vector<std::string> notices;
+  int threads = 1;                   ///< number of filter threads
+  bool finished = false;             ///< the end of the input was reached
+  DurationHistogram iterations;      ///< duration of one filter iteration, per target
+  LatencyStages live;                ///< where the latency of live images comes from
+  DurationHistogram latency;         ///< time from the arrival of a frame set to its estimate
+  std::vector<ClockEstimate> clocks; ///< per camera; empty if the method estimates none
+  std::vector<std::string> notices;  ///< each once, also those whose cause is over
+  NoticeLog noticeLog; ///< when they came and went, except those about cameras that moved
 };
 
 /// Returns the text of run.json: statistics, method, seed, parameters and corrections of a run.

@@ -113,6 +113,11 @@ public:
   const CameraRig& rig() const { return *definition_->rig; }
   TrackEstimate estimate(std::size_t track) const { return tracker_->estimate(track); }
   std::vector<TrackEstimate> estimates() const { return estimatesOf(*tracker_); }
+  /// Returns the estimated clock errors of the cameras; empty if the method estimates none.
+  std::vector<ClockEstimate> clockEstimates() const {
+    const auto* const clocks = capability<ClockEstimating>();
+    return clocks != nullptr ? clocks->clockEstimates() : std::vector<ClockEstimate>();
+  }
   const FrameSetPtr& frames() const { return frames_; }
   /// Returns the estimates as trajectory samples of the current frame; for people, only those who
   /// are present.

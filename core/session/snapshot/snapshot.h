@@ -6,14 +6,17 @@
 #include "core/capture/frame.h"
 #include "core/geometry/camera.h"
 #include "core/session/frames/color_histograms.h"
+#include "core/session/frames/latency_stages.h"
 #include "core/session/frames/tracked_frame.h"
 #include "core/session/people/person_shape.h"
 #include "core/session/snapshot/hold_state.h"
 #include "core/session/watch/camera_motion_watch.h"
 #include "core/tracking/catalog/method_catalog.h"
+#include "core/tracking/clock_estimate.h"
 
 #include <Eigen/Core>
 
+#include <chrono>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -54,14 +57,6 @@ struct TargetSnapshot {
 
 /// State of playback, as shown to the user.
 enum class PlayState { Paused, Playing, Ended };
-
-/// Time in seconds from the arrival of a frame set to its estimate, over the run so far; 0 before
-/// the first.
-struct Latency {
-  double median = 0.0;
-  double p99 = 0.0;
-  double longest = 0.0;
-};
 
 /// Range of frames that can be shown, and the memory used for them.
 struct HistoryState {
@@ -116,11 +111,14 @@ struct TrackSnapshot {
   std::int64_t iterations = 0;           ///< filter iterations since the (re)start
   double framesPerSecond = 0.0;          ///< achieved frame rate
   double microsecondsPerIteration = 0.0; ///< median of the last iterations, per target
-  Latency latency;
+  Latency latency;                       ///< time from the arrival of a frame set to its estimate
+  LiveLatency liveLatency;               ///< all zero for recordings
   BudgetStatistics budget;
   std::int64_t droppedFrames = 0;
   std::uint64_t seed = 0;
   PlayState state = PlayState::Paused;
+  /// When the newest estimate of the run was finished; zero before the first.
+  std::chrono::steady_clock::time_point estimated{};
   std::vector<Error> notices;
   /// Cameras that have moved since the run began. Each also has a notice; these are the last ones
   /// in `notices`.
@@ -128,6 +126,9 @@ struct TrackSnapshot {
   /// Reasons why the cameras contradict each other, the most basic first. They are not part of
   /// `notices`.
   std::vector<CameraDisagreement> disagreements;
+  /// Estimated clock errors of the cameras after the current frame; empty if the method estimates
+  /// none.
+  std::vector<ClockEstimate> clocks;
 };
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 

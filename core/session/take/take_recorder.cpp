@@ -2,9 +2,10 @@
 #include "core/session/take/take_recorder.h"
 
 #include "core/base/text_file.h"
-#include "core/base/text_number.h"
 #include "core/capture/image_shape.h"
 #include "core/project/project_save.h"
+#include "core/session/take/take_folder.h"
+#include "core/trajectory/trajectory_writer.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -25,41 +26,8 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr auto kWatchInterval = 100ms;
-constexpr std::string_view kFolderPrefix = "take-";
 /// Images after which the first one is surely in the file, not only in the table.
 constexpr std::int64_t kEnoughImages = 2;
-
-/// The next number after all takes in a folder.
-int nextTakeNumber(const fs::path& parent) {
-  int last = 0;
-  std::error_code problem;
-  for (fs::directory_iterator entry(parent, problem); !problem && entry != fs::directory_iterator();
-       entry.increment(problem)) {
-    const std::string name = entry->path().filename().string();
-    if (name.starts_with(kFolderPrefix)) {
-      last = std::max(last, toNumber<int>(name.substr(kFolderPrefix.size())).value_or(0));
-    }
-  }
-  return last + 1;
-}
-
-struct TakeFolder {
-  fs::path path;
-  int number = 0;
-};
-
-Result<TakeFolder> makeTakeFolder(const fs::path& parent) {
-  std::error_code problem;
-  const fs::path base = fs::absolute(parent, problem).lexically_normal();
-  fs::create_directories(base, problem);
-  for (int number = nextTakeNumber(base); !problem; ++number) {
-    const fs::path folder = base / fmt::format("{}{:03}", kFolderPrefix, number);
-    if (fs::create_directory(folder, problem)) { // not if another program was faster
-      return TakeFolder{folder, number};
-    }
-  }
-  return failure(ErrorCode::FileUnwritable, base.string(), "", problem.message());
-}
 
 /// A file name of a camera's name, without its ending, that is not in `used` yet.
 std::string fileNameOf(const std::string& camera, std::set<std::string>& used) {
@@ -115,24 +83,42 @@ Result<std::unique_ptr<TakeRecorder>> TakeRecorder::start(const Project& project
     return failure(ErrorCode::Mismatch, project.file.string(), "camera",
                    "only live cameras can be recorded (device or stream)");
   }
-  auto folder = makeTakeFolder(parent);
+  auto folder = makeTakeFolder(parent, options.number);
   if (!folder) {
     return tl::make_unexpected(folder.error());
   }
   std::unique_ptr<TakeRecorder> take(
       new TakeRecorder(project, folder->path, folder->number, options));
+  const Clock::time_point zero = take->keepPreRoll(feeds);
   if (auto written = take->writeNotes(false); !written) {
     return tl::make_unexpected(written.error());
   }
   for (std::size_t k = 0; k < take->project_.cameras.size() && k < feeds.size(); ++k) {
     const ProjectCamera& camera = take->project_.cameras[k];
     take->recordings_.push_back(std::make_unique<StreamRecording>(
-        feeds[k], StreamFiles{camera.location, camera.times}, options.raw, take->begin_,
-        cameraField(camera.camera.name)));
+        feeds[k], StreamFiles{camera.location, camera.times}, options.raw, zero,
+        cameraField(camera.camera.name), take->begin_));
   }
   take->watch_ =
       std::jthread([take = take.get()](const std::stop_token& stop) { take->watch(stop); });
   return take;
+}
+
+void TakeRecorder::setPreRoll(const std::vector<EncodedFeedPtr>& feeds, double seconds) {
+  for (const EncodedFeedPtr& feed : feeds) {
+    feed->setPreRoll({std::chrono::duration<double>(seconds), kPreRollBytes / feeds.size()});
+  }
+}
+
+TakeRecorder::Clock::time_point
+TakeRecorder::keepPreRoll(const std::vector<EncodedFeedPtr>& feeds) {
+  Clock::time_point zero = begin_;
+  for (const EncodedFeedPtr& feed : feeds) {
+    zero = std::min(zero, feed->preRollBegin().value_or(begin_));
+    preRolls_.push_back(feed->preRoll());
+  }
+  preRoll_ = std::chrono::duration<double>(begin_ - zero).count();
+  return zero;
 }
 
 TakeRecorder::~TakeRecorder() {
@@ -181,16 +167,26 @@ void TakeRecorder::updateProject() {
   }
 }
 
+Status TakeRecorder::setNotes(const std::string& notes) {
+  std::unique_lock lock(mutex_);
+  options_.notes = notes;
+  const bool finished = duration_.has_value();
+  lock.unlock();
+  return writeNotes(finished);
+}
+
 Status TakeRecorder::writeNotes(bool finished) const {
+  std::scoped_lock writing(notesMutex_);
   const TakeStatus now = status();
   nlohmann::ordered_json json;
   json["version"] = DEWPOINT_VERSION;
   json["take"] = number_;
   json["project"] = project_.name;
   json["started"] = date_;
-  json["notes"] = options_.notes;
+  json["notes"] = now.notes;
   json["finished"] = finished;
   json["seconds"] = now.seconds;
+  json["pre_roll"] = now.preRoll;
   json["cameras"] = nlohmann::ordered_json::array();
   for (const TakeStatus::CameraStatus& camera : now.cameras) {
     nlohmann::ordered_json& one = json["cameras"].emplace_back();
@@ -198,6 +194,9 @@ Status TakeRecorder::writeNotes(bool finished) const {
     one["video"] = camera.video;
     one["images"] = camera.counts.images;
     one["dropped"] = camera.counts.dropped;
+    one["images_changed"] = camera.counts.isChanged;
+    one["pre_roll_images"] = camera.counts.preRollImages;
+    one["pre_roll_shortened"] = camera.preRoll.shortened;
     one["bytes"] = camera.counts.bytes;
     one["frames_per_second"] = camera.counts.framesPerSecond;
     one["time_origin"] = originName(camera.counts.origin);
@@ -210,14 +209,44 @@ Status TakeRecorder::writeNotes(bool finished) const {
                            "\n");
 }
 
+Status TakeRecorder::addLiveRun(const LiveRun& live) const {
+  std::vector<std::vector<std::int64_t>> stamps;
+  for (const auto& recording : recordings_) {
+    stamps.push_back(recording->stamps());
+  }
+  const std::vector<StoredSet> sets = storedSets(live.sets, stamps);
+  if (sets.empty() || live.trajectory.samples.empty()) {
+    return {};
+  }
+  const fs::path folder = folder_ / kLiveFolder;
+  std::error_code problem;
+  fs::create_directories(folder, problem);
+  if (problem) {
+    return failure(ErrorCode::FileUnwritable, folder.string(), "", problem.message());
+  }
+  nlohmann::ordered_json settings;
+  settings["other_settings"] = nlohmann::ordered_json::array();
+  for (const ResultRange& range : live.otherSettings) {
+    settings["other_settings"].push_back({range.first, range.last});
+  }
+  return writeTrajectory(live.trajectory, folder / "trajectory.csv")
+      .and_then([&] { return writeTextFile(folder / "run.json", live.report); })
+      .and_then([&] { return writeTextFile(folder / "live.json", settings.dump(2) + "\n"); })
+      .and_then([&] {
+        return saveProject(recordedProject(live.project, folder_, number_), folder_ / kLiveProject);
+      })
+      .and_then([&] { return writeStoredSets(sets, folder / "frames.csv"); });
+}
+
 TakeStatus TakeRecorder::status() const {
   TakeStatus status;
   status.number = number_;
   status.folder = folder_;
+  status.preRoll = preRoll_;
   for (std::size_t k = 0; k < recordings_.size(); ++k) {
     const ProjectCamera& camera = project_.cameras[k];
     status.cameras.push_back({camera.camera.name, fs::path(camera.location).filename().string(),
-                              recordings_[k]->counts()});
+                              recordings_[k]->counts(), preRolls_[k]});
   }
   std::error_code problem;
   const fs::space_info space = fs::space(folder_, problem);
@@ -225,6 +254,7 @@ TakeStatus TakeRecorder::status() const {
   std::scoped_lock lock(mutex_);
   status.seconds = duration_.value_or(std::chrono::duration<double>(Clock::now() - begin_).count());
   status.problem = problem_;
+  status.notes = options_.notes;
   return status;
 }
 

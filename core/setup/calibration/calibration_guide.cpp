@@ -147,13 +147,13 @@ std::optional<CalibrationWay> wayTaken(const CalibrationStatus& status) {
        {CalibrationOrigin::File, CalibrationWay::File}}};
   std::optional<CalibrationWay> most;
   std::ptrdiff_t count = 0;
-  for (const auto& [origin, way] : kWays) {
+  for (const auto& one : kWays) {
     const auto cameras =
         std::ranges::count_if(status.cameras, [&](const CameraCalibrationStatus& camera) {
-          return camera.pose.origin == origin;
+          return camera.pose.origin == one.first;
         });
     if (cameras > count) {
-      most = way;
+      most = one.second;
       count = cameras;
     }
   }

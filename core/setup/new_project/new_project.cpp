@@ -87,6 +87,7 @@ Result<CameraRig> matched(const std::vector<ProjectCamera>& cameras, const Camer
     return rig;
   }
   std::vector<std::string> names;
+  names.reserve(cameras.size());
   for (const ProjectCamera& camera : cameras) {
     names.push_back(camera.camera.name);
   }

@@ -114,7 +114,8 @@ void readPose(TableReader& reader, Camera& camera) {
   const bool aimed = reader.numbers("target", target.data(), 3);
   if (reader.numbers("rotation", rotation.data(), 9)) {
     if (aimed || reader.has("roll")) {
-      reader.fail(ErrorCode::BadValue, "rotation", "exclude each other: rotation, target and roll");
+      reader.fail(ErrorCode::BadValue, "rotation",
+                  "rotation cannot be used together with target or roll");
     } else if (!rotation.isUnitary(1e-6) || rotation.determinant() < 0.0) {
       reader.fail(ErrorCode::BadValue, "rotation", "not a rotation matrix");
     }

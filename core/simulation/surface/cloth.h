@@ -16,7 +16,8 @@ enum class ClothPattern {
 /// Colors of a cloth: a single color, or two colors in a pattern. BGR in full light, [0, 255].
 struct Cloth {
   ClothPattern pattern = ClothPattern::Plain;
-  Vector3f second{0.0F, 0.0F, 0.0F}; ///< second color; the first color is that of the part
+  /// Second color. The first color is stored with the part of the body that wears the cloth.
+  Vector3f second{0.0F, 0.0F, 0.0F};
   float width = 0.06F;               ///< width of a band, field or spot, meters
 };
 

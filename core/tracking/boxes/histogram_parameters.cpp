@@ -24,7 +24,8 @@ std::vector<ParameterDeclaration> declare() {
        "of its logarithm; 0 keeps the initial ratio.",
        false},
       {"jump_share", ParameterKind::Real, "Jump share", "", 0.0, 1.0, 0.05, 0.1,
-       "Share of the particles that are placed at other positions with the target's colors.",
+       "Share of the particles that jump to other positions at which the target's colors are "
+       "found.",
        false},
       {"jump_reach", ParameterKind::Real, "Jump reach", "sizes", 0.1, 20.0, 0.1, 0.7,
        "How far the target may be from its predicted position, in multiples of the target size. "
@@ -33,10 +34,10 @@ std::vector<ParameterDeclaration> declare() {
       {"sharpness", ParameterKind::Real, "Sharpness", "", 1.0, 500.0, 1.0, 60.0,
        "How strongly positions with more of the target's colors are preferred.", true},
       {"adaptation", ParameterKind::Real, "Adaptation", "", 0.0, 1.0, 0.01, 0.1,
-       "How much of the box's current colors is blended into the reference colors at each image; 0 "
-       "keeps the colors of the first image.",
+       "How much of the box's current colors is blended into the reference colors after each "
+       "image; 0 keeps the colors of the first image.",
        false},
-      {"hidden_below", ParameterKind::Real, "Hidden below", "", 0.0, 1.0, 0.05, 0.45,
+      {"hidden_below", ParameterKind::Real, "Counts as hidden below", "", 0.0, 1.0, 0.05, 0.45,
        "The target counts as hidden and keeps its position if less than this share of its usual "
        "colors is found.",
        false},

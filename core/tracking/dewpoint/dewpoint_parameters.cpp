@@ -14,7 +14,8 @@ std::vector<ParameterDeclaration> declare() {
        "Largest number of particles of each target.", true},
       {"fewest_particles", ParameterKind::Integer, "Fewest particles", "", 10.0, 100000.0, 10.0,
        100.0,
-       "Smallest number of particles of each target, used when all particles are close together.",
+       "Smallest number of particles of each target; used when all its particles are close "
+       "together.",
        true, false, ParameterGroup::Expert, "particles"},
       {"kld_error", ParameterKind::Real, "Sampling error", "", 0.0, 1.0, 0.01, 0.1,
        "How far the particles may deviate from the distribution that they represent "
@@ -37,8 +38,8 @@ std::vector<ParameterDeclaration> declare() {
        "How long a target still counts as present when no camera can see its expected position.",
        true},
       {kSearchSizeKey, ParameterKind::Real, "Search size", "m", 0.1, 1000.0, 0.1, 4.0,
-       "Edge length of the room in which a target may appear: larger values require a higher "
-       "likelihood before a track is created.",
+       "Edge length of the space in which a target may appear: with larger values, a track is "
+       "created only at a higher likelihood.",
        true, true},
       {"color_adaptation", ParameterKind::Real, "Color adaptation", "s", 0.0, 600.0, 0.5, 0.0,
        "Time constant with which a target's color range follows slow changes of light, in each "
@@ -58,10 +59,16 @@ std::vector<ParameterDeclaration> declare() {
                  "Error of the times at which the images were taken. It is part of the reported "
                  "uncertainty of a moving target. 8 suits webcams.",
                  false});
+  all.push_back(
+      {"delay_spread", ParameterKind::Real, "Delay spread", "ms", 0.0, 1000.0, 1.0, 10.0,
+       "How much the delays of the cameras may differ (standard deviation). While a target "
+       "moves, the delays are estimated and corrected. 0 if all time stamps are exact: "
+       "then no delay is estimated.",
+       false});
   const auto start = startParameters({{0.5, 0.5, 0.25}, {0.5, 0.5, 0.25}});
   all.insert(all.end(), start.begin(), start.end());
-  putInGroup(ParameterGroup::Measurement, {"color_adaptation", "calibration_error", "time_error"},
-             all);
+  putInGroup(ParameterGroup::Measurement,
+             {"color_adaptation", "calibration_error", "time_error", "delay_spread"}, all);
   putInGroup(ParameterGroup::Start, {kSearchSizeKey}, all);
   putInGroup(ParameterGroup::Expert, {"kld_error", "time_budget", "iterations_per_frame"}, all);
   return all;

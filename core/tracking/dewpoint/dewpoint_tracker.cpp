@@ -3,6 +3,7 @@
 
 #include "core/base/angle.h"
 #include "core/tracking/dewpoint/background_learning.h"
+#include "core/tracking/dewpoint/clock_sightings.h"
 #include "core/tracking/dewpoint/color_adaptation.h"
 #include "core/tracking/dewpoint/dewpoint_diagnostics.h"
 #include "core/tracking/frame_gap.h"
@@ -27,8 +28,8 @@ constexpr int kReachPeriod = 10;
 
 DewpointTracker::DewpointTracker(const ParameterValues& parameters, const CameraRig& rig,
                                  const std::vector<Target>& targets)
-    : parameters_(parameters), objects_(targets, rig), images_(rig.size()), search_(rig),
-      estimates_(targets.size()) {
+    : parameters_(parameters), objects_(targets, rig), images_(rig.size()), clocks_(rig),
+      search_(rig), estimates_(targets.size()) {
   restart(0);
 }
 
@@ -83,6 +84,8 @@ void DewpointTracker::setCameras(const CameraRig& rig) {
     return; // another rig is another run
   }
   search_ = CandidateSearch(rig);
+  clocks_.setCameras(rig);
+  images_.setDelays(clocks_.delays());
   distractors_.cancel();
   // What depends on the images only, such as the backgrounds, stays; the tracks of distractors move
   // along with those of the targets.
@@ -135,6 +138,8 @@ void DewpointTracker::restart(std::uint64_t seed) {
   lastTime_.reset();
   budget_ = TimeBudget();
   images_.resetBackgrounds();
+  clocks_.restart();
+  images_.setDelays(clocks_.delays());
   objects_.removeDistractors();
   distractors_.restart(objects_.targetCount());
   for (TrackedObject& object : objects_) {
@@ -190,6 +195,7 @@ void DewpointTracker::iterate(ThreadTeam& team) {
   }
   updateEstimates();
   if (isFirst) {
+    learnClocks();
     adaptTargetColors();
     learnBackgrounds();
     lastTime_ = images_.frames() ? images_.frames()->time : TimeStamp{};
@@ -258,6 +264,7 @@ void DewpointTracker::updateShape(std::size_t target, ThreadTeam& team) {
   if (wasBall && !shape.needsImages(ball != nullptr)) {
     return;
   }
+  alignTimesFor(object);
   if (!wasBall) { // what was shown there is older
     images_.passTo(object.observation, object.color);
   }
@@ -278,8 +285,14 @@ void DewpointTracker::updateShape(std::size_t target, ThreadTeam& team) {
   }
 }
 
+void DewpointTracker::alignTimesFor(const TrackedObject& object) {
+  const TrackHypothesis* const expected = object.track.best();
+  images_.setDelays(expected ? clocks_.delaysAt(expected->position()) : clocks_.delays());
+}
+
 void DewpointTracker::updateAsBall(std::size_t index, ThreadTeam& team) {
   TrackedObject& object = objects_[index];
+  alignTimesFor(object);
   images_.passTo(object.observation, object.color);
   objects_.explainOthers(object.observation, object);
   const auto findNow = [&](SphereObservation& observation, bool radiusKnown, std::size_t limit) {
@@ -323,6 +336,14 @@ void DewpointTracker::updateEstimate(std::size_t target) {
                            ? object.shape->track().estimate(object.shape->observation())
                            : object.track.estimate(object.observation);
   estimates_[target].colors = object.color.rangesInUse();
+}
+
+void DewpointTracker::learnClocks() {
+  clocks_.setPrior({1e-3 * parameters_.at("delay_spread"), trackSettings().errors.direction});
+  if (clocks_.isActive()) {
+    clocks_.learn(clockSightings(objects_), secondsSinceLastFrame());
+  }
+  images_.setDelays(clocks_.delays());
 }
 
 void DewpointTracker::adaptTargetColors() {

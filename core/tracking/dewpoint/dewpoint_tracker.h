@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/tracking/dewpoint/clock_estimator.h"
 #include "core/tracking/dewpoint/distractor_search.h"
 #include "core/tracking/dewpoint/frame_images.h"
 #include "core/tracking/dewpoint/search/candidate_search.h"
@@ -26,6 +27,7 @@ class DewpointTracker final : public Tracker,
                               public BackgroundImageUsing,
                               public ParticleCloud,
                               public CameraReporting,
+                              public ClockEstimating,
                               public CandidateReporting,
                               public LikelihoodMapping,
                               public Copyable {
@@ -59,6 +61,7 @@ public:
   std::unique_ptr<Tracker> clone() const override;
   std::size_t memoryBytes() const override;
   std::vector<CameraReport> cameraReports(std::size_t target) const override;
+  std::vector<ClockEstimate> clockEstimates() const override { return clocks_.estimates(); }
   std::vector<CandidatePosition> positionCandidates(std::size_t target) const override;
   std::vector<LikelihoodMap> likelihoodMaps(std::size_t target, int reach) const override;
 
@@ -73,18 +76,22 @@ private:
   /// Updates all tracks with the images of the frame, starting with the most probable objects.
   void updateTracks(ThreadTeam& team);
   void updateTrack(std::size_t index, ThreadTeam& team);
+  /// Sets the capture times of the images as they apply to an object.
+  void alignTimesFor(const TrackedObject& object);
   void updateAsBall(std::size_t index, ThreadTeam& team);
   /// Learns the shape of a target, and updates the track of a target that is not a ball.
   void updateShape(std::size_t target, ThreadTeam& team);
   void searchDistractors(ThreadTeam& team);
   void updateEstimates();
   void updateEstimate(std::size_t target);
+  void learnClocks();
   void adaptTargetColors();
   void learnBackgrounds();
 
   ParameterValues parameters_;
   TrackedObjects objects_;
   FrameImages images_;
+  ClockEstimator clocks_;
   CandidateSearch search_;
   DistractorSearch distractors_;
   TimeBudget budget_;

@@ -16,7 +16,7 @@ FramePtr FrameImages::frame(std::size_t camera) const {
 
 double FrameImages::timeOffset(std::size_t camera) const {
   const FramePtr image = frame(camera);
-  return image ? seconds(image->captureTime - frames_->time) : 0.0;
+  return image ? seconds(image->captureTime - frames_->time) - delays_[camera] : 0.0;
 }
 
 void FrameImages::passTo(SphereObservation& observation, const AdaptiveColor& color) const {

@@ -10,6 +10,7 @@
 #include <opencv2/core/mat.hpp>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace dewpoint::tracking {
@@ -17,7 +18,8 @@ namespace dewpoint::tracking {
 /// Images of the frame being tracked, and the background of each camera.
 class FrameImages {
 public:
-  explicit FrameImages(std::size_t cameraCount) : backgrounds_(cameraCount) {}
+  explicit FrameImages(std::size_t cameraCount)
+      : backgrounds_(cameraCount), delays_(cameraCount, 0.0) {}
 
   std::size_t cameraCount() const { return backgrounds_.size(); }
   /// Sets the images of a frame; null for none.
@@ -25,8 +27,11 @@ public:
   const FrameSetPtr& frames() const { return frames_; }
   /// Returns the image of a camera; null if there is none.
   FramePtr frame(std::size_t camera) const;
+  /// Sets how much later than it was captured each camera stamps its images, in seconds; used from
+  /// now on.
+  void setDelays(std::vector<double> delays) { delays_ = std::move(delays); }
   /// Returns the time in seconds from the time of the frame to the time at which a camera captured
-  /// its image.
+  /// its image: its time stamp, minus the delay from setDelays().
   double timeOffset(std::size_t camera) const;
   /// Passes the images to an observation. The images, the backgrounds and the color must remain
   /// valid while the observation is used.
@@ -59,6 +64,7 @@ public:
 private:
   FrameSetPtr frames_;
   std::vector<BackgroundModel> backgrounds_;
+  std::vector<double> delays_; ///< seconds
 };
 
 } // namespace dewpoint::tracking

@@ -36,7 +36,8 @@ Declarations background(const Defaults& defaults) {
        "Anything darker counts as a moving region.",
        false},
       {"image_width", kInteger, "Image width", "px", 0.0, 10000.0, 10.0, defaults.imageWidth,
-       "Images are reduced to at most this width before anything else; 0 keeps them as they are.",
+       "Images are reduced to at most this width before they are analyzed; 0 keeps them as they "
+       "are.",
        false},
   };
   putInGroup(ParameterGroup::Measurement,
@@ -48,9 +49,9 @@ Declarations background(const Defaults& defaults) {
 Declarations place() {
   Declarations all{
       {"area_x", kReal, "Area x", "m", -1000.0, 1000.0, 0.1, 0.0,
-       "Center of the tracked floor area along this axis.", false},
+       "Coordinate of the center of the tracked floor area along this axis.", false},
       {"area_y", kReal, "Area y", "m", -1000.0, 1000.0, 0.1, 0.0,
-       "Center of the tracked floor area along this axis.", false},
+       "Coordinate of the center of the tracked floor area along this axis.", false},
       {"area_half_x", kReal, "Area half size x", "m", 0.2, 1000.0, 0.1, 3.4,
        "Half the size of the tracked floor area along this axis. A person who crosses the border "
        "of the area counts as having left.",
@@ -64,7 +65,7 @@ Declarations place() {
       {"births", kInteger, "Create tracks", "", 0.0, 1.0, 1.0, 1.0,
        "1 tracks every person that several cameras see. 0 tracks only people that you add by hand.",
        false},
-      {"birth_time", kReal, "Creation time", "s", 0.0, 10.0, 0.05, 0.2,
+      {"birth_time", kReal, "Confirmation time", "s", 0.0, 10.0, 0.05, 0.2,
        "How long a moving region that belongs to no tracked person must be visible before a new "
        "track is created.",
        false},
@@ -126,8 +127,8 @@ Declarations ours() {
       {"acceleration_sigma", kReal, "Acceleration sigma", "m/s²", 0.05, 50.0, 0.05, 3.0,
        "How strongly people accelerate, brake and turn.", true},
       {"evidence", kReal, "Weight per camera", "", 0.1, 100.0, 0.1, 8.0,
-       "How much each camera that sees a whole person counts: larger values rely more on the "
-       "masks.",
+       "How strongly the mask of each camera influences where a person is tracked: larger values "
+       "rely more on the masks.",
        true},
       {"color_weight", kReal, "Color weight", "", 0.0, 10.0, 0.05, 1.0,
        "How much the colors of clothes count compared with the masks when people are close to each "

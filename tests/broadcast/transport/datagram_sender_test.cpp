@@ -10,24 +10,25 @@ namespace dewpoint::tests {
 namespace {
 
 using broadcast::DatagramSender;
+using broadcast::OutletKind;
 
 TEST(DatagramSender, SendsEachPieceAsOneDatagram) {
   TestSocket receiver = TestSocket::receiver();
   auto sender =
-      DatagramSender::open("127.0.0.1:" + std::to_string(receiver.port()), "OSC messages");
+      DatagramSender::open("127.0.0.1:" + std::to_string(receiver.port()), OutletKind::OscMessages);
   ASSERT_TRUE(sender);
   (*sender)->send({"one"});
   EXPECT_EQ(receiver.readUntil("one"), "one");
   (*sender)->send({"two", "three"});
   EXPECT_EQ(receiver.readUntil("three"), "twothree");
   EXPECT_EQ((*sender)->report().sent, 3);
-  EXPECT_TRUE((*sender)->report().place.starts_with("OSC messages to 127.0.0.1:"));
+  EXPECT_TRUE(broadcast::placeText((*sender)->report()).starts_with("OSC messages to 127.0.0.1:"));
 }
 
 TEST(DatagramSender, NobodyNeedsToListen) {
   std::uint16_t port = 0;
   { port = TestSocket::receiver().port(); }
-  auto sender = DatagramSender::open("127.0.0.1:" + std::to_string(port), "OSC messages");
+  auto sender = DatagramSender::open("127.0.0.1:" + std::to_string(port), OutletKind::OscMessages);
   ASSERT_TRUE(sender);
   for (int k = 0; k < 100; ++k) {
     (*sender)->send({"x"});
@@ -37,8 +38,8 @@ TEST(DatagramSender, NobodyNeedsToListen) {
 }
 
 TEST(DatagramSender, AnUnknownAddressIsReported) {
-  EXPECT_FALSE(DatagramSender::open("no port", "OSC messages"));
-  EXPECT_FALSE(DatagramSender::open("no.such.host.invalid:9000", "OSC messages"));
+  EXPECT_FALSE(DatagramSender::open("no port", OutletKind::OscMessages));
+  EXPECT_FALSE(DatagramSender::open("no.such.host.invalid:9000", OutletKind::OscMessages));
 }
 
 } // namespace

@@ -42,7 +42,7 @@ TEST(LineServer, SendsTheOpeningAndThenEveryLineToEveryClient) {
   server->setOpening("first\n");
   server->setOpening("changed\n");
   EXPECT_EQ(one.readUntil("changed\n"), "changed\n");
-  EXPECT_TRUE(server->report().place.starts_with("JSON lines at 127.0.0.1:"));
+  EXPECT_TRUE(broadcast::placeText(server->report()).starts_with("JSON lines at 127.0.0.1:"));
 }
 
 TEST(LineServer, APortThatIsTakenIsReported) {

@@ -95,7 +95,8 @@ TEST(WebServer, SendsTextMessages) {
                                      "a\n");
   server->send({std::string(100'000, 'x') + "end"}); // in one piece, after a length of 8 bytes
   EXPECT_EQ(client.readUntil("end").size(), 2U + 8U + 100'003U);
-  EXPECT_TRUE(server->report().place.starts_with("page and WebSocket at http://127.0.0.1:"));
+  EXPECT_TRUE(broadcast::placeText(server->report())
+                  .starts_with("page and WebSocket at http://127.0.0.1:"));
 }
 
 TEST(WebServer, ExecutesRemoteCommandsWithTheToken) {

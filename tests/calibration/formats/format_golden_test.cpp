@@ -229,7 +229,7 @@ TEST(FormatGolden, AFormatThatWasAskedForMustFit) {
   hints.format = "kalibr";
   const auto wrong = readCalibration(kGolden / "camera_array.toml", hints);
   ASSERT_FALSE(wrong);
-  EXPECT_NE(wrong.error().detail.find("looks like Caliscope"), std::string::npos);
+  EXPECT_NE(wrong.error().detail.find("looks like a file of Caliscope"), std::string::npos);
   hints.format = "nonsense";
   EXPECT_EQ(readCalibration(kGolden / "camera_array.toml", hints).error().code,
             ErrorCode::NotFound);

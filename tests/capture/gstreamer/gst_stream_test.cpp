@@ -110,6 +110,26 @@ TEST(GstStream, ReadsMultipartJpegUnchanged) {
   EXPECT_EQ(bytes, sent);
 }
 
+TEST(GstStream, DataArriveBeforeTheyAreDecoded) {
+  for (const char* encoding : {"raw", "mjpeg", "h264"}) {
+    const auto stream = makeLiveStream(
+        located(std::string("test:ball?width=320&height=240&encoding=") + encoding), nullptr);
+    ASSERT_TRUE(stream->open()) << encoding;
+    for (int k = 0; k < 5; ++k) {
+      ASSERT_TRUE(stream->grab()) << encoding;
+      const auto grabbed = Steady::now();
+      if (stream->retrieve().empty()) {
+        continue;
+      }
+      const auto arrived = stream->arrivalTime();
+      const auto captured = stream->captureTime();
+      ASSERT_TRUE(arrived && captured) << encoding;
+      EXPECT_LE(*arrived, grabbed) << encoding;
+      EXPECT_GT(*arrived, grabbed - 5s) << encoding;
+    }
+  }
+}
+
 TEST(GstStream, AServerThatStopsIsLostWithAReason) {
   auto server = std::make_unique<test::MjpegServer>(
       [](std::int64_t) { return cv::Mat(48, 64, CV_8UC3, cv::Scalar::all(9)); });

@@ -24,7 +24,7 @@ namespace {
 
 /// The pages whose tables script/figures writes.
 constexpr std::array<const char*, 5> kPages{"docs/accuracy.md", "docs/measurements-people.md",
-                                            "docs/fidelity.md", "docs/method-dewpoint.md",
+                                            "docs/fidelity.md", "docs/measurements-dewpoint.md",
                                             "docs/method-sugandi.md"};
 /// Tables of times, and those that no method has a part in.
 constexpr std::array<std::string_view, 3> kNotCompared{"people-speed", "lazy-color", "cone"};

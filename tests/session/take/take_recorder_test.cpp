@@ -2,6 +2,7 @@
 #include "core/capture/gstreamer/open_live.h"
 #include "core/project/project_load.h"
 #include "core/project/project_save.h"
+#include "core/session/take/take_folder.h"
 #include "core/session/take/take_recorder.h"
 
 #include <gtest/gtest.h>
@@ -86,7 +87,7 @@ protected:
 TEST_F(TakeRecorderTest, OpensAsARecordedProject) {
   const Project project = liveProject("test:smpte?encoding=mjpeg");
   LiveRig rig(project);
-  auto take = TakeRecorder::start(project, rig.feeds, folder_, {RawStorage::Jpeg, "two \"words\""});
+  auto take = TakeRecorder::start(project, rig.feeds, folder_, {.notes = "two \"words\""});
   ASSERT_TRUE(take) << sentence(take.error());
   waitForImages(**take, 20);
   ASSERT_TRUE((*take)->stop());
@@ -124,6 +125,35 @@ TEST_F(TakeRecorderTest, NumbersTakesAndStopsFast) {
     EXPECT_TRUE((*take)->stop());
     EXPECT_LT(std::chrono::steady_clock::now() - begin, 1500ms);
   }
+}
+
+TEST_F(TakeRecorderTest, HasTheNumberAndTheNotesThatTheUserGives) {
+  const auto notesOf = [](const fs::path& folder) {
+    std::ifstream stream(folder / "take.json");
+    return nlohmann::json::parse(stream)["notes"].get<std::string>();
+  };
+  const Project project = liveProject("test:snow");
+  LiveRig rig(project);
+  auto take = TakeRecorder::start(project, rig.feeds, folder_, {.notes = "before", .number = 20});
+  ASSERT_TRUE(take) << sentence(take.error());
+  const fs::path folder = (*take)->status().folder;
+  EXPECT_EQ(folder, folder_ / "take-020");
+  EXPECT_EQ(notesOf(folder), "before");
+  ASSERT_TRUE((*take)->setNotes("while"));
+  EXPECT_EQ(notesOf(folder), "while");
+  EXPECT_TRUE((*take)->stop());
+  EXPECT_EQ(notesOf(folder), "while");
+  ASSERT_TRUE((*take)->setNotes("after"));
+  EXPECT_EQ(notesOf(folder), "after");
+  std::ifstream stream(folder / "take.json");
+  const auto json = nlohmann::json::parse(stream);
+  EXPECT_EQ(json["take"], 20);
+  EXPECT_EQ(json["finished"], true); // the rest stays
+  const auto again = TakeRecorder::start(project, rig.feeds, folder_, {.number = 20});
+  ASSERT_FALSE(again);
+  EXPECT_EQ(again.error().code, ErrorCode::BadValue);
+  EXPECT_EQ(makeTakeFolder(folder_)->number, 21); // it counts up from there
+  EXPECT_EQ(makeTakeFolder(folder_, 0).error().code, ErrorCode::BadValue);
 }
 
 TEST_F(TakeRecorderTest, ASilentCameraIsLeftOut) {

@@ -29,9 +29,11 @@ TEST(Finding, IsOneLineWithLevelPlaceAndAdvice) {
                         {"camera 'left'", "/clips/left.mp4"},
                         "desk.toml",
                         "camera 1.video"};
-  EXPECT_EQ(findingLine(finding),
-            "problem  The recording of camera 'left' is missing: /clips/left.mp4. (desk.toml: "
-            "camera 1.video) Put it back, or correct the path in the project file.");
+  EXPECT_EQ(
+      findingLine(finding),
+      "problem  The recording of camera 'left' is missing: /clips/left.mp4. (desk.toml: "
+      "camera 1.video) Put the missing file or folder back, or correct its path in the project "
+      "file.");
   EXPECT_EQ(findingLine({FindingKind::MethodFits, {"dewpoint"}}),
             "ok       The method dewpoint can work with this project.");
 }

@@ -69,7 +69,12 @@ void OutputWindowTest::resultsAreSentOnceSwitchedOn() {
   send->trigger();
   QVERIFY(outputs().isSending() || changed.wait(kTimeoutMs));
   QVERIFY(send->isChecked());
-  QVERIFY(find<QLabel>("outputLabel")->isVisible());
+  auto* label = find<QLabel>("outputLabel");
+  QVERIFY(label->isVisible());
+  QTRY_VERIFY_WITH_TIMEOUT(label->toolTip().contains(QStringLiteral("CSV lines to ")), kTimeoutMs);
+  window_->setLanguage(QStringLiteral("de"));
+  QTRY_VERIFY_WITH_TIMEOUT(label->toolTip().contains(QStringLiteral("CSV-Zeilen an ")), kTimeoutMs);
+  window_->setLanguage(QStringLiteral("en"));
   window_->workbench().session.play();
   QVERIFY(waitFor([&] {
     const std::string text = sent();

@@ -9,6 +9,7 @@
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/window_test.h"
 #include "ui/document/document.h"
+#include "ui/widgets/notice_list.h"
 
 #include <QDir>
 #include <QLabel>
@@ -16,6 +17,7 @@
 #include <QSignalSpy>
 #include <QUndoStack>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace dewpoint::tests {
@@ -64,6 +66,8 @@ private Q_SLOTS:
 private:
   /// One line, no word twice, every one of these in it.
   void expectSentence(const QStringList& words);
+  /// A notice of the run with every one of these in it, no word twice.
+  void expectNotice(const QStringList& words);
   void openGood(const std::filesystem::path& file);
   void expectRefused(const std::filesystem::path& file, const QStringList& words);
   /// A copy of the good project in which the first `pattern` was replaced.
@@ -106,6 +110,16 @@ void BadInputTest::expectSentence(const QStringList& words) {
     QVERIFY2(messageText().contains(word),
              qPrintable(word + QStringLiteral(" in: ") + messageText()));
   }
+}
+
+void BadInputTest::expectNotice(const QStringList& words) {
+  const QStringList& notices = find<NoticeList>("noticeList")->notices();
+  QVERIFY(waitFor([&] { return !notices.isEmpty() && find<QLabel>("noticesText")->isVisible(); }));
+  const bool isThere = std::ranges::any_of(notices, [&](const QString& notice) {
+    return !stammers(notice) &&
+           std::ranges::all_of(words, [&](const QString& word) { return notice.contains(word); });
+  });
+  QVERIFY2(isThere, qPrintable(notices.join(QLatin1Char('|'))));
 }
 
 void BadInputTest::expectRefused(const std::filesystem::path& file, const QStringList& words) {
@@ -174,13 +188,13 @@ void BadInputTest::aTruncatedVideoKeepsWhatWasTracked() {
   openGood(changed("camera-1.mkv", "half.mkv"));
   window_->findChild<QAction*>("actionPlay")->trigger();
   QVERIFY(waitFor([this] { return window_->shown()->state == PlayState::Ended; }));
-  expectSentence({"half.mkv", "'camera 1'", "ended before"});
+  expectNotice({"half.mkv", "'camera 1'", "ended before"});
   QVERIFY(window_->shown()->frame > 3); // a quarter of half of 24 frames, at least, was tracked
 }
 
 void BadInputTest::videosOfDifferentLengthAreSaid() {
   openGood(changed("camera-2.mkv", "short.mkv"));
-  expectSentence({"short.mkv", "'camera 2'", QString::number(kVideoFrames), "first 12"});
+  expectNotice({"short.mkv", "'camera 2'", QString::number(kVideoFrames), "first 12"});
 }
 
 void BadInputTest::aFileThatCannotBeSavedLosesNothing() {

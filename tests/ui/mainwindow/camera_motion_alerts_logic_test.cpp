@@ -59,6 +59,19 @@ TEST_F(CameraMotionAlertsTest, APoseThatIsKnownIsOneClickAway) {
   EXPECT_EQ(newPose.front().front().toInt(), 1);
 }
 
+TEST_F(CameraMotionAlertsTest, OfTwoCamerasNeitherIsForgotten) {
+  auto both = std::make_shared<TrackSnapshot>(*at(11.0, true));
+  CameraMotionReport left = both->cameraMotions.front();
+  left.event.camera = 0;
+  both->cameraMotions.push_back(left);
+  messages_.setSnapshot(both);
+  EXPECT_TRUE(bar_.text().contains(QStringLiteral("left")));
+  bar_.dismiss();
+  EXPECT_TRUE(bar_.text().contains(QStringLiteral("camera 2")));
+  messages_.setSnapshot(nullptr); // the run is over: neither question has a use
+  EXPECT_FALSE(bar_.isVisibleTo(&window_));
+}
+
 TEST_F(CameraMotionAlertsTest, WithoutAPoseCalibrationIsOffered) {
   messages_.setSnapshot(at(13.5));
   QSignalSpy calibrate(&messages_, &CameraMotionAlerts::calibrationRequested);

@@ -10,11 +10,15 @@
 #include "tests/ui/window_test.h"
 #include "ui/cameraview/camera_view.h"
 #include "ui/style/image.h"
+#include "ui/widgets/message_bar.h"
+#include "ui/widgets/notice_list.h"
+#include "ui/workbench/workbench.h"
 
 #include <QLabel>
 #include <QToolButton>
 
 #include <array>
+#include <memory>
 
 namespace dewpoint::tests {
 
@@ -56,6 +60,7 @@ private Q_SLOTS:
   void tracksTwoStreamsToTheBall();
   void saysWhichCameraDoesNotAnswer();
   void imagesOfAnySizeAreSeenAtOnce();
+  void noticesStayAsLongAsTheirCauses();
 
 private:
   /// A project file with two stream cameras of the scene, at these addresses.
@@ -142,6 +147,12 @@ void LiveWindowTest::tracksTwoStreamsToTheBall() {
     const cv::Mat gray(pictures_[camera].size(), CV_8UC3, cv::Scalar::all(128));
     QVERIFY(difference(*view, gray) > kSamePicture);
   }
+  // Where the time from light to estimate, and to the screen, goes.
+  const QString latency = find<QLabel>("statusLiveLatency")->text();
+  QVERIFY2(latency.contains(QStringLiteral("capture")), qPrintable(latency));
+  const LiveLatency live = shown().liveLatency;
+  QVERIFY(live.total.longest > 0.0 && live.wait.longest > 0.0 && live.decode.longest > 0.0);
+  QVERIFY(waitFor([this] { return shown().liveLatency.draw.longest > 0.0; }));
   window_.reset(); // before its cameras are gone
 }
 
@@ -154,13 +165,43 @@ void LiveWindowTest::saysWhichCameraDoesNotAnswer() {
   }
   makeWindow();
   window_->openProject(savedProject(left.address(), nobody));
-  auto* message = find<QLabel>("messageText");
+  auto* message = find<QLabel>("noticesText");
   QVERIFY(waitFor([&] { return message->isVisible(); }));
   QVERIFY2(message->text().contains(QString::fromStdString(nobody)), qPrintable(message->text()));
   // The other one is shown all the same.
   auto* view = find<CameraView>("cameraView0");
   QVERIFY(waitFor([&] { return difference(*view, pictures_[0]) < kSamePicture; }));
   window_.reset();
+}
+
+void LiveWindowTest::noticesStayAsLongAsTheirCauses() {
+  auto left = std::make_unique<test::MjpegServer>([this](auto&&...) { return pictures_[0]; });
+  auto right = std::make_unique<test::MjpegServer>([this](auto&&...) { return pictures_[1]; });
+  makeWindow();
+  open(savedProject(left->address(), right->address()));
+  QVERIFY(waitFor([this] { return shown().frames != nullptr; }));
+  const auto& notices = find<NoticeList>("noticeList")->notices();
+  QVERIFY(waitFor([&] { return notices.isEmpty(); }));
+  left.reset();
+  right.reset();
+  QVERIFY(waitFor([&] { return notices.size() == 2; })); // both, not only the last one
+  auto* text = find<QLabel>("noticesText");
+  QVERIFY(text->isVisible());
+  QVERIFY2(text->text().contains(QStringLiteral("camera 1")) &&
+               text->text().contains(QStringLiteral("camera 2")),
+           qPrintable(text->text()));
+  // Hidden ones can be shown again; the views and the log have them all the while.
+  QTest::mouseClick(find<QToolButton>("noticesClose"), Qt::LeftButton);
+  QVERIFY(!text->isVisible());
+  auto* hidden = find<QToolButton>("hiddenNotices");
+  QVERIFY(waitFor([&] { return hidden->isVisible(); }));
+  QTest::mouseClick(hidden, Qt::LeftButton);
+  QVERIFY(waitFor([&] { return text->isVisible() && !hidden->isVisible(); }));
+  const QStringList& recent = window_->workbench().messages.recent();
+  QVERIFY(recent.filter(QStringLiteral("camera 1")).size() > 0);
+  QVERIFY(recent.filter(QStringLiteral("camera 2")).size() > 0);
+  action("actionCloseProject")->trigger();
+  QVERIFY(waitFor([&] { return notices.isEmpty() && !text->isVisible(); }));
 }
 
 DEWPOINT_WINDOW_TEST(LiveWindowTest)

@@ -1,29 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Live cameras recorded from the real window: the button, what the status bar says, and the take
 // that opens as a project.
+#include "core/capture/gstreamer/encoded_feed.h"
 #include "core/project/project_save.h"
+#include "core/session/session.h"
 #include "core/session/snapshot/snapshot.h"
 #include "core/simulation/scene/scene_renderer.h"
 #include "tests/capture/mjpeg_server.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/window_test.h"
 #include "ui/document/document.h"
+#include "ui/preferences/preferences.h"
 #include "ui/recording/take_controller.h"
 #include "ui/recording/take_text.h"
 #include "ui/session/session_controller.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/workbench/workbench.h"
 
+#include <QDialog>
 #include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QLabel>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <QToolBar>
 #include <QToolButton>
 
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 
 namespace dewpoint::tests {
 
@@ -38,8 +47,13 @@ private Q_SLOTS:
   void aFolderThatCannotBeMadeIsSaid();
   void recordingsHaveNoButton();
   void durationsAreShownAsOnAClock();
+  void numberAndNotesAreThoseOfTheUser();
+  void aTakeBeginsBeforeItsStart();
+  void aTakeIsComparedWithTheLiveRun();
 
 private:
+  /// The notes in the take.json of a take.
+  QString notesOf(const char* take) const;
   TakeController& takes() { return *window_->findChild<TakeController*>(); }
   /// Opens a project of two network cameras.
   void openLive();
@@ -132,6 +146,102 @@ void TakeWindowTest::aFolderThatCannotBeMadeIsSaid() {
   QVERIFY(!takes().isRecording());
   QVERIFY(!action("actionRecord")->isChecked());
   QVERIFY(inTheWay.remove());
+}
+
+QString TakeWindowTest::notesOf(const char* take) const {
+  QFile json(file("live-takes") + QLatin1Char('/') + QLatin1String(take) +
+             QStringLiteral("/take.json"));
+  return json.open(QIODevice::ReadOnly)
+             ? QJsonDocument::fromJson(json.readAll()).object()[QStringLiteral("notes")].toString()
+             : QString();
+}
+
+void TakeWindowTest::numberAndNotesAreThoseOfTheUser() {
+  std::filesystem::remove_all(path("live-takes"));
+  openLive();
+  const auto writes = [this](const QString& notes, std::optional<int> number) {
+    auto* field = find<QPlainTextEdit>("takeNotes");
+    auto* spin = find<QSpinBox>("takeNumber");
+    QCOMPARE(spin->isEnabled(), number.has_value());
+    field->setPlainText(notes);
+    spin->setValue(number.value_or(spin->value()));
+    find<QDialog>("takeDialog")->accept();
+    QVERIFY(waitFor([this] { return window_->findChild<QDialog*>("takeDialog") == nullptr; }));
+  };
+  action("actionTakeNotes")->trigger(); // before
+  writes(QStringLiteral("first try"), 7);
+  QVERIFY(waitFor([this] { return action("actionRecord")->isEnabled(); }));
+  QVERIFY(records(5));
+  QCOMPARE(takes().status().number, 7);
+  QCOMPARE(notesOf("take-007"), QStringLiteral("first try"));
+  action("actionTakeNotes")->trigger(); // while
+  writes(QStringLiteral("good"), std::nullopt);
+  QVERIFY(waitFor([&] { return notesOf("take-007") == QStringLiteral("good"); }));
+  QSignalSpy stopped(&takes(), &TakeController::stopped);
+  QTest::mouseClick(find<QToolButton>("actionRecordButton"), Qt::LeftButton);
+  QVERIFY(stopped.wait(kTimeoutMs));
+  QCOMPARE(notesOf("take-007"), QStringLiteral("good"));
+  QTest::mouseClick(find<QPushButton>("messageAnswer2"), Qt::LeftButton); // after
+  writes(QStringLiteral("the best one"), std::nullopt);
+  QVERIFY(waitFor([&] { return notesOf("take-007") == QStringLiteral("the best one"); }));
+  // The next number follows, and notes are those of one take.
+  QVERIFY(waitFor([this] { return action("actionRecord")->isEnabled(); }));
+  QVERIFY(records(5));
+  QCOMPARE(takes().status().number, 8);
+  QCOMPARE(notesOf("take-008"), QString());
+}
+
+void TakeWindowTest::aTakeBeginsBeforeItsStart() {
+  openLive();
+  action("actionTakeNotes")->trigger();
+  QCOMPARE(find<QSpinBox>("takePreRoll")->value(), 0); // off
+  find<QSpinBox>("takePreRoll")->setValue(2);
+  find<QDialog>("takeDialog")->accept();
+  QCOMPARE(Preferences().preRollSeconds(), 2);
+  const auto& feeds = window_->workbench().session.feeds();
+  QVERIFY(waitFor([&] {
+    return std::ranges::all_of(feeds,
+                               [](const auto& feed) { return feed->preRoll().images >= 20; });
+  }));
+  QVERIFY(records(5));
+  const TakeStatus take = takes().status();
+  QVERIFY2(take.preRoll > 0.1 && take.preRoll < 5.0, qPrintable(QString::number(take.preRoll)));
+  QVERIFY(waitFor([this] {
+    const TakeStatus now = takes().status();
+    return std::ranges::all_of(now.cameras, [](const auto& camera) {
+      return camera.counts.preRollImages >= 15 &&
+             camera.counts.images > camera.counts.preRollImages;
+    });
+  }));
+  QSignalSpy stopped(&takes(), &TakeController::stopped);
+  QTest::mouseClick(find<QToolButton>("actionRecordButton"), Qt::LeftButton);
+  QVERIFY(stopped.wait(kTimeoutMs));
+  QVERIFY2(messageText().contains(QStringLiteral("before you pressed")), qPrintable(messageText()));
+}
+
+void TakeWindowTest::aTakeIsComparedWithTheLiveRun() {
+  openLive();
+  action("actionPlay")->trigger();
+  QVERIFY(waitFor([this] { return shown().tracked; }));
+  QVERIFY(records(5));
+  action("actionRestart")->trigger();
+  QVERIFY(waitFor([this] {
+    const Session* session = window_->workbench().session.session();
+    return session->liveSets().size() >= 20;
+  }));
+  QSignalSpy stopped(&takes(), &TakeController::stopped);
+  QTest::mouseClick(find<QToolButton>("actionRecordButton"), Qt::LeftButton);
+  QVERIFY(stopped.wait(kTimeoutMs));
+  const auto folder = stopped.first().first().value<TakeStatus>().folder;
+  QVERIFY(std::filesystem::exists(folder / "live" / "frames.csv"));
+  QVERIFY(std::filesystem::exists(folder / "live" / "run.json"));
+  open(folder / "project.toml");
+  QVERIFY(waitFor([this] { return messageText().contains(QStringLiteral("live run")); }));
+  QTest::mouseClick(find<QPushButton>("messageAnswer0"), Qt::LeftButton);
+  QVERIFY(waitFor([this] {
+    return messageText().contains(QStringLiteral("frames")) &&
+           messageText().contains(QStringLiteral("live run"));
+  }));
 }
 
 void TakeWindowTest::recordingsHaveNoButton() {

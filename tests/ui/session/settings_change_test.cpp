@@ -105,8 +105,7 @@ void SettingsChangeTest::whatIsSlowIsMarkedAndOffered() {
   QVERIFY(window_->document().setParameter("particles", before + 100.0));
   QVERIFY(areOld({{0, kTrackedAtFirst - 1}}));
   QVERIFY(timeline->model().isOld(5));
-  QVERIFY(
-      waitFor([this] { return messageText().contains(QStringLiteral("settings have changed")); }));
+  QVERIFY(waitFor([this] { return messageText().contains(QStringLiteral("earlier settings")); }));
   QVERIFY(action("actionTrackAgain")->isEnabled());
   // The old settings are back: so is the old run, and nothing is to be done.
   window_->document().undoStack()->undo();
@@ -115,8 +114,7 @@ void SettingsChangeTest::whatIsSlowIsMarkedAndOffered() {
   QVERIFY(!timeline->model().isOld(5));
   QVERIFY(!action("actionTrackAgain")->isEnabled());
   window_->document().undoStack()->redo();
-  QVERIFY(
-      waitFor([this] { return messageText().contains(QStringLiteral("settings have changed")); }));
+  QVERIFY(waitFor([this] { return messageText().contains(QStringLiteral("earlier settings")); }));
   find<QPushButton>("messageAnswer0")->click();
   QVERIFY(areRenewed("particles", before + 100.0));
   QCOMPARE(messageText(), QString());
@@ -163,8 +161,7 @@ void SettingsChangeTest::aChangeWhilePlayingHoldsFromThereOn() {
   QCOMPARE(messageText(), QString());
   action("actionPlay")->trigger();
   QVERIFY(waitFor([this] { return shown().state == PlayState::Paused; }));
-  QVERIFY(
-      waitFor([this] { return messageText().contains(QStringLiteral("settings have changed")); }));
+  QVERIFY(waitFor([this] { return messageText().contains(QStringLiteral("earlier settings")); }));
   letTimePass(500);
   QCOMPARE(results().oldResults().frames,
            std::vector<ResultRange>{old}); // nobody asked to track it again

@@ -248,13 +248,14 @@ void TranslationTest::anAssessmentSaysWhatItsScoreIsMadeOf() {
   assessment.backgroundShareOfFullRange = 0.015;
   const QString missed = colorAssessmentText(assessment, {});
   QVERIFY2(missed.contains(QStringLiteral(
-               "Only 2 % of the target matches, and 0.00 % of the background matches too")) &&
-               missed.contains(QStringLiteral("would match 1.50 % of the background")),
+               "This color covers only 2 % of the target, and 0.00 % of the background.")) &&
+               missed.contains(QStringLiteral("would also cover 1.50 % of the background")),
            qPrintable(missed));
   assessment.targetShare = 0.9;
   assessment.backgroundShareOfFullRange.reset();
   const QString hit = colorAssessmentText(assessment, {});
-  QVERIFY2(hit.contains(QStringLiteral("0.00 % of the background matches too")), qPrintable(hit));
+  QVERIFY2(hit.contains(QStringLiteral("This color also covers 0.00 % of the background.")),
+           qPrintable(hit));
 }
 
 void TranslationTest::titlesOfTheGapsAreWhole() {

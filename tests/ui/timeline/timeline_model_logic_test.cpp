@@ -103,5 +103,17 @@ TEST(TimelineModel, AFrameIsDescribedWithTargetAndReason) {
   EXPECT_TRUE(model.describe(5).endsWith(QStringLiteral("not tracked")));
 }
 
+TEST(TimelineModel, AFrameTellsWhichCamerasHadAProblem) {
+  TimelineModel model = modelOf({0});
+  FrameRecord without = record(1);
+  without.cameraProblems = std::make_shared<const std::vector<Error>>(
+      std::vector<Error>{{ErrorCode::ConnectionLost, "/dev/video0", "camera 'left'", "unplugged"}});
+  model.append({without}, false);
+  EXPECT_FALSE(model.describe(0).contains(QStringLiteral("left")));
+  const QString text = model.describe(1);
+  EXPECT_TRUE(text.contains(QStringLiteral("camera 'left'"))) << text.toStdString();
+  EXPECT_TRUE(text.contains(QStringLiteral("unplugged"))) << text.toStdString();
+}
+
 } // namespace
 } // namespace dewpoint::tests

@@ -103,8 +103,9 @@ void BoardCalibrationPage::retranslateUi() {
   boardTitle_->setText(tr("Board"));
   goalTitle_->setText(tr("Values to calibrate"));
   find_->setText(tr("Find board"));
-  find_->setToolTip(tr("Find out which board the images show: its kind, its squares and its "
-                       "dictionary. Images do not show its size: measure its squares yourself"));
+  find_->setToolTip(
+      tr("Find out from the images which kind of board they show, how many squares it has, and its "
+         "dictionary. The images do not show how large the squares are: measure this yourself"));
   calibrate_->setText(tr("Calibrate"));
   calibrate_->setToolTip(
       tr("Find the board in the recording and calibrate the cameras with it (one undo step)"));
@@ -138,7 +139,7 @@ void BoardCalibrationPage::refresh() {
   apply_->setVisible(outcome != nullptr && !calibrator_.isApplied());
   const bool doubted =
       outcome != nullptr && outcome->extrinsics && !outcome->extrinsics->faults.empty();
-  apply_->setText(doubted ? tr("Use it anyway") : tr("Apply"));
+  apply_->setText(doubted ? tr("Use calibration anyway") : tr("Apply"));
   report_->setVisible(outcome != nullptr);
   QString text = outcome ? outcomeText(calibrator_, *outcome) : QString();
   if (!calibrator_.failure().isEmpty()) {

@@ -195,9 +195,11 @@ void BoardForm::retranslateUi() {
   name(kind_, tr("Kind of board"),
        tr("A ChArUco board may be partly hidden, or partly outside the image; a chessboard must be "
           "completely visible"));
-  squaresLabel_->setText(tr("Squares across, down"));
-  name(columns_, tr("Squares in a row"), tr("All squares of a row, black and white"));
-  name(rows_, tr("Squares in a column"), tr("All squares of a column, black and white"));
+  squaresLabel_->setText(tr("Squares per row, per column"));
+  name(columns_, tr("Squares in a row"),
+       tr("Number of squares in a row, black and white together"));
+  name(rows_, tr("Squares in a column"),
+       tr("Number of squares in a column, black and white together"));
   sizeLabel_->setText(tr("Side of a square"));
   name(size_, tr("Side of a square"),
        tr("Measure a long row on the print with a ruler, and divide its length by the number of "
@@ -208,7 +210,7 @@ void BoardForm::retranslateUi() {
        tr("Length of one side of a marker, with its black border"));
   dictionaryLabel_->setText(tr("Dictionary"));
   name(dictionary_, tr("Dictionary of the markers"),
-       tr("The dictionary name used when the board was generated"));
+       tr("The dictionary of the markers that was chosen when the board was made"));
   legacy_->setText(tr("Legacy layout (even rows)"));
   legacy_->setToolTip(tr("For ChArUco boards with an even number of rows that were made with "
                          "software older than OpenCV 4.6: their first square is white"));

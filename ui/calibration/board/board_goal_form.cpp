@@ -134,8 +134,8 @@ void BoardGoalForm::retranslateUi() {
   goalLabel_->setText(tr("Find"));
   fill(goal_, {tr("Intrinsics and positions"), tr("Intrinsics"), tr("Camera positions")});
   name(goal_, tr("Values to calibrate"),
-       tr("Intrinsics: lens and sensor of each camera separately. Positions: where the cameras "
-          "are, from a board that several of them see at the same time"));
+       tr("Intrinsics: lens and sensor, for each camera separately. Positions: where the cameras "
+          "are, computed from a board that several cameras see at the same time"));
   modelLabel_->setText(tr("Lens model"));
   fill(model_,
        {tr("Pinhole, 5 coefficients"), tr("Pinhole, 8 coefficients (wide)"), tr("Fisheye")});
@@ -148,10 +148,11 @@ void BoardGoalForm::retranslateUi() {
                         "such a frame, the first camera keeps its position"));
   name(floorFrame_, tr("Frame number with the board on the floor"), tr("Frame number"));
   floorHere_->setText(tr("Use current frame"));
-  name(floorHere_, tr("Use current frame for the floor"), tr("Take the frame that is shown now"));
-  accuracyLabel_->setText(tr("Stop at accuracy"));
+  name(floorHere_, tr("Use current frame for the floor"),
+       tr("Enter the number of the frame that is shown now"));
+  accuracyLabel_->setText(tr("Accuracy goal"));
   name(lensAccuracy_, tr("Desired accuracy of the intrinsics"),
-       tr("Guidance ends when the intrinsics are this accurate all over the image"));
+       tr("Guidance ends when the intrinsics are this accurate in all parts of the image"));
   lensAccuracy_->setSuffix(QStringLiteral(" px"));
   name(positionAccuracy_, tr("Desired accuracy of the positions"),
        tr("Guidance ends when the position of each camera is this accurate"));

@@ -146,7 +146,7 @@ void BoardLive::retranslateUi() {
   floor_->setToolTip(tr("Define the world coordinates with the board that lies on the floor now: X "
                         "along its rows, Y toward its upper edge, Z up from the floor"));
   next_->setText(tr("Next: positions"));
-  next_->setToolTip(tr("Accept the present accuracy of the intrinsics, then show the board to "
+  next_->setToolTip(tr("Accept the current accuracy of the intrinsics; then show the board to "
                        "several cameras at once"));
   display_->setText(tr("Large display…"));
   display_->setToolTip(tr("Show what to do next in large letters that can be read from across the "

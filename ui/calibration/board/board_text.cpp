@@ -37,7 +37,7 @@ QString lensLine(const QString& name, const IntrinsicsResult& lens) {
 
 QString placeLine(const QString& name, const CameraFit& fit) {
   if (fit.views.empty()) {
-    return BoardText::tr("%1 keeps its position: it never saw the board.").arg(name);
+    return BoardText::tr("%1 keeps its position because it never saw the board.").arg(name);
   }
   if (fit.centerSigma > 0.0) {
     return BoardText::tr("%1: RMS reprojection error %2, position ±%3, direction ±%4")
@@ -57,7 +57,7 @@ void addLenses(const BoardCalibrator& calibrator, const LensesFromBoards& lenses
       lines << lensLine(calibrator.nameOf(k), *lenses.cameras[k]);
     } else {
       lines << QStringLiteral("⚠ ") +
-                   BoardText::tr("%1 keeps its intrinsics: %2")
+                   BoardText::tr("The intrinsics of %1 are unchanged: %2")
                        .arg(calibrator.nameOf(k),
                             QString::fromStdString(lenses.kept.at(kept++).detail));
     }
@@ -69,7 +69,7 @@ void addPlaces(const BoardCalibrator& calibrator, const ExtrinsicsResult& places
   if (!lines.isEmpty()) {
     lines << QString();
   }
-  lines << BoardText::tr("Positions: RMS reprojection error %1, from %2 board poses")
+  lines << BoardText::tr("Camera positions: RMS reprojection error %1, from %2 board poses")
                .arg(pixelText(places.rmsPx, 3), QString::number(places.boardPoses.size()));
   for (std::size_t k = 0; k < places.fits.size(); ++k) {
     lines << placeLine(calibrator.nameOf(k), places.fits[k]);
@@ -135,7 +135,7 @@ QString adviceText(const BoardGuideState::PerCamera& camera) {
 
 QString pairText(const BoardCalibrator& calibrator, const RigGuidance::State& state) {
   if (state.firstCamera < 0 || state.secondCamera < 0) {
-    return BoardText::tr("✓ The cameras have enough shared views");
+    return BoardText::tr("✓ The cameras share enough views of the board");
   }
   return BoardText::tr(
              "Show the board to %1 and %2 at the same time, hold it still, then repeat elsewhere")
@@ -149,8 +149,8 @@ QString sharpnessText(const BoardGuideState::PerCamera& camera, const GuidanceSe
   }
   const QString edges = pixelText(camera.seen->edgeWidthPx);
   return camera.seen->edgeWidthPx > settings.softEdgeFraction * camera.width
-             ? BoardText::tr("⚠ blurred, edge width %1").arg(edges)
-             : BoardText::tr("sharp, edge width %1").arg(edges);
+             ? BoardText::tr("⚠ blurred: edges are %1 wide").arg(edges)
+             : BoardText::tr("sharp: edges are %1 wide").arg(edges);
 }
 
 QString lensAccuracyText(const BoardGuideState::PerCamera& camera,
@@ -199,12 +199,12 @@ QString guessedBoardText(const BoardGuess& guess) {
 QString proposalQuestion(const BoardGuess& guess) {
   const QString images = QString::number(guess.images);
   const QString searched = QString::number(guess.searched);
-  return guess.mirrored
-             ? BoardText::tr("%1 of the %2 searched images show %3, but mirrored. Change the "
-                             "mirroring of the cameras that took these images. Use this board?")
-                   .arg(images, searched, guessedBoardText(guess))
-             : BoardText::tr("%1 of the %2 searched images show %3. Use this board?")
-                   .arg(images, searched, guessedBoardText(guess));
+  return guess.mirrored ? BoardText::tr("%1 of the %2 searched images show %3, but mirrored. To "
+                                        "correct this, change “Mirrored” in the panel Cameras for "
+                                        "the cameras that took these images. Use this board?")
+                              .arg(images, searched, guessedBoardText(guess))
+                        : BoardText::tr("%1 of the %2 searched images show %3. Use this board?")
+                              .arg(images, searched, guessedBoardText(guess));
 }
 
 QString outcomeText(const BoardCalibrator& calibrator, const BoardOutcome& outcome) {

@@ -119,12 +119,15 @@ QString CalibrationExportDialog::textOf(const CalibrationConversion& conversion,
   for (std::size_t k = 0; k < conversion.cameras.size(); ++k) {
     const CameraDifference& camera = conversion.cameras[k];
     const QString name = cameraName(camera.camera, k);
-    lines << (camera.refitted ? tr("%1: projected points change by at most %2 (the lens was fitted "
-                                   "again to what the format can store)")
-                              : tr("%1: projected points change by at most %2"))
+    lines << (camera.refitted
+                  ? tr("%1: with the exported calibration, projected points move by at most %2, "
+                       "because the format cannot store this lens model and the lens was fitted "
+                       "again")
+                  : tr("%1: with the exported calibration, projected points move by at most %2"))
                  .arg(name, pixelDifferenceText(camera.largestPixels));
     if (camera.lostDirections > 0) {
-      lines << tr("%1: with the exported lens, %2 of 81 tested directions no longer have a pixel")
+      lines << tr("%1: with the exported lens, %2 of 81 tested directions can no longer be "
+                  "projected into the image")
                    .arg(name)
                    .arg(camera.lostDirections);
     }

@@ -67,9 +67,9 @@ void CalibrationImportDialog::chooseFile() {
 }
 
 void CalibrationImportDialog::fillCameras() {
-  ChoicesWithData choices = {{tr("by name"), {}}};
+  ChoicesWithData choices = {{tr("match by name"), {}}};
   for (int camera = 0; camera < cameras_.rowCount(); ++camera) {
-    choices.emplace_back(tr("for %1 only").arg(cameras_.nameOf(camera)), camera);
+    choices.emplace_back(tr("only for %1").arg(cameras_.nameOf(camera)), camera);
   }
   setChoicesWithData(*camera_, choices);
 }
@@ -98,8 +98,8 @@ void CalibrationImportDialog::fillNames(const QStringList& inFile) {
       }
       setChoicesWithData(*choice, choices);
       choice->setAccessibleName(cameras_.nameOf(camera));
-      choice->setToolTip(
-          tr("For each camera of the project: the camera of the file whose calibration it uses"));
+      choice->setToolTip(tr("For each camera of the project, choose the camera in the file from "
+                            "which it gets its calibration"));
       connect(choice, &QComboBox::currentIndexChanged, this, &CalibrationImportDialog::refresh);
       rows->addRow(cameras_.nameOf(camera), choice);
       nameChoices_.push_back(choice);
@@ -152,11 +152,12 @@ void CalibrationImportDialog::retranslateFields() {
       {tr("Four coefficients"), tr("Meaning of the four lens coefficients")},
       {tr("Image size"), tr("Width and height in pixels, such as 1280x720")},
       {tr("Poses"), tr("Direction of the transformation that the file stores as a pose")},
-      {tr("Camera"), tr("The camera to which a file with a single camera belongs")},
-      {tr("The images are"), tr("How the images of the project differ from those of the "
+      {tr("Camera"),
+       tr("If the file holds only one camera: the project camera that gets its calibration")},
+      {tr("Project images"), tr("How the images of the project differ from those of the "
                                 "calibration, if they have another size")},
-      {tr("Names in the file"),
-       tr("For each camera of the project: the camera of the file whose calibration it uses")}};
+      {tr("Names in the file"), tr("For each camera of the project, choose the camera in the file "
+                                   "from which it gets its calibration")}};
   QWidget* const fields[] = {format_, unit_, lens_, size_, poses_, camera_, fit_, names_};
   for (std::size_t k = 0; k < labels_.size(); ++k) {
     labels_[k]->setText(names[k].first);
@@ -233,7 +234,7 @@ void CalibrationImportDialog::applyError(const Error& error) {
         asked.question == ImportQuestion::Fit || asked.question == ImportQuestion::Names;
     text += QStringLiteral("\n\n") +
             (isMisfit ? tr("The calibration does not fit the project. Set “%1” above.")
-                      : tr("The file does not contain all information. Set “%1” above."))
+                      : tr("The file does not contain everything. Set “%1” above."))
                 .arg(label);
   }
   showPreview(text, false);
@@ -274,7 +275,8 @@ void CalibrationImportDialog::applyResult(const Result<CalibrationImport>& made)
                       lengthText(camera.shift.meters, LengthScale::Centimeters, 1),
                       angleText(camera.shift.radians, 2));
   }
-  lines << tr("Compared with the file, projected points change by at most %1")
+  lines << tr("After the import, projected points are at most %1 away from where the file projects "
+              "them")
                .arg(pixelDifferenceText(made->largestPixels));
   showPreview(lines.join(QLatin1Char('\n')), true);
 }

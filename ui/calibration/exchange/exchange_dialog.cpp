@@ -90,7 +90,7 @@ void ExchangeDialog::begin() {
     preview_->setPlaceholderText(
         tr("Choose a file. A preview of the result is shown here before anything changes."));
     close_->setText(tr("Close"));
-    close_->setToolTip(tr("Change nothing"));
+    close_->setToolTip(tr("Close without changing anything"));
     retranslateFields();
     refresh();
   });

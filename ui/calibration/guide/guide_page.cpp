@@ -178,7 +178,7 @@ void GuidePage::refreshTable() {
   const CalibrationStatus& status = guide_.status();
   QStringList lines{
       tr("%1 Scale: %2").arg(knowledgeMark(status.scale), scaleText(status.scale)),
-      tr("%1 Floor and up: %2")
+      tr("%1 Floor and upward direction: %2")
           .arg(knowledgeMark(status.floor), floorText(status.floor, status.isUpright))};
   if (status.accuracy) {
     lines << tr("✓ Accuracy in the calibrated volume: %1 (95 %)")

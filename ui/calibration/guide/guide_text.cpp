@@ -89,17 +89,19 @@ WayText wayText(CalibrationWay way) {
     break;
   }
   return {
-      GuideText::tr("File of another tool"),
+      GuideText::tr("File of another program"),
       GuideText::tr("You need a calibration file for these cameras and for images of this size.")};
 }
 
 StepText stepText(GuideStep step) {
   switch (step) {
   case GuideStep::ImportFile:
-    return {GuideText::tr("File"), GuideText::tr("Import the file"),
-            GuideText::tr("Choose the file. If it lacks something, such as the unit, the dialog "
-                          "asks you for it. The dialog also shows how far each camera would move."),
-            GuideText::tr("Import calibration…")};
+    return {
+        GuideText::tr("File"), GuideText::tr("Import the file"),
+        GuideText::tr(
+            "Choose the file. If the file does not contain everything (for example, no unit), the "
+            "dialog asks you for the rest. The dialog also shows how far each camera would move."),
+        GuideText::tr("Import calibration…")};
   case GuideStep::PrintBoard:
     return {
         GuideText::tr("Print"), GuideText::tr("Print a board"),
@@ -186,8 +188,11 @@ QString progressText(GuideStep step, const StepProgress& progress) {
     if (!progress.isDone()) {
       return GuideText::tr("Not done yet.");
     }
-    return error.isEmpty() ? GuideText::tr("Done.")
-                           : GuideText::tr("Done: the distance differs by %1.").arg(error);
+    return error.isEmpty()
+               ? GuideText::tr("Done.")
+               : GuideText::tr(
+                     "Done: the distance in the calibration differs from the measured one by %1.")
+                     .arg(error);
   }
   return error.isEmpty()
              ? GuideText::tr("Done for %1 of %2 cameras.").arg(progress.done).arg(progress.total)

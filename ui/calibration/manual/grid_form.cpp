@@ -152,8 +152,8 @@ void GridForm::retranslateUi() {
   edges_->setToolTip(tr("Dim the images except for their edges"));
   flip_->setText(tr("Before"));
   name(flip_, tr("Show the grid before your changes"),
-       tr("Hold down this button to show the grid as it was when the calibration was opened. Or "
-          "hold down B while the pointer is over an image"));
+       tr("Hold down this button to show the grid as it was when you opened the calibration. You "
+          "can also hold down B while the pointer is over an image"));
   refresh();
 }
 

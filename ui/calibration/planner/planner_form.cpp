@@ -143,14 +143,13 @@ void PlannerForm::retranslateUi() {
   };
   add_->setText(tr("Add planned camera"));
   name(add_, tr("Add planned camera"),
-       tr("A camera that does not exist yet: drag it in the bird's-eye view, or enter its position "
-          "(%1)")
+       tr("Add a planned camera; you can then drag it in the bird's-eye view, or enter its "
+          "position (%1)")
            .arg(QStringLiteral("Shift+P")));
   remove_->setText(tr("Remove"));
   name(remove_, tr("Remove the planned camera"), tr("Remove the selected planned camera"));
   cameraLabel_->setText(tr("Planned camera"));
-  name(camera_, tr("Planned camera"),
-       tr("The planned camera whose values are shown and changed below"));
+  name(camera_, tr("Planned camera"), tr("Choose the planned camera whose values are shown below"));
   positionLabel_->setText(tr("Position x, y, z"));
   targetLabel_->setText(tr("Looks at x, y, z"));
   lensLabel_->setText(tr("Field of view, image width and height"));
@@ -170,7 +169,7 @@ void PlannerForm::retranslateUi() {
   imageWidth_->setSuffix(QStringLiteral(" px"));
   imageHeight_->setSuffix(QStringLiteral(" px"));
   wallLabel_->setText(tr("Distance to walls and ceiling"));
-  name(wall_, tr("Distance to the walls and the ceiling"),
+  name(wall_, tr("Distance from the volume to the walls and the ceiling"),
        tr("The search places the camera on four walls and a ceiling at this distance from the "
           "volume"));
   wall_->setSuffix(QStringLiteral(" m"));

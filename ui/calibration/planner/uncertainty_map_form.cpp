@@ -149,8 +149,8 @@ void UncertaintyMapForm::retranslateUi() {
     field->setToolTip(tip);
   };
   shown_->setText(tr("Show the map in the bird's-eye view"));
-  shown_->setToolTip(
-      tr("Expected position error of a target at each point; updated whenever a camera moves"));
+  shown_->setToolTip(tr("Show the position error to expect for a target at each point. The map "
+                        "changes whenever a camera moves"));
   quantityLabel_->setText(tr("Colors show"));
   {
     const QSignalBlocker quiet(quantity_);
@@ -191,7 +191,7 @@ void UncertaintyMapForm::retranslateUi() {
     high_[k]->setSuffix(QStringLiteral(" m"));
   }
   room_->setText(tr("Use reference grid"));
-  room_->setToolTip(tr("The volume above the reference grid, up to the highest camera"));
+  room_->setToolTip(tr("Use the volume above the reference grid, up to the highest camera"));
   refresh();
   summarize();
 }

@@ -217,7 +217,7 @@ QString PointCalibrator::cameraResultText(const CameraFromPoints& camera) const 
     line += QLatin1Char('\n') +
             (camera.proposal->byUprightness
                  ? tr("%1 (ignore this if the camera is mounted that way)").arg(what)
-                 : tr("%1. Once corrected, the average error is %2")
+                 : tr("%1. After this correction, the average error is %2")
                        .arg(what, pixelText(camera.proposal->rmsPx, 2)));
   }
   return line;

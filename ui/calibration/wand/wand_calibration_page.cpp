@@ -37,12 +37,13 @@ WandCalibrationPage::WandCalibrationPage(WandCalibrator& calibrator, QWidget* pa
 }
 
 void WandCalibrationPage::retranslateUi() {
-  guide_->setText(calibrator_.isLive()
-                      ? tr("Align the cameras by hand until they are roughly right. Then wave the "
-                           "ball, or a wand with two balls, through the whole volume, and refine.")
-                      : tr("Align the cameras by hand until they are roughly right. Then refine "
-                           "them with a recording in which you wave a ball, or a wand with two "
-                           "balls, through the whole volume."));
+  guide_->setText(
+      calibrator_.isLive()
+          ? tr("Align the cameras by hand until they are roughly right. Then wave the ball, or a "
+               "wand with two balls, through the whole volume, and press Refine cameras.")
+          : tr("Align the cameras by hand until they are roughly right. Then refine "
+               "them with a recording in which you wave a ball, or a wand with two "
+               "balls, through the whole volume."));
   instantsTitle_->setText(tr("Floor"));
   wavingTitle_->setText(tr("Wand"));
   outcomeTitle_->setText(tr("Refine"));

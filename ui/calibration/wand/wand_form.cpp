@@ -203,7 +203,8 @@ void WandForm::retranslateUi() {
   kindLabel_->setText(tr("Wand"));
   setChoices(*kind_, {tr("one ball"), tr("wand with two balls")});
   name(kind_, tr("Kind of wand"),
-       tr("A wand with two balls also gives the scale, more accurately than the other ways"));
+       tr("A wand with two balls also gives the scale. It is more accurate than the scale from a "
+          "diameter or a distance"));
   ballLabel_->setText(tr("Ball"));
   name(ball_, tr("Ball"), tr("The target that you wave; it is detected by its color"));
   otherLabel_->setText(tr("Second ball"));
@@ -214,11 +215,12 @@ void WandForm::retranslateUi() {
   length_->setSuffix(tr(" cm"));
   sizeLabel_->setText(tr("Scale from"));
   name(size_, tr("Source of the scale"),
-       tr("Images alone cannot show whether a room is large or small. A diameter gives the scale "
-          "to about one percent, a distance as exactly as you measure it"));
+       tr("Images alone cannot show whether a room is large or small. A scale from the diameter of "
+          "a ball is accurate to about one percent. A scale from a distance is as accurate as your "
+          "measurement"));
   distanceLabel_->setText(tr("Distance"));
   name(distance_, tr("Known distance"),
-       tr("Distance between the two positions at which you held the center of the ball"));
+       tr("Distance between the two positions at which the center of the ball was held"));
   distance_->setSuffix(tr(" cm"));
   initialErrorLabel_->setText(tr("Initial error"));
   name(initialPositionError_, tr("Initial position error"),
@@ -227,13 +229,15 @@ void WandForm::retranslateUi() {
   name(initialRotationError_, tr("Initial rotation error"),
        tr("Roughly how far each camera may be rotated from its true orientation"));
   initialRotationError_->setSuffix(QStringLiteral("°"));
-  check(offsets_, tr("Find time offsets"),
-        tr("For cameras that do not take their images at the same time"));
+  check(offsets_, tr("Find delays"),
+        tr("Also compute the delay of each camera. Use this if the cameras do not take their "
+           "images at the same time"));
   check(focal_, tr("Find focal lengths"),
-        tr("For lenses that were never calibrated, or whose zoom has changed"));
+        tr("Also compute the focal length of each camera. Use this for lenses that were never "
+           "calibrated, or whose zoom has changed"));
   check(distortion_, tr("Find the distortion k1"),
-        tr("The first distortion coefficient of each lens; the ball must be seen up to the edges "
-           "of the images"));
+        tr("Also compute the first distortion coefficient of each lens. For this, the ball must be "
+           "seen up to the edges of the images"));
   check(onlyRange_, tr("Only the selected span"),
         tr("Use only the part of the recording that is selected in the timeline"));
   refresh();

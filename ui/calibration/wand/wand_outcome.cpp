@@ -114,9 +114,10 @@ void WandOutcome::retranslateUi() {
   button(cancel_, tr("Cancel"), tr("Stop and keep the cameras unchanged"));
   progress_->setAccessibleName(tr("Progress"));
   button(flip_, tr("Before"),
-         tr("Hold down this button to draw the grid with the previous cameras"));
-  button(apply_, tr("Use it anyway"),
-         tr("Use these cameras although the result looks wrong; you can undo this"));
+         tr("Hold down this button to draw the grid with the calibration from before this "
+            "refinement"));
+  button(apply_, tr("Use calibration anyway"),
+         tr("Use this calibration although it looks wrong; you can undo this"));
   button(
       report_, tr("Save report…"),
       tr("Save a page with all numbers, the residuals as arrows, the coverage and a 3D drawing"));
@@ -175,8 +176,8 @@ void WandOutcome::showOutcome() {
     }
     if (isInaccurate(*found)) {
       notes << QStringLiteral("⚠ ") +
-                   tr("The result is less accurate than the initial camera positions, whose error "
-                      "is given as up to %1. Wave through more of the volume.")
+                   tr("The result is less accurate than the initial camera positions: you entered "
+                      "that their error is at most %1. Wave through more of the volume.")
                        .arg(lengthText(found->options.initialPositionError,
                                        LengthScale::Centimeters, 1));
     }
@@ -184,10 +185,10 @@ void WandOutcome::showOutcome() {
       notes << tr("The cameras are unchanged.");
     }
     if (found->accuracy && found->accuracy->modelFactor > 1.0) {
-      notes
-          << tr("Calibrations from different parts of the recording differ by %1 times as much as "
-                "the noise of the images explains. The stated accuracy takes this into account.")
-                 .arg(numberText(found->accuracy->modelFactor, 1));
+      notes << tr("Calibrations from different parts of the recording differ from each other %1 "
+                  "times as much as image noise can explain. The stated accuracy takes this into "
+                  "account.")
+                   .arg(numberText(found->accuracy->modelFactor, 1));
     }
     if (found->result.freeFall) {
       notes << tr("The fall gives a gravity of %1 m/s² (9.81 is expected).")

@@ -46,8 +46,8 @@ WandWaving::WandWaving(WandCalibrator& calibrator, QWidget* parent)
 }
 
 void WandWaving::retranslateUi() {
-  wave_->setToolTip(tr("Collect positions of the ball from all camera images; starting again "
-                       "discards those collected before"));
+  wave_->setToolTip(tr("Collect positions of the ball from all camera images. If you start again, "
+                       "the positions collected before are discarded"));
   refresh();
 }
 
@@ -101,9 +101,11 @@ void WandWaving::showCameras() {
             .arg(good ? QStringLiteral("✓") : QStringLiteral("…"), cameraName(rig, k))
             .arg(static_cast<qulonglong>(seen.count)));
   }
-  QString text = tr("Positions collected for %1.").arg(secondsText(collected->seconds, 1));
+  QString text =
+      tr("Positions of the ball were collected for %1.").arg(secondsText(collected->seconds, 1));
   text += QLatin1Char(' ') +
-          (enough ? tr("Every camera has seen the ball often enough: stop waving, or refine.")
+          (enough ? tr("Every camera has seen the ball often enough: stop waving, or press Refine "
+                       "cameras.")
                   : tr("Keep waving: each camera should see the ball at least 150 times, spread "
                        "over at least half of its image."));
   if (collected->dropped > 0) {

@@ -8,7 +8,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 namespace dewpoint::experiment::scenarios {
 namespace {
@@ -43,6 +46,27 @@ bool withRates(ScenarioDraft& draft) {
   }
   draft.clocks = {{30.0, 0.0}, {25.0, 0.0}, {15.0, 0.0}};
   shuffle(draft.clocks, draft.draws);
+  return true;
+}
+
+/// Cameras whose time stamps are wrong by up to a frame either way, while the ball moves at about
+/// 1 m/s: long enough to find out by how much.
+bool withUnknownClocks(ScenarioDraft& draft) {
+  constexpr std::int64_t kFrames = 450; // 15 s
+  constexpr double kMost = 1.0 / 30.0;  // seconds
+  if (!addDeskBall(draft, kFrames, true)) {
+    return false;
+  }
+  std::vector<double> delays;
+  for (std::size_t camera = 0; camera < draft.rig.size(); ++camera) {
+    delays.push_back(draft.draws.uniform(-kMost, kMost));
+  }
+  draft.exactWhenIdeal = false;
+  draft.adjustFaults = [delays](SensingFaults& faults) {
+    for (std::size_t camera = 0; camera < delays.size(); ++camera) {
+      faults.cameras[camera].timing.delay = delays[camera];
+    }
+  };
   return true;
 }
 
@@ -99,7 +123,11 @@ std::vector<ScenarioRecipe> clockScenarios() {
   ScenarioRecipe rates{"S7-rates", "Three cameras with 30, 25 and 15 frames per second.",
                        threeCameraDeskRig()};
   rates.complete = withRates;
-  return {offsets, rates};
+  ScenarioRecipe unknown{"S7-unknown",
+                         "Three cameras whose time stamps are wrong by up to a frame.",
+                         threeCameraDeskRig()};
+  unknown.complete = withUnknownClocks;
+  return {offsets, rates, unknown};
 }
 
 std::vector<ScenarioRecipe> lightScenarios() {

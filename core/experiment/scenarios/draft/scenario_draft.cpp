@@ -73,10 +73,16 @@ ScenarioRun runOf(ScenarioDraft draft) {
   run.seed = draft.seed;
   run.trueRig = draft.rig;
   run.rig = draft.rig;
+  run.delaysAtEnd.assign(draft.rig.size(), 0.0);
   // What is ideal stays as it was drawn, to the bit.
   if (draft.grade != Grade::Ideal || draft.adjustFaults) {
     RandomDraws errors(draft.seed, draft.name + " calibration");
-    run.rig = applyFaults(faultsOf(draft), draft, errors);
+    const SensingFaults faults = faultsOf(draft);
+    for (std::size_t camera = 0; camera < draft.rig.size(); ++camera) {
+      const double end = draft.timeOf(draft.frameCount);
+      run.delaysAtEnd[camera] = end - midExposureTime(faults.cameras.at(camera).timing, end);
+    }
+    run.rig = applyFaults(faults, draft, errors);
   }
   for (const std::size_t target : draft.targets) {
     const simulation::StageBody& body = draft.stage.bodies[target];

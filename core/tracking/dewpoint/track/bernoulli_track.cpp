@@ -106,7 +106,7 @@ void BernoulliTrack::update(SphereObservation& observation, const CandidateSourc
   }
   normalizeMasses(hypotheses_, logMasses);
   limitOneCameraHypotheses(hypotheses_);
-  limitHypothesesWithoutRim(hypotheses_);
+  capMassWithoutRim(hypotheses_);
   mergeAndPrune(hypotheses_);
   if (const TrackHypothesis* sure = confidentHypothesis(); sure != nullptr && sure->isSaturated()) {
     radiusPrior_.learn(sure->radius, sure->logRadiusVariance);

@@ -53,7 +53,7 @@ void limitOneCameraHypotheses(std::vector<TrackHypothesis>& hypotheses) {
   }
 }
 
-void limitHypothesesWithoutRim(std::vector<TrackHypothesis>& hypotheses) {
+void capMassWithoutRim(std::vector<TrackHypothesis>& hypotheses) {
   for (TrackHypothesis& hypothesis : hypotheses) {
     if (!hypothesis.hasRim()) {
       hypothesis.probability = std::min(hypothesis.probability, kMostWithoutRim);

@@ -39,7 +39,7 @@ void limitOneCameraHypotheses(std::vector<TrackHypothesis>& hypotheses);
 
 /// Limits the probability of a hypothesis that may be part of a larger object
 /// (TrackHypothesis::hasRim() is false) to 0.9.
-void limitHypothesesWithoutRim(std::vector<TrackHypothesis>& hypotheses);
+void capMassWithoutRim(std::vector<TrackHypothesis>& hypotheses);
 
 /// Returns the part of the log likelihood ratio that is not counted: the excess over
 /// kSaturationShare times the log likelihood ratio of a fully visible target.

@@ -62,7 +62,7 @@ TEST(HypothesisMasses, WhatMayBeAPartOfSomethingLargerIsNeverSure) {
   all[0].rimSeen = true;
   all[1].rimSeen = true;
   all[1].secondsSinceRim = TrackHypothesis::kRimMemory + 0.01; // for too long
-  limitHypothesesWithoutRim(all);
+  capMassWithoutRim(all);
   EXPECT_EQ(probabilitiesOf(all), (std::vector<double>{0.99, 0.9, 0.9, 0.5}));
 }
 

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+
+#include <string>
+
+namespace dewpoint::app {
+
+/// Returns the first line of a file, the token of remote commands. Errors: those of readTextFile(),
+/// and BadValue if the line is empty.
+Result<std::string> readTokenFile(const std::string& file);
+
+} // namespace dewpoint::app

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/time.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace dewpoint::session {
+
+/// Which images of live cameras a run tracked in one frame.
+struct LiveSet {
+  struct Image {
+    std::int64_t stamp = -1; ///< CaptureInstant::stamp
+    TimeStamp captureTime{}; ///< Frame::captureTime
+  };
+
+  std::int64_t index = 0;                   ///< FrameSet::index
+  TimeStamp time{};                         ///< FrameSet::time
+  std::vector<std::optional<Image>> images; ///< per camera; nothing: the camera had no image
+};
+
+} // namespace dewpoint::session

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/take/live_run.h"
+
+#include "core/base/text_file.h"
+#include "core/base/text_number.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+
+namespace dewpoint::session {
+namespace {
+
+constexpr std::string_view kLost = "lost";
+
+/// Finds the images of one camera in its video. A stamp can come back after the camera was
+/// connected again, so that the search goes on where the last image was found.
+class StampFinder {
+public:
+  explicit StampFinder(const std::vector<std::int64_t>& stamps) {
+    for (std::size_t k = 0; k < stamps.size(); ++k) {
+      if (stamps[k] >= 0) {
+        numbers_[stamps[k]].push_back(static_cast<std::int64_t>(k));
+      }
+    }
+  }
+
+  std::int64_t find(std::int64_t stamp) {
+    const auto found = numbers_.find(stamp);
+    if (found == numbers_.end()) {
+      return -1;
+    }
+    const auto number = std::ranges::lower_bound(found->second, next_);
+    if (number == found->second.end()) {
+      return -1;
+    }
+    next_ = *number + 1;
+    return *number;
+  }
+
+private:
+  std::unordered_map<std::int64_t, std::vector<std::int64_t>> numbers_;
+  std::int64_t next_ = 0;
+};
+
+bool hasStoredImage(const StoredSet& set) {
+  return std::ranges::any_of(set.images,
+                             [](const auto& image) { return image && image->number >= 0; });
+}
+
+std::vector<std::string_view> cellsOf(std::string_view line) {
+  std::vector<std::string_view> cells;
+  for (std::size_t begin = 0; begin <= line.size();) {
+    const std::size_t end = std::min(line.find(',', begin), line.size());
+    cells.push_back(line.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return cells;
+}
+
+std::optional<TimeStamp> timeIn(std::string_view cell) {
+  const auto nanoseconds = toNumber<std::int64_t>(cell);
+  return nanoseconds ? std::optional(TimeStamp(*nanoseconds)) : std::nullopt;
+}
+
+/// Nothing if the line is none of such a table.
+std::optional<StoredSet> setIn(std::string_view line, std::size_t cameras) {
+  const std::vector<std::string_view> cells = cellsOf(line);
+  if (cells.size() != 2 + 2 * cameras) {
+    return std::nullopt;
+  }
+  const auto index = toNumber<std::int64_t>(cells[0]);
+  const auto time = timeIn(cells[1]);
+  if (!index || !time) {
+    return std::nullopt;
+  }
+  StoredSet set{*index, *time, {}};
+  for (std::size_t k = 2; k < cells.size(); k += 2) {
+    if (cells[k].empty()) {
+      set.images.emplace_back();
+      continue;
+    }
+    const auto number =
+        cells[k] == kLost ? std::optional<std::int64_t>(-1) : toNumber<std::int64_t>(cells[k]);
+    const auto captured = timeIn(cells[k + 1]);
+    if (!number || !captured) {
+      return std::nullopt;
+    }
+    set.images.emplace_back(StoredImage{*number, *captured});
+  }
+  return set;
+}
+
+} // namespace
+
+std::vector<StoredSet> storedSets(const std::vector<LiveSet>& sets,
+                                  const std::vector<std::vector<std::int64_t>>& stamps) {
+  std::vector<StampFinder> finders(stamps.begin(), stamps.end());
+  std::vector<StoredSet> stored;
+  for (const LiveSet& set : sets) {
+    StoredSet& one = stored.emplace_back(StoredSet{set.index, set.time, {}});
+    for (std::size_t k = 0; k < finders.size(); ++k) {
+      const bool hasImage = k < set.images.size() && set.images[k];
+      one.images.push_back(hasImage
+                               ? std::optional(StoredImage{finders[k].find(set.images[k]->stamp),
+                                                           set.images[k]->captureTime})
+                               : std::nullopt);
+    }
+  }
+  while (!stored.empty() && !hasStoredImage(stored.back())) {
+    stored.pop_back();
+  }
+  return stored;
+}
+
+Status writeStoredSets(const std::vector<StoredSet>& sets, const std::filesystem::path& file) {
+  std::string text = "# Which images of the videos the live run tracked in each frame\n"
+                     "frame,time_ns";
+  for (std::size_t k = 0; !sets.empty() && k < sets.front().images.size(); ++k) {
+    text += fmt::format(",image_{0},time_{0}_ns", k + 1);
+  }
+  text += '\n';
+  for (const StoredSet& set : sets) {
+    text += fmt::format("{},{}", set.index, set.time.count());
+    for (const auto& image : set.images) {
+      text += !image ? ",,"
+              : image->number < 0
+                  ? fmt::format(",{},{}", kLost, image->captureTime.count())
+                  : fmt::format(",{},{}", image->number, image->captureTime.count());
+    }
+    text += '\n';
+  }
+  return writeTextFile(file, text);
+}
+
+Result<std::vector<StoredSet>> readStoredSets(const std::filesystem::path& file,
+                                              std::size_t cameras) {
+  const auto text = readTextFile(file);
+  if (!text) {
+    return tl::make_unexpected(text.error());
+  }
+  std::vector<StoredSet> sets;
+  int number = 0;
+  std::string_view rest = *text;
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    const std::string_view line = rest.substr(0, end);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    ++number;
+    if (line.empty() || line.starts_with('#') || line.starts_with("frame,")) {
+      continue;
+    }
+    auto set = setIn(line, cameras);
+    if (!set) {
+      return failure(
+          ErrorCode::NotParsed, file.string(), fmt::format("line {}", number),
+          fmt::format("expected frame, time, and two cells for each of {} cameras", cameras));
+    }
+    sets.push_back(std::move(*set));
+  }
+  return sets;
+}
+
+} // namespace dewpoint::session

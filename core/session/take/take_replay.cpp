@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/take/take_replay.h"
+
+#include "core/base/text_file.h"
+#include "core/base/units.h"
+#include "core/capture/gstreamer/stored_stream.h"
+#include "core/capture/image_shape.h"
+#include "core/project/project_check.h"
+#include "core/project/project_load.h"
+#include "core/session/run/background_images.h"
+#include "core/session/run/frame_loop.h"
+#include "core/session/run/tracking_run.h"
+#include "core/session/take/live_run.h"
+#include "core/trajectory/trajectory_reader.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <utility>
+
+namespace dewpoint::session {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The images of a take, in the frames of its live run.
+class StoredSets {
+public:
+  explicit StoredSets(const Project& project) {
+    for (const ProjectCamera& camera : project.cameras) {
+      const Intrinsics& size = camera.camera.intrinsics;
+      cameras_.push_back(
+          {{camera.camera.name, camera.rotateDegrees, size.width, size.height, camera.mirrored},
+           camera.location,
+           std::nullopt});
+    }
+  }
+
+  /// The images of a frame. Those that the take does not have are missing.
+  Result<FrameSetPtr> read(const StoredSet& stored) {
+    auto set = std::make_shared<FrameSet>();
+    set->index = stored.index;
+    set->time = stored.time;
+    set->frames.resize(cameras_.size());
+    for (std::size_t k = 0; k < cameras_.size(); ++k) {
+      const auto& image = stored.images[k];
+      if (!image || image->number < 0) {
+        continue;
+      }
+      auto picture = readImage(cameras_[k], image->number);
+      if (!picture) {
+        return tl::make_unexpected(picture.error());
+      }
+      set->frames[k] = std::make_shared<const Frame>(
+          Frame{image->number, image->captureTime, std::move(*picture)});
+    }
+    return set;
+  }
+
+private:
+  struct StoredCamera {
+    ImageShape shape;
+    std::string file;
+    std::optional<StoredStream> stream; ///< opened for the first image
+  };
+
+  static Result<cv::Mat> readImage(StoredCamera& camera, std::int64_t number) {
+    if (!camera.stream) {
+      auto opened = StoredStream::open(camera.file, cameraField(camera.shape.camera));
+      if (!opened) {
+        return tl::make_unexpected(opened.error());
+      }
+      camera.stream.emplace(std::move(*opened));
+    }
+    return camera.stream->read(number).and_then(
+        [&](const cv::Mat& picture) { return prepareImage(picture, camera.shape, camera.file); });
+  }
+
+  std::vector<StoredCamera> cameras_;
+};
+
+bool isSameNumber(double a, double b) {
+  return a == b || (std::isnan(a) && std::isnan(b));
+}
+
+/// Files contain the upper half of a covariance.
+bool isSameEstimate(const TrajectorySample& a, const TrajectorySample& b) {
+  bool same = a.valid == b.valid && a.cameras == b.cameras && isSameNumber(a.time, b.time) &&
+              isSameNumber(a.effectiveSampleSize, b.effectiveSampleSize);
+  for (int row = 0; row < 3 && a.valid; ++row) {
+    same = same && isSameNumber(a.position[row], b.position[row]);
+    for (int column = row; column < 3; ++column) {
+      same = same && isSameNumber(a.covariance(row, column), b.covariance(row, column));
+    }
+  }
+  return same;
+}
+
+/// Samples by frame and target.
+using SamplesByFrame = std::map<std::pair<std::int64_t, std::string>, TrajectorySample>;
+
+/// Whether the estimates of a frame are those of the live run.
+bool isSameFrame(std::int64_t frame, const std::vector<TrajectorySample>& again,
+                 const SamplesByFrame& live, ReplayComparison& comparison) {
+  const auto count =
+      std::distance(live.lower_bound({frame, ""}), live.lower_bound({frame + 1, ""}));
+  bool same = count == std::ssize(again);
+  for (const TrajectorySample& sample : again) {
+    const auto before = live.find({frame, sample.target});
+    if (before == live.end()) {
+      same = false;
+      continue;
+    }
+    same = same && isSameEstimate(before->second, sample);
+    if (before->second.valid && sample.valid) {
+      comparison.largestDistance =
+          std::max(comparison.largestDistance, (before->second.position - sample.position).norm());
+    }
+  }
+  return same;
+}
+
+/// What a take's notes say about the live run and the stored images.
+Status readNotes(const fs::path& take, ReplayComparison& comparison) {
+  for (const auto& [file, key] : {std::pair(take / "take.json", "cameras"),
+                                  std::pair(take / kLiveFolder / "live.json", "other_settings")}) {
+    const auto text = readTextFile(file);
+    if (!text) {
+      return tl::make_unexpected(text.error());
+    }
+    const auto json = nlohmann::json::parse(*text, nullptr, false);
+    if (!json.is_object() || !json.contains(key) || !json[key].is_array()) {
+      return failure(ErrorCode::NotParsed, file.string(), key, "not the JSON of a take");
+    }
+    for (const auto& one : json[key]) {
+      if (one.is_array() && one.size() == 2 && one[0].is_number() && one[1].is_number()) {
+        comparison.otherSettings.push_back(
+            {one[0].get<std::int64_t>(), one[1].get<std::int64_t>()});
+      } else if (one.is_object() && one.value("images_changed", false)) {
+        comparison.changedCameras.push_back(one.value("name", std::string()));
+      }
+    }
+  }
+  return {};
+}
+
+bool hasTimeBudget(const ParameterValues& parameters) {
+  constexpr const char* kKey = "time_budget";
+  const auto declared = parameters.declarations();
+  return std::ranges::find(declared, kKey, &ParameterDeclaration::key) != declared.end() &&
+         parameters.at(kKey) > 0.0;
+}
+
+/// Counts the frames that cannot be as they were.
+void countIncomplete(const std::vector<StoredSet>& sets, ReplayComparison& comparison) {
+  bool hasBegun = false;
+  for (const StoredSet& set : sets) {
+    const auto isLost = [](const auto& image) { return image && image->number < 0; };
+    const auto isThere = [](const auto& image) { return image && image->number >= 0; };
+    hasBegun = hasBegun || std::ranges::any_of(set.images, isThere);
+    if (!hasBegun) {
+      ++comparison.framesBefore;
+      continue;
+    }
+    ++comparison.frames;
+    if (std::ranges::any_of(set.images, isLost)) {
+      ++comparison.incomplete;
+      comparison.firstIncomplete = comparison.firstIncomplete.value_or(set.index);
+    }
+  }
+}
+
+Status replaySets(const Project& project, const std::vector<StoredSet>& sets,
+                  const SamplesByFrame& live, int threads, const ReplayProgress& progress,
+                  ReplayComparison& comparison) {
+  auto background = loadBackgroundImages(project);
+  if (!background) {
+    return tl::make_unexpected(background.error());
+  }
+  auto run = TrackingRun::create(project, threads, std::move(*background));
+  if (!run) {
+    return tl::make_unexpected(run.error());
+  }
+  StoredSets images(project);
+  for (const StoredSet& set : sets) {
+    if (!progress(comparison.compared, comparison.frames)) {
+      return failure(ErrorCode::Canceled, "", "", "");
+    }
+    auto frames = images.read(set);
+    if (!frames) {
+      return tl::make_unexpected(frames.error());
+    }
+    bool same = false;
+    if (hasImages(**frames)) {
+      if (const Status tracked = trackOneFrame(*run, std::move(*frames), {}); !tracked) {
+        return tracked;
+      }
+      same = isSameFrame(set.index, run->samples(), live, comparison);
+    }
+    ++comparison.compared;
+    if (!same) {
+      ++comparison.differing;
+      comparison.firstDifference = comparison.firstDifference.value_or(set.index);
+    }
+  }
+  return {};
+}
+
+} // namespace
+
+bool hasLiveRun(const fs::path& take) {
+  std::error_code problem;
+  return fs::exists(take / kLiveFolder / "frames.csv", problem);
+}
+
+Result<ReplayComparison> compareReplay(const fs::path& take, int threads,
+                                       const ReplayProgress& progress) {
+  const fs::path folder = take / kLiveFolder;
+  if (!hasLiveRun(take)) {
+    return failure(ErrorCode::NotFound, take.string(), "live results",
+                   "nothing was tracked while this take was recorded");
+  }
+  ReplayComparison comparison;
+  if (const Status read = readNotes(take, comparison); !read) {
+    return tl::make_unexpected(read.error());
+  }
+  const auto project = loadProject(take / kLiveProject);
+  if (!project) {
+    return tl::make_unexpected(project.error());
+  }
+  if (const Status checked = checkMethodTargets(*project); !checked) {
+    return tl::make_unexpected(checked.error());
+  }
+  const auto sets = readStoredSets(folder / "frames.csv", project->cameras.size());
+  if (!sets) {
+    return tl::make_unexpected(sets.error());
+  }
+  const auto trajectory = readTrajectory(folder / "trajectory.csv");
+  if (!trajectory) {
+    return tl::make_unexpected(trajectory.error());
+  }
+  SamplesByFrame live;
+  for (const TrajectorySample& sample : trajectory->samples) {
+    live[{sample.frame, sample.target}] = sample;
+  }
+  comparison.hasTimeBudget = hasTimeBudget(project->parameters);
+  countIncomplete(*sets, comparison);
+  if (comparison.framesBefore == 0) {
+    if (const Status tracked = replaySets(*project, *sets, live, threads, progress, comparison);
+        !tracked) {
+      return tl::make_unexpected(tracked.error());
+    }
+  }
+  return comparison;
+}
+
+std::vector<std::string> describeReplay(const ReplayComparison& found) {
+  std::vector<std::string> lines;
+  if (found.framesBefore > 0) {
+    lines.push_back(fmt::format("The run began {} frames before the take, so it cannot be tracked "
+                                "again from its beginning.",
+                                found.framesBefore));
+  } else if (found.isSame()) {
+    lines.push_back(fmt::format("Same in all {} frames, to the last bit.", found.frames));
+  } else if (found.differing > 0) {
+    lines.push_back(fmt::format("{} of {} frames differ, the first one is frame {}; positions "
+                                "differ by up to {:.3g} mm.",
+                                found.differing, found.frames, *found.firstDifference + 1,
+                                inMillimeters(found.largestDistance)));
+  } else {
+    lines.emplace_back("No frame was tracked.");
+  }
+  if (found.incomplete > 0) {
+    lines.push_back(fmt::format("Images of {} frames are not in the take, the first of frame {}.",
+                                found.incomplete, *found.firstIncomplete + 1));
+  }
+  for (const ResultRange& range : found.otherSettings) {
+    lines.push_back(fmt::format("Frames {} to {} were tracked with other settings.",
+                                range.first + 1, range.last + 1));
+  }
+  if (found.hasTimeBudget) {
+    lines.emplace_back("A time budget is set: results depend on the speed of the computer.");
+  }
+  if (!found.changedCameras.empty()) {
+    lines.push_back(fmt::format("The images of {} are stored with slightly other colors, because "
+                                "the camera sends them uncompressed.",
+                                fmt::join(found.changedCameras, ", ")));
+  }
+  return lines;
+}
+
+} // namespace dewpoint::session

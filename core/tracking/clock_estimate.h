@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+namespace dewpoint::tracking {
+
+/// Estimated clock error of a camera relative to the first camera of the rig. All values are 0 for
+/// the first camera: the images do not show a delay that all cameras have in common.
+struct ClockEstimate {
+  /// How much later this camera stamps an image after its capture than the first camera does,
+  /// seconds. This is in addition to the known delays, which the time stamps already contain.
+  double delay = 0.0;
+  double delaySigma = 0.0; ///< standard deviation of `delay`, seconds; 0: nothing is estimated
+  double drift = 0.0;      ///< change of `delay`, seconds per second
+  double driftSigma = 0.0; ///< standard deviation of `drift`
+};
+
+} // namespace dewpoint::tracking

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/take/live_run.h"
+#include "tests/capture/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+namespace dewpoint::tests {
+namespace {
+
+using namespace std::chrono_literals;
+
+LiveSet liveSet(std::int64_t index, const std::vector<std::optional<std::int64_t>>& stamps) {
+  LiveSet set{index, TimeStamp(index * 1000), {}};
+  for (const auto& stamp : stamps) {
+    set.images.push_back(stamp ? std::optional(LiveSet::Image{*stamp, TimeStamp(index * 1000 + 7)})
+                               : std::nullopt);
+  }
+  return set;
+}
+
+std::int64_t numberIn(const StoredSet& set, std::size_t camera) {
+  return set.images[camera] ? set.images[camera]->number : -2;
+}
+
+TEST(LiveRun, ImagesAreFoundByTheirStamps) {
+  // The second camera sent no image in frame 6, and lost one in frame 7.
+  const auto stored = storedSets({liveSet(5, {10, 11}), liveSet(6, {20, std::nullopt}),
+                                  liveSet(7, {30, 31}), liveSet(9, {40, 41})},
+                                 {{10, 20, 30, 40}, {11, 41}});
+  ASSERT_EQ(stored.size(), 4U);
+  EXPECT_EQ(stored[0].index, 5);
+  EXPECT_EQ(numberIn(stored[0], 1), 0);
+  EXPECT_EQ(numberIn(stored[1], 0), 1);
+  EXPECT_EQ(numberIn(stored[1], 1), -2);
+  EXPECT_EQ(numberIn(stored[2], 1), -1);
+  EXPECT_EQ(numberIn(stored[3], 1), 1);
+  EXPECT_EQ(stored[3].images[1]->captureTime, TimeStamp(9007));
+}
+
+TEST(LiveRun, AStampThatComesBackAfterAReconnectionIsTheLaterImage) {
+  const auto stored =
+      storedSets({liveSet(0, {10}), liveSet(1, {20}), liveSet(2, {10})}, {{10, 20, 10}});
+  EXPECT_EQ(numberIn(stored[0], 0), 0);
+  EXPECT_EQ(numberIn(stored[2], 0), 2);
+}
+
+TEST(LiveRun, FramesAfterTheTakeAreLeftOut) {
+  EXPECT_EQ(storedSets({liveSet(0, {10}), liveSet(1, {20}), liveSet(2, {30})}, {{10}}).size(), 1U);
+  EXPECT_TRUE(storedSets({liveSet(0, {10})}, {{20}}).empty());
+}
+
+TEST(LiveRun, TheTableReadsBack) {
+  const test::TemporaryFolder folder;
+  const auto stored = storedSets({liveSet(5, {10, 11}), liveSet(6, {20, std::nullopt}),
+                                  liveSet(7, {30, 99}), liveSet(8, {40, 41})},
+                                 {{10, 20, 30, 40}, {11, 41}});
+  const std::string file = folder / "frames.csv";
+  ASSERT_TRUE(writeStoredSets(stored, file));
+  const auto read = readStoredSets(file, 2);
+  ASSERT_TRUE(read) << sentence(read.error());
+  ASSERT_EQ(read->size(), stored.size());
+  for (std::size_t k = 0; k < stored.size(); ++k) {
+    EXPECT_EQ((*read)[k].index, stored[k].index);
+    EXPECT_EQ((*read)[k].time, stored[k].time);
+    for (std::size_t camera = 0; camera < 2; ++camera) {
+      EXPECT_EQ(numberIn((*read)[k], camera), numberIn(stored[k], camera));
+    }
+  }
+  EXPECT_EQ(readStoredSets(file, 3).error().code, ErrorCode::NotParsed);
+  std::ofstream(file, std::ios::app) << "9,x,1,2,3,4\n";
+  const auto broken = readStoredSets(file, 2);
+  ASSERT_FALSE(broken);
+  EXPECT_EQ(broken.error().field, "line 7");
+  EXPECT_EQ(readStoredSets(folder / "none.csv", 2).error().code, ErrorCode::FileMissing);
+}
+
+} // namespace
+} // namespace dewpoint::tests
