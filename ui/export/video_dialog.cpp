@@ -150,7 +150,7 @@ void VideoDialog::connectFields() {
     if (isVisible()) {
       setRunning(false);
       askToReplace(file);
-      changed();
+      previewTimer_->start(); // the preview was stopped for it
     } else { // nobody sees the question
       report(tr("%1 exists already; nothing was written.").arg(file), {}, true);
     }
