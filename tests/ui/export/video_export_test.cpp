@@ -157,7 +157,7 @@ void VideoExportTest::writesTheBirdsEyeView() {
   const auto reader = openVideoReader(path("scene.mkv").string(), "");
   QVERIFY2(reader, qPrintable(outcome()));
   const auto picture = (*reader)->read(6);
-  QVERIFY(picture);
+  QVERIFY(picture && !picture->empty());
   QCOMPARE(picture->cols, 640);
   std::set<int> levels;
   for (int y = 0; y < picture->rows; ++y) {
@@ -174,8 +174,7 @@ void VideoExportTest::showsSlowMotion() {
   QVERIFY(exportsTo(file("slow.mkv")));
   const auto reader = openVideoReader(path("slow.mkv").string(), "");
   QVERIFY2(reader, qPrintable(outcome()));
-  QVERIFY((*reader)->read(13)); // 7 frames at 30 per second, each twice
-  QVERIFY(!(*reader)->read(14));
+  QCOMPARE((*reader)->frameCount(), std::int64_t{14}); // 7 frames at 30 per second, each twice
 }
 
 void VideoExportTest::cancelingLeavesNoFile() {
