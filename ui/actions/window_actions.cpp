@@ -7,8 +7,6 @@
 #include <QActionGroup>
 #include <QCoreApplication>
 
-#include <iterator>
-
 namespace dewpoint::ui {
 
 namespace {
@@ -394,10 +392,9 @@ void declareWindowActions(ActionRegistry& registry) {
   registry.addAlternative("actionRedo", Qt::CTRL | Qt::Key_Y);
   registry.addAlternative("actionRedo", Qt::CTRL | Qt::SHIFT | Qt::Key_Z);
   auto* themes = new QActionGroup(&registry);
-  for (const ActionId theme : std::initializer_list<ActionId>{
-           "actionThemeSystem", "actionThemeLight", "actionThemeDark"}) {
-    themes->addAction(registry.action(theme));
-  }
+  themes->addAction(registry.action("actionThemeSystem"));
+  themes->addAction(registry.action("actionThemeLight"));
+  themes->addAction(registry.action("actionThemeDark"));
 }
 
 } // namespace dewpoint::ui

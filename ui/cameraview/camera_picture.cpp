@@ -168,7 +168,8 @@ QImage cameraPicture(const TrackSnapshotPtr& snapshot, int camera, const CameraL
   const FramePtr frame = frameOf(snapshot, camera);
   if (!frame || frame->image.empty()) {
     painter.setPen(look.palette.color(QPalette::PlaceholderText));
-    painter.drawText(picture.rect().adjusted(kMissingTextMargin, kMissingTextMargin, -kMissingTextMargin, -kMissingTextMargin),
+    painter.drawText(picture.rect().adjusted(kMissingTextMargin, kMissingTextMargin,
+                                             -kMissingTextMargin, -kMissingTextMargin),
                      Qt::AlignCenter | Qt::TextWordWrap, missingImageText(snapshot, camera));
     return picture;
   }
