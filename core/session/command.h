@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/error.h"
 #include "core/geometry/camera.h"
 #include "core/geometry/world_box.h"
 #include "core/project/project.h"
@@ -12,12 +13,16 @@
 #include <opencv2/core/mat.hpp>
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 namespace dewpoint::session {
+
+struct TrackSnapshot;
 
 /// User requests, passed by value to the tracking thread.
 namespace command {
@@ -121,6 +126,16 @@ struct SetPersonCorrections {
 struct SetCorrections {
   std::vector<PositionCorrection> corrections; ///< ordered by frame
 };
+/// Makes a snapshot of one frame for the sender alone. Neither the run nor the frame that is shown
+/// changes, and the snapshot is not published.
+struct DescribeFrame {
+  std::int64_t frame = 0;
+  /// Called in the tracking thread, exactly once, unless the session ends first. It must return
+  /// immediately. Errors: Canceled, NotFound, and those of reading the frame.
+  std::function<void(Result<std::shared_ptr<const TrackSnapshot>>)> receive;
+  /// Returns whether the snapshot is still wanted. Any thread may call it.
+  std::function<bool()> isWanted = [] { return true; };
+};
 } // namespace command
 
 /// Any request to the tracking thread.
@@ -131,6 +146,6 @@ using Command =
                  command::ShowFrame, command::ReturnToNewestFrame, command::Rerun,
                  command::ShowMaps, command::ShowShapes, command::ShowBoard,
                  command::SetPersonCorrections, command::SetThreads, command::SetVolumeOfInterest,
-                 command::SetCorrections, command::SetPace>;
+                 command::SetCorrections, command::SetPace, command::DescribeFrame>;
 
 } // namespace dewpoint::session

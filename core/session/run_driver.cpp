@@ -362,10 +362,7 @@ void RunDriver::showFrame(const SnapshotBuilder& builder, bool quickly, TrackSna
 }
 
 void RunDriver::fill(const SnapshotBuilder& builder, bool quickly, TrackSnapshot& snapshot) {
-  snapshot.rig = definition().rig;
-  snapshot.family = definition().family();
-  snapshot.backgroundImages = definition().backgroundImages;
-  snapshot.seed = definition().seed;
+  SnapshotBuilder::showDefinition(definition(), snapshot);
   if (current_.exists()) {
     showFrame(builder, quickly, snapshot);
   }

@@ -98,6 +98,15 @@ public:
   /// nothing is added.
   void addMaps(const SnapshotBuilder& builder, TrackSnapshot& snapshot,
                const TimeTravel::ShouldContinue& shouldContinue);
+  /// Fills in a snapshot of any frame (SnapshotBuilder::describe()). What is shown does not change.
+  Status describe(const SnapshotBuilder& builder, std::int64_t frame,
+                  const TimeTravel::ShouldContinue& shouldContinue, TrackSnapshot& snapshot) {
+    SnapshotBuilder::showDefinition(definition(), snapshot);
+    snapshot.cameraMotions = motionWatch_.reports();
+    snapshot.frameCount = source_->frameCount();
+    snapshot.history = timeTravel().state();
+    return builder.describe(run(), timeTravel(), frame, shouldContinue, snapshot);
+  }
 
 private:
   /// Returns the frame that the run is at; -1 before the first.

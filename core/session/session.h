@@ -119,6 +119,9 @@ public:
   void rerunFrom(std::int64_t frame) { send(command::Rerun{frame}); }
   /// Like rerunFrom(), but the frame that is shown does not change.
   void rerunKeepingView(std::int64_t frame) { send(command::Rerun{frame, true}); }
+  /// Requests a snapshot of any frame that can be shown, as showFrame() would show it, but without
+  /// changing what is shown. For exports.
+  void describeFrame(command::DescribeFrame request) { send(std::move(request)); }
   void setMasksShown(bool shown) { send(command::ShowMasks{shown}); }
   void setLikelihoodMapsShown(bool shown) { send(command::ShowMaps{shown}); }
   void setShapesShown(bool shown) { send(command::ShowShapes{shown}); }

@@ -6,6 +6,7 @@
 #include "core/observation/boxes/box_histogram.h"
 #include "core/session/box_counterparts.h"
 
+#include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
@@ -250,6 +251,34 @@ Status SnapshotBuilder::showPast(const TrackingRun& run, TimeTravel& travel, std
   show(trackedFrame != nullptr ? *trackedFrame : TrackedFrame(), run, &travel.history(), frame,
        snapshot);
   addImages(run, snapshot);
+  return {};
+}
+
+void SnapshotBuilder::showDefinition(const RunDefinition& definition, TrackSnapshot& snapshot) {
+  snapshot.rig = definition.rig;
+  snapshot.family = definition.family();
+  snapshot.backgroundImages = definition.backgroundImages;
+  snapshot.seed = definition.seed;
+}
+
+Status SnapshotBuilder::describe(const TrackingRun& run, TimeTravel& travel, std::int64_t frame,
+                                 const TimeTravel::ShouldContinue& shouldContinue,
+                                 TrackSnapshot& snapshot) const {
+  if (!shouldContinue()) {
+    return failure(ErrorCode::Canceled, "", "", "");
+  }
+  if (travel.nearest(frame) != frame) {
+    return failure(ErrorCode::NotFound, "", "", fmt::format("frame {}", frame));
+  }
+  snapshot.past = true; // as it was recorded, so that the current frame looks like the others
+  if (const Status shown = showPast(run, travel, frame, false, snapshot); !shown) {
+    return shown;
+  }
+  if (lacksMaps(run, snapshot)) {
+    if (const TrackingRun* then = travel.runAt(frame, run, shouldContinue)) {
+      addMaps(*then, snapshot);
+    }
+  }
   return {};
 }
 

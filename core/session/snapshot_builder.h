@@ -35,6 +35,13 @@ public:
   /// images scaled up). Fails if the frame cannot be read.
   Status showPast(const TrackingRun& run, TimeTravel& travel, std::int64_t frame, bool quickly,
                   TrackSnapshot& snapshot) const;
+  /// Fills in what belongs to the whole run, not to one frame.
+  static void showDefinition(const RunDefinition& definition, TrackSnapshot& snapshot);
+  /// Like showPast(), but for any frame that can be shown, even the current one, and with the maps
+  /// and masks that the options request. Errors: NotFound; Canceled, if `shouldContinue` returned
+  /// false; those of reading the frame.
+  Status describe(const TrackingRun& run, TimeTravel& travel, std::int64_t frame,
+                  const TimeTravel::ShouldContinue& shouldContinue, TrackSnapshot& snapshot) const;
   /// Returns whether the snapshot shows a past frame, and the options request content that only
   /// addMaps() can provide.
   bool lacksMaps(const TrackingRun& run, const TrackSnapshot& snapshot) const;

@@ -93,6 +93,9 @@ TrackingLoop::Publish TrackingLoop::playbackPublish() const {
 }
 
 void TrackingLoop::publish(Publish how) {
+  if (how == Publish::Not) {
+    return;
+  }
   const auto now = Clock::now();
   const bool isViewKept = playback().rerunRange() && now < viewKeptUntil_;
   if (isViewKept || (how == Publish::Throttled && now - published_ < kSnapshotInterval)) {
@@ -114,6 +117,8 @@ void TrackingLoop::addMaps(const std::stop_token& stop) {
 void TrackingLoop::execute(const Command& command) {
   if (driver_.isReady()) {
     publish(std::visit([this](const auto& request) { return handle(request); }, command));
+  } else if (const auto* request = std::get_if<command::DescribeFrame>(&command)) {
+    request->receive(failure(ErrorCode::NotFound, "", "", "there are no frames"));
   }
 }
 
@@ -237,6 +242,17 @@ TrackingLoop::Publish TrackingLoop::handle(const command::Rerun& request) {
     viewKeptUntil_ += kLongestKeptView;
   }
   return Publish::Now;
+}
+
+TrackingLoop::Publish TrackingLoop::handle(const command::DescribeFrame& request) {
+  auto snapshot = std::make_shared<TrackSnapshot>();
+  const Status described = driver_.describe(builder_, request.frame, request.isWanted, *snapshot);
+  if (described) {
+    request.receive(std::shared_ptr<const TrackSnapshot>(std::move(snapshot)));
+  } else {
+    request.receive(tl::make_unexpected(described.error()));
+  }
+  return Publish::Not;
 }
 
 } // namespace dewpoint::session

@@ -35,8 +35,9 @@ private:
   /// When to publish a snapshot after a command.
   enum class Publish {
     Now,
-    Quickly,  ///< immediately; the images may be previews
-    Throttled ///< at most as often as the screen is refreshed
+    Quickly,   ///< immediately; the images may be previews
+    Throttled, ///< at most as often as the screen is refreshed
+    Not        ///< nothing has changed
   };
   /// Executes a command. A command type without its own handle() does not compile.
   void execute(const Command& command);
@@ -62,6 +63,7 @@ private:
   Publish handle(const command::ShowFrame& request);
   Publish handle(const command::ReturnToNewestFrame& request);
   Publish handle(const command::Rerun& request);
+  Publish handle(const command::DescribeFrame& request);
 
   const Playback& playback() const { return driver_.playback(); }
   PlaybackPace::Situation situation() const;

@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <future>
+#include <memory>
+#include <utility>
+
 namespace dewpoint::tests {
 namespace {
 
@@ -77,6 +81,66 @@ TEST(SnapshotBuilder, AFrameLooksTheSameNowAndLater) {
   EXPECT_EQ(a.positionCandidates.size(), b.positionCandidates.size());
   ASSERT_TRUE(a.truth && b.truth);
   EXPECT_EQ(*a.truth, *b.truth);
+}
+
+/// Asks for a snapshot of a frame and waits for the answer.
+Result<TrackSnapshotPtr> described(Session& session, std::int64_t frame, bool isWanted = true) {
+  auto answer = std::make_shared<std::promise<Result<TrackSnapshotPtr>>>();
+  auto found = answer->get_future();
+  session.describeFrame(
+      {.frame = frame,
+       .receive =
+           [answer](Result<TrackSnapshotPtr> result) { answer->set_value(std::move(result)); },
+       .isWanted = [isWanted] { return isWanted; }});
+  return found.get();
+}
+
+TEST(SnapshotBuilder, AFrameIsDescribedWithoutBeingShown) {
+  Session session(drawnInputs("dewpoint", 60));
+  session.setMasksShown(true);
+  iterateTo(session, 20);
+  const TrackSnapshotPtr before = session.newest();
+  const auto past = described(session, 12);
+  const auto current = described(session, 20);
+  const auto later = described(session, 30); // not tracked yet
+  ASSERT_TRUE(past && current && later);
+  EXPECT_EQ(session.newest(), before); // nothing was published
+  EXPECT_EQ((*past)->frame, 12);
+  EXPECT_TRUE((*past)->tracked && (*current)->tracked);
+  EXPECT_FALSE((*later)->tracked || (*past)->preview);
+  EXPECT_EQ((*past)->masks.size(), 2U);
+  EXPECT_NE((*later)->frames, nullptr);
+  const TrackSnapshotPtr shown12 = shown(session, 12);
+  EXPECT_EQ(positionOf((*past)->targets.at(0).estimate)->mean,
+            positionOf(shown12->targets.at(0).estimate)->mean);
+  EXPECT_EQ((*past)->targets[0].tail.size(), shown12->targets[0].tail.size());
+  EXPECT_EQ((*past)->targets[0].particles.rows(), shown12->targets[0].particles.rows());
+  // The current frame looks like the others: with as many particles as were kept of them.
+  EXPECT_EQ((*current)->targets.at(0).particles.rows(), (*past)->targets.at(0).particles.rows());
+  EXPECT_EQ((*current)->targets[0].tail.size(), 21U);
+}
+
+TEST(SnapshotBuilder, DescribesTheMapsThatAreShown) {
+  Session session(drawnInputs("dewpoint", 60));
+  iterateTo(session, 20);
+  EXPECT_TRUE(described(session, 12).value()->targets.at(0).maps.empty());
+  session.setLikelihoodMapsShown(true);
+  for (const std::int64_t frame : {12, 13, 20}) {
+    EXPECT_EQ(described(session, frame).value()->targets.at(0).maps.size(), 2U) << frame;
+  }
+}
+
+TEST(SnapshotBuilder, SaysWhyAFrameIsNotDescribed) {
+  Session session(drawnInputs("dewpoint", 60));
+  iterateTo(session, 3);
+  for (const std::int64_t frame : {-1, 60}) {
+    const auto missing = described(session, frame);
+    ASSERT_FALSE(missing);
+    EXPECT_EQ(missing.error().code, ErrorCode::NotFound);
+  }
+  const auto unwanted = described(session, 2, false);
+  ASSERT_FALSE(unwanted);
+  EXPECT_EQ(unwanted.error().code, ErrorCode::Canceled);
 }
 
 } // namespace

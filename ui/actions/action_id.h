@@ -19,6 +19,7 @@ inline constexpr auto kActionNames = std::to_array<std::string_view>({
     "actionSaveAs",
     "actionExportTrajectory",
     "actionExportPeople",
+    "actionExportVideo",
     "actionSavePicture",
     "actionCloseProject",
     "actionQuit",

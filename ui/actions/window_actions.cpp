@@ -8,8 +8,6 @@
 #include <QActionGroup>
 #include <QCoreApplication>
 
-#include <iterator>
-
 namespace dewpoint::ui {
 
 namespace {
@@ -36,6 +34,9 @@ std::vector<ActionDeclaration> projectActions() {
        QT_TRANSLATE_NOOP("Actions", "Save tables with the position, the volume, the hull and the "
                                     "density on the floor of each person"),
        nullptr, Qt::CTRL | Qt::ALT | Qt::Key_P},
+      {"actionExportVideo", group, QT_TRANSLATE_NOOP("Actions", "Export video…"),
+       QT_TRANSLATE_NOOP("Actions", "Save the camera views and the bird's-eye view as a video"),
+       nullptr, Qt::CTRL | Qt::ALT | Qt::Key_E},
       {"actionSavePicture", group, QT_TRANSLATE_NOOP("Actions", "Save a picture of a view…"),
        QT_TRANSLATE_NOOP("Actions", "Save a camera image, the bird's-eye view or a plot as PNG"),
        nullptr, Qt::CTRL | Qt::SHIFT | Qt::Key_P},
@@ -392,10 +393,9 @@ void declareWindowActions(ActionRegistry& registry) {
   registry.addAlternative("actionRedo", Qt::CTRL | Qt::Key_Y);
   registry.addAlternative("actionRedo", Qt::CTRL | Qt::SHIFT | Qt::Key_Z);
   auto* themes = new QActionGroup(&registry);
-  for (const ActionId theme : std::initializer_list<ActionId>{
-           "actionThemeSystem", "actionThemeLight", "actionThemeDark"}) {
-    themes->addAction(registry.action(theme));
-  }
+  themes->addAction(registry.action("actionThemeSystem"));
+  themes->addAction(registry.action("actionThemeLight"));
+  themes->addAction(registry.action("actionThemeDark"));
 }
 
 } // namespace dewpoint::ui

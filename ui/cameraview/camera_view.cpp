@@ -1,18 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/cameraview/camera_view.h"
 
-#include "core/session/camera_overlay.h"
 #include "core/session/snapshot/snapshot.h"
+#include "core/session/snapshot/snapshot_state.h"
 #include "ui/cameraview/camera_motion_marker.h"
-#include "ui/cameraview/cloud_inset.h"
-#include "ui/cameraview/evidence_painter.h"
 #include "ui/cameraview/image_navigation.h"
-#include "ui/cameraview/overlay_painter.h"
-#include "ui/cameraview/particle_ramp.h"
-#include "ui/cameraview/people_painter.h"
-#include "ui/cameraview/volume_painter.h"
-#include "ui/cameraview/zoom_label.h"
-#include "ui/text/camera_motion_text.h"
 #include "ui/text/error_sentence.h"
 #include "ui/text/reason_text.h"
 
@@ -26,38 +18,6 @@
 #include <utility>
 
 namespace dewpoint::ui {
-
-namespace {
-
-FramePtr frameOf(const TrackSnapshotPtr& snapshot, int camera) {
-  const auto index = static_cast<std::size_t>(camera);
-  if (!snapshot || !snapshot->frames || index >= snapshot->frames->frames.size()) {
-    return nullptr;
-  }
-  return snapshot->frames->frames[index];
-}
-
-cv::Mat maskOf(const TrackSnapshotPtr& snapshot, int camera) {
-  const auto index = static_cast<std::size_t>(camera);
-  return snapshot && index < snapshot->masks.size() ? snapshot->masks[index] : cv::Mat();
-}
-
-/// Where the likelihood map of a target lies in the image of a camera, pixels.
-QRect mapPlace(const TargetSnapshot& target, int camera) {
-  const auto index = static_cast<std::size_t>(camera);
-  if (index >= target.maps.size()) {
-    return {};
-  }
-  const cv::Rect& area = target.maps[index].area;
-  return {area.x, area.y, area.width, area.height};
-}
-
-/// Several targets are told apart by their colors, of a single one the weights are.
-ParticleRamp rampOf(const TrackSnapshot& snapshot, const QColor& color) {
-  return snapshot.targets.size() > 1 ? ParticleRamp::tinted(color) : ParticleRamp::heat();
-}
-
-} // namespace
 
 CameraView::CameraView(int camera, QWidget* parent) : QWidget(parent), camera_(camera) {
   setObjectName(QStringLiteral("cameraView%1").arg(camera));
@@ -75,32 +35,32 @@ void CameraView::setSnapshot(const TrackSnapshotPtr& snapshot) {
 }
 
 void CameraView::setMaskShown(bool shown) {
-  maskShown_ = shown;
+  look_.maskShown = shown;
   refresh();
 }
 
 void CameraView::setLikelihoodShown(bool shown) {
-  likelihoodShown_ = shown;
+  look_.likelihoodShown = shown;
   refresh();
 }
 
 void CameraView::setBestShown(bool shown) {
-  bestShown_ = shown;
+  look_.bestShown = shown;
   update();
 }
 
 void CameraView::setMagnifierShown(bool shown) {
-  magnifierShown_ = shown;
+  look_.magnifierShown = shown;
   update();
 }
 
 void CameraView::setVolume(const std::optional<WorldBox>& volume) {
-  volume_ = volume;
+  look_.volume = volume;
   update();
 }
 
 void CameraView::setChosenTarget(int target) {
-  chosenTarget_ = target;
+  look_.chosenTarget = target;
   update();
 }
 
@@ -115,19 +75,20 @@ HoldState CameraView::currentState() const {
 }
 
 CameraImageSource CameraView::source() const {
-  const FramePtr frame = frameOf(snapshot_, camera_);
-  if (!frame || frame->image.empty()) {
-    return {};
+  CameraImageSource wanted = imageSource(snapshot_, camera_, look_, {});
+  if (wanted.frame) {
+    const ZoomSizes room = zoomSizesFor(*wanted.frame);
+    wanted.part = zoom_.part(room);
+    wanted.size = zoom_.partSize(room);
+    wanted.isZoomed = !zoom_.isFitted(room);
   }
-  const ZoomSizes room = zoomSizesFor(*frame);
-  return {.camera = camera_,
-          .frame = frame,
-          .mask = maskShown_ ? maskOf(snapshot_, camera_) : cv::Mat(),
-          .isOfMotion = snapshot_->masksShowMotion,
-          .part = zoom_.part(room),
-          .size = zoom_.partSize(room),
-          .isZoomed = !zoom_.isFitted(room),
-          .maps = likelihoodShown_ ? snapshot_ : nullptr};
+  return wanted;
+}
+
+CameraLook CameraView::look() const {
+  CameraLook look = look_;
+  look.palette = palette();
+  return look;
 }
 
 ZoomSizes CameraView::zoomSizesFor(const Frame& frame) const {
@@ -262,27 +223,15 @@ QString CameraView::problemText() const {
   return notice != nullptr ? errorText(*notice) : QString();
 }
 
-QString CameraView::missingImageText() const {
-  if (const Error* notice = snapshot_ ? noticeOf(*snapshot_, camera_) : nullptr) {
-    return errorText(*notice);
-  }
-  return snapshot_ && snapshot_->frames
-             ? tr("This camera delivered no image for this frame.")
-             : tr("No images yet. Press play (Space), or open a project (Ctrl+O).");
-}
-
 void CameraView::paintEvent(QPaintEvent*) {
   showNewest(); // the size may be another one
   QPainter painter(this);
-  const QColor ground = palette().color(QPalette::Base).lightness() < 128
-                            ? palette().color(QPalette::Base)
-                            : palette().color(QPalette::Window).darker(108);
-  painter.fillRect(rect(), ground);
+  painter.fillRect(rect(), imageGround(palette()));
   const FramePtr frame = frameOf(snapshot_, camera_);
   if (!frame || frame->image.empty()) {
     painter.setPen(palette().color(QPalette::PlaceholderText));
     painter.drawText(rect().adjusted(16, 16, -16, -16), Qt::AlignCenter | Qt::TextWordWrap,
-                     missingImageText());
+                     missingImageText(snapshot_, camera_));
     return;
   }
   updatePlacement();
@@ -291,7 +240,9 @@ void CameraView::paintEvent(QPaintEvent*) {
   }
   painter.drawImage(drawnArea(), picture_.image);
   painter.setClipRect(shownArea());
-  paintEstimates(painter);
+  paintEstimates(painter, picture_, shown_, look(),
+                 {.placement = placement_, .seen = shownArea(), .isZoomed = isZoomed()});
+  paintCameraProblem(painter, shownArea(), problemText(), palette());
   reportPainted();
 }
 
@@ -317,67 +268,6 @@ QRectF CameraView::drawnArea() const {
                           std::abs(wanted.height() - source.size.height()) < 1.0;
   return {QPointF(std::round(corner.x()), std::round(corner.y())) / ratio,
           (isThatSize ? QSizeF(source.size) : wanted) / ratio};
-}
-
-CameraOverlay CameraView::overlayOf(std::size_t target) const {
-  CameraOverlay overlay = cameraOverlay(*shown_, camera_, shown_->targets[target]);
-  if (!bestShown_) {
-    overlay.best.reset();
-  }
-  return overlay;
-}
-
-void CameraView::paintEstimates(QPainter& painter) const {
-  const QRectF seen = shownArea();
-  if (picture_.source.maps == shown_ && !picture_.motionMap.isNull()) {
-    paintLikelihoodMap(painter, {{0, 0}, picture_.motionMap.size()}, picture_.motionMap, {},
-                       placement_);
-  }
-  if (volume_ && shown_->rig && static_cast<std::size_t>(camera_) < shown_->rig->size()) {
-    paintVolume(painter, (*shown_->rig)[static_cast<std::size_t>(camera_)], *volume_, placement_);
-  }
-  paintPeople(painter, *shown_, camera_, placement_, seen, chosenTarget_);
-  paintPeopleObstacle(painter, *shown_, camera_, seen);
-  for (std::size_t i = 0; i < shown_->targets.size(); ++i) {
-    if (isPaintedAsPerson(shown_->targets[i])) {
-      continue;
-    }
-    if (picture_.source.maps == shown_) {
-      paintLikelihoodMap(painter, mapPlace(shown_->targets[i], camera_), picture_.maps[i],
-                         proposedOutlines(*shown_, camera_, shown_->targets[i]), placement_);
-    }
-    const QColor color = targetColor(shown_->targets[i].target.name, static_cast<int>(i));
-    paintOverlay(painter, overlayOf(i), placement_, color, rampOf(*shown_, color));
-  }
-  std::vector<QRectF> taken;
-  if (isZoomed()) {
-    taken.push_back(paintZoomLabel(painter, seen, placement_.scale));
-  }
-  paintInset(painter, taken);
-  paintCameraMotionMarker(painter, seen, cameraMotionText(cameraMotionOf(*shown_, camera_)),
-                          palette());
-  paintCameraProblem(painter, seen, problemText(), palette());
-}
-
-void CameraView::paintInset(QPainter& painter, const std::vector<QRectF>& taken) const {
-  const auto& targets = shown_->targets;
-  const std::size_t chosen =
-      chosenTarget_ >= 0 && static_cast<std::size_t>(chosenTarget_) < targets.size()
-          ? static_cast<std::size_t>(chosenTarget_)
-          : 0;
-  const cv::Mat& image = picture_.source.frame->image;
-  if (!magnifierShown_ || targets.empty() || isPaintedAsPerson(targets[chosen]) ||
-      targets[chosen].status != TargetStatus::Held || image.type() != CV_8UC3) {
-    return;
-  }
-  const QColor color = targetColor(targets[chosen].target.name, static_cast<int>(chosen));
-  paintCloudInset(painter, {.overlay = overlayOf(chosen),
-                            .image = image,
-                            .placement = placement_,
-                            .area = shownArea(),
-                            .color = color,
-                            .ramp = rampOf(*shown_, color),
-                            .taken = taken});
 }
 
 } // namespace dewpoint::ui

@@ -3,6 +3,7 @@
 
 #include "core/geometry/world_box.h"
 #include "ui/cameraview/camera_image.h"
+#include "ui/cameraview/camera_picture.h"
 #include "ui/cameraview/image_placement.h"
 #include "ui/cameraview/image_zoom.h"
 #include "ui/jobs/latest_job.h"
@@ -10,14 +11,8 @@
 
 #include <QWidget>
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <vector>
-
-namespace dewpoint::session {
-struct CameraOverlay;
-} // namespace dewpoint::session
 
 namespace dewpoint::ui {
 
@@ -44,6 +39,9 @@ public:
   void setVolume(const std::optional<WorldBox>& volume);
   /// Highlights the selected person. If `target` is -1, no person is highlighted.
   void setChosenTarget(int target);
+  /// Returns the layers that are shown, for drawing this camera elsewhere.
+  CameraLook look() const;
+  int camera() const { return camera_; }
   HoldState state() const { return state_; }
   /// Return the placement of the image in the widget, and the image size in pixels. The size is
   /// empty before the first image.
@@ -109,25 +107,14 @@ private:
   /// Shows the newest snapshot and returns true if its pixels are ready. Otherwise starts drawing
   /// them.
   bool showNewest();
-  void paintEstimates(QPainter& painter) const;
   /// Reports how long it took until the frame shown was painted, once.
   void reportPainted();
   /// Returns why a live camera delivers no images now; empty if it delivers them.
   QString problemText() const;
-  /// Returns the text shown instead of the image if there is no image.
-  QString missingImageText() const;
-  /// Returns the overlay of a target in this view.
-  CameraOverlay overlayOf(std::size_t target) const;
-  void paintInset(QPainter& painter, const std::vector<QRectF>& taken) const;
 
   int camera_;
   TrackSnapshotPtr snapshot_; ///< newest snapshot
-  bool maskShown_ = false;
-  bool likelihoodShown_ = false;
-  bool bestShown_ = false;
-  bool magnifierShown_ = false;
-  std::optional<WorldBox> volume_;
-  int chosenTarget_ = -1;
+  CameraLook look_;           ///< without the palette
   HoldState state_ = HoldState::NoImages;
   ImageZoom zoom_;
   ImagePlacement placement_;

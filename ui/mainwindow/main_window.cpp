@@ -23,6 +23,7 @@
 #include "ui/document/target_list_model.h"
 #include "ui/experiments/experiment_installer.h"
 #include "ui/export/export_installer.h"
+#include "ui/export/video_installer.h"
 #include "ui/help/crash_reports.h"
 #include "ui/help/help_installer.h"
 #include "ui/mainwindow/history_dock.h"
@@ -136,6 +137,7 @@ void MainWindow::installFeatures() {
   new PlannerInstaller(bench, *calibration, *birdsEye);
   installCalibrationExchange(bench);
   installExport(bench, *timeline);
+  installVideoExport(bench, *timeline);
   installExperiments(bench);
   installCameraSources(bench);
   new OutputController(bench);

@@ -93,10 +93,11 @@ void WindowMenus::make() {
 }
 
 void WindowMenus::makeFileMenu() {
-  QMenu* file = add(tr("&File"), "menuFile",
-                    {"actionNew", "actionOpen", "actionOpenDemo", nullptr, "actionSave",
-                     "actionSaveAs", nullptr, "actionExportTrajectory", "actionExportPeople",
-                     "actionSavePicture", nullptr, "actionCloseProject", "actionQuit"});
+  QMenu* file =
+      add(tr("&File"), "menuFile",
+          {"actionNew", "actionOpen", "actionOpenDemo", nullptr, "actionSave", "actionSaveAs",
+           nullptr, "actionExportTrajectory", "actionExportPeople", "actionExportVideo",
+           "actionSavePicture", nullptr, "actionCloseProject", "actionQuit"});
   auto* recent = new QMenu(tr("Open recent"), file);
   recent->setObjectName(QStringLiteral("menuRecent"));
   recent->setToolTipsVisible(true);

@@ -38,6 +38,7 @@ namespace dewpoint::ui {
 namespace {
 
 constexpr double kLargestRadius = 2000.0;
+constexpr std::size_t kMostSpeeds = 50; ///< targets whose speed is computed; more cannot be read
 
 QString boxText(const TrackSnapshot& snapshot, const TargetSnapshot& target,
                 const BoxEstimate& estimate) {
@@ -227,8 +228,31 @@ void TargetPanel::showChosen() {
 
 void TargetPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
   snapshot_ = snapshot;
+  addSpeeds();
   showRows();
   showBox();
+}
+
+void TargetPanel::addSpeeds() {
+  if (!snapshot_) {
+    speeds_.clear();
+    return;
+  }
+  speeds_.resize(std::min(snapshot_->targets.size(), kMostSpeeds));
+  for (std::size_t k = 0; k < speeds_.size(); ++k) {
+    if (positionOf(snapshot_->targets[k].estimate)) {
+      speeds_[k].add(*snapshot_, snapshot_->targets[k]);
+    } else {
+      speeds_[k].clear();
+    }
+  }
+}
+
+QString TargetPanel::speedText(std::size_t target) const {
+  const auto speed = target < speeds_.size() && isHeld(snapshot_->targets[target].estimate)
+                         ? speeds_[target].now()
+                         : std::nullopt;
+  return speed ? tr("%1 m/s").arg(numberText(*speed, 2)) : QString();
 }
 
 void TargetPanel::showRows() {
@@ -247,6 +271,7 @@ void TargetPanel::showRows() {
                              : QString();
     if (isTracked) {
       row.state = holdState(snapshot_->targets[k]);
+      row.speed = speedText(k);
     }
     rows.push_back(row);
   }

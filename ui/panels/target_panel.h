@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/floors.h"
+#include "core/session/snapshot/target_speed.h"
 
+#include <QString>
 #include <QWidget>
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <vector>
 
 class QAction;
 class QComboBox;
@@ -57,6 +63,10 @@ private:
   void retranslateUi();
   void refresh();
   void showRows();
+  /// Adds the frame shown to the speeds of the targets.
+  void addSpeeds();
+  /// Returns the speed of a target that is tracked in the frame shown; empty if it is unknown.
+  QString speedText(std::size_t target) const;
   void showBox();
   void showChosen();
   void editChosen(const QString& step, const std::function<void(Project&, std::size_t)>& change);
@@ -81,7 +91,8 @@ private:
   HistogramView* histograms_;
   QLabel* hint_;
   TrackSnapshotPtr snapshot_;
-  int shown_ = -1; ///< row selected at the last refresh
+  std::vector<TargetSpeed> speeds_; ///< of the first targets
+  int shown_ = -1;                  ///< row selected at the last refresh
   bool refreshing_ = false;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/target_row_delegate.h"
 
+#include "ui/style/tabular_font.h"
 #include "ui/style/type_scale.h"
 #include "ui/text/hold_text.h"
 
@@ -68,10 +69,15 @@ void TargetRowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opt
                     QFontMetrics(name).elidedText(index.data().toString(), Qt::ElideRight, room));
   line.moveTop(line.bottom() + 1);
   line.setHeight(QFontMetrics(small).height());
+  const QFont digits = tabularFont(small); // the speed changes with every frame
+  painter->setFont(digits);
+  painter->setPen(ink(QPalette::Text));
+  painter->drawText(line, Qt::AlignRight | Qt::AlignVCenter, row.speed);
+  const int left = line.width() - QFontMetrics(digits).horizontalAdvance(row.speed) - kRowMargin;
   painter->setFont(small);
   painter->setPen(ink(QPalette::PlaceholderText));
   painter->drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
-                    QFontMetrics(small).elidedText(row.size, Qt::ElideRight, line.width()));
+                    QFontMetrics(small).elidedText(row.size, Qt::ElideRight, left));
   painter->restore();
 }
 

@@ -16,13 +16,14 @@ struct TargetRow {
   std::optional<QColor> learned;  ///< learned target color; empty if the target needs no color
   std::optional<HoldState> state; ///< empty without a run
   QString size;
+  QString speed; ///< empty if unknown
 
   bool operator==(const TargetRow&) const = default;
 };
 
 /// Draws the targets in a list, each in two lines. The first line has a disc in the learned color,
 /// inside a ring in the target's color in the views; the name; and the state as a word, shape and
-/// color. The second line has the size.
+/// color. The second line has the size, and the speed below the state.
 class TargetRowDelegate : public QStyledItemDelegate {
 public:
   using QStyledItemDelegate::QStyledItemDelegate;

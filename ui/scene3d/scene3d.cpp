@@ -190,6 +190,30 @@ void Scene3d::keepCamera() {
   parts_->moved = true;
 }
 
+void Scene3d::copyView(const Scene3d& other, double aspect) {
+  SceneParts& parts = *parts_;
+  const SceneParts& from = *other.parts_;
+  parts.dark = from.dark;
+  parts.bestShown = from.bestShown;
+  parts.raysShown = from.raysShown;
+  parts.chosenTarget = from.chosenTarget;
+  showImages(from.imagesShown);
+  parts.applyPalette();
+  look(from.view);
+  if (!from.moved || from.width <= 0 || from.height <= 0) {
+    return;
+  }
+  parts.framedRig = from.framedRig; // or the first snapshot would fit the view to its rig
+  parts.camera->DeepCopy(from.camera);
+  parts.uprightPosition = from.uprightPosition;
+  parts.moved = true;
+  parts.framingPending = false;
+  const double seen = static_cast<double>(from.width) / from.height;
+  if (aspect < seen) {
+    zoom(aspect / seen);
+  }
+}
+
 void Scene3d::zoom(double factor) {
   if (!std::isfinite(factor) || factor <= 0.0) {
     return;

@@ -80,6 +80,15 @@ void BirdsEyeView::setSnapshot(const TrackSnapshotPtr& snapshot) {
   requestRendering();
 }
 
+void BirdsEyeView::copyLook(const BirdsEyeView& other) {
+  scene_.copyView(other.scene_, static_cast<double>(width()) / std::max(1, height()));
+  map_.set(other.map_.shared(), other.map_.look());
+  chosenTarget_ = other.chosenTarget_;
+  buttons_->setCurrent(scene_.view());
+  sceneStale_ = true;
+  requestRendering();
+}
+
 Scene3d::View BirdsEyeView::currentView() const {
   return scene_.view();
 }

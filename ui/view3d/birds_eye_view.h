@@ -94,6 +94,10 @@ public:
   /// floor height, world z in meters.
   void setPlacing(bool placing, double floor = 0.0);
 
+  /// Shows what another view shows, except its snapshot, its highlights and its planned cameras:
+  /// the layers, the map, the selected target, and the scene from the same point of view
+  /// (`Scene3d::copyView()`). For drawing the scene elsewhere. Resize this view first.
+  void copyLook(const BirdsEyeView& other);
   Scene3d::View currentView() const;
   /// Returns the current image with its legend but without the buttons, in device pixels; null
   /// without OpenGL.

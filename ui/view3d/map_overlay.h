@@ -23,6 +23,7 @@ public:
   /// Sets the map, or removes it if `map` is null. Returns false if nothing changes.
   bool set(std::shared_ptr<const RigMap> map, const MapLook& look);
   const RigMap* map() const { return map_.get(); }
+  std::shared_ptr<const RigMap> shared() const { return map_; }
   const MapLook& look() const { return look_; }
   /// Updates the scene once, no matter how many maps were set since the last update.
   void updateScene();

@@ -187,6 +187,10 @@ void InspectorTest::rowsOfTargetsSayStateAndSize() {
   action("actionNextFrame")->trigger();
   QVERIFY(waitFor([&] { return rows().size() == 1 && rows()[0].state == HoldState::Held; }));
   QVERIFY(rows()[0].size.startsWith(QStringLiteral("radius ")));
+  // As soon as there are a few frames to compute it from.
+  action("actionNextFrame")->trigger();
+  action("actionNextFrame")->trigger();
+  QVERIFY(waitFor([&] { return rows()[0].speed.endsWith(QStringLiteral(" m/s")); }));
   QVERIFY(!rows()[0].size.contains(QStringLiteral("found"))); // the demo gives it
   QVERIFY(rows()[0].learned && *rows()[0].learned != rows()[0].identity);
   QVERIFY(window_->document().edit(QStringLiteral("no radius"),

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/cameraview/camera_picture.h"
+
+#include "core/session/camera_overlay.h"
+#include "core/session/snapshot/snapshot.h"
+#include "ui/cameraview/camera_motion_marker.h"
+#include "ui/cameraview/cloud_inset.h"
+#include "ui/cameraview/evidence_painter.h"
+#include "ui/cameraview/image_zoom.h"
+#include "ui/cameraview/overlay_painter.h"
+#include "ui/cameraview/particle_ramp.h"
+#include "ui/cameraview/people_painter.h"
+#include "ui/cameraview/volume_painter.h"
+#include "ui/cameraview/zoom_label.h"
+#include "ui/style/theme.h"
+#include "ui/text/camera_motion_text.h"
+#include "ui/text/error_sentence.h"
+#include "ui/text/reason_text.h"
+
+#include <QCoreApplication>
+#include <QPainter>
+
+#include <cstddef>
+#include <vector>
+
+namespace dewpoint::ui {
+
+namespace {
+
+constexpr int kMissingTextMargin = 16; ///< around the text instead of an image
+
+cv::Mat maskOf(const TrackSnapshotPtr& snapshot, int camera) {
+  const auto index = static_cast<std::size_t>(camera);
+  return snapshot && index < snapshot->masks.size() ? snapshot->masks[index] : cv::Mat();
+}
+
+/// Where the likelihood map of a target lies in the image of a camera, pixels.
+QRect mapPlace(const TargetSnapshot& target, int camera) {
+  const auto index = static_cast<std::size_t>(camera);
+  if (index >= target.maps.size()) {
+    return {};
+  }
+  const cv::Rect& area = target.maps[index].area;
+  return {area.x, area.y, area.width, area.height};
+}
+
+/// Several targets are told apart by their colors, of a single one the weights are.
+ParticleRamp rampOf(const TrackSnapshot& snapshot, const QColor& color) {
+  return snapshot.targets.size() > 1 ? ParticleRamp::tinted(color) : ParticleRamp::heat();
+}
+
+CameraOverlay shownOverlay(const TrackSnapshot& snapshot, int camera, std::size_t target,
+                           const CameraLook& look) {
+  CameraOverlay overlay = cameraOverlay(snapshot, camera, snapshot.targets[target]);
+  if (!look.bestShown) {
+    overlay.best.reset();
+  }
+  return overlay;
+}
+
+void paintInset(QPainter& painter, const CameraImageSource& source, const TrackSnapshot& snapshot,
+                const CameraLook& look, const CameraImagePlace& place,
+                const std::vector<QRectF>& taken) {
+  const auto& targets = snapshot.targets;
+  const std::size_t chosen =
+      look.chosenTarget >= 0 && static_cast<std::size_t>(look.chosenTarget) < targets.size()
+          ? static_cast<std::size_t>(look.chosenTarget)
+          : 0;
+  const cv::Mat& image = source.frame->image;
+  if (!look.magnifierShown || targets.empty() || isPaintedAsPerson(targets[chosen]) ||
+      targets[chosen].status != TargetStatus::Held || image.type() != CV_8UC3) {
+    return;
+  }
+  const QColor color = targetColor(targets[chosen].target.name, static_cast<int>(chosen));
+  paintCloudInset(painter, {.overlay = shownOverlay(snapshot, source.camera, chosen, look),
+                            .image = image,
+                            .placement = place.placement,
+                            .area = place.seen,
+                            .color = color,
+                            .ramp = rampOf(snapshot, color),
+                            .taken = taken});
+}
+
+} // namespace
+
+FramePtr frameOf(const TrackSnapshotPtr& snapshot, int camera) {
+  const auto index = static_cast<std::size_t>(camera);
+  if (!snapshot || !snapshot->frames || index >= snapshot->frames->frames.size()) {
+    return nullptr;
+  }
+  return snapshot->frames->frames[index];
+}
+
+CameraImageSource imageSource(const TrackSnapshotPtr& snapshot, int camera, const CameraLook& look,
+                              const QSize& size) {
+  const FramePtr frame = frameOf(snapshot, camera);
+  if (!frame || frame->image.empty()) {
+    return {};
+  }
+  return {.camera = camera,
+          .frame = frame,
+          .mask = look.maskShown ? maskOf(snapshot, camera) : cv::Mat(),
+          .isOfMotion = snapshot->masksShowMotion,
+          .part = QRect(0, 0, frame->image.cols, frame->image.rows),
+          .size = size,
+          .isZoomed = false,
+          .maps = look.likelihoodShown ? snapshot : nullptr};
+}
+
+void paintEstimates(QPainter& painter, const CameraImage& image, const TrackSnapshotPtr& snapshot,
+                    const CameraLook& look, const CameraImagePlace& place) {
+  const int camera = image.source.camera;
+  const bool hasMaps = image.source.maps == snapshot;
+  if (hasMaps && !image.motionMap.isNull()) {
+    paintLikelihoodMap(painter, {{0, 0}, image.motionMap.size()}, image.motionMap, {},
+                       place.placement);
+  }
+  if (look.volume && snapshot->rig && static_cast<std::size_t>(camera) < snapshot->rig->size()) {
+    paintVolume(painter, (*snapshot->rig)[static_cast<std::size_t>(camera)], *look.volume,
+                place.placement);
+  }
+  paintPeople(painter, *snapshot, camera, place.placement, place.seen, look.chosenTarget);
+  paintPeopleObstacle(painter, *snapshot, camera, place.seen);
+  for (std::size_t i = 0; i < snapshot->targets.size(); ++i) {
+    const TargetSnapshot& target = snapshot->targets[i];
+    if (isPaintedAsPerson(target)) {
+      continue;
+    }
+    if (hasMaps) {
+      paintLikelihoodMap(painter, mapPlace(target, camera), image.maps[i],
+                         proposedOutlines(*snapshot, camera, target), place.placement);
+    }
+    const QColor color = targetColor(target.target.name, static_cast<int>(i));
+    paintOverlay(painter, shownOverlay(*snapshot, camera, i, look), place.placement, color,
+                 rampOf(*snapshot, color));
+  }
+  std::vector<QRectF> taken;
+  if (place.isZoomed) {
+    taken.push_back(paintZoomLabel(painter, place.seen, place.placement.scale));
+  }
+  paintInset(painter, image.source, *snapshot, look, place, taken);
+  paintCameraMotionMarker(painter, place.seen, cameraMotionText(cameraMotionOf(*snapshot, camera)),
+                          look.palette);
+}
+
+QString missingImageText(const TrackSnapshotPtr& snapshot, int camera) {
+  if (const Error* notice = snapshot ? noticeOf(*snapshot, camera) : nullptr) {
+    return errorText(*notice);
+  }
+  return snapshot && snapshot->frames
+             ? QCoreApplication::translate("CameraView",
+                                           "This camera delivered no image for this frame.")
+             : QCoreApplication::translate(
+                   "CameraView", "No images yet. Press play (Space), or open a project (Ctrl+O).");
+}
+
+QColor imageGround(const QPalette& palette) {
+  return palette.color(QPalette::Base).lightness() < 128
+             ? palette.color(QPalette::Base)
+             : palette.color(QPalette::Window).darker(108);
+}
+
+QImage cameraPicture(const TrackSnapshotPtr& snapshot, int camera, const CameraLook& look,
+                     const QSize& size) {
+  QImage picture(size, QImage::Format_RGB32);
+  picture.fill(imageGround(look.palette));
+  QPainter painter(&picture);
+  const FramePtr frame = frameOf(snapshot, camera);
+  if (!frame || frame->image.empty()) {
+    painter.setPen(look.palette.color(QPalette::PlaceholderText));
+    painter.drawText(picture.rect().adjusted(kMissingTextMargin, kMissingTextMargin,
+                                             -kMissingTextMargin, -kMissingTextMargin),
+                     Qt::AlignCenter | Qt::TextWordWrap, missingImageText(snapshot, camera));
+    return picture;
+  }
+  const QSize pixels(frame->image.cols, frame->image.rows);
+  const ZoomSizes sizes{pixels, size, 1.0};
+  const ImageZoom fitted;
+  const CameraImage image =
+      drawCameraImage(imageSource(snapshot, camera, look, fitted.partSize(sizes)));
+  CameraImagePlace place;
+  place.placement = fitted.placement(sizes);
+  place.seen = place.placement.areaOf(pixels) & QRectF(picture.rect());
+  painter.drawImage(place.placement.corner, image.image);
+  painter.setClipRect(place.seen);
+  paintEstimates(painter, image, snapshot, look, place);
+  return picture;
+}
+
+} // namespace dewpoint::ui

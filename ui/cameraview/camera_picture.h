@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/world_box.h"
+#include "ui/cameraview/camera_image.h"
+#include "ui/cameraview/image_placement.h"
+
+#include <QImage>
+#include <QPalette>
+#include <QRectF>
+#include <QSize>
+#include <QString>
+
+#include <optional>
+
+class QPainter;
+
+namespace dewpoint::ui {
+
+/// Layers of a camera view that users can switch on and off.
+struct CameraLook {
+  bool maskShown = false;
+  bool likelihoodShown = false;   ///< likelihood maps and candidate positions
+  bool bestShown = false;         ///< each target's highest-weight particle
+  bool magnifierShown = false;    ///< inset that enlarges a small particle cloud
+  std::optional<WorldBox> volume; ///< volume of interest; empty: no outline is shown
+  int chosenTarget = -1;          ///< selected target; -1: none
+  QPalette palette;
+};
+
+/// Returns the frame of a camera in a snapshot, or null if there is none.
+FramePtr frameOf(const TrackSnapshotPtr& snapshot, int camera);
+
+/// Returns the input for drawing a whole camera image in this size (device pixels). Its frame is
+/// null if there is no image.
+CameraImageSource imageSource(const TrackSnapshotPtr& snapshot, int camera, const CameraLook& look,
+                              const QSize& size);
+
+/// Where the drawn pixels of a camera are seen.
+struct CameraImagePlace {
+  ImagePlacement placement;
+  QRectF seen; ///< visible part of the image
+  bool isZoomed = false;
+};
+
+/// Paints everything that lies over the pixels of a camera view: likelihood maps, the volume of
+/// interest, people, particles and estimates, the inset, the zoom factor and the mark of a camera
+/// that has moved. `image` was drawn from a frame of `snapshot`. May be called from any thread.
+void paintEstimates(QPainter& painter, const CameraImage& image, const TrackSnapshotPtr& snapshot,
+                    const CameraLook& look, const CameraImagePlace& place);
+
+/// Returns the text shown instead of an image if there is no image.
+QString missingImageText(const TrackSnapshotPtr& snapshot, int camera);
+
+/// Returns the color around an image.
+QColor imageGround(const QPalette& palette);
+
+/// Draws a camera view of this size (pixels) as it would be shown, with the whole image fitted into
+/// it. May be called from any thread.
+QImage cameraPicture(const TrackSnapshotPtr& snapshot, int camera, const CameraLook& look,
+                     const QSize& size);
+
+} // namespace dewpoint::ui

@@ -1,0 +1,370 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/export/video_dialog.h"
+
+#include "ui/export/export_outcome.h"
+#include "ui/export/video_form.h"
+#include "ui/text/error_sentence.h"
+#include "ui/text/quantity_text.h"
+#include "ui/text/retranslation.h"
+#include "ui/widgets/named.h"
+
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QFileDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include <utility>
+
+namespace dewpoint::ui {
+
+namespace {
+
+constexpr int kPreviewDelayMs = 200;    ///< while fields are still being changed
+constexpr QSize kPreviewSize(480, 320); ///< logical pixels
+/// Seconds by which the fields may round a time.
+constexpr double kTimeTolerance = 0.00051;
+
+} // namespace
+
+VideoDialog::VideoDialog(std::function<VideoOffer()> offer, QWidget* parent)
+    : QDialog(parent), offer_(std::move(offer)), exporter_(new VideoExporter(this)),
+      previewTimer_(new QTimer(this)) {
+  setObjectName(QStringLiteral("videoDialog"));
+  previewTimer_->setSingleShot(true);
+  previewTimer_->setInterval(kPreviewDelayMs);
+  makeFields();
+  arrangeFields();
+  onRetranslate(this, [this] { retranslateUi(); });
+  connectFields();
+  setRunning(false);
+  resetChoices(QDir::homePath());
+}
+
+void VideoDialog::makeFields() {
+  form_ = new VideoForm(this);
+  preview_ = named(new QLabel(this), "videoPreview");
+  preview_->setMinimumSize(kPreviewSize);
+  preview_->setAlignment(Qt::AlignCenter);
+  preview_->setWordWrap(true);
+  summary_ = named(new QLabel(this), "videoSummary");
+  summary_->setWordWrap(true);
+  outcome_ = new ExportOutcome(this);
+  question_ = named(new QLabel(this), "videoQuestion");
+  question_->setWordWrap(true);
+  question_->hide();
+  file_ = named(new QLineEdit(this), "videoFile");
+  browse_ = named(new QPushButton(this), "videoBrowse");
+  progress_ = named(new QProgressBar(this), "videoProgress");
+  progress_->setRange(0, 100);
+  cancel_ = named(new QPushButton(this), "videoCancel");
+  export_ = named(new QPushButton(this), "videoStart");
+  close_ = named(new QPushButton(this), "videoClose");
+  // Enter in a field ends typing, no more.
+  for (QPushButton* button : {browse_, cancel_, export_, close_}) {
+    button->setAutoDefault(false);
+  }
+}
+
+void VideoDialog::arrangeFields() {
+  auto* seen = new QVBoxLayout;
+  seen->setSpacing(8);
+  seen->addWidget(preview_, 1);
+  seen->addWidget(summary_);
+  auto* columns = new QHBoxLayout;
+  columns->setSpacing(16);
+  columns->addWidget(form_);
+  columns->addLayout(seen, 1);
+  auto* place = new QHBoxLayout;
+  place->setSpacing(8);
+  place->addWidget(file_, 1);
+  place->addWidget(browse_);
+  auto* box = new QDialogButtonBox(this); // no accept role: Enter would press it
+  box->addButton(export_, QDialogButtonBox::ActionRole);
+  box->addButton(close_, QDialogButtonBox::RejectRole);
+  connect(box, &QDialogButtonBox::rejected, this, &QDialog::close);
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(8);
+  buttons->addWidget(progress_, 1);
+  buttons->addWidget(cancel_);
+  buttons->addStretch(1);
+  buttons->addWidget(box);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(16, 16, 16, 16);
+  layout->setSpacing(16);
+  layout->addLayout(columns, 1);
+  layout->addLayout(place);
+  layout->addWidget(question_);
+  layout->addWidget(outcome_);
+  layout->addLayout(buttons);
+}
+
+void VideoDialog::retranslateUi() {
+  setWindowTitle(tr("Export video"));
+  form_->retranslateUi();
+  outcome_->retranslateUi();
+  preview_->setAccessibleName(tr("First image"));
+  file_->setAccessibleName(tr("File"));
+  file_->setToolTip(tr("File to write"));
+  browse_->setText(tr("Browse…"));
+  browse_->setToolTip(tr("Choose the file to write"));
+  progress_->setAccessibleName(tr("Progress"));
+  cancel_->setText(tr("Cancel"));
+  cancel_->setToolTip(tr("Stop the export; no file is left"));
+  withdrawQuestion(); // in the new language
+  export_->setToolTip(tr("Write the video in the background"));
+  close_->setText(tr("Close"));
+  close_->setToolTip(tr("Close; a running export continues"));
+  changed();
+}
+
+void VideoDialog::connectFields() {
+  connect(form_, &VideoForm::changed, this, &VideoDialog::changed);
+  connect(form_, &VideoForm::encodingChanged, this, &VideoDialog::updateSuffix);
+  connect(previewTimer_, &QTimer::timeout, this, &VideoDialog::drawPreview);
+  connect(file_, &QLineEdit::textChanged, this, &VideoDialog::withdrawQuestion);
+  connect(browse_, &QPushButton::clicked, this, [this] {
+    const QString chosen =
+        QFileDialog::getSaveFileName(this, tr("Export video"), file_->text(), QString(), nullptr,
+                                     QFileDialog::DontConfirmOverwrite); // this dialog asks
+    if (!chosen.isEmpty()) {
+      file_->setText(chosen);
+    }
+  });
+  connect(export_, &QPushButton::clicked, this, &VideoDialog::start);
+  connect(cancel_, &QPushButton::clicked, exporter_, &VideoExporter::cancel);
+  connect(exporter_, &VideoExporter::progressChanged, progress_, &QProgressBar::setValue);
+  connect(exporter_, &VideoExporter::finished, this, [this](const QString& file) {
+    report(tr("Saved the video %1.").arg(file), file, false);
+  });
+  connect(exporter_, &VideoExporter::canceled, this,
+          [this] { report(tr("The export was canceled."), {}, false); });
+  connect(exporter_, &VideoExporter::failed, this,
+          [this](const QString& sentence) { report(sentence, {}, true); });
+  connect(exporter_, &VideoExporter::existing, this, [this](const QString& file) {
+    if (isVisible()) {
+      setRunning(false);
+      askToReplace(file);
+      previewTimer_->start(); // the preview was stopped for it
+    } else { // nobody sees the question
+      report(tr("%1 exists already; nothing was written.").arg(file), {}, true);
+    }
+  });
+}
+
+void VideoDialog::showEvent(QShowEvent* event) {
+  QDialog::showEvent(event);
+  probeEncodings();
+  refresh();
+}
+
+void VideoDialog::hideEvent(QHideEvent* event) {
+  QDialog::hideEvent(event);
+  previewTimer_->stop();
+  withdrawQuestion();
+  outcome_->clear();
+}
+
+void VideoDialog::probeEncodings() {
+  if (isProbed_ || probe_.isRunning()) {
+    return;
+  }
+  probe_.start([this](const BackgroundJob::Progress&) -> std::function<void()> {
+    const QTemporaryDir folder;
+    auto found = writableVideoEncodings(folder.path().toStdString());
+    return [this, found = std::move(found)] {
+      isProbed_ = true;
+      form_->setEncodings(found);
+      setRunning(exporter_->isRunning());
+      changed();
+    };
+  });
+}
+
+void VideoDialog::setSelectedRange(std::optional<std::pair<double, double>> seconds) {
+  form_->setSelectedRange(seconds);
+}
+
+void VideoDialog::resetChoices(const QString& folder) {
+  form_->resetRange();
+  file_->setText(QDir(folder).filePath(QStringLiteral("video")));
+  updateSuffix();
+}
+
+void VideoDialog::refresh() {
+  form_->setViews(offer_().views);
+  setRunning(exporter_->isRunning());
+  changed();
+}
+
+void VideoDialog::stop(const QString& reason) {
+  previewTimer_->stop();
+  if (exporter_->isRunning()) {
+    exporter_->abandon(reason);
+  } else {
+    exporter_->drawer().stop();
+  }
+}
+
+void VideoDialog::updateSuffix() {
+  const QString suffix = form_->suffix();
+  if (!suffix.isEmpty()) {
+    QString name = file_->text();
+    for (const VideoEncoding& encoding : videoEncodings()) {
+      const QString old = QString::fromUtf8(encoding.suffix.data());
+      if (name.endsWith(old)) {
+        name.chop(old.size());
+        break;
+      }
+    }
+    file_->setText(name + suffix);
+  }
+  changed();
+}
+
+Result<VideoRequest> VideoDialog::request(const VideoOffer& offer) const {
+  VideoLook look = form_->look();
+  if (look.views.empty()) {
+    return failure(ErrorCode::BadValue, "", tr("Views").toStdString(),
+                   tr("no view is checked").toStdString());
+  }
+  look.recording = offer.recording;
+  const auto from = form_->from();
+  const auto to = form_->to();
+  std::vector<FrameTime> frames = offer.frames ? offer.frames() : std::vector<FrameTime>();
+  std::erase_if(frames, [&](const FrameTime& one) {
+    const bool isBefore = from && one.seconds < *from - kTimeTolerance;
+    const bool isAfter = to ? one.seconds > *to + kTimeTolerance
+                            : offer.lastTracked >= 0 && one.frame > offer.lastTracked;
+    return isBefore || isAfter;
+  });
+  const VideoTiming timing = form_->timing(offer.framesPerSecond);
+  auto shown = videoFrames(frames, timing);
+  if (!shown) {
+    return tl::make_unexpected(shown.error());
+  }
+  VideoRequest wanted;
+  wanted.look = std::make_shared<const VideoLook>(std::move(look));
+  wanted.frames = std::move(*shown);
+  wanted.encoding = form_->encoding().value_or(VideoEncoding());
+  wanted.framesPerSecond = timing.framesPerSecond;
+  wanted.file = file_->text().toStdString();
+  wanted.overwrite = mayReplace_;
+  return wanted;
+}
+
+void VideoDialog::changed() {
+  withdrawQuestion();
+  if (isVisible() && !exporter_->isRunning()) {
+    previewTimer_->start();
+  }
+}
+
+void VideoDialog::drawPreview() {
+  const VideoOffer offer = offer_();
+  if (offer.session == nullptr || exporter_->isRunning() || !isVisible()) {
+    return;
+  }
+  const auto wanted = request(offer);
+  if (!wanted) {
+    preview_->setPixmap({});
+    summary_->setText(errorText(wanted.error()));
+    return;
+  }
+  VideoDrawer& drawer = exporter_->drawer();
+  drawer.begin(offer.session, wanted->look, offer.scene);
+  const QSize pixels = kPreviewSize * devicePixelRatioF();
+  const auto consume = [this, request = *wanted,
+                        pixels](Result<QImage> image) -> std::function<void()> {
+    if (image) {
+      image = image->scaled(pixels, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+    }
+    return [this, request, image] { showPreview(request, image); };
+  };
+  drawer.draw(wanted->frames.front(), consume, [] { return true; });
+}
+
+void VideoDialog::showPreview(const VideoRequest& wanted, const Result<QImage>& image) {
+  if (!image) {
+    preview_->setPixmap({});
+    summary_->setText(errorText(image.error()));
+    return;
+  }
+  QPixmap pixmap = QPixmap::fromImage(*image);
+  pixmap.setDevicePixelRatio(devicePixelRatioF());
+  preview_->setPixmap(pixmap);
+  const auto images = static_cast<double>(wanted.frames.size());
+  QString text = tr("Images: %1. Length: %2. Size: %3 × %4 pixels.")
+                     .arg(wanted.frames.size())
+                     .arg(secondsText(images / wanted.framesPerSecond, 1))
+                     .arg(wanted.look->size.width())
+                     .arg(wanted.look->size.height());
+  if (exporter_->drawer().isSceneReduced()) {
+    text +=
+        QLatin1Char(' ') + tr("This computer draws the bird's-eye view slowly. It is drawn in a "
+                              "smaller size and enlarged.");
+  }
+  summary_->setText(text);
+}
+
+void VideoDialog::setRunning(bool running) {
+  progress_->setVisible(running);
+  cancel_->setVisible(running);
+  form_->setEnabled(!running);
+  if (!running) {
+    progress_->setValue(0);
+  }
+  export_->setEnabled(!running && form_->hasEncodings() && offer_().session != nullptr);
+  if (isProbed_ && !form_->hasEncodings()) {
+    outcome_->show(tr("This computer has no encoder for videos."));
+  }
+}
+
+void VideoDialog::askToReplace(const QString& file) {
+  question_->setText(tr("%1 exists already. Replace it?").arg(file));
+  question_->show();
+  export_->setText(tr("Replace"));
+  mayReplace_ = true;
+}
+
+void VideoDialog::withdrawQuestion() {
+  mayReplace_ = false;
+  question_->hide();
+  export_->setText(tr("Export"));
+}
+
+void VideoDialog::start() {
+  const VideoOffer offer = offer_();
+  auto wanted = request(offer);
+  withdrawQuestion();
+  outcome_->clear();
+  if (offer.session == nullptr || exporter_->isRunning()) {
+    return;
+  }
+  if (!wanted) {
+    report(errorText(wanted.error()), {}, true);
+    return;
+  }
+  previewTimer_->stop();
+  exporter_->start(std::move(*wanted), offer.session, offer.scene);
+  setRunning(true);
+}
+
+void VideoDialog::report(const QString& sentence, const QString& file, bool isFailure) {
+  setRunning(false);
+  if (isVisible()) {
+    outcome_->show(sentence, file);
+  }
+  if (isFailure) {
+    Q_EMIT failed(sentence);
+  } else {
+    Q_EMIT done(sentence);
+  }
+}
+
+} // namespace dewpoint::ui

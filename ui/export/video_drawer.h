@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "ui/export/video_picture.h"
+#include "ui/export/video_scene.h"
+#include "ui/jobs/job_queue.h"
+
+#include <QObject>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+namespace dewpoint::session {
+class Session;
+} // namespace dewpoint::session
+
+namespace dewpoint::ui {
+
+class BirdsEyeView;
+
+/// Draws images of an exported video: requests snapshots of frames from a session, draws the
+/// bird's-eye view in the GUI thread, and everything else in another thread. What the window shows
+/// does not change.
+class VideoDrawer : public QObject {
+  Q_OBJECT
+public:
+  explicit VideoDrawer(QObject* parent = nullptr);
+
+  /// Sets the session and the composition of the next images. `scene` is the view whose look the
+  /// bird's-eye view takes over; null if the composition contains none.
+  void begin(Session* session, std::shared_ptr<const VideoLook> look, const BirdsEyeView* scene);
+  /// Drops requests that were not answered. The session may end after this.
+  void stop();
+
+  /// Uses an image. Called in another thread, in the order of the requests. The function that it
+  /// returns (may be empty) is then called in the GUI thread. Must not throw.
+  using Consume = std::function<std::function<void()>(Result<QImage> image)>;
+  /// Requests the image of a frame. `isWanted` may be called from any thread. One request at a
+  /// time: wait for `ready()`.
+  void draw(std::int64_t frame, Consume consume, std::function<bool()> isWanted);
+  bool isReady() const { return !fetching_; }
+  /// Returns whether the bird's-eye view is drawn smaller, because this computer draws it slowly.
+  bool isSceneReduced() const { return sceneArea_ >= 0 && scene_.isReduced(); }
+  /// Does other work in the thread of `Consume`, after everything requested so far.
+  void queue(JobQueue::Work work) { jobs_.add(std::move(work)); }
+
+Q_SIGNALS:
+  /// Emitted when the next image can be requested.
+  void ready();
+
+private:
+  void take(Result<TrackSnapshotPtr> snapshot, const Consume& consume);
+
+  Session* session_ = nullptr;
+  std::shared_ptr<const VideoLook> look_;
+  VideoScene scene_;
+  int sceneArea_ = -1; ///< index of the bird's-eye view among the views; -1: none
+  bool fetching_ = false;
+  std::uint64_t generation_ = 0; ///< answers to earlier requests are dropped
+  JobMailbox mailbox_;
+  JobQueue jobs_;
+};
+
+} // namespace dewpoint::ui

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/video_plan.h"
+#include "ui/export/video_drawer.h"
+
+#include <QObject>
+#include <QString>
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace dewpoint::ui {
+
+/// Video to export.
+struct VideoRequest {
+  std::shared_ptr<const VideoLook> look;
+  std::vector<std::int64_t> frames; ///< frame that each image shows (videoFrames())
+  VideoEncoding encoding;
+  double framesPerSecond = 30.0;
+  std::filesystem::path file;
+  bool overwrite = false;
+};
+
+/// Writes a run as a video while the window goes on. A canceled or failed export leaves no file.
+class VideoExporter : public QObject {
+  Q_OBJECT
+public:
+  explicit VideoExporter(QObject* parent = nullptr);
+  ~VideoExporter() override; ///< cancels
+
+  /// Starts an export; not while one is running. `scene` is the bird's-eye view whose look is taken
+  /// over, or null.
+  void start(VideoRequest request, Session* session, const BirdsEyeView* scene);
+  void cancel();
+  /// Ends an export at once, because the session ends. Emits `failed()` with this sentence.
+  void abandon(const QString& sentence);
+  bool isRunning() const { return state_ != nullptr; }
+  /// Draws single images while no export is running.
+  VideoDrawer& drawer() { return *drawer_; }
+
+Q_SIGNALS:
+  void progressChanged(int percent);
+  void finished(const QString& file);
+  void canceled();
+  /// Emitted if the file exists and was not to be replaced. Nothing was written.
+  void existing(const QString& file);
+  void failed(const QString& sentence);
+
+private:
+  /// Data shared with the other threads.
+  struct State {
+    VideoRequest request;
+    std::atomic<bool> canceled = false;
+    std::optional<VideoEncoder> encoder; ///< only used by the thread that writes
+    std::optional<Error> error;          ///< as `encoder`
+  };
+  using StatePtr = std::shared_ptr<State>;
+  void open();
+  void requestNext();
+  /// Counts images that were written, and ends the export after the last one.
+  void count(const StatePtr& state, std::size_t images);
+  void close();
+  void end(const StatePtr& state, const Status& closed);
+
+  VideoDrawer* drawer_;
+  StatePtr state_;          ///< null while no export is running
+  std::size_t next_ = 0;    ///< first image that was not requested
+  std::size_t written_ = 0; ///< images that were written
+  int waiting_ = 0;         ///< requested frames that were not written
+  bool closing_ = false;
+};
+
+} // namespace dewpoint::ui
