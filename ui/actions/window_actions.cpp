@@ -9,7 +9,6 @@
 #include <QCoreApplication>
 
 namespace dewpoint::ui {
-
 namespace {
 
 std::vector<ActionDeclaration> projectActions() {

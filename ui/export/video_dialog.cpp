@@ -151,7 +151,7 @@ void VideoDialog::connectFields() {
       setRunning(false);
       askToReplace(file);
       previewTimer_->start(); // the preview was stopped for it
-    } else { // nobody sees the question
+    } else {                  // nobody sees the question
       report(tr("%1 exists already; nothing was written.").arg(file), {}, true);
     }
   });

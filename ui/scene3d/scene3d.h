@@ -87,10 +87,10 @@ public:
   void resetView();
   /// Keeps the view that the user has chosen: new rigs no longer change it.
   void keepCamera();
-  /// Shows the layers and the selected target of another scene, in the same colors and from the same
-  /// point of view. If the user has not moved the other view, this one is fitted to its own image.
-  /// If this image will be narrower (`aspect`: its width / height), the view moves back until it
-  /// shows the same width.
+  /// Shows the layers and the selected target of another scene, in the same colors and from the
+  /// same point of view. If the user has not moved the other view, this one is fitted to its own
+  /// image. If this image will be narrower (`aspect`: its width / height), the view moves back
+  /// until it shows the same width.
   void copyView(const Scene3d& other, double aspect);
   /// Zooms in by `factor` (above 1) or out (below 1).
   void zoom(double factor);

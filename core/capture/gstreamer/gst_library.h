@@ -6,10 +6,10 @@
 #include <memory>
 #include <string>
 
-struct _GError; // NOLINT(bugprone-reserved-identifier): the library's
+struct _GError;     // NOLINT(bugprone-reserved-identifier): the library's
 struct _GstElement; // NOLINT(bugprone-reserved-identifier): the library's
 struct _GstMessage; // NOLINT(bugprone-reserved-identifier): the library's
-struct _GstSample; // NOLINT(bugprone-reserved-identifier): the library's
+struct _GstSample;  // NOLINT(bugprone-reserved-identifier): the library's
 
 namespace dewpoint::capture {
 

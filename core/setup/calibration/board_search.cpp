@@ -17,8 +17,9 @@ namespace {
 constexpr std::int64_t kFewFrames = 60; // so few are stills: time is spent on each
 
 // Tuned; where no source is named here or in the docs, the origin is not recorded.
-constexpr std::int64_t kLongRecording = std::int64_t{3} * kFramesToLookAt; // less is searched in no time
-constexpr double kLookShare = 0.1;                           // of the time of a search
+constexpr std::int64_t kLongRecording =
+    std::int64_t{3} * kFramesToLookAt;       // less is searched in no time
+constexpr double kLookShare = 0.1;           // of the time of a search
 constexpr std::size_t kMostImagesOfAll = 16; // of all cameras: a guess takes 0.2 s an image
 constexpr int kRarelySeen = 50;              // one of so many images: as good as never
 
