@@ -10,7 +10,7 @@
 namespace dewpoint::tracking {
 namespace {
 
-// Reasons: docs/method-dewpoint.md, section 6.
+// Reasons: docs/method-dewpoint.md, section 13.
 
 /// Seconds per second, standard deviation of the drift: frame rates that are rounded (29.97 as 30)
 /// are off by 0.1 %, the clocks of cameras by less than a tenth of that.

@@ -20,8 +20,8 @@ namespace dewpoint::tracking {
 /// target, but independently of its velocity. A Kalman filter (in information form) separates the
 /// two. Its state consists of five numbers per camera: the delay, its drift, the time that the
 /// shutter takes from the first row of an image to the last one, and two angles by which the target
-/// appears displaced. The angles change as the target moves through the image,
-/// because the calibration error differs from place to place.
+/// appears displaced. The angles change as the target moves through the image, because the
+/// calibration error differs from place to place.
 class ClockEstimator {
 public:
   explicit ClockEstimator(const CameraRig& rig);
@@ -53,17 +53,19 @@ public:
 
   /// Returns the estimates relative to the first camera, one per camera.
   std::vector<ClockEstimate> estimates() const;
-  /// Returns the estimated delay of each camera in seconds, in the middle row of its images. If
+  /// Returns the estimated delay of each camera in seconds, in the center row of its images. If
   /// nothing else is known, the mean over the cameras is about 0.
   std::vector<double> delays() const;
-  /// Returns the same in the rows that show a position (meters, world frame).
+  /// Returns the estimated delay of each camera in seconds, in the row of its images that shows a
+  /// position (meters, world frame).
   std::vector<double> delaysAt(const Eigen::Vector3d& position) const;
 
 private:
   static constexpr Eigen::Index kStates = 5; ///< per camera: delay, drift, shutter, two angles
 
-  /// Returns the row in which a camera shows a position, as a fraction of the image height from its
-  /// middle: -0.5 in the first row, 0.5 in the last one. 0 if it is not in the image.
+  /// Returns the row in which a camera shows a position (meters, world frame), as a fraction of the
+  /// image height from the center row: -0.5 in the first row, 0.5 in the last one. 0 if the camera
+  /// cannot see the position.
   double rowShare(std::size_t camera, const Eigen::Vector3d& position) const;
   bool isActive() const { return prior_.delaySigma > 0.0 && rig_.size() > 1; }
   void add(const Sighting& sighting);
