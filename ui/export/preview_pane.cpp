@@ -16,7 +16,7 @@ namespace dewpoint::ui {
 
 namespace {
 
-constexpr int kDelayMs = 150;
+constexpr int kPreviewDelayMs = 150;
 constexpr int kSoonDoneMs = 500; ///< less needs no button to stop it
 
 } // namespace
@@ -43,7 +43,7 @@ PreviewPane::PreviewPane(ExportJobs& jobs, std::function<void()> order, QWidget*
   column->addWidget(old_);
   column->addWidget(lines_, 1);
   startTimer_->setSingleShot(true);
-  startTimer_->setInterval(kDelayMs);
+  startTimer_->setInterval(kPreviewDelayMs);
   longTimer_->setSingleShot(true);
   longTimer_->setInterval(kSoonDoneMs);
   connect(startTimer_, &QTimer::timeout, this, [this, order = std::move(order)] {
