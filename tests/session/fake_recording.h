@@ -64,10 +64,10 @@ inline cv::Mat discPicture(const Camera& camera) {
 class FakeRecording : public FrameSetSource {
 public:
   struct Options {
-    std::optional<std::int64_t> frames = 12;       ///< nothing: live
-    std::optional<std::int64_t> failsAt;           ///< next() of this frame is an error
-    std::shared_ptr<std::atomic<bool>> delivering; ///< live: empty sets while false
-    std::shared_ptr<std::atomic<bool>> unplugged;  ///< a notice for each camera while true
+    std::optional<std::int64_t> frames = 12;           ///< nothing: live
+    std::optional<std::int64_t> failsAt;               ///< next() of this frame is an error
+    std::shared_ptr<std::atomic<bool>> delivering;     ///< live: empty sets while false
+    std::shared_ptr<std::atomic<bool>> unplugged = {}; ///< a notice for each camera while true
   };
   explicit FakeRecording(Options options) : options_(std::move(options)) {
     for (const auto& camera : twoCameras()) {
