@@ -807,6 +807,38 @@
         <source>Check the recordings, times, calibration, colors and method of the project for problems</source>
         <translation>Aufnahmen, Zeiten, Kalibrierung, Farben und Verfahren des Projekts auf Probleme prüfen</translation>
     </message>
+    <message>
+        <source>Cameras…</source>
+        <translation>Kameras…</translation>
+    </message>
+    <message>
+        <source>Add, remove, exchange and adjust the cameras of the project</source>
+        <translation>Die Kameras des Projekts hinzufügen, entfernen, vertauschen und einstellen</translation>
+    </message>
+    <message>
+        <source>Lock colors</source>
+        <translation>Farben sperren</translation>
+    </message>
+    <message>
+        <source>Switch the automatic exposure, gain and white balance of all connected cameras off, and keep the present values</source>
+        <translation>Belichtung, Verstärkung und Weißabgleich aller angeschlossenen Kameras nicht mehr automatisch regeln und die jetzigen Werte behalten</translation>
+    </message>
+    <message>
+        <source>Export video…</source>
+        <translation>Video exportieren …</translation>
+    </message>
+    <message>
+        <source>Save the camera views and the bird&apos;s-eye view as a video</source>
+        <translation>Die Kameraansichten und die Vogelperspektive als Video speichern</translation>
+    </message>
+    <message>
+        <source>Take number and notes…</source>
+        <translation>Nummer und Notizen der Aufnahme …</translation>
+    </message>
+    <message>
+        <source>Set number and notes of the next take, or notes of this one</source>
+        <translation>Nummer und Notizen der nächsten Aufnahme oder Notizen der laufenden festlegen</translation>
+    </message>
 </context>
 <context>
     <name>AssessedRegions</name>
@@ -1017,6 +1049,34 @@
         <source>%1 of the %2 searched images show %3. Use this board?</source>
         <translation>%1 der %2 durchsuchten Bilder zeigen %3. Diese Tafel verwenden?</translation>
     </message>
+    <message>
+        <source>%1 (too few corners: %2)</source>
+        <translation>%1 (zu wenige Ecken: %2)</translation>
+    </message>
+    <message>
+        <source>%1 (blurred, edge width %2)</source>
+        <translation>%1 (unscharf, Kantenbreite %2)</translation>
+    </message>
+    <message>
+        <source>%1 (too small, squares of %2)</source>
+        <translation>%1 (zu klein, Felder von %2)</translation>
+    </message>
+    <message>
+        <source>%1: no board was found in frames %2.</source>
+        <translation>%1: In den Einzelbildern %2 wurde keine Tafel gefunden.</translation>
+    </message>
+    <message>
+        <source>%1: no board was found in frames %2 and in %3 others.</source>
+        <translation>%1: In den Einzelbildern %2 und in %3 weiteren wurde keine Tafel gefunden.</translation>
+    </message>
+    <message>
+        <source>The video of %1 is mirrored: it shows the board mirrored, but another camera shows it as it is.</source>
+        <translation>Das Video von %1 ist gespiegelt: Es zeigt die Tafel gespiegelt, eine andere Kamera zeigt sie richtig.</translation>
+    </message>
+    <message>
+        <source>The board or the video of %1 is mirrored: no camera shows the board as it is. Check whether writing in the images is readable.</source>
+        <translation>Die Tafel oder das Video von %1 ist gespiegelt: Keine Kamera zeigt die Tafel richtig. Prüfen Sie, ob Schrift in den Bildern lesbar ist.</translation>
+    </message>
 </context>
 <context>
     <name>CalibrationFiles</name>
@@ -1180,6 +1240,145 @@
     </message>
 </context>
 <context>
+    <name>CameraDeviceText</name>
+    <message>
+        <source>Brightness</source>
+        <translation>Helligkeit</translation>
+    </message>
+    <message>
+        <source>Contrast</source>
+        <translation>Kontrast</translation>
+    </message>
+    <message>
+        <source>Saturation</source>
+        <translation>Sättigung</translation>
+    </message>
+    <message>
+        <source>Hue</source>
+        <translation>Farbton</translation>
+    </message>
+    <message>
+        <source>Automatic hue</source>
+        <translation>Automatischer Farbton</translation>
+    </message>
+    <message>
+        <source>Gamma</source>
+        <translation>Gamma</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Verstärkung</translation>
+    </message>
+    <message>
+        <source>Automatic gain</source>
+        <translation>Automatische Verstärkung</translation>
+    </message>
+    <message>
+        <source>Sharpness</source>
+        <translation>Schärfe</translation>
+    </message>
+    <message>
+        <source>Automatic exposure</source>
+        <translation>Automatische Belichtung</translation>
+    </message>
+    <message>
+        <source>Exposure time (0.1 ms)</source>
+        <translation>Belichtungszeit (0,1 ms)</translation>
+    </message>
+    <message>
+        <source>Lower rate in the dark</source>
+        <translation>Im Dunkeln niedrigere Bildrate</translation>
+    </message>
+    <message>
+        <source>Automatic white balance</source>
+        <translation>Automatischer Weißabgleich</translation>
+    </message>
+    <message>
+        <source>White balance (K)</source>
+        <translation>Weißabgleich (K)</translation>
+    </message>
+    <message>
+        <source>Backlight compensation</source>
+        <translation>Gegenlichtkorrektur</translation>
+    </message>
+    <message>
+        <source>Power line frequency</source>
+        <translation>Netzfrequenz</translation>
+    </message>
+    <message>
+        <source>Focus</source>
+        <translation>Fokus</translation>
+    </message>
+    <message>
+        <source>Automatic focus</source>
+        <translation>Automatischer Fokus</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoom</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>Schwenken</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>Neigen</translation>
+    </message>
+    <message>
+        <source>connector %1</source>
+        <translation>Anschluss %1</translation>
+    </message>
+    <message>
+        <source>serial number %1</source>
+        <translation>Seriennummer %1</translation>
+    </message>
+    <message>
+        <source>%1, %2 images per second</source>
+        <translation>%1, %2 Bilder pro Sekunde</translation>
+    </message>
+    <message>
+        <source>%1 %2, %3 per second</source>
+        <translation>%1 %2, %3 pro Sekunde</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>ein</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>on, exposure time by hand</source>
+        <translation>ein, Belichtungszeit von Hand</translation>
+    </message>
+    <message>
+        <source>on, aperture by hand</source>
+        <translation>ein, Blende von Hand</translation>
+    </message>
+    <message>
+        <source>exposure</source>
+        <translation>Belichtung</translation>
+    </message>
+    <message>
+        <source>gain</source>
+        <translation>Verstärkung</translation>
+    </message>
+    <message>
+        <source>white balance</source>
+        <translation>Weißabgleich</translation>
+    </message>
+    <message>
+        <source>hue</source>
+        <translation>Farbton</translation>
+    </message>
+    <message>
+        <source>USB bus %1 cannot carry the images of %2: they need %3 Mbit/s, and it has %4 Mbit/s.</source>
+        <translation>Der USB-Bus %1 kann die Bilder von %2 nicht übertragen: Sie brauchen %3 Mbit/s, und er hat %4 Mbit/s.</translation>
+    </message>
+</context>
+<context>
     <name>CameraMotion</name>
     <message>
         <source>rotated by %1</source>
@@ -1198,6 +1397,14 @@
     <message>
         <source>%1×</source>
         <translation>%1×</translation>
+    </message>
+    <message>
+        <source>This camera delivered no image for this frame.</source>
+        <translation>Diese Kamera lieferte zu diesem Zeitpunkt kein Bild.</translation>
+    </message>
+    <message>
+        <source>No images yet. Press play (Space), or open a project (Ctrl+O).</source>
+        <translation>Noch keine Bilder. Wiedergabe starten (Leertaste) oder ein Projekt öffnen (Strg+O).</translation>
     </message>
 </context>
 <context>
@@ -3140,6 +3347,14 @@
         <source>Standard deviation of a measured saturation; saturations range from 0 to 1.</source>
         <translation>Standardabweichung einer gemessenen Sättigung; Sättigungen reichen von 0 bis 1.</translation>
     </message>
+    <message>
+        <source>Delay spread</source>
+        <translation>Streuung der Verzögerungen</translation>
+    </message>
+    <message>
+        <source>How much the delays of the cameras may differ (standard deviation). While a target moves, the delays are estimated and corrected. 0 if all time stamps are exact: then no delay is estimated.</source>
+        <translation>Wie stark sich die Verzögerungen der Kameras unterscheiden können (Standardabweichung). Während sich ein Ziel bewegt, werden die Verzögerungen geschätzt und korrigiert. 0, wenn alle Zeitstempel genau sind: Dann wird keine Verzögerung geschätzt.</translation>
+    </message>
 </context>
 <context>
     <name>ParameterGroup</name>
@@ -3409,6 +3624,33 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
     </message>
 </context>
 <context>
+    <name>SizeFitText</name>
+    <message>
+        <source>the same as when calibrated</source>
+        <translation>wie bei der Kalibrierung</translation>
+    </message>
+    <message>
+        <source>cropped on all sides</source>
+        <translation>auf allen Seiten beschnitten</translation>
+    </message>
+    <message>
+        <source>cropped at the right and below</source>
+        <translation>rechts und unten beschnitten</translation>
+    </message>
+    <message>
+        <source>scaled</source>
+        <translation>skaliert</translation>
+    </message>
+    <message>
+        <source>rotated clockwise by 90°</source>
+        <translation>um 90° im Uhrzeigersinn gedreht</translation>
+    </message>
+    <message>
+        <source>rotated clockwise by 270°</source>
+        <translation>um 270° im Uhrzeigersinn gedreht</translation>
+    </message>
+</context>
+<context>
     <name>TakeText</name>
     <message>
         <source>%1 left</source>
@@ -3432,6 +3674,59 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
     <message>
         <source>%1: %2 images, %3, %4 dropped, %5</source>
         <translation>%1: %2 Bilder, %3, %4 verloren, %5</translation>
+    </message>
+    <message>
+        <source>It contains %1 from before you pressed Record; memory was too small for more.</source>
+        <translation>Sie enthält %1 aus der Zeit vor dem Start; für mehr reichte der Speicher nicht.</translation>
+    </message>
+    <message>
+        <source>It contains %1 from before you pressed Record.</source>
+        <translation>Sie enthält %1 aus der Zeit vor dem Start.</translation>
+    </message>
+    <message>
+        <source>The run began before the take, so it cannot be tracked again from its beginning. Restart the run while you record to avoid this.</source>
+        <translation>Der Lauf begann vor der Aufnahme und kann daher nicht von seinem Anfang an noch einmal verfolgt werden. Um das zu vermeiden, starten Sie den Lauf neu, während Sie aufnehmen.</translation>
+    </message>
+    <message>
+        <source>The take gives the results of the live run, to the last bit, in all %1 frames.</source>
+        <translation>Die Aufnahme ergibt in allen %1 Bildern bis aufs letzte Bit die Ergebnisse des Live-Laufs.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 frames differ from the live run, the first one is frame %3. Positions differ by up to %4.</source>
+        <translation>%1 von %2 Bildern weichen vom Live-Lauf ab, als erstes Bild %3. Die Positionen unterscheiden sich um bis zu %4.</translation>
+    </message>
+    <message>
+        <source>Images of %1 frames were dropped, the first in frame %2.</source>
+        <translation>In %1 Bildern fehlen Kamerabilder, zuerst in Bild %2.</translation>
+    </message>
+    <message>
+        <source>Frames %1 to %2 were tracked with other settings.</source>
+        <translation>Die Bilder %1 bis %2 wurden mit anderen Einstellungen verfolgt.</translation>
+    </message>
+    <message>
+        <source>A time budget is set, so results depend on the speed of the computer.</source>
+        <translation>Ein Zeitbudget ist gesetzt, daher hängen die Ergebnisse von der Geschwindigkeit des Computers ab.</translation>
+    </message>
+    <message>
+        <source>The images of %1 are stored with slightly other colors, because the camera sends them uncompressed.</source>
+        <translation>Die Bilder von %1 sind mit leicht anderen Farben gespeichert, weil die Kamera sie unkomprimiert sendet.</translation>
+    </message>
+</context>
+<context>
+    <name>TargetPanel</name>
+    <message>
+        <source>%1, in %2
+Center %3, %4, size %5 × %6
+Similarity %7
+Effective sample size %8 of %9</source>
+        <translation>%1, in %2
+Mitte %3, %4, Größe %5 × %6
+Ähnlichkeit %7
+Effektive Stichprobengröße %8 von %9</translation>
+    </message>
+    <message>
+        <source>Spread %1</source>
+        <translation>Streuung %1</translation>
     </message>
 </context>
 <context>
@@ -3529,6 +3824,13 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
     <message>
         <source>degrees</source>
         <translation>Grad</translation>
+    </message>
+</context>
+<context>
+    <name>VideoDialog</name>
+    <message>
+        <source>Frame %1</source>
+        <translation>Frame %1</translation>
     </message>
 </context>
 <context>
@@ -3638,6 +3940,93 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
     <message>
         <source>Image of %1: arrow keys move a cross, Enter adds a person there</source>
         <translation>Bild von %1: Pfeiltasten bewegen ein Kreuz, Eingabe fügt dort eine Person hinzu</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::AddressForm</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Try</source>
+        <translation>Testen</translation>
+    </message>
+    <message>
+        <source>Add a camera with this address to the project</source>
+        <translation>Eine Kamera mit dieser Adresse zum Projekt hinzufügen</translation>
+    </message>
+    <message>
+        <source>Make this address the image source of the selected camera</source>
+        <translation>Diese Adresse zur Bildquelle der ausgewählten Kamera machen</translation>
+    </message>
+    <message>
+        <source>Waiting for the first image…</source>
+        <translation>Warten auf das erste Bild…</translation>
+    </message>
+    <message>
+        <source>✗ %1</source>
+        <translation>✗ %1</translation>
+    </message>
+    <message>
+        <source>✓ %1</source>
+        <translation>✓ %1</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>RTSP camera</source>
+        <translation>RTSP-Kamera</translation>
+    </message>
+    <message>
+        <source>MJPEG over HTTP</source>
+        <translation>MJPEG über HTTP</translation>
+    </message>
+    <message>
+        <source>RTP over UDP</source>
+        <translation>RTP über UDP</translation>
+    </message>
+    <message>
+        <source>SRT</source>
+        <translation>SRT</translation>
+    </message>
+    <message>
+        <source>GStreamer pipeline</source>
+        <translation>GStreamer-Pipeline</translation>
+    </message>
+    <message>
+        <source>Test pattern</source>
+        <translation>Testbild</translation>
+    </message>
+    <message>
+        <source>Kind of address</source>
+        <translation>Art der Adresse</translation>
+    </message>
+    <message>
+        <source>Shows what an address of this kind looks like</source>
+        <translation>Zeigt, wie eine Adresse dieser Art aussieht</translation>
+    </message>
+    <message>
+        <source>Address of the camera</source>
+        <translation>Adresse der Kamera</translation>
+    </message>
+    <message>
+        <source>Address of a network camera, a GStreamer pipeline or a test pattern</source>
+        <translation>Adresse einer Netzwerkkamera, eine GStreamer-Pipeline oder ein Testbild</translation>
+    </message>
+    <message>
+        <source>Open the address, and show its first image, its size and its rate</source>
+        <translation>Die Adresse öffnen und ihr erstes Bild, dessen Größe und die Bildrate zeigen</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Use for selected camera</source>
+        <translation>Für ausgewählte Kamera verwenden</translation>
     </message>
 </context>
 <context>
@@ -3807,6 +4196,14 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <source>%1 of the %2 searched images show the board that you described.</source>
         <translation>%1 der %2 durchsuchten Bilder zeigen die Tafel, die Sie beschrieben haben.</translation>
     </message>
+    <message>
+        <source>Mirror images</source>
+        <translation>Bilder spiegeln</translation>
+    </message>
+    <message>
+        <source>Saved %1: the board is larger than the paper. Page 1 shows how to put its %2 sheets together.</source>
+        <translation>%1 gespeichert: Die Tafel ist größer als das Papier. Seite 1 zeigt, wie die %2 Blätter zusammengesetzt werden.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::BoardCalibrator</name>
@@ -3825,6 +4222,10 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
     <message>
         <source>No board was found. Show the whole board in focus and in even light, then press Find board again.</source>
         <translation>Keine Tafel gefunden. Zeigen Sie die ganze Tafel scharf und in gleichmäßigem Licht, und drücken Sie noch einmal Tafel suchen.</translation>
+    </message>
+    <message>
+        <source>Mirror images</source>
+        <translation>Bilder spiegeln</translation>
     </message>
 </context>
 <context>
@@ -3948,10 +4349,6 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>Papier</translation>
     </message>
     <message>
-        <source>Size of the paper</source>
-        <translation>Größe des Papiers</translation>
-    </message>
-    <message>
         <source>%1 × %2 inner corners; for the command line:</source>
         <translation>%1 × %2 innere Ecken; für die Befehlszeile:</translation>
     </message>
@@ -3974,6 +4371,10 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
     <message>
         <source>For ChArUco boards with an even number of rows that were made with software older than OpenCV 4.6: their first square is white</source>
         <translation>Für ChArUco-Tafeln mit gerader Zeilenzahl, die mit Software vor OpenCV 4.6 hergestellt wurden: Ihr erstes Feld ist weiß</translation>
+    </message>
+    <message>
+        <source>Size of the paper. A board that is larger is split on several sheets</source>
+        <translation>Größe des Papiers. Eine größere Tafel wird auf mehrere Blätter verteilt</translation>
     </message>
 </context>
 <context>
@@ -4027,10 +4428,6 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>Bild, in dem die Tafel auf dem Boden liegt</translation>
     </message>
     <message>
-        <source>Frame number</source>
-        <translation>Nummer des Bildes</translation>
-    </message>
-    <message>
         <source>Use current frame</source>
         <translation>Aktuelles Bild</translation>
     </message>
@@ -4069,6 +4466,10 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
     <message>
         <source>The board as it lies in this video frame defines the world coordinates: X along its rows, Y toward its upper edge, Z up from the floor. Without such a frame, the first camera keeps its position</source>
         <translation>Die Tafel, wie sie in diesem Bild des Videos liegt, legt die Weltkoordinaten fest: X entlang ihrer Zeilen, Y zu ihrer Oberkante, Z vom Boden nach oben. Ohne ein solches Bild behält die erste Kamera ihre Position</translation>
+    </message>
+    <message>
+        <source>Number of the frame, as in the timeline (the first frame is 1)</source>
+        <translation>Nummer des Einzelbilds wie in der Zeitleiste (das erste ist 1)</translation>
     </message>
 </context>
 <context>
@@ -4474,6 +4875,29 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::CalibrationFit</name>
+    <message>
+        <source>The images are:</source>
+        <translation>Die Bilder sind:</translation>
+    </message>
+    <message>
+        <source>How the images differ from those of the calibration, if they have another size</source>
+        <translation>Wie sich die Bilder von denen der Kalibrierung unterscheiden, wenn sie eine andere Größe haben</translation>
+    </message>
+    <message>
+        <source>Change of the images</source>
+        <translation>Änderung der Bilder</translation>
+    </message>
+    <message>
+        <source>Choose the camera of the file for each camera of the project:</source>
+        <translation>Wählen Sie für jede Kamera des Projekts die Kamera der Datei:</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen …</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::CalibrationImportDialog</name>
     <message>
         <source>Choose a folder</source>
@@ -4632,26 +5056,6 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>automatisch zuordnen</translation>
     </message>
     <message>
-        <source>cropped on all sides</source>
-        <translation>auf allen Seiten beschnitten</translation>
-    </message>
-    <message>
-        <source>cropped at the right and below</source>
-        <translation>rechts und unten beschnitten</translation>
-    </message>
-    <message>
-        <source>scaled</source>
-        <translation>skaliert</translation>
-    </message>
-    <message>
-        <source>rotated clockwise by 90°</source>
-        <translation>um 90° im Uhrzeigersinn gedreht</translation>
-    </message>
-    <message>
-        <source>rotated clockwise by 270°</source>
-        <translation>um 270° im Uhrzeigersinn gedreht</translation>
-    </message>
-    <message>
         <source>Project images</source>
         <translation>Bilder des Projekts</translation>
     </message>
@@ -4670,10 +5074,6 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
     <message>
         <source>For each camera of the project, choose the camera in the file from which it gets its calibration</source>
         <translation>Wählen Sie für jede Kamera des Projekts die Kamera in der Datei, von der sie ihre Kalibrierung erhält</translation>
-    </message>
-    <message>
-        <source>the same as when calibrated</source>
-        <translation>wie bei der Kalibrierung</translation>
     </message>
     <message>
         <source>How the images of the project differ from those of the calibration, if they have another size</source>
@@ -4700,6 +5100,48 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
     <message>
         <source>Calibrate %1…</source>
         <translation>%1 kalibrieren…</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::CameraEdits</name>
+    <message numerus="yes">
+        <source>Add %n camera(s)</source>
+        <translation>
+            <numerusform>%n Kamera hinzufügen</numerusform>
+            <numerusform>%n Kameras hinzufügen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Remove camera</source>
+        <translation>Kamera entfernen</translation>
+    </message>
+    <message>
+        <source>Replace camera</source>
+        <translation>Kamera ersetzen</translation>
+    </message>
+    <message>
+        <source>Exchange cameras</source>
+        <translation>Kameras vertauschen</translation>
+    </message>
+    <message>
+        <source>Rename camera</source>
+        <translation>Kamera umbenennen</translation>
+    </message>
+    <message>
+        <source>Rotate images</source>
+        <translation>Bilder drehen</translation>
+    </message>
+    <message>
+        <source>Change image format</source>
+        <translation>Bildformat ändern</translation>
+    </message>
+    <message>
+        <source>Change camera control</source>
+        <translation>Kameraeinstellung ändern</translation>
+    </message>
+    <message>
+        <source>Lock colors</source>
+        <translation>Farben sperren</translation>
     </message>
 </context>
 <context>
@@ -4995,10 +5437,6 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>Gedreht</translation>
     </message>
     <message>
-        <source>How far the images are rotated clockwise before they are used</source>
-        <translation>Wie weit die Bilder im Uhrzeigersinn gedreht werden, bevor sie verwendet werden</translation>
-    </message>
-    <message>
         <source>Load calibration…</source>
         <translation>Kalibrierung laden…</translation>
     </message>
@@ -5108,6 +5546,14 @@ Position x, y, z: %4, %5, %6</translation>
         <source>%1. Choose Calibration › Import calibration instead.</source>
         <translation>%1. Wählen Sie stattdessen Kalibrierung › Kalibrierung importieren.</translation>
     </message>
+    <message>
+        <source>Keep estimated delay</source>
+        <translation>Geschätzte Verzögerung übernehmen</translation>
+    </message>
+    <message>
+        <source>How far the images are rotated clockwise before they are used. The calibration is rotated with them</source>
+        <translation>Um wie viel die Bilder vor der Verwendung im Uhrzeigersinn gedreht werden. Die Kalibrierung wird mitgedreht</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::CameraTable</name>
@@ -5158,14 +5604,18 @@ Position x, y, z: %4, %5, %6</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::ui::CameraView</name>
+    <name>dewpoint::ui::CamerasDialog</name>
     <message>
-        <source>This camera delivered no image for this frame.</source>
-        <translation>Diese Kamera lieferte zu diesem Zeitpunkt kein Bild.</translation>
+        <source>Cameras – Dewpoint</source>
+        <translation>Kameras – Dewpoint</translation>
     </message>
     <message>
-        <source>No images yet. Press play (Space), or open a project (Ctrl+O).</source>
-        <translation>Noch keine Bilder. Wiedergabe starten (Leertaste) oder ein Projekt öffnen (Strg+O).</translation>
+        <source>Use formats that fit</source>
+        <translation>Passende Formate verwenden</translation>
+    </message>
+    <message>
+        <source>These formats fit: %1.</source>
+        <translation>Diese Formate passen: %1.</translation>
     </message>
 </context>
 <context>
@@ -5278,6 +5728,37 @@ Position x, y, z: %4, %5, %6</translation>
     <message>
         <source>Remove color sample</source>
         <translation>Farbprobe entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::ColorLocker</name>
+    <message>
+        <source>%1 does not let these be locked: %2.</source>
+        <translation>%1 lässt dies nicht sperren: %2.</translation>
+    </message>
+    <message>
+        <source>%1 has no control for these, and may change them by itself: %2.</source>
+        <translation>%1 hat dafür keine Einstellung und ändert dies vielleicht selbst: %2.</translation>
+    </message>
+    <message>
+        <source>Only cameras that are connected to this computer can be locked. For network cameras, use their own settings.</source>
+        <translation>Nur Kameras, die an diesem Computer angeschlossen sind, können gesperrt werden. Verwenden Sie bei Netzwerkkameras deren eigene Einstellungen.</translation>
+    </message>
+    <message>
+        <source>Colors locked: %1.</source>
+        <translation>Farben gesperrt: %1.</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Some cameras change their colors by themselves: %1. The learned color may not fit when the light changes.</source>
+        <translation>Manche Kameras ändern ihre Farben selbst: %1. Die gelernte Farbe passt vielleicht nicht mehr, wenn sich das Licht ändert.</translation>
+    </message>
+    <message>
+        <source>Lock colors</source>
+        <translation>Farben sperren</translation>
     </message>
 </context>
 <context>
@@ -5437,6 +5918,13 @@ Position x, y, z: %4, %5, %6</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::ControlForm</name>
+    <message>
+        <source>%1 to %2, usually %3</source>
+        <translation>%1 bis %2, üblich %3</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::CorrectionMode</name>
     <message>
         <source>Correct position</source>
@@ -5498,6 +5986,48 @@ Position x, y, z: %4, %5, %6</translation>
     <message>
         <source>Show report</source>
         <translation>Bericht zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::DelayEstimate</name>
+    <message>
+        <source>Keep</source>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>Add the estimated delay to the delay of this camera in the project</source>
+        <translation>Die geschätzte Verzögerung zur Verzögerung dieser Kamera im Projekt addieren</translation>
+    </message>
+    <message>
+        <source>Estimated from the motion of the targets, and corrected while tracking. The parameter “Delay spread” switches this off</source>
+        <translation>Aus der Bewegung der Ziele geschätzt und beim Verfolgen korrigiert. Der Parameter „Streuung der Verzögerungen“ schaltet dies ab</translation>
+    </message>
+    <message>
+        <source>Estimate: %1 later than %2, ±%3</source>
+        <translation>Schätzung: %1 später als %2, ±%3</translation>
+    </message>
+    <message>
+        <source>Estimate: %1 earlier than %2, ±%3</source>
+        <translation>Schätzung: %1 früher als %2, ±%3</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::DeviceQuestion</name>
+    <message>
+        <source>Use %1</source>
+        <translation>%1 verwenden</translation>
+    </message>
+    <message>
+        <source>Cameras…</source>
+        <translation>Kameras…</translation>
+    </message>
+    <message>
+        <source>Several devices may be the camera %1 (%2). Which one is it?</source>
+        <translation>Mehrere Geräte könnten die Kamera %1 (%2) sein. Welches ist es?</translation>
+    </message>
+    <message>
+        <source>The device of the camera %1 is not connected: %2. Plug it in, or choose another one.</source>
+        <translation>Das Gerät der Kamera %1 ist nicht angeschlossen: %2. Schließen Sie es an oder wählen Sie ein anderes.</translation>
     </message>
 </context>
 <context>
@@ -5976,6 +6506,37 @@ Position x, y, z: %4, %5, %6</translation>
     <message>
         <source>Follow all objects of one color</source>
         <translation>Alle Objekte einer Farbe verfolgen</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::FormatChoice</name>
+    <message>
+        <source>automatic</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Format in which the device sends its images. Compressed formats, such as MJPG, need less of the USB bus</source>
+        <translation>Format, in dem das Gerät seine Bilder sendet. Komprimierte Formate wie MJPG belasten den USB-Bus weniger</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Size of the images, pixels</source>
+        <translation>Größe der Bilder in Pixeln</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Rate</translation>
+    </message>
+    <message>
+        <source>Images per second</source>
+        <translation>Bilder pro Sekunde</translation>
     </message>
 </context>
 <context>
@@ -6708,6 +7269,28 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
     <message>
         <source>Probably a mistake in the calibration: %1</source>
         <translation>Wahrscheinlich ein Fehler in der Kalibrierung: %1</translation>
+    </message>
+    <message>
+        <source>%1. Choose below how the images differ from those of the calibration.</source>
+        <translation>%1. Wählen Sie unten, wie sich die Bilder von denen der Kalibrierung unterscheiden.</translation>
+    </message>
+    <message>
+        <source>%1. Choose the camera of the file for each camera of the project below.</source>
+        <translation>%1. Wählen Sie unten für jede Kamera des Projekts die Kamera der Datei.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::NoticeList</name>
+    <message>
+        <source>Hide these notices. The status bar shows how many are hidden</source>
+        <translation>Diese Hinweise ausblenden. Die Statusleiste zeigt, wie viele ausgeblendet sind</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more notice(s)</source>
+        <translation>
+            <numerusform>und %n weiterer Hinweis</numerusform>
+            <numerusform>und %n weitere Hinweise</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7655,6 +8238,97 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::ProjectPane</name>
+    <message>
+        <source>Cameras of the project</source>
+        <translation>Kameras des Projekts</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Exchange with</source>
+        <translation>Vertauschen mit</translation>
+    </message>
+    <message>
+        <source>Exchange the image source with that of another camera, for example after the cables were exchanged. Names and calibrations stay</source>
+        <translation>Die Bildquelle mit der einer anderen Kamera vertauschen, zum Beispiel nachdem die Kabel vertauscht wurden. Namen und Kalibrierungen bleiben</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Name of the camera, in views and files</source>
+        <translation>Name der Kamera, in Ansichten und Dateien</translation>
+    </message>
+    <message>
+        <source>Rotated</source>
+        <translation>Gedreht</translation>
+    </message>
+    <message>
+        <source>Clockwise rotation of the images before use. The calibration is rotated with them</source>
+        <translation>Drehung der Bilder im Uhrzeigersinn vor der Verwendung. Die Kalibrierung wird mit ihnen gedreht</translation>
+    </message>
+    <message>
+        <source>Mirrored</source>
+        <translation>Gespiegelt</translation>
+    </message>
+    <message>
+        <source>Mirror the images left to right, after rotation</source>
+        <translation>Die Bilder nach dem Drehen seitenverkehrt spiegeln</translation>
+    </message>
+    <message>
+        <source>Lock colors</source>
+        <translation>Farben sperren</translation>
+    </message>
+    <message>
+        <source>Switch the automatic exposure, gain and white balance of this camera off, and keep the present values</source>
+        <translation>Belichtung, Verstärkung und Weißabgleich dieser Kamera nicht mehr automatisch regeln und die jetzigen Werte behalten</translation>
+    </message>
+    <message>
+        <source>Lock all cameras</source>
+        <translation>Alle Kameras sperren</translation>
+    </message>
+    <message>
+        <source>Switch the automatic exposure, gain and white balance of all connected cameras off, and keep the present values</source>
+        <translation>Belichtung, Verstärkung und Weißabgleich aller angeschlossenen Kameras nicht mehr automatisch regeln und die jetzigen Werte behalten</translation>
+    </message>
+    <message>
+        <source>Remove this camera. Undo restores it with its calibration</source>
+        <translation>Diese Kamera entfernen. Rückgängig stellt sie mit ihrer Kalibrierung wieder her</translation>
+    </message>
+    <message>
+        <source>A project needs at least one camera</source>
+        <translation>Ein Projekt braucht mindestens eine Kamera</translation>
+    </message>
+    <message>
+        <source>simulated</source>
+        <translation>simuliert</translation>
+    </message>
+    <message>
+        <source>A simulated scene has its own cameras. They cannot be changed.</source>
+        <translation>Eine simulierte Szene hat eigene Kameras. Sie können nicht geändert werden.</translation>
+    </message>
+    <message>
+        <source>▲ Several devices may be this camera. Choose one on the right.</source>
+        <translation>▲ Mehrere Geräte könnten diese Kamera sein. Wählen Sie rechts eines aus.</translation>
+    </message>
+    <message>
+        <source>▲ This device is not connected.</source>
+        <translation>▲ Dieses Gerät ist nicht angeschlossen.</translation>
+    </message>
+    <message>
+        <source>This camera is not calibrated yet.</source>
+        <translation>Diese Kamera ist noch nicht kalibriert.</translation>
+    </message>
+    <message>
+        <source>▲ The calibration is for images of %1. Choose this size, or calibrate again.</source>
+        <translation>▲ Die Kalibrierung gilt für Bilder von %1. Wählen Sie diese Größe oder kalibrieren Sie erneut.</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::QuickStart</name>
     <message>
         <source>The cameras confirm where the target is.</source>
@@ -7841,6 +8515,21 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <source>Done: %1. You can undo this.</source>
         <translation>Erledigt: %1. Sie können es rückgängig machen.</translation>
     </message>
+    <message>
+        <source>No longer: %1</source>
+        <translation>Nicht mehr: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>◆ %n notice(s)</source>
+        <translation>
+            <numerusform>◆ %n Hinweis</numerusform>
+            <numerusform>◆ %n Hinweise</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Show the hidden notices</source>
+        <translation>Die ausgeblendeten Hinweise zeigen</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::RunDetails</name>
@@ -7895,6 +8584,22 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
     <message>
         <source>%1 of %2 MB</source>
         <translation>%1 von %2 MB</translation>
+    </message>
+    <message>
+        <source>median %1, 99 of 100 within %2</source>
+        <translation>Median %1, 99 von 100 innerhalb von %2</translation>
+    </message>
+    <message>
+        <source>capture %1 · decode %2 · wait %3 · compute %4 · draw %5</source>
+        <translation>Aufnahme %1 · Dekodieren %2 · Warten %3 · Rechnen %4 · Zeichnen %5</translation>
+    </message>
+    <message>
+        <source>Counted from the arrival of the image where a camera does not report capture times</source>
+        <translation>Ab der Ankunft des Bildes gezählt, wo eine Kamera keine Aufnahmezeiten meldet</translation>
+    </message>
+    <message>
+        <source>Time from light to estimate</source>
+        <translation>Zeit vom Licht bis zur Schätzung</translation>
     </message>
 </context>
 <context>
@@ -7993,6 +8698,97 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
     <message>
         <source>Close; changed shortcuts are already saved</source>
         <translation>Schließen; geänderte Kürzel sind schon gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::SourcePane</name>
+    <message>
+        <source>Connected to this computer</source>
+        <translation>An diesem Computer angeschlossen</translation>
+    </message>
+    <message>
+        <source>No camera is connected. Plug one in: it appears here by itself.</source>
+        <translation>Keine Kamera ist angeschlossen. Schließen Sie eine an: Sie erscheint hier von selbst.</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Use for selected camera</source>
+        <translation>Für ausgewählte Kamera verwenden</translation>
+    </message>
+    <message>
+        <source>Network cameras, pipelines and test patterns</source>
+        <translation>Netzwerkkameras, Pipelines und Testbilder</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Add videos…</source>
+        <translation>Videos hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Add image folder…</source>
+        <translation>Bilderordner hinzufügen…</translation>
+    </message>
+    <message>
+        <source>A simulated scene has its own cameras. They cannot be changed.</source>
+        <translation>Eine simulierte Szene hat eigene Kameras. Sie können nicht geändert werden.</translation>
+    </message>
+    <message>
+        <source>This project has live cameras. Recordings need a project of their own.</source>
+        <translation>Dieses Projekt hat Live-Kameras. Aufnahmen brauchen ein eigenes Projekt.</translation>
+    </message>
+    <message>
+        <source>This project has recordings. Live cameras need a project of their own.</source>
+        <translation>Dieses Projekt hat Aufnahmen. Live-Kameras brauchen ein eigenes Projekt.</translation>
+    </message>
+    <message>
+        <source>used by %1</source>
+        <translation>von %1 verwendet</translation>
+    </message>
+    <message>
+        <source>✗ %1</source>
+        <translation>✗ %1</translation>
+    </message>
+    <message>
+        <source>The project uses this device already</source>
+        <translation>Das Projekt verwendet dieses Gerät bereits</translation>
+    </message>
+    <message>
+        <source>Add the device as a new camera of the project</source>
+        <translation>Das Gerät als neue Kamera zum Projekt hinzufügen</translation>
+    </message>
+    <message>
+        <source>Exchange the devices of this camera and of the selected camera</source>
+        <translation>Die Geräte dieser und der ausgewählten Kamera vertauschen</translation>
+    </message>
+    <message>
+        <source>Make this device the image source of the selected camera. The camera keeps its name and its calibration</source>
+        <translation>Dieses Gerät zur Bildquelle der ausgewählten Kamera machen. Die Kamera behält Namen und Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Video files, one per camera</source>
+        <translation>Videodateien, eine je Kamera</translation>
+    </message>
+    <message>
+        <source>A folder of images, one per frame</source>
+        <translation>Ein Ordner mit Bildern, eines je Zeitpunkt</translation>
+    </message>
+    <message>
+        <source>Choose one video per camera</source>
+        <translation>Ein Video je Kamera wählen</translation>
+    </message>
+    <message>
+        <source>Videos (*.mp4 *.mkv *.avi *.mov *.m4v *.mpg *.mpeg *.webm *.mjpeg);;All files (*)</source>
+        <translation>Videos (*.mp4 *.mkv *.avi *.mov *.m4v *.mpg *.mpeg *.webm *.mjpeg);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Choose a folder of images</source>
+        <translation>Einen Ordner mit Bildern wählen</translation>
     </message>
 </context>
 <context>
@@ -8118,6 +8914,14 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <source>A box passes in front of the ball. One camera is enough to keep tracking the ball.</source>
         <translation>Eine Kiste zieht vor dem Ball vorbei. Eine Kamera genügt, um den Ball weiter zu verfolgen.</translation>
     </message>
+    <message>
+        <source>Calibrate cameras…</source>
+        <translation>Kameras kalibrieren …</translation>
+    </message>
+    <message>
+        <source>Videos of a board or a ball, step by step</source>
+        <translation>Videos einer Tafel oder eines Balls, Schritt für Schritt</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::StatusBarPanel</name>
@@ -8238,6 +9042,21 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::TakeComparison</name>
+    <message>
+        <source>This take contains the results of the live run.</source>
+        <translation>Diese Aufnahme enthält die Ergebnisse des Live-Laufs.</translation>
+    </message>
+    <message>
+        <source>Compare results</source>
+        <translation>Ergebnisse vergleichen</translation>
+    </message>
+    <message>
+        <source>Tracking the take again…</source>
+        <translation>Die Aufnahme wird noch einmal verfolgt …</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::TakeController</name>
     <message>
         <source>The recording ended, because its cameras were closed.</source>
@@ -8258,6 +9077,57 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
     <message>
         <source>Show folder</source>
         <translation>Ordner zeigen</translation>
+    </message>
+    <message>
+        <source>Notes…</source>
+        <translation>Notizen …</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::TakeDialog</name>
+    <message>
+        <source>Take %1</source>
+        <translation>Aufnahme %1</translation>
+    </message>
+    <message>
+        <source>Next take</source>
+        <translation>Nächste Aufnahme</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>next free number</source>
+        <translation>nächste freie Nummer</translation>
+    </message>
+    <message>
+        <source>Number of the take and of its folder. It counts up by itself.</source>
+        <translation>Nummer der Aufnahme und ihres Ordners. Sie zählt von selbst weiter.</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notizen</translation>
+    </message>
+    <message>
+        <source>Pre-roll</source>
+        <translation>Vorlauf</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Time before the start that is recorded as well. The last images of all cameras are kept in memory for this, up to 512 MB in total.</source>
+        <translation>Zeit vor dem Start, die mit aufgenommen wird. Dafür bleiben die letzten Bilder aller Kameras im Speicher, zusammen bis zu 512 MB.</translation>
+    </message>
+    <message>
+        <source>Text that is kept with the take</source>
+        <translation>Text, der mit der Aufnahme gespeichert wird</translation>
     </message>
 </context>
 <context>
@@ -8339,20 +9209,6 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <translation>In diesem Bild kein Rahmen.</translation>
     </message>
     <message>
-        <source>%1, in %2
-Center %3, %4, size %5 × %6
-Similarity %7
-Effective sample size %8 of %9</source>
-        <translation>%1, in %2
-Mitte %3, %4, Größe %5 × %6
-Ähnlichkeit %7
-Effektive Stichprobengröße %8 von %9</translation>
-    </message>
-    <message>
-        <source>Spread %1</source>
-        <translation>Streuung %1</translation>
-    </message>
-    <message>
         <source>Target</source>
         <translation>Ziel</translation>
     </message>
@@ -8391,6 +9247,10 @@ Effektive Stichprobengröße %8 von %9</translation>
     <message>
         <source>Ball: the outline of the target is a circle in every image. Any: the size of the target is learned, and its position is the center of the region that has its color. Automatic: the shape is determined from the images. Only method dewpoint uses this setting.</source>
         <translation>Ball: Der Umriss des Ziels ist in jedem Bild ein Kreis. Beliebig: Die Größe des Ziels wird gelernt, und seine Position ist die Mitte des Bereichs, der seine Farbe hat. Automatisch: Die Form wird aus den Bildern bestimmt. Nur das Verfahren dewpoint verwendet diese Einstellung.</translation>
+    </message>
+    <message>
+        <source>%1 m/s</source>
+        <translation>%1 m/s</translation>
     </message>
 </context>
 <context>
@@ -8750,6 +9610,237 @@ Effektive Stichprobengröße %8 von %9</translation>
     <message>
         <source>The error is at most %2 in %1 of the volume. Fewer than two cameras see %3 of the volume</source>
         <translation>Der Fehler ist in %1 des Raums höchstens %2. Weniger als zwei Kameras sehen %3 des Raums</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::VideoDialog</name>
+    <message>
+        <source>Export video</source>
+        <translation>Video exportieren</translation>
+    </message>
+    <message>
+        <source>First image</source>
+        <translation>Erstes Bild</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>File to write</source>
+        <translation>Datei, die geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>Durchsuchen …</translation>
+    </message>
+    <message>
+        <source>Choose the file to write</source>
+        <translation>Die Datei wählen, die geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop the export; no file is left</source>
+        <translation>Den Export abbrechen; es bleibt keine Datei zurück</translation>
+    </message>
+    <message>
+        <source>Write the video in the background</source>
+        <translation>Das Video im Hintergrund schreiben</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close; a running export continues</source>
+        <translation>Schließen; ein laufender Export geht weiter</translation>
+    </message>
+    <message>
+        <source>Saved the video %1.</source>
+        <translation>Das Video %1 wurde gespeichert.</translation>
+    </message>
+    <message>
+        <source>The export was canceled.</source>
+        <translation>Der Export wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>%1 exists already; nothing was written.</source>
+        <translation>%1 gibt es schon; es wurde nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>Ansichten</translation>
+    </message>
+    <message>
+        <source>no view is checked</source>
+        <translation>keine Ansicht ist angekreuzt</translation>
+    </message>
+    <message>
+        <source>Images: %1. Length: %2. Size: %3 × %4 pixels.</source>
+        <translation>Bilder: %1. Länge: %2. Größe: %3 × %4 Pixel.</translation>
+    </message>
+    <message>
+        <source>This computer draws the bird&apos;s-eye view slowly. It is drawn in a smaller size and enlarged.</source>
+        <translation>Dieser Computer zeichnet die Vogelperspektive langsam. Sie wird kleiner gezeichnet und vergrößert.</translation>
+    </message>
+    <message>
+        <source>This computer has no encoder for videos.</source>
+        <translation>Dieser Computer hat keinen Encoder für Videos.</translation>
+    </message>
+    <message>
+        <source>%1 exists already. Replace it?</source>
+        <translation>%1 gibt es schon. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>The export was stopped because the run has ended.</source>
+        <translation>Der Export wurde beendet, weil der Lauf zu Ende ist.</translation>
+    </message>
+    <message>
+        <source>The export was stopped because the run was restarted.</source>
+        <translation>Der Export wurde beendet, weil der Lauf neu gestartet wurde.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::VideoForm</name>
+    <message>
+        <source>camera images</source>
+        <translation>Kamerabilder</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <comment>pixels</comment>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>MP4 (H.264)</source>
+        <translation>MP4 (H.264)</translation>
+    </message>
+    <message>
+        <source>WebM (VP8)</source>
+        <translation>WebM (VP8)</translation>
+    </message>
+    <message>
+        <source>AVI (Motion JPEG)</source>
+        <translation>AVI (Motion JPEG)</translation>
+    </message>
+    <message>
+        <source>Matroska (FFV1, lossless)</source>
+        <translation>Matroska (FFV1, verlustfrei)</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>Ansichten</translation>
+    </message>
+    <message>
+        <source>The checked views are shown side by side</source>
+        <translation>Die angekreuzten Ansichten stehen nebeneinander</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>First time to show, 0 to 1,000,000 s</source>
+        <translation>Erste gezeigte Zeit, 0 bis 1.000.000 s</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>Last time to show, 0 to 1,000,000 s. The end is the last tracked frame; later frames have no results</source>
+        <translation>Letzte gezeigte Zeit, 0 bis 1.000.000 s. Das Ende ist der letzte verfolgte Frame; spätere Frames haben keine Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>1 is real time, 0.1 is ten times slower, 8 is eight times faster; up to 100. With 0, every frame is shown once</source>
+        <translation>1 ist Echtzeit, 0,1 ist zehnmal langsamer, 8 ist achtmal schneller; bis 100. Mit 0 wird jeder Frame einmal gezeigt</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Width and height of the video in pixels</source>
+        <translation>Breite und Höhe des Videos in Pixeln</translation>
+    </message>
+    <message>
+        <source>Frame rate</source>
+        <translation>Bildrate</translation>
+    </message>
+    <message>
+        <source>Images of the video per second, 1 to 240</source>
+        <translation>Bilder des Videos pro Sekunde, 1 bis 240</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Formats that this computer can write</source>
+        <translation>Formate, die dieser Computer schreiben kann</translation>
+    </message>
+    <message>
+        <source>the beginning</source>
+        <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>the end</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>every frame once</source>
+        <translation>jeder Frame einmal</translation>
+    </message>
+    <message>
+        <source>as recorded</source>
+        <translation>wie aufgenommen</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source> ×</source>
+        <translation> ×</translation>
+    </message>
+    <message>
+        <source> per second</source>
+        <translation> pro Sekunde</translation>
+    </message>
+    <message>
+        <source>Titles of the views</source>
+        <translation>Titel der Ansichten</translation>
+    </message>
+    <message>
+        <source>Write the name of each view into its corner</source>
+        <translation>Den Namen jeder Ansicht in ihre Ecke schreiben</translation>
+    </message>
+    <message>
+        <source>Frame and time</source>
+        <translation>Frame und Zeit</translation>
+    </message>
+    <message>
+        <source>Write the name of the recording, the frame number and the time into the video</source>
+        <translation>Den Namen der Aufnahme, die Nummer des Frames und die Zeit in das Video schreiben</translation>
     </message>
 </context>
 <context>
@@ -9187,6 +10278,10 @@ Effektive Stichprobengröße %8 von %9</translation>
     <message>
         <source>Calibrations from different parts of the recording differ from each other %1 times as much as image noise can explain. The stated accuracy takes this into account.</source>
         <translation>Kalibrierungen aus verschiedenen Teilen der Aufnahme weichen %1-mal so stark voneinander ab, wie das Rauschen der Bilder erklärt. Die angegebene Genauigkeit berücksichtigt das.</translation>
+    </message>
+    <message>
+        <source>%1 was far off: the refinement rotates it by %2 and moves it by %3, much more than the others. Was it moved after its calibration?</source>
+        <translation>%1 lag weit daneben: Die Verfeinerung dreht sie um %2 und verschiebt sie um %3, viel mehr als die anderen. Wurde sie nach ihrer Kalibrierung bewegt?</translation>
     </message>
 </context>
 <context>

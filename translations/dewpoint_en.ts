@@ -52,6 +52,16 @@
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::CameraEdits</name>
+    <message numerus="yes">
+        <source>Add %n camera(s)</source>
+        <translation>
+            <numerusform>Add %n camera</numerusform>
+            <numerusform>Add %n cameras</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::CameraTable</name>
     <message numerus="yes">
         <source>✓ %1×%2 · %3 frames per second · %n frames</source>
@@ -106,6 +116,16 @@
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::NoticeList</name>
+    <message numerus="yes">
+        <source>and %n more notice(s)</source>
+        <translation>
+            <numerusform>and %n more notice</numerusform>
+            <numerusform>and %n more notices</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::OutputController</name>
     <message numerus="yes">
         <source>Sending, %n program(s) connected</source>
@@ -132,6 +152,16 @@
         <translation>
             <numerusform>%n view captured</numerusform>
             <numerusform>%n views captured</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::RunAlerts</name>
+    <message numerus="yes">
+        <source>◆ %n notice(s)</source>
+        <translation>
+            <numerusform>◆ %n notice</numerusform>
+            <numerusform>◆ %n notices</numerusform>
         </translation>
     </message>
 </context>

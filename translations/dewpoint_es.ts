@@ -807,6 +807,38 @@
         <source>Check the recordings, times, calibration, colors and method of the project for problems</source>
         <translation>Buscar problemas en las grabaciones, los tiempos, la calibración, los colores y el método del proyecto</translation>
     </message>
+    <message>
+        <source>Cameras…</source>
+        <translation>Cámaras…</translation>
+    </message>
+    <message>
+        <source>Add, remove, exchange and adjust the cameras of the project</source>
+        <translation>Añadir, quitar, intercambiar y ajustar las cámaras del proyecto</translation>
+    </message>
+    <message>
+        <source>Lock colors</source>
+        <translation>Fijar colores</translation>
+    </message>
+    <message>
+        <source>Switch the automatic exposure, gain and white balance of all connected cameras off, and keep the present values</source>
+        <translation>Desactivar la exposición, la ganancia y el balance de blancos automáticos de todas las cámaras conectadas y conservar los valores actuales</translation>
+    </message>
+    <message>
+        <source>Export video…</source>
+        <translation>Exportar vídeo…</translation>
+    </message>
+    <message>
+        <source>Save the camera views and the bird&apos;s-eye view as a video</source>
+        <translation>Guardar las vistas de las cámaras y la vista de pájaro como vídeo</translation>
+    </message>
+    <message>
+        <source>Take number and notes…</source>
+        <translation>Número y notas de la toma…</translation>
+    </message>
+    <message>
+        <source>Set number and notes of the next take, or notes of this one</source>
+        <translation>Fijar el número y las notas de la próxima toma, o las notas de la actual</translation>
+    </message>
 </context>
 <context>
     <name>AssessedRegions</name>
@@ -1017,6 +1049,34 @@
         <source>%1 of the %2 searched images show %3. Use this board?</source>
         <translation>%1 de las %2 imágenes examinadas muestran %3. ¿Usar este tablero?</translation>
     </message>
+    <message>
+        <source>%1 (too few corners: %2)</source>
+        <translation>%1 (muy pocas esquinas: %2)</translation>
+    </message>
+    <message>
+        <source>%1 (blurred, edge width %2)</source>
+        <translation>%1 (borrosa, ancho de los bordes: %2)</translation>
+    </message>
+    <message>
+        <source>%1 (too small, squares of %2)</source>
+        <translation>%1 (demasiado pequeño, casillas de %2)</translation>
+    </message>
+    <message>
+        <source>%1: no board was found in frames %2.</source>
+        <translation>%1: no se encontró ningún tablero en los fotogramas %2.</translation>
+    </message>
+    <message>
+        <source>%1: no board was found in frames %2 and in %3 others.</source>
+        <translation>%1: no se encontró ningún tablero en los fotogramas %2 ni en otros %3.</translation>
+    </message>
+    <message>
+        <source>The video of %1 is mirrored: it shows the board mirrored, but another camera shows it as it is.</source>
+        <translation>El vídeo de %1 está reflejado: muestra el tablero reflejado, pero otra cámara lo muestra tal como es.</translation>
+    </message>
+    <message>
+        <source>The board or the video of %1 is mirrored: no camera shows the board as it is. Check whether writing in the images is readable.</source>
+        <translation>El tablero o el vídeo de %1 está reflejado: ninguna cámara muestra el tablero tal como es. Compruebe si los textos en las imágenes son legibles.</translation>
+    </message>
 </context>
 <context>
     <name>CalibrationFiles</name>
@@ -1180,6 +1240,145 @@
     </message>
 </context>
 <context>
+    <name>CameraDeviceText</name>
+    <message>
+        <source>Brightness</source>
+        <translation>Brillo</translation>
+    </message>
+    <message>
+        <source>Contrast</source>
+        <translation>Contraste</translation>
+    </message>
+    <message>
+        <source>Saturation</source>
+        <translation>Saturación</translation>
+    </message>
+    <message>
+        <source>Hue</source>
+        <translation>Tono</translation>
+    </message>
+    <message>
+        <source>Automatic hue</source>
+        <translation>Tono automático</translation>
+    </message>
+    <message>
+        <source>Gamma</source>
+        <translation>Gamma</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Ganancia</translation>
+    </message>
+    <message>
+        <source>Automatic gain</source>
+        <translation>Ganancia automática</translation>
+    </message>
+    <message>
+        <source>Sharpness</source>
+        <translation>Nitidez</translation>
+    </message>
+    <message>
+        <source>Automatic exposure</source>
+        <translation>Exposición automática</translation>
+    </message>
+    <message>
+        <source>Exposure time (0.1 ms)</source>
+        <translation>Tiempo de exposición (0,1 ms)</translation>
+    </message>
+    <message>
+        <source>Lower rate in the dark</source>
+        <translation>Menor frecuencia en la oscuridad</translation>
+    </message>
+    <message>
+        <source>Automatic white balance</source>
+        <translation>Balance de blancos automático</translation>
+    </message>
+    <message>
+        <source>White balance (K)</source>
+        <translation>Balance de blancos (K)</translation>
+    </message>
+    <message>
+        <source>Backlight compensation</source>
+        <translation>Compensación de contraluz</translation>
+    </message>
+    <message>
+        <source>Power line frequency</source>
+        <translation>Frecuencia de la red eléctrica</translation>
+    </message>
+    <message>
+        <source>Focus</source>
+        <translation>Enfoque</translation>
+    </message>
+    <message>
+        <source>Automatic focus</source>
+        <translation>Enfoque automático</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoom</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>Giro horizontal</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>Inclinación</translation>
+    </message>
+    <message>
+        <source>connector %1</source>
+        <translation>conector %1</translation>
+    </message>
+    <message>
+        <source>serial number %1</source>
+        <translation>número de serie %1</translation>
+    </message>
+    <message>
+        <source>%1, %2 images per second</source>
+        <translation>%1, %2 imágenes por segundo</translation>
+    </message>
+    <message>
+        <source>%1 %2, %3 per second</source>
+        <translation>%1 %2, %3 por segundo</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>activada</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>desactivado</translation>
+    </message>
+    <message>
+        <source>on, exposure time by hand</source>
+        <translation>activada, tiempo de exposición a mano</translation>
+    </message>
+    <message>
+        <source>on, aperture by hand</source>
+        <translation>activada, apertura a mano</translation>
+    </message>
+    <message>
+        <source>exposure</source>
+        <translation>exposición</translation>
+    </message>
+    <message>
+        <source>gain</source>
+        <translation>ganancia</translation>
+    </message>
+    <message>
+        <source>white balance</source>
+        <translation>balance de blancos</translation>
+    </message>
+    <message>
+        <source>hue</source>
+        <translation>tono</translation>
+    </message>
+    <message>
+        <source>USB bus %1 cannot carry the images of %2: they need %3 Mbit/s, and it has %4 Mbit/s.</source>
+        <translation>El bus USB %1 no puede transmitir las imágenes de %2: necesitan %3 Mbit/s y dispone de %4 Mbit/s.</translation>
+    </message>
+</context>
+<context>
     <name>CameraMotion</name>
     <message>
         <source>rotated by %1</source>
@@ -1198,6 +1397,14 @@
     <message>
         <source>%1×</source>
         <translation>%1×</translation>
+    </message>
+    <message>
+        <source>This camera delivered no image for this frame.</source>
+        <translation>Esta cámara no entregó imagen para este fotograma.</translation>
+    </message>
+    <message>
+        <source>No images yet. Press play (Space), or open a project (Ctrl+O).</source>
+        <translation>Aún no hay imágenes. Pulse reproducir (Espacio) o abra un proyecto (Ctrl+O).</translation>
     </message>
 </context>
 <context>
@@ -3140,6 +3347,14 @@
         <source>Standard deviation of a measured saturation; saturations range from 0 to 1.</source>
         <translation>Desviación típica de una saturación medida; las saturaciones van de 0 a 1.</translation>
     </message>
+    <message>
+        <source>Delay spread</source>
+        <translation>Dispersión de los retardos</translation>
+    </message>
+    <message>
+        <source>How much the delays of the cameras may differ (standard deviation). While a target moves, the delays are estimated and corrected. 0 if all time stamps are exact: then no delay is estimated.</source>
+        <translation>Cuánto pueden diferir los retardos de las cámaras (desviación típica). Mientras un objetivo se mueve, los retardos se estiman y se corrigen. 0 si todas las marcas de tiempo son exactas: entonces no se estima ningún retardo.</translation>
+    </message>
 </context>
 <context>
     <name>ParameterGroup</name>
@@ -3409,6 +3624,33 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
     </message>
 </context>
 <context>
+    <name>SizeFitText</name>
+    <message>
+        <source>the same as when calibrated</source>
+        <translation>iguales que al calibrar</translation>
+    </message>
+    <message>
+        <source>cropped on all sides</source>
+        <translation>recortadas por todos los lados</translation>
+    </message>
+    <message>
+        <source>cropped at the right and below</source>
+        <translation>recortadas a la derecha y abajo</translation>
+    </message>
+    <message>
+        <source>scaled</source>
+        <translation>escaladas</translation>
+    </message>
+    <message>
+        <source>rotated clockwise by 90°</source>
+        <translation>giradas 90° en sentido horario</translation>
+    </message>
+    <message>
+        <source>rotated clockwise by 270°</source>
+        <translation>giradas 270° en sentido horario</translation>
+    </message>
+</context>
+<context>
     <name>TakeText</name>
     <message>
         <source>%1 left</source>
@@ -3432,6 +3674,59 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
     <message>
         <source>%1: %2 images, %3, %4 dropped, %5</source>
         <translation>%1: %2 imágenes, %3, %4 perdidas, %5</translation>
+    </message>
+    <message>
+        <source>It contains %1 from before you pressed Record; memory was too small for more.</source>
+        <translation>Contiene %1 anteriores al inicio; no había memoria para más.</translation>
+    </message>
+    <message>
+        <source>It contains %1 from before you pressed Record.</source>
+        <translation>Contiene %1 anteriores al inicio.</translation>
+    </message>
+    <message>
+        <source>The run began before the take, so it cannot be tracked again from its beginning. Restart the run while you record to avoid this.</source>
+        <translation>La ejecución empezó antes de la toma, así que no se puede repetir desde su principio. Para evitarlo, reinicie la ejecución mientras graba.</translation>
+    </message>
+    <message>
+        <source>The take gives the results of the live run, to the last bit, in all %1 frames.</source>
+        <translation>La toma da los resultados de la ejecución en vivo, hasta el último bit, en los %1 fotogramas.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 frames differ from the live run, the first one is frame %3. Positions differ by up to %4.</source>
+        <translation>%1 de %2 fotogramas difieren de la ejecución en vivo; el primero es el fotograma %3. Las posiciones difieren hasta en %4.</translation>
+    </message>
+    <message>
+        <source>Images of %1 frames were dropped, the first in frame %2.</source>
+        <translation>Se perdieron imágenes de %1 fotogramas, la primera en el fotograma %2.</translation>
+    </message>
+    <message>
+        <source>Frames %1 to %2 were tracked with other settings.</source>
+        <translation>Los fotogramas %1 a %2 se siguieron con otros ajustes.</translation>
+    </message>
+    <message>
+        <source>A time budget is set, so results depend on the speed of the computer.</source>
+        <translation>Hay un límite de tiempo fijado, así que los resultados dependen de la velocidad del ordenador.</translation>
+    </message>
+    <message>
+        <source>The images of %1 are stored with slightly other colors, because the camera sends them uncompressed.</source>
+        <translation>Las imágenes de %1 se guardan con colores ligeramente distintos, porque la cámara las envía sin comprimir.</translation>
+    </message>
+</context>
+<context>
+    <name>TargetPanel</name>
+    <message>
+        <source>%1, in %2
+Center %3, %4, size %5 × %6
+Similarity %7
+Effective sample size %8 of %9</source>
+        <translation>%1, en %2
+Centro %3, %4, tamaño %5 × %6
+Similitud %7
+Tamaño efectivo de la muestra %8 de %9</translation>
+    </message>
+    <message>
+        <source>Spread %1</source>
+        <translation>Dispersión %1</translation>
     </message>
 </context>
 <context>
@@ -3529,6 +3824,13 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
     <message>
         <source>degrees</source>
         <translation>grados</translation>
+    </message>
+</context>
+<context>
+    <name>VideoDialog</name>
+    <message>
+        <source>Frame %1</source>
+        <translation>Fotograma %1</translation>
     </message>
 </context>
 <context>
@@ -3638,6 +3940,93 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
     <message>
         <source>Image of %1: arrow keys move a cross, Enter adds a person there</source>
         <translation>Imagen de %1: las flechas mueven una cruz, Intro añade allí una persona</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::AddressForm</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Try</source>
+        <translation>Probar</translation>
+    </message>
+    <message>
+        <source>Add a camera with this address to the project</source>
+        <translation>Añadir al proyecto una cámara con esta dirección</translation>
+    </message>
+    <message>
+        <source>Make this address the image source of the selected camera</source>
+        <translation>Usar esta dirección como fuente de imágenes de la cámara seleccionada</translation>
+    </message>
+    <message>
+        <source>Waiting for the first image…</source>
+        <translation>Esperando la primera imagen…</translation>
+    </message>
+    <message>
+        <source>✗ %1</source>
+        <translation>✗ %1</translation>
+    </message>
+    <message>
+        <source>✓ %1</source>
+        <translation>✓ %1</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Dirección</translation>
+    </message>
+    <message>
+        <source>RTSP camera</source>
+        <translation>Cámara RTSP</translation>
+    </message>
+    <message>
+        <source>MJPEG over HTTP</source>
+        <translation>MJPEG por HTTP</translation>
+    </message>
+    <message>
+        <source>RTP over UDP</source>
+        <translation>RTP por UDP</translation>
+    </message>
+    <message>
+        <source>SRT</source>
+        <translation>SRT</translation>
+    </message>
+    <message>
+        <source>GStreamer pipeline</source>
+        <translation>Pipeline de GStreamer</translation>
+    </message>
+    <message>
+        <source>Test pattern</source>
+        <translation>Carta de ajuste</translation>
+    </message>
+    <message>
+        <source>Kind of address</source>
+        <translation>Tipo de dirección</translation>
+    </message>
+    <message>
+        <source>Shows what an address of this kind looks like</source>
+        <translation>Muestra cómo es una dirección de este tipo</translation>
+    </message>
+    <message>
+        <source>Address of the camera</source>
+        <translation>Dirección de la cámara</translation>
+    </message>
+    <message>
+        <source>Address of a network camera, a GStreamer pipeline or a test pattern</source>
+        <translation>Dirección de una cámara de red, una pipeline de GStreamer o una carta de ajuste</translation>
+    </message>
+    <message>
+        <source>Open the address, and show its first image, its size and its rate</source>
+        <translation>Abrir la dirección y mostrar su primera imagen, su tamaño y su frecuencia</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Añadir</translation>
+    </message>
+    <message>
+        <source>Use for selected camera</source>
+        <translation>Usar para la cámara seleccionada</translation>
     </message>
 </context>
 <context>
@@ -3807,6 +4196,14 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <source>%1 of the %2 searched images show the board that you described.</source>
         <translation>%1 de las %2 imágenes examinadas muestran el tablero que usted describió.</translation>
     </message>
+    <message>
+        <source>Mirror images</source>
+        <translation>Reflejar imágenes</translation>
+    </message>
+    <message>
+        <source>Saved %1: the board is larger than the paper. Page 1 shows how to put its %2 sheets together.</source>
+        <translation>Se guardó %1: el tablero es más grande que el papel. La página 1 muestra cómo unir las %2 hojas.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::BoardCalibrator</name>
@@ -3825,6 +4222,10 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
     <message>
         <source>No board was found. Show the whole board in focus and in even light, then press Find board again.</source>
         <translation>No se encontró ningún tablero. Muestre el tablero entero, enfocado y con luz uniforme, y pulse otra vez Buscar tablero.</translation>
+    </message>
+    <message>
+        <source>Mirror images</source>
+        <translation>Reflejar imágenes</translation>
     </message>
 </context>
 <context>
@@ -3948,10 +4349,6 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>Papel</translation>
     </message>
     <message>
-        <source>Size of the paper</source>
-        <translation>Tamaño del papel</translation>
-    </message>
-    <message>
         <source>%1 × %2 inner corners; for the command line:</source>
         <translation>%1 × %2 esquinas interiores; para la línea de órdenes:</translation>
     </message>
@@ -3974,6 +4371,10 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
     <message>
         <source>For ChArUco boards with an even number of rows that were made with software older than OpenCV 4.6: their first square is white</source>
         <translation>Para tableros ChArUco con un número par de filas hechos con programas anteriores a OpenCV 4.6: su primera casilla es blanca</translation>
+    </message>
+    <message>
+        <source>Size of the paper. A board that is larger is split on several sheets</source>
+        <translation>Tamaño del papel. Un tablero más grande se reparte en varias hojas</translation>
     </message>
 </context>
 <context>
@@ -4027,10 +4428,6 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>Fotograma en que el tablero está en el suelo</translation>
     </message>
     <message>
-        <source>Frame number</source>
-        <translation>Número del fotograma</translation>
-    </message>
-    <message>
         <source>Use current frame</source>
         <translation>Fotograma actual</translation>
     </message>
@@ -4069,6 +4466,10 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
     <message>
         <source>The board as it lies in this video frame defines the world coordinates: X along its rows, Y toward its upper edge, Z up from the floor. Without such a frame, the first camera keeps its position</source>
         <translation>El tablero, tal como está en este fotograma del vídeo, define las coordenadas del mundo: X a lo largo de sus filas, Y hacia su borde superior, Z hacia arriba desde el suelo. Sin un fotograma así, la primera cámara conserva su posición</translation>
+    </message>
+    <message>
+        <source>Number of the frame, as in the timeline (the first frame is 1)</source>
+        <translation>Número del fotograma, como en la línea de tiempo (el primero es 1)</translation>
     </message>
 </context>
 <context>
@@ -4474,6 +4875,29 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::CalibrationFit</name>
+    <message>
+        <source>The images are:</source>
+        <translation>Las imágenes son:</translation>
+    </message>
+    <message>
+        <source>How the images differ from those of the calibration, if they have another size</source>
+        <translation>En qué se diferencian las imágenes de las de la calibración, si tienen otro tamaño</translation>
+    </message>
+    <message>
+        <source>Change of the images</source>
+        <translation>Cambio de las imágenes</translation>
+    </message>
+    <message>
+        <source>Choose the camera of the file for each camera of the project:</source>
+        <translation>Elija la cámara del archivo para cada cámara del proyecto:</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Elegir…</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::CalibrationImportDialog</name>
     <message>
         <source>Choose a folder</source>
@@ -4632,26 +5056,6 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>asignar automáticamente</translation>
     </message>
     <message>
-        <source>cropped on all sides</source>
-        <translation>recortadas por todos los lados</translation>
-    </message>
-    <message>
-        <source>cropped at the right and below</source>
-        <translation>recortadas a la derecha y abajo</translation>
-    </message>
-    <message>
-        <source>scaled</source>
-        <translation>escaladas</translation>
-    </message>
-    <message>
-        <source>rotated clockwise by 90°</source>
-        <translation>giradas 90° en sentido horario</translation>
-    </message>
-    <message>
-        <source>rotated clockwise by 270°</source>
-        <translation>giradas 270° en sentido horario</translation>
-    </message>
-    <message>
         <source>Project images</source>
         <translation>Imágenes del proyecto</translation>
     </message>
@@ -4670,10 +5074,6 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
     <message>
         <source>For each camera of the project, choose the camera in the file from which it gets its calibration</source>
         <translation>Elija, para cada cámara del proyecto, la cámara del archivo de la que recibe su calibración</translation>
-    </message>
-    <message>
-        <source>the same as when calibrated</source>
-        <translation>iguales que al calibrar</translation>
     </message>
     <message>
         <source>How the images of the project differ from those of the calibration, if they have another size</source>
@@ -4700,6 +5100,48 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
     <message>
         <source>Calibrate %1…</source>
         <translation>Calibrar %1…</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::CameraEdits</name>
+    <message numerus="yes">
+        <source>Add %n camera(s)</source>
+        <translation>
+            <numerusform>Añadir %n cámara</numerusform>
+            <numerusform>Añadir %n cámaras</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Remove camera</source>
+        <translation>Quitar cámara</translation>
+    </message>
+    <message>
+        <source>Replace camera</source>
+        <translation>Sustituir cámara</translation>
+    </message>
+    <message>
+        <source>Exchange cameras</source>
+        <translation>Intercambiar cámaras</translation>
+    </message>
+    <message>
+        <source>Rename camera</source>
+        <translation>Renombrar la cámara</translation>
+    </message>
+    <message>
+        <source>Rotate images</source>
+        <translation>Girar las imágenes</translation>
+    </message>
+    <message>
+        <source>Change image format</source>
+        <translation>Cambiar el formato de imagen</translation>
+    </message>
+    <message>
+        <source>Change camera control</source>
+        <translation>Cambiar un control de la cámara</translation>
+    </message>
+    <message>
+        <source>Lock colors</source>
+        <translation>Fijar colores</translation>
     </message>
 </context>
 <context>
@@ -4995,10 +5437,6 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>Girada</translation>
     </message>
     <message>
-        <source>How far the images are rotated clockwise before they are used</source>
-        <translation>Cuánto se giran las imágenes en sentido horario antes de usarlas</translation>
-    </message>
-    <message>
         <source>Load calibration…</source>
         <translation>Cargar calibración…</translation>
     </message>
@@ -5108,6 +5546,14 @@ Posición x, y, z: %4, %5, %6</translation>
         <source>%1. Choose Calibration › Import calibration instead.</source>
         <translation>%1. Elija en su lugar Calibración › Importar calibración.</translation>
     </message>
+    <message>
+        <source>Keep estimated delay</source>
+        <translation>Conservar el retardo estimado</translation>
+    </message>
+    <message>
+        <source>How far the images are rotated clockwise before they are used. The calibration is rotated with them</source>
+        <translation>Cuánto se giran las imágenes en el sentido de las agujas del reloj antes de usarlas. La calibración se gira con ellas</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::CameraTable</name>
@@ -5158,14 +5604,18 @@ Posición x, y, z: %4, %5, %6</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::ui::CameraView</name>
+    <name>dewpoint::ui::CamerasDialog</name>
     <message>
-        <source>This camera delivered no image for this frame.</source>
-        <translation>Esta cámara no entregó imagen para este fotograma.</translation>
+        <source>Cameras – Dewpoint</source>
+        <translation>Cámaras – Dewpoint</translation>
     </message>
     <message>
-        <source>No images yet. Press play (Space), or open a project (Ctrl+O).</source>
-        <translation>Aún no hay imágenes. Pulse reproducir (Espacio) o abra un proyecto (Ctrl+O).</translation>
+        <source>Use formats that fit</source>
+        <translation>Usar formatos que caben</translation>
+    </message>
+    <message>
+        <source>These formats fit: %1.</source>
+        <translation>Estos formatos caben: %1.</translation>
     </message>
 </context>
 <context>
@@ -5278,6 +5728,37 @@ Posición x, y, z: %4, %5, %6</translation>
     <message>
         <source>Remove color sample</source>
         <translation>Quitar muestra de color</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::ColorLocker</name>
+    <message>
+        <source>%1 does not let these be locked: %2.</source>
+        <translation>%1 no permite fijar esto: %2.</translation>
+    </message>
+    <message>
+        <source>%1 has no control for these, and may change them by itself: %2.</source>
+        <translation>%1 no tiene control para esto y puede cambiarlo por sí sola: %2.</translation>
+    </message>
+    <message>
+        <source>Only cameras that are connected to this computer can be locked. For network cameras, use their own settings.</source>
+        <translation>Solo se pueden fijar las cámaras conectadas a este ordenador. En las cámaras de red, use sus propios ajustes.</translation>
+    </message>
+    <message>
+        <source>Colors locked: %1.</source>
+        <translation>Colores fijados: %1.</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Some cameras change their colors by themselves: %1. The learned color may not fit when the light changes.</source>
+        <translation>Algunas cámaras cambian sus colores por sí solas: %1. El color aprendido puede no servir cuando cambie la luz.</translation>
+    </message>
+    <message>
+        <source>Lock colors</source>
+        <translation>Fijar colores</translation>
     </message>
 </context>
 <context>
@@ -5437,6 +5918,13 @@ Posición x, y, z: %4, %5, %6</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::ControlForm</name>
+    <message>
+        <source>%1 to %2, usually %3</source>
+        <translation>%1 a %2, normalmente %3</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::CorrectionMode</name>
     <message>
         <source>Correct position</source>
@@ -5498,6 +5986,48 @@ Posición x, y, z: %4, %5, %6</translation>
     <message>
         <source>Show report</source>
         <translation>Mostrar informe</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::DelayEstimate</name>
+    <message>
+        <source>Keep</source>
+        <translation>Conservar</translation>
+    </message>
+    <message>
+        <source>Add the estimated delay to the delay of this camera in the project</source>
+        <translation>Sumar el retardo estimado al retardo de esta cámara en el proyecto</translation>
+    </message>
+    <message>
+        <source>Estimated from the motion of the targets, and corrected while tracking. The parameter “Delay spread” switches this off</source>
+        <translation>Estimado a partir del movimiento de los objetivos y corregido durante el seguimiento. El parámetro «Dispersión de los retardos» lo desactiva</translation>
+    </message>
+    <message>
+        <source>Estimate: %1 later than %2, ±%3</source>
+        <translation>Estimación: %1 más tarde que %2, ±%3</translation>
+    </message>
+    <message>
+        <source>Estimate: %1 earlier than %2, ±%3</source>
+        <translation>Estimación: %1 antes que %2, ±%3</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::DeviceQuestion</name>
+    <message>
+        <source>Use %1</source>
+        <translation>Usar %1</translation>
+    </message>
+    <message>
+        <source>Cameras…</source>
+        <translation>Cámaras…</translation>
+    </message>
+    <message>
+        <source>Several devices may be the camera %1 (%2). Which one is it?</source>
+        <translation>Varios dispositivos pueden ser la cámara %1 (%2). ¿Cuál es?</translation>
+    </message>
+    <message>
+        <source>The device of the camera %1 is not connected: %2. Plug it in, or choose another one.</source>
+        <translation>El dispositivo de la cámara %1 no está conectado: %2. Conéctelo o elija otro.</translation>
     </message>
 </context>
 <context>
@@ -5976,6 +6506,37 @@ Posición x, y, z: %4, %5, %6</translation>
     <message>
         <source>Follow all objects of one color</source>
         <translation>Seguir todos los objetos de un color</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::FormatChoice</name>
+    <message>
+        <source>automatic</source>
+        <translation>automática</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Formato</translation>
+    </message>
+    <message>
+        <source>Format in which the device sends its images. Compressed formats, such as MJPG, need less of the USB bus</source>
+        <translation>Formato en que el dispositivo envía sus imágenes. Los formatos comprimidos, como MJPG, ocupan menos el bus USB</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Tamaño</translation>
+    </message>
+    <message>
+        <source>Size of the images, pixels</source>
+        <translation>Tamaño de las imágenes en píxeles</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Frecuencia</translation>
+    </message>
+    <message>
+        <source>Images per second</source>
+        <translation>Imágenes por segundo</translation>
     </message>
 </context>
 <context>
@@ -6708,6 +7269,28 @@ alrededor, para aprender de nuevo su color.</translation>
     <message>
         <source>Probably a mistake in the calibration: %1</source>
         <translation>Probablemente un error en la calibración: %1</translation>
+    </message>
+    <message>
+        <source>%1. Choose below how the images differ from those of the calibration.</source>
+        <translation>%1. Elija abajo en qué se diferencian las imágenes de las de la calibración.</translation>
+    </message>
+    <message>
+        <source>%1. Choose the camera of the file for each camera of the project below.</source>
+        <translation>%1. Elija abajo la cámara del archivo para cada cámara del proyecto.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::NoticeList</name>
+    <message>
+        <source>Hide these notices. The status bar shows how many are hidden</source>
+        <translation>Ocultar estos avisos. La barra de estado muestra cuántos están ocultos</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more notice(s)</source>
+        <translation>
+            <numerusform>y %n aviso más</numerusform>
+            <numerusform>y %n avisos más</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7655,6 +8238,97 @@ alrededor, para aprender de nuevo su color.</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::ProjectPane</name>
+    <message>
+        <source>Cameras of the project</source>
+        <translation>Cámaras del proyecto</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Exchange with</source>
+        <translation>Intercambiar con</translation>
+    </message>
+    <message>
+        <source>Exchange the image source with that of another camera, for example after the cables were exchanged. Names and calibrations stay</source>
+        <translation>Intercambiar la fuente de imágenes con la de otra cámara, por ejemplo si se intercambiaron los cables. Los nombres y las calibraciones se conservan</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Name of the camera, in views and files</source>
+        <translation>Nombre de la cámara, en vistas y archivos</translation>
+    </message>
+    <message>
+        <source>Rotated</source>
+        <translation>Girada</translation>
+    </message>
+    <message>
+        <source>Clockwise rotation of the images before use. The calibration is rotated with them</source>
+        <translation>Giro de las imágenes en sentido horario antes de usarlas. La calibración gira con ellas</translation>
+    </message>
+    <message>
+        <source>Mirrored</source>
+        <translation>Reflejada</translation>
+    </message>
+    <message>
+        <source>Mirror the images left to right, after rotation</source>
+        <translation>Reflejar las imágenes de izquierda a derecha, tras girarlas</translation>
+    </message>
+    <message>
+        <source>Lock colors</source>
+        <translation>Fijar colores</translation>
+    </message>
+    <message>
+        <source>Switch the automatic exposure, gain and white balance of this camera off, and keep the present values</source>
+        <translation>Desactivar la exposición, la ganancia y el balance de blancos automáticos de esta cámara y conservar los valores actuales</translation>
+    </message>
+    <message>
+        <source>Lock all cameras</source>
+        <translation>Fijar todas las cámaras</translation>
+    </message>
+    <message>
+        <source>Switch the automatic exposure, gain and white balance of all connected cameras off, and keep the present values</source>
+        <translation>Desactivar la exposición, la ganancia y el balance de blancos automáticos de todas las cámaras conectadas y conservar los valores actuales</translation>
+    </message>
+    <message>
+        <source>Remove this camera. Undo restores it with its calibration</source>
+        <translation>Quitar esta cámara. Deshacer la restaura con su calibración</translation>
+    </message>
+    <message>
+        <source>A project needs at least one camera</source>
+        <translation>Un proyecto necesita al menos una cámara</translation>
+    </message>
+    <message>
+        <source>simulated</source>
+        <translation>simulada</translation>
+    </message>
+    <message>
+        <source>A simulated scene has its own cameras. They cannot be changed.</source>
+        <translation>Una escena simulada tiene sus propias cámaras. No se pueden cambiar.</translation>
+    </message>
+    <message>
+        <source>▲ Several devices may be this camera. Choose one on the right.</source>
+        <translation>▲ Varios dispositivos pueden ser esta cámara. Elija uno a la derecha.</translation>
+    </message>
+    <message>
+        <source>▲ This device is not connected.</source>
+        <translation>▲ Este dispositivo no está conectado.</translation>
+    </message>
+    <message>
+        <source>This camera is not calibrated yet.</source>
+        <translation>Esta cámara todavía no está calibrada.</translation>
+    </message>
+    <message>
+        <source>▲ The calibration is for images of %1. Choose this size, or calibrate again.</source>
+        <translation>▲ La calibración es para imágenes de %1. Elija este tamaño o calibre de nuevo.</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::QuickStart</name>
     <message>
         <source>The cameras confirm where the target is.</source>
@@ -7841,6 +8515,21 @@ alrededor, para aprender de nuevo su color.</translation>
         <source>Done: %1. You can undo this.</source>
         <translation>Hecho: %1. Puede deshacerlo.</translation>
     </message>
+    <message>
+        <source>No longer: %1</source>
+        <translation>Ya no: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>◆ %n notice(s)</source>
+        <translation>
+            <numerusform>◆ %n aviso</numerusform>
+            <numerusform>◆ %n avisos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Show the hidden notices</source>
+        <translation>Mostrar los avisos ocultos</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::RunDetails</name>
@@ -7895,6 +8584,22 @@ alrededor, para aprender de nuevo su color.</translation>
     <message>
         <source>%1 of %2 MB</source>
         <translation>%1 de %2 MB</translation>
+    </message>
+    <message>
+        <source>median %1, 99 of 100 within %2</source>
+        <translation>mediana %1, 99 de cada 100 en menos de %2</translation>
+    </message>
+    <message>
+        <source>capture %1 · decode %2 · wait %3 · compute %4 · draw %5</source>
+        <translation>captura %1 · decodificación %2 · espera %3 · cálculo %4 · dibujo %5</translation>
+    </message>
+    <message>
+        <source>Counted from the arrival of the image where a camera does not report capture times</source>
+        <translation>Contado desde la llegada de la imagen si una cámara no indica los tiempos de captura</translation>
+    </message>
+    <message>
+        <source>Time from light to estimate</source>
+        <translation>Tiempo desde la luz hasta la estimación</translation>
     </message>
 </context>
 <context>
@@ -7993,6 +8698,97 @@ alrededor, para aprender de nuevo su color.</translation>
     <message>
         <source>Close; changed shortcuts are already saved</source>
         <translation>Cerrar; los atajos cambiados ya están guardados</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::SourcePane</name>
+    <message>
+        <source>Connected to this computer</source>
+        <translation>Conectadas a este ordenador</translation>
+    </message>
+    <message>
+        <source>No camera is connected. Plug one in: it appears here by itself.</source>
+        <translation>No hay ninguna cámara conectada. Conecte una: aparecerá aquí sola.</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Añadir</translation>
+    </message>
+    <message>
+        <source>Use for selected camera</source>
+        <translation>Usar para la cámara seleccionada</translation>
+    </message>
+    <message>
+        <source>Network cameras, pipelines and test patterns</source>
+        <translation>Cámaras de red, pipelines y cartas de ajuste</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>Grabaciones</translation>
+    </message>
+    <message>
+        <source>Add videos…</source>
+        <translation>Añadir vídeos…</translation>
+    </message>
+    <message>
+        <source>Add image folder…</source>
+        <translation>Añadir carpeta de imágenes…</translation>
+    </message>
+    <message>
+        <source>A simulated scene has its own cameras. They cannot be changed.</source>
+        <translation>Una escena simulada tiene sus propias cámaras. No se pueden cambiar.</translation>
+    </message>
+    <message>
+        <source>This project has live cameras. Recordings need a project of their own.</source>
+        <translation>Este proyecto tiene cámaras en vivo. Las grabaciones necesitan un proyecto propio.</translation>
+    </message>
+    <message>
+        <source>This project has recordings. Live cameras need a project of their own.</source>
+        <translation>Este proyecto tiene grabaciones. Las cámaras en vivo necesitan un proyecto propio.</translation>
+    </message>
+    <message>
+        <source>used by %1</source>
+        <translation>usado por %1</translation>
+    </message>
+    <message>
+        <source>✗ %1</source>
+        <translation>✗ %1</translation>
+    </message>
+    <message>
+        <source>The project uses this device already</source>
+        <translation>El proyecto ya usa este dispositivo</translation>
+    </message>
+    <message>
+        <source>Add the device as a new camera of the project</source>
+        <translation>Añadir el dispositivo como nueva cámara del proyecto</translation>
+    </message>
+    <message>
+        <source>Exchange the devices of this camera and of the selected camera</source>
+        <translation>Intercambiar los dispositivos de esta cámara y de la seleccionada</translation>
+    </message>
+    <message>
+        <source>Make this device the image source of the selected camera. The camera keeps its name and its calibration</source>
+        <translation>Usar este dispositivo como fuente de imágenes de la cámara seleccionada. La cámara conserva su nombre y su calibración</translation>
+    </message>
+    <message>
+        <source>Video files, one per camera</source>
+        <translation>Archivos de vídeo, uno por cámara</translation>
+    </message>
+    <message>
+        <source>A folder of images, one per frame</source>
+        <translation>Una carpeta de imágenes, una por fotograma</translation>
+    </message>
+    <message>
+        <source>Choose one video per camera</source>
+        <translation>Elija un vídeo por cámara</translation>
+    </message>
+    <message>
+        <source>Videos (*.mp4 *.mkv *.avi *.mov *.m4v *.mpg *.mpeg *.webm *.mjpeg);;All files (*)</source>
+        <translation>Vídeos (*.mp4 *.mkv *.avi *.mov *.m4v *.mpg *.mpeg *.webm *.mjpeg);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Choose a folder of images</source>
+        <translation>Elija una carpeta de imágenes</translation>
     </message>
 </context>
 <context>
@@ -8118,6 +8914,14 @@ alrededor, para aprender de nuevo su color.</translation>
         <source>A box passes in front of the ball. One camera is enough to keep tracking the ball.</source>
         <translation>Una caja pasa ante la pelota. Basta una cámara para seguir la pelota.</translation>
     </message>
+    <message>
+        <source>Calibrate cameras…</source>
+        <translation>Calibrar cámaras…</translation>
+    </message>
+    <message>
+        <source>Videos of a board or a ball, step by step</source>
+        <translation>Vídeos de un tablero o una bola, paso a paso</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::StatusBarPanel</name>
@@ -8238,6 +9042,21 @@ alrededor, para aprender de nuevo su color.</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::TakeComparison</name>
+    <message>
+        <source>This take contains the results of the live run.</source>
+        <translation>Esta toma contiene los resultados de la ejecución en vivo.</translation>
+    </message>
+    <message>
+        <source>Compare results</source>
+        <translation>Comparar resultados</translation>
+    </message>
+    <message>
+        <source>Tracking the take again…</source>
+        <translation>Siguiendo la toma de nuevo…</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::TakeController</name>
     <message>
         <source>The recording ended, because its cameras were closed.</source>
@@ -8258,6 +9077,57 @@ alrededor, para aprender de nuevo su color.</translation>
     <message>
         <source>Show folder</source>
         <translation>Mostrar la carpeta</translation>
+    </message>
+    <message>
+        <source>Notes…</source>
+        <translation>Notas…</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::TakeDialog</name>
+    <message>
+        <source>Take %1</source>
+        <translation>Toma %1</translation>
+    </message>
+    <message>
+        <source>Next take</source>
+        <translation>Próxima toma</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Número</translation>
+    </message>
+    <message>
+        <source>next free number</source>
+        <translation>siguiente número libre</translation>
+    </message>
+    <message>
+        <source>Number of the take and of its folder. It counts up by itself.</source>
+        <translation>Número de la toma y de su carpeta. Aumenta por sí solo.</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notas</translation>
+    </message>
+    <message>
+        <source>Pre-roll</source>
+        <translation>Pregrabación</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>desactivado</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Time before the start that is recorded as well. The last images of all cameras are kept in memory for this, up to 512 MB in total.</source>
+        <translation>Tiempo anterior al inicio que también se graba. Para ello se guardan en memoria las últimas imágenes de todas las cámaras, hasta 512 MB en total.</translation>
+    </message>
+    <message>
+        <source>Text that is kept with the take</source>
+        <translation>Texto que se guarda con la toma</translation>
     </message>
 </context>
 <context>
@@ -8339,20 +9209,6 @@ alrededor, para aprender de nuevo su color.</translation>
         <translation>Sin recuadro en este fotograma.</translation>
     </message>
     <message>
-        <source>%1, in %2
-Center %3, %4, size %5 × %6
-Similarity %7
-Effective sample size %8 of %9</source>
-        <translation>%1, en %2
-Centro %3, %4, tamaño %5 × %6
-Similitud %7
-Tamaño efectivo de la muestra %8 de %9</translation>
-    </message>
-    <message>
-        <source>Spread %1</source>
-        <translation>Dispersión %1</translation>
-    </message>
-    <message>
         <source>Target</source>
         <translation>Objetivo</translation>
     </message>
@@ -8391,6 +9247,10 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     <message>
         <source>Ball: the outline of the target is a circle in every image. Any: the size of the target is learned, and its position is the center of the region that has its color. Automatic: the shape is determined from the images. Only method dewpoint uses this setting.</source>
         <translation>Pelota: el contorno del objetivo es un círculo en cada imagen. Cualquiera: se aprende el tamaño del objetivo, y su posición es el centro de la zona que tiene su color. Automática: la forma se determina con las imágenes. Solo el método dewpoint usa este ajuste.</translation>
+    </message>
+    <message>
+        <source>%1 m/s</source>
+        <translation>%1 m/s</translation>
     </message>
 </context>
 <context>
@@ -8750,6 +9610,237 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     <message>
         <source>The error is at most %2 in %1 of the volume. Fewer than two cameras see %3 of the volume</source>
         <translation>El error es como mucho %2 en el %1 del volumen. Menos de dos cámaras ven el %3 del volumen</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::VideoDialog</name>
+    <message>
+        <source>Export video</source>
+        <translation>Exportar vídeo</translation>
+    </message>
+    <message>
+        <source>First image</source>
+        <translation>Primera imagen</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Archivo</translation>
+    </message>
+    <message>
+        <source>File to write</source>
+        <translation>Archivo que se escribe</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>Examinar…</translation>
+    </message>
+    <message>
+        <source>Choose the file to write</source>
+        <translation>Elegir el archivo que se escribe</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Progreso</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Stop the export; no file is left</source>
+        <translation>Detener la exportación; no queda ningún archivo</translation>
+    </message>
+    <message>
+        <source>Write the video in the background</source>
+        <translation>Escribir el vídeo en segundo plano</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Close; a running export continues</source>
+        <translation>Cerrar; una exportación en curso continúa</translation>
+    </message>
+    <message>
+        <source>Saved the video %1.</source>
+        <translation>Se guardó el vídeo %1.</translation>
+    </message>
+    <message>
+        <source>The export was canceled.</source>
+        <translation>La exportación se canceló.</translation>
+    </message>
+    <message>
+        <source>%1 exists already; nothing was written.</source>
+        <translation>%1 ya existe; no se escribió nada.</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>Vistas</translation>
+    </message>
+    <message>
+        <source>no view is checked</source>
+        <translation>no hay ninguna vista marcada</translation>
+    </message>
+    <message>
+        <source>Images: %1. Length: %2. Size: %3 × %4 pixels.</source>
+        <translation>Imágenes: %1. Duración: %2. Tamaño: %3 × %4 píxeles.</translation>
+    </message>
+    <message>
+        <source>This computer draws the bird&apos;s-eye view slowly. It is drawn in a smaller size and enlarged.</source>
+        <translation>Este ordenador dibuja despacio la vista de pájaro. Se dibuja en menor tamaño y se amplía.</translation>
+    </message>
+    <message>
+        <source>This computer has no encoder for videos.</source>
+        <translation>Este ordenador no tiene ningún codificador de vídeo.</translation>
+    </message>
+    <message>
+        <source>%1 exists already. Replace it?</source>
+        <translation>%1 ya existe. ¿Reemplazarlo?</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Reemplazar</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
+    </message>
+    <message>
+        <source>The export was stopped because the run has ended.</source>
+        <translation>La exportación se detuvo porque la ejecución ha terminado.</translation>
+    </message>
+    <message>
+        <source>The export was stopped because the run was restarted.</source>
+        <translation>La exportación se detuvo porque la ejecución se reinició.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::VideoForm</name>
+    <message>
+        <source>camera images</source>
+        <translation>imágenes de las cámaras</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <comment>pixels</comment>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>MP4 (H.264)</source>
+        <translation>MP4 (H.264)</translation>
+    </message>
+    <message>
+        <source>WebM (VP8)</source>
+        <translation>WebM (VP8)</translation>
+    </message>
+    <message>
+        <source>AVI (Motion JPEG)</source>
+        <translation>AVI (Motion JPEG)</translation>
+    </message>
+    <message>
+        <source>Matroska (FFV1, lossless)</source>
+        <translation>Matroska (FFV1, sin pérdidas)</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>Vistas</translation>
+    </message>
+    <message>
+        <source>The checked views are shown side by side</source>
+        <translation>Las vistas marcadas se muestran una al lado de otra</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Desde</translation>
+    </message>
+    <message>
+        <source>First time to show, 0 to 1,000,000 s</source>
+        <translation>Primer instante que se muestra, de 0 a 1.000.000 s</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Hasta</translation>
+    </message>
+    <message>
+        <source>Last time to show, 0 to 1,000,000 s. The end is the last tracked frame; later frames have no results</source>
+        <translation>Último instante que se muestra, de 0 a 1.000.000 s. El final es el último fotograma seguido; los posteriores no tienen resultados</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Velocidad</translation>
+    </message>
+    <message>
+        <source>1 is real time, 0.1 is ten times slower, 8 is eight times faster; up to 100. With 0, every frame is shown once</source>
+        <translation>1 es tiempo real, 0,1 es diez veces más lento, 8 es ocho veces más rápido; hasta 100. Con 0, cada fotograma se muestra una vez</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Tamaño</translation>
+    </message>
+    <message>
+        <source>Width and height of the video in pixels</source>
+        <translation>Anchura y altura del vídeo en píxeles</translation>
+    </message>
+    <message>
+        <source>Frame rate</source>
+        <translation>Frecuencia de imagen</translation>
+    </message>
+    <message>
+        <source>Images of the video per second, 1 to 240</source>
+        <translation>Imágenes del vídeo por segundo, de 1 a 240</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Formato</translation>
+    </message>
+    <message>
+        <source>Formats that this computer can write</source>
+        <translation>Formatos que este ordenador puede escribir</translation>
+    </message>
+    <message>
+        <source>the beginning</source>
+        <translation>el principio</translation>
+    </message>
+    <message>
+        <source>the end</source>
+        <translation>el final</translation>
+    </message>
+    <message>
+        <source>every frame once</source>
+        <translation>cada fotograma una vez</translation>
+    </message>
+    <message>
+        <source>as recorded</source>
+        <translation>como se grabó</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source> ×</source>
+        <translation> ×</translation>
+    </message>
+    <message>
+        <source> per second</source>
+        <translation> por segundo</translation>
+    </message>
+    <message>
+        <source>Titles of the views</source>
+        <translation>Títulos de las vistas</translation>
+    </message>
+    <message>
+        <source>Write the name of each view into its corner</source>
+        <translation>Escribir el nombre de cada vista en su esquina</translation>
+    </message>
+    <message>
+        <source>Frame and time</source>
+        <translation>Fotograma y tiempo</translation>
+    </message>
+    <message>
+        <source>Write the name of the recording, the frame number and the time into the video</source>
+        <translation>Escribir el nombre de la grabación, el número del fotograma y el tiempo en el vídeo</translation>
     </message>
 </context>
 <context>
@@ -9187,6 +10278,10 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     <message>
         <source>Calibrations from different parts of the recording differ from each other %1 times as much as image noise can explain. The stated accuracy takes this into account.</source>
         <translation>Las calibraciones con distintas partes de la grabación difieren %1 veces lo que explica el ruido de las imágenes. La precisión indicada lo tiene en cuenta.</translation>
+    </message>
+    <message>
+        <source>%1 was far off: the refinement rotates it by %2 and moves it by %3, much more than the others. Was it moved after its calibration?</source>
+        <translation>%1 estaba muy desviada: el ajuste la gira %2 y la desplaza %3, mucho más que las demás. ¿Se movió después de calibrarla?</translation>
     </message>
 </context>
 <context>

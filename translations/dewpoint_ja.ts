@@ -807,6 +807,38 @@
         <source>Check the recordings, times, calibration, colors and method of the project for problems</source>
         <translation>プロジェクトの録画、時刻、キャリブレーション、色、手法に問題がないか調べます</translation>
     </message>
+    <message>
+        <source>Cameras…</source>
+        <translation>カメラ…</translation>
+    </message>
+    <message>
+        <source>Add, remove, exchange and adjust the cameras of the project</source>
+        <translation>プロジェクトのカメラを追加、削除、入れ替え、調整します</translation>
+    </message>
+    <message>
+        <source>Lock colors</source>
+        <translation>色を固定</translation>
+    </message>
+    <message>
+        <source>Switch the automatic exposure, gain and white balance of all connected cameras off, and keep the present values</source>
+        <translation>接続されたすべてのカメラの自動露出、自動ゲイン、自動ホワイトバランスをオフにし、現在の値を保ちます</translation>
+    </message>
+    <message>
+        <source>Export video…</source>
+        <translation>動画を書き出す…</translation>
+    </message>
+    <message>
+        <source>Save the camera views and the bird&apos;s-eye view as a video</source>
+        <translation>カメラの表示と鳥瞰図を動画として保存します</translation>
+    </message>
+    <message>
+        <source>Take number and notes…</source>
+        <translation>テイクの番号とメモ…</translation>
+    </message>
+    <message>
+        <source>Set number and notes of the next take, or notes of this one</source>
+        <translation>次のテイクの番号とメモ、または録画中のテイクのメモを設定します</translation>
+    </message>
 </context>
 <context>
     <name>AssessedRegions</name>
@@ -1017,6 +1049,34 @@
         <source>%1 of the %2 searched images show %3. Use this board?</source>
         <translation>調べた%2枚の画像のうち%1枚に、%3が写っています。このボードを使いますか？</translation>
     </message>
+    <message>
+        <source>%1 (too few corners: %2)</source>
+        <translation>%1(コーナーが少なすぎます:%2)</translation>
+    </message>
+    <message>
+        <source>%1 (blurred, edge width %2)</source>
+        <translation>%1(ぼやけています。エッジの幅%2)</translation>
+    </message>
+    <message>
+        <source>%1 (too small, squares of %2)</source>
+        <translation>%1(小さすぎます。マスの大きさ%2)</translation>
+    </message>
+    <message>
+        <source>%1: no board was found in frames %2.</source>
+        <translation>%1:フレーム%2でボードが見つかりませんでした。</translation>
+    </message>
+    <message>
+        <source>%1: no board was found in frames %2 and in %3 others.</source>
+        <translation>%1:フレーム%2とほかの%3フレームでボードが見つかりませんでした。</translation>
+    </message>
+    <message>
+        <source>The video of %1 is mirrored: it shows the board mirrored, but another camera shows it as it is.</source>
+        <translation>%1の映像は左右反転しています。この映像ではボードが反転して写っていますが、別のカメラでは正しく写っています。</translation>
+    </message>
+    <message>
+        <source>The board or the video of %1 is mirrored: no camera shows the board as it is. Check whether writing in the images is readable.</source>
+        <translation>ボードまたは%1の映像が左右反転しています。ボードを正しく写しているカメラがありません。画像の中の文字が読めるか確認してください。</translation>
+    </message>
 </context>
 <context>
     <name>CalibrationFiles</name>
@@ -1180,6 +1240,145 @@
     </message>
 </context>
 <context>
+    <name>CameraDeviceText</name>
+    <message>
+        <source>Brightness</source>
+        <translation>明るさ</translation>
+    </message>
+    <message>
+        <source>Contrast</source>
+        <translation>コントラスト</translation>
+    </message>
+    <message>
+        <source>Saturation</source>
+        <translation>彩度</translation>
+    </message>
+    <message>
+        <source>Hue</source>
+        <translation>色相</translation>
+    </message>
+    <message>
+        <source>Automatic hue</source>
+        <translation>自動色相</translation>
+    </message>
+    <message>
+        <source>Gamma</source>
+        <translation>ガンマ</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>ゲイン</translation>
+    </message>
+    <message>
+        <source>Automatic gain</source>
+        <translation>自動ゲイン</translation>
+    </message>
+    <message>
+        <source>Sharpness</source>
+        <translation>鋭さ</translation>
+    </message>
+    <message>
+        <source>Automatic exposure</source>
+        <translation>自動露出</translation>
+    </message>
+    <message>
+        <source>Exposure time (0.1 ms)</source>
+        <translation>露出時間 (0.1 ms)</translation>
+    </message>
+    <message>
+        <source>Lower rate in the dark</source>
+        <translation>暗所でフレームレートを下げる</translation>
+    </message>
+    <message>
+        <source>Automatic white balance</source>
+        <translation>自動ホワイトバランス</translation>
+    </message>
+    <message>
+        <source>White balance (K)</source>
+        <translation>ホワイトバランス (K)</translation>
+    </message>
+    <message>
+        <source>Backlight compensation</source>
+        <translation>逆光補正</translation>
+    </message>
+    <message>
+        <source>Power line frequency</source>
+        <translation>電源周波数</translation>
+    </message>
+    <message>
+        <source>Focus</source>
+        <translation>フォーカス</translation>
+    </message>
+    <message>
+        <source>Automatic focus</source>
+        <translation>オートフォーカス</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>ズーム</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>パン</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>チルト</translation>
+    </message>
+    <message>
+        <source>connector %1</source>
+        <translation>コネクター %1</translation>
+    </message>
+    <message>
+        <source>serial number %1</source>
+        <translation>シリアル番号 %1</translation>
+    </message>
+    <message>
+        <source>%1, %2 images per second</source>
+        <translation>%1、毎秒 %2 枚</translation>
+    </message>
+    <message>
+        <source>%1 %2, %3 per second</source>
+        <translation>%1 %2、毎秒 %3 枚</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>オン</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>オフ</translation>
+    </message>
+    <message>
+        <source>on, exposure time by hand</source>
+        <translation>オン、露出時間は手動</translation>
+    </message>
+    <message>
+        <source>on, aperture by hand</source>
+        <translation>オン、絞りは手動</translation>
+    </message>
+    <message>
+        <source>exposure</source>
+        <translation>露出</translation>
+    </message>
+    <message>
+        <source>gain</source>
+        <translation>ゲイン</translation>
+    </message>
+    <message>
+        <source>white balance</source>
+        <translation>ホワイトバランス</translation>
+    </message>
+    <message>
+        <source>hue</source>
+        <translation>色相</translation>
+    </message>
+    <message>
+        <source>USB bus %1 cannot carry the images of %2: they need %3 Mbit/s, and it has %4 Mbit/s.</source>
+        <translation>USB バス %1 は %2 の画像を転送できません: %3 Mbit/s が必要ですが、%4 Mbit/s しかありません。</translation>
+    </message>
+</context>
+<context>
     <name>CameraMotion</name>
     <message>
         <source>rotated by %1</source>
@@ -1198,6 +1397,14 @@
     <message>
         <source>%1×</source>
         <translation>%1×</translation>
+    </message>
+    <message>
+        <source>This camera delivered no image for this frame.</source>
+        <translation>このフレームではカメラから画像が届きませんでした。</translation>
+    </message>
+    <message>
+        <source>No images yet. Press play (Space), or open a project (Ctrl+O).</source>
+        <translation>まだ画像がありません。再生する（スペース）か、プロジェクトを開いてください（Ctrl+O）。</translation>
     </message>
 </context>
 <context>
@@ -3139,6 +3346,14 @@
         <source>Standard deviation of a measured saturation; saturations range from 0 to 1.</source>
         <translation>測った彩度の標準偏差。彩度は 0 から 1 の値です。</translation>
     </message>
+    <message>
+        <source>Delay spread</source>
+        <translation>遅延のばらつき</translation>
+    </message>
+    <message>
+        <source>How much the delays of the cameras may differ (standard deviation). While a target moves, the delays are estimated and corrected. 0 if all time stamps are exact: then no delay is estimated.</source>
+        <translation>カメラの遅延がどれだけ異なりうるか（標準偏差）。ターゲットが動いている間に遅延を推定し、補正します。すべてのタイムスタンプが正確なら 0 にします。その場合、遅延は推定しません。</translation>
+    </message>
 </context>
 <context>
     <name>ParameterGroup</name>
@@ -3408,6 +3623,33 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     </message>
 </context>
 <context>
+    <name>SizeFitText</name>
+    <message>
+        <source>the same as when calibrated</source>
+        <translation>キャリブレーション時と同じ</translation>
+    </message>
+    <message>
+        <source>cropped on all sides</source>
+        <translation>四辺を切り取ったもの</translation>
+    </message>
+    <message>
+        <source>cropped at the right and below</source>
+        <translation>右と下を切り取ったもの</translation>
+    </message>
+    <message>
+        <source>scaled</source>
+        <translation>拡大縮小したもの</translation>
+    </message>
+    <message>
+        <source>rotated clockwise by 90°</source>
+        <translation>時計回りに90°回転したもの</translation>
+    </message>
+    <message>
+        <source>rotated clockwise by 270°</source>
+        <translation>時計回りに270°回転したもの</translation>
+    </message>
+</context>
+<context>
     <name>TakeText</name>
     <message>
         <source>%1 left</source>
@@ -3430,6 +3672,59 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     <message>
         <source>%1: %2 images, %3, %4 dropped, %5</source>
         <translation>%1: %2 枚、%3、欠落 %4 枚、%5</translation>
+    </message>
+    <message>
+        <source>It contains %1 from before you pressed Record; memory was too small for more.</source>
+        <translation>開始前の %1 を含みます。メモリが足りず、それ以上は保持できませんでした。</translation>
+    </message>
+    <message>
+        <source>It contains %1 from before you pressed Record.</source>
+        <translation>開始前の %1 を含みます。</translation>
+    </message>
+    <message>
+        <source>The run began before the take, so it cannot be tracked again from its beginning. Restart the run while you record to avoid this.</source>
+        <translation>実行はテイクより前に始まったため、最初からもう一度追跡することはできません。これを避けるには、録画中に実行を再開始してください。</translation>
+    </message>
+    <message>
+        <source>The take gives the results of the live run, to the last bit, in all %1 frames.</source>
+        <translation>テイクは全 %1 フレームで、ライブ実行の結果と最後のビットまで一致します。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 frames differ from the live run, the first one is frame %3. Positions differ by up to %4.</source>
+        <translation>%2 フレーム中 %1 フレームがライブ実行と異なります。最初はフレーム %3 です。位置の差は最大 %4 です。</translation>
+    </message>
+    <message>
+        <source>Images of %1 frames were dropped, the first in frame %2.</source>
+        <translation>%1 フレームで画像が失われました。最初はフレーム %2 です。</translation>
+    </message>
+    <message>
+        <source>Frames %1 to %2 were tracked with other settings.</source>
+        <translation>フレーム %1 から %2 は別の設定で追跡されました。</translation>
+    </message>
+    <message>
+        <source>A time budget is set, so results depend on the speed of the computer.</source>
+        <translation>時間予算が設定されているため、結果はコンピューターの速度に左右されます。</translation>
+    </message>
+    <message>
+        <source>The images of %1 are stored with slightly other colors, because the camera sends them uncompressed.</source>
+        <translation>カメラが非圧縮で送るため、%1 の画像はわずかに異なる色で保存されています。</translation>
+    </message>
+</context>
+<context>
+    <name>TargetPanel</name>
+    <message>
+        <source>%1, in %2
+Center %3, %4, size %5 × %6
+Similarity %7
+Effective sample size %8 of %9</source>
+        <translation>%1（%2）
+中心 %3, %4、大きさ %5 × %6
+類似度 %7
+有効サンプル数 %8 / %9</translation>
+    </message>
+    <message>
+        <source>Spread %1</source>
+        <translation>広がり %1</translation>
     </message>
 </context>
 <context>
@@ -3527,6 +3822,13 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     <message>
         <source>degrees</source>
         <translation>度</translation>
+    </message>
+</context>
+<context>
+    <name>VideoDialog</name>
+    <message>
+        <source>Frame %1</source>
+        <translation>フレーム %1</translation>
     </message>
 </context>
 <context>
@@ -3636,6 +3938,93 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     <message>
         <source>Image of %1: arrow keys move a cross, Enter adds a person there</source>
         <translation>%1 の画像：矢印キーで十字を動かし、Enter でそこに人物を追加します</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::AddressForm</name>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Try</source>
+        <translation>試す</translation>
+    </message>
+    <message>
+        <source>Add a camera with this address to the project</source>
+        <translation>このアドレスのカメラをプロジェクトに追加します</translation>
+    </message>
+    <message>
+        <source>Make this address the image source of the selected camera</source>
+        <translation>このアドレスを選択したカメラの画像ソースにします</translation>
+    </message>
+    <message>
+        <source>Waiting for the first image…</source>
+        <translation>最初の画像を待っています…</translation>
+    </message>
+    <message>
+        <source>✗ %1</source>
+        <translation>✗ %1</translation>
+    </message>
+    <message>
+        <source>✓ %1</source>
+        <translation>✓ %1</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>アドレス</translation>
+    </message>
+    <message>
+        <source>RTSP camera</source>
+        <translation>RTSP カメラ</translation>
+    </message>
+    <message>
+        <source>MJPEG over HTTP</source>
+        <translation>HTTP 経由の MJPEG</translation>
+    </message>
+    <message>
+        <source>RTP over UDP</source>
+        <translation>UDP 経由の RTP</translation>
+    </message>
+    <message>
+        <source>SRT</source>
+        <translation>SRT</translation>
+    </message>
+    <message>
+        <source>GStreamer pipeline</source>
+        <translation>GStreamer パイプライン</translation>
+    </message>
+    <message>
+        <source>Test pattern</source>
+        <translation>テストパターン</translation>
+    </message>
+    <message>
+        <source>Kind of address</source>
+        <translation>アドレスの種類</translation>
+    </message>
+    <message>
+        <source>Shows what an address of this kind looks like</source>
+        <translation>この種類のアドレスの書き方を示します</translation>
+    </message>
+    <message>
+        <source>Address of the camera</source>
+        <translation>カメラのアドレス</translation>
+    </message>
+    <message>
+        <source>Address of a network camera, a GStreamer pipeline or a test pattern</source>
+        <translation>ネットワークカメラのアドレス、GStreamer パイプライン、またはテストパターン</translation>
+    </message>
+    <message>
+        <source>Open the address, and show its first image, its size and its rate</source>
+        <translation>アドレスを開き、最初の画像、サイズ、フレームレートを表示します</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>追加</translation>
+    </message>
+    <message>
+        <source>Use for selected camera</source>
+        <translation>選択したカメラに使用</translation>
     </message>
 </context>
 <context>
@@ -3805,6 +4194,14 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <source>%1 of the %2 searched images show the board that you described.</source>
         <translation>調べた%2枚の画像のうち%1枚に、設定どおりのボードが写っています。</translation>
     </message>
+    <message>
+        <source>Mirror images</source>
+        <translation>画像を左右反転</translation>
+    </message>
+    <message>
+        <source>Saved %1: the board is larger than the paper. Page 1 shows how to put its %2 sheets together.</source>
+        <translation>%1を保存しました。ボードは用紙より大きいため、%2枚の用紙のつなぎ方を1ページ目に示しています。</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::BoardCalibrator</name>
@@ -3823,6 +4220,10 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     <message>
         <source>No board was found. Show the whole board in focus and in even light, then press Find board again.</source>
         <translation>ボードが見つかりませんでした。ボード全体を、ピントを合わせて均一な照明で写し、もう一度「ボードを検出」を押してください。</translation>
+    </message>
+    <message>
+        <source>Mirror images</source>
+        <translation>画像を左右反転</translation>
     </message>
 </context>
 <context>
@@ -3945,10 +4346,6 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>用紙</translation>
     </message>
     <message>
-        <source>Size of the paper</source>
-        <translation>用紙の大きさ</translation>
-    </message>
-    <message>
         <source>%1 × %2 inner corners; for the command line:</source>
         <translation>内側の角 %1 × %2。コマンドライン用:</translation>
     </message>
@@ -3971,6 +4368,10 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     <message>
         <source>For ChArUco boards with an even number of rows that were made with software older than OpenCV 4.6: their first square is white</source>
         <translation>OpenCV 4.6 より古いソフトウェアで作った、行数が偶数の ChArUco ボード用です。最初のマス目が白です</translation>
+    </message>
+    <message>
+        <source>Size of the paper. A board that is larger is split on several sheets</source>
+        <translation>用紙の大きさ。用紙より大きいボードは複数の用紙に分割されます</translation>
     </message>
 </context>
 <context>
@@ -4024,10 +4425,6 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>ボードが床にあるフレーム</translation>
     </message>
     <message>
-        <source>Frame number</source>
-        <translation>フレーム番号</translation>
-    </message>
-    <message>
         <source>Use current frame</source>
         <translation>現在のフレーム</translation>
     </message>
@@ -4066,6 +4463,10 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     <message>
         <source>The board as it lies in this video frame defines the world coordinates: X along its rows, Y toward its upper edge, Z up from the floor. Without such a frame, the first camera keeps its position</source>
         <translation>この動画フレームで床に置かれたボードが世界座標を決めます。X はボードの行の向き、Y はボードの上の辺の向き、Z は床から上。そのようなフレームがなければ、最初のカメラの位置を保ちます</translation>
+    </message>
+    <message>
+        <source>Number of the frame, as in the timeline (the first frame is 1)</source>
+        <translation>タイムラインと同じフレーム番号(最初のフレームは1)</translation>
     </message>
 </context>
 <context>
@@ -4469,6 +4870,29 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::CalibrationFit</name>
+    <message>
+        <source>The images are:</source>
+        <translation>画像:</translation>
+    </message>
+    <message>
+        <source>How the images differ from those of the calibration, if they have another size</source>
+        <translation>画像の大きさが異なる場合、キャリブレーションの画像とどう違うか</translation>
+    </message>
+    <message>
+        <source>Change of the images</source>
+        <translation>画像の変更</translation>
+    </message>
+    <message>
+        <source>Choose the camera of the file for each camera of the project:</source>
+        <translation>プロジェクトの各カメラに対応するファイルのカメラを選んでください:</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>選択…</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::CalibrationImportDialog</name>
     <message>
         <source>Choose a folder</source>
@@ -4627,26 +5051,6 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>自動で対応付ける</translation>
     </message>
     <message>
-        <source>cropped on all sides</source>
-        <translation>四辺を切り取ったもの</translation>
-    </message>
-    <message>
-        <source>cropped at the right and below</source>
-        <translation>右と下を切り取ったもの</translation>
-    </message>
-    <message>
-        <source>scaled</source>
-        <translation>拡大縮小したもの</translation>
-    </message>
-    <message>
-        <source>rotated clockwise by 90°</source>
-        <translation>時計回りに90°回転したもの</translation>
-    </message>
-    <message>
-        <source>rotated clockwise by 270°</source>
-        <translation>時計回りに270°回転したもの</translation>
-    </message>
-    <message>
         <source>Project images</source>
         <translation>プロジェクトの画像</translation>
     </message>
@@ -4665,10 +5069,6 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     <message>
         <source>For each camera of the project, choose the camera in the file from which it gets its calibration</source>
         <translation>プロジェクトの各カメラについて、どのカメラのキャリブレーションをファイルから使うかを選びます</translation>
-    </message>
-    <message>
-        <source>the same as when calibrated</source>
-        <translation>キャリブレーション時と同じ</translation>
     </message>
     <message>
         <source>How the images of the project differ from those of the calibration, if they have another size</source>
@@ -4695,6 +5095,47 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     <message>
         <source>Calibrate %1…</source>
         <translation>%1 をキャリブレーション…</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::CameraEdits</name>
+    <message numerus="yes">
+        <source>Add %n camera(s)</source>
+        <translation>
+            <numerusform>カメラ %n 台を追加</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Remove camera</source>
+        <translation>カメラを削除</translation>
+    </message>
+    <message>
+        <source>Replace camera</source>
+        <translation>カメラを交換</translation>
+    </message>
+    <message>
+        <source>Exchange cameras</source>
+        <translation>カメラを入れ替え</translation>
+    </message>
+    <message>
+        <source>Rename camera</source>
+        <translation>カメラの名前を変更</translation>
+    </message>
+    <message>
+        <source>Rotate images</source>
+        <translation>画像を回転</translation>
+    </message>
+    <message>
+        <source>Change image format</source>
+        <translation>画像形式を変更</translation>
+    </message>
+    <message>
+        <source>Change camera control</source>
+        <translation>カメラの設定を変更</translation>
+    </message>
+    <message>
+        <source>Lock colors</source>
+        <translation>色を固定</translation>
     </message>
 </context>
 <context>
@@ -4990,10 +5431,6 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>回転</translation>
     </message>
     <message>
-        <source>How far the images are rotated clockwise before they are used</source>
-        <translation>画像を使う前に、時計回りに回転する角度</translation>
-    </message>
-    <message>
         <source>Load calibration…</source>
         <translation>キャリブレーションを読み込む…</translation>
     </message>
@@ -5103,6 +5540,14 @@ Position x, y, z: %4, %5, %6</source>
         <source>%1. Choose Calibration › Import calibration instead.</source>
         <translation>%1。代わりに「キャリブレーション › キャリブレーションをインポート」を選んでください。</translation>
     </message>
+    <message>
+        <source>Keep estimated delay</source>
+        <translation>推定した遅延の採用</translation>
+    </message>
+    <message>
+        <source>How far the images are rotated clockwise before they are used. The calibration is rotated with them</source>
+        <translation>使用する前に画像を時計回りに回転する角度。キャリブレーションも一緒に回転します</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::CameraTable</name>
@@ -5150,14 +5595,18 @@ Position x, y, z: %4, %5, %6</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::ui::CameraView</name>
+    <name>dewpoint::ui::CamerasDialog</name>
     <message>
-        <source>This camera delivered no image for this frame.</source>
-        <translation>このフレームではカメラから画像が届きませんでした。</translation>
+        <source>Cameras – Dewpoint</source>
+        <translation>カメラ – Dewpoint</translation>
     </message>
     <message>
-        <source>No images yet. Press play (Space), or open a project (Ctrl+O).</source>
-        <translation>まだ画像がありません。再生する（スペース）か、プロジェクトを開いてください（Ctrl+O）。</translation>
+        <source>Use formats that fit</source>
+        <translation>収まる形式を使用</translation>
+    </message>
+    <message>
+        <source>These formats fit: %1.</source>
+        <translation>収まる形式: %1。</translation>
     </message>
 </context>
 <context>
@@ -5270,6 +5719,37 @@ Position x, y, z: %4, %5, %6</source>
     <message>
         <source>Remove color sample</source>
         <translation>色見本を取り除く</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::ColorLocker</name>
+    <message>
+        <source>%1 does not let these be locked: %2.</source>
+        <translation>%1 では次を固定できません: %2。</translation>
+    </message>
+    <message>
+        <source>%1 has no control for these, and may change them by itself: %2.</source>
+        <translation>%1 には次の設定がなく、カメラが自動で変更することがあります: %2。</translation>
+    </message>
+    <message>
+        <source>Only cameras that are connected to this computer can be locked. For network cameras, use their own settings.</source>
+        <translation>固定できるのはこのコンピューターに接続されたカメラだけです。ネットワークカメラでは、カメラ自体の設定を使ってください。</translation>
+    </message>
+    <message>
+        <source>Colors locked: %1.</source>
+        <translation>色を固定しました: %1。</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>Some cameras change their colors by themselves: %1. The learned color may not fit when the light changes.</source>
+        <translation>色を自動で変えるカメラがあります: %1。光が変わると、学習した色が合わなくなることがあります。</translation>
+    </message>
+    <message>
+        <source>Lock colors</source>
+        <translation>色を固定</translation>
     </message>
 </context>
 <context>
@@ -5429,6 +5909,13 @@ Position x, y, z: %4, %5, %6</source>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::ControlForm</name>
+    <message>
+        <source>%1 to %2, usually %3</source>
+        <translation>%1 から %2、通常 %3</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::CorrectionMode</name>
     <message>
         <source>Correct position</source>
@@ -5490,6 +5977,48 @@ Position x, y, z: %4, %5, %6</source>
     <message>
         <source>Show report</source>
         <translation>レポートを表示</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::DelayEstimate</name>
+    <message>
+        <source>Keep</source>
+        <translation>採用</translation>
+    </message>
+    <message>
+        <source>Add the estimated delay to the delay of this camera in the project</source>
+        <translation>推定した遅延を、プロジェクトのこのカメラの遅延に加えます</translation>
+    </message>
+    <message>
+        <source>Estimated from the motion of the targets, and corrected while tracking. The parameter “Delay spread” switches this off</source>
+        <translation>ターゲットの動きから推定し、追跡中に補正します。パラメーター「遅延のばらつき」で無効にできます</translation>
+    </message>
+    <message>
+        <source>Estimate: %1 later than %2, ±%3</source>
+        <translation>推定：%2 より %1 遅い、±%3</translation>
+    </message>
+    <message>
+        <source>Estimate: %1 earlier than %2, ±%3</source>
+        <translation>推定：%2 より %1 早い、±%3</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::DeviceQuestion</name>
+    <message>
+        <source>Use %1</source>
+        <translation>%1 を使用</translation>
+    </message>
+    <message>
+        <source>Cameras…</source>
+        <translation>カメラ…</translation>
+    </message>
+    <message>
+        <source>Several devices may be the camera %1 (%2). Which one is it?</source>
+        <translation>カメラ %1 (%2) に該当しうるデバイスが複数あります。どれですか?</translation>
+    </message>
+    <message>
+        <source>The device of the camera %1 is not connected: %2. Plug it in, or choose another one.</source>
+        <translation>カメラ %1 のデバイスが接続されていません: %2。接続するか、別のデバイスを選んでください。</translation>
     </message>
 </context>
 <context>
@@ -5967,6 +6496,37 @@ Position x, y, z: %4, %5, %6</source>
     <message>
         <source>Follow all objects of one color</source>
         <translation>同じ色の物をすべて追跡</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::FormatChoice</name>
+    <message>
+        <source>automatic</source>
+        <translation>自動</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>形式</translation>
+    </message>
+    <message>
+        <source>Format in which the device sends its images. Compressed formats, such as MJPG, need less of the USB bus</source>
+        <translation>デバイスが画像を送る形式。MJPG などの圧縮形式は USB バスの使用量が少なくなります</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>サイズ</translation>
+    </message>
+    <message>
+        <source>Size of the images, pixels</source>
+        <translation>画像のサイズ (ピクセル)</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>頻度</translation>
+    </message>
+    <message>
+        <source>Images per second</source>
+        <translation>1 秒あたりの画像数</translation>
     </message>
 </context>
 <context>
@@ -6697,6 +7257,27 @@ to learn its color again.</source>
     <message>
         <source>Probably a mistake in the calibration: %1</source>
         <translation>キャリブレーションがおそらく誤っています: %1</translation>
+    </message>
+    <message>
+        <source>%1. Choose below how the images differ from those of the calibration.</source>
+        <translation>%1。画像がキャリブレーションの画像とどう違うかを下で選んでください。</translation>
+    </message>
+    <message>
+        <source>%1. Choose the camera of the file for each camera of the project below.</source>
+        <translation>%1。プロジェクトの各カメラに対応するファイルのカメラを下で選んでください。</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::NoticeList</name>
+    <message>
+        <source>Hide these notices. The status bar shows how many are hidden</source>
+        <translation>これらの通知を隠します。隠した数はステータスバーに表示されます</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more notice(s)</source>
+        <translation>
+            <numerusform>ほか %n 件の通知</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7642,6 +8223,97 @@ to learn its color again.</source>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::ProjectPane</name>
+    <message>
+        <source>Cameras of the project</source>
+        <translation>プロジェクトのカメラ</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>取り除く</translation>
+    </message>
+    <message>
+        <source>Exchange with</source>
+        <translation>入れ替え</translation>
+    </message>
+    <message>
+        <source>Exchange the image source with that of another camera, for example after the cables were exchanged. Names and calibrations stay</source>
+        <translation>画像ソースを別のカメラと入れ替えます (ケーブルを入れ替えた後など)。名前とキャリブレーションはそのまま残ります</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>Name of the camera, in views and files</source>
+        <translation>表示やファイルで使うカメラの名前</translation>
+    </message>
+    <message>
+        <source>Rotated</source>
+        <translation>回転</translation>
+    </message>
+    <message>
+        <source>Clockwise rotation of the images before use. The calibration is rotated with them</source>
+        <translation>使用前に画像を時計回りに回転します。キャリブレーションも一緒に回転します</translation>
+    </message>
+    <message>
+        <source>Mirrored</source>
+        <translation>鏡像</translation>
+    </message>
+    <message>
+        <source>Mirror the images left to right, after rotation</source>
+        <translation>回転したあと、画像を左右に反転します</translation>
+    </message>
+    <message>
+        <source>Lock colors</source>
+        <translation>色を固定</translation>
+    </message>
+    <message>
+        <source>Switch the automatic exposure, gain and white balance of this camera off, and keep the present values</source>
+        <translation>このカメラの自動露出、自動ゲイン、自動ホワイトバランスをオフにし、現在の値を保ちます</translation>
+    </message>
+    <message>
+        <source>Lock all cameras</source>
+        <translation>すべてのカメラを固定</translation>
+    </message>
+    <message>
+        <source>Switch the automatic exposure, gain and white balance of all connected cameras off, and keep the present values</source>
+        <translation>接続されたすべてのカメラの自動露出、自動ゲイン、自動ホワイトバランスをオフにし、現在の値を保ちます</translation>
+    </message>
+    <message>
+        <source>Remove this camera. Undo restores it with its calibration</source>
+        <translation>このカメラを削除します。元に戻すと、キャリブレーションとともに復元されます</translation>
+    </message>
+    <message>
+        <source>A project needs at least one camera</source>
+        <translation>プロジェクトには少なくとも 1 台のカメラが必要です</translation>
+    </message>
+    <message>
+        <source>simulated</source>
+        <translation>シミュレーション</translation>
+    </message>
+    <message>
+        <source>A simulated scene has its own cameras. They cannot be changed.</source>
+        <translation>シミュレーションのシーンには専用のカメラがあり、変更できません。</translation>
+    </message>
+    <message>
+        <source>▲ Several devices may be this camera. Choose one on the right.</source>
+        <translation>▲ このカメラに該当しうるデバイスが複数あります。右側で選んでください。</translation>
+    </message>
+    <message>
+        <source>▲ This device is not connected.</source>
+        <translation>▲ このデバイスは接続されていません。</translation>
+    </message>
+    <message>
+        <source>This camera is not calibrated yet.</source>
+        <translation>このカメラはまだキャリブレーションされていません。</translation>
+    </message>
+    <message>
+        <source>▲ The calibration is for images of %1. Choose this size, or calibrate again.</source>
+        <translation>▲ キャリブレーションは %1 の画像用です。このサイズを選ぶか、キャリブレーションをやり直してください。</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::QuickStart</name>
     <message>
         <source>The cameras confirm where the target is.</source>
@@ -7827,6 +8499,20 @@ to learn its color again.</source>
         <source>Done: %1. You can undo this.</source>
         <translation>完了: %1。「元に戻す」で取り消せます。</translation>
     </message>
+    <message>
+        <source>No longer: %1</source>
+        <translation>解消: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>◆ %n notice(s)</source>
+        <translation>
+            <numerusform>◆ 通知 %n 件</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Show the hidden notices</source>
+        <translation>隠した通知を表示します</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::RunDetails</name>
@@ -7881,6 +8567,22 @@ to learn its color again.</source>
     <message>
         <source>%1 of %2 MB</source>
         <translation>%1 / %2 MB</translation>
+    </message>
+    <message>
+        <source>median %1, 99 of 100 within %2</source>
+        <translation>中央値 %1、100 回中 99 回は %2 以内</translation>
+    </message>
+    <message>
+        <source>capture %1 · decode %2 · wait %3 · compute %4 · draw %5</source>
+        <translation>撮影 %1 · デコード %2 · 待機 %3 · 計算 %4 · 描画 %5</translation>
+    </message>
+    <message>
+        <source>Counted from the arrival of the image where a camera does not report capture times</source>
+        <translation>撮影時刻を報告しないカメラは、画像の到着から数えています</translation>
+    </message>
+    <message>
+        <source>Time from light to estimate</source>
+        <translation>光から推定までの時間</translation>
     </message>
 </context>
 <context>
@@ -7979,6 +8681,97 @@ to learn its color again.</source>
     <message>
         <source>Close; changed shortcuts are already saved</source>
         <translation>閉じる（変更したショートカットは保存済み）</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::SourcePane</name>
+    <message>
+        <source>Connected to this computer</source>
+        <translation>このコンピューターに接続済み</translation>
+    </message>
+    <message>
+        <source>No camera is connected. Plug one in: it appears here by itself.</source>
+        <translation>カメラが接続されていません。接続すると自動的にここに表示されます。</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>追加</translation>
+    </message>
+    <message>
+        <source>Use for selected camera</source>
+        <translation>選択したカメラに使用</translation>
+    </message>
+    <message>
+        <source>Network cameras, pipelines and test patterns</source>
+        <translation>ネットワークカメラ、パイプライン、テストパターン</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>記録</translation>
+    </message>
+    <message>
+        <source>Add videos…</source>
+        <translation>動画を追加…</translation>
+    </message>
+    <message>
+        <source>Add image folder…</source>
+        <translation>画像フォルダーを追加…</translation>
+    </message>
+    <message>
+        <source>A simulated scene has its own cameras. They cannot be changed.</source>
+        <translation>シミュレーションのシーンには専用のカメラがあり、変更できません。</translation>
+    </message>
+    <message>
+        <source>This project has live cameras. Recordings need a project of their own.</source>
+        <translation>このプロジェクトにはライブカメラがあります。録画には別のプロジェクトが必要です。</translation>
+    </message>
+    <message>
+        <source>This project has recordings. Live cameras need a project of their own.</source>
+        <translation>このプロジェクトには録画があります。ライブカメラには別のプロジェクトが必要です。</translation>
+    </message>
+    <message>
+        <source>used by %1</source>
+        <translation>%1 が使用中</translation>
+    </message>
+    <message>
+        <source>✗ %1</source>
+        <translation>✗ %1</translation>
+    </message>
+    <message>
+        <source>The project uses this device already</source>
+        <translation>プロジェクトはこのデバイスをすでに使用しています</translation>
+    </message>
+    <message>
+        <source>Add the device as a new camera of the project</source>
+        <translation>デバイスをプロジェクトの新しいカメラとして追加します</translation>
+    </message>
+    <message>
+        <source>Exchange the devices of this camera and of the selected camera</source>
+        <translation>このカメラと選択したカメラのデバイスを入れ替えます</translation>
+    </message>
+    <message>
+        <source>Make this device the image source of the selected camera. The camera keeps its name and its calibration</source>
+        <translation>このデバイスを選択したカメラの画像ソースにします。カメラの名前とキャリブレーションは変わりません</translation>
+    </message>
+    <message>
+        <source>Video files, one per camera</source>
+        <translation>動画ファイル（カメラごとに1つ）</translation>
+    </message>
+    <message>
+        <source>A folder of images, one per frame</source>
+        <translation>フレームごとに1枚の画像が入ったフォルダー</translation>
+    </message>
+    <message>
+        <source>Choose one video per camera</source>
+        <translation>カメラごとに動画を選択</translation>
+    </message>
+    <message>
+        <source>Videos (*.mp4 *.mkv *.avi *.mov *.m4v *.mpg *.mpeg *.webm *.mjpeg);;All files (*)</source>
+        <translation>動画 (*.mp4 *.mkv *.avi *.mov *.m4v *.mpg *.mpeg *.webm *.mjpeg);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>Choose a folder of images</source>
+        <translation>画像フォルダーを選択</translation>
     </message>
 </context>
 <context>
@@ -8104,6 +8897,14 @@ to learn its color again.</source>
         <source>A box passes in front of the ball. One camera is enough to keep tracking the ball.</source>
         <translation>箱がボールの前を横切ります。カメラ 1 台だけでボールの追跡を保てます。</translation>
     </message>
+    <message>
+        <source>Calibrate cameras…</source>
+        <translation>カメラをキャリブレーション…</translation>
+    </message>
+    <message>
+        <source>Videos of a board or a ball, step by step</source>
+        <translation>ボードまたはボールの映像から、手順に沿って</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::StatusBarPanel</name>
@@ -8224,6 +9025,21 @@ to learn its color again.</source>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::TakeComparison</name>
+    <message>
+        <source>This take contains the results of the live run.</source>
+        <translation>このテイクにはライブ実行の結果が含まれています。</translation>
+    </message>
+    <message>
+        <source>Compare results</source>
+        <translation>結果を比較</translation>
+    </message>
+    <message>
+        <source>Tracking the take again…</source>
+        <translation>テイクをもう一度追跡しています…</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::TakeController</name>
     <message>
         <source>The recording ended, because its cameras were closed.</source>
@@ -8244,6 +9060,57 @@ to learn its color again.</source>
     <message>
         <source>Show folder</source>
         <translation>フォルダーを表示</translation>
+    </message>
+    <message>
+        <source>Notes…</source>
+        <translation>メモ…</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::TakeDialog</name>
+    <message>
+        <source>Take %1</source>
+        <translation>テイク %1</translation>
+    </message>
+    <message>
+        <source>Next take</source>
+        <translation>次のテイク</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>番号</translation>
+    </message>
+    <message>
+        <source>next free number</source>
+        <translation>次の空き番号</translation>
+    </message>
+    <message>
+        <source>Number of the take and of its folder. It counts up by itself.</source>
+        <translation>テイクとそのフォルダーの番号です。自動的に増えます。</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>メモ</translation>
+    </message>
+    <message>
+        <source>Pre-roll</source>
+        <translation>プリロール</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>オフ</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Time before the start that is recorded as well. The last images of all cameras are kept in memory for this, up to 512 MB in total.</source>
+        <translation>開始前のこの時間も録画されます。そのために全カメラの最新の画像を、合計 512 MB までメモリに保持します。</translation>
+    </message>
+    <message>
+        <source>Text that is kept with the take</source>
+        <translation>テイクと一緒に保存されるテキスト</translation>
     </message>
 </context>
 <context>
@@ -8325,20 +9192,6 @@ to learn its color again.</source>
         <translation>このフレームには枠がありません。</translation>
     </message>
     <message>
-        <source>%1, in %2
-Center %3, %4, size %5 × %6
-Similarity %7
-Effective sample size %8 of %9</source>
-        <translation>%1（%2）
-中心 %3, %4、大きさ %5 × %6
-類似度 %7
-有効サンプルサイズ %8 / %9</translation>
-    </message>
-    <message>
-        <source>Spread %1</source>
-        <translation>広がり %1</translation>
-    </message>
-    <message>
         <source>Target</source>
         <translation>ターゲット</translation>
     </message>
@@ -8377,6 +9230,10 @@ Effective sample size %8 of %9</source>
     <message>
         <source>Ball: the outline of the target is a circle in every image. Any: the size of the target is learned, and its position is the center of the region that has its color. Automatic: the shape is determined from the images. Only method dewpoint uses this setting.</source>
         <translation>ボール: どの画像でもターゲットの輪郭は円です。任意: ターゲットの大きさを学習し、その色の領域の中心を位置とします。自動: 形を画像から判断します。手法 dewpoint だけがこの設定を使います。</translation>
+    </message>
+    <message>
+        <source>%1 m/s</source>
+        <translation>%1 m/s</translation>
     </message>
 </context>
 <context>
@@ -8733,6 +9590,237 @@ Effective sample size %8 of %9</source>
     <message>
         <source>The error is at most %2 in %1 of the volume. Fewer than two cameras see %3 of the volume</source>
         <translation>誤差が %2 以内の空間は %1 です。見えるカメラが 2 台未満の空間は %3 です</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::VideoDialog</name>
+    <message>
+        <source>Export video</source>
+        <translation>動画を書き出す</translation>
+    </message>
+    <message>
+        <source>First image</source>
+        <translation>最初の画像</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>ファイル</translation>
+    </message>
+    <message>
+        <source>File to write</source>
+        <translation>書き出すファイル</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>参照…</translation>
+    </message>
+    <message>
+        <source>Choose the file to write</source>
+        <translation>書き出すファイルを選びます</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>進行状況</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Stop the export; no file is left</source>
+        <translation>書き出しを中止します。ファイルは残りません</translation>
+    </message>
+    <message>
+        <source>Write the video in the background</source>
+        <translation>動画をバックグラウンドで書き出します</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>Close; a running export continues</source>
+        <translation>閉じます。実行中の書き出しは続きます</translation>
+    </message>
+    <message>
+        <source>Saved the video %1.</source>
+        <translation>動画 %1 を保存しました。</translation>
+    </message>
+    <message>
+        <source>The export was canceled.</source>
+        <translation>書き出しはキャンセルされました。</translation>
+    </message>
+    <message>
+        <source>%1 exists already; nothing was written.</source>
+        <translation>%1 はすでにあります。何も書き出されませんでした。</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>表示</translation>
+    </message>
+    <message>
+        <source>no view is checked</source>
+        <translation>チェックされた表示がありません</translation>
+    </message>
+    <message>
+        <source>Images: %1. Length: %2. Size: %3 × %4 pixels.</source>
+        <translation>画像: %1 枚。長さ: %2。サイズ: %3 × %4 ピクセル。</translation>
+    </message>
+    <message>
+        <source>This computer draws the bird&apos;s-eye view slowly. It is drawn in a smaller size and enlarged.</source>
+        <translation>このコンピューターでは鳥瞰図の描画に時間がかかります。小さく描いて拡大します。</translation>
+    </message>
+    <message>
+        <source>This computer has no encoder for videos.</source>
+        <translation>このコンピューターには動画のエンコーダーがありません。</translation>
+    </message>
+    <message>
+        <source>%1 exists already. Replace it?</source>
+        <translation>%1 はすでにあります。置き換えますか?</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>置き換える</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>書き出す</translation>
+    </message>
+    <message>
+        <source>The export was stopped because the run has ended.</source>
+        <translation>実行が終わったため、書き出しを中止しました。</translation>
+    </message>
+    <message>
+        <source>The export was stopped because the run was restarted.</source>
+        <translation>実行が最初からやり直されたため、書き出しを中止しました。</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::VideoForm</name>
+    <message>
+        <source>camera images</source>
+        <translation>カメラ画像</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <comment>pixels</comment>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>MP4 (H.264)</source>
+        <translation>MP4 (H.264)</translation>
+    </message>
+    <message>
+        <source>WebM (VP8)</source>
+        <translation>WebM (VP8)</translation>
+    </message>
+    <message>
+        <source>AVI (Motion JPEG)</source>
+        <translation>AVI (Motion JPEG)</translation>
+    </message>
+    <message>
+        <source>Matroska (FFV1, lossless)</source>
+        <translation>Matroska (FFV1、可逆)</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>表示</translation>
+    </message>
+    <message>
+        <source>The checked views are shown side by side</source>
+        <translation>チェックした表示を並べて示します</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>開始</translation>
+    </message>
+    <message>
+        <source>First time to show, 0 to 1,000,000 s</source>
+        <translation>最初に示す時刻、0~1,000,000 s</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>終了</translation>
+    </message>
+    <message>
+        <source>Last time to show, 0 to 1,000,000 s. The end is the last tracked frame; later frames have no results</source>
+        <translation>最後に示す時刻、0~1,000,000 s。「終わり」は追跡済みの最後のフレームです。それより後のフレームに結果はありません</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>1 is real time, 0.1 is ten times slower, 8 is eight times faster; up to 100. With 0, every frame is shown once</source>
+        <translation>1 は実時間、0.1 は 10 分の 1、8 は 8 倍の速さです(最大 100)。0 では各フレームを 1 回ずつ示します</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>サイズ</translation>
+    </message>
+    <message>
+        <source>Width and height of the video in pixels</source>
+        <translation>動画の幅と高さ(ピクセル)</translation>
+    </message>
+    <message>
+        <source>Frame rate</source>
+        <translation>フレームレート</translation>
+    </message>
+    <message>
+        <source>Images of the video per second, 1 to 240</source>
+        <translation>動画の 1 秒あたりの画像数、1~240</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>形式</translation>
+    </message>
+    <message>
+        <source>Formats that this computer can write</source>
+        <translation>このコンピューターで書き出せる形式</translation>
+    </message>
+    <message>
+        <source>the beginning</source>
+        <translation>最初</translation>
+    </message>
+    <message>
+        <source>the end</source>
+        <translation>終わり</translation>
+    </message>
+    <message>
+        <source>every frame once</source>
+        <translation>各フレームを 1 回</translation>
+    </message>
+    <message>
+        <source>as recorded</source>
+        <translation>録画のとおり</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source> ×</source>
+        <translation> ×</translation>
+    </message>
+    <message>
+        <source> per second</source>
+        <translation> /秒</translation>
+    </message>
+    <message>
+        <source>Titles of the views</source>
+        <translation>表示の名前</translation>
+    </message>
+    <message>
+        <source>Write the name of each view into its corner</source>
+        <translation>各表示の名前を隅に書きます</translation>
+    </message>
+    <message>
+        <source>Frame and time</source>
+        <translation>フレームと時刻</translation>
+    </message>
+    <message>
+        <source>Write the name of the recording, the frame number and the time into the video</source>
+        <translation>録画の名前、フレーム番号、時刻を動画に書きます</translation>
     </message>
 </context>
 <context>
@@ -9170,6 +10258,10 @@ Effective sample size %8 of %9</source>
     <message>
         <source>Calibrations from different parts of the recording differ from each other %1 times as much as image noise can explain. The stated accuracy takes this into account.</source>
         <translation>録画の各部分から求めたキャリブレーションのばらつきは、画像の雑音から予想される大きさの %1 倍です。示された精度にはそれが含まれています。</translation>
+    </message>
+    <message>
+        <source>%1 was far off: the refinement rotates it by %2 and moves it by %3, much more than the others. Was it moved after its calibration?</source>
+        <translation>%1は大きくずれていました。補正で%2回転し、%3移動します。ほかのカメラよりはるかに大きな値です。キャリブレーションの後に動かしませんでしたか?</translation>
     </message>
 </context>
 <context>
