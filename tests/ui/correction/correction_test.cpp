@@ -360,7 +360,7 @@ void CorrectionTest::framesBeforeItAreTrackedToo() {
   };
   QVERIFY(waitFor([&] { return std::ranges::count_if(corrections(), isTrackedBack) > 0; }));
   QCOMPARE(corrections().front().frame, std::int64_t{0});
-  QVERIFY(messageText().contains(QStringLiteral("tracked backward to frame 1 ")));
+  QVERIFY(messageText().contains(QStringLiteral("tracked backward to frame 1.")));
   // Until the session has tracked again from there: whoever looks at another frame meanwhile ends
   // it.
   QVERIFY(waitFor(

@@ -177,7 +177,7 @@ void CalibrationImportTest::asksWhatTheFileLeavesOpen() {
   QVERIFY(!dialog->isReady());
   QVERIFY(!find<QPushButton>("calibrationImportAccept")->isEnabled());
   const QString said = find<MessageBar>("messageBar")->text();
-  QVERIFY2(said.contains(QStringLiteral("unit")) && said.contains(QStringLiteral("likely mm")),
+  QVERIFY2(said.contains(QStringLiteral("unit")) && said.contains(QStringLiteral("probably mm")),
            qPrintable(said));
   QVERIFY2(!said.contains(QStringLiteral("--")), qPrintable(said));
   type("calibrationImportSize", QStringLiteral("640x480")); // another question than the one asked
@@ -299,9 +299,9 @@ void CalibrationImportTest::aCameraWithoutANameCanBeMeant() {
   auto* meant = dialog.findChild<QComboBox*>("calibrationImportCamera");
   QCOMPARE(meant->count(), 3);
   QVERIFY(!meant->itemData(0).isValid()); // as the names say
-  QCOMPARE(meant->itemText(1), QStringLiteral("for left only"));
+  QCOMPARE(meant->itemText(1), QStringLiteral("only for left"));
   QCOMPARE(meant->itemData(1), QVariant(0));
-  QCOMPARE(meant->itemText(2), QStringLiteral("for camera 2 only"));
+  QCOMPARE(meant->itemText(2), QStringLiteral("only for camera 2"));
   QCOMPARE(meant->itemData(2), QVariant(1));
   // Named meanwhile: the list follows, and what was chosen stays.
   meant->setCurrentIndex(2);
