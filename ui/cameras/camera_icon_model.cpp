@@ -20,7 +20,9 @@ QIcon cameraIcon(const QImage& image, const QPalette& palette, double pixelRatio
     area.moveCenter(QRect(QPoint(), kCameraIconSize).center());
     painter.drawImage(area, image);
   }
-  return {tile};
+  QIcon icon(tile);
+  icon.addPixmap(tile, QIcon::Selected); // an image keeps its colors in a selected row
+  return icon;
 }
 
 CameraIconModel::CameraIconModel(QAbstractItemModel& cameras, QObject* parent)

@@ -124,6 +124,9 @@ void ProjectPane::arrange() {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(kSpacing);
+  QFont bold = title_->font();
+  bold.setBold(true);
+  title_->setFont(bold);
   column->addWidget(title_);
   column->addWidget(list_, 1);
   column->addLayout(buttons);

@@ -88,6 +88,12 @@ void SourcePane::arrange() {
   column->addWidget(recordingTitle_);
   column->addLayout(row({videos_, folder_}));
   column->addWidget(note_);
+  column->addStretch(0); // takes the room of the list while no device is connected
+  for (QLabel* title : {title_, addressTitle_, recordingTitle_}) {
+    QFont bold = title->font();
+    bold.setBold(true);
+    title->setFont(bold);
+  }
 }
 
 void SourcePane::connectParts() {
