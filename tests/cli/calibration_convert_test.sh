@@ -23,7 +23,7 @@ expectExit 0 calibration convert "$golden/camchain.yaml" out/same.toml
 
 # What a file leaves open is asked for, with the likely answer.
 expectExit $kBadInput calibration convert "$golden/anipose_mm.toml" out/mm.toml
-expectSentence anipose_mm.toml unit "likely mm"
+expectSentence anipose_mm.toml unit "probably mm"
 expectExit 0 calibration convert "$golden/anipose_mm.toml" out/mm.toml --unit mm
 expectExit $kBadInput calibration convert "$golden/intrinsics.yml" out/pair.toml --unit 0.025
 expectSentence image_width --size

@@ -30,6 +30,20 @@ bool askToRestart(const Workbench& bench, bool newSeed) {
   return true;
 }
 
+/// False: the recording has not ended, or there is nothing to lose.
+bool askToPlayAgain(const Workbench& bench) {
+  const TrackSnapshotPtr& shown = bench.session.shown();
+  if (shown == nullptr || shown->state != PlayState::Ended || shown->history.head <= 0) {
+    return false;
+  }
+  SessionController* run = &bench.session;
+  bench.messages.ask(
+      SessionController::tr("The recording has ended. Track it again from the beginning? The "
+                            "results so far will be lost."),
+      {{SessionController::tr("Track from the beginning"), [run] { run->togglePlay(); }}});
+  return true;
+}
+
 } // namespace
 
 void installRunActions(const Workbench& bench) {
@@ -50,6 +64,7 @@ void installRunActions(const Workbench& bench) {
         bench.action(newSeed ? ActionId("actionRestartNewSeed") : ActionId("actionRestart")),
         [bench, newSeed] { return askToRestart(bench, newSeed); });
   }
+  new KeyGuard(bench.action("actionPlay"), [bench] { return askToPlayAgain(bench); });
   bench.requireRun({"actionPlay", "actionNextFrame", "actionNextIteration", "actionRestart",
                     "actionRestartNewSeed"});
   QObject::connect(run, &SessionController::snapshotChanged, &bench.actions,

@@ -239,6 +239,11 @@ void DockManager::showViews(bool shown) {
     }
   }
   pages->setVisible(!shown);
+  // What has just gone had the keys, and Qt gave them to the next widget. Space must play, so they
+  // go to the window until the user chooses another place.
+  if (QWidget* keys = window_.focusWidget(); shown && keys != nullptr) {
+    keys->clearFocus();
+  }
   if (shown && !layoutBehindPages_.isEmpty()) {
     restore(std::exchange(layoutBehindPages_, {}));
   } else if (shown) {

@@ -143,10 +143,10 @@ void InspectorTest::aBoundThatCountsIsSaidAtBothParameters() {
   QVERIFY(note("particles").isEmpty() && note("fewest_particles").isEmpty());
   QVERIFY(window_->document().setParameter("particles", 50.0));
   QCOMPARE(note("fewest_particles"),
-           QStringLiteral("This is more than “Particles”: 50 is used instead."));
+           QStringLiteral("This value is larger than “Particles”, so 50 is used instead."));
   QCOMPARE(
       note("particles"),
-      QStringLiteral("This is less than “Fewest particles”, so “Fewest particles” has no effect."));
+      QStringLiteral("This value is smaller than “Fewest particles”, so “Fewest particles” has no effect."));
   QVERIFY(window_->document().setParameter("fewest_particles", 50.0));
   QVERIFY(note("particles").isEmpty() && note("fewest_particles").isEmpty());
 }
