@@ -7,7 +7,10 @@
 
 namespace dewpoint::ui {
 
-QString DecimalField::localized(const QString& text) const {
+QString DecimalField::localized(const QString& typed) const {
+  // Printed texts have the real minus sign; without this, a pasted "−5" would become 5.
+  QString text = typed;
+  text.replace(QChar(0x2212), locale().negativeSign());
   const QString point = locale().decimalPoint();
   QString number = text;
   const bool hasUnit = !suffix().isEmpty() && number.endsWith(suffix());

@@ -21,7 +21,7 @@ protected:
   void changeEvent(QEvent* event) override;
 
 private:
-  QString localized(const QString& text) const;
+  QString localized(const QString& typed) const;
 };
 
 } // namespace dewpoint::ui

@@ -136,6 +136,7 @@ void LiveWindowTest::tracksTwoStreamsToTheBall() {
         .contains(QStringLiteral("● tracking"));
   };
   QVERIFY(waitFor([&] { return held(0) && held(1); }));
+  QVERIFY(waitFor([this] { return shown().liveLatency.draw.longest > 0.0; }));
   QTest::mouseClick(find<QToolButton>("actionPlayButton"), Qt::LeftButton); // pause
   QVERIFY(waitFor([&] { return window_->shown()->state == PlayState::Paused; }));
   for (const std::size_t camera : {0U, 1U}) {
@@ -152,7 +153,6 @@ void LiveWindowTest::tracksTwoStreamsToTheBall() {
   QVERIFY2(latency.contains(QStringLiteral("capture")), qPrintable(latency));
   const LiveLatency live = shown().liveLatency;
   QVERIFY(live.total.longest > 0.0 && live.wait.longest > 0.0 && live.decode.longest > 0.0);
-  QVERIFY(waitFor([this] { return shown().liveLatency.draw.longest > 0.0; }));
   window_.reset(); // before its cameras are gone
 }
 

@@ -49,6 +49,14 @@ TEST_F(DecimalFieldTest, NumbersWithinTheLimitsAreAcceptable) {
   }
 }
 
+TEST_F(DecimalFieldTest, ARealMinusSignIsAMinus) {
+  field_.setRange(-10.0, 10.0);
+  const Checked pasted = checked(field_, QStringLiteral("−5.7"));
+  EXPECT_EQ(pasted.state, QValidator::Acceptable);
+  EXPECT_EQ(pasted.text, QStringLiteral("-5.7"));
+  EXPECT_EQ(field_.valueFromText(QStringLiteral("−5.7")), -5.7);
+}
+
 TEST_F(DecimalFieldTest, WhatMayBecomeANumberIsIntermediate) {
   for (const char* typed : {"", ".", ",", "+", "0", "0.5"}) { // 0.5 is below 1, but 0.5 may go
     EXPECT_EQ(stateOf(typed), QValidator::Intermediate) << typed;
