@@ -9,6 +9,7 @@
 #include "ui/text/retranslation.h"
 #include "ui/widgets/choice_field.h"
 #include "ui/widgets/number_field.h"
+#include "ui/widgets/tab_order.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -74,6 +75,7 @@ void CameraForm::createWidgets() {
   grid->addWidget(keysLabel_, 9, 0);
   grid->addWidget(keyMode_, 9, 1);
   grid->addWidget(keyFrame_, 9, 2);
+  orderTabsByRows(*grid);
   cameraLabel_->setBuddy(camera_);
   positionLabel_->setBuddy(position_[0]);
   aimLabel_->setBuddy(aim_[0]);

@@ -7,6 +7,7 @@
 #include "ui/text/axis_names.h"
 #include "ui/text/retranslation.h"
 #include "ui/widgets/number_field.h"
+#include "ui/widgets/tab_order.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -70,6 +71,7 @@ void GridForm::createWidgets() {
   grid->addWidget(opacity_, 6, 1, 1, 2);
   grid->addWidget(edges_, 7, 0, 1, 2);
   grid->addWidget(flip_, 7, 2);
+  orderTabsByRows(*grid);
   kindLabel_->setBuddy(kind_);
   sizeLabel_->setBuddy(size_[0]);
   originLabel_->setBuddy(origin_[0]);
