@@ -188,6 +188,7 @@ const Names& windowHeaders() {
                                  "core/project/project_save.h",
                                  "core/tracking/boxes/box_filter.h",
                                  "core/tracking/catalog/method_catalog.h",
+                                 "core/tracking/clock_estimate.h",
                                  "core/tracking/parameters.h",
                                  "core/trajectory/trajectory.h",
                                  "core/trajectory/csv_line.h",

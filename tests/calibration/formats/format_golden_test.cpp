@@ -154,7 +154,7 @@ Error refusalOf(const std::string& file) {
 }
 
 TEST(FormatGolden, WhatAFileDoesNotSayIsAskedFor) {
-  expectSentence(refusalOf("anipose_mm.toml"), "unit", "likely mm");
+  expectSentence(refusalOf("anipose_mm.toml"), "unit", "probably mm");
   expectSentence(refusalOf("mc_calib.yml"), "unit", "--unit");
   expectSentence(refusalOf("multical.json"), "unit", "--unit");
   // Coefficients without the key that tells them apart.

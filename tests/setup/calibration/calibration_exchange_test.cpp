@@ -67,7 +67,7 @@ TEST_F(CalibrationExchange, ImportMatchesByNameAndSaysWhatChanges) {
   const AskedQuestion asked = askedQuestion(open.error());
   EXPECT_EQ(asked.question, ImportQuestion::Unit);
   EXPECT_EQ(asked.error.detail.find("--"), std::string::npos) << asked.error.detail;
-  EXPECT_NE(asked.error.detail.find("likely mm"), std::string::npos) << asked.error.detail;
+  EXPECT_NE(asked.error.detail.find("probably mm"), std::string::npos) << asked.error.detail;
   wish.hints.unit = 0.001;
   const auto made = importCalibration(project_, wish);
   ASSERT_TRUE(made) << sentence(made.error());
