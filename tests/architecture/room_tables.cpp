@@ -153,15 +153,7 @@ const Names& windowlessPrograms() {
 }
 
 const Names& windowHeaders() {
-  static const Names kHeaders = {"core/capture/device_settings.h",
-                                 "core/capture/devices/camera_device.h",
-                                 "core/capture/devices/color_lock.h",
-                                 "core/capture/devices/device_access.h",
-                                 "core/capture/devices/device_control.h",
-                                 "core/capture/devices/device_match.h",
-                                 "core/capture/devices/device_monitor.h",
-                                 "core/capture/devices/usb_bandwidth.h",
-                                 "core/calibration/board/board.h",
+  static const Names kHeaders = {"core/calibration/board/board.h",
                                  "core/calibration/board/board_edit.h",
                                  "core/calibration/board/board_print.h",
                                  "core/calibration/formats/format_catalog.h",
@@ -188,7 +180,6 @@ const Names& windowHeaders() {
                                  "core/project/project_save.h",
                                  "core/tracking/boxes/box_filter.h",
                                  "core/tracking/catalog/method_catalog.h",
-                                 "core/tracking/clock_estimate.h",
                                  "core/tracking/parameters.h",
                                  "core/trajectory/trajectory.h",
                                  "core/trajectory/csv_line.h",

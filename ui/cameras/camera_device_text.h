@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/capture/devices/camera_device.h"
-#include "core/capture/devices/color_lock.h"
-#include "core/capture/devices/device_control.h"
-#include "core/capture/devices/usb_bandwidth.h"
+#include "core/setup/connected_cameras.h"
 
 #include <QSize>
 #include <QString>

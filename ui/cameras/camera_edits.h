@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/capture/devices/color_lock.h"
+#include "core/setup/connected_cameras.h"
 #include "core/setup/new_project/project_cameras.h"
 #include "ui/jobs/job_queue.h"
 

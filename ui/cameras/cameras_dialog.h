@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/capture/devices/usb_bandwidth.h"
+#include "core/setup/connected_cameras.h"
 #include "ui/cameras/camera_parts.h"
 #include "ui/workbench/workbench.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/cameras/color_locker.h"
 
-#include "core/capture/devices/color_lock.h"
 #include "core/project/project.h"
+#include "core/setup/connected_cameras.h"
 #include "core/setup/new_project/project_devices.h"
 #include "ui/cameras/camera_device_text.h"
 #include "ui/cameras/camera_edits.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/cameras/control_sync.h"
 
-#include "core/capture/devices/color_lock.h"
 #include "core/project/project.h"
+#include "core/setup/connected_cameras.h"
 #include "core/setup/new_project/project_devices.h"
 #include "ui/cameras/device_watch.h"
 #include "ui/document/document.h"

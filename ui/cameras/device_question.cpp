@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/cameras/device_question.h"
 
-#include "core/capture/devices/device_match.h"
 #include "core/project/project.h"
+#include "core/setup/connected_cameras.h"
 #include "core/setup/new_project/project_devices.h"
 #include "ui/cameras/camera_device_text.h"
 #include "ui/cameras/camera_edits.h"

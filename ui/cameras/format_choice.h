@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/capture/devices/camera_device.h"
+#include "core/setup/connected_cameras.h"
 
 #include <QWidget>
 

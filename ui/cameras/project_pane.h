@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/capture/devices/device_control.h"
+#include "core/setup/connected_cameras.h"
 #include "ui/cameras/camera_parts.h"
 #include "ui/jobs/latest_job.h"
 #include "ui/workbench/workbench.h"

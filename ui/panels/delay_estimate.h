@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/tracking/clock_estimate.h"
+#include "core/session/snapshot/snapshot.h"
 
 #include <QString>
 #include <QWidget>

@@ -35,10 +35,15 @@ constexpr std::array<std::pair<std::string_view, const char*>, 19> kDeviceCaps{{
     {"RGBP", "video/x-raw,format=RGB16"},
 }};
 
-/// A rate as the fraction with the smallest denominator: 29.97002997 is 30000/1001.
+/// A rate as a fraction. Those of television, such as 29.97002997 = 30000/1001, are meant where
+/// they fit; others have the smallest denominator.
 std::string rateFraction(double rate) {
-  constexpr int kMostParts = 1001;
+  constexpr int kMostParts = 1000;
   constexpr double kSame = 1e-6; // relative
+  const double whole = std::round(rate * 1.001);
+  if (std::abs(whole / 1.001 - rate) <= kSame * rate) {
+    return fmt::format("{}/1001", std::lround(1000.0 * whole));
+  }
   int parts = 1;
   while (parts < kMostParts && std::abs(std::round(rate * parts) / parts - rate) > kSame * rate) {
     ++parts;
