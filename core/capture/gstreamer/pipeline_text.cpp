@@ -4,6 +4,7 @@
 #include "core/base/text_number.h"
 #include "core/capture/gstreamer/address_parts.h"
 #include "core/capture/gstreamer/device_caps.h"
+#include "core/capture/gstreamer/test_patterns.h"
 #include "core/capture/image_shape.h"
 #include "core/capture/redacted_location.h"
 
@@ -256,11 +257,11 @@ Result<TestOptions> testOptions(const LiveCamera& camera) {
   std::string_view text = std::string_view(camera.location).substr(kTestPrefix.size());
   TestOptions options;
   const std::string_view pattern = text.substr(0, text.find('?'));
-  if (!std::ranges::all_of(pattern,
-                           [](unsigned char c) { return std::isalnum(c) != 0 || c == '-'; })) {
-    return badLocation(camera, "a test pattern has only letters, digits and hyphens in its name");
-  }
   options.pattern = pattern.empty() ? options.pattern : std::string(pattern);
+  if (!isTestPattern(options.pattern)) {
+    return badLocation(camera, fmt::format("there is no test pattern \"{}\"; there are {}",
+                                           options.pattern, testPatternList()));
+  }
   text.remove_prefix(std::min(pattern.size() + 1, text.size()));
   const std::array<std::tuple<std::string_view, int*, int, int>, 4> numbers{
       {{"width", &options.width, 16, kLargestTestSide},
