@@ -8616,6 +8616,14 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <source>Use image size</source>
         <translation>Größe der Bilder übernehmen</translation>
     </message>
+    <message>
+        <source>The recording has ended. Track it again from the beginning? The results so far will be lost.</source>
+        <translation>Die Aufnahme ist zu Ende. Noch einmal von vorn verfolgen? Die bisherigen Ergebnisse gehen verloren.</translation>
+    </message>
+    <message>
+        <source>Track from the beginning</source>
+        <translation>Von vorn verfolgen</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::ShortcutEditor</name>

@@ -8616,6 +8616,14 @@ alrededor, para aprender de nuevo su color.</translation>
         <source>Use image size</source>
         <translation>Tomar el tamaño de las imágenes</translation>
     </message>
+    <message>
+        <source>The recording has ended. Track it again from the beginning? The results so far will be lost.</source>
+        <translation>La grabación ha terminado. ¿Volver a seguirla desde el principio? Los resultados obtenidos hasta ahora se perderán.</translation>
+    </message>
+    <message>
+        <source>Track from the beginning</source>
+        <translation>Seguir desde el principio</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::ShortcutEditor</name>

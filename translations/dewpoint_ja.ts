@@ -8599,6 +8599,14 @@ to learn its color again.</source>
         <source>Use image size</source>
         <translation>画像のサイズを取り込む</translation>
     </message>
+    <message>
+        <source>The recording has ended. Track it again from the beginning? The results so far will be lost.</source>
+        <translation>録画の終わりです。最初から追跡し直しますか？これまでの結果は失われます。</translation>
+    </message>
+    <message>
+        <source>Track from the beginning</source>
+        <translation>最初から追跡</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::ShortcutEditor</name>
