@@ -86,9 +86,11 @@ BoardGuess confirmedGuess(const BoardDescription& board, bool mirrored,
   BoardGuess guess{board, mirrored, static_cast<int>(images.size()), 0, 0};
   const BoardDetector detector(board);
   for (const cv::Mat& gray : images) {
-    cv::Mat seen = gray;
+    cv::Mat seen;
     if (mirrored) {
-      cv::flip(gray, seen, 1);
+      cv::flip(gray, seen, 1); // into memory of its own: the images are those of the caller
+    } else {
+      seen = gray;
     }
     if (const auto found = detector.detect(seen, DetectionEffort::Exact)) {
       ++guess.images;
