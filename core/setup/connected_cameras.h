@@ -11,3 +11,5 @@
 #include "core/capture/devices/device_match.h"
 #include "core/capture/devices/device_monitor.h"
 #include "core/capture/devices/usb_bandwidth.h"
+
+namespace dewpoint::setup {} // namespace dewpoint::setup

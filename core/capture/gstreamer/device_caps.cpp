@@ -39,10 +39,12 @@ constexpr std::array<std::pair<std::string_view, const char*>, 19> kDeviceCaps{{
 /// they fit; others have the smallest denominator.
 std::string rateFraction(double rate) {
   constexpr int kMostParts = 1000;
-  constexpr double kSame = 1e-6; // relative
-  const double whole = std::round(rate * 1.001);
-  if (std::abs(whole / 1.001 - rate) <= kSame * rate) {
-    return fmt::format("{}/1001", std::lround(1000.0 * whole));
+  constexpr double kSame = 1e-6;         // relative
+  constexpr int kTelevisionParts = 1001; // of thousandths
+  const auto whole = std::lround(rate * kTelevisionParts / kMostParts);
+  const auto thousandths = whole * kMostParts;
+  if (std::abs(static_cast<double>(thousandths) / kTelevisionParts - rate) <= kSame * rate) {
+    return fmt::format("{}/{}", thousandths, kTelevisionParts);
   }
   int parts = 1;
   while (parts < kMostParts && std::abs(std::round(rate * parts) / parts - rate) > kSame * rate) {

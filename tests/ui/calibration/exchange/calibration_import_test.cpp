@@ -307,7 +307,7 @@ void CalibrationImportTest::aCameraWithoutANameCanBeMeant() {
   meant->setCurrentIndex(2);
   QVERIFY(document.edit(QStringLiteral("name"),
                         [](Project& project) { project.cameras[1].camera.name = "by the door"; }));
-  QCOMPARE(meant->currentText(), QStringLiteral("for by the door only"));
+  QCOMPARE(meant->currentText(), QStringLiteral("only for by the door"));
 }
 
 DEWPOINT_WINDOW_TEST(CalibrationImportTest)
