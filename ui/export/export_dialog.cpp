@@ -3,6 +3,7 @@
 
 #include "core/trajectory/export/export_catalog.h"
 #include "ui/export/export_form.h"
+#include "ui/export/export_layout.h"
 #include "ui/export/export_outcome.h"
 #include "ui/export/export_text.h"
 #include "ui/export/preview_pane.h"
@@ -10,7 +11,6 @@
 #include "ui/text/retranslation.h"
 #include "ui/widgets/named.h"
 
-#include <QDialogButtonBox>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -19,7 +19,6 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QTimer>
-#include <QVBoxLayout>
 
 namespace dewpoint::ui {
 
@@ -71,30 +70,9 @@ void ExportDialog::arrangeFields() {
   columns->setSpacing(16);
   columns->addWidget(form_);
   columns->addWidget(preview_, 1);
-  auto* place = new QHBoxLayout;
-  place->setSpacing(8);
-  place->addWidget(file_, 1);
-  place->addWidget(browse_);
-  // No accept role: Enter would press it.
-  auto* box = new QDialogButtonBox(this);
-  box->addButton(figure_, QDialogButtonBox::ActionRole);
-  box->addButton(export_, QDialogButtonBox::ActionRole);
-  box->addButton(close_, QDialogButtonBox::RejectRole);
-  connect(box, &QDialogButtonBox::rejected, this, &QDialog::close);
-  auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(8);
-  buttons->addWidget(progress_, 1);
-  buttons->addWidget(cancel_);
-  buttons->addStretch(1);
-  buttons->addWidget(box);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(16, 16, 16, 16);
-  layout->setSpacing(16);
-  layout->addLayout(columns, 1);
-  layout->addLayout(place);
-  layout->addWidget(question_);
-  layout->addWidget(outcome_);
-  layout->addLayout(buttons);
+  arrangeExportDialog(
+      *this, columns,
+      {file_, browse_, question_, outcome_, progress_, cancel_, {figure_, export_}, close_});
 }
 
 void ExportDialog::retranslateUi() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/video_dialog.h"
 
+#include "ui/export/export_layout.h"
 #include "ui/export/export_outcome.h"
 #include "ui/export/video_form.h"
 #include "ui/text/error_sentence.h"
@@ -8,7 +9,6 @@
 #include "ui/text/retranslation.h"
 #include "ui/widgets/named.h"
 
-#include <QDialogButtonBox>
 #include <QDir>
 #include <QFileDialog>
 #include <QLabel>
@@ -80,28 +80,8 @@ void VideoDialog::arrangeFields() {
   columns->setSpacing(16);
   columns->addWidget(form_);
   columns->addLayout(seen, 1);
-  auto* place = new QHBoxLayout;
-  place->setSpacing(8);
-  place->addWidget(file_, 1);
-  place->addWidget(browse_);
-  auto* box = new QDialogButtonBox(this); // no accept role: Enter would press it
-  box->addButton(export_, QDialogButtonBox::ActionRole);
-  box->addButton(close_, QDialogButtonBox::RejectRole);
-  connect(box, &QDialogButtonBox::rejected, this, &QDialog::close);
-  auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(8);
-  buttons->addWidget(progress_, 1);
-  buttons->addWidget(cancel_);
-  buttons->addStretch(1);
-  buttons->addWidget(box);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(16, 16, 16, 16);
-  layout->setSpacing(16);
-  layout->addLayout(columns, 1);
-  layout->addLayout(place);
-  layout->addWidget(question_);
-  layout->addWidget(outcome_);
-  layout->addLayout(buttons);
+  arrangeExportDialog(*this, columns,
+                      {file_, browse_, question_, outcome_, progress_, cancel_, {export_}, close_});
 }
 
 void VideoDialog::retranslateUi() {
