@@ -25,7 +25,7 @@ namespace dewpoint::ui {
 
 namespace {
 
-constexpr int kPreviewDelayMs = 200;    ///< while fields are still being changed
+constexpr int kVideoPreviewDelayMs = 200;    ///< while fields are still being changed
 constexpr QSize kPreviewSize(480, 320); ///< logical pixels
 /// Seconds by which the fields may round a time.
 constexpr double kTimeTolerance = 0.00051;
@@ -37,7 +37,7 @@ VideoDialog::VideoDialog(std::function<VideoOffer()> offer, QWidget* parent)
       previewTimer_(new QTimer(this)) {
   setObjectName(QStringLiteral("videoDialog"));
   previewTimer_->setSingleShot(true);
-  previewTimer_->setInterval(kPreviewDelayMs);
+  previewTimer_->setInterval(kVideoPreviewDelayMs);
   makeFields();
   arrangeFields();
   onRetranslate(this, [this] { retranslateUi(); });
