@@ -93,6 +93,13 @@ void CalibrationDock::adjustWidth() {
     scroll->setMinimumWidth(scroll->widget()->minimumSizeHint().width() +
                             scroll->verticalScrollBar()->sizeHint().width());
   }
+  // The scroll area of the view is as wide as the pages: otherwise their scroll bars would be out
+  // of sight at its right.
+  QWidget* const viewport = parentWidget();
+  if (auto* view =
+          qobject_cast<QScrollArea*>(viewport != nullptr ? viewport->parentWidget() : nullptr)) {
+    view->setMinimumWidth(layout()->minimumSize().width());
+  }
 }
 
 void CalibrationDock::showPage(const QString& name) {
