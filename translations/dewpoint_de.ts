@@ -1374,7 +1374,7 @@
         <translation>Farbton</translation>
     </message>
     <message>
-        <source>USB bus %1 cannot carry the images of %2: they need %3 Mbit/s, and it has %4 Mbit/s.</source>
+        <source>USB bus %1 cannot carry the images of %2: they need %3 Mbit/s, but the bus has only %4 Mbit/s.</source>
         <translation>Der USB-Bus %1 kann die Bilder von %2 nicht übertragen: Sie brauchen %3 Mbit/s, und er hat %4 Mbit/s.</translation>
     </message>
 </context>
@@ -5610,7 +5610,7 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>Kameras – Dewpoint</translation>
     </message>
     <message>
-        <source>Use formats that fit</source>
+        <source>Switch to formats that fit</source>
         <translation>Passende Formate verwenden</translation>
     </message>
     <message>
@@ -5745,16 +5745,16 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>Nur Kameras, die an diesem Computer angeschlossen sind, können gesperrt werden. Verwenden Sie bei Netzwerkkameras deren eigene Einstellungen.</translation>
     </message>
     <message>
-        <source>Colors locked: %1.</source>
-        <translation>Farben gesperrt: %1.</translation>
+        <source>The colors of these cameras are locked: %1.</source>
+        <translation>Die Farben dieser Kameras sind gesperrt: %1.</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
     </message>
     <message>
-        <source>Some cameras change their colors by themselves: %1. The learned color may not fit when the light changes.</source>
-        <translation>Manche Kameras ändern ihre Farben selbst: %1. Die gelernte Farbe passt vielleicht nicht mehr, wenn sich das Licht ändert.</translation>
+        <source>These cameras adjust their colors automatically: %1. The learned color may no longer fit when the light changes.</source>
+        <translation>Diese Kameras passen ihre Farben automatisch an: %1. Die gelernte Farbe passt womöglich nicht mehr, wenn sich das Licht ändert.</translation>
     </message>
     <message>
         <source>Lock colors</source>
@@ -9130,7 +9130,7 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <translation> s</translation>
     </message>
     <message>
-        <source>Time before the start that is recorded as well. The last images of all cameras are kept in memory for this, up to 512 MB in total.</source>
+        <source>How many seconds before the start are recorded as well. For this, the last images of all cameras are kept in memory, up to 512 MB in total.</source>
         <translation>Zeit vor dem Start, die mit aufgenommen wird. Dafür bleiben die letzten Bilder aller Kameras im Speicher, zusammen bis zu 512 MB.</translation>
     </message>
     <message>
@@ -9655,7 +9655,7 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Stop the export; no file is left</source>
+        <source>Stop the export. No file is written</source>
         <translation>Den Export abbrechen; es bleibt keine Datei zurück</translation>
     </message>
     <message>

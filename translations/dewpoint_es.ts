@@ -1374,7 +1374,7 @@
         <translation>tono</translation>
     </message>
     <message>
-        <source>USB bus %1 cannot carry the images of %2: they need %3 Mbit/s, and it has %4 Mbit/s.</source>
+        <source>USB bus %1 cannot carry the images of %2: they need %3 Mbit/s, but the bus has only %4 Mbit/s.</source>
         <translation>El bus USB %1 no puede transmitir las imágenes de %2: necesitan %3 Mbit/s y dispone de %4 Mbit/s.</translation>
     </message>
 </context>
@@ -5610,7 +5610,7 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>Cámaras – Dewpoint</translation>
     </message>
     <message>
-        <source>Use formats that fit</source>
+        <source>Switch to formats that fit</source>
         <translation>Usar formatos que caben</translation>
     </message>
     <message>
@@ -5745,16 +5745,16 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>Solo se pueden fijar las cámaras conectadas a este ordenador. En las cámaras de red, use sus propios ajustes.</translation>
     </message>
     <message>
-        <source>Colors locked: %1.</source>
-        <translation>Colores fijados: %1.</translation>
+        <source>The colors of these cameras are locked: %1.</source>
+        <translation>Los colores de estas cámaras están bloqueados: %1.</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
     </message>
     <message>
-        <source>Some cameras change their colors by themselves: %1. The learned color may not fit when the light changes.</source>
-        <translation>Algunas cámaras cambian sus colores por sí solas: %1. El color aprendido puede no servir cuando cambie la luz.</translation>
+        <source>These cameras adjust their colors automatically: %1. The learned color may no longer fit when the light changes.</source>
+        <translation>Estas cámaras ajustan sus colores automáticamente: %1. Es posible que el color aprendido ya no sirva cuando cambie la luz.</translation>
     </message>
     <message>
         <source>Lock colors</source>
@@ -9130,7 +9130,7 @@ alrededor, para aprender de nuevo su color.</translation>
         <translation> s</translation>
     </message>
     <message>
-        <source>Time before the start that is recorded as well. The last images of all cameras are kept in memory for this, up to 512 MB in total.</source>
+        <source>How many seconds before the start are recorded as well. For this, the last images of all cameras are kept in memory, up to 512 MB in total.</source>
         <translation>Tiempo anterior al inicio que también se graba. Para ello se guardan en memoria las últimas imágenes de todas las cámaras, hasta 512 MB en total.</translation>
     </message>
     <message>
@@ -9655,7 +9655,7 @@ alrededor, para aprender de nuevo su color.</translation>
         <translation>Cancelar</translation>
     </message>
     <message>
-        <source>Stop the export; no file is left</source>
+        <source>Stop the export. No file is written</source>
         <translation>Detener la exportación; no queda ningún archivo</translation>
     </message>
     <message>

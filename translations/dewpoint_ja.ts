@@ -1374,7 +1374,7 @@
         <translation>色相</translation>
     </message>
     <message>
-        <source>USB bus %1 cannot carry the images of %2: they need %3 Mbit/s, and it has %4 Mbit/s.</source>
+        <source>USB bus %1 cannot carry the images of %2: they need %3 Mbit/s, but the bus has only %4 Mbit/s.</source>
         <translation>USB バス %1 は %2 の画像を転送できません: %3 Mbit/s が必要ですが、%4 Mbit/s しかありません。</translation>
     </message>
 </context>
@@ -5601,7 +5601,7 @@ Position x, y, z: %4, %5, %6</source>
         <translation>カメラ – Dewpoint</translation>
     </message>
     <message>
-        <source>Use formats that fit</source>
+        <source>Switch to formats that fit</source>
         <translation>収まる形式を使用</translation>
     </message>
     <message>
@@ -5736,16 +5736,16 @@ Position x, y, z: %4, %5, %6</source>
         <translation>固定できるのはこのコンピューターに接続されたカメラだけです。ネットワークカメラでは、カメラ自体の設定を使ってください。</translation>
     </message>
     <message>
-        <source>Colors locked: %1.</source>
-        <translation>色を固定しました: %1。</translation>
+        <source>The colors of these cameras are locked: %1.</source>
+        <translation>次のカメラの色を固定しました：%1。</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
         <translation>%1（%2）</translation>
     </message>
     <message>
-        <source>Some cameras change their colors by themselves: %1. The learned color may not fit when the light changes.</source>
-        <translation>色を自動で変えるカメラがあります: %1。光が変わると、学習した色が合わなくなることがあります。</translation>
+        <source>These cameras adjust their colors automatically: %1. The learned color may no longer fit when the light changes.</source>
+        <translation>次のカメラは色を自動調整しています：%1。光が変わると、学習した色が合わなくなることがあります。</translation>
     </message>
     <message>
         <source>Lock colors</source>
@@ -9113,7 +9113,7 @@ to learn its color again.</source>
         <translation> s</translation>
     </message>
     <message>
-        <source>Time before the start that is recorded as well. The last images of all cameras are kept in memory for this, up to 512 MB in total.</source>
+        <source>How many seconds before the start are recorded as well. For this, the last images of all cameras are kept in memory, up to 512 MB in total.</source>
         <translation>開始前のこの時間も録画されます。そのために全カメラの最新の画像を、合計 512 MB までメモリに保持します。</translation>
     </message>
     <message>
@@ -9635,7 +9635,7 @@ to learn its color again.</source>
         <translation>キャンセル</translation>
     </message>
     <message>
-        <source>Stop the export; no file is left</source>
+        <source>Stop the export. No file is written</source>
         <translation>書き出しを中止します。ファイルは残りません</translation>
     </message>
     <message>

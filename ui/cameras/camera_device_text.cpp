@@ -185,8 +185,8 @@ QString automaticsText(const std::vector<capture::ColorAutomatic>& automatics) {
 }
 
 QString shortageText(const capture::BandwidthShortage& shortage, const QStringList& names) {
-  return CameraDeviceText::tr("USB bus %1 cannot carry the images of %2: they need %3 Mbit/s, and "
-                              "it has %4 Mbit/s.")
+  return CameraDeviceText::tr("USB bus %1 cannot carry the images of %2: they need %3 Mbit/s, but "
+                              "the bus has only %4 Mbit/s.")
       .arg(shortage.bus)
       .arg(cameraList(shortage.requests, names), megabits(shortage.needed),
            megabits(shortage.available));

@@ -104,7 +104,7 @@ void CamerasDialog::arrange() {
 
 void CamerasDialog::retranslateUi() {
   setWindowTitle(tr("Cameras – Dewpoint"));
-  fit_->setText(tr("Use formats that fit"));
+  fit_->setText(tr("Switch to formats that fit"));
   updateBandwidth();
 }
 

@@ -133,7 +133,8 @@ void ColorLocker::lock(int camera) {
       if (names.isEmpty()) {
         Q_EMIT failed(complaints.join(QLatin1Char(' ')));
       } else {
-        complaints.prepend(tr("Colors locked: %1.").arg(names.join(QStringLiteral(", "))));
+        complaints.prepend(tr("The colors of these cameras are locked: %1.")
+                               .arg(names.join(QStringLiteral(", "))));
         Q_EMIT done(complaints.join(QLatin1Char(' ')));
       }
     };
@@ -164,8 +165,8 @@ void ColorLocker::considerOffer() {
 void ColorLocker::offer(const QString& cameras) {
   offered_ = true;
   bench_.messages.askUntilAnswered(
-      tr("Some cameras change their colors by themselves: %1. The learned color may not fit when "
-         "the light changes.")
+      tr("These cameras adjust their colors automatically: %1. The learned color may no longer "
+         "fit when the light changes.")
           .arg(cameras),
       {{tr("Lock colors"), [this] { lock(-1); }}});
 }

@@ -25,8 +25,8 @@ namespace dewpoint::ui {
 
 namespace {
 
-constexpr int kVideoPreviewDelayMs = 200;    ///< while fields are still being changed
-constexpr QSize kPreviewSize(480, 320); ///< logical pixels
+constexpr int kVideoPreviewDelayMs = 200; ///< while fields are still being changed
+constexpr QSize kPreviewSize(480, 320);   ///< logical pixels
 /// Seconds by which the fields may round a time.
 constexpr double kTimeTolerance = 0.00051;
 
@@ -95,7 +95,7 @@ void VideoDialog::retranslateUi() {
   browse_->setToolTip(tr("Choose the file to write"));
   progress_->setAccessibleName(tr("Progress"));
   cancel_->setText(tr("Cancel"));
-  cancel_->setToolTip(tr("Stop the export; no file is left"));
+  cancel_->setToolTip(tr("Stop the export. No file is written"));
   withdrawQuestion(); // in the new language
   export_->setToolTip(tr("Write the video in the background"));
   close_->setText(tr("Close"));

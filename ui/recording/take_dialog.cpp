@@ -68,8 +68,9 @@ void TakeDialog::retranslateUi() {
   preRollLabel_->setText(tr("Pre-roll"));
   preRoll_->setSpecialValueText(tr("off"));
   preRoll_->setSuffix(tr(" s"));
-  preRoll_->setToolTip(tr("Time before the start that is recorded as well. The last images of all "
-                          "cameras are kept in memory for this, up to 512 MB in total."));
+  preRoll_->setToolTip(
+      tr("How many seconds before the start are recorded as well. For this, the last "
+         "images of all cameras are kept in memory, up to 512 MB in total."));
   notes_->setPlaceholderText(tr("Text that is kept with the take"));
 }
 

@@ -232,7 +232,7 @@ void CamerasDialogTest::aLearnedColorOffersTheLock() {
   });
   QVERIFY(learned);
   QVERIFY(waitFor([this] {
-    return messageText().contains(QStringLiteral("by themselves")) &&
+    return messageText().contains(QStringLiteral("adjust their colors automatically")) &&
            window_->findChild<QPushButton*>("messageAnswer0") != nullptr;
   }));
   QTest::mouseClick(find<QPushButton>("messageAnswer0"), Qt::LeftButton);
