@@ -146,7 +146,8 @@ void InspectorTest::aBoundThatCountsIsSaidAtBothParameters() {
            QStringLiteral("This value is larger than “Particles”, so 50 is used instead."));
   QCOMPARE(
       note("particles"),
-      QStringLiteral("This value is smaller than “Fewest particles”, so “Fewest particles” has no effect."));
+      QStringLiteral(
+          "This value is smaller than “Fewest particles”, so “Fewest particles” has no effect."));
   QVERIFY(window_->document().setParameter("fewest_particles", 50.0));
   QVERIFY(note("particles").isEmpty() && note("fewest_particles").isEmpty());
 }
