@@ -3,6 +3,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <Eigen/QR>
 #include <Eigen/SVD>
 
@@ -46,6 +47,28 @@ std::optional<Eigen::MatrixXd> inversePositiveDefinite(const Eigen::MatrixXd& ma
     return std::nullopt;
   }
   return factor.solve(Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols()));
+}
+
+Eigen::MatrixXd inverse(const Eigen::MatrixXd& matrix) {
+  return matrix.inverse();
+}
+
+struct SymmetricFactor::Decomposition {
+  explicit Decomposition(const Eigen::MatrixXd& matrix) : ldlt(matrix) {}
+  Eigen::LDLT<Eigen::MatrixXd> ldlt;
+};
+
+SymmetricFactor::SymmetricFactor(const Eigen::MatrixXd& matrix)
+    : decomposition_(std::make_unique<Decomposition>(matrix)) {}
+
+SymmetricFactor::~SymmetricFactor() = default;
+
+bool SymmetricFactor::isPositive() const {
+  return decomposition_->ldlt.info() == Eigen::Success && decomposition_->ldlt.isPositive();
+}
+
+Eigen::MatrixXd SymmetricFactor::solve(const Eigen::MatrixXd& right) const {
+  return decomposition_->ldlt.solve(right);
 }
 
 struct SingularValues::Decomposition {

@@ -34,6 +34,29 @@ Eigen::MatrixXd solveSymmetric(const Eigen::MatrixXd& matrix, const Eigen::Matri
 /// nothing for any other matrix.
 std::optional<Eigen::MatrixXd> inversePositiveDefinite(const Eigen::MatrixXd& matrix);
 
+/// Returns the inverse of a square matrix, by LU decomposition with partial pivoting. Elements are
+/// not finite if the matrix is singular.
+Eigen::MatrixXd inverse(const Eigen::MatrixXd& matrix);
+
+/// The LDLT decomposition of a symmetric matrix, for several right sides. Only the lower triangle
+/// of the matrix is read.
+class SymmetricFactor {
+public:
+  explicit SymmetricFactor(const Eigen::MatrixXd& matrix);
+  SymmetricFactor(const SymmetricFactor&) = delete;
+  SymmetricFactor& operator=(const SymmetricFactor&) = delete;
+  ~SymmetricFactor();
+
+  /// Returns whether the decomposition succeeded and the matrix is positive semidefinite.
+  bool isPositive() const;
+  /// Returns the solution x of `matrix` * x = `right`, with one column for each column of `right`.
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const;
+
+private:
+  struct Decomposition;
+  std::unique_ptr<Decomposition> decomposition_;
+};
+
 /// Singular value decomposition by Jacobi rotations.
 class SingularValues {
 public:

@@ -32,7 +32,8 @@ void setLens(CameraRig& rig, LensModel lens) {
   }
 }
 
-Result<ParsedCalibration> read(const CalibrationText& source, const CalibrationHints& hints) {
+Result<ParsedCalibration> readAnipose(const CalibrationText& source,
+                                      const CalibrationHints& hints) {
   // What FreeMoCap adds.
   auto cameras = camerasFromToml(source, {"world_position", "world_orientation"});
   if (!cameras) {
@@ -103,7 +104,7 @@ CalibrationFormat aniposeFormat() {
   format.defaultUnit = 0.001;
   format.sharesKeys = true;
   format.recognize = recognizeAnipose;
-  format.read = read;
+  format.read = readAnipose;
   format.write = writeAnipose;
   return format;
 }

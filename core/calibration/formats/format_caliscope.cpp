@@ -14,12 +14,12 @@
 namespace dewpoint::calibration {
 namespace {
 
-std::string recognize(const CalibrationText& source) {
+std::string recognizeCaliscope(const CalibrationText& source) {
   return hasLineStartingWith(source.text, "[cameras.") ? "tables [cameras.N]" : "";
 }
 
-Status readCamera(const std::string& key, const toml::table& table, const std::string& file,
-                  ParsedCalibration& calibration) {
+Status readCaliscopeCamera(const std::string& key, const toml::table& table,
+                           const std::string& file, ParsedCalibration& calibration) {
   const std::string name = "cam_" + key;
   if (table["ignore"].value_or(false)) {
     calibration.decisions.push_back(
@@ -49,7 +49,7 @@ Status readCamera(const std::string& key, const toml::table& table, const std::s
   return {};
 }
 
-Result<ParsedCalibration> read(const CalibrationText& source, const CalibrationHints&) {
+Result<ParsedCalibration> readCaliscope(const CalibrationText& source, const CalibrationHints&) {
   const std::string file = source.file.string();
   const auto table = parseToml(source.text, file);
   if (!table) {
@@ -73,14 +73,15 @@ Result<ParsedCalibration> read(const CalibrationText& source, const CalibrationH
     return tooManyCameras(file);
   }
   for (const auto& [key, section] : sections) {
-    if (const auto status = readCamera(key, *section, file, calibration); !status) {
+    if (const auto status = readCaliscopeCamera(key, *section, file, calibration); !status) {
       return tl::make_unexpected(status.error());
     }
   }
   return calibration;
 }
 
-std::vector<CalibrationText> write(const CameraRig& rig, const std::filesystem::path& out) {
+std::vector<CalibrationText> writeCaliscope(const CameraRig& rig,
+                                            const std::filesystem::path& out) {
   std::string text;
   for (std::size_t k = 0; k < rig.size(); ++k) {
     const Camera& camera = rig[k];
@@ -108,9 +109,9 @@ CalibrationFormat caliscopeFormat() {
       "5 coefficients or fisheye, camera from world, meters; numbers instead of names";
   format.lenses = {5, true};
   format.unit = 1.0;
-  format.recognize = recognize;
-  format.read = read;
-  format.write = write;
+  format.recognize = recognizeCaliscope;
+  format.read = readCaliscope;
+  format.write = writeCaliscope;
   return format;
 }
 

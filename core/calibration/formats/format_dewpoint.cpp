@@ -11,7 +11,7 @@
 namespace dewpoint::calibration {
 namespace {
 
-std::string recognize(const CalibrationText& source) {
+std::string recognizeDewpoint(const CalibrationText& source) {
   const TomlDialect dialect = tomlDialect(source);
   if (dialect == TomlDialect::Dewpoint) {
     return "camera tables with size, matrix, rotation and translation, and no other tool's keys";
@@ -39,7 +39,7 @@ Result<std::optional<double>> metadataUnit(const CalibrationText& source) {
                  fmt::format("\"{}\" is not a unit of length; expected m, mm, cm, in or ft", name));
 }
 
-Result<ParsedCalibration> read(const CalibrationText& source, const CalibrationHints&) {
+Result<ParsedCalibration> readDewpoint(const CalibrationText& source, const CalibrationHints&) {
   auto cameras = camerasFromToml(source, {});
   if (!cameras) {
     return tl::make_unexpected(cameras.error());
@@ -55,7 +55,7 @@ Result<ParsedCalibration> read(const CalibrationText& source, const CalibrationH
   return calibration;
 }
 
-std::vector<CalibrationText> write(const CameraRig& rig, const std::filesystem::path& out) {
+std::vector<CalibrationText> writeDewpoint(const CameraRig& rig, const std::filesystem::path& out) {
   return {{out, calibrationText(rig)}};
 }
 
@@ -79,9 +79,9 @@ CalibrationFormat dewpointFormat() {
   format.lenses = {8, true};
   format.unit = 1.0;
   format.sharesKeys = true;
-  format.recognize = recognize;
-  format.read = read;
-  format.write = write;
+  format.recognize = recognizeDewpoint;
+  format.read = readDewpoint;
+  format.write = writeDewpoint;
   return format;
 }
 

@@ -11,7 +11,7 @@
 namespace dewpoint::calibration {
 namespace {
 
-std::string recognize(const CalibrationText& source) {
+std::string recognizeKalibr(const CalibrationText& source) {
   return hasLineStartingWith(source.text, "cam0:") &&
                  hasLineStartingWith(source.text, "intrinsics:")
              ? "sections cam0, cam1, ... with \"intrinsics\""
@@ -19,7 +19,7 @@ std::string recognize(const CalibrationText& source) {
 }
 
 /// Fills the lens; false, with the error kept, for a model that is not OpenCV's.
-bool readLens(const YamlReader& camera, CameraParts& parts) {
+bool readKalibrLens(const YamlReader& camera, CameraParts& parts) {
   const std::string model = camera.text("camera_model");
   if (model != "pinhole") {
     camera.fail(ErrorCode::BadValue, "camera_model",
@@ -51,7 +51,7 @@ std::optional<CameraParts> readParts(const YamlReader& camera, const std::string
   parts.height = size[1];
   const auto in = camera.numbers("intrinsics", {4});
   parts.matrix = matrixOf(in[0], in[1], in[2], in[3]);
-  if (!readLens(camera, parts) || camera.error()) {
+  if (!readKalibrLens(camera, parts) || camera.error()) {
     return std::nullopt;
   }
   return parts;
@@ -65,7 +65,7 @@ Eigen::Matrix4d stepFromPrevious(const YamlReader& camera, bool first) {
   return camera.matrix("T_cn_cnm1", 4, 4);
 }
 
-Result<ParsedCalibration> read(const CalibrationText& source, const CalibrationHints&) {
+Result<ParsedCalibration> readKalibr(const CalibrationText& source, const CalibrationHints&) {
   const std::string file = source.file.string();
   const auto node = parseYaml(source.text, file);
   if (!node) {
@@ -112,7 +112,7 @@ Result<ParsedCalibration> read(const CalibrationText& source, const CalibrationH
   return calibration;
 }
 
-std::vector<CalibrationText> write(const CameraRig& rig, const std::filesystem::path& out) {
+std::vector<CalibrationText> writeKalibr(const CameraRig& rig, const std::filesystem::path& out) {
   std::string text;
   for (std::size_t k = 0; k < rig.size(); ++k) {
     const Camera& camera = rig[k];
@@ -154,9 +154,9 @@ CalibrationFormat kalibrFormat() {
   format.lenses = {4, true};
   format.firstCameraIsWorld = true;
   format.unit = 1.0;
-  format.recognize = recognize;
-  format.read = read;
-  format.write = write;
+  format.recognize = recognizeKalibr;
+  format.read = readKalibr;
+  format.write = writeKalibr;
   return format;
 }
 

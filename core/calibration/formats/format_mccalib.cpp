@@ -12,14 +12,14 @@
 namespace dewpoint::calibration {
 namespace {
 
-std::string recognize(const CalibrationText& source) {
+std::string recognizeMcCalib(const CalibrationText& source) {
   return hasLineStartingWith(source.text, "nb_camera:")
              ? "\"nb_camera\" and sections camera_0, camera_1, ..."
              : "";
 }
 
-Result<Camera> readCamera(const YamlReader& section, const std::string& name,
-                          const std::string& file) {
+Result<Camera> readMcCalibCamera(const YamlReader& section, const std::string& name,
+                                 const std::string& file) {
   CameraParts parts;
   parts.name = name;
   parts.width = section.number("img_width");
@@ -40,7 +40,7 @@ Result<Camera> readCamera(const YamlReader& section, const std::string& name,
                         section.field("camera_pose_matrix")});
 }
 
-Result<ParsedCalibration> read(const CalibrationText& source, const CalibrationHints&) {
+Result<ParsedCalibration> readMcCalib(const CalibrationText& source, const CalibrationHints&) {
   const std::string file = source.file.string();
   const auto node = parseYaml(source.text, file);
   if (!node) {
@@ -62,7 +62,7 @@ Result<ParsedCalibration> read(const CalibrationText& source, const CalibrationH
   for (int k = 0; k < count; ++k) {
     const std::string name = fmt::format("camera_{}", k);
     const YamlReader section = reader.child(name);
-    auto camera = readCamera(section, name, file);
+    auto camera = readMcCalibCamera(section, name, file);
     if (!camera) {
       return tl::make_unexpected(camera.error());
     }
@@ -77,7 +77,7 @@ Result<ParsedCalibration> read(const CalibrationText& source, const CalibrationH
   return calibration;
 }
 
-std::vector<CalibrationText> write(const CameraRig& rig, const std::filesystem::path& out) {
+std::vector<CalibrationText> writeMcCalib(const CameraRig& rig, const std::filesystem::path& out) {
   std::string text = fmt::format("%YAML:1.0\n---\nnb_camera: {}\n", rig.size());
   for (std::size_t k = 0; k < rig.size(); ++k) {
     const Camera& camera = rig[k];
@@ -106,9 +106,9 @@ CalibrationFormat mcCalibFormat() {
       "of its board; no names, no world";
   format.lenses = {5, true};
   format.firstCameraIsWorld = true;
-  format.recognize = recognize;
-  format.read = read;
-  format.write = write;
+  format.recognize = recognizeMcCalib;
+  format.read = readMcCalib;
+  format.write = writeMcCalib;
   return format;
 }
 

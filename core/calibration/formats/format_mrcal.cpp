@@ -16,7 +16,7 @@ namespace {
 /// Within which the two poses of a file agree; radians and the unit of the file.
 constexpr double kSamePose = 1e-6;
 
-std::string recognize(const CalibrationText& source) {
+std::string recognizeMrcal(const CalibrationText& source) {
   return source.text.find("LENSMODEL_") != std::string::npos &&
                  source.text.find("lensmodel") != std::string::npos
              ? "a dictionary with \"lensmodel\""
@@ -34,7 +34,7 @@ std::string withoutInputs(std::string text) {
   return text;
 }
 
-void readLens(const YamlReader& reader, CameraParts& parts) {
+void readMrcalLens(const YamlReader& reader, CameraParts& parts) {
   static const std::map<std::string, std::size_t> kCoefficients = {
       {"LENSMODEL_PINHOLE", 0}, {"LENSMODEL_OPENCV4", 4},   {"LENSMODEL_OPENCV5", 5},
       {"LENSMODEL_OPENCV8", 8}, {"LENSMODEL_OPENCV12", 12},
@@ -53,7 +53,7 @@ void readLens(const YamlReader& reader, CameraParts& parts) {
   parts.distortion.assign(in.begin() + 4, in.end());
 }
 
-void readPose(const YamlReader& reader, CameraParts& parts) {
+void readMrcalPose(const YamlReader& reader, CameraParts& parts) {
   const bool recent = reader.has("rt_cam_ref");
   const auto pose = reader.numbers(recent ? "rt_cam_ref" : "extrinsics", {6});
   if (recent && reader.has("extrinsics")) {
@@ -69,7 +69,7 @@ void readPose(const YamlReader& reader, CameraParts& parts) {
   parts.translation = {pose[3], pose[4], pose[5]};
 }
 
-Result<ParsedCalibration> read(const CalibrationText& source, const CalibrationHints&) {
+Result<ParsedCalibration> readMrcal(const CalibrationText& source, const CalibrationHints&) {
   const std::string file = source.file.string();
   const auto node = parseYaml(withoutInputs(source.text), file);
   if (!node) {
@@ -81,8 +81,8 @@ Result<ParsedCalibration> read(const CalibrationText& source, const CalibrationH
   const auto size = reader.numbers("imagersize", {2});
   parts.width = size[0];
   parts.height = size[1];
-  readLens(reader, parts);
-  readPose(reader, parts);
+  readMrcalLens(reader, parts);
+  readMrcalPose(reader, parts);
   if (reader.error()) {
     return tl::make_unexpected(*reader.error());
   }
@@ -98,7 +98,7 @@ Result<ParsedCalibration> read(const CalibrationText& source, const CalibrationH
   return calibration;
 }
 
-std::string cameraText(const Camera& camera) {
+std::string mrcalCameraText(const Camera& camera) {
   const auto& in = camera.intrinsics;
   std::vector<double> values = {in.focalX, in.focalY, in.centerX, in.centerY};
   std::string model = "LENSMODEL_PINHOLE";
@@ -119,10 +119,10 @@ std::string cameraText(const Camera& camera) {
                      model, listText(values), listText(pose), in.width, in.height);
 }
 
-std::vector<CalibrationText> write(const CameraRig& rig, const std::filesystem::path& out) {
+std::vector<CalibrationText> writeMrcal(const CameraRig& rig, const std::filesystem::path& out) {
   std::vector<CalibrationText> files;
   for (std::size_t k = 0; k < rig.size(); ++k) {
-    files.push_back({cameraFile(rig, k, out, ".cameramodel"), cameraText(rig[k])});
+    files.push_back({cameraFile(rig, k, out, ".cameramodel"), mrcalCameraText(rig[k])});
   }
   return files;
 }
@@ -138,9 +138,9 @@ CalibrationFormat mrcalFormat() {
   format.layout = FileLayout::FilePerCamera;
   format.lenses = {8, false};
   format.unit = 1.0;
-  format.recognize = recognize;
-  format.read = read;
-  format.write = write;
+  format.recognize = recognizeMrcal;
+  format.read = readMrcal;
+  format.write = writeMrcal;
   return format;
 }
 

@@ -11,7 +11,7 @@
 namespace dewpoint::calibration {
 namespace {
 
-std::string recognize(const CalibrationText& source) {
+std::string recognizeMultical(const CalibrationText& source) {
   const auto start = source.text.find_first_not_of(" \t\r\n");
   return start != std::string::npos && source.text[start] == '{' &&
                  source.text.find("\"camera_poses\"") != std::string::npos
@@ -19,7 +19,7 @@ std::string recognize(const CalibrationText& source) {
              : "";
 }
 
-Result<CameraParts> readLens(const YamlReader& camera, const std::string& name) {
+Result<CameraParts> readMulticalLens(const YamlReader& camera, const std::string& name) {
   CameraParts parts;
   parts.name = name;
   const auto size = camera.numbers("image_size", {2});
@@ -42,7 +42,7 @@ struct PoseEntry {
 };
 
 /// "cam2_to_cam1" is cam2 from cam1; a bare name is the reference itself.
-PoseEntry readPose(const YamlReader& poses, const std::string& key) {
+PoseEntry readMulticalPose(const YamlReader& poses, const std::string& key) {
   const YamlReader entry = poses.child(key);
   PoseEntry pose;
   if (const auto to = key.find("_to_"); to != std::string::npos) {
@@ -71,7 +71,7 @@ std::optional<Eigen::Isometry3d> poseThroughParents(const std::map<std::string, 
   return std::nullopt;
 }
 
-Result<ParsedCalibration> read(const CalibrationText& source, const CalibrationHints&) {
+Result<ParsedCalibration> readMultical(const CalibrationText& source, const CalibrationHints&) {
   const std::string file = source.file.string();
   const auto node = parseYaml(source.text, file); // JSON is YAML
   if (!node) {
@@ -85,14 +85,14 @@ Result<ParsedCalibration> read(const CalibrationText& source, const CalibrationH
   }
   std::map<std::string, PoseEntry> entries;
   for (const std::string& key : poses.keys()) {
-    entries[key.substr(0, key.find("_to_"))] = readPose(poses, key);
+    entries[key.substr(0, key.find("_to_"))] = readMulticalPose(poses, key);
   }
   ParsedCalibration calibration;
   calibration.decisions = {"\"b_to_a\" is the transform b from a. The transforms were chained; the "
                            "axes of the first camera are the world."};
   for (const std::string& name : cameras.keys()) {
     const YamlReader section = cameras.child(name);
-    auto parts = readLens(section, name);
+    auto parts = readMulticalLens(section, name);
     if (!parts) {
       return tl::make_unexpected(parts.error());
     }
@@ -128,8 +128,8 @@ CalibrationFormat multicalFormat() {
   format.contents = "8 coefficients or fisheye, each camera from another, in the unit of its board";
   format.lenses = {8, true};
   format.firstCameraIsWorld = true;
-  format.recognize = recognize;
-  format.read = read;
+  format.recognize = recognizeMultical;
+  format.read = readMultical;
   return format;
 }
 

@@ -43,7 +43,7 @@ std::string recognizePair(const CalibrationText& source) {
                                      : "";
 }
 
-void readSize(const YamlReader& reader, const CalibrationHints& hints, CameraParts& parts) {
+void readOpenCvSize(const YamlReader& reader, const CalibrationHints& hints, CameraParts& parts) {
   if (reader.has("image_width") || !hints.size) {
     parts.width = reader.number("image_width");
     parts.height = reader.number("image_height");
@@ -75,7 +75,8 @@ void readView(const YamlReader& reader, CameraParts& parts, ParsedCalibration& c
   }
 }
 
-Result<ParsedCalibration> readCamera(const CalibrationText& source, const CalibrationHints& hints) {
+Result<ParsedCalibration> readOpenCvCamera(const CalibrationText& source,
+                                           const CalibrationHints& hints) {
   const std::string file = source.file.string();
   const auto node = parseYaml(source.text, file);
   if (!node) {
@@ -85,7 +86,7 @@ Result<ParsedCalibration> readCamera(const CalibrationText& source, const Calibr
   ParsedCalibration calibration;
   CameraParts parts;
   parts.name = source.file.stem().string();
-  readSize(reader, hints, parts);
+  readOpenCvSize(reader, hints, parts);
   parts.matrix = reader.matrix("camera_matrix", 3, 3);
   parts.distortion = reader.numbers("distortion_coefficients", {4, 5, 8, 12, 14});
   if (reader.text("fisheye_model", "0") == "1" || hints.lens == LensModel::Fisheye) {
@@ -176,7 +177,7 @@ Result<ParsedCalibration> readPair(const CalibrationText& source, const Calibrat
     const std::string matrix = std::string("M") + number;
     const std::string distortion = std::string("D") + number;
     parts.name = std::string("camera ") + number;
-    readSize(intrinsics, hints, parts);
+    readOpenCvSize(intrinsics, hints, parts);
     parts.matrix = intrinsics.matrix(matrix.c_str(), 3, 3);
     parts.distortion = intrinsics.numbers(distortion.c_str(), {4, 5, 8, 12, 14});
     if (calibration.rig.size() == 1) {
@@ -223,7 +224,7 @@ CalibrationFormat opencvFormat() {
   format.layout = FileLayout::FilePerCamera;
   format.lenses = {8, true};
   format.recognize = recognizeCamera;
-  format.read = readCamera;
+  format.read = readOpenCvCamera;
   format.write = writeCameras;
   return format;
 }

@@ -45,7 +45,7 @@ bool textHasOneOf(std::string_view text, KeyNames keys) {
   return std::ranges::any_of(keys, [&](const char* key) { return textHasKey(text, key); });
 }
 
-std::string recognize(const CalibrationText& source) {
+std::string recognizePlain(const CalibrationText& source) {
   const bool isCamera =
       textHasOneOf(source.text, kMatrixKeys) &&
       (textHasOneOf(source.text, kLensKeys) || textHasOneOf(source.text, kRotationKeys) ||
@@ -119,7 +119,8 @@ Result<std::vector<CameraSection>> sectionsOf(const YAML::Node& root,
 }
 
 /// A pixel size from the file or the hints; the name of its field.
-std::string readSize(const YamlReader& reader, const CalibrationHints& hints, CameraParts& parts) {
+std::string readPlainSize(const YamlReader& reader, const CalibrationHints& hints,
+                          CameraParts& parts) {
   if (const char* key = keyIn(reader, kSizeKeys)) {
     const auto size = reader.numbers(key, {2});
     parts.width = size[0];
@@ -144,8 +145,8 @@ std::string readSize(const YamlReader& reader, const CalibrationHints& hints, Ca
 }
 
 /// Row by row, or column by column as Open3D writes it: the last row says which.
-void readMatrix(const YamlReader& reader, const char* key, ParsedCalibration& calibration,
-                CameraParts& parts) {
+void readPlainMatrix(const YamlReader& reader, const char* key, ParsedCalibration& calibration,
+                     CameraParts& parts) {
   parts.matrix = reader.matrix(key, 3, 3);
   const auto& matrix = parts.matrix;
   if (matrix(0, 2) == 0.0 && matrix(1, 2) == 0.0 && (matrix(2, 0) != 0.0 || matrix(2, 1) != 0.0)) {
@@ -154,8 +155,8 @@ void readMatrix(const YamlReader& reader, const char* key, ParsedCalibration& ca
   }
 }
 
-void readLens(const YamlReader& reader, const char* key, const CalibrationHints& hints,
-              CameraParts& parts) {
+void readPlainLens(const YamlReader& reader, const char* key, const CalibrationHints& hints,
+                   CameraParts& parts) {
   if (key != nullptr) {
     parts.distortion = reader.numbers(key, {4, 5, 0, 2, 8, 12, 14});
   }
@@ -176,8 +177,8 @@ void readLens(const YamlReader& reader, const char* key, const CalibrationHints&
 }
 
 /// Whether there is a pose. A rotation without a translation, or the other way round, is an error.
-bool readPose(const YamlReader& reader, const char* rotation, const char* translation,
-              CameraParts& parts) {
+bool readPlainPose(const YamlReader& reader, const char* rotation, const char* translation,
+                   CameraParts& parts) {
   if (rotation == nullptr && translation == nullptr) {
     return false;
   }
@@ -204,10 +205,11 @@ Result<Camera> readSection(const CameraSection& section, const std::string& file
   const char* translation = keyIn(reader, kTranslationKeys);
   CameraParts parts;
   parts.name = section.name;
-  readMatrix(reader, matrix, calibration, parts);
-  readLens(reader, lens, hints, parts);
-  calibration.hasPoses = readPose(reader, rotation, translation, parts) && calibration.hasPoses;
-  const std::string size = readSize(reader, hints, parts);
+  readPlainMatrix(reader, matrix, calibration, parts);
+  readPlainLens(reader, lens, hints, parts);
+  calibration.hasPoses =
+      readPlainPose(reader, rotation, translation, parts) && calibration.hasPoses;
+  const std::string size = readPlainSize(reader, hints, parts);
   if (reader.error()) {
     return tl::make_unexpected(*reader.error());
   }
@@ -217,7 +219,7 @@ Result<Camera> readSection(const CameraSection& section, const std::string& file
       {field(size.c_str()), field(matrix), field(lens), field(rotation), field(translation)});
 }
 
-Result<ParsedCalibration> read(const CalibrationText& source, const CalibrationHints& hints) {
+Result<ParsedCalibration> readPlain(const CalibrationText& source, const CalibrationHints& hints) {
   const std::string file = source.file.string();
   const auto root = parseYaml(source.text, file); // JSON is YAML
   if (!root) {
@@ -269,8 +271,8 @@ CalibrationFormat plainFormat() {
   format.layout = FileLayout::FilePerCamera;
   format.lenses = {8, true};
   format.isFallback = true;
-  format.recognize = recognize;
-  format.read = read;
+  format.recognize = recognizePlain;
+  format.read = readPlain;
   return format;
 }
 

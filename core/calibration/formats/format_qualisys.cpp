@@ -17,7 +17,7 @@ namespace {
 /// The format counts in 1/64 pixels.
 constexpr double kUnitsPerPixel = 64.0;
 
-std::string recognize(const CalibrationText& source) {
+std::string recognizeQualisys(const CalibrationText& source) {
   return source.text.find("<calibration") != std::string::npos &&
                  source.text.find("focalLengthU") != std::string::npos
              ? "XML <calibration> with focalLengthU"
@@ -54,7 +54,7 @@ Eigen::Matrix3d halfTurn() {
   return Eigen::Vector3d(1.0, -1.0, -1.0).asDiagonal();
 }
 
-void readLens(const pugi::xml_node& camera, AttributeReader& reader, CameraParts& parts) {
+void readQualisysLens(const pugi::xml_node& camera, AttributeReader& reader, CameraParts& parts) {
   const auto video = [&](const char* name) { return reader.number(camera, "fov_video", name); };
   const auto lens = [&](const char* name) { return reader.number(camera, "intrinsic", name); };
   const double left = video("left");
@@ -70,7 +70,7 @@ void readLens(const pugi::xml_node& camera, AttributeReader& reader, CameraParts
 }
 
 /// `transform` is world from camera, its rotation listed column by column.
-void readPose(const pugi::xml_node& camera, AttributeReader& reader, CameraParts& parts) {
+void readQualisysPose(const pugi::xml_node& camera, AttributeReader& reader, CameraParts& parts) {
   const auto value = [&](const char* name) { return reader.number(camera, "transform", name); };
   Eigen::Matrix3d cameraFromWorld;
   cameraFromWorld << value("r11"), value("r12"), value("r13"), value("r21"), value("r22"),
@@ -85,12 +85,12 @@ bool isVideoCamera(const pugi::xml_node& camera) {
   return model.find("video") != std::string::npos || model.empty() || model == "none";
 }
 
-Result<Camera> readCamera(const pugi::xml_node& node, const std::string& file) {
+Result<Camera> readQualisysCamera(const pugi::xml_node& node, const std::string& file) {
   CameraParts parts;
   parts.name = node.attribute("serial").value();
   AttributeReader reader(file, fmt::format("camera {}.", parts.name));
-  readLens(node, reader, parts);
-  readPose(node, reader, parts);
+  readQualisysLens(node, reader, parts);
+  readQualisysPose(node, reader, parts);
   if (reader.error()) {
     return tl::make_unexpected(*reader.error());
   }
@@ -100,7 +100,7 @@ Result<Camera> readCamera(const pugi::xml_node& node, const std::string& file) {
                         reader.field("transform")});
 }
 
-Result<ParsedCalibration> read(const CalibrationText& source, const CalibrationHints&) {
+Result<ParsedCalibration> readQualisys(const CalibrationText& source, const CalibrationHints&) {
   const std::string file = source.file.string();
   pugi::xml_document document;
   const auto parsed = document.load_buffer(source.text.data(), source.text.size());
@@ -121,7 +121,7 @@ Result<ParsedCalibration> read(const CalibrationText& source, const CalibrationH
       ++markerCameras;
       continue;
     }
-    auto camera = readCamera(node, file);
+    auto camera = readQualisysCamera(node, file);
     if (!camera) {
       return tl::make_unexpected(camera.error());
     }
@@ -149,7 +149,7 @@ std::string attributes(std::initializer_list<std::pair<const char*, double>> val
   return text;
 }
 
-std::string cameraText(const Camera& camera) {
+std::string qualisysCameraText(const Camera& camera) {
   const auto& in = camera.intrinsics;
   const auto& d = camera.distortion;
   const Eigen::Matrix3d r = halfTurn() * camera.cameraFromWorld.linear();
@@ -190,10 +190,10 @@ std::string cameraText(const Camera& camera) {
          "/>\n    </camera>\n";
 }
 
-std::vector<CalibrationText> write(const CameraRig& rig, const std::filesystem::path& out) {
+std::vector<CalibrationText> writeQualisys(const CameraRig& rig, const std::filesystem::path& out) {
   std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<calibration>\n  <cameras>\n";
   for (const Camera& camera : rig) {
-    text += cameraText(camera);
+    text += qualisysCameraText(camera);
   }
   return {{out, text + "  </cameras>\n</calibration>\n"}};
 }
@@ -210,9 +210,9 @@ CalibrationFormat qualisysFormat() {
   format.lenses = {5, false};
   format.unit = 0.001;
   format.defaultUnit = 0.001;
-  format.recognize = recognize;
-  format.read = read;
-  format.write = write;
+  format.recognize = recognizeQualisys;
+  format.read = readQualisys;
+  format.write = writeQualisys;
   return format;
 }
 

@@ -16,7 +16,7 @@ namespace {
 constexpr const char* kTransforms = "static_transforms.yaml";
 constexpr const char* kFrameEnding = "_optical_frame";
 
-std::string recognize(const CalibrationText& source) {
+std::string recognizeRos(const CalibrationText& source) {
   const bool fits = source.text.find("!!opencv-matrix") == std::string::npos &&
                     hasLineStartingWith(source.text, "camera_matrix:") &&
                     (hasLineStartingWith(source.text, "distortion_model:") ||
@@ -24,7 +24,7 @@ std::string recognize(const CalibrationText& source) {
   return fits ? "YAML with camera_matrix and distortion_model, and no OpenCV tags" : "";
 }
 
-void readLens(const YamlReader& reader, CameraParts& parts) {
+void readRosLens(const YamlReader& reader, CameraParts& parts) {
   const std::string model = reader.text("distortion_model");
   if (model == "plumb_bob") {
     parts.distortion = reader.numbers("distortion_coefficients", {5, 4});
@@ -77,7 +77,8 @@ Result<std::optional<Eigen::Isometry3d>> worldFrom(const std::string& child,
   return std::optional<Eigen::Isometry3d>();
 }
 
-Status readPose(const CalibrationText& source, CameraParts& parts, ParsedCalibration& calibration) {
+Status readRosPose(const CalibrationText& source, CameraParts& parts,
+                   ParsedCalibration& calibration) {
   const auto transforms = source.file.parent_path() / kTransforms;
   std::error_code ignored;
   calibration.hasPoses = std::filesystem::exists(transforms, ignored);
@@ -102,7 +103,7 @@ Status readPose(const CalibrationText& source, CameraParts& parts, ParsedCalibra
   return {};
 }
 
-Result<ParsedCalibration> read(const CalibrationText& source, const CalibrationHints&) {
+Result<ParsedCalibration> readRos(const CalibrationText& source, const CalibrationHints&) {
   const std::string file = source.file.string();
   const auto node = parseYaml(source.text, file);
   if (!node) {
@@ -114,14 +115,14 @@ Result<ParsedCalibration> read(const CalibrationText& source, const CalibrationH
   parts.width = reader.number("image_width");
   parts.height = reader.number("image_height");
   parts.matrix = reader.matrix("camera_matrix", 3, 3);
-  readLens(reader, parts);
+  readRosLens(reader, parts);
   if (reader.error()) {
     return tl::make_unexpected(*reader.error());
   }
   ParsedCalibration calibration;
   calibration.decisions = {"Intrinsics are camera_matrix and its coefficients, for unrectified "
                            "images; rectification and projection_matrix are left out."};
-  if (const auto status = readPose(source, parts, calibration); !status) {
+  if (const auto status = readRosPose(source, parts, calibration); !status) {
     return tl::make_unexpected(status.error());
   }
   auto camera = checkedCamera(
@@ -140,7 +141,7 @@ std::string matrixText(const char* key, const Eigen::MatrixXd& matrix) {
                      listText(std::span(rows.data(), std::size_t(rows.size()))));
 }
 
-std::string cameraText(const Camera& camera) {
+std::string rosCameraText(const Camera& camera) {
   const auto coefficients = coefficientsOf(camera, 5);
   const char* model = camera.lens == LensModel::Fisheye ? "equidistant"
                       : coefficients.size() == 8        ? "rational_polynomial"
@@ -170,11 +171,11 @@ std::string transformText(const Camera& camera) {
                      numberText(turn.y()), numberText(turn.z()), numberText(turn.w()));
 }
 
-std::vector<CalibrationText> write(const CameraRig& rig, const std::filesystem::path& out) {
+std::vector<CalibrationText> writeRos(const CameraRig& rig, const std::filesystem::path& out) {
   std::vector<CalibrationText> files;
   std::string transforms = "# geometry_msgs/TransformStamped, for static_transform_publisher\n";
   for (std::size_t k = 0; k < rig.size(); ++k) {
-    files.push_back({cameraFile(rig, k, out, ".yaml"), cameraText(rig[k])});
+    files.push_back({cameraFile(rig, k, out, ".yaml"), rosCameraText(rig[k])});
     transforms += transformText(rig[k]);
   }
   files.push_back({files.front().file.parent_path() / kTransforms, transforms});
@@ -193,9 +194,9 @@ CalibrationFormat rosFormat() {
   format.layout = FileLayout::FilePerCamera;
   format.lenses = {8, true};
   format.unit = 1.0;
-  format.recognize = recognize;
-  format.read = read;
-  format.write = write;
+  format.recognize = recognizeRos;
+  format.read = readRos;
+  format.write = writeRos;
   return format;
 }
 

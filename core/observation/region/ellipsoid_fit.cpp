@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/observation/region/ellipsoid_fit.h"
 
+#include "core/geometry/small_matrices.h"
+
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -78,11 +79,10 @@ bool isWhole(const RegionMeasurement& measurement) {
 
 /// Keeps the semi-axes positive.
 Eigen::Matrix3d asExtent(const Eigen::Matrix3d& matrix) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(0.5 * (matrix + matrix.transpose()));
-  const double largest = std::sqrt(std::max(0.0, solver.eigenvalues().maxCoeff()));
+  const auto axes = geometry::symmetricEigen3(0.5 * (matrix + matrix.transpose()));
+  const double largest = std::sqrt(std::max(0.0, axes.values.maxCoeff()));
   const double least = std::max(kLeastAxis, kLeastAxisShare * largest);
-  return solver.eigenvectors() * solver.eigenvalues().cwiseMax(least * least).asDiagonal() *
-         solver.eigenvectors().transpose();
+  return axes.vectors * axes.values.cwiseMax(least * least).asDiagonal() * axes.vectors.transpose();
 }
 
 void measureAll(RegionObservation& observation, const EllipsoidPrior& prior,

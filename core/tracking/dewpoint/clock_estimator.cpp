@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/dewpoint/clock_estimator.h"
 
-#include <Eigen/Cholesky>
+#include "core/geometry/linear_algebra.h"
+
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -184,9 +185,9 @@ void ClockEstimator::predict() {
 }
 
 void ClockEstimator::update() {
-  const Eigen::MatrixXd before = covariance_.inverse();
-  const Eigen::LDLT<Eigen::MatrixXd> after(before + information_);
-  if (after.info() == Eigen::Success && after.isPositive()) {
+  const Eigen::MatrixXd before = geometry::inverse(covariance_);
+  const geometry::SymmetricFactor after(before + information_);
+  if (after.isPositive()) {
     const Eigen::VectorXd last = mean_;
     mean_ = after.solve(before * last + informationVector_);
     covariance_ = after.solve(Eigen::MatrixXd::Identity(mean_.size(), mean_.size()));
