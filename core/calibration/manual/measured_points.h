@@ -47,10 +47,16 @@ struct ClickResidual {
 std::vector<ClickResidual> clickResiduals(const CameraRig& rig,
                                           const std::vector<MeasuredPoint>& points);
 
+/// Number of clicked points that a camera needs for its pose. Three points allow up to four poses.
+inline constexpr int kFewestPointsOfPose = 4;
+/// Number of clicked points that a camera needs for its pose and focal length. Chosen: four points
+/// determine these seven numbers only barely, so that one wrong click falsifies the focal length.
+inline constexpr int kFewestPointsOfFocal = 6;
+
 /// Reason why a camera has no reliable pose from its points.
 enum class PoseStatus {
   None,
-  TooFew,    ///< fewer than four points
+  TooFew,    ///< fewer than kFewestPointsOfPose points
   Collinear, ///< the points lie on one line
   Ambiguous, ///< the points lie in one plane, and two poses explain them about equally well
   NoPose     ///< no pose has all points in front of the camera
@@ -94,7 +100,7 @@ struct PointSolution {
 /// Settings of solveFromPoints().
 struct PointSettings {
   bool estimateFocal =
-      false; ///< true to estimate the focal lengths of cameras with at least six points
+      false; ///< true to estimate the focal lengths of cameras with kFewestPointsOfFocal points
   /// Standard deviations used as weights in the joint refinement.
   double tapeSigma = 0.003; ///< of a tape measurement, meters
   double clickSigma = 0.5;  ///< of a click, pixels

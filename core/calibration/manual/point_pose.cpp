@@ -16,11 +16,10 @@
 namespace dewpoint::calibration {
 namespace {
 
-constexpr double kThin = 2e-3;     ///< extent over the largest: points in a line, or in a plane
-constexpr std::size_t kFewest = 4; ///< three have up to four poses
-constexpr double kAsGood = 2.0;    ///< of two poses: rms over the better one's, and ...
-constexpr double kAsGoodPx = 1.0;  ///< ... in pixels, with the noise of a click
-constexpr double kBadPx = 3.0;     ///< rms: clicks are better than that
+constexpr double kThin = 2e-3;    ///< extent over the largest: points in a line, or in a plane
+constexpr double kAsGood = 2.0;   ///< of two poses: rms over the better one's, and ...
+constexpr double kAsGoodPx = 1.0; ///< ... in pixels, with the noise of a click
+constexpr double kBadPx = 3.0;    ///< rms: clicks are better than that
 
 /// The three extents of a cloud of points, largest first.
 Eigen::Vector3d extents(const std::vector<ImageAnchor>& anchors) {
@@ -128,7 +127,7 @@ bool isBelowPlane(const Camera& camera, const std::vector<ImageAnchor>& anchors)
 PointPose poseFromPoints(const Camera& camera, const std::vector<ImageAnchor>& anchors,
                          bool estimateFocal) {
   PointPose result{camera, PoseStatus::TooFew, false, 0.0};
-  if (anchors.size() < kFewest) {
+  if (anchors.size() < std::size_t(kFewestPointsOfPose)) {
     return result;
   }
   const Eigen::Vector3d extent = extents(anchors);
@@ -154,7 +153,7 @@ PointPose poseFromPoints(const Camera& camera, const std::vector<ImageAnchor>& a
   std::ranges::stable_sort(poses, {}, &PointPose::rmsPx);
   poses.front().status =
       result.planar && hasSecondPose(poses) ? PoseStatus::Ambiguous : PoseStatus::None;
-  if (estimateFocal && anchors.size() >= 6) {
+  if (estimateFocal && anchors.size() >= std::size_t(kFewestPointsOfFocal)) {
     poses.front().rmsPx = refinePose(poses.front().camera, anchors, true).value_or(poses[0].rmsPx);
   }
   return poses.front();

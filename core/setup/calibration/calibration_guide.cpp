@@ -9,9 +9,6 @@
 namespace dewpoint::setup {
 namespace {
 
-/// Clicks that a pose needs, see solveFromPoints().
-constexpr int kFewestClicks = 4;
-
 StepProgress ofCameras(const CalibrationStatus& status, PartStatus CameraCalibrationStatus::*part,
                        Knowledge least) {
   return {static_cast<int>(countKnown(status, part, least)),
@@ -48,7 +45,7 @@ StepProgress ofClicks(const Project& project) {
     }
   }
   const auto enough =
-      std::ranges::count_if(clicks, [](int count) { return count >= kFewestClicks; });
+      std::ranges::count_if(clicks, [](int count) { return count >= kFewestPointsOfPose; });
   return {static_cast<int>(enough), std::max(1, static_cast<int>(clicks.size())), {}};
 }
 

@@ -68,9 +68,11 @@ WayText wayText(CalibrationWay way) {
             GuideText::tr("You need one known length, such as the length of a table or of a floor "
                           "tile. You get a first result within minutes.")};
   case CalibrationWay::Points:
-    return {GuideText::tr("Measured points"),
-            GuideText::tr("You need a tape measure and six points that the cameras see. This way "
-                          "suits cameras that are mounted in a room.")};
+    return {
+        GuideText::tr("Measured points"),
+        GuideText::tr("You need a tape measure and points that the cameras see: at least four for "
+                      "each camera, better six. This way suits cameras that are mounted in a "
+                      "room.")};
   case CalibrationWay::Board:
     return {GuideText::tr("Printed board"),
             GuideText::tr("You need a printed board that you can carry through the room. This way "

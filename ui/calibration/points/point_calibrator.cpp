@@ -176,12 +176,20 @@ void PointCalibrator::applyResult(const PointSolution& solution, bool estimatedF
   QStringList lines;
   for (const CameraFromPoints& camera : solution.cameras) {
     lines << cameraResultText(camera);
+    if (estimatedFocal && camera.status == PoseStatus::None &&
+        camera.clicks < kFewestPointsOfFocal) {
+      lines << tr("%1: the focal length was kept, because computing it needs at least %2 points")
+                   .arg(manual_.nameOf(camera.camera))
+                   .arg(kFewestPointsOfFocal);
+    }
     if (camera.proposal && !proposal_) {
       proposal_ = Proposal{camera.camera, camera.proposal->symmetry};
     }
   }
   if (solution.cameras.empty()) {
-    lines << tr("No point has been clicked yet: select one, then click it in the images");
+    lines << tr(
+        "No point has been clicked yet. Press “Click in images”, then click the selected point in "
+        "the images");
   }
   worst_ = solution.worst;
   if (worst_ && solution.anySolved()) {
@@ -198,13 +206,16 @@ QString PointCalibrator::cameraResultText(const CameraFromPoints& camera) const 
     line = tr("%1: average error %2").arg(name, pixelText(camera.rmsPx, 2));
     break;
   case PoseStatus::TooFew:
-    line = tr("%1: %2 points are not enough, click at least four").arg(name).arg(camera.clicks);
+    line = tr("%1: %n point(s) clicked, but at least %2 are needed (six are better)", nullptr,
+              camera.clicks)
+               .arg(name)
+               .arg(kFewestPointsOfPose);
     break;
   case PoseStatus::Collinear:
-    line = tr("%1: its points lie on one line, add a point beside the line").arg(name);
+    line = tr("%1: all points lie on one line. Add a point beside this line").arg(name);
     break;
   case PoseStatus::Ambiguous:
-    line = tr("%1: average error %2, but a second pose fits equally well: add a point outside the "
+    line = tr("%1: average error %2, but a second pose fits equally well. Add a point outside the "
               "plane of the others")
                .arg(name, pixelText(camera.rmsPx, 2));
     break;

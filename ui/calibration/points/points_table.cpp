@@ -104,10 +104,11 @@ void PointsTable::retranslateUi() {
          tr("Remove the click on the selected point from the image of the selected camera"));
   focal_->setText(tr("Compute focal lengths"));
   focal_->setToolTip(
-      tr("Also compute the focal length of each camera in which you clicked six or more points"));
+      tr("Also compute the focal length of each camera in which you clicked six or more points. "
+         "Other cameras keep their focal length"));
   button(solve_, tr("Compute cameras"),
-         tr("Compute the poses of all cameras in which points were clicked; each needs at least "
-            "four points"));
+         tr("Compute the poses of all cameras in which points were clicked. Each camera needs at "
+            "least four points; six that do not all lie in one plane are better"));
   refresh();
 }
 
