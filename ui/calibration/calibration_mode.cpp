@@ -45,6 +45,14 @@ CalibrationMode::CalibrationMode(const Workbench& bench)
   });
   // A mode, no part of the layout.
   connect(&bench_.docks, &DockManager::laidOut, this, [this, mode] { show(mode->isChecked()); });
+  // One thing at a time is meant by a click in an image. A color is also learned for the wand, with
+  // the panel open: then the images belong to it until the color is known.
+  bench_.onToggled("actionLearnColor", this, [this](bool learning) {
+    manual_->lendImages(learning);
+    if (learning) {
+      Q_EMIT imagesLent();
+    }
+  });
   bench_.requireRun({"actionCalibrateByHand"});
 }
 
@@ -62,6 +70,9 @@ void CalibrationMode::open(const QString& page) {
 }
 
 void CalibrationMode::show(bool isShown) {
+  if (isShown && page_.isEmpty()) {
+    manual_->storeAs(EarlierCameras::PanelOpened);
+  }
   dock_->setShownByUser(isShown);
   if (isShown) {
     dock_->raise();
@@ -71,6 +82,9 @@ void CalibrationMode::show(bool isShown) {
   const QString page = isShown ? pages_->shownPage() : QString();
   if (page != page_) { // a new layout of the views shows the same page again
     page_ = page;
+    if (isShown) {
+      bench_.action("actionLearnColor")->setChecked(false);
+    }
     Q_EMIT shown(page);
   }
 }

@@ -35,6 +35,8 @@ Q_SIGNALS:
   /// Emitted when the mode starts or ends, or another page is shown, with the objectName of the
   /// page; empty if the mode has ended.
   void shown(const QString& page);
+  /// Emitted when another tool begins to use the clicks in the images. Pages then stop using them.
+  void imagesLent();
 
 private:
   void show(bool isShown);

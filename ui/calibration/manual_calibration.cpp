@@ -8,6 +8,7 @@
 #include "ui/selection/selection.h"
 #include "ui/text/quantity_text.h"
 
+#include <QUndoStack>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -38,11 +39,14 @@ ManualCalibration::ManualCalibration(Document& document, Selection& selection,
   connect(&document_, &Document::replaced, this, [this] {
     drag_.reset();
     pins_.clear();
-    storeAsBefore();
+    resetEarlier();
     selection_.selectCamera(0);
     Q_EMIT cameraSelected(camera());
     Q_EMIT changed();
   });
+  // Not at each change of the project: during it, the index of the step is not known yet.
+  connect(document_.undoStack(), &QUndoStack::indexChanged, this,
+          &ManualCalibration::followHistory);
   connect(&selection_, &Selection::cameraSelected, this, [this] {
     Q_EMIT cameraSelected(camera());
     Q_EMIT changed();
@@ -55,12 +59,19 @@ void ManualCalibration::setActive(bool active) {
   }
   active_ = active;
   if (active_) {
-    storeAsBefore();
+    defaultGrid_ = gridFor(currentCameras());
   } else {
     cancelDrag();
   }
   Q_EMIT activeChanged(active_);
   Q_EMIT changed();
+}
+
+void ManualCalibration::lendImages(bool lent) {
+  if (lent != lent_) {
+    lent_ = lent;
+    Q_EMIT changed();
+  }
 }
 
 void ManualCalibration::selectCamera(int camera) {
@@ -85,7 +96,10 @@ Camera ManualCalibration::cameraAt(int camera) const {
 
 Camera ManualCalibration::shownCamera(int camera) const {
   const auto index = static_cast<std::size_t>(camera);
-  return flipped_ && index < before_.size() ? before_[index] : cameraAt(camera);
+  if (earlier_ && index < camerasOf(*earlier_).size()) {
+    return camerasOf(*earlier_)[index];
+  }
+  return cameraAt(camera);
 }
 
 QString ManualCalibration::nameOf(int camera) const {
@@ -114,17 +128,62 @@ void ManualCalibration::setEdgesShown(bool shown) {
   Q_EMIT changed();
 }
 
-void ManualCalibration::setFlipped(bool flipped) {
-  flipped_ = flipped;
+void ManualCalibration::showEarlier(std::optional<EarlierCameras> earlier) {
+  earlier_ = earlier;
   Q_EMIT changed();
 }
 
-void ManualCalibration::storeAsBefore() {
-  before_.clear();
+void ManualCalibration::setComparison(EarlierCameras comparison) {
+  comparison_ = comparison;
+  Q_EMIT settingsChanged();
+}
+
+CameraRig ManualCalibration::currentCameras() const {
+  CameraRig rig;
   for (const ProjectCamera& camera : document_.project().cameras) {
-    before_.push_back(camera.camera);
+    rig.push_back(camera.camera);
   }
-  defaultGrid_ = gridFor(before_);
+  return rig;
+}
+
+const CameraRig& ManualCalibration::camerasOf(EarlierCameras earlier) const {
+  switch (earlier) {
+  case EarlierCameras::LastChange:
+    return beforeLastChange_;
+  case EarlierCameras::WandRefinement:
+    return beforeRefinement_;
+  case EarlierCameras::PanelOpened:
+    break;
+  }
+  return whenOpened_;
+}
+
+void ManualCalibration::storeAs(EarlierCameras earlier) {
+  CameraRig& stored = earlier == EarlierCameras::WandRefinement ? beforeRefinement_ : whenOpened_;
+  stored = currentCameras();
+  defaultGrid_ = gridFor(stored);
+}
+
+void ManualCalibration::resetEarlier() {
+  whenOpened_ = currentCameras();
+  beforeRefinement_ = whenOpened_;
+  beforeLastChange_ = whenOpened_;
+  lastSeen_ = whenOpened_;
+  historyIndex_ = document_.undoStack()->index();
+  earlier_.reset();
+  defaultGrid_ = gridFor(whenOpened_);
+}
+
+void ManualCalibration::followHistory(int index) {
+  CameraRig now = currentCameras();
+  if (now == lastSeen_) {
+    return; // another part of the project has changed
+  }
+  if (index != historyIndex_) { // else the last step goes on: a drag, a number that is typed
+    beforeLastChange_ = std::move(lastSeen_);
+    historyIndex_ = index;
+  }
+  lastSeen_ = std::move(now);
 }
 
 const std::vector<Eigen::Vector3d>& ManualCalibration::pins(int camera) const {
@@ -150,6 +209,18 @@ void ManualCalibration::togglePin(int camera, const Eigen::Vector2d& pixel, doub
     pins.push_back(*point);
   }
   Q_EMIT changed();
+}
+
+bool ManualCalibration::isGridPointAt(int camera, const Eigen::Vector2d& pixel,
+                                      double reach) const {
+  const Camera seen = cameraAt(camera);
+  const Projector projector(seen);
+  const auto isThere = [&](const Eigen::Vector3d& pin) {
+    const auto at = projector.project(pin);
+    return at && (*at - pixel).norm() < reach;
+  };
+  return std::ranges::any_of(pins(camera), isThere) ||
+         gridPointAt(seen, grid(), pixel, reach).has_value();
 }
 
 void ManualCalibration::clearPins(int camera) {

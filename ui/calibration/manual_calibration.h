@@ -23,6 +23,11 @@ class Selection;
 /// Selects whether the arrow and letter keys change the camera position or its orientation.
 enum class KeyMode { Move, Turn };
 
+/// Selects the earlier cameras of the before/after comparison: as they were when the calibration
+/// panel was opened, before the last step that changed a camera, or before the last refinement with
+/// a wand.
+enum class EarlierCameras { PanelOpened, LastChange, WandRefinement };
+
 /// Adjusts the selected camera by hand. Stores the fixed points (pins) and records every change as
 /// a named step of the document. Views read from this class what to draw, and send it their mouse
 /// and keyboard input.
@@ -32,17 +37,21 @@ public:
   ManualCalibration(Document& document, Selection& selection, CameraListModel& cameras,
                     QObject* parent = nullptr);
 
-  /// Returns whether the calibration dock is open. The cameras at the time it opens become the
-  /// "before" state of the before/after comparison.
+  /// Returns whether a page of the calibration panel that shows the grid is open.
   bool isActive() const { return active_; }
   void setActive(bool active);
+  /// Returns whether the grid lies over the images and takes their clicks: while a page that shows
+  /// it is open and no other tool uses the images.
+  bool takesClicks() const { return active_ && !lent_; }
+  /// Hides the grid while another tool uses the clicks in the images.
+  void lendImages(bool lent);
 
   /// Returns the index of the selected camera, or 0 if none is selected.
   int camera() const;
   void selectCamera(int camera);
   CameraListModel& cameras() const { return cameras_; }
   int cameraCount() const;
-  /// Returns a camera as it is shown: as it is now in the project or, while the "before" state is
+  /// Returns a camera as it is shown: as it is now in the project or, while an earlier state is
   /// shown, as it was then.
   Camera shownCamera(int camera) const;
   Camera cameraAt(int camera) const;
@@ -58,13 +67,21 @@ public:
   void setGridOpacity(double opacity);
   bool areEdgesShown() const { return edges_; }
   void setEdgesShown(bool shown);
-  bool isFlipped() const { return flipped_; }
-  void setFlipped(bool flipped);
-  /// Makes the current cameras the new "before" state.
-  void storeAsBefore();
+  /// Shows the grid as earlier cameras see it, or as the current cameras do if `earlier` is empty.
+  void showEarlier(std::optional<EarlierCameras> earlier);
+  bool isEarlierShown() const { return earlier_.has_value(); }
+  /// Returns which cameras the button and the key of the page "By hand" compare with.
+  EarlierCameras comparison() const { return comparison_; }
+  void setComparison(EarlierCameras comparison);
+  /// Stores the current cameras as those from before the panel was opened, or from before a
+  /// refinement.
+  void storeAs(EarlierCameras earlier);
 
   // Dragging in images.
   const std::vector<Eigen::Vector3d>& pins(int camera) const;
+  /// Returns whether there is a pin or a grid point at most `reach` pixels from `pixel`: a click
+  /// there is for the grid.
+  bool isGridPointAt(int camera, const Eigen::Vector2d& pixel, double reach) const;
   /// If there is a pin at most `reach` pixels from `pixel`, removes it. Otherwise pins the grid
   /// point there, if there is one within this distance.
   void togglePin(int camera, const Eigen::Vector2d& pixel, double reach);
@@ -127,16 +144,28 @@ private:
   };
   double runningSum(const std::string& key, double amount, bool repeated);
   void reportLimit(const Drag& result);
+  CameraRig currentCameras() const;
+  const CameraRig& camerasOf(EarlierCameras earlier) const;
+  /// Forgets the earlier cameras, because the project is another one.
+  void resetEarlier();
+  /// Called after each step, undo and redo.
+  void followHistory(int index);
 
   Document& document_;
   Selection& selection_;
   CameraListModel& cameras_;
   bool active_ = false;
-  CameraRig before_;
+  bool lent_ = false;
+  CameraRig whenOpened_;
+  CameraRig beforeRefinement_;
+  CameraRig beforeLastChange_;
+  CameraRig lastSeen_;        ///< cameras after the last step
+  int historyIndex_ = 0;      ///< of the undo stack after the last step that changed a camera
   ReferenceGrid defaultGrid_; ///< used while the project has no grid
   double gridOpacity_ = 0.8;
   bool edges_ = false;
-  bool flipped_ = false;
+  EarlierCameras comparison_ = EarlierCameras::PanelOpened;
+  std::optional<EarlierCameras> earlier_; ///< shown now
   std::vector<std::vector<Eigen::Vector3d>> pins_;
   std::optional<PointDrag> drag_;
   DragSettings settings_;

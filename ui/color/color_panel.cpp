@@ -163,9 +163,16 @@ void ColorPanel::setPicking(bool picking) {
     mode_ = ColorLearner::SampleAction::Replace;
   }
   modes_->setMode(picking ? LearnModes::Mode(mode_) : LearnModes::Mode());
-  pick_.setPicking(picking || expectsClick(), hint());
+  pick_.setPicking(picking || (expectsClick() && !clicksTaken_), hint());
   if (picking) {
     pick_.takeFocus();
+  }
+}
+
+void ColorPanel::setClicksTaken(bool taken) {
+  if (clicksTaken_ != taken) {
+    clicksTaken_ = taken;
+    setPicking(picking_);
   }
 }
 

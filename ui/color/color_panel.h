@@ -40,6 +40,10 @@ public:
   void setTarget(int target);
   /// Sets whether a plain click in a view learns the color.
   void setPicking(bool picking);
+  /// Sets whether a plain click in an image means something else, for example on a calibration
+  /// page. Then the panel neither waits for a click that nobody requested nor shows a hint about
+  /// it.
+  void setClicksTaken(bool taken);
   /// Sets whether the panel is visible. Colors are assessed only while it is visible.
   void setInFront(bool inFront);
   bool isPicking() const { return picking_; }
@@ -90,6 +94,7 @@ private:
   TrackSnapshotPtr snapshot_;
   int target_ = 0;
   bool picking_ = false;
+  bool clicksTaken_ = false;
   /// Effect of a click while picking.
   ColorLearner::SampleAction mode_ = ColorLearner::SampleAction::Replace;
   ColorAssessment assessment_;

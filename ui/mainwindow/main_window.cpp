@@ -17,6 +17,7 @@
 #include "ui/cameraview/camera_docks.h"
 #include "ui/cameraview/image_pick_tool.h"
 #include "ui/color/color_dock.h"
+#include "ui/color/color_panel.h"
 #include "ui/correction/correction_mode.h"
 #include "ui/document/camera_list_model.h"
 #include "ui/document/document.h"
@@ -129,6 +130,9 @@ void MainWindow::installFeatures() {
   connect(&cameras->pick(), &ImagePickTool::imageClicked, people, &PeopleDock::selectSeenAt);
   new CorrectionMode(bench, *cameras, *birdsEye, *trajectory);
   auto* calibration = new CalibrationMode(bench);
+  connect(
+      calibration, &CalibrationMode::shown, &color->panel(),
+      [panel = &color->panel()](const QString& page) { panel->setClicksTaken(!page.isEmpty()); });
   installCalibrationGuide(bench, *calibration);
   installManualCalibration(bench, *calibration, *cameras);
   installBoardCalibration(bench, *calibration, *cameras);

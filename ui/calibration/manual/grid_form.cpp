@@ -6,6 +6,7 @@
 #include "ui/calibration/manual_calibration.h"
 #include "ui/text/axis_names.h"
 #include "ui/text/retranslation.h"
+#include "ui/widgets/choice_field.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/tab_order.h"
 
@@ -19,8 +20,6 @@
 #include <QSlider>
 
 namespace dewpoint::ui {
-namespace {} // namespace
-
 GridForm::GridForm(ManualCalibration& manual, QWidget* parent) : QWidget(parent), manual_(manual) {
   setObjectName(QStringLiteral("gridFields"));
   createWidgets();
@@ -45,6 +44,8 @@ void GridForm::createWidgets() {
   opacity_->setValue(80);
   edges_ = new QCheckBox(this);
   edges_->setObjectName(QStringLiteral("gridEdges"));
+  compareLabel_ = new QLabel(this);
+  compare_ = makeChoice("gridCompare", this);
   flip_ = new QPushButton(this);
   flip_->setObjectName(QStringLiteral("gridFlip"));
   auto* grid = new QGridLayout(this);
@@ -71,12 +72,15 @@ void GridForm::createWidgets() {
   grid->addWidget(opacity_, 6, 1, 1, 2);
   grid->addWidget(edges_, 7, 0, 1, 2);
   grid->addWidget(flip_, 7, 2);
+  grid->addWidget(compareLabel_, 8, 0);
+  grid->addWidget(compare_, 8, 1, 1, 2);
   orderTabsByRows(*grid);
   kindLabel_->setBuddy(kind_);
   sizeLabel_->setBuddy(size_[0]);
   originLabel_->setBuddy(origin_[0]);
   stepLabel_->setBuddy(step_);
   opacityLabel_->setBuddy(opacity_);
+  compareLabel_->setBuddy(compare_);
 }
 
 void GridForm::connectFields() {
@@ -109,8 +113,12 @@ void GridForm::connectFields() {
   connect(opacity_, &QSlider::valueChanged, this,
           [this](int percent) { manual_.setGridOpacity(percent / 100.0); });
   connect(edges_, &QCheckBox::toggled, &manual_, &ManualCalibration::setEdgesShown);
-  connect(flip_, &QPushButton::pressed, this, [this] { manual_.setFlipped(true); });
-  connect(flip_, &QPushButton::released, this, [this] { manual_.setFlipped(false); });
+  connect(compare_, &QComboBox::currentIndexChanged, this, [this](int index) {
+    manual_.setComparison(index == 1 ? EarlierCameras::LastChange : EarlierCameras::PanelOpened);
+  });
+  connect(flip_, &QPushButton::pressed, this,
+          [this] { manual_.showEarlier(manual_.comparison()); });
+  connect(flip_, &QPushButton::released, this, [this] { manual_.showEarlier({}); });
 }
 
 void GridForm::edit(const std::function<void(ReferenceGrid&)>& change, const char* key) {
@@ -153,9 +161,15 @@ void GridForm::retranslateUi() {
   edges_->setText(tr("Show image edges"));
   edges_->setToolTip(tr("Dim the images except for their edges"));
   flip_->setText(tr("Before"));
-  name(flip_, tr("Show the grid before your changes"),
-       tr("Hold down this button to show the grid as it was when you opened the calibration. You "
-          "can also hold down B while the pointer is over an image"));
+  name(flip_, tr("Show the grid with earlier cameras"),
+       tr("Hold down this button to draw the grid with the earlier cameras that you chose below. "
+          "The key B does the same after you have clicked an image"));
+  compareLabel_->setText(tr("Before shows"));
+  setChoices(*compare_,
+             {tr("cameras when the panel was opened"), tr("cameras before the last change")});
+  name(compare_, tr("Earlier cameras that Before shows"),
+       tr("The cameras as they were when you opened this panel, or as they were before the last "
+          "step that changed a camera"));
   refresh();
 }
 

@@ -46,6 +46,8 @@ private:
   QSlider* opacity_;
   QCheckBox* edges_;
   QPushButton* flip_;
+  QLabel* compareLabel_;
+  QComboBox* compare_;
 };
 
 } // namespace dewpoint::ui

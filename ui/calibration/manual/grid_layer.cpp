@@ -47,11 +47,11 @@ void GridLayer::retranslateUi() {
 }
 
 void GridLayer::refresh() {
-  if (isHidden() == manual_.isActive()) {
-    setVisible(manual_.isActive());
+  if (isHidden() == manual_.takesClicks()) {
+    setVisible(manual_.takesClicks());
     raise();
   }
-  if (manual_.isActive()) {
+  if (manual_.takesClicks()) {
     setCursor(points_.isClicking() ? Qt::CrossCursor : Qt::ArrowCursor);
     update();
   }
@@ -144,9 +144,20 @@ void GridLayer::mouseReleaseEvent(QMouseEvent* event) {
   }
 }
 
+void GridLayer::mouseDoubleClickEvent(QMouseEvent* event) {
+  const Eigen::Vector2d pixel = pixelAt(event->position());
+  const bool isForGrid =
+      points_.isClicking() || manual_.isGridPointAt(camera_, pixel, toImagePixels(kReachPx));
+  if (event->button() == Qt::LeftButton && !isForGrid && view_->isZoomed()) {
+    view_->fitImage();
+  } else {
+    mousePressEvent(event); // two clicks
+  }
+}
+
 void GridLayer::focusOutEvent(QFocusEvent* event) {
-  if (manual_.isFlipped()) {
-    manual_.setFlipped(false); // the release of the key will not come
+  if (manual_.isEarlierShown()) {
+    manual_.showEarlier({}); // the release of the key will not come
   }
   QWidget::focusOutEvent(event);
 }
@@ -191,7 +202,7 @@ void GridLayer::keyPressEvent(QKeyEvent* event) {
     return;
   }
   if (event->key() == Qt::Key_B) {
-    manual_.setFlipped(true);
+    manual_.showEarlier(manual_.comparison());
     return;
   }
   if (event->key() == Qt::Key_Delete) {
@@ -211,7 +222,7 @@ void GridLayer::keyReleaseEvent(QKeyEvent* event) {
   if (!event->isAutoRepeat()) {
     manual_.endMerging();
     if (event->key() == Qt::Key_B) {
-      manual_.setFlipped(false);
+      manual_.showEarlier({});
     }
   }
   QWidget::keyReleaseEvent(event);
@@ -301,7 +312,7 @@ void GridLayer::drawMagnifier(QPainter& painter) {
 }
 
 void GridLayer::drawLabel(QPainter& painter) {
-  if (!manual_.isFlipped()) {
+  if (!manual_.isEarlierShown()) {
     return;
   }
   const QString text = tr("before");

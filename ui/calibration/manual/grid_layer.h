@@ -18,8 +18,9 @@ class PointCalibrator;
 
 /// Camera view overlay for calibration by hand. Draws the reference grid, pins and measured points
 /// over the image, and handles mouse and keyboard input. A drag moves the grid. A click pins a grid
-/// point or removes its pin. Arrows, W A S D, Q and E move or rotate the camera. Shift takes coarse
-/// steps. Ctrl (with arrows, page keys, plus and minus) takes fine steps.
+/// point or removes its pin. A double click beside the grid points fits a zoomed image. Arrows, W A
+/// S D, Q and E move or rotate the camera. Shift takes coarse steps. Ctrl (with arrows, page keys,
+/// plus and minus) takes fine steps.
 class GridLayer : public QWidget {
   Q_OBJECT
 public:
@@ -38,6 +39,7 @@ protected:
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
   void hideEvent(QHideEvent* event) override;
   void leaveEvent(QEvent* event) override;

@@ -20,6 +20,8 @@ void installManualCalibration(const Workbench& bench, CalibrationMode& mode,
   QObject::connect(&mode, &CalibrationMode::pageChanged, points, [points] {
     points->setClicking(false); // its magnifier belongs to the page that was left
   });
+  QObject::connect(&mode, &CalibrationMode::imagesLent, points,
+                   [points] { points->setClicking(false); });
   QObject::connect(&cameras, &CameraDocks::viewMade, points,
                    [bench, manual, points](int camera, CameraView* view) {
                      bench.connectImageView(new GridLayer(camera, view, *manual, *points));

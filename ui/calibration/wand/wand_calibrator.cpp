@@ -222,7 +222,7 @@ void WandCalibrator::apply() {
   if (!refinement_ || applied_ || refinement_->before.size() != project().cameras.size()) {
     return;
   }
-  dependencies_.manual.storeAsBefore();
+  dependencies_.manual.storeAs(EarlierCameras::WandRefinement);
   const auto edited = dependencies_.document.edit(
       settings_.stick ? tr("Refine cameras with a wand") : tr("Refine cameras with a ball"),
       [this](Project& project) { project = withRefinement(std::move(project), *refinement_); });
@@ -232,7 +232,8 @@ void WandCalibrator::apply() {
 }
 
 void WandCalibrator::setFlipped(bool flipped) {
-  dependencies_.manual.setFlipped(flipped);
+  dependencies_.manual.showEarlier(flipped ? std::optional(EarlierCameras::WandRefinement)
+                                           : std::nullopt);
 }
 
 void WandCalibrator::saveReport(const QString& file) {

@@ -28,6 +28,8 @@ void installWorldPage(const Workbench& bench, CalibrationMode& mode, const Camer
   // The images are free for the grid while another page is in front.
   QObject::connect(&mode, &CalibrationMode::shown, marks,
                    [marks](const QString& page) { marks->setClicking(page == kPage); });
+  QObject::connect(&mode, &CalibrationMode::imagesLent, marks,
+                   [marks] { marks->setClicking(false); });
   bench.onTriggered("actionCalibrateWorld", marks, [&mode] { mode.open(kPage); });
   bench.requireRun({"actionCalibrateWorld"});
 }
