@@ -5,22 +5,51 @@
 #include "ui/widgets/message_bar.h"
 #include "ui/widgets/notice_list.h"
 
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QComboBox>
+#include <QCursor>
 #include <QEvent>
 #include <QLayout>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QTimer>
 
 #include <algorithm>
 
 namespace dewpoint::ui {
+namespace {
+
+constexpr int kWatchMs = 250; ///< also the time in which a click ends that left the field
+/// Without a key for so long, nobody types any more: a message need not cover the views longer.
+constexpr int kQuietTicks = 5000 / kWatchMs;
+
+/// Whether keys write into this widget.
+bool isTextField(const QWidget* widget) {
+  const auto* line = qobject_cast<const QLineEdit*>(widget);
+  const auto* page = qobject_cast<const QPlainTextEdit*>(widget);
+  const auto* choice = qobject_cast<const QComboBox*>(widget);
+  return qobject_cast<const QAbstractSpinBox*>(widget) != nullptr ||
+         (line != nullptr && !line->isReadOnly()) || (page != nullptr && !page->isReadOnly()) ||
+         (choice != nullptr && choice->isEditable());
+}
+
+} // namespace
 
 MessageRow::MessageRow(MessageBar* bar, NoticeList* notices, QWidget* parent)
-    : QToolBar(parent), bar_(bar), notices_(notices) {
+    : QToolBar(parent), bar_(bar), notices_(notices), watch_(new QTimer(this)) {
   setObjectName(QStringLiteral("messageRow"));
   onRetranslate(this, [this] { setWindowTitle(tr("Messages")); });
   setMovable(false);
   setFloatable(false);
   setContextMenuPolicy(Qt::PreventContextMenu);
-  for (QWidget* part : {bar_, notices_}) {
-    part->setParent(this);
+  watch_->setInterval(kWatchMs);
+  connect(watch_, &QTimer::timeout, this, [this] {
+    ++quietTicks_;
+    fit();
+  });
+  for (QWidget* part : std::initializer_list<QWidget*>{bar, notices}) {
+    part->setParent(parent); // not of the row, which they may exceed
     part->hide();
     part->installEventFilter(this);
   }
@@ -28,7 +57,7 @@ MessageRow::MessageRow(MessageBar* bar, NoticeList* notices, QWidget* parent)
 }
 
 int MessageRow::neededHeight(const QWidget* part) const {
-  if (part->isHidden()) {
+  if (part == nullptr || part->isHidden() || part->layout() == nullptr) { // none: it ends
     return 0;
   }
   QLayout* layout = part->layout();
@@ -36,6 +65,10 @@ int MessageRow::neededHeight(const QWidget* part) const {
   return std::max(layout->minimumSize().height(), layout->hasHeightForWidth()
                                                       ? layout->heightForWidth(width())
                                                       : part->sizeHint().height());
+}
+
+int MessageRow::neededHeight() const {
+  return neededHeight(bar_) + neededHeight(notices_);
 }
 
 QSize MessageRow::sizeHint() const {
@@ -46,18 +79,79 @@ QSize MessageRow::minimumSizeHint() const {
   return sizeHint();
 }
 
+bool MessageRow::keepsHeight(int wanted) const {
+  if (QApplication::mouseButtons() != Qt::NoButton) {
+    return true;
+  }
+  const QWidget* focus = QApplication::focusWidget();
+  if (focus == nullptr || focus->window() != window() || !focus->isVisible()) {
+    return false;
+  }
+  if (wanted > maximumHeight()) {
+    return isTextField(focus) && quietTicks_ < kQuietTicks;
+  }
+  // Empty room disturbs nobody, as long as one may go on to the next field. But if the pointer is
+  // on the message, the user has closed it.
+  const QRect room(mapToGlobal(QPoint(0, 0)), QSize(width(), maximumHeight()));
+  return (isTextField(focus) || qobject_cast<const QComboBox*>(focus) != nullptr) &&
+         !room.contains(QCursor::pos());
+}
+
 void MessageRow::fit() {
-  const int ofBar = neededHeight(bar_);
-  const int ofNotices = neededHeight(notices_);
-  const int wanted = ofBar + ofNotices;
+  const int wanted = neededHeight();
+  const bool keeps = wanted != maximumHeight() && keepsHeight(wanted);
+  if (!keeps) {
+    takeNeededHeight();
+  }
+  waitForQuiet(keeps);
+  placeParts();
+}
+
+void MessageRow::takeNeededHeight() {
+  const int wanted = neededHeight();
   if (wanted != maximumHeight()) {
     Q_EMIT heightChanging();
     setFixedHeight(wanted);
     updateGeometry();
     Q_EMIT heightChanged();
   }
-  bar_->setGeometry(0, 0, width(), ofBar);
-  notices_->setGeometry(0, ofBar, width(), ofNotices);
+}
+
+void MessageRow::waitForQuiet(bool waits) {
+  if (waits == watch_->isActive()) {
+    return;
+  }
+  quietTicks_ = 0;
+  if (waits) {
+    watch_->start();
+    qApp->installEventFilter(this);
+  } else {
+    watch_->stop();
+    qApp->removeEventFilter(this);
+  }
+}
+
+void MessageRow::placeParts() {
+  int top = y();
+  for (QWidget* part : std::initializer_list<QWidget*>{bar_, notices_}) {
+    if (const int needed = neededHeight(part); needed > 0) {
+      part->setGeometry(x(), top, width(), needed);
+      top += needed;
+      if (top > y() + maximumHeight()) {
+        part->raise(); // above the views
+      }
+    }
+  }
+}
+
+void MessageRow::showEvent(QShowEvent* event) {
+  QToolBar::showEvent(event);
+  lower(); // below its parts
+}
+
+void MessageRow::moveEvent(QMoveEvent* event) {
+  QToolBar::moveEvent(event);
+  placeParts();
 }
 
 void MessageRow::resizeEvent(QResizeEvent* event) {
@@ -66,6 +160,12 @@ void MessageRow::resizeEvent(QResizeEvent* event) {
 }
 
 bool MessageRow::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::KeyPress) {
+    quietTicks_ = 0;
+  }
+  if (watched != bar_ && watched != notices_) {
+    return false;
+  }
   switch (event->type()) {
   case QEvent::ShowToParent:
   case QEvent::HideToParent:

@@ -3,7 +3,10 @@
 
 #include "core/base/floors.h"
 
+#include <QPointer>
 #include <QToolBar>
+
+class QTimer;
 
 namespace dewpoint::ui {
 
@@ -14,11 +17,17 @@ class NoticeList;
 /// covers nothing; without a message, the row has no height. It is a toolbar so that the window
 /// gives it a row. It is always shown, so that restoring a layout neither shows nor hides a
 /// message.
+///
+/// While the user types in a field or holds a mouse button down, the row keeps its height, so that
+/// nothing moves under the pointer or the eyes: a message that goes leaves its room empty, and a
+/// message that comes lies over the views. The row takes its proper height when the user has left
+/// the field.
 class MessageRow : public QToolBar {
   Q_OBJECT
 public:
-  /// Takes ownership of the bar and the list. Add the row to a window below its other toolbars.
-  MessageRow(MessageBar* bar, NoticeList* notices, QWidget* parent = nullptr);
+  /// Makes the bar and the list children of `parent`. Add the row to the window `parent` below its
+  /// other toolbars.
+  MessageRow(MessageBar* bar, NoticeList* notices, QWidget* parent);
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
@@ -29,16 +38,28 @@ Q_SIGNALS:
   void heightChanged();
 
 protected:
+  void showEvent(QShowEvent* event) override;
+  void moveEvent(QMoveEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
   /// Returns the height that a part needs at the width of the row; 0 while it is hidden.
   int neededHeight(const QWidget* part) const;
+  int neededHeight() const;
   void fit();
+  void placeParts();
+  /// Takes the height that the parts need.
+  void takeNeededHeight();
+  /// Returns whether the row should keep its height for now, although the parts need another one.
+  bool keepsHeight(int wanted) const;
+  /// Waits until the row may take its proper height.
+  void waitForQuiet(bool waits);
 
-  QWidget* bar_;
-  QWidget* notices_;
+  QPointer<QWidget> bar_; // the window, not the row, ends them
+  QPointer<QWidget> notices_;
+  QTimer* watch_;
+  int quietTicks_ = 0; ///< ticks of `watch_` since a key was pressed
 };
 
 } // namespace dewpoint::ui

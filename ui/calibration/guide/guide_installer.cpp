@@ -11,6 +11,9 @@
 
 #include <QAction>
 
+#include <memory>
+#include <utility>
+
 namespace dewpoint::ui {
 namespace {
 
@@ -57,11 +60,32 @@ QString question() {
 
 /// The question stays until it is answered: it is the next step.
 void askForCalibration(const Workbench& bench) {
-  if (lacksCalibration(bench.document)) {
-    QAction* guide = bench.action("actionCalibrate");
-    bench.messages.askUntilAnswered(question(),
-                                    {{GuidePage::tr("Calibrate…"), [guide] { guide->trigger(); }}});
-  }
+  QAction* guide = bench.action("actionCalibrate");
+  bench.messages.askUntilAnswered(question(),
+                                  {{GuidePage::tr("Calibrate…"), [guide] { guide->trigger(); }}});
+}
+
+/// Asks while the calibration is lacking. The user may close the question: then it is asked again
+/// only if the calibration was there meanwhile (Undo), or if a method is chosen that needs it.
+void followCalibration(const Workbench& bench, QObject* context) {
+  const auto lacked = std::make_shared<bool>(false);
+  const auto follow = [bench, lacked](bool asksAgain) {
+    const bool lacks = lacksCalibration(bench.document);
+    const bool isNew = !std::exchange(*lacked, lacks);
+    if (!lacks) {
+      bench.messages.withdraw(question());
+    } else if (isNew || asksAgain) {
+      askForCalibration(bench);
+    }
+  };
+  QObject::connect(&bench.document, &Document::methodChanged, context, [follow] { follow(true); });
+  QObject::connect(&bench.session, &SessionController::opened, context, [follow] { follow(true); });
+  QObject::connect(&bench.document, &Document::calibrationChanged, context,
+                   [follow] { follow(false); });
+  QObject::connect(&bench.document, &Document::replaced, context, [bench, lacked] {
+    *lacked = lacksCalibration(bench.document); // asked when its run begins
+    bench.messages.withdraw(question());
+  });
 }
 
 } // namespace
@@ -74,17 +98,7 @@ void installCalibrationGuide(const Workbench& bench, CalibrationMode& mode) {
                    [bench, &mode](GuideStep step) { openStep(bench, mode, step); });
   bench.onTriggered("actionCalibrate", guide, [&mode] { mode.open(kPage); });
   bench.requireRun({"actionCalibrate"});
-  QObject::connect(&bench.document, &Document::methodChanged, guide,
-                   [bench] { askForCalibration(bench); });
-  QObject::connect(&bench.session, &SessionController::opened, guide,
-                   [bench] { askForCalibration(bench); });
-  QObject::connect(&bench.document, &Document::calibrationChanged, guide, [bench] {
-    if (!lacksCalibration(bench.document)) {
-      bench.messages.withdraw(question());
-    }
-  });
-  QObject::connect(&bench.document, &Document::replaced, guide,
-                   [bench] { bench.messages.withdraw(question()); });
+  followCalibration(bench, guide);
 }
 
 } // namespace dewpoint::ui
