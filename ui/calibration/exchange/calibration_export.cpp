@@ -2,19 +2,39 @@
 #include "ui/calibration/exchange/calibration_export.h"
 
 #include "core/calibration/formats/format_catalog.h"
+#include "core/setup/new_project/new_project.h"
 #include "ui/document/document.h"
+#include "ui/preferences/preferences.h"
 #include "ui/text/camera_names.h"
 #include "ui/text/error_sentence.h"
 #include "ui/text/quantity_text.h"
 
 #include <QComboBox>
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
 
+#include <algorithm>
+
 namespace dewpoint::ui {
+namespace {
+
+/// Removes the ending of any format of calibrations.
+QString withoutEnding(const QString& file) {
+  qsizetype longest = 0;
+  for (const CalibrationFormat& format : calibrationFormats()) {
+    const QLatin1String ending(format.extension);
+    if (file.endsWith(ending, Qt::CaseInsensitive)) {
+      longest = std::max(longest, qsizetype(ending.size()));
+    }
+  }
+  return file.chopped(longest);
+}
+
+} // namespace
 
 CalibrationExportDialog::CalibrationExportDialog(Document& document, QWidget* parent)
     : ExchangeDialog(QStringLiteral("calibrationExport"), parent), document_(document),
@@ -33,6 +53,7 @@ CalibrationExportDialog::CalibrationExportDialog(Document& document, QWidget* pa
       refresh();
     }
   });
+  proposeFile(proposedFile());
   begin();
 }
 
@@ -48,21 +69,31 @@ bool CalibrationExportDialog::isFolder() const {
 
 void CalibrationExportDialog::formatChanged() {
   unit_->setEnabled(!format().unit.has_value());
-  const QFileInfo before(file());
-  if (file().isEmpty()) {
-    return;
+  if (!file().isEmpty()) {
+    // The same place, with the ending of the format.
+    setFile(withoutEnding(file()) + ending());
   }
-  // The same place, with the ending of the format; folders have none.
-  const QString name = before.fileName().section(QLatin1Char('.'), 0, 0);
-  setFile(before.path() + QLatin1Char('/') + name +
-          (isFolder() ? QString() : QLatin1String(format().extension)));
+}
+
+QString CalibrationExportDialog::ending() const {
+  return isFolder() ? QString() : QString::fromLatin1(format().extension);
+}
+
+QString CalibrationExportDialog::proposedFile() const {
+  const Project& project = document_.project();
+  // Named like the project, beside its file, or where the project would be saved.
+  const std::filesystem::path saved = proposedProjectFile(project);
+  const std::filesystem::path folder =
+      project.file.empty() ? saved.parent_path() : project.file.parent_path();
+  const QString start =
+      folder.empty() ? Preferences().lastFolder() : QString::fromStdString(folder.string());
+  const QDir place = start.isEmpty() ? QDir::home() : QDir(start);
+  return place.absoluteFilePath(QString::fromStdString(saved.stem().string()) +
+                                QStringLiteral("-calibration") + ending());
 }
 
 void CalibrationExportDialog::chooseFile() {
-  const QString proposed = file().isEmpty()
-                               ? QStringLiteral("calibration") +
-                                     (isFolder() ? QString() : QLatin1String(format().extension))
-                               : file();
+  const QString proposed = file().isEmpty() ? proposedFile() : file();
   const QString chosen =
       isFolder() ? QFileDialog::getExistingDirectory(this, tr("Choose a folder"),
                                                      QFileInfo(proposed).path())
@@ -155,7 +186,9 @@ void CalibrationExportDialog::applyResult(const Result<CalibrationConversion>& o
   } else {
     const QString sentence = errorText(askedQuestion(outcome.error()).error);
     showPreview(QStringLiteral("⚠ ") + sentence, false);
-    Q_EMIT failed(sentence);
+    if (!isTyping()) {
+      Q_EMIT failed(sentence);
+    }
   }
 }
 

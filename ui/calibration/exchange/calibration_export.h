@@ -26,6 +26,9 @@ private:
   const CalibrationFormat& format() const;
   CalibrationOutput target() const;
   bool isFolder() const;
+  /// Returns the ending of a file in the chosen format; empty if the format is a folder.
+  QString ending() const;
+  QString proposedFile() const;
   void formatChanged();
   /// Shows a conversion. `replaced` is the existing file that would be overwritten, or empty if
   /// there is none.

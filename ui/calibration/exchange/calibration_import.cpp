@@ -233,7 +233,9 @@ void CalibrationImportDialog::applyError(const Error& error) {
                 .arg(label);
   }
   showPreview(text, false);
-  Q_EMIT failed(sentence);
+  if (!isTyping()) {
+    Q_EMIT failed(sentence);
+  }
 }
 
 void CalibrationImportDialog::applyResult(const Result<CalibrationImport>& made) {

@@ -13,19 +13,21 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QTimer>
 #include <QVBoxLayout>
 
 namespace dewpoint::ui {
 namespace {
 constexpr const char* kPreviewed = "previewed"; ///< the text of a field that the preview is of
-}
+constexpr int kTypingPauseMs = 300;             ///< after which the preview follows what is typed
+} // namespace
 
 ExchangeDialog::ExchangeDialog(const QString& name, QWidget* parent)
     : QDialog(parent), fileLabel_(new QLabel(this)), choose_(new QPushButton(this)),
       accept_(new QPushButton(this)), file_(new QLineEdit(this)), form_(new QFormLayout),
       fileRow_(new QHBoxLayout), previewLabel_(new QLabel(this)),
       preview_(new QPlainTextEdit(this)), close_(new QPushButton(this)),
-      job_(new BackgroundJob(this)) {
+      job_(new BackgroundJob(this)), typingPause_(new QTimer(this)) {
   setObjectName(name);
   setModal(false);
   file_->setObjectName(name + QStringLiteral("File"));
@@ -69,7 +71,14 @@ void ExchangeDialog::begin() {
         refresh();
       }
     });
+    connect(line, &QLineEdit::textEdited, typingPause_, qOverload<>(&QTimer::start));
   }
+  typingPause_->setSingleShot(true);
+  typingPause_->setInterval(kTypingPauseMs);
+  connect(typingPause_, &QTimer::timeout, this, [this] {
+    typing_ = true;
+    refreshPreview();
+  });
   connect(choose_, &QPushButton::clicked, this, [this] { chooseFile(); });
   connect(job_, &BackgroundJob::ended, this, [this] {
     if (std::exchange(rerunPreview_, false)) {
@@ -124,7 +133,17 @@ void ExchangeDialog::setFile(const QString& file) {
   refresh();
 }
 
+void ExchangeDialog::proposeFile(const QString& file) {
+  file_->setText(file);
+}
+
 void ExchangeDialog::refresh() {
+  typing_ = false;
+  refreshPreview();
+}
+
+void ExchangeDialog::refreshPreview() {
+  typingPause_->stop();
   for (QLineEdit* line : findChildren<QLineEdit*>()) {
     line->setProperty(kPreviewed, line->text());
   }

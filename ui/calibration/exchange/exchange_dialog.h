@@ -14,6 +14,7 @@ class QLabel;
 class QLineEdit;
 class QPlainTextEdit;
 class QPushButton;
+class QTimer;
 
 namespace dewpoint::ui {
 
@@ -31,6 +32,9 @@ public:
   void setFile(const QString& file);
   /// Returns whether the previewed operation can be carried out.
   bool isReady() const { return ready_; }
+  /// Returns whether the preview is of a text that is still being typed. Errors in it are shown in
+  /// the preview only.
+  bool isTyping() const { return typing_; }
 
 Q_SIGNALS:
   void done(const QString& sentence);
@@ -47,6 +51,8 @@ protected:
 
   /// Completes the dialog. Call it after adding all questions.
   void begin();
+  /// Sets the proposed file without computing a preview.
+  void proposeFile(const QString& file);
   /// Recomputes the preview after an answer has changed.
   void refresh();
   /// Runs a long task in another thread. The dialog cannot be accepted until the task ends.
@@ -62,6 +68,7 @@ protected:
 
 private:
   void start();
+  void refreshPreview();
 
   QLineEdit* file_;
   QFormLayout* form_;
@@ -70,7 +77,9 @@ private:
   QPlainTextEdit* preview_;
   QPushButton* close_;
   BackgroundJob* job_;
+  QTimer* typingPause_; ///< runs while a text is being typed
   bool ready_ = false;
+  bool typing_ = false;
   bool rerunPreview_ = false; ///< an answer changed while a preview was being computed
 };
 
