@@ -12,7 +12,6 @@
 #include "ui/selection/selection.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/retranslation.h"
-#include "ui/widgets/file_choice.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/path_field.h"
 
@@ -155,13 +154,7 @@ void CameraPanel::connectFields() {
   connect(backgroundImageBrowse_, &QPushButton::clicked, this, &CameraPanel::chooseBackgroundImage);
   connect(backgroundImageTake_, &QPushButton::clicked, this, [this] { taker_->take(chosen()); });
   connect(taker_, &BackgroundImageTaker::busyChanged, this, &CameraPanel::updateTakeButton);
-  connect(load_, &QPushButton::clicked, this, [this] {
-    const QString file =
-        askForFile(this, tr("Choose a calibration"), tr("Calibrations (*.toml);;All files (*)"));
-    if (!file.isEmpty()) {
-      Q_EMIT calibrationRequested(file);
-    }
-  });
+  connect(load_, &QPushButton::clicked, this, &CameraPanel::importRequested);
 }
 
 void CameraPanel::retranslateUi() {
@@ -194,8 +187,9 @@ void CameraPanel::retranslateUi() {
   backgroundImageTake_->setText(tr("Use current image"));
   backgroundImageTake_->setToolTip(
       tr("Save the current image of this camera as its background image"));
-  load_->setText(tr("Load calibration…"));
-  load_->setToolTip(tr("Load the calibration of all cameras from a file"));
+  load_->setText(tr("Import calibration…"));
+  load_->setToolTip(tr("Import the calibration of the cameras from a file of Dewpoint or another "
+                       "program"));
   refresh();
 }
 

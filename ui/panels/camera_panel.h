@@ -43,8 +43,8 @@ public:
   BackgroundImageTaker& taker() { return *taker_; }
 
 Q_SIGNALS:
-  /// Emitted when a calibration file should be read for all cameras.
-  void calibrationRequested(const QString& file);
+  /// Emitted when the user wants to import a calibration.
+  void importRequested();
 
 private:
   void retranslateUi();

@@ -1,22 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/inspector_docks.h"
 
-#include "core/setup/calibration/calibration_exchange.h"
-#include "core/setup/new_project/new_project.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "ui/document/document.h"
-#include "ui/jobs/latest_job.h"
 #include "ui/panels/background_image_taker.h"
 #include "ui/panels/camera_panel.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/panels/target_panel.h"
 #include "ui/selection/selection.h"
-#include "ui/text/camera_agreement_text.h"
-#include "ui/text/error_sentence.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/workbench/dock_manager.h"
 #include "ui/workbench/workbench.h"
 
+#include <QAction>
 #include <QMainWindow>
 #include <QScrollArea>
 
@@ -30,47 +26,6 @@ void showMethodRequirements(const Workbench& bench) {
     bench.messages.showNotice(
         ParameterPanel::tr("Click the object or drag a box around it in any camera view."));
   }
-}
-
-void takeCameras(const Workbench& bench, const CreatedProject& made, const QString& file) {
-  const auto edited =
-      bench.document.edit(CameraPanel::tr("Load calibration"),
-                          [&](Project& project) { project.cameras = made.project.cameras; });
-  if (!edited) {
-    bench.messages.showError(errorText(edited.error()));
-    return;
-  }
-  QString notice =
-      made.matchedByOrder
-          ? CameraPanel::tr(
-                "The calibration uses other camera names. The cameras were matched by order.")
-          : CameraPanel::tr("The cameras now use the calibration from %1.").arg(file);
-  QStringList names;
-  for (const ProjectCamera& camera : made.project.cameras) {
-    names << QString::fromStdString(camera.camera.name);
-  }
-  for (const CameraDisagreement& fault : made.faults) {
-    notice += QStringLiteral(" ") +
-              CameraPanel::tr("Probably a mistake: %1").arg(disagreementText(fault, names));
-  }
-  bench.messages.showNotice(notice);
-}
-
-void loadCalibration(const Workbench& bench, LatestJob* job, const QString& file) {
-  job->start([bench, file, project = bench.document.state()](const BackgroundJob::Progress&) {
-    return [bench, file, project, made = withCalibration(*project, file.toStdString())] {
-      if (!made) {
-        const AskedQuestion asked = askedQuestion(made.error());
-        bench.messages.showError(
-            asked.question == ImportQuestion::None
-                ? errorText(asked.error)
-                : CameraPanel::tr("%1. Choose Calibration › Import calibration instead.")
-                      .arg(errorText(asked.error)));
-      } else if (project->cameras == bench.document.project().cameras) { // not changed meanwhile
-        takeCameras(bench, *made, file);
-      }
-    };
-  });
 }
 
 } // namespace
@@ -116,9 +71,8 @@ CameraPanel* installCameras(const Workbench& bench) {
                     .content = panel,
                     .rank = 4});
   bench.connectImageView(panel);
-  auto* job = new LatestJob(LatestJob::Superseded::Dropped, panel);
-  QObject::connect(panel, &CameraPanel::calibrationRequested, panel,
-                   [bench, job](const QString& file) { loadCalibration(bench, job, file); });
+  QObject::connect(panel, &CameraPanel::importRequested, bench.action("actionImportCalibration"),
+                   &QAction::trigger);
   const BackgroundImageTaker* taker = &panel->taker();
   QObject::connect(taker, &BackgroundImageTaker::failed, &bench.messages, &MessageBar::showError);
   QObject::connect(taker, &BackgroundImageTaker::messageRequested, &bench.messages,

@@ -54,7 +54,7 @@ QWidget* CalibrationChoice::lastButton() const {
 
 void CalibrationChoice::retranslateUi() {
   label_->setText(tr("Calibration file:"));
-  choose_->setText(tr("Choose calibration…"));
+  choose_->setText(tr("Import calibration…"));
   choose_->setToolTip(tr("A calibration file of Dewpoint or another program. Cameras are matched "
                          "by name, or by order if the names differ"));
   drop_->setText(tr("None"));
@@ -63,7 +63,7 @@ void CalibrationChoice::retranslateUi() {
 }
 
 void CalibrationChoice::choose() {
-  const QString file = askForFile(this, tr("Choose a calibration"), calibrationFileFilter());
+  const QString file = askForFile(this, tr("Import a calibration"), calibrationFileFilter());
   if (!file.isEmpty()) {
     setFile(file);
   }
