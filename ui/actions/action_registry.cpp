@@ -30,6 +30,26 @@ QString nameOf(const ActionDeclaration& declaration) {
   return QString::fromLatin1(name.data(), static_cast<qsizetype>(name.size()));
 }
 
+/// Whether a key can be a character that the user types, or moves or deletes what is selected.
+bool isBareKey(const QKeyEvent& event) {
+  if (event.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) {
+    return false;
+  }
+  const int key = event.key();
+  return key < Qt::Key_Escape || key == Qt::Key_Delete || key == Qt::Key_Backspace ||
+         (key >= Qt::Key_Home && key <= Qt::Key_PageDown);
+}
+
+bool isInForm(const QObject* watched) {
+  for (auto* widget = qobject_cast<const QWidget*>(watched);
+       widget != nullptr && !widget->isWindow(); widget = widget->parentWidget()) {
+    if (widget->property(kKeepsKeys).toBool()) {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// Whether the space bar presses or opens it.
 bool takesSpace(const QObject* watched) {
   const auto* choice = qobject_cast<const QComboBox*>(watched);
@@ -190,6 +210,10 @@ bool ActionRegistry::eventFilter(QObject* watched, QEvent* event) {
     const auto* key = static_cast<QKeyEvent*>(event);
     if (key->key() == Qt::Key_Space && key->modifiers() == Qt::NoModifier && takesSpace(watched)) {
       event->accept(); // it is pressed, not the action whose shortcut that is
+      return true;
+    }
+    if (isBareKey(*key) && isInForm(watched)) {
+      event->accept(); // meant for the form, even if no field has the focus
       return true;
     }
     const bool moves = key->matches(QKeySequence::MoveToEndOfLine) ||

@@ -16,6 +16,11 @@ class QPalette;
 
 namespace dewpoint::ui {
 
+/// Name of a widget property. In a widget with this property, and in all widgets inside it, keys
+/// without Ctrl, Alt or Meta trigger no action: a name or a number that is typed while the focus is
+/// on a list or a button must not restart the run. Function keys and Esc still trigger actions.
+inline constexpr auto kKeepsKeys = "keepsKeys";
+
 /// Declaration of one action. Mark its strings for translation with QT_TRANSLATE_NOOP("Actions",
 /// "...").
 struct ActionDeclaration {
@@ -69,7 +74,8 @@ public:
 
 protected:
   /// Prevents input fields from handling keys that X11 uses to move the cursor (such as Ctrl+E for
-  /// end of line), so that those keys trigger actions.
+  /// end of line), so that those keys trigger actions. Prevents keys that are pressed in a form
+  /// (kKeepsKeys) from triggering actions.
   bool eventFilter(QObject* watched, QEvent* event) override;
 
 Q_SIGNALS:

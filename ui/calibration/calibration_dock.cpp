@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/calibration/calibration_dock.h"
 
+#include "ui/actions/action_registry.h"
 #include "ui/text/retranslation.h"
 
 #include <QAbstractSlider>
@@ -18,6 +19,7 @@ namespace dewpoint::ui {
 
 CalibrationDock::CalibrationDock(QWidget* parent) : QWidget(parent), tabs_(new QTabWidget(this)) {
   setObjectName(QStringLiteral("calibrationPlace"));
+  setProperty(kKeepsKeys, true);
   tabs_->setObjectName(QStringLiteral("calibrationPages"));
   tabs_->setDocumentMode(true);
   tabs_->setTabBarAutoHide(true);
