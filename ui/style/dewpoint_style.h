@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QColor>
 #include <QProxyStyle>
+
+class QPalette;
 
 namespace dewpoint::ui {
 
-/// Qt's Fusion style with flat buttons, drop-down boxes and table headers instead of gradients.
+/// Qt's Fusion style with flat buttons, drop-down boxes, table headers and progress bars instead of
+/// gradients.
 /// Adds an edge around check boxes, radio buttons and checked buttons. Fusion's own edges are
 /// darker than the background and therefore invisible in dark colors.
 class DewpointStyle : public QProxyStyle {
@@ -17,5 +21,9 @@ public:
   void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
                    const QWidget* widget) const override;
 };
+
+/// Returns the color of the done part of a progress bar: so much of the accent that the bar is
+/// seen, and so little that text in the color of the palette is legible on it.
+QColor progressColor(const QPalette& palette);
 
 } // namespace dewpoint::ui

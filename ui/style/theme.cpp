@@ -19,7 +19,8 @@ QPalette themePalette(bool dark) {
   const QColor window(dark ? "#202326" : "#f3f4f5");
   const QColor base(dark ? "#17191b" : "#ffffff");
   const QColor text(dark ? "#e4e6e8" : "#1d2124");
-  const QColor faint(dark ? "#767d84" : "#8b9298");
+  const QColor faint(dark ? "#767d84" : "#8b9298"); // of what is disabled: need not be legible
+  const QColor quiet(dark ? "#8f969d" : "#5f666c"); // contrast of at least 4.5 on all grounds
   const QColor button(dark ? "#2b2f33" : "#e9ebed");
   const QColor accent(dark ? "#4c9fe0" : "#1f6fb5");
   QPalette palette;
@@ -28,7 +29,7 @@ QPalette themePalette(bool dark) {
   palette.setColor(QPalette::Base, base);
   palette.setColor(QPalette::AlternateBase, window);
   palette.setColor(QPalette::Text, text);
-  palette.setColor(QPalette::PlaceholderText, faint);
+  palette.setColor(QPalette::PlaceholderText, quiet);
   palette.setColor(QPalette::Button, button);
   palette.setColor(QPalette::ButtonText, text);
   palette.setColor(QPalette::BrightText, QColor("#d55e00"));
