@@ -29,7 +29,9 @@ CalibrationMode::CalibrationMode(const Workbench& bench)
   QAction* mode = bench_.action("actionCalibrateByHand");
   connect(mode, &QAction::triggered, this, [this, mode](bool checked) {
     if (!checked && pages_->shownPage() != kByHand) {
+      isReturning_ = true;
       mode->setChecked(true); // another page was in front
+      isReturning_ = false;
     }
   });
   connect(mode, &QAction::toggled, this, [this](bool shown) {
@@ -70,7 +72,7 @@ void CalibrationMode::open(const QString& page) {
 }
 
 void CalibrationMode::show(bool isShown) {
-  if (isShown && page_.isEmpty()) {
+  if (isShown && page_.isEmpty() && !isReturning_) {
     manual_->storeAs(EarlierCameras::PanelOpened);
   }
   dock_->setShownByUser(isShown);

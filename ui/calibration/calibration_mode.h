@@ -45,7 +45,8 @@ private:
   ManualCalibration* manual_;
   CalibrationDock* pages_;
   ViewDock* dock_;
-  QString page_; ///< last page that shown() was emitted for
+  bool isReturning_ = false; ///< the mode goes on with another page
+  QString page_;             ///< last page that shown() was emitted for
 };
 
 } // namespace dewpoint::ui

@@ -45,6 +45,8 @@ public:
   /// Sets the hint that is shown at the lower edge of the image while picking, to explain what a
   /// click does. An empty string removes the hint.
   void setHint(const QString& hint);
+  /// Returns the hint that is shown now, or an empty string.
+  QString shownHint() const { return picking_ ? hint_ : QString(); }
 
 Q_SIGNALS:
   /// Emitted after a click (`region` has an empty size) or a dragged box, in image pixels.

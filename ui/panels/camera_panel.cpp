@@ -210,12 +210,12 @@ void CameraPanel::showChosen() {
   const ProjectCamera camera = any ? cameras[static_cast<std::size_t>(row)] : ProjectCamera();
   const bool own = any && camera.source != SourceKind::Simulation; // a scene brings its own
   const bool isFile = camera.source == SourceKind::Video || camera.source == SourceKind::Images;
-  for (QWidget* field :
-       std::initializer_list<QWidget*>{name_, source_, rotation_, mirror_, delay_, load_,
-                                       backgroundImage_, backgroundImageBrowse_}) {
+  for (QWidget* field : std::initializer_list<QWidget*>{name_, source_, rotation_, mirror_, delay_,
+                                                        backgroundImage_, backgroundImageBrowse_}) {
     field->setEnabled(own);
   }
   browse_->setEnabled(own && isFile);
+  load_->setEnabled(any);
   delayEstimate_->setEditable(own);
   showDelayEstimate();
   updateTakeButton();

@@ -87,6 +87,20 @@ TEST(MeasuredPoints, TheFocalLengthComesBackToo) {
   EXPECT_LT(apart(solution.rig[0], rig[0]), 1e-4);
 }
 
+TEST(MeasuredPoints, AFocalLengthNeedsSixPoints) {
+  const CameraRig rig{measuringCamera({-2.0, -3.0, 1.8}, "left")};
+  const CameraRig wrong{zoomed(rig[0], 0.98)};
+  PointSettings settings;
+  settings.estimateFocal = true;
+  const auto focalFrom = [&](int count) {
+    return solveFromPoints(wrong, pointsSeenBy(rig, static_cast<std::size_t>(count)), settings)
+        .rig[0]
+        .intrinsics.focalX;
+  };
+  EXPECT_EQ(focalFrom(kFewestPointsOfFocal - 1), wrong[0].intrinsics.focalX); // it is kept
+  EXPECT_NEAR(focalFrom(kFewestPointsOfFocal), rig[0].intrinsics.focalX, 1e-2);
+}
+
 TEST(MeasuredPoints, ResidualsAreInPixelsAndMeters) {
   const CameraRig rig{measuringCamera({0.0, -3.0, 1.0}, "only")};
   auto points = pointsSeenBy(rig, 5);
@@ -133,6 +147,8 @@ TEST(MeasuredPoints, WhatIsNotEnoughIsNamed) {
   EXPECT_EQ(few.cameras.at(0).status, PoseStatus::TooFew);
   EXPECT_TRUE(few.rig == displaced(rig)) << "it stays as it was";
   EXPECT_FALSE(few.anySolved());
+  const auto least = solveFromPoints(displaced(rig), pointsSeenBy(rig, kFewestPointsOfPose));
+  EXPECT_NE(least.cameras.at(0).status, PoseStatus::TooFew);
   std::vector<MeasuredPoint> line;
   for (int k = 0; k < 5; ++k) {
     const Eigen::Vector3d place(0.3 * k - 0.6, 0.1 * k, 0.0);

@@ -120,6 +120,21 @@ TEST(CalibratedProject, ProposedSymmetriesAreSetButForSimulatedCameras) {
   EXPECT_EQ(changed.cameras[1].rotateDegrees, 270);
 }
 
+TEST(CalibratedProject, OnlyAFocalLengthThatWasComputedCountsAsMeasured) {
+  const Project project = mixedProject();
+  PointSolution solution;
+  solution.rig = {project.cameras[0].camera, moved(project.cameras[1].camera)};
+  CameraFromPoints& found = solution.cameras.emplace_back();
+  found.camera = 1;
+  found.clicks = kFewestPointsOfFocal - 1;
+  const Project kept = withPointSolution(project, solution, true);
+  EXPECT_TRUE(kept.cameras[1].calibrated.pose);
+  EXPECT_FALSE(kept.cameras[1].calibrated.lens);
+  found.clicks = kFewestPointsOfFocal;
+  EXPECT_TRUE(withPointSolution(project, solution, true).cameras[1].calibrated.lens);
+  EXPECT_FALSE(withPointSolution(project, solution, false).cameras[1].calibrated.lens);
+}
+
 TEST(CalibratedProject, AClickReplacesTheOneInTheSameCamera) {
   MeasuredPoint point;
   setClickIn(point, 2, {1.0, 2.0});

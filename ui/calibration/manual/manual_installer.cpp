@@ -9,6 +9,8 @@
 #include "ui/cameraview/camera_docks.h"
 #include "ui/cameraview/camera_view.h"
 
+#include <QAction>
+
 namespace dewpoint::ui {
 
 void installManualCalibration(const Workbench& bench, CalibrationMode& mode,
@@ -22,6 +24,11 @@ void installManualCalibration(const Workbench& bench, CalibrationMode& mode,
   });
   QObject::connect(&mode, &CalibrationMode::imagesLent, points,
                    [points] { points->setClicking(false); });
+  QObject::connect(points, &PointCalibrator::changed, &mode, [bench, points] {
+    if (points->isClicking()) {
+      bench.action("actionLearnColor")->setChecked(false);
+    }
+  });
   QObject::connect(&cameras, &CameraDocks::viewMade, points,
                    [bench, manual, points](int camera, CameraView* view) {
                      bench.connectImageView(new GridLayer(camera, view, *manual, *points));

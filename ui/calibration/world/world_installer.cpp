@@ -9,6 +9,8 @@
 #include "ui/cameraview/camera_docks.h"
 #include "ui/cameraview/camera_view.h"
 
+#include <QAction>
+
 namespace dewpoint::ui {
 namespace {
 
@@ -30,6 +32,11 @@ void installWorldPage(const Workbench& bench, CalibrationMode& mode, const Camer
                    [marks](const QString& page) { marks->setClicking(page == kPage); });
   QObject::connect(&mode, &CalibrationMode::imagesLent, marks,
                    [marks] { marks->setClicking(false); });
+  QObject::connect(marks, &WorldMarks::changed, &mode, [bench, marks] {
+    if (marks->isClicking()) {
+      bench.action("actionLearnColor")->setChecked(false);
+    }
+  });
   bench.onTriggered("actionCalibrateWorld", marks, [&mode] { mode.open(kPage); });
   bench.requireRun({"actionCalibrateWorld"});
 }

@@ -36,6 +36,9 @@ private Q_SLOTS:
   void whatIsExportedComesBack();
   void theFileThatWasFoundIsTheOneNamed();
   void aCameraWithoutANameCanBeMeant();
+  void anExportHasAFileAtOnce();
+  void theButtonFollowsWhatIsTyped();
+  void theListOfCamerasOpensTheSameDialog();
 
 private:
   QString preview(const char* name) { return find<QPlainTextEdit>(name)->toPlainText(); }
@@ -286,6 +289,46 @@ void CalibrationImportTest::theFileThatWasFoundIsTheOneNamed() {
   // Typed while the preview is made, and not yet entered.
   find<QLineEdit>("calibrationExportFile")->setText(folder_.filePath(QStringLiteral("other.toml")));
   QVERIFY(waitText("calibrationExportPreview", QStringLiteral("there.toml exists")));
+}
+
+void CalibrationImportTest::anExportHasAFileAtOnce() {
+  QVERIFY(window_->document().edit(QStringLiteral("name"),
+                                   [](Project& project) { project.name = "take 1.5"; }));
+  window_->document().setSaved(project(), path("saved.toml"));
+  find<QAction>("actionExportCalibration")->trigger();
+  auto* out = window_->findChild<CalibrationExportDialog*>();
+  QCOMPARE(out->file(), file("take 1.5-calibration.toml"));
+  QVERIFY(waitReady(out));
+  // Another format: another ending, and the same name.
+  choose("calibrationExportFormat", "qualisys");
+  const std::string ending = (*calibrationFormat("qualisys"))->extension;
+  QCOMPARE(out->file(), file("take 1.5-calibration") + QString::fromStdString(ending));
+  choose("calibrationExportFormat", "dewpoint");
+  QCOMPARE(out->file(), file("take 1.5-calibration.toml"));
+}
+
+void CalibrationImportTest::theButtonFollowsWhatIsTyped() {
+  find<QAction>("actionExportCalibration")->trigger();
+  auto* out = window_->findChild<CalibrationExportDialog*>();
+  QVERIFY(waitReady(out));
+  auto* line = find<QLineEdit>("calibrationExportFile");
+  const auto* accept = find<QPushButton>("calibrationExportAccept");
+  line->setFocus();
+  line->selectAll();
+  QTest::keyClick(line, Qt::Key_Backspace);
+  QVERIFY(waitFor([&] { return !accept->isEnabled(); }));
+  QTest::keyClicks(line, file("typed.toml")); // and neither Tab nor Enter
+  QVERIFY(waitFor([&] { return accept->isEnabled(); }));
+  QTest::mouseClick(find<QPushButton>("calibrationExportAccept"), Qt::LeftButton);
+  QVERIFY(waitFor([&] { return QFileInfo::exists(file("typed.toml")); }));
+}
+
+void CalibrationImportTest::theListOfCamerasOpensTheSameDialog() {
+  auto* button = find<QPushButton>("cameraLoadCalibration");
+  QCOMPARE(button->text(), find<QAction>("actionImportCalibration")->text());
+  QVERIFY(window_->findChild<CalibrationImportDialog*>() == nullptr);
+  button->click();
+  QVERIFY(window_->findChild<CalibrationImportDialog*>() != nullptr);
 }
 
 void CalibrationImportTest::aCameraWithoutANameCanBeMeant() {

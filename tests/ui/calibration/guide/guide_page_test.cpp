@@ -146,6 +146,13 @@ void GuidePageTest::asksWhilePositionsAreGuesses() {
     project.cameras = calibrated.cameras;
   }));
   QVERIFY(messages->text() != question);
+  find<QAction>("actionUndo")->trigger(); // guesses again
+  QCOMPARE(messages->text(), question);
+  messages->dismiss();
+  QVERIFY(window_->document().edit(QStringLiteral("move"), [](Project& project) {
+    project.cameras[0].camera.cameraFromWorld.translation().x() += 0.1;
+  }));
+  QVERIFY(messages->text() != question); // the user has closed it, and another camera is a guess
 }
 
 DEWPOINT_WINDOW_TEST(GuidePageTest)

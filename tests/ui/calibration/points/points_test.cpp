@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Measured points in the real window: written into the table, clicked in the images, solved.
+#include "core/calibration/manual/measured_points.h"
 #include "tests/ui/calibration/calibration_window.h"
 #include "tests/ui/window_test.h"
 
@@ -21,6 +22,7 @@ private Q_SLOTS:
   void cleanup() { window_.reset(); }
   void measuredPointsGiveTheCameraBack();
   void clickingEndsWithItsPage();
+  void tooFewPointsSayHowManyAreNeeded();
 };
 
 void PointsTest::measuredPointsGiveTheCameraBack() {
@@ -76,6 +78,17 @@ void PointsTest::clickingEndsWithItsPage() {
   QVERIFY(clicking->isChecked());
   find<QAction>("actionCalibrateWand")->trigger();
   QVERIFY(!clicking->isChecked());
+}
+
+void PointsTest::tooFewPointsSayHowManyAreNeeded() {
+  find<QPushButton>("pointAdd")->click();
+  find<QPushButton>("pointClick")->click();
+  click(0, Eigen::Vector2d(100.0, 100.0), Qt::AltModifier);
+  find<QPushButton>("pointSolve")->click();
+  const auto text = [this] { return find<QLabel>("pointAssessment")->text(); };
+  QVERIFY(waitFor([&] { return !text().isEmpty(); }));
+  QVERIFY2(text().contains(QStringLiteral("1 point")), qPrintable(text()));
+  QVERIFY2(text().contains(QString::number(kFewestPointsOfPose)), qPrintable(text()));
 }
 
 DEWPOINT_WINDOW_TEST(PointsTest)
