@@ -48,12 +48,14 @@ MessageRow::MessageRow(MessageBar* bar, NoticeList* notices, QWidget* parent)
     ++quietTicks_;
     fit();
   });
+  qApp->installEventFilter(this);
+  connect(qApp, &QApplication::focusChanged, this, &MessageRow::followFocus);
   for (QWidget* part : std::initializer_list<QWidget*>{bar, notices}) {
     part->setParent(parent); // not of the row, which they may exceed
     part->hide();
     part->installEventFilter(this);
   }
-  fit();
+  takeNeededHeight();
 }
 
 int MessageRow::neededHeight(const QWidget* part) const {
@@ -84,7 +86,7 @@ bool MessageRow::keepsHeight(int wanted) const {
     return true;
   }
   const QWidget* focus = QApplication::focusWidget();
-  if (focus == nullptr || focus->window() != window() || !focus->isVisible()) {
+  if (focus == nullptr || focus != typedIn_ || !focus->isVisible()) {
     return false;
   }
   if (wanted > maximumHeight()) {
@@ -93,8 +95,7 @@ bool MessageRow::keepsHeight(int wanted) const {
   // Empty room disturbs nobody, as long as one may go on to the next field. But if the pointer is
   // on the message, the user has closed it.
   const QRect room(mapToGlobal(QPoint(0, 0)), QSize(width(), maximumHeight()));
-  return (isTextField(focus) || qobject_cast<const QComboBox*>(focus) != nullptr) &&
-         !room.contains(QCursor::pos());
+  return !room.contains(QCursor::pos());
 }
 
 void MessageRow::fit() {
@@ -124,11 +125,15 @@ void MessageRow::waitForQuiet(bool waits) {
   quietTicks_ = 0;
   if (waits) {
     watch_->start();
-    qApp->installEventFilter(this);
   } else {
     watch_->stop();
-    qApp->removeEventFilter(this);
   }
+}
+
+void MessageRow::followFocus(QWidget* before, QWidget* now) {
+  const bool goesOn = before != nullptr && before == typedIn_ && now != nullptr &&
+                      (isTextField(now) || qobject_cast<QComboBox*>(now) != nullptr);
+  typedIn_ = goesOn ? now : nullptr;
 }
 
 void MessageRow::placeParts() {
@@ -162,6 +167,10 @@ void MessageRow::resizeEvent(QResizeEvent* event) {
 bool MessageRow::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::KeyPress) {
     quietTicks_ = 0;
+    if (QWidget* focus = QApplication::focusWidget();
+        focus != nullptr && focus->window() == window() && isTextField(focus)) {
+      typedIn_ = focus;
+    }
   }
   if (watched != bar_ && watched != notices_) {
     return false;

@@ -53,13 +53,16 @@ private:
   void takeNeededHeight();
   /// Returns whether the row should keep its height for now, although the parts need another one.
   bool keepsHeight(int wanted) const;
+  /// Typing goes on in the next field of a form, and ends elsewhere.
+  void followFocus(QWidget* before, QWidget* now);
   /// Waits until the row may take its proper height.
   void waitForQuiet(bool waits);
 
   QPointer<QWidget> bar_; // the window, not the row, ends them
   QPointer<QWidget> notices_;
   QTimer* watch_;
-  int quietTicks_ = 0; ///< ticks of `watch_` since a key was pressed
+  QPointer<QWidget> typedIn_; ///< field of the form in which the user types
+  int quietTicks_ = 0;        ///< ticks of `watch_` since a key was pressed
 };
 
 } // namespace dewpoint::ui
