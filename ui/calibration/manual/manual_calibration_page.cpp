@@ -44,8 +44,10 @@ ManualCalibrationPage::ManualCalibrationPage(ManualCalibration& manual, PointCal
 }
 
 void ManualCalibrationPage::retranslateUi() {
-  guide_->setText(tr("Drag the grid in an image until it matches the real scene. Click a grid "
-                     "point to hold it in place."));
+  guide_->setText(
+      tr("Drag the grid in an image until it matches the real scene. Click a grid "
+         "point to hold it in place. Turn the wheel to zoom; double-click beside the grid "
+         "points to see the whole image."));
   cameraTitle_->setText(tr("Camera"));
   gridTitle_->setText(tr("Reference grid"));
   pointsTitle_->setText(tr("Measured points"));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/calibration/points/point_calibrator.h"
 
+#include "core/base/angle.h"
 #include "core/session/run/tracking_run.h"
 #include "core/setup/calibration/calibrated_project.h"
 #include "ui/calibration/manual_calibration.h"
@@ -263,8 +264,18 @@ std::optional<int> PointCalibrator::proposedCamera() const {
 }
 
 QString PointCalibrator::proposalText() const {
-  return proposal_ ? symmetryText(manual_.nameOf(proposal_->camera), proposal_->symmetry)
-                   : QString();
+  if (!proposal_) {
+    return {};
+  }
+  const QString name = manual_.nameOf(proposal_->camera);
+  const ImageSymmetry& symmetry = proposal_->symmetry;
+  if (symmetry.rotateDegrees == 0) {
+    return tr("Mirror the images of %1").arg(name);
+  }
+  const QString angle = angleText(symmetry.rotateDegrees * base::kDegree, 0);
+  return symmetry.mirrored
+             ? tr("Rotate the images of %1 clockwise by %2, and mirror them").arg(name, angle)
+             : tr("Rotate the images of %1 clockwise by %2").arg(name, angle);
 }
 
 void PointCalibrator::acceptProposal() {

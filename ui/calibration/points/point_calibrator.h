@@ -62,6 +62,7 @@ public:
   /// Returns the camera whose images are rotated or mirrored according to the last solution, if the
   /// project can correct this.
   std::optional<int> proposedCamera() const;
+  /// Returns the text of the button that corrects these images.
   QString proposalText() const;
   void acceptProposal();
 

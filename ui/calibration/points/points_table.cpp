@@ -86,17 +86,17 @@ void PointsTable::createWidgets() {
 
 void PointsTable::retranslateUi() {
   table_->setAccessibleName(tr("Measured points"));
-  table_->setToolTip(tr("Positions measured with a tape, in meters: double-click to edit. The "
-                        "highlighted row has the largest error."));
+  table_->setToolTip(tr("Positions measured with a tape, in meters: double-click to edit. ▲ marks "
+                        "the point with the largest error."));
   table_->setHorizontalHeaderLabels(
-      {tr("Point"), tr("x m"), tr("y m"), tr("z m"), tr("seen"), tr("px"), tr("mm")});
+      {tr("Point"), tr("x m"), tr("y m"), tr("z m"), tr("clicked"), tr("px"), tr("mm")});
   const auto button = [](QPushButton* one, const QString& text, const QString& tip) {
     one->setText(text);
     one->setAccessibleName(text);
     one->setToolTip(tip);
   };
   button(add_, tr("Add point"), tr("Add a position that you measured in the room"));
-  button(remove_, tr("Remove point"), tr("Remove the chosen point"));
+  button(remove_, tr("Remove point"), tr("Remove the selected point"));
   button(click_, tr("Click in images"),
          tr("Click the selected point in every image that shows it. Near a corner, the click moves "
             "exactly onto the corner; hold Alt to prevent this. Press Esc to finish."));
@@ -198,7 +198,7 @@ void PointsTable::refresh() {
   const auto proposed = points_.proposedCamera();
   accept_->setVisible(proposed.has_value());
   if (proposed) {
-    accept_->setText(tr("Apply: %1").arg(points_.proposalText()));
+    accept_->setText(points_.proposalText());
     accept_->setAccessibleName(accept_->text());
     accept_->setToolTip(
         tr("Rotate or mirror the images of this camera and compute its pose again"));

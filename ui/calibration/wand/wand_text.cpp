@@ -37,10 +37,12 @@ QString validationMessage(const WandSettings& settings, const std::vector<Marked
     return WandText::tr("At least two cameras must see the ball.");
   case WandObstacle::NoBall:
     return WandText::tr(
-        "Learn the color of the ball first: press L and click the ball in an image.");
+        "Learn the color of the ball first: press “Learn the color” in the toolbar, then click the "
+        "ball in an image.");
   case WandObstacle::NoSecondBall:
     return WandText::tr(
-        "A wand has two balls of different colors: learn the second color (Shift+L).");
+        "A wand has two balls of different colors: press “Add a target” in the toolbar, then click "
+        "the second ball in an image.");
   case WandObstacle::SameBallTwice:
     return WandText::tr(
         "Both ends of the wand are the same target: choose another target for one of them.");

@@ -194,7 +194,7 @@ void WorldPage::retranslateUi() {
   uprightText_->setText(tr("⚠ The z axis does not seem to point up."));
   marksTitle_->setText(tr("Points"));
   table_->setHorizontalHeaderLabels(
-      {tr("Point"), tr("seen"), tr("x m"), tr("y m"), tr("z m"), tr("± mm")});
+      {tr("Point"), tr("marked"), tr("x m"), tr("y m"), tr("z m"), tr("± mm")});
   name(table_, tr("Points"),
        tr("Points of the room that you mark in the images, and their positions. ± is one standard "
           "deviation of a position, if clicks are accurate to 2 px."));

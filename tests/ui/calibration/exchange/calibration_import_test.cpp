@@ -294,7 +294,8 @@ void CalibrationImportTest::theFileThatWasFoundIsTheOneNamed() {
 void CalibrationImportTest::anExportHasAFileAtOnce() {
   QVERIFY(window_->document().edit(QStringLiteral("name"),
                                    [](Project& project) { project.name = "take 1.5"; }));
-  window_->document().setSaved(project(), path("saved.toml"));
+  const Project saved = project();
+  window_->document().setSaved(saved, path("saved.toml"));
   find<QAction>("actionExportCalibration")->trigger();
   auto* out = window_->findChild<CalibrationExportDialog*>();
   QCOMPARE(out->file(), file("take 1.5-calibration.toml"));
