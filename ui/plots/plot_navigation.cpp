@@ -68,12 +68,19 @@ std::optional<std::int64_t> PlotNavigation::frameAt(double position) const {
   return row ? std::optional(series_->row(*row).frame) : std::nullopt;
 }
 
-std::optional<std::size_t> PlotNavigation::cursorRow() const {
+std::optional<std::size_t> PlotNavigation::rowOf(const std::optional<std::int64_t>& frame) const {
   if (series_ == nullptr || series_->size() == 0) {
     return std::nullopt;
   }
-  const auto frame = hovered_ ? hovered_ : currentFrame_;
   return frame ? series_->atFrame(*frame) : series_->size() - 1;
+}
+
+std::optional<std::size_t> PlotNavigation::cursorRow() const {
+  return rowOf(hovered_ ? hovered_ : currentFrame_);
+}
+
+std::optional<std::size_t> PlotNavigation::shownRow() const {
+  return rowOf(currentFrame_);
 }
 
 } // namespace dewpoint::ui

@@ -63,6 +63,8 @@ public:
   std::optional<std::int64_t> frameAt(double position) const;
   /// Returns the series row under the cursor.
   std::optional<std::size_t> cursorRow() const;
+  /// Returns the series row of the frame that all views show, wherever the cursor is.
+  std::optional<std::size_t> shownRow() const;
 
 Q_SIGNALS:
   /// Emitted when another part of the axis must be shown.
@@ -71,6 +73,8 @@ Q_SIGNALS:
   void cursorChanged();
 
 private:
+  std::optional<std::size_t> rowOf(const std::optional<std::int64_t>& frame) const;
+
   const PlotSeries* series_ = nullptr;
   PlotAxisRange range_;
   std::optional<std::int64_t> currentFrame_;

@@ -139,8 +139,13 @@ QWidget* PlotPanel::makeTools(QWidget* parent) {
   place->setForegroundRole(QPalette::PlaceholderText);
   row->addWidget(place);
   connect(stack_, &PlotStack::cursorMoved, place, [this, place] {
-    place->setText(stack_->cursorText());
+    place->setText(stack_->shownText());
     stack_->focusProxy()->setAccessibleDescription(stack_->valuesText());
+  });
+  onRetranslate(place, [place] {
+    place->setToolTip(tr("The frame that all views show. The numbers beside the plots belong to "
+                         "it.\nIn the plots, the wheel scrolls, Ctrl+wheel zooms in time at the "
+                         "pointer, and Shift+wheel moves along the time axis."));
   });
   const auto button = [&](const char* name) {
     auto* made = new QToolButton(tools);

@@ -15,7 +15,9 @@
 namespace dewpoint::ui {
 
 namespace {
+constexpr double kNotch = 120.0;    ///< of QWheelEvent::angleDelta()
 constexpr double kWheelZoom = 1.25; ///< per notch
+constexpr double kWheelPan = 0.1;   ///< of the width, per notch
 constexpr double kKeyPan = 0.25;    ///< of the width
 } // namespace
 
@@ -51,18 +53,15 @@ bool PlotPointer::eventFilter(QObject*, QEvent* event) {
     drag_ = Drag::None;
     navigation_.showAll();
     return true;
-  case QEvent::Wheel: {
-    const auto* wheel = static_cast<QWheelEvent*>(event);
-    const double notches = wheel->angleDelta().y() / 120.0;
-    if (notches != 0.0) {
-      navigation_.zoom(std::pow(kWheelZoom, notches), keyAt(wheel->position().toPoint().x()));
-    } else {
-      navigation_.pan(-wheel->angleDelta().x() / 1200.0);
-    }
+  case QEvent::Wheel:
+    // QCustomPlot accepts every turn of the wheel; ignored here, it goes on to the scroll area.
+    event->setAccepted(turnWheel(*static_cast<QWheelEvent*>(event)));
     return true;
-  }
+  case QEvent::ToolTip: // the label at the cursor is one
+    return true;
   case QEvent::Leave:
     hover(std::nullopt);
+    Q_EMIT cursorMoved(std::nullopt);
     return false;
   case QEvent::ContextMenu:
     Q_EMIT contextMenuRequested(static_cast<QContextMenuEvent*>(event)->globalPos());
@@ -72,6 +71,21 @@ bool PlotPointer::eventFilter(QObject*, QEvent* event) {
   default:
     return false;
   }
+}
+
+bool PlotPointer::turnWheel(const QWheelEvent& wheel) {
+  const QPoint turned = wheel.angleDelta();
+  if (wheel.modifiers().testFlag(Qt::ControlModifier)) {
+    navigation_.zoom(std::pow(kWheelZoom, turned.y() / kNotch),
+                     keyAt(wheel.position().toPoint().x()));
+    return true;
+  }
+  const bool isShifted = wheel.modifiers().testFlag(Qt::ShiftModifier);
+  if (isShifted || std::abs(turned.x()) > std::abs(turned.y())) {
+    navigation_.pan(-kWheelPan * (turned.x() != 0 ? turned.x() : turned.y()) / kNotch);
+    return true;
+  }
+  return false;
 }
 
 void PlotPointer::hover(std::optional<std::int64_t> frame) {
@@ -97,6 +111,9 @@ void PlotPointer::press(QMouseEvent* event) {
 void PlotPointer::move(QMouseEvent* event) {
   const auto here = event->pos();
   hover(frameAt(here.x()));
+  if (drag_ == Drag::None) {
+    Q_EMIT cursorMoved(here);
+  }
   if (drag_ == Drag::Press &&
       std::abs(here.x() - pressed_.x()) > QApplication::startDragDistance() / 2) {
     drag_ = Drag::Pan;
@@ -186,6 +203,7 @@ bool PlotPointer::handleKey(QKeyEvent* event) {
   case Qt::Key_Escape:
     anchor_.reset();
     hover(std::nullopt);
+    Q_EMIT cursorMoved(std::nullopt);
     navigation_.setSelectedRange(std::nullopt);
     Q_EMIT rangeCleared();
     return true;
@@ -204,6 +222,7 @@ void PlotPointer::stepFrames(std::int64_t frames, bool choosing) {
   const std::int64_t to =
       std::clamp(from + frames, series.row(0).frame, series.row(series.size() - 1).frame);
   hover(to);
+  Q_EMIT cursorMoved(std::nullopt);
   if (!choosing) {
     anchor_.reset();
     return;

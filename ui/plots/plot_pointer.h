@@ -15,13 +15,15 @@ class QCPAxis;
 class QCustomPlot;
 class QKeyEvent;
 class QMouseEvent;
+class QWheelEvent;
 
 namespace dewpoint::ui {
 
 class PlotNavigation;
 
 /// Mouse and keyboard input for a stack of plots:
-/// - The wheel, + and - zoom.
+/// - The wheel scrolls the stack. With Ctrl, it zooms at the pointer; with Shift, it pans.
+/// - + and - zoom around the cursor.
 /// - A drag pans. With Ctrl, it zooms to the dragged range; with Shift, it selects the range.
 /// - A click goes to the frame there. A double click shows the whole run.
 /// - The arrow keys move the cursor; with Shift, they select a range.
@@ -38,6 +40,9 @@ Q_SIGNALS:
   /// Emitted when the pointer or the cursor moved by arrow keys reaches this frame; negative when
   /// it has left.
   void hovered(qint64 frame);
+  /// Emitted after each move of the pointer, with its position in the plot, and after each move of
+  /// the cursor by keys, without a position. Not emitted during a drag.
+  void cursorMoved(const std::optional<QPoint>& pointer);
   void frameChosen(qint64 frame);
   void rangeChosen(qint64 first, qint64 last);
   void rangeCleared();
@@ -53,6 +58,8 @@ private:
   void release(QMouseEvent* event);
   bool handleKey(QKeyEvent* event);
   void stepFrames(std::int64_t frames, bool choosing);
+  /// Returns false if the wheel is for the area around the plots.
+  bool turnWheel(const QWheelEvent& wheel);
   void hover(std::optional<std::int64_t> frame);
   /// Returns the axis position or the frame at the horizontal plot pixel `x`.
   double keyAt(int x) const;

@@ -138,13 +138,13 @@ void PlotReadout::setWidth(int width) {
   setFixedWidth(*this, width);
 }
 
-QString PlotReadout::asText() const {
+QString PlotReadout::textOf(const PlotDeclaration& plot, const std::vector<double>& values) {
   QStringList parts;
-  for (std::size_t curve = 0; curve < declaration_.curves.size(); ++curve) {
+  for (std::size_t curve = 0; curve < plot.curves.size(); ++curve) {
     const double value =
-        curve < values_.size() ? values_[curve] : std::numeric_limits<double>::quiet_NaN();
-    parts << QStringLiteral("%1 %2").arg(declaration_.curves[curve].name,
-                                         quantityText(declaration_.quantity, value));
+        curve < values.size() ? values[curve] : std::numeric_limits<double>::quiet_NaN();
+    parts << QStringLiteral("%1 %2").arg(plot.curves[curve].name,
+                                         quantityText(plot.quantity, value));
   }
   return parts.join(QStringLiteral(", "));
 }

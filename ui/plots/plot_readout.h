@@ -39,8 +39,8 @@ public:
   void setValues(std::vector<double> values) { values_ = std::move(values); }
   /// Sets whether a ground truth is known. If so, the readout has an entry for it.
   void setTruthKnown(bool known) { truthKnown_ = known; }
-  /// Returns the readout as a sentence: "x 12 mm, y 9 mm".
-  QString asText() const;
+  /// Returns values of a plot's curves as text: "x 12 mm, y 9 mm".
+  static QString textOf(const PlotDeclaration& plot, const std::vector<double>& values);
 
 protected:
   void draw(QCPPainter* painter) override;

@@ -267,14 +267,24 @@ void PlotRow::fit(const Extremes& values, const Extremes& bands) {
   }
 }
 
-void PlotRow::showValues(const PlotSeries& series, std::optional<std::size_t> row) {
+std::vector<double> PlotRow::valuesOf(const PlotSeries& series,
+                                      std::optional<std::size_t> row) const {
   std::vector<double> values;
   for (const CurveDeclaration& curve : declaration_->curves) {
     values.push_back(row && curve.column < series.columns()
                          ? series.value(*row, curve.column)
                          : std::numeric_limits<double>::quiet_NaN());
   }
-  readout_->setValues(std::move(values));
+  return values;
+}
+
+void PlotRow::showValues(const PlotSeries& series, std::optional<std::size_t> row) {
+  readout_->setValues(valuesOf(series, row));
+}
+
+QString PlotRow::valuesText(const PlotSeries& series, std::optional<std::size_t> row) const {
+  return QStringLiteral("%1: %2").arg(declaration_->title,
+                                      PlotReadout::textOf(*declaration_, valuesOf(series, row)));
 }
 
 void PlotRow::applyPalette(const QPalette& palette, const QFont& font) {

@@ -36,6 +36,8 @@ public:
   /// Draws the data within the range of the x axis, and fits the y axis to the data.
   void fill(const PlotSeries& series, PlotAxis axis);
   void showValues(const PlotSeries& series, std::optional<std::size_t> row);
+  /// Returns the title and the values of a row of the series as text: "Spread: x 12 mm, y 9 mm".
+  QString valuesText(const PlotSeries& series, std::optional<std::size_t> row) const;
   void applyPalette(const QPalette& palette, const QFont& font);
   /// Sets whether lines are drawn as in a figure for publication, starting with the next `fill()`.
   void drawForFigure(bool figure);
@@ -45,6 +47,7 @@ public:
   bool hasDots() const;
 
 private:
+  std::vector<double> valuesOf(const PlotSeries& series, std::optional<std::size_t> row) const;
   /// Graphs of one curve; null for a graph that the curve does not have.
   struct Drawn {
     QCPGraph* curve = nullptr;

@@ -10,6 +10,7 @@
 
 #include <QEvent>
 #include <QLocale>
+#include <QToolTip>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -49,6 +50,7 @@ PlotStack::PlotStack(QWidget* parent)
   connect(navigation_, &PlotNavigation::shownRangeChanged, this, &PlotStack::draw);
   connect(navigation_, &PlotNavigation::cursorChanged, this, &PlotStack::drawCursor);
   connect(pointer_, &PlotPointer::hovered, this, &PlotStack::hovered);
+  connect(pointer_, &PlotPointer::cursorMoved, this, &PlotStack::showLabel);
   connect(pointer_, &PlotPointer::contextMenuRequested, this, &PlotStack::contextMenuRequested);
   timer_.setSingleShot(true);
   connect(&timer_, &QTimer::timeout, this, &PlotStack::draw);
@@ -190,7 +192,8 @@ void PlotStack::drawCursor() {
       cursor_->selectedRange = std::pair(first.value_or(series()->key(0, axis())), *last);
     }
   }
-  const auto row = navigation_->cursorRow();
+  // The numbers beside the plots belong to the frame in all views; the label shows the cursor's.
+  const auto row = navigation_->shownRow();
   for (const auto& plot : rows_) {
     plot->showValues(series() != nullptr ? *series() : PlotSeries(), row);
   }
@@ -292,8 +295,31 @@ void PlotStack::applyPalette() {
   }
 }
 
-QString PlotStack::cursorText() const {
-  const auto row = navigation_->cursorRow();
+void PlotStack::showLabel(const std::optional<QPoint>& pointer) {
+  const auto row = navigation_->hovered() ? navigation_->cursorRow() : std::nullopt;
+  if (!row || rows_.empty()) {
+    QToolTip::hideText();
+    return;
+  }
+  QStringList lines{cursorText()};
+  for (const auto& plot : rows_) {
+    const QRect area = plot->rect()->outerRect();
+    if (!pointer || (area.top() <= pointer->y() && pointer->y() <= area.bottom())) {
+      lines << plot->valuesText(*series(), row);
+    }
+  }
+  if (!curvesOnly_) {
+    lines << tr("Click: go to this frame · Ctrl+wheel: zoom");
+  }
+  const QPoint place = pointer.value_or(
+      QPoint(qRound(rows_.front()->xAxis()->coordToPixel(series()->key(*row, axis()))),
+             scroll_->visibleArea().top()));
+  // With an area of one pixel, the label moves along with the pointer.
+  QToolTip::showText(plot_->mapToGlobal(place), lines.join(QLatin1Char('\n')), plot_,
+                     QRect(place, QSize(1, 1)));
+}
+
+QString PlotStack::placeText(const std::optional<std::size_t>& row) const {
   if (!row) {
     return {};
   }
@@ -310,7 +336,8 @@ QString PlotStack::valuesText() const {
     parts << place;
   }
   for (const auto& row : rows_) {
-    parts << QStringLiteral("%1: %2").arg(row->declaration().title, row->readout()->asText());
+    parts << row->valuesText(series() != nullptr ? *series() : PlotSeries(),
+                             navigation_->cursorRow());
   }
   return parts.join(QStringLiteral("; "));
 }

@@ -73,8 +73,11 @@ public:
   PlotExport exported();
   /// Returns all values at the cursor, with names and units.
   QString valuesText() const;
-  /// Returns "frame 132, iteration 660, 4.40 s", or an empty string before the first frame.
-  QString cursorText() const;
+  /// Returns the cursor as "frame 132, iteration 660, 4.40 s", or an empty string before the first
+  /// frame.
+  QString cursorText() const { return placeText(navigation_->cursorRow()); }
+  /// Returns the frame that all views show in the same form, wherever the cursor is.
+  QString shownText() const { return placeText(navigation_->shownRow()); }
   /// Returns the duration of the last redraw in milliseconds.
   double lastDrawingMs() const { return lastDrawingMs_; }
   /// Returns whether the newest data and settings are drawn.
@@ -106,6 +109,10 @@ private:
   void arrangeRows(const std::vector<const PlotDeclaration*>& wanted);
   void draw();
   void drawCursor();
+  /// Shows the frame and the values at the cursor in a label at the pointer, or hides the label.
+  /// Without a pointer, the cursor is moved by keys, and the label contains all plots.
+  void showLabel(const std::optional<QPoint>& pointer);
+  QString placeText(const std::optional<std::size_t>& row) const;
   void applyPalette();
   std::vector<const PlotDeclaration*> plotsToShow() const;
   const PlotSeries* series() const { return navigation_->series(); }
