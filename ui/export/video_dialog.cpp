@@ -4,6 +4,7 @@
 #include "ui/export/export_layout.h"
 #include "ui/export/export_outcome.h"
 #include "ui/export/video_form.h"
+#include "ui/export/video_preview.h"
 #include "ui/text/error_sentence.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/retranslation.h"
@@ -26,7 +27,6 @@ namespace dewpoint::ui {
 namespace {
 
 constexpr int kVideoPreviewDelayMs = 200; ///< while fields are still being changed
-constexpr QSize kPreviewSize(480, 320);   ///< logical pixels
 /// Seconds by which the fields may round a time.
 constexpr double kTimeTolerance = 0.00051;
 
@@ -48,10 +48,7 @@ VideoDialog::VideoDialog(std::function<VideoOffer()> offer, QWidget* parent)
 
 void VideoDialog::makeFields() {
   form_ = new VideoForm(this);
-  preview_ = named(new QLabel(this), "videoPreview");
-  preview_->setMinimumSize(kPreviewSize);
-  preview_->setAlignment(Qt::AlignCenter);
-  preview_->setWordWrap(true);
+  preview_ = new VideoPreview(this);
   summary_ = named(new QLabel(this), "videoSummary");
   summary_->setWordWrap(true);
   outcome_ = new ExportOutcome(this);
@@ -88,7 +85,7 @@ void VideoDialog::retranslateUi() {
   setWindowTitle(tr("Export video"));
   form_->retranslateUi();
   outcome_->retranslateUi();
-  preview_->setAccessibleName(tr("First image"));
+  preview_->retranslateUi();
   file_->setAccessibleName(tr("File"));
   file_->setToolTip(tr("File to write"));
   browse_->setText(tr("Browse…"));
@@ -107,6 +104,11 @@ void VideoDialog::connectFields() {
   connect(form_, &VideoForm::changed, this, &VideoDialog::changed);
   connect(form_, &VideoForm::encodingChanged, this, &VideoDialog::updateSuffix);
   connect(previewTimer_, &QTimer::timeout, this, &VideoDialog::drawPreview);
+  connect(preview_, &VideoPreview::frameChosen, this, [this] {
+    if (!previewTimer_->isActive()) { // images are drawn while the slider moves
+      previewTimer_->start();
+    }
+  });
   connect(file_, &QLineEdit::textChanged, this, &VideoDialog::withdrawQuestion);
   connect(browse_, &QPushButton::clicked, this, [this] {
     const QString chosen =
@@ -252,13 +254,15 @@ void VideoDialog::drawPreview() {
   }
   const auto wanted = request(offer);
   if (!wanted) {
-    preview_->setPixmap({});
+    preview_->setFrames({});
+    preview_->showImage({});
     summary_->setText(errorText(wanted.error()));
     return;
   }
+  preview_->setFrames(wanted->frames);
   VideoDrawer& drawer = exporter_->drawer();
   drawer.begin(offer.session, wanted->look, offer.scene);
-  const QSize pixels = kPreviewSize * devicePixelRatioF();
+  const QSize pixels = preview_->imageSize();
   const auto consume = [this, request = *wanted,
                         pixels](Result<QImage> image) -> std::function<void()> {
     if (image) {
@@ -266,18 +270,16 @@ void VideoDialog::drawPreview() {
     }
     return [this, request, image] { showPreview(request, image); };
   };
-  drawer.draw(wanted->frames.front(), consume, [] { return true; });
+  drawer.draw(preview_->frame(), consume, [] { return true; });
 }
 
 void VideoDialog::showPreview(const VideoRequest& wanted, const Result<QImage>& image) {
   if (!image) {
-    preview_->setPixmap({});
+    preview_->showImage({});
     summary_->setText(errorText(image.error()));
     return;
   }
-  QPixmap pixmap = QPixmap::fromImage(*image);
-  pixmap.setDevicePixelRatio(devicePixelRatioF());
-  preview_->setPixmap(pixmap);
+  preview_->showImage(*image);
   const auto images = static_cast<double>(wanted.frames.size());
   QString text = tr("Images: %1. Length: %2. Size: %3 × %4 pixels.")
                      .arg(wanted.frames.size())

@@ -23,6 +23,7 @@ namespace dewpoint::ui {
 class BirdsEyeView;
 class ExportOutcome;
 class VideoForm;
+class VideoPreview;
 
 /// What of the window can be exported as a video at present.
 struct VideoOffer {
@@ -36,7 +37,7 @@ struct VideoOffer {
   double framesPerSecond = 30.0; ///< of the recording
 };
 
-/// Exports a run as a video, with a preview of its first image. Not modal; an export continues
+/// Exports a run as a video, with a preview of its images. Not modal; an export continues
 /// while the dialog is closed.
 class VideoDialog : public QDialog {
   Q_OBJECT
@@ -88,7 +89,7 @@ private:
   BackgroundJob probe_;
   QTimer* previewTimer_;
   VideoForm* form_ = nullptr;
-  QLabel* preview_ = nullptr;
+  VideoPreview* preview_ = nullptr;
   QLabel* summary_ = nullptr;
   QLineEdit* file_ = nullptr;
   QPushButton* browse_ = nullptr;

@@ -91,7 +91,8 @@ std::vector<QRect> videoAreas(const VideoLook& look) {
 }
 
 QString videoStamp(const VideoLook& look, const TrackSnapshotPtr& snapshot) {
-  const QString frame = QCoreApplication::translate("VideoDialog", "Frame %1").arg(snapshot->frame);
+  const QString frame = // people count from 1
+      QCoreApplication::translate("VideoDialog", "Frame %1").arg(snapshot->frame + 1);
   const QString time =
       snapshot->frames ? secondsText(seconds(snapshot->frames->time), 3) : QString();
   QStringList parts{look.recording, frame, time};

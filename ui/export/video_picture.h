@@ -39,7 +39,8 @@ QSize naturalVideoSize(const std::vector<VideoView>& views);
 /// Returns the area of each view in the image: a grid in which the views cover as much as possible.
 std::vector<QRect> videoAreas(const VideoLook& look);
 
-/// Returns the text "take-003 · Frame 132 · 4.400 s".
+/// Returns the text "take-003 · Frame 133 · 4.400 s". Frames are counted from 1, as everywhere in
+/// the window.
 QString videoStamp(const VideoLook& look, const TrackSnapshotPtr& snapshot);
 
 /// Draws one image of a video. `scene` is the image of the bird's-eye view, which is enlarged if it

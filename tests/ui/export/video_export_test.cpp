@@ -19,6 +19,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QSlider>
 
 #include <algorithm>
 #include <cstdlib>
@@ -34,6 +35,7 @@ private Q_SLOTS:
   void cleanupTestCase() { window_.reset(); }
   void offersTheViewsAndWhatTheComputerCanWrite();
   void previewsTheFirstImage();
+  void previewsTheChosenSpanAndImage();
   void writesWhatIsSeen();
   void writesTheBirdsEyeView();
   void showsSlowMotion();
@@ -116,6 +118,33 @@ void VideoExportTest::previewsTheFirstImage() {
   QVERIFY(!field<QLabel>("videoPreview")->pixmap(Qt::ReturnByValue).isNull());
   check(0, false);
   QTRY_VERIFY_WITH_TIMEOUT(summary->text().contains(QStringLiteral("no view")), kTimeoutMs);
+}
+
+void VideoExportTest::previewsTheChosenSpanAndImage() {
+  auto* summary = field<QLabel>("videoSummary");
+  auto* slider = field<QSlider>("videoImage");
+  auto* text = field<QLabel>("videoImageText");
+  field<QCheckBox>("videoStamp")->setChecked(true);
+  const auto previewed = [this] {
+    return field<QLabel>("videoPreview")->pixmap(Qt::ReturnByValue).toImage();
+  };
+  QTRY_VERIFY_WITH_TIMEOUT(summary->text().contains(QStringLiteral("Images: 7.")), kTimeoutMs);
+  QCOMPARE(text->text(), QStringLiteral("Image 1 of 7: frame 1"));
+  // Frames 4 to 6 at 30 frames a second, counted from 0: their first one is shown.
+  field<QDoubleSpinBox>("videoFrom")->setValue(0.133);
+  QTRY_VERIFY_WITH_TIMEOUT(summary->text().contains(QStringLiteral("Images: 3.")), kTimeoutMs);
+  QCOMPARE(text->text(), QStringLiteral("Image 1 of 3: frame 5"));
+  QCOMPARE(slider->maximum(), 2);
+  const QImage first = previewed();
+  slider->setValue(2);
+  QCOMPARE(text->text(), QStringLiteral("Image 3 of 3: frame 7"));
+  QTRY_VERIFY_WITH_TIMEOUT(previewed() != first, kTimeoutMs); // the stamp names another frame
+  // The image stays while only its look changes; with another range, the first one is back.
+  field<QCheckBox>("videoTitles")->setChecked(true);
+  QTRY_VERIFY_WITH_TIMEOUT(previewed() != first, kTimeoutMs);
+  QCOMPARE(slider->value(), 2);
+  field<QDoubleSpinBox>("videoFrom")->setValue(0.1);
+  QTRY_COMPARE_WITH_TIMEOUT(text->text(), QStringLiteral("Image 1 of 4: frame 4"), kTimeoutMs);
 }
 
 void VideoExportTest::writesWhatIsSeen() {

@@ -117,9 +117,10 @@ TEST(VideoPicture, LabelsAreOptional) {
 TEST(VideoPicture, TheStampNamesRecordingFrameAndTime) {
   VideoLook look;
   look.recording = QStringLiteral("take-003");
-  EXPECT_EQ(videoStamp(look, plainFrame(1)), QStringLiteral("take-003 · Frame 12 · 0.400 s"));
+  // Frame 12 counted from 0; the window counts from 1.
+  EXPECT_EQ(videoStamp(look, plainFrame(1)), QStringLiteral("take-003 · Frame 13 · 0.400 s"));
   look.recording.clear();
-  EXPECT_EQ(videoStamp(look, plainFrame(1)), QStringLiteral("Frame 12 · 0.400 s"));
+  EXPECT_EQ(videoStamp(look, plainFrame(1)), QStringLiteral("Frame 13 · 0.400 s"));
 }
 
 TEST(VideoPicture, SaysThatAnImageIsMissing) {
