@@ -4,6 +4,7 @@
 #include "core/session/session.h"
 #include "ui/view3d/birds_eye_view.h"
 
+#include <QCoreApplication>
 #include <QTimer>
 
 #include <algorithm>
@@ -11,6 +12,19 @@
 #include <utility>
 
 namespace dewpoint::ui {
+
+namespace {
+
+/// The session counts frames from 0, people from 1.
+Result<TrackSnapshotPtr> countedFromOne(Error error, std::int64_t frame) {
+  if (error.code == ErrorCode::NotFound) {
+    const QString text = QCoreApplication::translate("VideoDialog", "Frame %1").arg(frame + 1);
+    error.detail = text.toStdString();
+  }
+  return tl::make_unexpected(std::move(error));
+}
+
+} // namespace
 
 VideoDrawer::VideoDrawer(QObject* parent) : QObject(parent) {}
 
@@ -41,11 +55,11 @@ void VideoDrawer::draw(std::int64_t frame, Consume consume, std::function<bool()
     return;
   }
   fetching_ = true;
-  const auto receive = [this, mailbox = mailbox_.sender(), number = generation_,
+  const auto receive = [this, mailbox = mailbox_.sender(), number = generation_, frame,
                         consume = std::move(consume)](Result<TrackSnapshotPtr> snapshot) {
-    mailbox.post([this, number, consume, snapshot = std::move(snapshot)] {
+    mailbox.post([this, number, frame, consume, snapshot = std::move(snapshot)] {
       if (number == generation_) {
-        take(snapshot, consume);
+        take(snapshot ? snapshot : countedFromOne(snapshot.error(), frame), consume);
       }
     });
   };
