@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/box_export_dialog.h"
 
+#include "ui/export/export_form.h"
 #include "ui/jobs/background_job.h"
+#include "ui/preferences/preferences.h"
 #include "ui/text/error_sentence.h"
 #include "ui/text/retranslation.h"
 
+#include <QCheckBox>
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QFileDialog>
@@ -14,6 +17,7 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
 
 #include <memory>
@@ -30,8 +34,9 @@ constexpr std::size_t kPreviewRows = 200;
 BoxExportDialog::BoxExportDialog(std::function<BoxTrack()> boxes, QWidget* parent)
     : QDialog(parent), boxes_(std::move(boxes)), job_(new BackgroundJob(this)),
       description_(new QLabel(this)), preview_(new QPlainTextEdit(this)),
-      folderLabel_(new QLabel(this)), folder_(new QLineEdit(this)), browse_(new QPushButton(this)),
-      close_(new QPushButton(this)), export_(new QPushButton(this)), question_(new QLabel(this)) {
+      notes_(new QCheckBox(this)), folderLabel_(new QLabel(this)), folder_(new QLineEdit(this)),
+      browse_(new QPushButton(this)), close_(new QPushButton(this)), export_(new QPushButton(this)),
+      question_(new QLabel(this)) {
   setObjectName(QStringLiteral("boxExportDialog"));
   preview_->setObjectName(QStringLiteral("boxExportPreview"));
   folder_->setObjectName(QStringLiteral("boxExportFolder"));
@@ -45,7 +50,8 @@ BoxExportDialog::BoxExportDialog(std::function<BoxTrack()> boxes, QWidget* paren
   preview_->setLineWrapMode(QPlainTextEdit::NoWrap);
   preview_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
   preview_->setTabChangesFocus(true);
-  folder_->setText(QDir::homePath());
+  notes_->setObjectName(QStringLiteral("boxExportNotes"));
+  resetFolder(QDir::homePath());
   folderLabel_->setBuddy(folder_);
   export_->setDefault(true);
   auto* row = new QHBoxLayout;
@@ -59,6 +65,7 @@ BoxExportDialog::BoxExportDialog(std::function<BoxTrack()> boxes, QWidget* paren
   column->setSpacing(10);
   column->addWidget(description_);
   column->addWidget(preview_, 1);
+  column->addWidget(notes_);
   column->addLayout(row);
   column->addWidget(question_);
   column->addWidget(buttons);
@@ -67,6 +74,11 @@ BoxExportDialog::BoxExportDialog(std::function<BoxTrack()> boxes, QWidget* paren
   connect(buttons, &QDialogButtonBox::accepted, this, &BoxExportDialog::start);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
   connect(folder_, &QLineEdit::textChanged, this, [this] { askToReplace(false); });
+  connect(notes_, &QCheckBox::toggled, this, [this](bool checked) {
+    Preferences().setExportNotes(checked);
+    askToReplace(false);
+    showFirstLines();
+  });
   connect(job_, &BackgroundJob::ended, this, [this] { export_->setEnabled(true); });
   onRetranslate(this, [this] { retranslateUi(); });
 }
@@ -78,6 +90,8 @@ void BoxExportDialog::retranslateUi() {
          "its center, its similarity, and whether the target was seen or hidden. The file "
          "boxes_mot.txt has the format of the MOT challenge. All lengths are in pixels."));
   preview_->setAccessibleName(tr("First lines of boxes.csv"));
+  notes_->setText(ExportForm::notesText());
+  notes_->setToolTip(ExportForm::notesHint());
   folderLabel_->setText(tr("Folder"));
   folder_->setToolTip(tr("Folder for both files; it is created if it does not exist"));
   browse_->setText(tr("Choose…"));
@@ -88,7 +102,14 @@ void BoxExportDialog::retranslateUi() {
 }
 
 void BoxExportDialog::proposeFolder(const QString& folder) {
-  folder_->setText(QDir::toNativeSeparators(folder));
+  if (folder_->text() == proposed_) {
+    resetFolder(folder);
+  }
+}
+
+void BoxExportDialog::resetFolder(const QString& folder) {
+  proposed_ = QDir::toNativeSeparators(folder);
+  folder_->setText(proposed_);
 }
 
 void BoxExportDialog::askToReplace(bool ask) {
@@ -101,9 +122,19 @@ void BoxExportDialog::askToReplace(bool ask) {
 void BoxExportDialog::showEvent(QShowEvent* event) {
   QDialog::showEvent(event);
   askToReplace(false);
+  const QSignalBlocker quiet(notes_);
+  notes_->setChecked(Preferences().exportNotes());
+  showFirstLines();
+}
+
+void BoxExportDialog::showFirstLines() {
   BoxTrack track = boxes_();
   track.samples.resize(std::min(track.samples.size(), kPreviewRows));
-  preview_->setPlainText(QString::fromStdString(boxCsv(track)));
+  preview_->setPlainText(QString::fromStdString(boxCsv(track, chosenNotes())));
+}
+
+CsvNotes BoxExportDialog::chosenNotes() const {
+  return notes_->isChecked() ? CsvNotes::Written : CsvNotes::LeftOut;
 }
 
 void BoxExportDialog::chooseFolder() {
@@ -122,27 +153,28 @@ void BoxExportDialog::start() {
   const bool replaces = mayReplace_;
   askToReplace(false);
   auto track = std::make_shared<const BoxTrack>(boxes_());
-  const bool begun =
-      job_->start([this, folder = chosenFolder(), track, replaces](const BackgroundJob::Progress&) {
-        std::error_code problem;
-        for (const char* name : {"boxes.csv", "boxes_mot.txt"}) {
-          if (!replaces && std::filesystem::exists(folder / name, problem)) {
-            return std::function<void()>([this, folder, name] { askAbout(folder, name); });
-          }
-        }
-        std::filesystem::create_directories(folder, problem);
-        const Status written =
-            problem ? failure(ErrorCode::FileUnwritable, folder.string(), "", problem.message())
-                    : writeBoxTrack(*track, folder);
-        return std::function<void()>([this, folder, written] {
-          const QString place = QString::fromStdString(folder.string());
-          if (written) {
-            Q_EMIT done(tr("Saved boxes.csv and boxes_mot.txt in %1.").arg(place));
-          } else {
-            Q_EMIT failed(errorText(written.error()));
-          }
-        });
-      });
+  const bool begun = job_->start([this, folder = chosenFolder(), track, replaces,
+                                  notes = chosenNotes()](const BackgroundJob::Progress&) {
+    std::error_code problem;
+    for (const char* name : {"boxes.csv", "boxes_mot.txt"}) {
+      if (!replaces && std::filesystem::exists(folder / name, problem)) {
+        return std::function<void()>([this, folder, name] { askAbout(folder, name); });
+      }
+    }
+    std::filesystem::create_directories(folder, problem);
+    const Status written =
+        problem ? failure(ErrorCode::FileUnwritable, folder.string(), "", problem.message())
+                : writeBoxTrack(*track, folder, notes);
+    return std::function<void()>([this, folder, written] {
+      const QString place = QString::fromStdString(folder.string());
+      if (written) {
+        Q_EMIT wrote(QDir(place).filePath(QStringLiteral("boxes.csv")));
+        Q_EMIT done(tr("Saved boxes.csv and boxes_mot.txt in %1.").arg(place));
+      } else {
+        Q_EMIT failed(errorText(written.error()));
+      }
+    });
+  });
   export_->setEnabled(!begun && export_->isEnabled());
 }
 

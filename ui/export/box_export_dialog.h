@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <functional>
 
+class QCheckBox;
 class QLabel;
 class QLineEdit;
 class QPlainTextEdit;
@@ -25,18 +26,23 @@ public:
   /// `boxes` returns the run so far. It is called in the GUI thread.
   explicit BoxExportDialog(std::function<BoxTrack()> boxes, QWidget* parent = nullptr);
 
-  /// Proposes `folder` as the destination.
+  /// Proposes a folder, unless the user has entered another one.
   void proposeFolder(const QString& folder);
+  /// Proposes a folder, whatever the user has entered.
+  void resetFolder(const QString& folder);
 
 Q_SIGNALS:
   void done(const QString& sentence);
   void failed(const QString& sentence);
+  /// Emitted when this file was written, and the other one beside it.
+  void wrote(const QString& file);
 
 protected:
   void showEvent(QShowEvent* event) override;
 
 private:
   void retranslateUi();
+  void showFirstLines();
   void chooseFolder();
   void start();
   void askToReplace(bool ask);
@@ -44,17 +50,20 @@ private:
   /// or another folder has been selected, it does not ask, and reports that nothing was written.
   void askAbout(const std::filesystem::path& folder, const char* name);
   std::filesystem::path chosenFolder() const;
+  CsvNotes chosenNotes() const;
 
   std::function<BoxTrack()> boxes_;
   BackgroundJob* job_;
   QLabel* description_;
   QPlainTextEdit* preview_;
+  QCheckBox* notes_;
   QLabel* folderLabel_;
   QLineEdit* folder_;
   QPushButton* browse_;
   QPushButton* close_;
   QPushButton* export_;
   QLabel* question_;
+  QString proposed_;        ///< last folder that was proposed
   bool mayReplace_ = false; ///< the question was shown and nothing has changed since
 };
 

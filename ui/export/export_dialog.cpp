@@ -40,7 +40,7 @@ ExportDialog::ExportDialog(std::function<Trajectory()> trajectory, QWidget* pare
   onRetranslate(this, [this] { retranslateUi(); });
   connectFields();
   setRunning(false);
-  proposeFolder(QDir::homePath());
+  resetChoices(QDir::home().filePath(QStringLiteral("trajectory")));
   resize(760, 620);
 }
 
@@ -53,6 +53,7 @@ void ExportDialog::makeFields() {
   question_->setWordWrap(true);
   question_->hide();
   file_ = named(new QLineEdit(this), "exportFile");
+  proposed_.emplace(*file_);
   browse_ = named(new QPushButton(this), "exportBrowse");
   progress_ = named(new QProgressBar(this), "exportProgress");
   progress_->setRange(0, 100);
@@ -121,6 +122,9 @@ void ExportDialog::reportDone(const QString& sentence, const QString& file) {
   if (isVisible()) {
     outcome_->show(sentence, file);
   }
+  if (!file.isEmpty()) {
+    Q_EMIT wrote(file);
+  }
   Q_EMIT done(sentence);
 }
 
@@ -184,29 +188,25 @@ void ExportDialog::changed() {
 }
 
 void ExportDialog::formatChanged() {
-  QString name = file_->text();
+  QStringList known;
   for (const ExportFormat& format : exportFormats()) {
-    const QString old = QString::fromUtf8(format.suffix.data());
-    if (name.endsWith(old)) {
-      name.chop(old.size());
-      break;
-    }
+    known << QString::fromUtf8(format.suffix.data());
   }
-  file_->setText(name + form_->suffix());
+  proposed_->setSuffix(form_->suffix(), known);
   changed();
 }
 
-void ExportDialog::resetChoices(const QString& folder) {
+void ExportDialog::resetChoices(const QString& file) {
   form_->resetChoices();
-  proposeFolder(folder);
+  proposed_->reset(file);
+  formatChanged();
   if (isVisible()) {
     refresh();
   }
 }
 
-void ExportDialog::proposeFolder(const QString& folder) {
-  file_->setText(QDir(folder).filePath(QStringLiteral("trajectory")));
-  formatChanged();
+void ExportDialog::proposeFile(const QString& file) {
+  proposed_->propose(file);
 }
 
 std::filesystem::path ExportDialog::file() const {
@@ -266,7 +266,8 @@ void ExportDialog::start() {
 }
 
 void ExportDialog::startFigure() {
-  const QString proposed = QFileInfo(file_->text()).path() + QStringLiteral("/trajectory.svg");
+  const QFileInfo file(file_->text());
+  const QString proposed = file.dir().filePath(file.completeBaseName() + QStringLiteral(".svg"));
   const QString chosen =
       QFileDialog::getSaveFileName(this, tr("Save figure"), proposed, tr("Figures (*.svg *.pdf)"));
   if (chosen.isEmpty()) {

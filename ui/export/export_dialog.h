@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/export/export_destination.h"
 #include "ui/export/export_jobs.h"
 
 #include <QDialog>
@@ -40,15 +41,17 @@ public:
   /// Sets whether part of the run has results from earlier settings. The preview shows a warning
   /// about them.
   void setHasOldResults(bool has);
-  /// Proposes a file in `folder`.
-  void proposeFolder(const QString& folder);
-  /// Resets all choices for another project, and proposes a file in `folder`.
-  void resetChoices(const QString& folder);
+  /// Proposes a file, without its suffix, unless the user has entered another one.
+  void proposeFile(const QString& file);
+  /// Resets all choices for another project, and proposes a file.
+  void resetChoices(const QString& file);
 
 Q_SIGNALS:
   /// Emitted with the result of an export. While the dialog is visible, it shows the result itself.
   void done(const QString& sentence);
   void failed(const QString& sentence);
+  /// Emitted when this file was written.
+  void wrote(const QString& file);
 
 protected:
   void showEvent(QShowEvent* event) override;
@@ -88,6 +91,7 @@ private:
   QLabel* question_;
   ExportOutcome* outcome_;
   QLineEdit* file_;
+  std::optional<ProposedFile> proposed_; ///< of `file_`
   QPushButton* browse_;
   QProgressBar* progress_;
   QPushButton* cancel_;

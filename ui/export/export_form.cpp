@@ -3,6 +3,7 @@
 
 #include "core/trajectory/export/export_catalog.h"
 #include "ui/export/export_text.h"
+#include "ui/preferences/preferences.h"
 #include "ui/widgets/choice_field.h"
 #include "ui/widgets/decimal_field.h"
 #include "ui/widgets/named.h"
@@ -51,8 +52,8 @@ ExportForm::ExportForm(QWidget* parent) : QWidget(parent), form_(new QFormLayout
   longestGap_->setValue(ExportOptions().longestGap);
   axes_ = named(new QComboBox(this), "exportAxes");
   unit_ = named(new QComboBox(this), "exportUnit");
-  header_ = named(new QCheckBox(this), "exportHeader");
-  header_->setChecked(true);
+  notes_ = named(new QCheckBox(this), "exportHeader");
+  notes_->setChecked(Preferences().exportNotes());
   from_->setValue(from_->minimum());
   to_->setValue(to_->minimum());
   proposedRange_ = {from_->value(), to_->value()};
@@ -66,8 +67,12 @@ ExportForm::ExportForm(QWidget* parent) : QWidget(parent), form_(new QFormLayout
                                                         rate_, gaps_, longestGap_, axes_, unit_}) {
     row(field);
   }
-  form_->addRow(QString(), header_);
-  connect(format_, &QComboBox::currentIndexChanged, this, &ExportForm::formatChanged);
+  form_->addRow(QString(), notes_);
+  connect(format_, &QComboBox::currentIndexChanged, this, [this] {
+    notes_->setEnabled(format().hasNotes);
+    updateUsualChoices();
+    Q_EMIT formatChanged();
+  });
   const auto change = [this] {
     longestGap_->setEnabled(gaps_->currentIndex() == 1 || estimates_->currentIndex() == 1);
     Q_EMIT changed();
@@ -78,7 +83,10 @@ ExportForm::ExportForm(QWidget* parent) : QWidget(parent), form_(new QFormLayout
   for (QDoubleSpinBox* spin : {from_, to_, rate_, longestGap_}) {
     connect(spin, &QDoubleSpinBox::valueChanged, this, change);
   }
-  connect(header_, &QCheckBox::toggled, this, change);
+  connect(notes_, &QCheckBox::toggled, this, [this, change](bool checked) {
+    Preferences().setExportNotes(checked);
+    change();
+  });
   connect(targets_, &QListWidget::itemChanged, this, change);
   longestGap_->setEnabled(false);
 }
@@ -94,8 +102,8 @@ void ExportForm::retranslateUi() {
   setTexts(targets_, tr("Targets"),
            tr("Only checked targets are exported; if none is checked, all are exported"));
   setTexts(estimates_, tr("Estimates"),
-           tr("Live: as estimated during the run. Smoothed: estimated after the run, from all "
-              "earlier and later frames"));
+           tr("As tracked: estimated during the run, from earlier frames alone. Smoothed: "
+              "estimated after the run, from earlier and later frames"));
   setTexts(from_, tr("From"), tr("Earliest time to export, 0 to 1,000,000 s"));
   setTexts(to_, tr("To"), tr("Latest time to export, 0 to 1,000,000 s"));
   setTexts(rate_, tr("Rate"),
@@ -111,9 +119,26 @@ void ExportForm::retranslateUi() {
     spin->setSuffix(tr(" s"));
   }
   rate_->setSuffix(tr(" per second"));
-  header_->setText(tr("Notes about the run"));
-  header_->setToolTip(
-      tr("Write the method, seed, parameters, units and axes into the file as comments"));
+  notes_->setText(notesText());
+  notes_->setToolTip(notesHint());
+}
+
+QString ExportForm::notesText() {
+  return tr("Notes at the top of the file");
+}
+
+QString ExportForm::notesHint() {
+  return tr("Lines that describe the run: method, seed, parameters, units and axes. Without them, "
+            "a CSV file begins with the names of its columns. TRC and C3D files have no notes");
+}
+
+void ExportForm::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  notes_->setChecked(Preferences().exportNotes()); // another dialog may have changed it
+}
+
+const ExportFormat& ExportForm::format() const {
+  return exportFormats()[static_cast<std::size_t>(std::max(0, format_->currentIndex()))];
 }
 
 void ExportForm::fillChoices() {
@@ -122,10 +147,20 @@ void ExportForm::fillChoices() {
     formats << exportFormatName(format.id);
   }
   setChoices(*format_, formats);
-  setChoices(*estimates_, {tr("live"), tr("smoothed after the run")});
+  setChoices(*estimates_, {tr("as tracked (live)"), tr("smoothed after the run")});
   setChoices(*gaps_, {tr("leave"), tr("fill")});
-  setChoices(*axes_, {tr("format default"), tr("Z up"), tr("Y up")});
-  setChoices(*unit_, {tr("format default"), tr("meters"), tr("millimeters")});
+  setChoices(*axes_, {QString(), tr("Z up"), tr("Y up")});
+  setChoices(*unit_, {QString(), tr("meters"), tr("millimeters")});
+  updateUsualChoices();
+}
+
+void ExportForm::updateUsualChoices() {
+  const TableDefaults& usual = format().table;
+  const auto show = [](QComboBox& box, int row) {
+    box.setItemText(0, tr("%1 (usual for this format)").arg(box.itemText(row)));
+  };
+  show(*axes_, usual.axes == WorldAxes::ZUp ? 1 : 2);
+  show(*unit_, usual.unit == LengthUnit::Meter ? 1 : 2);
 }
 
 void ExportForm::setTargetsOf(const Trajectory& trajectory) {
@@ -154,7 +189,7 @@ void ExportForm::setTargetsOf(const Trajectory& trajectory) {
 
 ExportOptions ExportForm::options() const {
   ExportOptions options;
-  options.format = exportFormats()[static_cast<std::size_t>(format_->currentIndex())].id;
+  options.format = format().id;
   for (int i = 0; i < targets_->count(); ++i) {
     if (targets_->item(i)->checkState() == Qt::Checked) {
       options.targets.push_back(targets_->item(i)->text().toStdString());
@@ -177,16 +212,14 @@ ExportOptions ExportForm::options() const {
   if (unit_->currentIndex() > 0) {
     options.unit = unit_->currentIndex() == 1 ? LengthUnit::Meter : LengthUnit::Millimeter;
   }
-  options.header = header_->isChecked();
+  options.header = notes_->isChecked();
   options.smooth = estimates_->currentIndex() == 1;
   options.date = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
   return options;
 }
 
 QString ExportForm::suffix() const {
-  const auto formats = exportFormats();
-  return QString::fromUtf8(
-      formats[static_cast<std::size_t>(std::max(0, format_->currentIndex()))].suffix.data());
+  return QString::fromUtf8(format().suffix.data());
 }
 
 bool ExportForm::exportsLiveEstimates() const {

@@ -36,13 +36,22 @@ public:
   /// Resets all choices for another project.
   void resetChoices();
   void retranslateUi();
+  /// Returns the text and the tooltip of the check box for notes, for all dialogs that have one.
+  static QString notesText();
+  static QString notesHint();
 
 Q_SIGNALS:
   void changed();
   void formatChanged();
 
+protected:
+  void showEvent(QShowEvent* event) override;
+
 private:
   void fillChoices();
+  /// Names the usual axes and unit of the selected format in their first choices.
+  void updateUsualChoices();
+  const ExportFormat& format() const;
 
   QFormLayout* form_;
   QComboBox* format_;
@@ -55,7 +64,7 @@ private:
   QDoubleSpinBox* longestGap_;
   QComboBox* axes_;
   QComboBox* unit_;
-  QCheckBox* header_;
+  QCheckBox* notes_;
   std::pair<double, double> proposedRange_; ///< proposed range, seconds
 };
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/export_installer.h"
 
-#include "core/project/project.h"
 #include "core/session/session.h"
 #include "ui/document/document.h"
 #include "ui/document/method_presentation.h"
 #include "ui/export/box_export_dialog.h"
+#include "ui/export/export_destination.h"
 #include "ui/export/export_dialog.h"
 #include "ui/selection/selection.h"
 #include "ui/session/result_refresher.h"
@@ -13,7 +13,6 @@
 #include "ui/widgets/message_bar.h"
 #include "ui/workbench/workbench.h"
 
-#include <QDir>
 #include <QMainWindow>
 
 #include <utility>
@@ -21,12 +20,6 @@
 namespace dewpoint::ui {
 
 namespace {
-
-/// The folder of the project's file, or the person's.
-QString homeOf(const Document& document) {
-  const auto& file = document.project().file;
-  return file.empty() ? QDir::homePath() : QString::fromStdString(file.parent_path().string());
-}
 
 /// Tells in the window how exports went whose dialog was closed; one that is shown says it itself.
 void connectMessages(const Workbench& bench, ExportDialog* dialog) {
@@ -49,7 +42,12 @@ void connectMessages(const Workbench& bench, BoxExportDialog* dialog) {
   QObject::connect(dialog, &BoxExportDialog::failed, &bench.messages, &MessageBar::showError);
 }
 
+QString trajectoryFile(const ExportDestination& destination) {
+  return destination.file(QStringLiteral("trajectory"));
+}
+
 void exportBoxes(const Workbench& bench) {
+  ExportDestination* destination = ExportDestination::of(bench);
   auto* dialog = bench.window.findChild<BoxExportDialog*>();
   if (dialog == nullptr) {
     const auto boxes = [run = &bench.session] {
@@ -57,16 +55,17 @@ void exportBoxes(const Workbench& bench) {
     };
     dialog = new BoxExportDialog(boxes, &bench.window);
     connectMessages(bench, dialog);
-    const auto propose = [dialog, document = &bench.document] {
-      dialog->proposeFolder(homeOf(*document));
-    };
-    QObject::connect(&bench.document, &Document::replaced, dialog, propose);
-    propose();
+    const auto reset = [dialog, destination] { dialog->resetFolder(destination->folder()); };
+    QObject::connect(&bench.document, &Document::replaced, dialog, reset);
+    QObject::connect(dialog, &BoxExportDialog::wrote, destination, &ExportDestination::remember);
+    reset();
   }
+  dialog->proposeFolder(destination->folder());
   Workbench::present(dialog);
 }
 
 void exportTrajectory(const Workbench& bench, const TimelineModel& time) {
+  ExportDestination* destination = ExportDestination::of(bench);
   auto* dialog = bench.window.findChild<ExportDialog*>();
   if (dialog == nullptr) {
     const auto trajectory = [run = &bench.session] {
@@ -74,10 +73,11 @@ void exportTrajectory(const Workbench& bench, const TimelineModel& time) {
     };
     dialog = new ExportDialog(trajectory, &bench.window);
     connectMessages(bench, dialog);
-    const auto resetChoices = [dialog, document = &bench.document] {
-      dialog->resetChoices(homeOf(*document));
+    const auto resetChoices = [dialog, destination] {
+      dialog->resetChoices(trajectoryFile(*destination));
     };
     QObject::connect(&bench.document, &Document::replaced, dialog, resetChoices);
+    QObject::connect(dialog, &ExportDialog::wrote, destination, &ExportDestination::remember);
     resetChoices();
     const auto sayOld = [dialog, results = &bench.session.results()] {
       dialog->setHasOldResults(!results->oldResults().frames.empty());
@@ -85,6 +85,7 @@ void exportTrajectory(const Workbench& bench, const TimelineModel& time) {
     QObject::connect(&bench.session.results(), &ResultRefresher::oldResultsChanged, dialog, sayOld);
     sayOld();
   }
+  dialog->proposeFile(trajectoryFile(*destination));
   const auto& selectedRange = bench.selection.selectedRange();
   dialog->setSelectedRange(selectedRange
                                ? std::optional(std::pair(time.secondsOf(selectedRange->first),

@@ -43,7 +43,7 @@ VideoDialog::VideoDialog(std::function<VideoOffer()> offer, QWidget* parent)
   onRetranslate(this, [this] { retranslateUi(); });
   connectFields();
   setRunning(false);
-  resetChoices(QDir::homePath());
+  resetChoices(QDir::home().filePath(QStringLiteral("video")));
 }
 
 void VideoDialog::makeFields() {
@@ -56,6 +56,7 @@ void VideoDialog::makeFields() {
   question_->setWordWrap(true);
   question_->hide();
   file_ = named(new QLineEdit(this), "videoFile");
+  proposed_.emplace(*file_);
   browse_ = named(new QPushButton(this), "videoBrowse");
   progress_ = named(new QProgressBar(this), "videoProgress");
   progress_->setRange(0, 100);
@@ -122,6 +123,7 @@ void VideoDialog::connectFields() {
   connect(cancel_, &QPushButton::clicked, exporter_, &VideoExporter::cancel);
   connect(exporter_, &VideoExporter::progressChanged, progress_, &QProgressBar::setValue);
   connect(exporter_, &VideoExporter::finished, this, [this](const QString& file) {
+    Q_EMIT wrote(file);
     report(tr("Saved the video %1.").arg(file), file, false);
   });
   connect(exporter_, &VideoExporter::canceled, this,
@@ -172,9 +174,13 @@ void VideoDialog::setSelectedRange(std::optional<std::pair<double, double>> seco
   form_->setSelectedRange(seconds);
 }
 
-void VideoDialog::resetChoices(const QString& folder) {
+void VideoDialog::proposeFile(const QString& file) {
+  proposed_->propose(file);
+}
+
+void VideoDialog::resetChoices(const QString& file) {
   form_->resetRange();
-  file_->setText(QDir(folder).filePath(QStringLiteral("video")));
+  proposed_->reset(file);
   updateSuffix();
 }
 
@@ -196,15 +202,11 @@ void VideoDialog::stop(const QString& reason) {
 void VideoDialog::updateSuffix() {
   const QString suffix = form_->suffix();
   if (!suffix.isEmpty()) {
-    QString name = file_->text();
+    QStringList known;
     for (const VideoEncoding& encoding : videoEncodings()) {
-      const QString old = QString::fromUtf8(encoding.suffix.data());
-      if (name.endsWith(old)) {
-        name.chop(old.size());
-        break;
-      }
+      known << QString::fromUtf8(encoding.suffix.data());
     }
-    file_->setText(name + suffix);
+    proposed_->setSuffix(suffix, known);
   }
   changed();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/export/export_destination.h"
 #include "ui/export/video_exporter.h"
 #include "ui/jobs/background_job.h"
 
@@ -47,8 +48,10 @@ public:
 
   /// Proposes a time range (seconds); empty: all.
   void setSelectedRange(std::optional<std::pair<double, double>> seconds);
-  /// Proposes a folder and the whole range, for another project.
-  void resetChoices(const QString& folder);
+  /// Proposes a file, without its suffix, unless the user has entered another one.
+  void proposeFile(const QString& file);
+  /// Proposes a file and the whole range, for another project.
+  void resetChoices(const QString& file);
   /// Shows what can be exported of another run.
   void refresh();
   /// Stops an export and drops the preview, because the frames of the run are about to be lost.
@@ -60,6 +63,8 @@ Q_SIGNALS:
   /// Emitted with a sentence about an export that has ended.
   void done(const QString& sentence);
   void failed(const QString& sentence);
+  /// Emitted when this file was written.
+  void wrote(const QString& file);
 
 protected:
   void showEvent(QShowEvent* event) override;
@@ -92,6 +97,7 @@ private:
   VideoPreview* preview_ = nullptr;
   QLabel* summary_ = nullptr;
   QLineEdit* file_ = nullptr;
+  std::optional<ProposedFile> proposed_; ///< of `file_`
   QPushButton* browse_ = nullptr;
   QLabel* question_ = nullptr;
   ExportOutcome* outcome_ = nullptr;

@@ -6,6 +6,7 @@
 #include "ui/cameraview/camera_view.h"
 #include "ui/document/document.h"
 #include "ui/document/method_presentation.h"
+#include "ui/export/export_destination.h"
 #include "ui/export/video_dialog.h"
 #include "ui/selection/selection.h"
 #include "ui/text/camera_names.h"
@@ -14,7 +15,6 @@
 #include "ui/widgets/message_bar.h"
 #include "ui/workbench/workbench.h"
 
-#include <QDir>
 #include <QMainWindow>
 
 #include <algorithm>
@@ -97,6 +97,10 @@ VideoOffer offerOf(const Workbench& bench, const TimelineModel& time) {
   return offer;
 }
 
+QString videoFile(const ExportDestination& destination) {
+  return destination.file(QStringLiteral("video"));
+}
+
 VideoDialog* makeVideoDialog(const Workbench& bench, const TimelineModel& time) {
   auto* dialog = new VideoDialog([bench, &time] { return offerOf(bench, time); }, &bench.window);
   MessageBar* messages = &bench.messages;
@@ -110,12 +114,12 @@ VideoDialog* makeVideoDialog(const Workbench& bench, const TimelineModel& time) 
       messages->showError(text);
     }
   });
-  const auto resetChoices = [dialog, document = &bench.document] {
-    const auto& file = document->project().file;
-    dialog->resetChoices(file.empty() ? QDir::homePath()
-                                      : QString::fromStdString(file.parent_path().string()));
+  ExportDestination* destination = ExportDestination::of(bench);
+  const auto resetChoices = [dialog, destination] {
+    dialog->resetChoices(videoFile(*destination));
   };
   QObject::connect(&bench.document, &Document::replaced, dialog, resetChoices);
+  QObject::connect(dialog, &VideoDialog::wrote, destination, &ExportDestination::remember);
   resetChoices();
   QObject::connect(&bench.session, &SessionController::runEnded, dialog, [dialog] {
     dialog->stop(VideoDialog::tr("The export was stopped because the run has ended."));
@@ -142,6 +146,7 @@ void installVideoExport(const Workbench& bench, const Timeline& timeline) {
     if (dialog == nullptr) {
       dialog = makeVideoDialog(bench, time);
     }
+    dialog->proposeFile(videoFile(*ExportDestination::of(bench)));
     const auto& range = bench.selection.selectedRange();
     dialog->setSelectedRange(
         range ? std::optional(std::pair(time.secondsOf(range->first), time.secondsOf(range->last)))

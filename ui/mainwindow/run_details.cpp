@@ -109,7 +109,7 @@ void RunDetails::retranslateUi() {
   names_[iterations_]->setText(tr("Iterations since the start"));
   names_[dropped_]->setText(tr("Frames skipped"));
   names_[seed_]->setText(tr("Random seed"));
-  names_[history_]->setText(tr("Memory used by the history"));
+  names_[history_]->setText(tr("Memory for going back"));
 }
 
 void RunDetails::setSnapshot(const TrackSnapshotPtr& snapshot, const TargetSnapshot* target) {

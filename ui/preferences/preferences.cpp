@@ -19,6 +19,7 @@ constexpr QLatin1String kLastFolder("lastFolder");
 constexpr QLatin1String kFilterThreads("filter/threads");
 constexpr QLatin1String kSlowUntilHeld("playback/slowUntilHeld");
 constexpr QLatin1String kPreRollSeconds("recording/preRollSeconds");
+constexpr QLatin1String kExportNotes("export/notes");
 constexpr QLatin1String kShortcuts("shortcuts/");
 constexpr QLatin1String kPlotsShown("plots/shown");
 constexpr QLatin1String kPlotsOverTime("plots/overTime");
@@ -111,6 +112,14 @@ int Preferences::preRollSeconds() const {
 
 void Preferences::setPreRollSeconds(int seconds) {
   write(kPreRollSeconds, std::max(0, seconds));
+}
+
+bool Preferences::exportNotes() const {
+  return read(kExportNotes, true).toBool();
+}
+
+void Preferences::setExportNotes(bool notes) {
+  write(kExportNotes, notes);
 }
 
 std::optional<QKeySequence> Preferences::shortcut(const QString& action) const {

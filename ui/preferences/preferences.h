@@ -65,6 +65,10 @@ public:
   int preRollSeconds() const;
   void setPreRollSeconds(int seconds);
 
+  /// Returns whether exported files contain notes about the run.
+  bool exportNotes() const;
+  void setExportNotes(bool notes);
+
   /// Returns the shortcut that the user assigned to an action; empty if the user removed the
   /// shortcut. Returns nothing if the action has its default shortcut.
   std::optional<QKeySequence> shortcut(const QString& action) const;

@@ -172,11 +172,11 @@ bool Timeline::event(QEvent* event) {
   if (event->type() == QEvent::ToolTip) {
     const auto* help = static_cast<QHelpEvent*>(event);
     if (rows().footer.contains(help->pos())) {
-      QToolTip::showText(
-          help->globalPos(),
-          tr("Memory for looking back: images, particles and saved states of the method. When it "
-             "is full, only the estimates of older frames are kept."),
-          this);
+      QToolTip::showText(help->globalPos(),
+                         tr("Memory for going back to earlier frames: images, particles and saved "
+                            "states of the method. When it is full, only the estimates of older "
+                            "frames are kept."),
+                         this);
     } else if (help->pos().x() >= gutter_ && !model_.targets.isEmpty()) {
       QToolTip::showText(help->globalPos(), model_.describe(scale_.frameAt(help->pos().x())), this);
     }

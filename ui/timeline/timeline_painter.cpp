@@ -224,11 +224,12 @@ void paintFooter(QPainter& painter, const TimelineModel& model, const TimelineRo
       model.secondsOf(model.history.last + 1) - model.secondsOf(model.history.first);
   const QString used = megabytes(model.history.bytes);
   const QString most = megabytes(model.history.maxBytes);
-  QString text =
-      model.live && model.history.last >= 0
-          ? QCoreApplication::translate("Timeline", "history: %1 of %2 MB (the last %3)")
-                .arg(used, most, secondsText(shownSeconds, 0))
-          : QCoreApplication::translate("Timeline", "history: %1 of %2 MB").arg(used, most);
+  QString text = model.live && model.history.last >= 0
+                     ? QCoreApplication::translate(
+                           "Timeline", "memory for going back: %1 of %2 MB (the last %3)")
+                           .arg(used, most, secondsText(shownSeconds, 0))
+                     : QCoreApplication::translate("Timeline", "memory for going back: %1 of %2 MB")
+                           .arg(used, most);
   if (model.rerun) {
     text = QCoreApplication::translate("Timeline", "tracking frames %2 to %3 again: now at %1")
                .arg(model.history.head + 1)

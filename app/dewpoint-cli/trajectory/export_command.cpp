@@ -244,7 +244,9 @@ void addExportCommand(CLI::App& app, int& exitCode) {
       ->check(CLI::IsMember({"m", "mm"}));
   command->add_flag("--smooth", options.smooth,
                     "Export smoothed estimates, which use all frames, instead of live ones");
-  command->add_flag("--no-header", arguments->noHeader, "Leave out the comments about the run");
+  command->add_flag(
+      "--no-header", arguments->noHeader,
+      "Leave out the notes about the run; CSV files then begin with the column names");
   command->add_flag("--preview", arguments->preview, "Only show the first lines, units and axes");
   command->callback([arguments, command, &exitCode] {
     if (arguments->file.empty() && arguments->figure.empty() && !arguments->preview) {

@@ -8,12 +8,21 @@
 
 namespace dewpoint::session {
 
-std::string boxCsv(const BoxTrack& track) {
+namespace {
+
+std::string notesOf(const BoxTrack& track) {
   std::string text = "# dewpoint boxes\n# units: time s, box px from the image's upper left "
                      "corner\n";
   for (const auto& [key, value] : track.header) {
     text += fmt::format("# {}: {}\n", oneLine(key), oneLine(value));
   }
+  return text;
+}
+
+} // namespace
+
+std::string boxCsv(const BoxTrack& track, CsvNotes notes) {
+  std::string text = notes == CsvNotes::Written ? notesOf(track) : std::string();
   text += "time_s,frame,target,x_px,y_px,width_px,height_px,center_x_px,center_y_px,similarity,"
           "spread_px,ess,visible\n";
   for (const BoxSample& sample : track.samples) {
@@ -40,8 +49,8 @@ std::string boxMotText(const BoxTrack& track) {
   return text;
 }
 
-Status writeBoxTrack(const BoxTrack& track, const std::filesystem::path& folder) {
-  return writeTextFile(folder / "boxes.csv", boxCsv(track)).and_then([&] {
+Status writeBoxTrack(const BoxTrack& track, const std::filesystem::path& folder, CsvNotes notes) {
+  return writeTextFile(folder / "boxes.csv", boxCsv(track, notes)).and_then([&] {
     return writeTextFile(folder / "boxes_mot.txt", boxMotText(track));
   });
 }

@@ -26,9 +26,12 @@ struct BoxTrack {
   std::vector<BoxSample> samples;
 };
 
-/// Returns CSV text: `#` header, column names, one row per target and frame. The box and its center
-/// are in pixels from the upper left corner of the image.
-std::string boxCsv(const BoxTrack& track);
+/// Whether a CSV file begins with notes: lines about the run that begin with `#`.
+enum class CsvNotes { Written, LeftOut };
+
+/// Returns CSV text: notes, column names, one row per target and frame. The box and its center are
+/// in pixels from the upper left corner of the image.
+std::string boxCsv(const BoxTrack& track, CsvNotes notes = CsvNotes::Written);
 
 /// Returns the boxes in the text format of the MOT challenge (Leal-Taixé et al. 2015): frame,
 /// identity, left, top, width, height, confidence, -1, -1, -1. Frames, identities and pixel
@@ -36,6 +39,7 @@ std::string boxCsv(const BoxTrack& track);
 std::string boxMotText(const BoxTrack& track);
 
 /// Writes boxes.csv and boxes_mot.txt to an existing folder.
-Status writeBoxTrack(const BoxTrack& track, const std::filesystem::path& folder);
+Status writeBoxTrack(const BoxTrack& track, const std::filesystem::path& folder,
+                     CsvNotes notes = CsvNotes::Written);
 
 } // namespace dewpoint::session

@@ -31,6 +31,8 @@ struct ExportFormat {
   /// Encodes the table as one or more files. `name` is the name of the chosen file without suffix,
   /// for formats that store a name. Returns BadValue if the format cannot hold the table.
   Result<std::vector<ExportFile>> (*encode)(const ExportTable& table, const std::string& name);
+  /// True if the file can hold notes about the run, which ExportOptions::header leaves out.
+  bool hasNotes = true;
 };
 
 /// Returns units and axes of a table in one sentence: "Lengths in mm, times in s; Y points up ...".

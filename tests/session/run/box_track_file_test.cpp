@@ -30,6 +30,12 @@ TEST(BoxTrackFile, CsvHasBoxAndCenter) {
             "0.04,1,1,10.5,20,30,40,25.5,40,0.75,2,55,0\n");
 }
 
+TEST(BoxTrackFile, WithoutNotesTheFirstLineHasTheColumnNames) {
+  const std::string csv = boxCsv(twoFrames(), CsvNotes::LeftOut);
+  EXPECT_TRUE(csv.starts_with("time_s,frame,target,")) << csv;
+  EXPECT_TRUE(boxCsv(twoFrames()).ends_with(csv));
+}
+
 TEST(BoxTrackFile, MotCountsFromOneAndLeavesOutWhatIsHidden) {
   // The MOT challenge: frames, identities and corners from 1; 3D columns -1 where there are none.
   EXPECT_EQ(boxMotText(twoFrames()), "1,1,11.50,21.00,30.00,40.00,0.7500,-1,-1,-1\n");

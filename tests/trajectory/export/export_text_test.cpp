@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The text formats against files written by hand from their descriptions.
+#include "core/trajectory/export/export_catalog.h"
+#include "core/trajectory/trajectory_reader.h"
 #include "tests/trajectory/export_examples.h"
 
 #include <nlohmann/json.hpp>
@@ -146,6 +148,44 @@ TEST(ExportText, GapsAreReadByOurOwnReader) {
   ASSERT_TRUE(read) << sentence(read.error());
   EXPECT_FALSE(read->samples[4].valid);
   EXPECT_FALSE(read->samples[4].position.allFinite());
+}
+
+TEST(ExportText, ACsvWithoutNotesBeginsWithItsColumnsAndIsReadTheSame) {
+  const ExportFolder folder;
+  ExportOptions options = exportAs("csv");
+  ASSERT_TRUE(exportTrajectory(exportExample(), options, folder / "with.csv"));
+  options.header = false;
+  ASSERT_TRUE(exportTrajectory(exportExample(), options, folder / "without.csv"));
+  EXPECT_TRUE(bytesOf(folder / "with.csv").starts_with("# dewpoint trajectory\n"));
+  EXPECT_TRUE(bytesOf(folder / "without.csv").starts_with("time_s,frame,target,x_m,"));
+  const auto with = readTrajectory(folder / "with.csv");
+  const auto without = readTrajectory(folder / "without.csv");
+  ASSERT_TRUE(with) << sentence(with.error());
+  ASSERT_TRUE(without) << sentence(without.error());
+  ASSERT_EQ(with->samples.size(), 8U);
+  ASSERT_EQ(without->samples.size(), 8U);
+  for (std::size_t k = 0; k < 8; ++k) {
+    EXPECT_EQ(with->samples[k].frame, without->samples[k].frame);
+    EXPECT_EQ(with->samples[k].target, without->samples[k].target);
+    EXPECT_EQ(with->samples[k].valid, without->samples[k].valid);
+    if (with->samples[k].valid) {
+      EXPECT_EQ(with->samples[k].position, without->samples[k].position);
+      EXPECT_EQ(with->samples[k].covariance, without->samples[k].covariance);
+    }
+  }
+}
+
+TEST(ExportText, OnlyFormatsWithoutAPlaceForNotesHaveNone) {
+  const auto text = [](const ExportFormat& format, bool notes) {
+    const ExportFolder folder;
+    ExportOptions options = exportAs(std::string(format.id));
+    options.header = notes;
+    const auto written = exportTrajectory(exportExample(), options, folder / "a");
+    return written ? bytesOf(written->files.front()) : sentence(written.error());
+  };
+  for (const ExportFormat& format : exportFormats()) {
+    EXPECT_EQ(text(format, true) != text(format, false), format.hasNotes) << format.id;
+  }
 }
 
 TEST(ExportText, WideCsvAsWrittenByHand) {
