@@ -20,7 +20,7 @@ CalibrationMode::CalibrationMode(const Workbench& bench)
       manual_(new ManualCalibration(bench.document, bench.selection, bench.cameras, this)),
       pages_(new CalibrationDock(&bench.window)) {
   dock_ = bench_.docks.make({.name = QStringLiteral("calibrationDock"),
-                             .title = [] { return tr("Camera calibration"); },
+                             .title = [] { return tr("Calibration"); }, // a tab: short
                              .content = pages_,
                              .rank = 5,
                              .hiddenAtFirst = true,

@@ -197,6 +197,7 @@ bool DockManager::eventFilter(QObject* watched, QEvent* event) {
     heightsBelow_.forget();
     [[fallthrough]];
   case QEvent::Show:
+  case QEvent::LanguageChange: // the names of tabs have other widths
     distributeDockSizesSoon();
     break;
   case QEvent::MouseButtonPress:

@@ -6,6 +6,7 @@
 
 #include <QMainWindow>
 #include <QStatusBar>
+#include <QTabBar>
 #include <QToolBar>
 
 #include <algorithm>
@@ -21,6 +22,19 @@ constexpr int kLeastOfScenePercent = 22;   ///< of the width
 constexpr int kPlotsPercent = 24;          ///< of the height
 constexpr int kSmallHeight = 800;          ///< below it the timeline has as little as it needs
 constexpr double kUsualAspect = 4.0 / 3.0; ///< of images whose size is not known yet
+
+/// Width in which the names of all tabs of these docks can be read in full; 0 without tabs. Qt
+/// would shorten them instead.
+int widthOfTabs(const QMainWindow& window, const std::vector<ViewDock*>& docks) {
+  int width = 0;
+  for (const QTabBar* bar : window.findChildren<QTabBar*>(Qt::FindDirectChildrenOnly)) {
+    const bool isTheirs = std::ranges::any_of(docks, [bar](const ViewDock* dock) {
+      return !dock->isHidden() && bar->count() > 0 && bar->tabText(0) == dock->windowTitle();
+    });
+    width = std::max(width, isTheirs ? bar->sizeHint().width() : 0);
+  }
+  return width;
+}
 
 /// Menus, toolbars and status line.
 int heightAroundViews(const QMainWindow& window) {
@@ -44,6 +58,7 @@ ViewShares viewSharesOf(const QMainWindow& window, const std::vector<ViewDock*>&
     const int least = std::max(dock->minimumWidth(), dock->minimumSizeHint().width());
     shares.inspector = std::max(shares.inspector, dock->isHidden() ? 0 : least);
   }
+  shares.inspector = std::max(shares.inspector, widthOfTabs(window, inspectors));
   shares.scene = scene.isHidden() ? 0
                                   : std::max(scene.minimumSizeHint().width(),
                                              window.width() * kLeastOfScenePercent / 100);

@@ -31,7 +31,7 @@ struct ViewShares {
 inline constexpr int kDockSeparator = 6;
 
 /// Returns the sizes for a window. `inspectors` are all docks at that position; the widest visible
-/// one counts.
+/// one counts, or the names of their tabs if these need more room.
 ViewShares viewSharesOf(const QMainWindow& window, const std::vector<ViewDock*>& inspectors,
                         const ViewDock& scene, const ViewDock& timeline);
 
