@@ -80,7 +80,7 @@ void ProjectController::connectPages() {
     newProject_->addConnectedCameras();
   });
   connect(startPage_, &StartPage::calibrationRequested, this, [this] {
-    showNewProjectPage({});
+    showNewProjectPage({}, false); // the cameras are about to be calibrated
     guideNewProject_ = true;
     newProject_->chooseVideos();
   });
@@ -177,9 +177,9 @@ void ProjectController::showStart() {
   bench_.docks.showViews(false);
 }
 
-void ProjectController::showNewProjectPage(const QStringList& files) {
+void ProjectController::showNewProjectPage(const QStringList& files, bool findsCalibration) {
   guideNewProject_ = false;
-  newProject_->begin(files);
+  newProject_->begin(files, findsCalibration);
   pages_->setCurrentWidget(newProject_);
   bench_.docks.showViews(false);
 }

@@ -59,7 +59,8 @@ private:
   void connectRun();
   void connectOpening();
   void openScene(const QString& name, bool calibrate);
-  void showNewProjectPage(const QStringList& files);
+  /// `findsCalibration`: as in NewProjectPage::begin().
+  void showNewProjectPage(const QStringList& files, bool findsCalibration = true);
   void openCreated(const Project& project, const QString& note);
   void chooseProject();
   void close();

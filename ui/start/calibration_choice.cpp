@@ -69,7 +69,23 @@ void CalibrationChoice::choose() {
   }
 }
 
+void CalibrationChoice::begin(bool takesProposals) {
+  takesProposals_ = takesProposals;
+  useFile({});
+}
+
 void CalibrationChoice::setFile(const QString& file) {
+  takesProposals_ = false;
+  useFile(file);
+}
+
+void CalibrationChoice::propose(const QString& file) {
+  if (takesProposals_ && file != file_) {
+    useFile(file);
+  }
+}
+
+void CalibrationChoice::useFile(const QString& file) {
   file_ = file;
   checked_.reset();
   fit_->reset();
@@ -142,8 +158,10 @@ QString CalibrationChoice::resultText(const CheckedCalibration& checked, bool& g
 }
 
 void CalibrationChoice::showResult() {
-  name_->setText(file_.isEmpty() ? tr("None: camera positions will be a guess")
-                                 : QFileInfo(file_).fileName());
+  const QString name = QFileInfo(file_).fileName();
+  name_->setText(file_.isEmpty()   ? tr("None: camera positions will be a guess")
+                 : takesProposals_ ? tr("%1 (found beside the recordings)").arg(name)
+                                   : name);
   name_->setToolTip(file_);
   drop_->setVisible(!file_.isEmpty());
   result_->setVisible(!file_.isEmpty());

@@ -27,8 +27,15 @@ class CalibrationChoice : public QWidget {
 public:
   explicit CalibrationChoice(QWidget* parent = nullptr);
 
-  /// Sets the file. An empty name means that no file is selected.
+  /// Starts a new project: no file is selected. `takesProposals`: files may be proposed.
+  void begin(bool takesProposals);
+  /// Sets the file that the user has chosen. An empty name means that no file is to be used. From
+  /// then on, nothing is proposed.
   void setFile(const QString& file);
+  /// Proposes a file that was found beside the recordings; empty: none was found. Does nothing if
+  /// no proposal is taken.
+  void propose(const QString& file);
+  bool takesProposals() const { return takesProposals_; }
   QString file() const { return file_; }
   /// Sets the names of the project's cameras.
   void setCameras(std::vector<std::string> names);
@@ -46,6 +53,7 @@ protected:
 
 private:
   void choose();
+  void useFile(const QString& file);
   void retranslateUi();
   void showResult();
   QString resultText(const CheckedCalibration& checked, bool& good) const;
@@ -57,6 +65,7 @@ private:
   QLabel* result_;
   CalibrationFit* fit_;
   QString file_;
+  bool takesProposals_ = true; ///< the user has chosen nothing; a selected file was proposed
   std::vector<std::string> cameras_;
   std::optional<CheckedCalibration> checked_; ///< result for the file; empty while it is being read
   LatestJob checking_{LatestJob::Superseded::Dropped};

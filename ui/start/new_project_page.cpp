@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/start/new_project_page.h"
 
+#include "core/setup/calibration/calibration_check.h"
 #include "core/setup/calibration/calibration_exchange.h"
 #include "core/setup/new_project/footage.h"
 #include "ui/start/calibration_choice.h"
@@ -81,7 +82,10 @@ void NewProjectPage::makeButtons() {
   addFolder_ = addButton("newAddFolder", [this] { chooseFolder(); });
   addDevices_ = addButton("newAddDevices", [this] { addConnectedCameras(); });
   addAddress_ = addButton("newAddAddress", [this] { cameras_->addAddress(); });
-  remove_ = addButton("newRemove", [this] { cameras_->removeSelected(); });
+  remove_ = addButton("newRemove", [this] {
+    cameras_->removeSelected();
+    findCalibration(); // of those that are left
+  });
   create_ = addButton("newCreate", [this] { createProject(); });
   create_->setDefault(true);
   cancel_ = addButton("newCancel", [this] {
@@ -156,7 +160,7 @@ void NewProjectPage::retranslateUi() {
   refresh();
 }
 
-void NewProjectPage::begin(const QStringList& files) {
+void NewProjectPage::begin(const QStringList& files, bool findsCalibration) {
   // Whichever of them the platform puts first.
   setTabOrder(calibration_->lastButton(), name_);
   setTabOrder(name_, create_);
@@ -164,7 +168,7 @@ void NewProjectPage::begin(const QStringList& files) {
   cancelWork();
   cameras_->begin();
   name_->clear();
-  calibration_->setFile({});
+  calibration_->begin(findsCalibration);
   refresh();
   addFiles(files);
   addVideos_->setFocus();
@@ -221,18 +225,44 @@ void NewProjectPage::addFiles(const QStringList& files) {
 
 void NewProjectPage::addFootage(const std::vector<FootageLocation>& places) {
   QStringList refused;
+  bool hasFiles = false;
   for (const FootageLocation& place : places) {
     const QString file = QString::fromStdString(place.location);
     if (!place.canBeImageSource) {
       refused << QFileInfo(file).fileName();
     } else if (!cameras_->isListed(file)) { // dropped twice it is still one camera
       cameras_->add(place);
+      hasFiles = hasFiles || place.isFile;
     }
+  }
+  if (hasFiles) {
+    findCalibration();
   }
   if (!refused.isEmpty()) {
     Q_EMIT failed(
         tr("Not a video, image or calibration file: %1.").arg(refused.join(QStringLiteral(", "))));
   }
+}
+
+void NewProjectPage::findCalibration() {
+  if (!calibration_->takesProposals()) {
+    return;
+  }
+  std::vector<std::string> recordings;
+  std::vector<std::string> names;
+  for (const NewCamera& camera : cameras_->cameras()) {
+    recordings.push_back(camera.location);
+    names.push_back(camera.name);
+  }
+  ++pendingSearches_; // nothing is created without a calibration that is about to be found
+  refresh();
+  searches_->add([this, recordings = std::move(recordings), names = std::move(names)] {
+    return [this, found = calibrationBeside(recordings, names)] {
+      --pendingSearches_;
+      calibration_->propose(found ? QString::fromStdString(found->string()) : QString());
+      refresh();
+    };
+  });
 }
 
 void NewProjectPage::chooseVideos() {
@@ -246,7 +276,10 @@ void NewProjectPage::chooseFolder() {
   const QString folder = askForFolder(this, tr("Choose a folder of images"));
   if (!folder.isEmpty()) {
     search([folder] { return locationsOf({folder.toStdString()}); },
-           [this](const std::vector<FootageLocation>& places) { cameras_->add(places.front()); });
+           [this](const std::vector<FootageLocation>& places) {
+             cameras_->add(places.front());
+             findCalibration();
+           });
   }
 }
 

@@ -34,7 +34,8 @@ public:
   explicit NewProjectPage(QWidget* parent = nullptr);
 
   /// Starts from scratch with these files (videos, image folders, a calibration).
-  void begin(const QStringList& files);
+  /// `findsCalibration`: proposes the calibration file that lies beside the recordings.
+  void begin(const QStringList& files, bool findsCalibration = true);
   /// Adds files once their kind is known. A file with a calibration suffix becomes the calibration.
   void addFiles(const QStringList& files);
   /// Asks the user for videos and adds them.
@@ -61,6 +62,8 @@ private:
   /// Cancels searches and project creation in progress.
   void cancelWork();
   void addFootage(const std::vector<FootageLocation>& places);
+  /// Searches for the calibration of the recordings beside them, unless the user has chosen one.
+  void findCalibration();
   void chooseFolder();
   void refresh();
   NewProject newProject() const;

@@ -1,17 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/setup/calibration/calibration_check.h"
 
+#include "core/base/lower_case.h"
 #include "core/base/text_file.h"
 #include "core/calibration/formats/calibration_file.h"
 #include "core/calibration/formats/format_catalog.h"
+#include "core/calibration/formats/number_text.h"
 #include "core/calibration/formats/read_calibration.h"
 #include "core/setup/calibration/calibration_exchange.h"
 
 #include <algorithm>
+#include <set>
+#include <string_view>
 #include <utility>
 
 namespace dewpoint::setup {
 namespace {
+
+namespace fs = std::filesystem;
+using namespace std::string_view_literals;
 
 /// The format of a file that cannot be read as a calibration; empty: none that is known.
 std::string recognizedTitle(const std::filesystem::path& file) {
@@ -24,6 +31,43 @@ std::string recognizedTitle(const std::filesystem::path& file) {
     return recognizeFormat({file, read});
   });
   return recognized ? recognized->format->title : std::string();
+}
+
+constexpr std::size_t kMostCandidates = 64;
+constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 20U; ///< larger files are no calibration
+
+bool hasCalibrationEnding(const fs::path& file) {
+  const std::string ending = toLowerCase(file.extension().string());
+  return std::ranges::any_of(calibrationFormats(), [&](const CalibrationFormat& format) {
+    return ending == format.extension || (ending == ".yml" && format.extension == ".yaml"sv) ||
+           (ending == ".yaml" && format.extension == ".yml"sv) ||
+           std::ranges::find(format.otherExtensions, ending) != format.otherExtensions.end();
+  });
+}
+
+/// A project holds the calibration of its cameras, but it is another project's.
+bool isProjectFile(const fs::path& file) {
+  const auto text = readTextFile(file);
+  return text &&
+         (hasLineStartingWith(*text, "format = ") || hasLineStartingWith(*text, "[[camera"));
+}
+
+/// The files in a folder that could be calibrations; empty if there are too many to read.
+std::vector<fs::path> candidatesIn(const fs::path& folder) {
+  std::vector<fs::path> found;
+  std::error_code problem;
+  std::error_code unread; // the rest of a disk that gives up
+  for (fs::directory_iterator entry(folder, unread); !unread && entry != fs::directory_iterator();
+       entry.increment(unread)) {
+    if (hasCalibrationEnding(entry->path()) && entry->is_regular_file(problem) &&
+        entry->file_size(problem) <= kMostBytes) {
+      found.push_back(entry->path());
+    }
+    if (found.size() > kMostCandidates) {
+      return {};
+    }
+  }
+  return found;
 }
 
 } // namespace
@@ -60,6 +104,32 @@ CameraMatch matchCameras(const std::vector<std::string>& cameras,
     return CameraMatch::ByName;
   }
   return found == 0 && cameras.size() == inFile.size() ? CameraMatch::ByOrder : CameraMatch::None;
+}
+
+std::optional<fs::path> calibrationBeside(const std::vector<std::string>& recordings,
+                                          const std::vector<std::string>& cameras) {
+  std::set<fs::path> folders;
+  std::error_code problem;
+  for (const std::string& recording : recordings) {
+    if (fs::exists(recording, problem) && !recording.starts_with("/dev/")) {
+      folders.insert(fs::absolute(recording, problem).lexically_normal().parent_path());
+    }
+  }
+  std::vector<fs::path> byName;
+  std::vector<fs::path> byOrder;
+  for (const fs::path& folder : folders) {
+    for (const fs::path& file : candidatesIn(folder)) {
+      const CheckedCalibration checked = checkCalibration(file);
+      const CameraMatch match =
+          checked.problem ? CameraMatch::None : matchCameras(cameras, checked.cameras);
+      if (match == CameraMatch::None || isProjectFile(file)) {
+        continue;
+      }
+      (match == CameraMatch::ByName ? byName : byOrder).push_back(file);
+    }
+  }
+  const std::vector<fs::path>& best = byName.empty() ? byOrder : byName;
+  return best.size() == 1 ? std::optional(best.front()) : std::nullopt;
 }
 
 } // namespace dewpoint::setup

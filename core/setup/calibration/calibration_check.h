@@ -31,4 +31,12 @@ enum class CameraMatch { ByName, ByOrder, None };
 CameraMatch matchCameras(const std::vector<std::string>& cameras,
                          const std::vector<std::string>& inFile);
 
+/// Finds the calibration of recordings beside them: the file in one of their folders that can be
+/// used as it is, and whose cameras match those named `cameras`. A file that matches by name
+/// precedes those that match by order. Project files do not count. Empty if there is no such file
+/// or more than one, and in folders with more than 64 files that could be calibrations. Takes time:
+/// reads these files.
+std::optional<std::filesystem::path> calibrationBeside(const std::vector<std::string>& recordings,
+                                                       const std::vector<std::string>& cameras);
+
 } // namespace dewpoint::setup

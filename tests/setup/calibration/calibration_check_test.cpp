@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/text_file.h"
 #include "core/calibration/formats/calibration_file.h"
 #include "core/setup/calibration/calibration_check.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <optional>
+#include <string>
 
 namespace dewpoint::tests {
 namespace {
@@ -67,6 +70,64 @@ TEST_F(CalibrationCheckTest, AFileThatLeavesSomethingOpenIsRecognizedAllTheSame)
   EXPECT_FALSE(checked.formatTitle.empty());
   ASSERT_TRUE(checked.problem);
   EXPECT_TRUE(checked.needsInput);
+}
+
+/// A folder with recordings "left.mkv" and "right.mkv", whose content does not matter.
+class CalibrationBesideTest : public CalibrationCheckTest {
+protected:
+  void SetUp() override {
+    CalibrationCheckTest::SetUp();
+    for (const auto& old : fs::directory_iterator(folder_)) {
+      fs::remove_all(old.path());
+    }
+    write("left.mkv", "");
+    write("right.mkv", "");
+  }
+  void calibrate(const char* name, const std::vector<std::string>& cameras) const {
+    CameraRig rig(cameras.size());
+    for (std::size_t k = 0; k < rig.size(); ++k) {
+      rig[k].name = cameras[k];
+      rig[k].intrinsics = {64, 48, 100.0, 100.0, 31.5, 23.5};
+      rig[k].cameraFromWorld.translation().x() = 0.5 * static_cast<double>(k);
+    }
+    ASSERT_TRUE(saveCalibration(rig, folder_ / name));
+  }
+  std::optional<fs::path> found() const {
+    return calibrationBeside({(folder_ / "left.mkv").string(), (folder_ / "right.mkv").string()},
+                             {"left", "right"});
+  }
+};
+
+TEST_F(CalibrationBesideTest, IsTheOnlyOneThatFits) {
+  EXPECT_FALSE(found());
+  write("notes.json", "{\"K\": [1, 2, 3]}");
+  calibrate("three.toml", {"a", "b", "c"});
+  EXPECT_FALSE(found());
+  calibrate("calibration.toml", {"cam_0", "cam_1"}); // by order
+  EXPECT_EQ(found(), folder_ / "calibration.toml");
+  calibrate("older.toml", {"one", "two"});
+  EXPECT_FALSE(found()); // nobody knows which
+  calibrate("named.toml", {"right", "left"});
+  EXPECT_EQ(found(), folder_ / "named.toml");
+}
+
+TEST_F(CalibrationBesideTest, IsNoProject) {
+  calibrate("calibration.toml", {"left", "right"});
+  std::string text = *readTextFile(folder_ / "calibration.toml");
+  write("project.toml", ("format = 2\nname = \"mine\"\n" + text).c_str());
+  EXPECT_EQ(found(), folder_ / "calibration.toml");
+}
+
+TEST_F(CalibrationBesideTest, IsNotLookedForAmongTooManyFiles) {
+  calibrate("calibration.toml", {"left", "right"});
+  for (int k = 0; k < 64; ++k) {
+    write(("pose-" + std::to_string(k) + ".json").c_str(), "{}");
+  }
+  EXPECT_FALSE(found());
+}
+
+TEST_F(CalibrationBesideTest, IsNotLookedForBesideDevicesAndStreams) {
+  EXPECT_FALSE(calibrationBeside({"/dev/video0", "rtsp://camera.example/1"}, {"left", "right"}));
 }
 
 TEST(MatchCameras, IsByNameElseByOrderElseNotAtAll) {

@@ -125,6 +125,8 @@ void ManualPicturesTest::openRecordings(bool calibrated) {
   }
   if (calibrated) {
     files << file("calibration.toml");
+  } else { // or it would be found beside the videos
+    std::filesystem::remove(path("calibration.toml"));
   }
   drop(files);
   auto* create = find<QPushButton>("newCreate");

@@ -32,6 +32,7 @@ private Q_SLOTS:
   void aTypedFolderHasARate();
   void whatIsChosenIsReadAtOnce();
   void aCalibrationIsReadWhenItIsChosen();
+  void theCalibrationBesideTheVideosIsProposed();
   void camerasOfOtherNamesAreMatched();
   void aCalibrationForOtherImagesIsFitted();
   void aPageOverARunHasNoTransport();
@@ -205,6 +206,44 @@ void NewPageTest::aCalibrationIsReadWhenItIsChosen() {
   QVERIFY2(result->text().contains(QStringLiteral("Caliscope")), qPrintable(result->text()));
   find<QPushButton>("newDropCalibration")->click();
   QVERIFY(!result->isVisible());
+}
+
+void NewPageTest::theCalibrationBesideTheVideosIsProposed() {
+  QVERIFY(recordDemo(folder_.path().toStdString()));
+  for (const char* other : {"half.toml", "tall.toml", "other.json"}) {
+    QFile::remove(file(other)); // of other tests
+  }
+  const auto* name = find<QLabel>("newCalibrationFile");
+  const QString proposed = QStringLiteral("calibration.toml (found beside the recordings)");
+  drop({file("left.mkv")});
+  QVERIFY(hasRows(1));
+  QVERIFY(name->text().startsWith(QStringLiteral("None"))); // it has two cameras
+  drop({file("right.mkv")});
+  QVERIFY(hasRows(2));
+  QCOMPARE(name->text(), proposed);
+  find<QTableWidget>("newCameras")->selectRow(1);
+  find<QPushButton>("newRemove")->click();
+  QVERIFY(hasRows(1));
+  QVERIFY(name->text().startsWith(QStringLiteral("None")));
+  drop({file("right.mkv")});
+  QVERIFY(hasRows(2));
+  QCOMPARE(name->text(), proposed);
+  // Refused once, it is not proposed again.
+  find<QPushButton>("newDropCalibration")->click();
+  find<QTableWidget>("newCameras")->selectRow(1);
+  find<QPushButton>("newRemove")->click();
+  drop({file("right.mkv")});
+  QVERIFY(hasRows(2));
+  QVERIFY(name->text().startsWith(QStringLiteral("None")));
+  // The next project gets a proposal again.
+  find<QPushButton>("newCancel")->click();
+  drop({file("left.mkv"), file("right.mkv")});
+  QVERIFY(hasRows(2));
+  QCOMPARE(name->text(), proposed);
+  QTest::mouseClick(find<QPushButton>("newCreate"), Qt::LeftButton);
+  QVERIFY(isOpen(2));
+  QCOMPARE(window_->document().project().cameras[1].camera.intrinsics.height, 320);
+  QVERIFY(!hasGuessedPose(window_->document().project()));
 }
 
 void NewPageTest::camerasOfOtherNamesAreMatched() {
