@@ -31,7 +31,8 @@ assessedRegions(const ColorAssessment& assessment, const std::vector<setup::Foun
     regions[region.camera].push_back(
         regionOf(region.outline, AssessedRegions::tr("also matches the color")));
   }
-  const QString also = AssessedRegions::tr("recognized as the target (if it is not, Alt-click it)");
+  const QString also =
+      AssessedRegions::tr("recognized as the target (if it is not, Ctrl+Shift-click it)");
   for (const setup::FoundOutline& target : found) {
     auto& shown = regions[target.camera];
     const bool isSaid = std::ranges::any_of(

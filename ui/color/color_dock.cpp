@@ -62,7 +62,7 @@ std::vector<ImageMenuEntry> ColorDock::menuEntries(ImagePickTool& pick, int came
            tr("Add this color to the colors of the target (Shift-click does the same)"),
            panel_->hasTarget(), point(Qt::ShiftModifier)},
           {QStringLiteral("imageExclude"), tr("Exclude this color"),
-           tr("Remove this color from the colors of the target (Alt-click does the same)"),
+           tr("Remove this color from the colors of the target (Ctrl+Shift-click does the same)"),
            panel_->hasTarget(), point(Qt::AltModifier)}};
 }
 

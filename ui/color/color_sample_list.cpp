@@ -43,7 +43,7 @@ ColorSampleList::ColorSampleList(QWidget* parent)
 void ColorSampleList::retranslateUi() {
   title_->setText(tr("Learned from"));
   list_->setAccessibleName(tr("Samples the color was learned from"));
-  list_->setToolTip(tr("Shift-click in an image to add a sample, Alt-click or Ctrl+Shift-click to "
+  list_->setToolTip(tr("Shift-click in an image to add a sample, Ctrl+Shift-click or Alt-click to "
                        "exclude one. Samples marked “found” were detected in other cameras."));
   remove_->setText(tr("Remove"));
   remove_->setToolTip(tr("Remove the selected sample and learn from the others (Del). If the "

@@ -86,7 +86,8 @@ void LearnModes::showHints() {
   buttons_[2]->setToolTip(
       canExclude_
           ? tr("Click something that has the target's color but is not the target, to exclude "
-               "it.\nWhen this button is off, Alt-click or Ctrl+Shift-click does the same.")
+               "it.\nWhen this button is off, Ctrl+Shift-click does the same; so does Alt-click, "
+               "where the desktop does not use it.")
           : first);
 }
 
@@ -95,11 +96,11 @@ QString LearnModes::hintOf(ColorLearner::SampleAction mode) {
   case SampleAction::Replace:
     break;
   case SampleAction::Add:
-    return tr("Click: add a sample · Alt: exclude · Esc: stop");
+    return tr("Click: add a sample · Ctrl+Shift: exclude · Esc: stop");
   case SampleAction::Exclude:
     return tr("Click: exclude a color · Esc: stop");
   }
-  return tr("Click: learn · Shift: add · Alt: exclude · Esc: stop");
+  return tr("Click: learn · Shift: add · Ctrl+Shift: exclude · Esc: stop");
 }
 
 } // namespace dewpoint::ui

@@ -46,7 +46,8 @@ QString suggestionSentence(const ColorAssessment& assessment) {
     return ColorText::tr("Much of the target does not have the learned color: Shift-click its "
                          "light and its dark side.");
   case Suggestion::ExcludeDistractor:
-    return ColorText::tr("Other objects have this color too: Alt-click them to exclude them.");
+    return ColorText::tr(
+        "Other objects have this color too: Ctrl+Shift-click them to exclude them.");
   case Suggestion::RemoveDistractor:
     return ColorText::tr("Cover objects of the same color, or take them out of view.");
   case Suggestion::MoreLight:
