@@ -18,7 +18,6 @@ namespace dewpoint::setup {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace std::string_view_literals;
 
 /// The format of a file that cannot be read as a calibration; empty: none that is known.
 std::string recognizedTitle(const std::filesystem::path& file) {
@@ -37,12 +36,12 @@ constexpr std::size_t kMostCandidates = 64;
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 20U; ///< larger files are no calibration
 
 bool hasCalibrationEnding(const fs::path& file) {
-  const std::string ending = toLowerCase(file.extension().string());
-  return std::ranges::any_of(calibrationFormats(), [&](const CalibrationFormat& format) {
-    return ending == format.extension || (ending == ".yml" && format.extension == ".yaml"sv) ||
-           (ending == ".yaml" && format.extension == ".yml"sv) ||
-           std::ranges::find(format.otherExtensions, ending) != format.otherExtensions.end();
-  });
+  const std::string name = toLowerCase(file.filename().string());
+  const auto ends = [&](std::string_view ending) { return name.ends_with(ending); };
+  return ends(".yml") || ends(".yaml") || // YAML has two, whichever a format names
+         std::ranges::any_of(calibrationFormats(), [&](const CalibrationFormat& format) {
+           return ends(format.extension) || std::ranges::any_of(format.otherExtensions, ends);
+         });
 }
 
 /// A project holds the calibration of its cameras, but it is another project's.
