@@ -3,6 +3,7 @@
 
 #include "ui/style/halo.h"
 
+#include <QFontMetricsF>
 #include <QPainter>
 #include <QRectF>
 
@@ -50,16 +51,38 @@ void paintPickGuide(QPainter& painter, const QPolygonF& line) {
   withHalo(painter, kPickColor, 1.2, [&] { painter.drawPolyline(line); });
 }
 
+QStringList pickHintLines(const QString& hint, const QFontMetricsF& metrics, double width) {
+  const QString between = QStringLiteral(" · ");
+  QStringList lines;
+  for (const QString& part : hint.split(between)) {
+    const QString longer = lines.isEmpty() ? part : lines.last() + between + part;
+    if (!lines.isEmpty() && metrics.horizontalAdvance(longer) <= width) {
+      lines.last() = longer;
+    } else {
+      lines << part;
+    }
+  }
+  return lines;
+}
+
 void paintPickHint(QPainter& painter, const QString& hint, const QRectF& area) {
-  const QSizeF text = painter.fontMetrics().size(Qt::TextSingleLine, hint);
-  const QSizeF pill(text.width() + 24.0, text.height() + 10.0);
+  constexpr double kBeside = 24.0; ///< of the text, at both sides together
+  const QFontMetricsF metrics(painter.font());
+  const QStringList lines = pickHintLines(hint, metrics, area.width() - kBeside);
+  double width = 0.0;
+  for (const QString& line : lines) {
+    width = std::max(width, metrics.horizontalAdvance(line));
+  }
+  const double height = metrics.height() * static_cast<double>(lines.size());
+  const QSizeF pill(width + kBeside, height + 10.0);
   const QRectF place(
       QPointF(area.center().x() - pill.width() / 2.0, area.bottom() - pill.height() - 10.0), pill);
   painter.setPen(Qt::NoPen);
   painter.setBrush(QColor(0, 0, 0, 190));
-  painter.drawRoundedRect(place, pill.height() / 2.0, pill.height() / 2.0);
+  const double corner = (metrics.height() + 10.0) / 2.0;
+  painter.drawRoundedRect(place, corner, corner);
   painter.setPen(Qt::white);
-  painter.drawText(place, Qt::AlignCenter, hint);
+  painter.drawText(place, Qt::AlignCenter, lines.join(QLatin1Char('\n')));
 }
 
 } // namespace dewpoint::ui

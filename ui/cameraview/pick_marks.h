@@ -5,7 +5,9 @@
 
 #include <QPolygonF>
 #include <QString>
+#include <QStringList>
 
+class QFontMetricsF;
 class QPainter;
 class QRectF;
 class QSizeF;
@@ -25,6 +27,8 @@ void paintPickRegion(QPainter& painter, const QPolygonF& outline, const QString&
 void paintPickCross(QPainter& painter, const QPointF& position);
 /// Draws a thin guide line.
 void paintPickGuide(QPainter& painter, const QPolygonF& line);
+/// Returns the parts of a hint, which are separated by " · ", in as few lines as fit into a width.
+QStringList pickHintLines(const QString& hint, const QFontMetricsF& metrics, double width);
 /// Draws the hint that explains what a click does, at the lower edge of the area.
 void paintPickHint(QPainter& painter, const QString& hint, const QRectF& area);
 
