@@ -27,6 +27,10 @@ expectExit 0 export run/trajectory.csv --smooth --from 10f --to 0.9s --rate 60 -
 # The smoothed file can be judged like any other.
 expectExit 0 export run --smooth --out smooth.csv
 expectExit 0 evaluate smooth.csv run/truth.csv
+# So can one without notes.
+expectExit 0 export run --no-header --out plain.csv
+[[ $(head -c 21 plain.csv) == time_s,frame,target,x ]] || fail "$(head -1 plain.csv)"
+expectExit 0 evaluate plain.csv run/truth.csv
 expectExit 0 evaluate run run/truth.csv
 
 # The figure of what is chosen, alone or beside an export.
