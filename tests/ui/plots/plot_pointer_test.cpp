@@ -62,10 +62,19 @@ private:
     QEvent event(QEvent::Leave);
     QApplication::sendEvent(widget, &event);
   }
+  /// Turns the wheel over the plots. What they ignore goes on to their parents, as it does from a
+  /// real wheel; Qt stops at the first widget if an event is sent by hand.
   void turnWheel(int notches, Qt::KeyboardModifiers modifiers) {
-    QWheelEvent event(at(0.5), canvas()->mapToGlobal(at(0.5)), {}, {0, 120 * notches}, Qt::NoButton,
-                      modifiers, Qt::NoScrollPhase, false);
-    QApplication::sendEvent(canvas(), &event);
+    const QPoint global = canvas()->mapToGlobal(at(0.5));
+    for (QWidget* widget = canvas(); widget != nullptr; widget = widget->parentWidget()) {
+      QWheelEvent event(widget->mapFromGlobal(global), global, {}, {0, 120 * notches}, Qt::NoButton,
+                        modifiers, Qt::NoScrollPhase, false);
+      event.ignore();
+      QApplication::sendEvent(widget, &event);
+      if (event.isAccepted()) {
+        return;
+      }
+    }
   }
   /// Number of plots in the label at the pointer.
   static qsizetype plotsInLabel() {
