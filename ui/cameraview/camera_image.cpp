@@ -4,10 +4,8 @@
 #include "core/session/snapshot/snapshot.h"
 #include "core/session/view_image.h"
 #include "ui/style/image.h"
-#include "ui/style/theme.h"
 
-#include <QColor>
-
+#include <algorithm>
 #include <cstddef>
 
 namespace dewpoint::ui {
@@ -17,19 +15,17 @@ namespace {
 /// Light gray. What moves belongs to nobody yet: it has a color that is no identity's.
 const cv::Scalar kMoving(228, 221, 213);
 
-/// The color in which each target is drawn, where a mask has its number.
-const cv::Mat& colorsOfTargets() {
-  static const cv::Mat kTints = [] {
-    cv::Mat tints(1, 256, CV_8UC3);
-    for (int value = 0; value < 256; ++value) {
-      const QColor tint = targetColor(255 - value);
-      tints.at<cv::Vec3b>(value) =
-          cv::Vec3b(static_cast<uchar>(tint.blue()), static_cast<uchar>(tint.green()),
-                    static_cast<uchar>(tint.red()));
-    }
-    return tints;
-  }();
-  return kTints;
+/// The color in which each target is drawn, where a mask has its number: 255 for the first target,
+/// 254 for the second.
+cv::Mat colorsOfTargets(const std::vector<QColor>& colors) {
+  cv::Mat tints(1, 256, CV_8UC3, kMoving);
+  for (int k = 0; k < std::min(255, static_cast<int>(colors.size())); ++k) {
+    const QColor& tint = colors[static_cast<std::size_t>(k)];
+    tints.at<cv::Vec3b>(255 - k) =
+        cv::Vec3b(static_cast<uchar>(tint.blue()), static_cast<uchar>(tint.green()),
+                  static_cast<uchar>(tint.red()));
+  }
+  return tints;
 }
 
 /// From so many device pixels on, a pixel of a zoomed image is drawn as a square.
@@ -39,7 +35,7 @@ cv::Mat drawn(const CameraImageSource& source) {
   const cv::Rect part(source.part.x(), source.part.y(), source.part.width(), source.part.height());
   const cv::Size size(source.size.width(), source.size.height());
   const bool isMasked = !source.mask.empty() && source.mask.size() == source.frame->image.size();
-  const cv::Mat tints = source.isOfMotion ? cv::Mat(1, 256, CV_8UC3, kMoving) : colorsOfTargets();
+  const cv::Mat tints = colorsOfTargets(source.isOfMotion ? std::vector<QColor>() : source.tints);
   const cv::Mat image = source.frame->image(part);
   const cv::Mat tinted = isMasked ? tintedImage(image, source.mask(part), tints) : image;
   const bool squares = source.isZoomed && size.width >= kSquareFrom * part.width;
@@ -67,8 +63,8 @@ QImage mapImage(const std::vector<LikelihoodMap>& maps, int camera) {
 
 bool CameraImageSource::operator==(const CameraImageSource& other) const {
   return camera == other.camera && frame == other.frame && mask.data == other.mask.data &&
-         isOfMotion == other.isOfMotion && part == other.part && size == other.size &&
-         isZoomed == other.isZoomed && maps == other.maps;
+         isOfMotion == other.isOfMotion && tints == other.tints && part == other.part &&
+         size == other.size && isZoomed == other.isZoomed && maps == other.maps;
 }
 
 CameraImage drawCameraImage(const CameraImageSource& source) {

@@ -3,6 +3,7 @@
 
 #include "core/base/floors.h"
 
+#include <QColor>
 #include <QImage>
 #include <QRect>
 #include <QSize>
@@ -29,11 +30,12 @@ struct CameraImageSource {
   int camera = 0;
   FramePtr frame; ///< null for no image
   cv::Mat mask;   ///< as in `TrackSnapshot::masks`; ignored if its size differs from the image size
-  bool isOfMotion = false; ///< the mask shows moving pixels instead of targets
-  QRect part;              ///< part of the image to draw, pixels
-  QSize size;              ///< size of `part` on the screen, device pixels
-  bool isZoomed = false;   ///< draws enlarged pixels as squares
-  TrackSnapshotPtr maps;   ///< snapshot whose likelihood maps are drawn; null for none
+  bool isOfMotion = false;   ///< the mask shows moving pixels instead of targets
+  std::vector<QColor> tints; ///< of the mask, one per target
+  QRect part;                ///< part of the image to draw, pixels
+  QSize size;                ///< size of `part` on the screen, device pixels
+  bool isZoomed = false;     ///< draws enlarged pixels as squares
+  TrackSnapshotPtr maps;     ///< snapshot whose likelihood maps are drawn; null for none
 
   bool operator==(const CameraImageSource& other) const;
 };

@@ -12,7 +12,7 @@
 #include "ui/cameraview/people_painter.h"
 #include "ui/cameraview/volume_painter.h"
 #include "ui/cameraview/zoom_label.h"
-#include "ui/style/theme.h"
+#include "ui/style/target_colors.h"
 #include "ui/text/camera_motion_text.h"
 #include "ui/text/error_sentence.h"
 #include "ui/text/reason_text.h"
@@ -44,6 +44,11 @@ QRect mapPlace(const TargetSnapshot& target, int camera) {
   return {area.x, area.y, area.width, area.height};
 }
 
+/// The colors in which the targets are drawn over an image.
+std::vector<QColor> colorsOf(const TrackSnapshot& snapshot) {
+  return targetColors(displayColorSources(snapshot), DisplayGround::Image);
+}
+
 /// Several targets are told apart by their colors, of a single one the weights are.
 ParticleRamp rampOf(const TrackSnapshot& snapshot, const QColor& color) {
   return snapshot.targets.size() > 1 ? ParticleRamp::tinted(color) : ParticleRamp::heat();
@@ -59,8 +64,8 @@ CameraOverlay shownOverlay(const TrackSnapshot& snapshot, int camera, std::size_
 }
 
 void paintInset(QPainter& painter, const CameraImageSource& source, const TrackSnapshot& snapshot,
-                const CameraLook& look, const CameraImagePlace& place,
-                const std::vector<QRectF>& taken) {
+                const std::vector<QColor>& colors, const CameraLook& look,
+                const CameraImagePlace& place, const std::vector<QRectF>& taken) {
   const auto& targets = snapshot.targets;
   const std::size_t chosen =
       look.chosenTarget >= 0 && static_cast<std::size_t>(look.chosenTarget) < targets.size()
@@ -71,7 +76,7 @@ void paintInset(QPainter& painter, const CameraImageSource& source, const TrackS
       targets[chosen].status != TargetStatus::Held || image.type() != CV_8UC3) {
     return;
   }
-  const QColor color = targetColor(targets[chosen].target.name, static_cast<int>(chosen));
+  const QColor& color = colors[chosen];
   paintCloudInset(painter, {.overlay = shownOverlay(snapshot, source.camera, chosen, look),
                             .image = image,
                             .placement = place.placement,
@@ -97,10 +102,12 @@ CameraImageSource imageSource(const TrackSnapshotPtr& snapshot, int camera, cons
   if (!frame || frame->image.empty()) {
     return {};
   }
+  const cv::Mat mask = look.maskShown ? maskOf(snapshot, camera) : cv::Mat();
   return {.camera = camera,
           .frame = frame,
-          .mask = look.maskShown ? maskOf(snapshot, camera) : cv::Mat(),
+          .mask = mask,
           .isOfMotion = snapshot->masksShowMotion,
+          .tints = mask.empty() ? std::vector<QColor>() : colorsOf(*snapshot),
           .part = QRect(0, 0, frame->image.cols, frame->image.rows),
           .size = size,
           .isZoomed = false,
@@ -121,6 +128,7 @@ void paintEstimates(QPainter& painter, const CameraImage& image, const TrackSnap
   }
   paintPeople(painter, *snapshot, camera, place.placement, place.seen, look.chosenTarget);
   paintPeopleObstacle(painter, *snapshot, camera, place.seen);
+  const std::vector<QColor> colors = colorsOf(*snapshot);
   for (std::size_t i = 0; i < snapshot->targets.size(); ++i) {
     const TargetSnapshot& target = snapshot->targets[i];
     if (isPaintedAsPerson(target)) {
@@ -130,7 +138,7 @@ void paintEstimates(QPainter& painter, const CameraImage& image, const TrackSnap
       paintLikelihoodMap(painter, mapPlace(target, camera), image.maps[i],
                          proposedOutlines(*snapshot, camera, target), place.placement);
     }
-    const QColor color = targetColor(target.target.name, static_cast<int>(i));
+    const QColor& color = colors[i];
     paintOverlay(painter, shownOverlay(*snapshot, camera, i, look), place.placement, color,
                  rampOf(*snapshot, color));
   }
@@ -138,7 +146,7 @@ void paintEstimates(QPainter& painter, const CameraImage& image, const TrackSnap
   if (place.isZoomed) {
     taken.push_back(paintZoomLabel(painter, place.seen, place.placement.scale));
   }
-  paintInset(painter, image.source, *snapshot, look, place, taken);
+  paintInset(painter, image.source, *snapshot, colors, look, place, taken);
   paintCameraMotionMarker(painter, place.seen, cameraMotionText(cameraMotionOf(*snapshot, camera)),
                           look.palette);
 }

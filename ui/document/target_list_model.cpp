@@ -3,8 +3,13 @@
 
 #include "core/project/project.h"
 #include "ui/document/document.h"
+#include "ui/style/target_colors.h"
 #include "ui/style/theme.h"
 #include "ui/widgets/named_widgets.h"
+
+#include <QGuiApplication>
+
+#include <utility>
 
 namespace dewpoint::ui {
 
@@ -17,7 +22,9 @@ TargetListModel::TargetListModel(const Document& document, QObject* parent)
 
 QVariant TargetListModel::data(const QModelIndex& index, int role) const {
   if (role == Qt::DecorationRole && checkIndex(index, CheckIndexOption::IndexIsValid)) {
-    return colorChip(targetColor(index.row()), 14);
+    const auto& colors = isDarkPalette(QGuiApplication::palette()) ? onDark_ : onLight_;
+    const auto target = static_cast<std::size_t>(index.row());
+    return target < colors.size() ? colorChip(colors[target], 14) : QVariant();
   }
   return NameListModel::data(index, role);
 }
@@ -27,7 +34,13 @@ void TargetListModel::refresh() {
   for (const Target& target : document_.project().targets) {
     names << QString::fromStdString(target.name);
   }
+  const auto sources = displayColorSources(document_.project().targets, document_.methodFamily());
+  onLight_ = targetColors(sources, DisplayGround::Light);
+  const auto before = std::exchange(onDark_, targetColors(sources, DisplayGround::Dark));
   setNames(names);
+  if (before != onDark_ && !names.isEmpty()) {
+    Q_EMIT dataChanged(index(0), index(static_cast<int>(names.size()) - 1), {Qt::DecorationRole});
+  }
 }
 
 } // namespace dewpoint::ui

@@ -3,6 +3,10 @@
 
 #include "ui/document/name_list_model.h"
 
+#include <QColor>
+
+#include <vector>
+
 namespace dewpoint::ui {
 
 class Document;
@@ -21,6 +25,8 @@ private:
   void refresh();
 
   const Document& document_;
+  std::vector<QColor> onLight_; ///< colors of the chips in a light window
+  std::vector<QColor> onDark_;  ///< and in a dark window
 };
 
 } // namespace dewpoint::ui

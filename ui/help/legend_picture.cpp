@@ -2,10 +2,11 @@
 #include "ui/help/legend_picture.h"
 
 #include "core/session/camera_overlay.h"
+#include "core/session/snapshot/display_colors.h"
 #include "ui/cameraview/overlay_painter.h"
 #include "ui/cameraview/particle_ramp.h"
 #include "ui/style/halo.h"
-#include "ui/style/theme.h"
+#include "ui/style/to_color.h"
 
 #include <QLinearGradient>
 #include <QPainter>
@@ -120,7 +121,8 @@ void LegendPicture::paintEvent(QPaintEvent* /*event*/) {
   painter.setClipPath(edge);
   const QPointF ball(width() / 2.0, height() / 2.0);
   paintScene(painter, QRectF(rect()), ball);
-  const QColor color = targetColor(0);
+  const QColor color = toColor(
+      legibleOn(DisplayColor(kBall.redF(), kBall.greenF(), kBall.blueF()), DisplayGround::Image));
   if (sign_ == LegendSign::Mask) {
     QColor tint = color;
     tint.setAlphaF(kMaskTint);

@@ -12,6 +12,7 @@
 #include "ui/panels/histogram_view.h"
 #include "ui/panels/target_row_delegate.h"
 #include "ui/style/range_color.h"
+#include "ui/style/target_colors.h"
 #include "ui/text/hold_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/reason_text.h"
@@ -21,6 +22,7 @@
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QEvent>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -258,10 +260,12 @@ QString TargetPanel::speedText(std::size_t target) const {
 void TargetPanel::showRows() {
   const auto& targets = document_.project().targets;
   const bool showsColors = !document_.presentation().takesBoxes;
+  const std::vector<QColor> colors = targetColors(
+      displayColorSources(targets, document_.methodFamily()), displayGround(palette()));
   std::vector<TargetRow> rows;
   for (std::size_t k = 0; k < targets.size(); ++k) {
     TargetRow row;
-    row.identity = targetColor(targets[k].name, static_cast<int>(k));
+    row.identity = colors[k];
     if (showsColors) {
       row.learned = rangeColor(targets[k].color);
     }
@@ -277,6 +281,13 @@ void TargetPanel::showRows() {
   }
   if (rows_->setRows(std::move(rows))) {
     list_->viewport()->update();
+  }
+}
+
+void TargetPanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) {
+    showRows(); // the colors have a shade for each theme
   }
 }
 

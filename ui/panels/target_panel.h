@@ -58,6 +58,9 @@ public:
 Q_SIGNALS:
   void targetChosen(int target);
 
+protected:
+  void changeEvent(QEvent* event) override;
+
 private:
   void makeFields(TargetListModel& targets);
   void retranslateUi();

@@ -2,6 +2,7 @@
 #include "ui/scene3d/scene3d.h"
 
 #include "core/geometry/projected_lines.h"
+#include "core/session/target_colors.h"
 #include "ui/scene3d/scene_parts.h"
 
 #include <algorithm>
@@ -53,11 +54,9 @@ void Scene3d::setSnapshot(const TrackSnapshot& snapshot) {
   while (parts.targets.size() < count) {
     parts.targets.push_back(std::make_unique<TargetActors>(parts.renderer));
   }
-  std::vector<DisplayColorSource> sources;
+  std::vector<DisplayColorSource> sources = displayColorSources(snapshot);
   for (std::size_t i = 0; i < count; ++i) {
     const TargetSnapshot& target = snapshot.targets[i];
-    sources.push_back({snapshot.family.masksColors() ? target.target.colors() : ColorRanges(),
-                       identityColorOf(target.target.name)});
     TargetActors& actors = *parts.targets[i];
     actors.show(target);
     // Of people there would be too many to be read.
@@ -252,8 +251,9 @@ void Scene3d::prepareFrame(int width, int height) {
 }
 
 SceneColor Scene3d::colorOf(std::size_t target) const {
+  const std::vector<DisplayColor>& palette = displayPalette(DisplayGround::Light);
   return target < parts_->targets.size() ? parts_->targets[target]->color()
-                                         : sceneTargetColor(target);
+                                         : palette[target % palette.size()];
 }
 
 std::vector<CameraGlyph> Scene3d::cameraGlyphs() const {

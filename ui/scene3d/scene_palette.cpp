@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/scene3d/scene_palette.h"
 
-#include "core/session/people/people_overlay.h"
-
 #include <array>
+#include <cstddef>
 
 namespace dewpoint::ui {
 SceneColor sceneColor(unsigned rgb) {
@@ -18,27 +17,6 @@ const ScenePalette& scenePalette(bool dark) {
                                   sceneColor(0x444c56), sceneColor(0xaeb6c0), sceneColor(0x9aa5b1),
                                   sceneColor(0xffffff)};
   return dark ? kDark : kLight;
-}
-
-const std::vector<SceneColor>& sceneTargetColors() {
-  // The hues of the images' strokes (ui/style/theme.h), dark enough for a light ground.
-  static const std::vector<SceneColor> kColors{sceneColor(0xd55e00), sceneColor(0x0072b2),
-                                               sceneColor(0x009e73), sceneColor(0xcc79a7),
-                                               sceneColor(0xe69f00), sceneColor(0xb8a500)};
-  return kColors;
-}
-
-SceneColor sceneTargetColor(std::size_t index) {
-  return sceneTargetColors()[index % sceneTargetColors().size()];
-}
-
-std::optional<SceneColor> identityColorOf(const std::string& name) {
-  const auto identity = identityFromName(name);
-  if (!identity) {
-    return std::nullopt;
-  }
-  const cv::Scalar color = identityColor(*identity); // blue, green, red
-  return SceneColor(color[2], color[1], color[0]) / 255.0;
 }
 
 SceneColor axisColor(int axis) {

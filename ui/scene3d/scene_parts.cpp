@@ -48,7 +48,8 @@ void SceneParts::applyPalette() {
 }
 
 void SceneParts::applyTargetColors() {
-  const std::vector<DisplayColor> colors = displayColors(colorSources, sceneTargetColors(), dark);
+  const std::vector<DisplayColor> colors =
+      displayColors(colorSources, dark ? DisplayGround::Dark : DisplayGround::Light);
   for (std::size_t k = 0; k < std::min(targets.size(), colors.size()); ++k) {
     targets[k]->setColors(colors[k], palette(), dark);
   }
@@ -56,7 +57,7 @@ void SceneParts::applyTargetColors() {
 
 ScenePalette SceneParts::plannedPalette() const {
   ScenePalette colors = palette();
-  colors.camera = sceneTargetColor(2); // no target is drawn as a pyramid
+  colors.camera = displayPalette(DisplayGround::Light)[2]; // no target is drawn as a pyramid
   return colors;
 }
 

@@ -2,12 +2,14 @@
 #include "ui/style/theme.h"
 
 #include "core/session/people/people_overlay.h"
+#include "core/session/snapshot/display_colors.h"
 #include "ui/style/dewpoint_style.h"
 #include "ui/style/identity_badge.h"
+#include "ui/style/to_color.h"
 
 #include <QApplication>
 
-#include <array>
+#include <vector>
 
 namespace dewpoint::ui {
 
@@ -89,9 +91,8 @@ QColor holdColor(HoldState state, const QPalette& palette) {
 }
 
 QColor targetColor(int target) {
-  static constexpr std::array<const char*, 6> kOkabeIto{"#ff8640", "#56b4e9", "#2fc79a",
-                                                        "#e59ac6", "#e69f00", "#f0e442"};
-  return QColor(kOkabeIto[static_cast<std::size_t>(target) % kOkabeIto.size()]);
+  const std::vector<DisplayColor>& palette = displayPalette(DisplayGround::Image);
+  return toColor(palette[static_cast<std::size_t>(target) % palette.size()]);
 }
 
 QColor targetColor(const std::string& name, int target) {

@@ -22,9 +22,11 @@ bool isThemeApplied();
 /// Returns the color of a target state, readable on the given palette. `holdText()` (ui/text)
 /// returns the words.
 QColor holdColor(HoldState state, const QPalette& palette);
-/// Returns a target color by index (Okabe-Ito), for lines on images and on a dark background.
+/// Returns a color by index from `displayPalette()` for images, for targets without a learned
+/// color. `targetColors()` (ui/style/target_colors.h) returns the colors in which the views draw
+/// targets.
 QColor targetColor(int target);
-/// Returns the color of a target in the project. A person has the identity color in all views.
+/// Returns the same, or the identity color if `name` is the name of a person.
 QColor targetColor(const std::string& name, int target);
 
 } // namespace dewpoint::ui

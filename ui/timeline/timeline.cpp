@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/timeline/timeline.h"
 
+#include "core/session/target_colors.h"
 #include "ui/document/document.h"
 #include "ui/text/reason_text.h"
 #include "ui/text/retranslation.h"
@@ -59,6 +60,7 @@ void Timeline::setSnapshot(const TrackSnapshotPtr& shown) {
   for (const TargetSnapshot& target : snapshot.targets) {
     targets.append(QString::fromStdString(target.target.name));
   }
+  model_.colors = displayColorSources(snapshot);
   const QStringList cameras = cameraNames(snapshot);
   if (targets != model_.targets || cameras != model_.cameras) {
     model_.targets = targets;

@@ -3,6 +3,7 @@
 
 #include "core/project/project.h"
 #include "core/session/run/result_settings.h"
+#include "core/session/snapshot/display_colors.h"
 #include "core/session/snapshot/snapshot.h"
 
 #include <QString>
@@ -19,6 +20,7 @@ struct TimelineModel {
   /// record.
   std::vector<FrameRecord> records;
   QStringList targets;
+  std::vector<DisplayColorSource> colors; ///< one per target
   QStringList cameras;
   std::vector<ProjectMarker> markers;
   std::vector<PositionCorrection> corrections; ///< in increasing frame order

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/timeline/timeline_painter.h"
 
+#include "ui/style/target_colors.h"
 #include "ui/style/theme.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/reason_text.h"
@@ -186,15 +187,15 @@ void paintNames(QPainter& painter, const TimelineModel& model, const TimelineRow
                      Qt::AlignLeft | Qt::AlignVCenter,
                      metrics.elidedText(name, Qt::ElideRight, room));
   };
+  const std::vector<QColor> colors = targetColors(model.colors, displayGround(palette));
   for (int k = 0; k < model.targets.size(); ++k) {
     const QRectF row = rows.ribbon(k);
     if (rows.ribbonHeight >= 0.8 * metrics.height()) { // else names would lie on one another
       write(row, model.targets[k], palette.color(QPalette::WindowText));
     }
-    const std::string name = model.targets[k].toStdString();
-    if (identityFromName(name)) { // told apart by the color of the identity, as everywhere
+    if (const auto target = static_cast<std::size_t>(k); target < colors.size()) {
       const double half = std::min(4.0, 0.5 * row.height());
-      painter.fillRect(QRectF(1.0, row.center().y() - half, 4.0, 2.0 * half), targetColor(name, k));
+      painter.fillRect(QRectF(1.0, row.center().y() - half, 4.0, 2.0 * half), colors[target]);
     }
   }
   if (rows.camerasShareRow) {

@@ -15,12 +15,31 @@ namespace {
 constexpr double kLeastSaturation = 0.05; ///< of its lower bound
 constexpr double kWidestHue = 150.0;      ///< degrees
 constexpr double kLeastChroma = 0.02;     ///< of its middle, OKLab
-// Lightness (OKLab, 0 to 1) that differs enough from a white floor and from a dark one.
-constexpr double kDarkestOnLight = 0.30;
-constexpr double kBrightestOnLight = 0.74;
-constexpr double kDarkestOnDark = 0.62;
-constexpr double kBrightestOnDark = 0.92;
-constexpr double kAlike = 0.09; ///< OKLab: about a sixth of the way from red to green
+constexpr double kAlike = 0.09;           ///< OKLab: about a sixth of the way from red to green
+
+/// Lightness (OKLab, 0 to 1) from the darkest to the brightest color that can be seen.
+struct LightnessRange {
+  double darkest;
+  double brightest;
+};
+
+/// In an image, lines cross the target itself. So they are lighter than most objects, and have a
+/// dark halo.
+LightnessRange lightnessOn(DisplayGround ground) {
+  switch (ground) {
+  case DisplayGround::Light:
+    return {0.30, 0.74};
+  case DisplayGround::Dark:
+    return {0.62, 0.92};
+  case DisplayGround::Image:
+    break;
+  }
+  return {0.76, 0.92};
+}
+
+DisplayColor colorFromHex(unsigned rgb) {
+  return DisplayColor((rgb >> 16U) & 255U, (rgb >> 8U) & 255U, rgb & 255U) / 255.0;
+}
 
 double linearFromScreen(double value) {
   return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
@@ -118,10 +137,10 @@ std::optional<DisplayColor> centralColor(const ColorRange& range) {
   return found;
 }
 
-DisplayColor legibleOn(const DisplayColor& color, bool darkBackground) {
+DisplayColor legibleOn(const DisplayColor& color, DisplayGround ground) {
   Eigen::Vector3d lab = okLab(color);
-  const double lightness = darkBackground ? std::clamp(lab[0], kDarkestOnDark, kBrightestOnDark)
-                                          : std::clamp(lab[0], kDarkestOnLight, kBrightestOnLight);
+  const LightnessRange range = lightnessOn(ground);
+  const double lightness = std::clamp(lab[0], range.darkest, range.brightest);
   if (lightness == lab[0]) {
     return color;
   }
@@ -133,23 +152,39 @@ bool areSimilar(const DisplayColor& one, const DisplayColor& other) {
   return areLabsSimilar(okLab(one), okLab(other));
 }
 
+const std::vector<DisplayColor>& displayPalette(DisplayGround ground) {
+  static const std::vector<DisplayColor> kWindow{colorFromHex(0xd55e00), colorFromHex(0x0072b2),
+                                                 colorFromHex(0x009e73), colorFromHex(0xcc79a7),
+                                                 colorFromHex(0xe69f00), colorFromHex(0xb8a500)};
+  static const std::vector<DisplayColor> kImage{colorFromHex(0xff8640), colorFromHex(0x56b4e9),
+                                                colorFromHex(0x2fc79a), colorFromHex(0xe59ac6),
+                                                colorFromHex(0xe69f00), colorFromHex(0xf0e442)};
+  return ground == DisplayGround::Image ? kImage : kWindow;
+}
+
 std::vector<DisplayColor> displayColors(const std::vector<DisplayColorSource>& sources,
-                                        const std::vector<DisplayColor>& palette,
-                                        bool darkBackground) {
-  std::vector<std::optional<LabColor>> chosen(sources.size());
-  for (std::size_t k = 0; k < sources.size(); ++k) {
+                                        DisplayGround ground) {
+  // All grounds share one choice, so that a target has one hue in all views. It is made for the
+  // ground with the narrowest range of lightness: what differs there differs on the others, too.
+  constexpr DisplayGround kDecisive = DisplayGround::Image;
+  const std::size_t own = std::min(sources.size(), kMostOwnColors);
+  std::vector<std::optional<LabColor>> chosen(own); // as seen on the decisive ground
+  std::vector<DisplayColor> colors(sources.size());
+  for (std::size_t k = 0; k < own; ++k) {
     if (sources[k].fixed) {
       chosen[k] = labColor(*sources[k].fixed);
+      colors[k] = *sources[k].fixed;
     } else if (!sources[k].learned.empty()) {
-      const auto middle = centralColor(sources[k].learned[0]);
-      chosen[k] =
-          middle ? std::optional(labColor(legibleOn(*middle, darkBackground))) : std::nullopt;
+      if (const auto middle = centralColor(sources[k].learned[0])) {
+        chosen[k] = labColor(legibleOn(*middle, kDecisive));
+        colors[k] = legibleOn(*middle, ground);
+      }
     }
   }
   // All of a group that look alike give way, so that none of them depends on their order.
   const auto before = chosen;
-  for (std::size_t k = 0; k < sources.size(); ++k) {
-    for (std::size_t other = 0; other < sources.size() && !sources[k].fixed; ++other) {
+  for (std::size_t k = 0; k < own; ++k) {
+    for (std::size_t other = 0; other < own && !sources[k].fixed; ++other) {
       if (other != k && before[k] && before[other] &&
           areLabsSimilar(before[k]->lab, before[other]->lab)) {
         chosen[k].reset();
@@ -157,21 +192,26 @@ std::vector<DisplayColor> displayColors(const std::vector<DisplayColorSource>& s
       }
     }
   }
+  const std::vector<DisplayColor>& palette = displayPalette(ground);
   std::vector<LabColor> offered;
-  std::ranges::transform(palette, std::back_inserter(offered), labColor);
+  std::ranges::transform(displayPalette(kDecisive), std::back_inserter(offered), labColor);
   const auto isTaken = [&](const LabColor& color) {
     return std::ranges::any_of(
         chosen, [&](const auto& one) { return one && areLabsSimilar(one->lab, color.lab); });
   };
-  std::vector<DisplayColor> colors;
-  colors.reserve(chosen.size());
   for (std::size_t k = 0; k < sources.size(); ++k) {
-    for (std::size_t next = k; !chosen[k] && next < k + offered.size(); ++next) {
+    if (k < own && chosen[k]) {
+      continue;
+    }
+    std::size_t index = k % offered.size();
+    for (std::size_t next = k; k < own && next < k + offered.size(); ++next) {
       if (const LabColor& color = offered[next % offered.size()]; !isTaken(color)) {
+        index = next % offered.size();
         chosen[k] = color;
+        break;
       }
     }
-    colors.push_back(chosen[k].value_or(offered[k % offered.size()]).color);
+    colors[k] = k >= own && sources[k].fixed ? *sources[k].fixed : palette[index];
   }
   return colors;
 }

@@ -3,12 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace dewpoint::tests {
 namespace {
 
-const std::vector<DisplayColor> kPalette{{0.84, 0.37, 0.0}, {0.0, 0.45, 0.70}, {0.0, 0.62, 0.45}};
+const std::vector<DisplayColor>& palette() {
+  return displayPalette(DisplayGround::Light);
+}
 
 ColorRange rangeAbout(double hue, double saturation = 0.5, double intensity = 0.5) {
   return {normalizedHue(hue - 12.0), normalizedHue(hue + 12.0), saturation - 0.1,
@@ -26,11 +29,11 @@ double luminance(const DisplayColor& color) {
 TEST(DisplayColors, APinkBallIsPink) {
   // The range of the simulated ball.
   const ColorRange pink{320.0, 352.0, 0.25, 0.65, 0.15, 0.90};
-  const auto colors = displayColors({{.learned = pink}}, kPalette, false);
+  const auto colors = displayColors({{.learned = pink}}, DisplayGround::Light);
   ASSERT_EQ(colors.size(), 1U);
   EXPECT_GT(colors[0][0], colors[0][2] + 0.1); // red above blue above green
   EXPECT_GT(colors[0][2], colors[0][1] + 0.1);
-  EXPECT_FALSE(areSimilar(colors[0], kPalette[0]));
+  EXPECT_FALSE(areSimilar(colors[0], palette()[0]));
 }
 
 TEST(DisplayColors, TheMiddleOfTheHuesMayLieAcrossZero) {
@@ -45,9 +48,9 @@ TEST(DisplayColors, GrayAndManyHuesAreNoColor) {
   EXPECT_FALSE(centralColor(ColorRange{}).has_value());
   EXPECT_FALSE(centralColor({0.0, 360.0, 0.2, 1.0, 0.0, 1.0}).has_value());
   EXPECT_FALSE(centralColor({100.0, 120.0, 0.0, 0.6, 0.2, 0.8}).has_value());
-  const auto colors = displayColors({{}, {.learned = ColorRange{}}}, kPalette, true);
-  EXPECT_EQ(colors[0], kPalette[0]);
-  EXPECT_EQ(colors[1], kPalette[1]);
+  const auto colors = displayColors({{}, {.learned = ColorRange{}}}, DisplayGround::Dark);
+  EXPECT_EQ(colors[0], palette()[0]);
+  EXPECT_EQ(colors[1], palette()[1]);
 }
 
 TEST(DisplayColors, EachReadsOnItsGround) {
@@ -55,26 +58,28 @@ TEST(DisplayColors, EachReadsOnItsGround) {
     for (const double intensity : {0.12, 0.5, 0.88}) {
       const auto middle = centralColor(rangeAbout(hue, 0.5, intensity));
       ASSERT_TRUE(middle.has_value()) << hue;
-      const DisplayColor onLight = legibleOn(*middle, false);
-      const DisplayColor onDark = legibleOn(*middle, true);
+      const DisplayColor onLight = legibleOn(*middle, DisplayGround::Light);
+      const DisplayColor onDark = legibleOn(*middle, DisplayGround::Dark);
       EXPECT_LT(luminance(onLight), 0.45) << hue; // the floor is white
       EXPECT_GT(luminance(onDark), 0.18) << hue;  // the floor has 0.02
-      for (const DisplayColor& color : {onLight, onDark}) {
+      const DisplayColor onImage = legibleOn(*middle, DisplayGround::Image);
+      EXPECT_GT(luminance(onImage), 0.35) << hue; // a line with a dark halo
+      for (const DisplayColor& color : {onLight, onDark, onImage}) {
         EXPECT_GE(color.minCoeff(), 0.0);
         EXPECT_LE(color.maxCoeff(), 1.0);
       }
     }
   }
   const DisplayColor fine(0.8, 0.3, 0.5);
-  EXPECT_EQ(legibleOn(fine, false), fine);
+  EXPECT_EQ(legibleOn(fine, DisplayGround::Light), fine);
 }
 
 TEST(DisplayColors, TargetsThatLookAlikeHaveColorsOfThePalette) {
   const auto colors = displayColors({{.learned = rangeAbout(330.0)},
                                      {.learned = rangeAbout(120.0)},
                                      {.learned = rangeAbout(334.0)}},
-                                    kPalette, false);
-  EXPECT_EQ(colors[0], kPalette[0]);
+                                    DisplayGround::Light);
+  EXPECT_EQ(colors[0], palette()[0]);
   EXPECT_GT(colors[1][1], colors[1][0]); // stays green
   EXPECT_FALSE(areSimilar(colors[0], colors[2]));
   EXPECT_FALSE(areSimilar(colors[1], colors[2])); // not the green of the palette
@@ -82,13 +87,52 @@ TEST(DisplayColors, TargetsThatLookAlikeHaveColorsOfThePalette) {
 
 TEST(DisplayColors, PeopleKeepTheirs) {
   const DisplayColor identity(0.1, 0.2, 0.9);
-  const auto colors = displayColors({{.fixed = identity}, {.fixed = identity}}, kPalette, true);
+  const auto colors =
+      displayColors({{.fixed = identity}, {.fixed = identity}}, DisplayGround::Dark);
   EXPECT_EQ(colors[0], identity);
   EXPECT_EQ(colors[1], identity);
 }
 
+TEST(DisplayColors, ATargetHasOneHueOnEveryGround) {
+  // Two blues that differ in lightness, and two targets without a color.
+  const std::vector<DisplayColorSource> sources{{.learned = rangeAbout(220.0, 0.5, 0.2)},
+                                                {.learned = rangeAbout(220.0, 0.5, 0.8)},
+                                                {.learned = rangeAbout(120.0)},
+                                                {},
+                                                {}};
+  const auto image = displayColors(sources, DisplayGround::Image);
+  for (const DisplayGround ground : {DisplayGround::Light, DisplayGround::Dark}) {
+    const auto colors = displayColors(sources, ground);
+    for (std::size_t k = 0; k < sources.size(); ++k) {
+      const auto inPalette = [k](const std::vector<DisplayColor>& shown, DisplayGround where) {
+        return std::ranges::find(displayPalette(where), shown[k]) - displayPalette(where).begin();
+      };
+      EXPECT_EQ(inPalette(image, DisplayGround::Image), inPalette(colors, ground)) << k;
+    }
+    EXPECT_GT(colors[2][1], colors[2][0]); // green
+  }
+}
+
+TEST(DisplayColors, WhatIsDrawnOverTheTargetIsLighterThanTheTarget) {
+  const auto pink = centralColor({320.0, 352.0, 0.25, 0.65, 0.15, 0.90});
+  ASSERT_TRUE(pink.has_value());
+  EXPECT_GT(luminance(legibleOn(*pink, DisplayGround::Image)), 1.5 * luminance(*pink));
+}
+
 TEST(DisplayColors, MoreTargetsThanThePaletteHasStillHaveOneEach) {
-  EXPECT_EQ(displayColors(std::vector<DisplayColorSource>(5), kPalette, false).size(), 5U);
+  const auto colors =
+      displayColors(std::vector<DisplayColorSource>(palette().size() + 2), DisplayGround::Light);
+  ASSERT_EQ(colors.size(), palette().size() + 2);
+  EXPECT_EQ(colors.back(), palette()[1]);
+}
+
+TEST(DisplayColors, OfManyTargetsTheFirstOnesKeepTheirColors) {
+  std::vector<DisplayColorSource> sources(kMostOwnColors + 2);
+  sources.front().learned = rangeAbout(120.0);
+  sources.back().learned = rangeAbout(120.0); // too many to compare
+  const auto colors = displayColors(sources, DisplayGround::Light);
+  EXPECT_EQ(colors.front(), legibleOn(*centralColor(rangeAbout(120.0)), DisplayGround::Light));
+  EXPECT_EQ(colors.back(), palette()[(kMostOwnColors + 1) % palette().size()]);
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "core/session/snapshot/snapshot.h"
 #include "tests/ui/wait.h"
 #include "ui/cameraview/camera_view.h"
+#include "ui/style/target_colors.h"
 
 #include <QImage>
 #include <QTest>
@@ -9,6 +10,7 @@
 #include <opencv2/core.hpp>
 
 #include <cmath>
+#include <cstdlib>
 #include <memory>
 
 namespace dewpoint::tests {
@@ -236,6 +238,43 @@ TrackSnapshotPtr holding(double spread) {
       (Eigen::ArrayXXd(3, 3) << 0.0, 0.0, 1.0, spread, 0.0, 1.0, 0.0, spread, 1.0).finished();
   target.weights = Eigen::ArrayXd::Constant(3, 1.0 / 3.0);
   return snapshot;
+}
+
+/// Pixels that have about this color.
+int pixelsNear(const QImage& picture, const QColor& color) {
+  int count = 0;
+  for (int y = 0; y < picture.height(); ++y) {
+    for (int x = 0; x < picture.width(); ++x) {
+      const QColor there = picture.pixelColor(x, y);
+      count += std::abs(there.red() - color.red()) + std::abs(there.green() - color.green()) +
+                           std::abs(there.blue() - color.blue()) <
+                       60
+                   ? 1
+                   : 0;
+    }
+  }
+  return count;
+}
+
+TEST_F(ShownCameraView, EstimateAndMaskHaveTheLearnedColor) {
+  auto snapshot = std::make_shared<TrackSnapshot>(*holding(0.02));
+  snapshot->targets[0].particles.resize(0, 3);
+  snapshot->targets[0].weights.resize(0);
+  snapshot->targets[0].target.color = {200.0, 224.0, 0.4, 0.8, 0.3, 0.7}; // blue
+  view_.setSnapshot(snapshot);
+  ASSERT_TRUE(isDrawn(view_));
+  const QColor color = targetColors(displayColorSources(*snapshot), DisplayGround::Image)[0];
+  EXPECT_GT(color.blue(), color.red() + 60);
+  const int cross = pixelsNear(view_.grab().toImage(), color);
+  EXPECT_GT(cross, 10);
+  auto masked = std::make_shared<TrackSnapshot>(*snapshot);
+  cv::Mat mask(60, 80, CV_8UC1, cv::Scalar(0));
+  mask(cv::Rect(5, 5, 20, 20)).setTo(255); // far from the cross
+  masked->masks = {mask};
+  view_.setSnapshot(masked);
+  view_.setMaskShown(true);
+  ASSERT_TRUE(isDrawn(view_));
+  EXPECT_GT(pixelsNear(view_.grab().toImage(), color), cross + 40); // its outline
 }
 
 TEST_F(ShownCameraView, ATightCloudIsEnlargedInACorner) {

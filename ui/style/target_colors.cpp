@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/style/target_colors.h"
+
+#include "ui/style/theme.h"
+#include "ui/style/to_color.h"
+
+namespace dewpoint::ui {
+
+DisplayGround displayGround(const QPalette& palette) {
+  return isDarkPalette(palette) ? DisplayGround::Dark : DisplayGround::Light;
+}
+
+std::vector<QColor> targetColors(const std::vector<DisplayColorSource>& sources,
+                                 DisplayGround ground) {
+  std::vector<QColor> colors;
+  colors.reserve(sources.size());
+  for (const DisplayColor& color : displayColors(sources, ground)) {
+    colors.push_back(toColor(color));
+  }
+  return colors;
+}
+
+} // namespace dewpoint::ui
