@@ -8,6 +8,8 @@
 #include <QActionGroup>
 #include <QMainWindow>
 #include <QMenu>
+#include <QStyleOptionToolButton>
+#include <QStylePainter>
 
 #include <algorithm>
 #include <array>
@@ -19,6 +21,9 @@ namespace {
 
 constexpr std::array<double, 9> kSpeeds{
     Pace::kSlowest, 1.0 / 16.0, 1.0 / 8.0, 1.0 / 4.0, 1.0 / 2.0, 1.0, 2.0, 4.0, Pace::kFastest};
+
+constexpr int kArrowSide = 9; ///< pixels
+constexpr int kArrowMargin = 3;
 
 /// "1/8 ×", "2 ×".
 QString speedText(double speed) {
@@ -68,6 +73,19 @@ SpeedButton::SpeedButton(const Workbench& bench, QWidget* parent)
     setMinimumWidth(fontMetrics().horizontalAdvance(speedText(Pace::kSlowest)) + 24);
     showPace();
   });
+}
+
+void SpeedButton::paintEvent(QPaintEvent* /*event*/) {
+  QStylePainter painter(this);
+  QStyleOptionToolButton option;
+  initStyleOption(&option);
+  // The style draws the arrow of a menu as a speck in the corner. Here it stands beside the speed.
+  option.features &= ~QStyleOptionToolButton::HasMenu;
+  painter.drawComplexControl(QStyle::CC_ToolButton, option);
+  QStyleOption arrow = option;
+  arrow.rect = QRect(width() - kArrowSide - kArrowMargin, (height() - kArrowSide) / 2 + 1,
+                     kArrowSide, kArrowSide);
+  painter.drawPrimitive(QStyle::PE_IndicatorArrowDown, arrow);
 }
 
 void SpeedButton::connectActions() {

@@ -18,6 +18,9 @@ class SpeedButton : public QToolButton {
 public:
   explicit SpeedButton(const Workbench& bench, QWidget* parent = nullptr);
 
+protected:
+  void paintEvent(QPaintEvent* event) override;
+
 private:
   void connectActions();
   void setSpeed(double speed);

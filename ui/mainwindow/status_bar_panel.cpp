@@ -26,7 +26,8 @@ namespace dewpoint::ui {
 namespace {
 
 constexpr int kSpacing = 20;
-constexpr int kWidestName = 220; ///< of a target; a longer one is cut
+constexpr int kWidestName = 220;  ///< of a target; a longer one is cut
+constexpr int kLeastReason = 160; ///< pixels; less of a reason cannot be understood
 
 /// Digits keep their places whether there is a minus before them or not.
 QString padded(const QString& text, double meters) {
@@ -265,6 +266,9 @@ void StatusBarPanel::hideOverflow() {
   int needed = margins.left() + margins.right() + widthOf(held_);
   for (const QWidget* part : hideOrder_) {
     needed += widthOf(part);
+  }
+  if (const QString reason = reason_->fullText(); !reason.isEmpty()) {
+    needed += std::min(kLeastReason, fontMetrics().horizontalAdvance(reason)) + kSpacing;
   }
   for (QWidget* part : hideOrder_) {
     const bool fits = needed <= width();

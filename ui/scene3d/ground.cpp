@@ -54,6 +54,7 @@ std::string meters(double value, double step, const std::string& decimalPoint) {
   return text;
 }
 
+constexpr double kNumberRoom = 20.0; ///< pixels from one number of an axis to the next
 // Of the extent's size: the plane lies so far below the lines, and below what is lowest.
 constexpr double kPlaneBelow = 0.0015;
 constexpr double kMarginBelow = 0.01;
@@ -95,6 +96,7 @@ void Ground::cover(const Eigen::AlignedBox2d& extent, double height, double lowe
   extent_ = rounded;
   height_ = roundedHeight;
   numberStep_ = numberStep(size, majorStep_);
+  numberSteps_.setConstant(numberStep_);
   drawPlane();
   drawLines();
   drawNumbers();
@@ -126,19 +128,46 @@ void Ground::drawNumbers() {
   const Eigen::Vector3d high(extent_.max().x(), extent_.max().y(), height_);
   for (int axis = 0; axis < 3; ++axis) {
     numbers_[axis].clear();
-    const auto first = static_cast<long>(std::ceil(low[axis] / numberStep_ - 1e-6));
-    const auto last = static_cast<long>(std::floor(high[axis] / numberStep_ + 1e-6));
+    const double step = numberSteps_[axis];
+    const auto first = static_cast<long>(std::ceil(low[axis] / step - 1e-6));
+    const auto last = static_cast<long>(std::floor(high[axis] / step + 1e-6));
     for (long i = first; i <= last; ++i) {
-      const double value = static_cast<double>(i) * numberStep_;
+      const double value = static_cast<double>(i) * step;
       Eigen::Vector3d point(low.x(), low.y(), 0.0);
       point[axis] = value;
-      const std::string text = meters(value, numberStep_, decimalPoint_) + (i == last ? " m" : "");
+      const std::string text = meters(value, step, decimalPoint_) + (i == last ? " m" : "");
       if (axis == 0) {
         numbers_[0].add(text, point, 11.0, 0.0, -1.0);
       } else {
         numbers_[axis].add(text, point, 11.0, -0.6);
       }
     }
+  }
+}
+
+void Ground::thinNumbers(const ScreenScale& scale) {
+  if (extent_.isEmpty()) {
+    return;
+  }
+  const Eigen::Vector3d corner(extent_.min().x(), extent_.min().y(), 0.0);
+  const Eigen::Vector3d opposite(extent_.max().x(), extent_.max().y(), height_);
+  Eigen::Vector3d steps = Eigen::Vector3d::Constant(numberStep_);
+  for (int axis = 0; axis < 3; ++axis) {
+    Eigen::Vector3d end = corner;
+    end[axis] = opposite[axis];
+    const double length = end[axis] - corner[axis];
+    const double pixels = (scale.project(end) - scale.project(corner)).norm() / scale.pixelRatio;
+    const double needed = kNumberRoom * length / std::max(pixels, 1.0);
+    for (const double factor : {1.0, 2.0, 5.0, 10.0}) {
+      steps[axis] = numberStep_ * factor;
+      if (steps[axis] >= needed) {
+        break;
+      }
+    }
+  }
+  if (steps != numberSteps_) {
+    numberSteps_ = steps;
+    drawNumbers();
   }
 }
 
@@ -207,6 +236,7 @@ void Ground::prepareFrame(const ScreenScale& scale) {
   for (const auto& axis : axes_) {
     axis->GetProperty()->SetLineWidth(width(2.5));
   }
+  thinNumbers(scale);
   for (int axis = 0; axis < 3; ++axis) {
     // Along the line of sight, texts would pile up in one place.
     const bool across = std::abs(scale.direction[axis]) < 0.97;

@@ -34,6 +34,8 @@ private:
   void drawPlane();
   void drawLines();
   void drawNumbers();
+  /// Draws fewer numbers along an axis if they would lie on each other.
+  void thinNumbers(const ScreenScale& scale);
   void drawWall();
   void drawAxes();
 
@@ -56,7 +58,8 @@ private:
   double planeHeight_ = 0.0;
   double majorStep_ = 1.0;
   double minorStep_ = 0.1;
-  double numberStep_ = 1.0;
+  double numberStep_ = 1.0;                               ///< at least, meters
+  Eigen::Vector3d numberSteps_ = Eigen::Vector3d::Ones(); ///< as drawn, along each axis
   std::string decimalPoint_ = ".";
 };
 

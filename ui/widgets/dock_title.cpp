@@ -14,16 +14,32 @@
 #include <QPainter>
 #include <QToolButton>
 
+#include <algorithm>
+
 namespace dewpoint::ui {
 
 namespace {
 constexpr int kLeastNameWidth = 24;
 constexpr int kLeastStateWidth = 16; ///< its sign is seen
+
+/// Paints text that does not fit with an ellipsis. Its text() is always the whole text.
+class TitleLabel : public QLabel {
+public:
+  using QLabel::QLabel;
+
+protected:
+  void paintEvent(QPaintEvent* /*event*/) override {
+    QPainter painter(this);
+    painter.setPen(palette().color(foregroundRole()));
+    painter.drawText(rect(), Qt::AlignLeft | Qt::AlignVCenter,
+                     fontMetrics().elidedText(text(), Qt::ElideRight, width()));
+  }
+};
 } // namespace
 
 DockTitle::DockTitle(QDockWidget* dock)
-    : QWidget(dock), dock_(dock), name_(new QLabel(dock->windowTitle(), this)),
-      state_(new QLabel(this)), reason_(new ElidedLabel(this)), restore_(new QToolButton(this)),
+    : QWidget(dock), dock_(dock), name_(new TitleLabel(dock->windowTitle(), this)),
+      state_(new TitleLabel(this)), reason_(new ElidedLabel(this)), restore_(new QToolButton(this)),
       float_(new QToolButton(this)) {
   setObjectName(dock->objectName() + QStringLiteral("Title"));
   name_->setObjectName(objectName() + QStringLiteral("Name"));
@@ -62,8 +78,27 @@ DockTitle::DockTitle(QDockWidget* dock)
   state_->setMinimumWidth(kLeastStateWidth);
   connect(float_, &QToolButton::clicked, this, &DockTitle::floatRequested);
   connect(restore_, &QToolButton::clicked, this, &DockTitle::maximizeRequested);
-  connect(dock_, &QDockWidget::windowTitleChanged, name_, &QLabel::setText);
+  connect(dock_, &QDockWidget::windowTitleChanged, this, [this](const QString& title) {
+    name_->setText(title);
+    fitName();
+  });
   applyPalette();
+}
+
+QSize DockTitle::minimumSizeHint() const {
+  const QSize least = layout()->minimumSize();
+  return {least.width() - name_->minimumWidth() + kLeastNameWidth, least.height()};
+}
+
+void DockTitle::fitName() {
+  const int others = layout()->minimumSize().width() - name_->minimumWidth();
+  const int whole = std::max(kLeastNameWidth, name_->sizeHint().width());
+  name_->setMinimumWidth(std::clamp(width() - others, kLeastNameWidth, whole));
+}
+
+void DockTitle::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  fitName();
 }
 
 void DockTitle::setNameShown(bool shown) {

@@ -32,6 +32,9 @@ public:
   /// Sets whether the dock fills the window.
   void setMaximized(bool maximized);
 
+  /// Returns a width at which only parts of the texts are visible.
+  QSize minimumSizeHint() const override;
+
 Q_SIGNALS:
   /// Emitted when the user wants to maximize the dock or restore the other views.
   void maximizeRequested();
@@ -40,11 +43,14 @@ Q_SIGNALS:
 
 protected:
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
 
 private:
   void applyPalette();
+  /// Keeps the whole name visible as long as there is room for the sign of the state.
+  void fitName();
   void showReason(const QString& reason, bool alone);
 
   QDockWidget* dock_;

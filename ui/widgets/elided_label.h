@@ -14,6 +14,7 @@ public:
   explicit ElidedLabel(QWidget* parent = nullptr);
 
   void setFullText(const QString& text);
+  const QString& fullText() const { return full_; }
 
 protected:
   void resizeEvent(QResizeEvent* event) override;

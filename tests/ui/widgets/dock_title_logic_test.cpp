@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/text/hold_text.h"
 #include "ui/widgets/dock_title.h"
 
 #include <QDockWidget>
 #include <QLabel>
+#include <QLayout>
 #include <gtest/gtest.h>
 
 namespace dewpoint::tests {
@@ -26,6 +28,24 @@ TEST(DockTitle, AReasonAloneStandsInPlaceOfTheState) {
   title.setReason({});
   EXPECT_FALSE(state->isHidden());
   EXPECT_EQ(reason->palette().color(QPalette::WindowText), plain);
+}
+
+TEST(DockTitle, InANarrowViewTheStateGivesWayToTheName) {
+  QDockWidget dock(QStringLiteral("camera 2"));
+  dock.setObjectName(QStringLiteral("dock"));
+  DockTitle title(&dock);
+  const auto* name = title.findChild<QLabel*>(QStringLiteral("dockTitleName"));
+  const auto* state = title.findChild<QLabel*>(QStringLiteral("dockTitleState"));
+  title.setState(HoldState::Searching);
+  const int whole = title.sizeHint().width();
+  title.resize(whole - state->sizeHint().width() / 2, title.sizeHint().height());
+  title.layout()->activate();
+  EXPECT_GE(name->width(), name->sizeHint().width());
+  EXPECT_LT(state->width(), state->sizeHint().width());
+  EXPECT_EQ(state->text(), holdText(HoldState::Searching)); // the whole text for screen readers
+  // The words never keep the view from being narrow.
+  EXPECT_LT(title.minimumSizeHint().width(),
+            whole - state->sizeHint().width() - name->sizeHint().width() / 2);
 }
 
 } // namespace
