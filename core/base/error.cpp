@@ -14,7 +14,7 @@ const char* phrase(ErrorCode code) {
   case ErrorCode::FileUnwritable:
     return "cannot be written";
   case ErrorCode::NotParsed:
-    return "the text cannot be understood";
+    return "invalid format";
   case ErrorCode::UnknownKey:
     return "unknown key";
   case ErrorCode::MissingKey:

@@ -18,7 +18,7 @@ const std::array<std::string, 3> kAxes{"x", "y", "z"};
 ParameterDeclaration startCoordinate(const std::string& axis, double defaultValue) {
   return {"start_" + axis,
           ParameterKind::Real,
-          "Start " + axis,
+          "Start box, center " + axis,
           "m",
           -100.0,
           100.0,
@@ -33,7 +33,7 @@ ParameterDeclaration startCoordinate(const std::string& axis, double defaultValu
 ParameterDeclaration startHalfSize(const std::string& axis, double defaultValue) {
   return {"start_half_" + axis,
           ParameterKind::Real,
-          "Start half-size " + axis,
+          "Start box, half width " + axis,
           "m",
           0.0,
           50.0,

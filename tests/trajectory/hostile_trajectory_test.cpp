@@ -48,15 +48,15 @@ TEST_F(HostileTrajectory, OfWindowsIsTheSame) {
 
 TEST_F(HostileTrajectory, ColumnsAndCommentsAreCounted) {
   EXPECT_EQ(problemOf("frame,x_m,y_m,z_m" + std::string(1'000'000, ',') + "\n"),
-            "line 1: the text cannot be understood (more than 1000 cells)");
+            "line 1: invalid format (more than 1000 cells)");
   EXPECT_EQ(problemOf("frame,x_m,y_m,z_m\n1,2,3,4" + std::string(1'000'000, ',') + "\n"),
-            "line 2: the text cannot be understood (more than 1000 cells)");
+            "line 2: invalid format (more than 1000 cells)");
   std::string comments;
   for (int k = 0; k <= 10'000; ++k) {
     comments += "#a:\n";
   }
   EXPECT_EQ(problemOf(comments + "frame,x_m,y_m,z_m\n"),
-            "line 10001: the text cannot be understood (more than 10000 comments)");
+            "line 10001: invalid format (more than 10000 comments)");
 }
 
 TEST_F(HostileTrajectory, FramesAreThoseOfARecording) {

@@ -12,12 +12,12 @@ std::vector<ParameterDeclaration> declare() {
   std::vector<ParameterDeclaration> all{
       {"particles", ParameterKind::Integer, "Particles", "", 10.0, 100000.0, 10.0, 500.0,
        "Largest number of particles of each target.", true},
-      {"fewest_particles", ParameterKind::Integer, "Fewest particles", "", 10.0, 100000.0, 10.0,
+      {"fewest_particles", ParameterKind::Integer, "Minimum particles", "", 10.0, 100000.0, 10.0,
        100.0,
        "Smallest number of particles of each target; used when all its particles are close "
        "together.",
        true, false, ParameterGroup::Expert, "particles"},
-      {"kld_error", ParameterKind::Real, "Sampling error", "", 0.0, 1.0, 0.01, 0.1,
+      {"kld_error", ParameterKind::Real, "KLD error", "", 0.0, 1.0, 0.01, 0.1,
        "How far the particles may deviate from the distribution that they represent "
        "(Kullback-Leibler divergence). A smaller value uses more particles when the cloud is "
        "spread out; 0 always uses the largest number.",

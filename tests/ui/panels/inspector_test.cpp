@@ -147,7 +147,7 @@ void InspectorTest::aBoundThatCountsIsSaidAtBothParameters() {
   QCOMPARE(
       note("particles"),
       QStringLiteral(
-          "This value is smaller than “Fewest particles”, so “Fewest particles” has no effect."));
+          "This value is smaller than “Minimum particles”, so “Minimum particles” has no effect."));
   QVERIFY(window_->document().setParameter("fewest_particles", 50.0));
   QVERIFY(note("particles").isEmpty() && note("fewest_particles").isEmpty());
 }
