@@ -2,6 +2,7 @@
 #include "ui/color/color_dock.h"
 
 #include "core/project/project.h"
+#include "core/session/snapshot/snapshot.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "ui/actions/action_registry.h"
 #include "ui/cameraview/camera_docks.h"
@@ -18,6 +19,12 @@
 #include <QScrollArea>
 
 namespace dewpoint::ui {
+
+namespace {
+
+constexpr qint64 kMaskMs = 2000; ///< of playing, until the mask of a learned color is hidden
+
+} // namespace
 
 ColorDock::ColorDock(const Workbench& bench, const CameraDocks& cameras, const TargetDock& targets)
     : QObject(&bench.window), bench_(bench), targetDock_(targets.dock), targets_(targets.panel),
@@ -79,6 +86,8 @@ void ColorDock::connectActions() {
     dock_->raise();
   });
   bench_.requireRun({"actionLearnColor", "actionAddTarget"});
+  bench_.onToggled("actionShowMask", this, [this](bool) { isMaskOfLearning_ = false; });
+  connect(&bench_.session, &SessionController::snapshotChanged, this, &ColorDock::hideLearned);
   connect(&bench_.session, &SessionController::runStarted, this, &ColorDock::updateLearnActionText);
   connect(&bench_.document, &Document::methodChanged, this, &ColorDock::updateLearnActionText);
 }
@@ -98,8 +107,31 @@ void ColorDock::learned(int target, bool isNew) {
     return;
   }
   dock_->raise();
-  bench_.action("actionShowMask")->setChecked(true);
+  showLearned();
   bench_.session.startAfterLearning(isNew);
+}
+
+void ColorDock::showLearned() {
+  QAction* mask = bench_.action("actionShowMask");
+  const bool isNew = !mask->isChecked();
+  mask->setChecked(true);
+  isMaskOfLearning_ = isMaskOfLearning_ || isNew;
+  playing_.invalidate();
+}
+
+void ColorDock::hideLearned(const TrackSnapshotPtr& snapshot) {
+  if (!isMaskOfLearning_) {
+    return;
+  }
+  const bool isPlaying = snapshot && snapshot->state == PlayState::Playing &&
+                         !bench_.action("actionLearnColor")->isChecked();
+  if (!isPlaying) {
+    playing_.invalidate();
+  } else if (!playing_.isValid()) {
+    playing_.start();
+  } else if (playing_.elapsed() >= kMaskMs) {
+    bench_.action("actionShowMask")->setChecked(false);
+  }
 }
 
 } // namespace dewpoint::ui

@@ -4,6 +4,8 @@
 #include "ui/cameraview/image_menu.h"
 #include "ui/workbench/workbench.h"
 
+#include <QElapsedTimer>
+
 #include <vector>
 
 namespace dewpoint::ui {
@@ -31,12 +33,18 @@ private:
   /// Returns the menu entries offered at a pixel of a camera image.
   std::vector<ImageMenuEntry> menuEntries(ImagePickTool& pick, int camera, const QPointF& pixel);
   void learned(int target, bool isNew);
+  /// Shows what was learned. If the mask was not shown before, it is hidden again when the run has
+  /// played for a while, because it dims what is tracked.
+  void showLearned();
+  void hideLearned(const TrackSnapshotPtr& snapshot);
 
   Workbench bench_;
   ViewDock* targetDock_;
   TargetPanel* targets_;
   ColorPanel* panel_;
   ViewDock* dock_;
+  bool isMaskOfLearning_ = false; ///< the mask is shown because a color was learned
+  QElapsedTimer playing_;         ///< since the run plays with this mask; invalid while it does not
 };
 
 } // namespace dewpoint::ui

@@ -43,6 +43,7 @@ ManualWindow::ManualWindow(const QString& folder, const QString& expected, QWidg
   setWindowFlags(Qt::Window);
   list_->setObjectName(QStringLiteral("manualList"));
   list_->setFrameShape(QFrame::NoFrame);
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // long titles end with an ellipsis
   list_->setSpacing(2);
   back_->setObjectName(QStringLiteral("manualBack"));
   forward_->setObjectName(QStringLiteral("manualForward"));
@@ -111,6 +112,7 @@ void ManualWindow::fillList() {
     if (!folder_.isEmpty() && QFile::exists(file)) {
       auto* item = new QListWidgetItem(titleOf(file), list_);
       item->setData(Qt::UserRole, page);
+      item->setToolTip(item->text());
     }
   }
 }
