@@ -273,7 +273,9 @@ void ExperimentDialog::finish(const QString& report) {
 }
 
 void ExperimentDialog::openReport() {
-  QDesktopServices::openUrl(QUrl::fromLocalFile(report_));
+  if (!QDesktopServices::openUrl(QUrl::fromLocalFile(report_))) {
+    state_->setText(tr("No program was found that shows the report. It is in %1.").arg(report_));
+  }
 }
 
 } // namespace dewpoint::ui

@@ -21,6 +21,23 @@
 
 namespace dewpoint::ui {
 
+namespace {
+
+/// The name of a language in this language. Qt begins some with the variant ("American English"),
+/// under which nobody looks for them.
+QString nameOfLanguage(const QString& language) {
+  if (language == QLatin1String("en")) {
+    return QStringLiteral("English (US)");
+  }
+  if (language == QLatin1String("es")) {
+    return QStringLiteral("Español (España)");
+  }
+  const QString name = QLocale(language).nativeLanguageName();
+  return name.isEmpty() ? language : name.at(0).toUpper() + name.mid(1);
+}
+
+} // namespace
+
 WindowMenus::WindowMenus(const Workbench& bench, Owners owners)
     : QObject(&bench.window), bench_(bench), owners_(std::move(owners)),
       palette_(new CommandPalette(bench.actions, &bench.window)) {
@@ -164,8 +181,7 @@ void WindowMenus::fillLanguageMenu(QMenu* menu) {
   };
   addChoice(tr("Follow system"), {});
   for (const QString& language : languages()) {
-    const QString name = QLocale(language).nativeLanguageName();
-    addChoice(name.isEmpty() ? language : name.at(0).toUpper() + name.mid(1), language);
+    addChoice(nameOfLanguage(language), language);
   }
 }
 

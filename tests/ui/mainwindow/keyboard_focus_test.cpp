@@ -36,6 +36,7 @@ private Q_SLOTS:
   void cleanup() { window_.reset(); }
   void tabStaysOutOfWhatLiesBehindAnotherTab();
   void thePaletteFindsViewsAndLanguages();
+  void languagesBeginWithTheirName();
   void aNoticeGoesByItself();
   void anotherProjectOpensWhileARangeIsSelected();
   void aRaisedViewComesToTheFrontWhileThereIsAMessage();
@@ -106,6 +107,18 @@ void KeyboardFocusTest::thePaletteFindsViewsAndLanguages() {
   QTest::keyClick(search, Qt::Key_Return);
   QVERIFY(waitFor([this] { return !action("actionPlay")->text().contains("Play"); }));
   window_->setLanguage(QStringLiteral("en"));
+}
+
+void KeyboardFocusTest::languagesBeginWithTheirName() {
+  QStringList names;
+  for (const QAction* one : window_->findChildren<QAction*>()) {
+    if (one->objectName().startsWith(QLatin1String("qt_language_"))) {
+      names << one->text();
+    }
+  }
+  for (const auto* name : {"Deutsch", "English (US)", "Español (España)", "日本語"}) {
+    QVERIFY2(names.contains(QString::fromUtf8(name)), qPrintable(names.join(QLatin1Char('/'))));
+  }
 }
 
 void KeyboardFocusTest::aNoticeGoesByItself() {
