@@ -13,7 +13,12 @@ namespace dewpoint::session {
 
 namespace {
 
-constexpr double kFilled = 0.85;     ///< of the picture, at most, by the outline
+constexpr double kFilled = 0.85;      ///< of the picture, at most, by the outline
+constexpr double kCloudFilled = 0.45; ///< of the picture, at least, by the particles
+/// Of a normal distribution in a plane, 95 % of the mass in space lies within so many times the
+/// distance within which half of the points lie.
+constexpr double kReachOfHalf = 2.4;
+constexpr double kClosest = 0.05;    ///< of the outline's picture: is not enlarged any further
 constexpr double kSmallest = 1e-5;   ///< meters from center to border
 constexpr double kShareOfBar = 0.55; ///< of the way from center to border, at most
 
@@ -33,6 +38,25 @@ double roundedUpToStep(double value) {
     }
   }
   return 10.0 * power;
+}
+
+/// Distance from the center within which half of the particles are seen. Few particles far away,
+/// which search for the target, do not count.
+double halfOfCloud(const TargetSnapshot& target, const Eigen::Matrix<double, 2, 3>& axes,
+                   const Eigen::Vector3d& center) {
+  std::vector<double> distances;
+  for (Eigen::Index k = 0; k < target.particles.rows(); ++k) {
+    const Eigen::Vector3d point = target.particles.row(k).head(3).transpose();
+    if (const double distance = (axes * (point - center)).norm(); std::isfinite(distance)) {
+      distances.push_back(distance);
+    }
+  }
+  if (distances.empty()) {
+    return 0.0;
+  }
+  const auto middle = distances.begin() + std::ssize(distances) / 2;
+  std::ranges::nth_element(distances, middle);
+  return *middle;
 }
 
 ImageEllipse projectedOutline(const Eigen::Matrix2d& covariance) {
@@ -64,12 +88,16 @@ std::optional<CloudCloseup> cloudCloseup(const TargetSnapshot& target, const Eig
     return std::nullopt;
   }
   const auto position = positionOf(target.estimate);
-  const double border = roundedUpToStep(std::max(kSmallest, *reach / kFilled));
+  Eigen::Matrix<double, 2, 3> picture;
+  picture << right.transpose(), -up.transpose();
+  // The ellipsoid contains errors of the calibration, too, and may be much larger than the cloud.
+  const double ofOutline = *reach / kFilled;
+  const double ofCloud = kReachOfHalf * halfOfCloud(target, picture, position->mean) / kCloudFilled;
+  const double border =
+      roundedUpToStep(std::max(kSmallest, std::clamp(ofCloud, kClosest * ofOutline, ofOutline)));
   CloudCloseup closeup;
   closeup.metersPerPixel = border / half;
   closeup.scaleBarMeters = roundedDown(kShareOfBar * border);
-  Eigen::Matrix<double, 2, 3> picture;
-  picture << right.transpose(), -up.transpose();
   picture /= closeup.metersPerPixel;
   closeup.outline = projectedOutline(picture * position->covariance * picture.transpose());
 

@@ -29,8 +29,9 @@ struct CloudCloseup {
 std::optional<double> cloudSemiAxis(const TargetSnapshot& target);
 
 /// Returns the close-up whose x axis points along `right` and whose upward direction is `up` (unit
-/// vectors, world frame). The image extends `half` pixels from its center in each direction. Its
-/// scale changes in steps, so that the image does not zoom with every change of the cloud. It shows
+/// vectors, world frame). The image extends `half` pixels from its center in each direction. The
+/// particles fill a good part of it, so that the outline may lie outside. Its scale changes in
+/// steps, so that the image does not zoom with every change of the cloud. It shows
 /// an even selection of at most `most` particles. Returns nothing if cloudSemiAxis() returns
 /// nothing.
 std::optional<CloudCloseup> cloudCloseup(const TargetSnapshot& target, const Eigen::Vector3d& right,

@@ -42,16 +42,17 @@ TEST(CloudCloseup, ShowsXToTheRightAndZUpFromTheFront) {
   const auto closeup = cloudCloseup(cloud({0.001, 0.004, 0.002}), Eigen::Vector3d::UnitX(),
                                     Eigen::Vector3d::UnitZ(), 50.0);
   ASSERT_TRUE(closeup.has_value());
-  // 11.2 mm by 0.85 is 13.2 mm; the next step is 15 mm.
-  EXPECT_NEAR(closeup->metersPerPixel, 0.015 / 50.0, 1e-12);
-  EXPECT_NEAR(closeup->scaleBarMeters, 0.005, 1e-12);
+  // Seen from the front, half of the particles are within 0.5 mm: 2.4 * 0.5 mm by 0.45 is 2.7 mm;
+  // the next step is 3 mm.
+  EXPECT_NEAR(closeup->metersPerPixel, 0.003 / 50.0, 1e-12);
+  EXPECT_NEAR(closeup->scaleBarMeters, 0.001, 1e-12);
   ASSERT_EQ(closeup->particles.size(), 3U);
   EXPECT_EQ(closeup->weights.back(), 1.0F); // the likeliest last: the one along x
-  EXPECT_NEAR(closeup->particles[2].x(), 0.0005 / 0.0003, 1e-4);
+  EXPECT_NEAR(closeup->particles[2].x(), 0.0005 / 0.00006, 1e-4);
   EXPECT_NEAR(closeup->particles[2].y(), 0.0, 1e-4);
-  EXPECT_NEAR(closeup->particles[1].y(), -0.001 / 0.0003, 1e-4); // along z: upwards
-  EXPECT_NEAR(closeup->outline.semiMajor, 0.002 * std::sqrt(7.814727903251) / 0.0003, 1e-6);
-  EXPECT_NEAR(closeup->outline.semiMinor, 0.001 * std::sqrt(7.814727903251) / 0.0003, 1e-6);
+  EXPECT_NEAR(closeup->particles[1].y(), -0.001 / 0.00006, 1e-4); // along z: upwards
+  EXPECT_NEAR(closeup->outline.semiMajor, 0.002 * std::sqrt(7.814727903251) / 0.00006, 1e-6);
+  EXPECT_NEAR(closeup->outline.semiMinor, 0.001 * std::sqrt(7.814727903251) / 0.00006, 1e-6);
   EXPECT_NEAR(std::abs(std::sin(closeup->outline.angle)), 1.0, 1e-6);
 }
 
@@ -61,10 +62,31 @@ TEST(CloudCloseup, ScalesInSteps) {
                         Eigen::Vector3d::UnitY(), 50.0)
         ->metersPerPixel;
   };
-  EXPECT_EQ(scaleOf(0.0010), scaleOf(0.0012)); // 3.3 and 3.9 mm, both within 4 mm
-  EXPECT_NEAR(scaleOf(0.0002), 0.0008 / 50.0, 1e-12);
-  EXPECT_NEAR(scaleOf(0.0005), 0.002 / 50.0, 1e-12);
+  EXPECT_EQ(scaleOf(0.0009), scaleOf(0.0011)); // 2.4 and 2.9 mm, both within 3 mm
+  EXPECT_NEAR(scaleOf(0.0002), 0.0006 / 50.0, 1e-12);
+  EXPECT_NEAR(scaleOf(0.0005), 0.0015 / 50.0, 1e-12);
   EXPECT_GT(scaleOf(0.0), 0.0);
+}
+
+TEST(CloudCloseup, ShowsTheParticlesRatherThanTheWholeOutline) {
+  // Errors of the calibration make the ellipsoid much larger than the cloud.
+  TargetSnapshot target = cloud({0.003, 0.003, 0.003});
+  target.particles = kMean.transpose().replicate(101, 1).array();
+  for (int k = 0; k < 101; ++k) {
+    target.particles(k, 0) += k < 95 ? 0.0001 * std::cos(k) : 0.008; // a few search far away
+    target.particles(k, 1) += k < 95 ? 0.0001 * std::sin(k) : 0.0;
+  }
+  target.weights.resize(0);
+  const auto closeup =
+      cloudCloseup(target, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), 50.0);
+  ASSERT_TRUE(closeup.has_value());
+  EXPECT_EQ(closeup->particles.size(), 95U);
+  EXPECT_GT(closeup->particles[0].norm(), 8.0); // 0.1 mm
+  EXPECT_GT(closeup->outline.semiMajor, 50.0);  // beyond the border
+  // A cloud that is a point is not enlarged without end.
+  target.particles = kMean.transpose().replicate(10, 1).array();
+  const auto point = cloudCloseup(target, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), 50.0);
+  EXPECT_NEAR(point->metersPerPixel * 50.0, 0.0005, 1e-9); // 8.4 mm by 0.85, a twentieth of it
 }
 
 TEST(CloudCloseup, LeavesOutWhatIsFarOrNotFiniteAndThinsOut) {
