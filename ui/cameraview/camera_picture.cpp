@@ -45,7 +45,7 @@ QRect mapPlace(const TargetSnapshot& target, int camera) {
 }
 
 /// The colors in which the targets are drawn over an image.
-std::vector<QColor> colorsOf(const TrackSnapshot& snapshot) {
+std::vector<QColor> overlayColors(const TrackSnapshot& snapshot) {
   return targetColors(displayColorSources(snapshot), DisplayGround::Image);
 }
 
@@ -107,7 +107,7 @@ CameraImageSource imageSource(const TrackSnapshotPtr& snapshot, int camera, cons
           .frame = frame,
           .mask = mask,
           .isOfMotion = snapshot->masksShowMotion,
-          .tints = mask.empty() ? std::vector<QColor>() : colorsOf(*snapshot),
+          .tints = mask.empty() ? std::vector<QColor>() : overlayColors(*snapshot),
           .part = QRect(0, 0, frame->image.cols, frame->image.rows),
           .size = size,
           .isZoomed = false,
@@ -128,7 +128,7 @@ void paintEstimates(QPainter& painter, const CameraImage& image, const TrackSnap
   }
   paintPeople(painter, *snapshot, camera, place.placement, place.seen, look.chosenTarget);
   paintPeopleObstacle(painter, *snapshot, camera, place.seen);
-  const std::vector<QColor> colors = colorsOf(*snapshot);
+  const std::vector<QColor> colors = overlayColors(*snapshot);
   for (std::size_t i = 0; i < snapshot->targets.size(); ++i) {
     const TargetSnapshot& target = snapshot->targets[i];
     if (isPaintedAsPerson(target)) {

@@ -87,10 +87,14 @@ DockTitle::DockTitle(QDockWidget* dock)
 
 QSize DockTitle::minimumSizeHint() const {
   const QSize least = layout()->minimumSize();
-  return {least.width() - name_->minimumWidth() + kLeastNameWidth, least.height()};
+  const int spare = name_->isHidden() ? 0 : name_->minimumWidth() - kLeastNameWidth;
+  return {least.width() - spare, least.height()};
 }
 
 void DockTitle::fitName() {
+  if (name_->isHidden()) {
+    return;
+  }
   const int others = layout()->minimumSize().width() - name_->minimumWidth();
   const int whole = std::max(kLeastNameWidth, name_->sizeHint().width());
   name_->setMinimumWidth(std::clamp(width() - others, kLeastNameWidth, whole));
@@ -103,6 +107,7 @@ void DockTitle::resizeEvent(QResizeEvent* event) {
 
 void DockTitle::setNameShown(bool shown) {
   name_->setVisible(shown);
+  fitName();
   update();
 }
 
@@ -127,6 +132,7 @@ void DockTitle::showReason(const QString& reason, bool alone) {
   if (reasonAlone_ != alone) {
     reasonAlone_ = alone;
     state_->setVisible(!alone);
+    fitName();
     applyPalette();
   }
 }
@@ -134,11 +140,13 @@ void DockTitle::showReason(const QString& reason, bool alone) {
 void DockTitle::addTool(QWidget* tool) {
   auto* row = static_cast<QHBoxLayout*>(layout());
   row->insertWidget(row->indexOf(restore_), tool);
+  fitName();
 }
 
 void DockTitle::setMaximized(bool maximized) {
   restore_->setVisible(maximized);
   float_->setVisible(!maximized);
+  fitName();
 }
 
 void DockTitle::changeEvent(QEvent* event) {
