@@ -89,7 +89,7 @@ bool SceneInset::isTooSmall(const TargetSnapshot& target) const {
 }
 
 int SceneInset::target(const QWidget& view, int chosen) const {
-  if (!snapshot_ || view.width() < kLeastWidth || view.height() < kLeastHeight) {
+  if (!snapshot_ || !hasRoom(view)) {
     return -1;
   }
   const auto& targets = snapshot_->targets;
@@ -99,6 +99,10 @@ int SceneInset::target(const QWidget& view, int chosen) const {
   const auto found =
       std::ranges::find_if(targets, [this](const auto& target) { return isTooSmall(target); });
   return found == targets.end() ? -1 : int(found - targets.begin());
+}
+
+bool SceneInset::hasRoom(const QWidget& view) {
+  return view.width() >= kLeastWidth && view.height() >= kLeastHeight;
 }
 
 QRectF SceneInset::area(const QWidget& view) {

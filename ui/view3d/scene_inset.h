@@ -23,6 +23,8 @@ public:
   /// Returns the enlarged target: the selected target, or else the first one whose cloud is too
   /// small to see. Returns -1 if there is none or the view has no room.
   int target(const QWidget& view, int chosen) const;
+  /// Returns whether the view is large enough for an inset.
+  static bool hasRoom(const QWidget& view);
   /// Returns the area of the inset in view pixels.
   static QRectF area(const QWidget& view);
   void paint(QPainter& painter, const QWidget& view, int chosen) const;

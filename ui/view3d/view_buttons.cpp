@@ -2,6 +2,7 @@
 #include "ui/view3d/view_buttons.h"
 
 #include "ui/style/spacing.h"
+#include "ui/view3d/scene_inset.h"
 
 #include <QToolButton>
 #include <QWidget>
@@ -48,9 +49,10 @@ void ViewButtons::setShown(bool shown) {
 
 void ViewButtons::moveToCorner() {
   int x = kSpacing;
+  int above = kSpacing; // the lower border of the view
   const auto put = [&](QToolButton* button) {
     const QSize size = button->sizeHint();
-    button->setGeometry(QRect(QPoint(x, view_.height() - size.height() - kSpacing), size));
+    button->setGeometry(QRect(QPoint(x, view_.height() - size.height() - above), size));
     button->setVisible(shown_);
     x += size.width() + kSpacing / 2;
   };
@@ -58,6 +60,12 @@ void ViewButtons::moveToCorner() {
     put(button);
   }
   x += kSpacing; // it chooses no view
+  const double end =
+      SceneInset::hasRoom(view_) ? SceneInset::area(view_).left() : view_.width() - kSpacing;
+  if (x + fit_->sizeHint().width() > end) { // its word is long in some languages
+    x = kSpacing;
+    above += buttons_[0]->height() + kSpacing / 2;
+  }
   put(fit_);
 }
 

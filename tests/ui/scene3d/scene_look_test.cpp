@@ -99,6 +99,18 @@ private Q_SLOTS:
     QCOMPARE(view_->currentImage(), before);
   }
 
+  void theFitButtonStaysInANarrowView() {
+    const auto* fit = view_->findChild<QToolButton*>(QStringLiteral("fitSceneButton"));
+    const auto* front = view_->findChild<QToolButton*>(QStringLiteral("lookFromFrontButton"));
+    QCOMPARE(fit->y(), front->y()); // beside it, as long as there is room
+    const QSize before = view_->size();
+    view_->resize(front->geometry().right() + 12, before.height());
+    QTRY_VERIFY(fit->geometry().bottom() < front->y());
+    QVERIFY(view_->rect().contains(fit->geometry()));
+    view_->resize(before);
+    QTRY_COMPARE(fit->y(), front->y());
+  }
+
   void aTargetHasTheColorThatWasLearned() {
     const auto snapshot = ballSnapshot();
     snapshot->targets[0].target.color = {200.0, 224.0, 0.4, 0.8, 0.3, 0.7}; // blue
