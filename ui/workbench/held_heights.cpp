@@ -7,6 +7,17 @@
 
 namespace dewpoint::ui {
 
+namespace {
+
+constexpr int kMessageHeight = 64; ///< pixels, at most: two lines of text
+
+void letGo(QDockWidget& dock) {
+  dock.setMinimumHeight(0);
+  dock.setMaximumHeight(QWIDGETSIZE_MAX);
+}
+
+} // namespace
+
 HeldHeights::HeldHeights(QMainWindow& window, QObject* parent) : QObject(parent), window_(window) {}
 
 void HeldHeights::hold() {
@@ -23,14 +34,22 @@ void HeldHeights::hold() {
       dock->setFixedHeight(height);
     }
   }
+  // A window that cannot shrink its views any further would grow, even beyond the screen.
+  if (window_.minimumSizeHint().height() + kMessageHeight > window_.height()) {
+    for (const auto& [dock, height] : heights_) {
+      if (dock != nullptr) {
+        letGo(*dock);
+      }
+    }
+    heights_.clear();
+  }
 }
 
 void HeldHeights::release() {
   window_.layout()->activate();
   for (const auto& [dock, height] : heights_) {
     if (dock != nullptr) {
-      dock->setMinimumHeight(0);
-      dock->setMaximumHeight(QWIDGETSIZE_MAX);
+      letGo(*dock);
     }
   }
 }

@@ -24,7 +24,8 @@ public:
 
   /// Forgets the heights after the docks were rearranged.
   void forget() { heights_.clear(); }
-  /// Fixes the heights of the docks until `release()`.
+  /// Fixes the heights of the docks until `release()`, unless the views in between have no room to
+  /// shrink.
   void hold();
   /// Updates the window layout and releases the heights.
   void release();

@@ -49,7 +49,6 @@ private Q_SLOTS:
   void theStatusIsThatOfTheChosenTarget();
   void workLeftBehindIsOffered();
   void oneClickLearnsAColorAndTracksIt();
-  void theMaskOfALearnedColorGoesWhileTheRunPlays();
   void thePickerIsDraggedByHandAndByKeys();
   void eachOfSeveralColorsIsShownChangedAndTakenAway();
 };
@@ -326,33 +325,6 @@ void StartAndActionsTest::oneClickLearnsAColorAndTracksIt() {
   press(at->y() - middle.y(), Qt::Key_Up, Qt::Key_Down);
   QTest::keyClick(layer, Qt::Key_Return);
   QVERIFY(waitFor([this] { return window_->document().project().targets.size() == 1; }));
-}
-
-void StartAndActionsTest::theMaskOfALearnedColorGoesWhileTheRunPlays() {
-  openDemo();
-  QVERIFY(waitFor([this] { return shown().frame >= 2; }));
-  if (shown().state == PlayState::Playing) {
-    action("actionPlay")->trigger();
-  }
-  QVERIFY(waitFor([this] { return shown().state == PlayState::Paused; }));
-  auto* view = find<CameraView>("cameraView0");
-  QVERIFY(draws(*view));
-  const auto position = positionOf(shown().targets[0].estimate);
-  QVERIFY(position);
-  const auto at = Projector(demoRig()[0]).project(position->mean);
-  QVERIFY(at);
-  const QPointF place = view->placement().positionOf({at->x(), at->y()});
-  QTest::mouseClick(find<ImagePickOverlay>("cameraView0Pick"), Qt::LeftButton, Qt::ShiftModifier,
-                    place.toPoint());
-  QVERIFY(waitFor([this] { return action("actionShowMask")->isChecked(); }));
-  QTest::qWait(100);
-  QVERIFY(action("actionShowMask")->isChecked()); // as long as nobody plays
-  action("actionPlay")->trigger();
-  QVERIFY(waitFor([this] { return !action("actionShowMask")->isChecked(); }));
-  // A mask that was shown before stays.
-  action("actionShowMask")->setChecked(true);
-  QTest::qWait(2500);
-  QVERIFY(action("actionShowMask")->isChecked());
 }
 
 void StartAndActionsTest::thePickerIsDraggedByHandAndByKeys() {

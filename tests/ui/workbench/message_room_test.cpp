@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Messages in a window as large as a small screen: it does not grow beyond the screen.
+#include "core/session/snapshot/snapshot.h"
+#include "tests/ui/window_fixture.h"
+#include "tests/ui/window_test.h"
+#include "ui/widgets/message_bar.h"
+#include "ui/workbench/dock_manager.h"
+#include "ui/workbench/workbench.h"
+
+#include <QStatusBar>
+
+namespace dewpoint::tests {
+
+class MessageRoomTest : public QObject, private test::WindowFixture {
+  Q_OBJECT
+
+private Q_SLOTS:
+  void init() { makeWindow({.play = false}); }
+  void cleanup() { window_.reset(); }
+  void aMessageFitsASmallScreen_data();
+  void aMessageFitsASmallScreen();
+};
+
+void MessageRoomTest::aMessageFitsASmallScreen_data() {
+  QTest::addColumn<bool>("arranged");
+  QTest::newRow("as it is") << false;
+  QTest::newRow("arranged by hand, with nothing to spare above the plots") << true;
+}
+
+void MessageRoomTest::aMessageFitsASmallScreen() {
+  QFETCH(bool, arranged);
+  window_->resize(1024, 640);
+  open(std::filesystem::path("demo"));
+  QVERIFY(waitFor([this] { return shown().iterations > 0; }));
+  QVERIFY(draws(*window_));
+  const auto* status = window_->statusBar();
+  const auto fits = [&] {
+    return window_->size() == QSize(1024, 640) && window_->rect().contains(status->geometry());
+  };
+  if (arranged) {
+    window_->findChild<ViewDock*>(QStringLiteral("birdsEyeDock"))->setFloating(true);
+    window_->resizeDocks({window_->findChild<ViewDock*>(QStringLiteral("plotDock"))}, {500},
+                         Qt::Vertical);
+    QVERIFY(draws(*window_));
+  }
+  QVERIFY(fits());
+  window_->workbench().messages.showError(QStringLiteral("something went wrong"));
+  QVERIFY(draws(*window_));
+  QTest::qWait(200); // layouts settle
+  QVERIFY(fits());
+  window_->workbench().messages.dismiss();
+  QTest::qWait(200);
+  QVERIFY(fits());
+}
+
+DEWPOINT_WINDOW_TEST(MessageRoomTest)
+
+} // namespace dewpoint::tests
+
+#include "message_room_test.moc"
