@@ -116,7 +116,7 @@ void CalibrationImportDialog::retranslateFields() {
   folder_->setText(tr("Folder…"));
   folder_->setAccessibleName(tr("Choose a folder"));
   folder_->setToolTip(tr("Choose a folder with one file per camera"));
-  accept_->setText(tr("Use these cameras"));
+  accept_->setText(tr("Apply calibration"));
   accept_->setToolTip(tr("Use the calibration in the project; you can undo this"));
   const QString own = tr("as in the file");
   ChoicesWithData formats = {{tr("detect automatically"), {}}};
@@ -133,7 +133,7 @@ void CalibrationImportDialog::retranslateFields() {
   setChoicesWithData(*lens_, {{own, {}},
                               {tr("k1 k2 p1 p2 of a pinhole"), QStringLiteral("pinhole")},
                               {tr("k1 k2 k3 k4 of a fisheye"), QStringLiteral("fisheye")}});
-  setChoicesWithData(*poses_, {{tr("format default"), {}},
+  setChoicesWithData(*poses_, {{tr("usual for the format"), {}},
                                {tr("camera from world"), QStringLiteral("no")},
                                {tr("world from camera"), QStringLiteral("yes")}});
   setChoicesWithData(*fit_, sizeFitChoices());
@@ -144,7 +144,7 @@ void CalibrationImportDialog::retranslateFields() {
       {tr("Format"), tr("The program that wrote the file")},
       {tr("Unit"), tr("Unit of the lengths in the file; or enter the length of one unit in meters, "
                       "such as 0.025 for squares of 25 mm")},
-      {tr("Four coefficients"), tr("Meaning of the four lens coefficients")},
+      {tr("Lens model (4 coefficients)"), tr("Meaning of the four lens coefficients")},
       {tr("Image size"), tr("Width and height in pixels, such as 1280x720")},
       {tr("Poses"), tr("Direction of the transformation that the file stores as a pose")},
       {tr("Camera"),

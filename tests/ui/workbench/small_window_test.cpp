@@ -11,7 +11,7 @@
 
 namespace dewpoint::tests {
 
-class MessageRoomTest : public QObject, private test::WindowFixture {
+class SmallWindowTest : public QObject, private test::WindowFixture {
   Q_OBJECT
 
 private Q_SLOTS:
@@ -21,13 +21,13 @@ private Q_SLOTS:
   void aMessageFitsASmallScreen();
 };
 
-void MessageRoomTest::aMessageFitsASmallScreen_data() {
+void SmallWindowTest::aMessageFitsASmallScreen_data() {
   QTest::addColumn<bool>("arranged");
   QTest::newRow("as it is") << false;
   QTest::newRow("arranged by hand, with nothing to spare above the plots") << true;
 }
 
-void MessageRoomTest::aMessageFitsASmallScreen() {
+void SmallWindowTest::aMessageFitsASmallScreen() {
   QFETCH(bool, arranged);
   window_->resize(1024, 640);
   open(std::filesystem::path("demo"));
@@ -53,8 +53,8 @@ void MessageRoomTest::aMessageFitsASmallScreen() {
   QVERIFY(fits());
 }
 
-DEWPOINT_WINDOW_TEST(MessageRoomTest)
+DEWPOINT_WINDOW_TEST(SmallWindowTest)
 
 } // namespace dewpoint::tests
 
-#include "message_room_test.moc"
+#include "small_window_test.moc"
