@@ -54,6 +54,18 @@ Eigen::Matrix<double, 3, 2> across(const Camera& camera, const Eigen::Vector3d& 
   return axes;
 }
 
+/// Radians per second, largest of the targets as seen from a camera. Several targets that move at
+/// the same time do not move farther through the image than the fastest one.
+double largestAngularSpeed(const std::vector<ClockEstimator::Sighting>& sightings,
+                           const Eigen::Vector3d& camera) {
+  double largest = 0.0;
+  for (const ClockEstimator::Sighting& sighting : sightings) {
+    const double distance = std::max(1e-3, (sighting.position - camera).norm());
+    largest = std::max(largest, sighting.velocity.norm() / distance);
+  }
+  return largest;
+}
+
 } // namespace
 
 ClockEstimator::ClockEstimator(const CameraRig& rig)
@@ -107,10 +119,9 @@ void ClockEstimator::learn(const std::vector<Sighting>& sightings, double interv
     if (sighting.trust > 0.0) {
       add(sighting);
     }
-    for (std::size_t k = 0; k < rig_.size(); ++k) {
-      turned_[k] += interval * sighting.velocity.norm() /
-                    std::max(1e-3, (sighting.position - rig_[k].center()).norm());
-    }
+  }
+  for (std::size_t k = 0; k < rig_.size(); ++k) {
+    turned_[k] += interval * largestAngularSpeed(sightings, rig_[k].center());
   }
   if (++frames_ >= kFramesPerUpdate) {
     predict();

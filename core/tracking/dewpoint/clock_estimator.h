@@ -84,7 +84,7 @@ private:
   double agreeing_ = 0.0;
   double elapsed_ = 0.0;       ///< seconds since the last update
   int frames_ = 0;             ///< frames since the last update
-  std::vector<double> turned_; ///< radians that the targets moved in each camera since then
+  std::vector<double> turned_; ///< radians that the fastest target moved in each camera since then
 };
 
 } // namespace dewpoint::tracking

@@ -119,5 +119,44 @@ TEST(ClockEstimator, AnotherCalibrationStartsAgain) {
   EXPECT_EQ(relativeDelay(run, 1), 0.0);
 }
 
+/// What each camera of a rig says about a target at `position` that moves with `velocity`, if its
+/// images are late by `delays` and it sees the target displaced by a hundredth of the distance.
+std::vector<CameraPull> pullsOf(const CameraRig& rig, const Eigen::Vector3d& position,
+                                const Eigen::Vector3d& velocity,
+                                const std::vector<double>& delays) {
+  constexpr double kInformation = 1e6; // 1 mm
+  std::vector<CameraPull> pulls(rig.size());
+  for (std::size_t k = 0; k < rig.size(); ++k) {
+    const Eigen::Vector3d ray = position - rig[k].center();
+    const Eigen::Vector3d along = ray.normalized();
+    const Eigen::Vector3d displaced = 0.01 * ray.cross(Eigen::Vector3d::UnitZ());
+    pulls[k].information = kInformation * (Eigen::Matrix3d::Identity() - along * along.transpose());
+    pulls[k].vector = pulls[k].information * (displaced - delays[k] * velocity);
+  }
+  return pulls;
+}
+
+TEST(ClockEstimator, SeveralTargetsForgetCalibrationErrorsNoFasterThanOne) {
+  const CameraRig rig = rigAround(3);
+  const auto delaysWith = [&](int others) {
+    tracking::ClockEstimator estimator(rig);
+    estimator.setPrior({0.01, 0.01});
+    for (int index = 0; index < 90; ++index) {
+      const double time = index / 30.0;
+      const Eigen::Vector3d position = movingAt(time);
+      const Eigen::Vector3d velocity = (movingAt(time + 1e-4) - position) / 1e-4;
+      const auto pulls = pullsOf(rig, position, velocity, {0.0, 0.008, -0.005});
+      std::vector<tracking::ClockEstimator::Sighting> sightings{{position, velocity, &pulls, 1.0}};
+      // They move in the same way, but are not clearly seen: they add no information.
+      sightings.resize(1 + static_cast<std::size_t>(others), {position, velocity, &pulls, 0.0});
+      estimator.learn(sightings, 1.0 / 30.0);
+    }
+    return estimator.delays();
+  };
+  const std::vector<double> alone = delaysWith(0);
+  EXPECT_GT(std::abs(alone[1] - alone[0]), 1.0 * kMillisecond); // something was learned
+  EXPECT_EQ(alone, delaysWith(4));
+}
+
 } // namespace
 } // namespace dewpoint::tests
