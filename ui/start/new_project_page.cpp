@@ -3,6 +3,7 @@
 
 #include "core/setup/calibration/calibration_check.h"
 #include "core/setup/calibration/calibration_exchange.h"
+#include "core/setup/device_list.h"
 #include "core/setup/new_project/footage.h"
 #include "ui/start/calibration_choice.h"
 #include "ui/start/drop_zone.h"
@@ -36,6 +37,12 @@ namespace {
 
 constexpr int kFormWidth = 960;     ///< pixels, at most; chosen
 constexpr double kUsualRate = 30.0; ///< frames per second of image folders
+
+std::vector<std::string> pathsOf(const std::vector<capture::CameraDevice>& devices) {
+  std::vector<std::string> paths;
+  std::ranges::transform(devices, std::back_inserter(paths), &capture::CameraDevice::path);
+  return paths;
+}
 
 } // namespace
 
@@ -284,7 +291,7 @@ void NewProjectPage::chooseFolder() {
 }
 
 void NewProjectPage::addConnectedCameras() {
-  search([] { return locationsOf(connectedCameras()); },
+  search([devices = devices_] { return locationsOf(pathsOf(devices->list())); },
          [this](const std::vector<FootageLocation>& devices) {
            std::ranges::for_each(devices,
                                  [this](const FootageLocation& device) { cameras_->add(device); });
@@ -329,16 +336,23 @@ NewProject NewProjectPage::newProject() const {
 
 void NewProjectPage::createProject() {
   create_->setEnabled(false);
-  making_.start([this, wanted = newProject()](const BackgroundJob::Progress&) mutable {
+  const auto create = [this, devices = devices_](NewProject wanted) {
     bool images = false;
+    bool live = false;
     for (NewCamera& camera : wanted.cameras) {
       camera.source = guessSourceKind(camera.location);
       images = images || camera.source == SourceKind::Images;
+      live = live || camera.source == SourceKind::Device;
     }
     wanted.framesPerSecond = images ? wanted.framesPerSecond : 0.0;
     auto result = std::make_shared<Result<CreatedProject>>(createNewProject(wanted));
+    if (*result && live) { // its cameras are recognized wherever they are plugged in later
+      identifyDevices((*result)->project, devices->list());
+    }
     return [this, result] { finish(*result); };
-  });
+  };
+  making_.start(
+      [create, wanted = newProject()](const BackgroundJob::Progress&) { return create(wanted); });
 }
 
 void NewProjectPage::finish(const Result<CreatedProject>& result) {

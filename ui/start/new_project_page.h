@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/setup/connected_cameras.h"
 #include "core/setup/new_project/new_project.h"
 #include "ui/jobs/job_queue.h"
 #include "ui/jobs/latest_job.h"
@@ -11,6 +12,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 class QDialogButtonBox;
@@ -42,6 +44,8 @@ public:
   void chooseVideos();
   /// Adds the cameras connected to this computer.
   void addConnectedCameras();
+  /// Takes these devices as the ones that are connected, instead of those of this computer.
+  void setDeviceAccess(capture::DeviceAccessPtr devices) { devices_ = std::move(devices); }
 
 Q_SIGNALS:
   /// Emitted when the project was created. `note` is a hint for the user; may be empty.
@@ -89,6 +93,7 @@ private:
   QDialogButtonBox* buttons_;
   QPushButton* create_ = nullptr;
   QPushButton* cancel_ = nullptr;
+  capture::DeviceAccessPtr devices_ = capture::systemDevices();
   /// Jobs for this project. Results for an earlier project are ignored.
   std::unique_ptr<JobQueue> searches_;
   int pendingSearches_ = 0; ///< number of searches whose rows have not been added yet

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page of a new project: what is dropped onto it, what it makes, and how one gets away again.
 #include "core/session/snapshot/snapshot.h"
+#include "tests/ui/cameras/fake_devices.h"
 #include "tests/ui/recorded_demo.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/window_test.h"
 #include "ui/document/document.h"
+#include "ui/start/new_project_page.h"
 
 #include <QComboBox>
 #include <QDir>
@@ -13,6 +15,9 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QTableWidget>
+
+#include <memory>
+#include <optional>
 
 namespace dewpoint::tests {
 
@@ -36,6 +41,7 @@ private Q_SLOTS:
   void camerasOfOtherNamesAreMatched();
   void aCalibrationForOtherImagesIsFitted();
   void aPageOverARunHasNoTransport();
+  void connectedCamerasAreStoredWithTheirIdentities();
 
 private:
   QString found(int row) const { return find<QTableWidget>("newCameras")->item(row, 2)->text(); }
@@ -300,6 +306,31 @@ void NewPageTest::aPageOverARunHasNoTransport() {
   }
   find<QPushButton>("newCancel")->click();
   QVERIFY(waitFor([this] { return action("actionPlay")->isEnabled(); }));
+}
+
+void NewPageTest::connectedCamerasAreStoredWithTheirIdentities() {
+  const auto devices = std::make_shared<test::FakeDevices>();
+  devices->plug(test::fakeWebcam(1, "A"));
+  devices->plug(test::fakeWebcam(2, "B"));
+  ui::NewProjectPage page;
+  page.setDeviceAccess(devices);
+  std::optional<Project> made;
+  connect(&page, &ui::NewProjectPage::created, this,
+          [&](const Project& project) { made = project; });
+  page.begin({});
+  page.addConnectedCameras();
+  auto* create = page.findChild<QPushButton*>(QStringLiteral("newCreate"));
+  QVERIFY(waitFor([&] { return create->isEnabled(); }));
+  create->click();
+  QVERIFY(waitFor([&] { return made.has_value(); }));
+  QCOMPARE(made->cameras.size(), std::size_t(2));
+  for (const int k : {0, 1}) {
+    const ProjectCamera& camera = made->cameras[static_cast<std::size_t>(k)];
+    const capture::CameraDevice device = test::fakeWebcam(k + 1, k == 0 ? "A" : "B");
+    QCOMPARE(camera.source, SourceKind::Device);
+    QVERIFY(camera.device.identity == device.identity);
+    QCOMPARE(camera.location, device.address);
+  }
 }
 
 DEWPOINT_WINDOW_TEST(NewPageTest)
