@@ -23,15 +23,27 @@ const OfferedSize* offeredSize(const OfferedFormat& offered, int width, int heig
   return found == offered.sizes.end() ? nullptr : &*found;
 }
 
-/// The format that opens unless one is requested: as open_live, JPEG before uncompressed images.
-const OfferedFormat* preferredFormat(const std::vector<OfferedFormat>& offered) {
+/// The pixel format that opens unless one is requested: as open_live, JPEG before uncompressed
+/// images, if it has the requested size and rate.
+const OfferedFormat* preferredFormat(const DeviceFormat& requested,
+                                     const std::vector<OfferedFormat>& offered) {
+  std::vector<const OfferedFormat*> candidates;
   for (const char* code : {"MJPG", "JPEG"}) {
     if (const OfferedFormat* format = offeredFormat(offered, code)) {
-      return format;
+      candidates.push_back(format);
     }
   }
-  const auto raw = std::ranges::find(offered, false, &OfferedFormat::isCompressed);
-  return raw != offered.end() ? &*raw : offered.empty() ? nullptr : &offered.front();
+  for (const OfferedFormat& format : offered) {
+    if (!format.isCompressed) {
+      candidates.push_back(&format);
+    }
+  }
+  const auto fitting = std::ranges::find_if(
+      candidates, [&](const OfferedFormat* format) { return isOffered(requested, {*format}); });
+  return fitting != candidates.end() ? *fitting
+         : !candidates.empty()       ? candidates.front()
+         : offered.empty()           ? nullptr
+                                     : &offered.front();
 }
 
 } // namespace
@@ -59,7 +71,7 @@ DeviceFormat completedFormat(const DeviceFormat& format,
                              const std::vector<OfferedFormat>& offered) {
   DeviceFormat complete = format;
   const OfferedFormat* known = format.pixelFormat.empty()
-                                   ? preferredFormat(offered)
+                                   ? preferredFormat(format, offered)
                                    : offeredFormat(offered, format.pixelFormat);
   if (known == nullptr) {
     return complete;

@@ -64,8 +64,8 @@ std::string describe(const DeviceIdentity& identity);
 std::string describe(const DeviceFormat& format);
 
 /// Returns the format that a request leads to: parts that were left to the device become those that
-/// open_live prefers (a compressed format, and its largest size and highest rate). Parts that the
-/// device does not offer are unchanged.
+/// open_live prefers (a compressed format if it has the requested size and rate, and its largest
+/// size and highest rate). Parts that the device does not offer are unchanged.
 DeviceFormat completedFormat(const DeviceFormat& format, const std::vector<OfferedFormat>& offered);
 
 /// Returns whether a device offers a format, as far as its parts are given. Rates may differ by 1

@@ -55,16 +55,9 @@ std::string rateFraction(double rate) {
 
 /// Caps for images of these types. With a rate: exactly this one first, then those within 1 %,
 /// since drivers round it.
-std::string formatCaps(const LiveCamera& camera, const std::vector<std::string>& types) {
-  const DeviceFormat& format = camera.device.format;
-  std::string size;
-  if (format.width > 0) {
-    size = fmt::format(",width={},height={}", format.width, format.height);
-  } else if (camera.width > 0 && camera.height > 0) {
-    const bool lying = camera.rotateDegrees % 180 != 0;
-    size = fmt::format(",width={},height={}", lying ? camera.height : camera.width,
-                       lying ? camera.width : camera.height);
-  }
+std::string formatCaps(const DeviceFormat& format, const std::vector<std::string>& types) {
+  const std::string size =
+      format.width > 0 ? fmt::format(",width={},height={}", format.width, format.height) : "";
   std::vector<std::string> rates{""};
   if (format.rate > 0.0) {
     rates = {",framerate=" + rateFraction(format.rate),
@@ -82,16 +75,26 @@ std::string formatCaps(const LiveCamera& camera, const std::vector<std::string>&
 
 } // namespace
 
+DeviceFormat requestedFormat(const LiveCamera& camera) {
+  DeviceFormat format = camera.device.format;
+  if (format.width == 0 && camera.width > 0 && camera.height > 0) {
+    const bool lying = camera.rotateDegrees % 180 != 0;
+    format.width = lying ? camera.height : camera.width;
+    format.height = lying ? camera.width : camera.height;
+  }
+  return format;
+}
+
 std::optional<std::string> deviceCaps(const LiveCamera& camera) {
-  const std::string& pixelFormat = camera.device.format.pixelFormat;
-  if (pixelFormat.empty()) {
+  const DeviceFormat format = requestedFormat(camera);
+  if (format.pixelFormat.empty()) {
     // Compressed first: uncompressed images of several cameras rarely fit on one USB bus.
-    return formatCaps(camera, {"image/jpeg", "video/x-raw"});
+    return formatCaps(format, {"image/jpeg", "video/x-raw"});
   }
   const auto* const known =
-      std::ranges::find(kDeviceCaps, pixelFormat, [](const auto& row) { return row.first; });
+      std::ranges::find(kDeviceCaps, format.pixelFormat, [](const auto& row) { return row.first; });
   return known == kDeviceCaps.end() ? std::nullopt
-                                    : std::optional(formatCaps(camera, {known->second}));
+                                    : std::optional(formatCaps(format, {known->second}));
 }
 
 bool isInterCoded(std::string_view pixelFormat) {

@@ -9,9 +9,12 @@
 
 namespace dewpoint::capture {
 
-/// Returns the caps that are requested from a V4L2 device: those of the format in the camera's
-/// device settings; where they leave the size open, that of the camera before its rotation; where
-/// they leave the pixel format open, JPEG before uncompressed images. Returns nothing if GStreamer
+/// Returns the format that is requested from a V4L2 device: that in the camera's device settings;
+/// where it leaves the size open, with that of the camera before its rotation.
+DeviceFormat requestedFormat(const LiveCamera& camera);
+
+/// Returns the caps that are requested from a V4L2 device: those of requestedFormat(); where it
+/// leaves the pixel format open, JPEG before uncompressed images. Returns nothing if GStreamer
 /// has no caps for the pixel format.
 std::optional<std::string> deviceCaps(const LiveCamera& camera);
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/setup/new_project/project_devices.h"
 
+#include "core/capture/gstreamer/device_caps.h"
+#include "core/setup/new_project/new_project.h"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -37,6 +40,20 @@ std::optional<std::size_t> deviceAt(const std::string& location,
   });
   return found == devices.end() ? std::nullopt
                                 : std::optional(static_cast<std::size_t>(found - devices.begin()));
+}
+
+/// The format that is requested from the device of a camera when it is opened. A camera with a
+/// guessed calibration takes images of any size.
+capture::DeviceFormat formatToOpen(const Project& project, std::size_t index) {
+  const ProjectCamera& camera = project.cameras[index];
+  capture::LiveCamera live;
+  live.device = camera.device;
+  live.rotateDegrees = camera.rotateDegrees;
+  if (!hasGuessedPose(project, index) || !hasGuessedLens(project, index)) {
+    live.width = camera.camera.intrinsics.width;
+    live.height = camera.camera.intrinsics.height;
+  }
+  return capture::requestedFormat(live);
 }
 
 } // namespace
@@ -79,8 +96,13 @@ projectBandwidthShortages(const Project& project, std::span<const capture::Camer
   std::vector<capture::BandwidthRequest> requests;
   std::vector<std::size_t> cameras; // of the requests
   for (std::size_t k = 0; k < matches.size(); ++k) {
-    if (matches[k].device) {
-      requests.push_back({devices[*matches[k].device], project.cameras[k].device.format});
+    if (!matches[k].device) {
+      continue;
+    }
+    const capture::CameraDevice& device = devices[*matches[k].device];
+    const capture::DeviceFormat format = formatToOpen(project, k);
+    if (capture::isOffered(format, device.formats)) { // else it sends no images
+      requests.push_back({device, format});
       cameras.push_back(k);
     }
   }

@@ -29,8 +29,10 @@ std::vector<capture::DeviceMatch>
 matchProjectDevices(const Project& project, std::span<const capture::CameraDevice> devices);
 
 /// Returns the USB buses that cannot carry the images of the project's cameras
-/// (capture::bandwidthShortages()). `requests` and BandwidthProposal::request are indices of
-/// cameras of the project.
+/// (capture::bandwidthShortages()), in the formats in which the devices would be opened: where the
+/// project requests no size, a calibrated camera has the size of its calibration. `requests` and
+/// BandwidthProposal::request are indices of cameras of the project. Cameras whose devices do not
+/// offer what is requested are left out: they cannot be opened.
 std::vector<capture::BandwidthShortage>
 projectBandwidthShortages(const Project& project, std::span<const capture::CameraDevice> devices);
 

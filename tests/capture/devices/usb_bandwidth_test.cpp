@@ -112,6 +112,9 @@ TEST(CameraFormats, WhatIsLeftOpenIsWhatOpens) {
   const CameraDevice device = webcamAt(1);
   EXPECT_EQ(completedFormat({}, device.formats), (DeviceFormat{"MJPG", 1920, 1080, 30.0}));
   EXPECT_EQ(completedFormat({"YUYV", 1280, 720, 0.0}, device.formats), kRaw720);
+  // JPEG does not have this size.
+  EXPECT_EQ(completedFormat({"", 640, 480, 0.0}, device.formats),
+            (DeviceFormat{"YUYV", 640, 480, 30.0}));
   EXPECT_EQ(completedFormat({"NV12", 0, 0, 0.0}, device.formats),
             (DeviceFormat{"NV12", 0, 0, 0.0}));
   EXPECT_EQ(completedFormat({}, {}), DeviceFormat{});

@@ -62,6 +62,36 @@ TEST(ProjectDevices, ShortagesNameTheCamerasOfTheProject) {
   }
 }
 
+/// A webcam without JPEG on a bus that can carry two of its small images, but no large ones.
+CameraDevice rawWebcam(int number, const std::string& serial) {
+  CameraDevice device = webcam(number, serial);
+  device.formats = {{"YUYV", "YUYV 4:2:2", false, {{1920, 1080, {30.0}}, {640, 480, {30.0}}}}};
+  return device;
+}
+
+TEST(ProjectDevices, ACalibratedCameraIsOpenedInTheSizeOfItsCalibration) {
+  const std::vector<CameraDevice> present{rawWebcam(0, "A"), rawWebcam(2, "B")};
+  Project project = projectWith({sourceOf(present[0]), sourceOf(present[1])});
+  EXPECT_EQ(projectBandwidthShortages(project, present).size(), 1U); // guessed: the largest size
+  for (ProjectCamera& camera : project.cameras) {
+    camera.camera.intrinsics = {640, 480, 700.0, 700.0, 320.0, 240.0};
+  }
+  EXPECT_TRUE(projectBandwidthShortages(project, present).empty());
+  for (ProjectCamera& camera : project.cameras) { // as the images are after their rotation
+    camera.rotateDegrees = 90;
+    camera.camera.intrinsics = {480, 640, 700.0, 700.0, 240.0, 320.0};
+  }
+  EXPECT_TRUE(projectBandwidthShortages(project, present).empty());
+  for (ProjectCamera& camera : project.cameras) {
+    camera.camera.intrinsics = {1080, 1920, 700.0, 700.0, 540.0, 960.0};
+  }
+  EXPECT_EQ(projectBandwidthShortages(project, present).size(), 1U);
+  for (ProjectCamera& camera : project.cameras) {
+    camera.camera.intrinsics = {1440, 2560, 700.0, 700.0, 720.0, 1280.0}; // cannot be opened
+  }
+  EXPECT_TRUE(projectBandwidthShortages(project, present).empty());
+}
+
 TEST(ProjectDevices, AutomaticsThatAreOnAreNamed) {
   capture::DeviceControl exposure;
   exposure.name = "auto_exposure";
