@@ -133,7 +133,6 @@ void OutputController::close() {
 }
 
 void OutputController::receive(const broadcast::RemoteCommand& command) {
-  QAction* record = bench_.action("actionRecord");
   switch (command.action) {
   case broadcast::RemoteAction::Start:
     bench_.session.play();
@@ -144,9 +143,11 @@ void OutputController::receive(const broadcast::RemoteCommand& command) {
     }
     break;
   case broadcast::RemoteAction::StartRecording:
+    Q_EMIT recordRequested(QString::fromStdString(command.name));
+    break;
   case broadcast::RemoteAction::StopRecording:
-    if (record->isEnabled() &&
-        record->isChecked() != (command.action == broadcast::RemoteAction::StartRecording)) {
+    if (QAction* record = bench_.action("actionRecord");
+        record->isEnabled() && record->isChecked()) {
       record->trigger();
     }
     break;

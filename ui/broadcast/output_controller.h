@@ -19,7 +19,7 @@ namespace dewpoint::ui {
 /// Sends the results of the run to other programs (actionSendResults), as the project's outputs
 /// say. Nothing is sent until the user switches it on, also not for a project that has outputs. A
 /// change of the outputs opens them again. Remote commands with the right token play, pause and
-/// record.
+/// record (recordRequested()).
 class OutputController : public QObject {
   Q_OBJECT
 public:
@@ -32,6 +32,8 @@ public:
 Q_SIGNALS:
   /// Emitted when sending has begun or ended, or when the outputs could not be opened.
   void changed();
+  /// Emitted when another program wants a take to start. `name` describes it; may be empty.
+  void recordRequested(const QString& name);
 
 private:
   void toggle(bool send);

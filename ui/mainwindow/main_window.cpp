@@ -144,8 +144,9 @@ void MainWindow::installFeatures() {
   installVideoExport(bench, *timeline);
   installExperiments(bench);
   installCameraSources(bench);
-  new OutputController(bench);
+  auto* outputs = new OutputController(bench);
   auto* takes = new TakeController(bench);
+  connect(outputs, &OutputController::recordRequested, takes, &TakeController::startNamed);
   connect(takes, &TakeController::openRequested, this, &MainWindow::openProject);
   new RunAlerts(bench, *notices_, calibration->manual());
   new OldResultsOffer(bench);

@@ -71,6 +71,13 @@ void TakeController::toggle(bool record) {
   }
 }
 
+void TakeController::startNamed(const QString& name) {
+  if (action_->isEnabled() && !action_->isChecked()) {
+    name_ = name;
+    action_->trigger();
+  }
+}
+
 void TakeController::start() {
   using Started = Result<std::unique_ptr<TakeRecorder>>;
   const bool starts =
@@ -80,6 +87,7 @@ void TakeController::start() {
         auto take = std::make_shared<Started>(TakeRecorder::start(project, feeds, folder, options));
         return [this, take] {
           if (!*take) {
+            name_.clear();
             bench_.messages.showError(errorText(take->error()));
             return;
           }
@@ -89,6 +97,7 @@ void TakeController::start() {
           timer_.start(kUpdate);
           showStatus();
           Q_EMIT started();
+          name_.clear();
         };
       });
   action_->setEnabled(!starts);
@@ -156,7 +165,7 @@ void TakeController::keepPreRoll() {
 
 TakeOptions TakeController::nextOptions() const {
   TakeOptions options;
-  options.notes = next_.notes.toStdString();
+  options.notes = (next_.notes.isEmpty() ? name_ : next_.notes).toStdString();
   if (next_.number > 0) {
     options.number = next_.number;
   }
@@ -187,7 +196,8 @@ void TakeController::editDetails(const std::shared_ptr<TakeRecorder>& take) {
   // The next take has become this one: its number is fixed.
   connect(this, &TakeController::started, dialog, [this, dialog, take] {
     if (take == nullptr) {
-      saveNotes(recorder_, dialog->details().notes);
+      const QString notes = dialog->details().notes;
+      saveNotes(recorder_, notes.isEmpty() ? name_ : notes);
       dialog->reject();
     }
   });

@@ -35,6 +35,9 @@ public:
   std::filesystem::path takesFolder() const;
   /// Returns what the current take has recorded so far; empty while nothing is recorded.
   TakeStatus status() const;
+  /// Starts a take for another program, unless one is in progress or no live cameras are open.
+  /// `name` becomes its notes, unless the user has entered some for the next take.
+  void startNamed(const QString& name);
 
 Q_SIGNALS:
   /// Emitted when the first files of a take exist.
@@ -69,6 +72,7 @@ private:
   JobQueue* notesJobs_; ///< writes notes, one after the other
   std::shared_ptr<TakeRecorder> recorder_;
   TakeDetails next_; ///< of the next take
+  QString name_;     ///< that another program gave the take that is starting; may be empty
   QString shownProblem_;
 };
 

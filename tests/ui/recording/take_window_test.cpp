@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Live cameras recorded from the real window: the button, what the status bar says, and the take
 // that opens as a project.
+#include "core/broadcast/transport/file_descriptor.h"
 #include "core/capture/gstreamer/encoded_feed.h"
 #include "core/project/project_save.h"
 #include "core/session/session.h"
@@ -9,6 +10,7 @@
 #include "tests/capture/mjpeg_server.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/window_test.h"
+#include "ui/broadcast/output_controller.h"
 #include "ui/document/document.h"
 #include "ui/preferences/preferences.h"
 #include "ui/recording/take_controller.h"
@@ -30,9 +32,13 @@
 #include <QToolButton>
 
 #include <algorithm>
+#include <arpa/inet.h>
 #include <array>
 #include <memory>
+#include <netinet/in.h>
 #include <optional>
+#include <string>
+#include <sys/socket.h>
 
 namespace dewpoint::tests {
 
@@ -50,6 +56,7 @@ private Q_SLOTS:
   void numberAndNotesAreThoseOfTheUser();
   void aTakeBeginsBeforeItsStart();
   void aTakeIsComparedWithTheLiveRun();
+  void aRemoteCommandNamesTheTake();
 
 private:
   /// The notes in the take.json of a take.
@@ -242,6 +249,41 @@ void TakeWindowTest::aTakeIsComparedWithTheLiveRun() {
     return messageText().contains(QStringLiteral("frames")) &&
            messageText().contains(QStringLiteral("live run"));
   }));
+}
+
+void TakeWindowTest::aRemoteCommandNamesTheTake() {
+  openLive();
+  QVERIFY(window_->workbench().document.edit(QStringLiteral("Set outputs"), [](Project& project) {
+    project.output.tcp = 0;
+    project.output.token = "word-to-know";
+  }));
+  auto& outputs = *window_->findChild<OutputController*>();
+  QSignalSpy sending(&outputs, &OutputController::changed);
+  action("actionSendResults")->trigger();
+  QVERIFY(outputs.isSending() || sending.wait(kTimeoutMs));
+  const std::string place = outputs.reports().at(0).address;
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port =
+      htons(static_cast<std::uint16_t>(std::stoi(place.substr(place.rfind(':') + 1))));
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  const broadcast::FileDescriptor program(::socket(AF_INET, SOCK_STREAM, 0));
+  QCOMPARE(::connect(program.number(), reinterpret_cast<const sockaddr*>(&address), sizeof address),
+           0);
+  const auto send = [&](const std::string& line) {
+    QCOMPARE(::send(program.number(), line.data(), line.size(), 0),
+             static_cast<ssize_t>(line.size()));
+  };
+  send("{\"command\":\"record\",\"name\":\"jump-3\",\"token\":\"word-to-know\"}\n");
+  QVERIFY(waitFor([this] { return takes().isRecording(); }));
+  QCOMPARE(takes().status().notes, std::string("jump-3"));
+  QSignalSpy stopped(&takes(), &TakeController::stopped);
+  send("{\"command\":\"stop-recording\",\"token\":\"word-to-know\"}\n");
+  QVERIFY(stopped.count() > 0 || stopped.wait(kTimeoutMs));
+  // The next take, which the user starts, has no name.
+  QVERIFY(waitFor([this] { return action("actionRecord")->isEnabled(); }));
+  QVERIFY(records(1));
+  QVERIFY(takes().status().notes.empty());
 }
 
 void TakeWindowTest::recordingsHaveNoButton() {
