@@ -50,6 +50,7 @@ Result<std::unique_ptr<Broadcaster>> Broadcaster::open(const BroadcastInputs& in
   }
   const auto gate = std::make_shared<RemoteGate>(*token, inputs.receiver);
   std::vector<Line> lines;
+  WebServer* web = nullptr;
   std::optional<Error> problem;
   const auto add = [&](const char* key, const StreamFormat& format, auto outlet) {
     if (outlet) {
@@ -62,8 +63,9 @@ Result<std::unique_ptr<Broadcaster>> Broadcaster::open(const BroadcastInputs& in
     add("output.tcp", jsonLines(), LineServer::open(settings.listen, *settings.tcp, gate));
   }
   if (settings.websocket) {
-    add("output.websocket", jsonLines(),
-        WebServer::open(settings.listen, *settings.websocket, gate));
+    auto server = WebServer::open(settings.listen, *settings.websocket, gate, inputs.texts);
+    web = server ? server->get() : nullptr;
+    add("output.websocket", jsonLines(), std::move(server));
   }
   if (!settings.osc.empty()) {
     add("output.osc", oscMessages(), DatagramSender::open(settings.osc, OutletKind::OscMessages));
@@ -78,12 +80,12 @@ Result<std::unique_ptr<Broadcaster>> Broadcaster::open(const BroadcastInputs& in
   if (problem) {
     return tl::make_unexpected(std::move(*problem));
   }
-  return std::unique_ptr<Broadcaster>(new Broadcaster(inputs, std::move(lines)));
+  return std::unique_ptr<Broadcaster>(new Broadcaster(inputs, std::move(lines), web));
 }
 
-Broadcaster::Broadcaster(const BroadcastInputs& inputs, std::vector<Line> lines)
+Broadcaster::Broadcaster(const BroadcastInputs& inputs, std::vector<Line> lines, WebServer* web)
     : coordinates_{inputs.settings.axes, inputs.settings.unit}, volume_(inputs.volume),
-      lines_(std::move(lines)), limit_(inputs.settings.rate),
+      lines_(std::move(lines)), web_(web), limit_(inputs.settings.rate),
       thread_([this](const std::stop_token& stop) { run(stop); }) {}
 
 Broadcaster::~Broadcaster() = default;
@@ -101,6 +103,12 @@ void Broadcaster::offer(TrackSnapshotPtr snapshot) {
     queue_.push_back(std::move(snapshot));
   }
   arrived_.notify_one();
+}
+
+void Broadcaster::setPageTexts(const PageTexts& texts) {
+  if (web_ != nullptr) {
+    web_->setPageTexts(texts);
+  }
 }
 
 void Broadcaster::run(const std::stop_token& stop) {

@@ -7,6 +7,7 @@
 #include "core/broadcast/message/remote_command.h"
 #include "core/broadcast/rate_limit.h"
 #include "core/broadcast/transport/outlet.h"
+#include "core/broadcast/transport/page_texts.h"
 #include "core/project/output_settings.h"
 #include "core/session/snapshot/snapshot.h"
 
@@ -24,12 +25,15 @@
 
 namespace dewpoint::broadcast {
 
+class WebServer;
+
 /// Everything that outputs are opened with.
 struct BroadcastInputs {
   OutputSettings settings;
   std::filesystem::path folder = {};   ///< relative paths are relative to it
   std::optional<WorldBox> volume = {}; ///< RigMessage::volume, meters, world frame
   RemoteReceiver receiver = {};        ///< empty: remote commands are off
+  PageTexts texts = {};                ///< of the page for browsers
 };
 
 /// Sends the results of a run to other programs while it runs. It has its own thread, and tracking
@@ -49,6 +53,10 @@ public:
   /// called by any thread.
   void offer(TrackSnapshotPtr snapshot);
 
+  /// Sets the texts of the page for browsers, for pages that are loaded from now on. May be called
+  /// by any thread.
+  void setPageTexts(const PageTexts& texts);
+
   /// Returns how each output is doing, in the order JSON, WebSocket, OSC, TUIO, CSV.
   std::vector<OutletReport> reports() const;
   /// Returns how many snapshots were dropped because sending took too long.
@@ -62,7 +70,7 @@ private:
     std::unique_ptr<Outlet> outlet;
   };
 
-  Broadcaster(const BroadcastInputs& inputs, std::vector<Line> lines);
+  Broadcaster(const BroadcastInputs& inputs, std::vector<Line> lines, WebServer* web);
   void run(const std::stop_token& stop);
   void send(const TrackSnapshot& snapshot);
   void updateRig(const TrackSnapshot& snapshot);
@@ -70,6 +78,7 @@ private:
   OutputCoordinates coordinates_;
   std::optional<WorldBox> volume_;
   std::vector<Line> lines_;
+  WebServer* web_ = nullptr; ///< one of `lines_`, if there is a page
   RateLimit limit_;
   // Of the thread:
   RecentPositions recent_;

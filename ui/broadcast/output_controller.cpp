@@ -4,8 +4,10 @@
 #include "core/project/project.h"
 #include "ui/broadcast/outlet_text.h"
 #include "ui/broadcast/output_dialog.h"
+#include "ui/broadcast/page_text.h"
 #include "ui/document/document.h"
 #include "ui/text/error_sentence.h"
+#include "ui/text/retranslation.h"
 #include "ui/widgets/message_bar.h"
 
 #include <QAction>
@@ -63,6 +65,11 @@ OutputController::OutputController(const Workbench& bench)
     }
     updateAction();
   });
+  onRetranslate(label_, [this] {
+    if (broadcaster_ != nullptr) {
+      broadcaster_->setPageTexts(pageTexts());
+    }
+  });
   connect(job_, &BackgroundJob::ended, this, &OutputController::updateAction);
   updateAction();
 }
@@ -95,6 +102,7 @@ void OutputController::open() {
   inputs.settings = project.output;
   inputs.folder = project.file.parent_path();
   inputs.volume = project.volumeOfInterest;
+  inputs.texts = pageTexts();
   const QPointer<OutputController> self(this);
   inputs.receiver = [self](const broadcast::RemoteCommand& command) -> Status {
     // Called by a thread of the outputs, which must not wait for the window.
@@ -111,6 +119,7 @@ void OutputController::open() {
         bench_.messages.showError(errorText(opened->error()));
       } else if (wanted_) {
         broadcaster_ = std::move(**opened);
+        broadcaster_->setPageTexts(pageTexts()); // the language may have changed meanwhile
         broadcaster_->offer(bench_.session.shown());
         timer_.start(kUpdate);
         showStatus();

@@ -52,6 +52,12 @@ QStringList languages() {
   return names;
 }
 
+QString languageTag() {
+  const QString language =
+      installed().empty() ? QString() : installed().back()->language(); // Qt's own come first
+  return language.isEmpty() ? QStringLiteral("en") : QLocale(language).bcp47Name();
+}
+
 void useLanguage(const QString& language) {
   const QLocale locale = localeOf(language);
   for (QTranslator* translator : std::exchange(installed(), {})) {

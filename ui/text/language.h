@@ -12,6 +12,10 @@ namespace dewpoint::ui {
 /// "es", ...
 QStringList languages();
 
+/// Returns the BCP 47 tag of the language that the texts of the application are in, for example
+/// "de-DE"; "en" if no catalog is in use.
+QString languageTag();
+
 /// Changes the language of the application: its own texts, those of Qt, and the number format. An
 /// empty string selects the system language. A language without a catalog is replaced by English.
 /// All widgets receive QEvent::LanguageChange.

@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/broadcast/transport/live_page.h"
 
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <string_view>
+#include <utility>
+
 namespace dewpoint::broadcast {
 namespace {
 
+// Names in double braces stand for texts (filled()).
 constexpr std::string_view kLivePage = R"html(<!DOCTYPE html>
-<html lang="en">
+<html lang="{{language}}">
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
-<title>Dewpoint live</title>
+<title>{{title}}</title>
 <link rel="icon" href="data:,">
 <style>
   :root { color-scheme: light dark; --back: #f4f6f6; --ink: #16211f; --faint: #7d8a87; --panel: #ffffffd8; }
@@ -30,21 +37,28 @@ constexpr std::string_view kLivePage = R"html(<!DOCTYPE html>
 </style>
 </head>
 <body>
-<canvas id="view" role="img" aria-label="Cameras, targets and their tracks in 3D"></canvas>
-<div id="panel"><div id="status" role="status">Connecting…</div><ul id="targets"></ul></div>
-<div id="help">Drag: rotate · Wheel or two fingers: zoom · Double click: reset</div>
+<canvas id="view" role="img" aria-label="{{view}}"></canvas>
+<div id="panel"><div id="status" role="status">{{connecting}}</div><ul id="targets"></ul></div>
+<div id="help">{{help}}</div>
 <script>
 "use strict";
 (() => {
 const canvas = document.getElementById("view"), draw = canvas.getContext("2d");
 const status = document.getElementById("status"), list = document.getElementById("targets");
 const COLORS = ["#e0457b", "#2a9d8f", "#e9a23b", "#4a7fd6", "#8e63ce", "#62a532", "#d1603d", "#5aa9b8"];
-const WORDS = { held: "tracking" };
+const TEXTS = {{texts}};
 const TRAIL = 300;                 // positions of a track that are drawn
 let rig = null, frame = null, frames = 0, needsDrawing = true;
 const trails = new Map();          // id -> positions, oldest first; null is a gap
 const home = { turn: -0.9, tilt: 0.45, zoom: 1 };
 let eye = { ...home }, center = [0, 0, 0], radius = 2;
+
+function number(value, digits) {
+  return value.toLocaleString(document.documentElement.lang,
+    { minimumFractionDigits: digits, maximumFractionDigits: digits, useGrouping: false });
+}
+
+function filled(text, ...values) { return text.replace(/%([1-9])/g, (all, place) => values[place - 1] ?? all); }
 
 // Drawn is the world as Dewpoint has it: meters, z up.
 function toWorld(p) {
@@ -93,10 +107,10 @@ function showList() {
     const [dot, name, word, place] = row.children;
     dot.style.background = colorOf(target.id);
     name.textContent = target.name;
-    word.textContent = WORDS[target.state] || target.state;
+    word.textContent = TEXTS.states[target.state] || target.state;
     const digits = rig && rig.unit === "mm" ? 0 : 3;
     place.textContent = target.position
-      ? target.position.map((value) => value.toFixed(digits)).join("  ") + " " + (rig ? rig.unit : "") : "";
+      ? target.position.map((value) => number(value, digits)).join("  ") + " " + (rig ? rig.unit : "") : "";
   });
 }
 
@@ -180,18 +194,18 @@ function render() {
 
 function connect() {
   const socket = new WebSocket(`ws://${location.host}/`);
-  socket.onopen = () => { status.textContent = "Connected. Waiting for images…"; };
+  socket.onopen = () => { status.textContent = TEXTS.waiting; };
   socket.onmessage = (event) => {
     const message = JSON.parse(event.data);
     if (message.type === "rig") setRig(message);
     if (message.type === "frame") {
       setFrame(message);
-      status.textContent = `Frame ${message.frame}, ${message.time.toFixed(1)} s`;
+      status.textContent = filled(TEXTS.frame, message.frame, filled(TEXTS.seconds, number(message.time, 1)));
     }
     needsDrawing = true;
   };
   socket.onclose = () => {
-    status.textContent = "Not connected. Trying again…";
+    status.textContent = TEXTS.disconnected;
     setTimeout(connect, 2000);
   };
 }
@@ -226,10 +240,79 @@ render();
 </html>
 )html";
 
+std::string markup(std::string_view text) {
+  std::string escaped;
+  for (const char letter : text) {
+    switch (letter) {
+    case '&':
+      escaped += "&amp;";
+      break;
+    case '<':
+      escaped += "&lt;";
+      break;
+    case '>':
+      escaped += "&gt;";
+      break;
+    case '"':
+      escaped += "&quot;";
+      break;
+    default:
+      escaped += letter;
+    }
+  }
+  return escaped;
+}
+
+/// The texts that the script writes, as a value of JavaScript.
+std::string scriptTexts(const PageTexts& texts) {
+  using nlohmann::json;
+  const json value{{"waiting", texts.waiting},
+                   {"disconnected", texts.disconnected},
+                   {"frame", texts.frame},
+                   {"seconds", texts.seconds},
+                   {"states", texts.states}};
+  std::string script;
+  for (const char letter : value.dump(-1, ' ', false, json::error_handler_t::replace)) {
+    if (letter == '<') {
+      script += "\\u003c"; // nothing in a text ends the script
+    } else {
+      script += letter;
+    }
+  }
+  return script;
+}
+
+/// The page with each name replaced by its value.
+template <std::size_t Count>
+std::string filled(std::string_view page,
+                   const std::array<std::pair<std::string_view, std::string>, Count>& values) {
+  std::string text;
+  while (!page.empty()) {
+    const std::size_t begin = page.find("{{");
+    text += page.substr(0, begin);
+    if (begin == std::string_view::npos) {
+      break;
+    }
+    const std::size_t end = page.find("}}", begin);
+    for (const auto& [name, value] : values) {
+      if (name == page.substr(begin + 2, end - begin - 2)) {
+        text += value;
+      }
+    }
+    page.remove_prefix(end + 2);
+  }
+  return text;
+}
+
 } // namespace
 
-std::string_view livePage() {
-  return kLivePage;
+std::string livePage(const PageTexts& texts) {
+  return filled<6>(kLivePage, {{{"language", markup(texts.language)},
+                                {"title", markup(texts.title)},
+                                {"view", markup(texts.view)},
+                                {"connecting", markup(texts.connecting)},
+                                {"help", markup(texts.help)},
+                                {"texts", scriptTexts(texts)}}});
 }
 
 } // namespace dewpoint::broadcast

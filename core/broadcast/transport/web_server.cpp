@@ -44,6 +44,7 @@ struct WebHub {
   std::shared_ptr<RemoteGate> gate;
   bool isLoopback = true;
   std::string opening;
+  PageTexts texts;
   std::set<class WebClient*> clients;
   int connections = 0; ///< also those that only look at the page
   std::atomic<int> clientCount = 0;
@@ -181,17 +182,20 @@ private:
     const std::string_view origin = view(request[http::field::origin]);
     const std::string_view target = view(request.target());
     if (!isAllowedOrigin(host, origin, hub_.isLoopback)) {
-      respond(request, http::status::forbidden, "This page may not read from here.\n",
-              "text/plain");
+      refuse(request, http::status::forbidden, hub_.texts.otherSite);
     } else if (websocket::is_upgrade(request)) {
       std::make_shared<WebClient>(hub_, std::move(stream_), connection_)->accept(request);
     } else if (request.method() != http::verb::get && request.method() != http::verb::head) {
-      respond(request, http::status::method_not_allowed, "Only GET is possible.\n", "text/plain");
+      refuse(request, http::status::method_not_allowed, hub_.texts.onlyGet);
     } else if (target == "/" || target.starts_with("/?")) {
-      respond(request, http::status::ok, livePage(), "text/html; charset=utf-8");
+      respond(request, http::status::ok, livePage(hub_.texts), "text/html; charset=utf-8");
     } else {
-      respond(request, http::status::not_found, "There is only one page, at /.\n", "text/plain");
+      refuse(request, http::status::not_found, hub_.texts.onlyOnePage);
     }
+  }
+
+  void refuse(const Request& request, http::status status, const std::string& reason) {
+    respond(request, status, reason + "\n", "text/plain; charset=utf-8");
   }
 
   void respond(const Request& request, http::status status, std::string_view body,
@@ -243,9 +247,10 @@ bool isAllowedOrigin(std::string_view host, std::string_view origin, bool isLoop
 
 class WebServer::Impl {
 public:
-  Impl(const Tcp::endpoint& endpoint, std::shared_ptr<RemoteGate> gate)
+  Impl(const Tcp::endpoint& endpoint, std::shared_ptr<RemoteGate> gate, const PageTexts& texts)
       : acceptor_(context_, endpoint), retry_(context_), place_(acceptor_.local_endpoint()) {
     hub_.gate = std::move(gate);
+    hub_.texts = texts;
     hub_.isLoopback = place_.address().is_loopback();
     accept();
     thread_ = std::jthread([this] { run(); });
@@ -254,6 +259,10 @@ public:
     context_.stop();
     thread_.join();
     hub_.clients.clear();
+  }
+
+  void setPageTexts(const PageTexts& texts) {
+    net::post(context_, [this, texts] { hub_.texts = texts; });
   }
 
   void setOpening(const std::string& opening) {
@@ -345,11 +354,12 @@ private:
 };
 
 Result<std::unique_ptr<WebServer>> WebServer::open(const std::string& host, std::uint16_t port,
-                                                   std::shared_ptr<RemoteGate> gate) {
+                                                   std::shared_ptr<RemoteGate> gate,
+                                                   const PageTexts& texts) {
   try {
     const Tcp::endpoint endpoint(net::ip::make_address(host), port);
     return std::unique_ptr<WebServer>(
-        new WebServer(std::make_unique<Impl>(endpoint, std::move(gate))));
+        new WebServer(std::make_unique<Impl>(endpoint, std::move(gate), texts)));
   } catch (const boost::system::system_error& error) {
     return failure(ErrorCode::BadValue, "", "",
                    "port " + std::to_string(port) + " on " + host +
@@ -360,6 +370,9 @@ Result<std::unique_ptr<WebServer>> WebServer::open(const std::string& host, std:
 WebServer::WebServer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 WebServer::~WebServer() = default;
 
+void WebServer::setPageTexts(const PageTexts& texts) {
+  impl_->setPageTexts(texts);
+}
 void WebServer::setOpening(const std::string& opening) {
   impl_->setOpening(opening);
 }

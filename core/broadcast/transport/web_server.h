@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/broadcast/message/remote_command.h"
 #include "core/broadcast/transport/outlet.h"
+#include "core/broadcast/transport/page_texts.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -27,12 +28,15 @@ public:
   static constexpr int kVisitSeconds = 10;
 
   /// Opens a port (0: any free one) on an address of this computer, which must be in digits. `gate`
-  /// is never null. BadValue if the port cannot be opened.
+  /// is never null. `texts`: those of the page. BadValue if the port cannot be opened.
   static Result<std::unique_ptr<WebServer>> open(const std::string& host, std::uint16_t port,
-                                                 std::shared_ptr<RemoteGate> gate);
+                                                 std::shared_ptr<RemoteGate> gate,
+                                                 const PageTexts& texts = {});
   /// Disconnects all clients.
   ~WebServer() override;
 
+  /// Sets the texts of pages that are loaded from now on. May be called by any thread.
+  void setPageTexts(const PageTexts& texts);
   void setOpening(const std::string& opening) override;
   void send(const std::vector<std::string>& pieces) override;
   OutletReport report() const override;

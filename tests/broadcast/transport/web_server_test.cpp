@@ -76,8 +76,34 @@ TEST(WebServer, ServesThePage) {
   EXPECT_TRUE(answerTo(*server, request(*server, "DELETE /")).starts_with("HTTP/1.1 405"));
 }
 
+TEST(WebServer, ThePageHasTheTextsOfItsLanguage) {
+  broadcast::PageTexts texts;
+  texts.language = "de";
+  texts.title = "Dewpoint \"live\" <&>";
+  texts.help = "Ziehen: drehen";
+  texts.waiting = "Verbunden. </script>";
+  texts.frame = "Bild %1, %2";
+  texts.states["held"] = "verfolgt";
+  texts.onlyOnePage = "Es gibt nur eine Seite, /.";
+  const auto server = webServer();
+  EXPECT_NE(answerTo(*server, request(*server, "GET /")).find("<html lang=\"en\">"),
+            std::string::npos);
+  server->setPageTexts(texts);
+  const std::string page = answerTo(*server, request(*server, "GET /")); // the next load
+  for (const char* part :
+       {"<html lang=\"de\">", "<title>Dewpoint &quot;live&quot; &lt;&amp;&gt;</title>",
+        "<div id=\"help\">Ziehen: drehen</div>", "\"Verbunden. \\u003c/script>\"",
+        "\"Bild %1, %2\"", "\"held\":\"verfolgt\""}) {
+    EXPECT_NE(page.find(part), std::string::npos) << part;
+  }
+  EXPECT_EQ(page.find("{{"), std::string::npos);
+  EXPECT_EQ(page.find("Waiting for images"), std::string::npos);
+  EXPECT_NE(answerTo(*server, request(*server, "GET /other")).find(texts.onlyOnePage),
+            std::string::npos);
+}
+
 TEST(WebServer, ThePageNeedsNothingElse) {
-  const std::string page(broadcast::livePage());
+  const std::string page = broadcast::livePage();
   for (const char* outside : {"http://", "https://", "src=", "@import", "url("}) {
     EXPECT_EQ(page.find(outside), std::string::npos) << outside;
   }

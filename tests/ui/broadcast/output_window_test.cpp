@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Results that leave the real window while it tracks: the dialog, the switch, and what arrives.
 #include "core/base/text_file.h"
+#include "core/broadcast/transport/file_descriptor.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/window_test.h"
 #include "ui/broadcast/output_controller.h"
@@ -18,6 +19,10 @@
 #include <QUndoStack>
 
 #include <algorithm>
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <string>
+#include <sys/socket.h>
 
 namespace dewpoint::tests {
 
@@ -31,6 +36,7 @@ private Q_SLOTS:
   void withoutOutputsTheDialogOpens();
   void aWrongAddressIsSaidInTheDialog();
   void anotherProjectSendsNothing();
+  void thePageHasTheLanguageOfTheWindow();
 
 private:
   OutputController& outputs() { return *window_->findChild<OutputController*>(); }
@@ -113,6 +119,40 @@ void OutputWindowTest::anotherProjectSendsNothing() {
   open();
   QVERIFY(!outputs().isSending());
   QVERIFY(!action("actionSendResults")->isChecked());
+}
+
+/// What a browser gets from a page of this computer.
+std::string loadedPage(const std::string& address) {
+  const auto colon = address.rfind(':');
+  sockaddr_in place{};
+  place.sin_family = AF_INET;
+  place.sin_port = htons(static_cast<std::uint16_t>(std::stoi(address.substr(colon + 1))));
+  place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  const broadcast::FileDescriptor browser(::socket(AF_INET, SOCK_STREAM, 0));
+  const std::string request = "GET / HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n";
+  std::string page;
+  if (::connect(browser.number(), reinterpret_cast<const sockaddr*>(&place), sizeof place) == 0 &&
+      ::send(browser.number(), request.data(), request.size(), 0) > 0) {
+    char part = 0;
+    while (::recv(browser.number(), &part, 1, 0) == 1) {
+      page += part;
+    }
+  }
+  return page;
+}
+
+void OutputWindowTest::thePageHasTheLanguageOfTheWindow() {
+  QVERIFY(document().edit(QStringLiteral("Set outputs"),
+                          [](Project& project) { project.output.websocket = 0; }));
+  QSignalSpy changed(&outputs(), &OutputController::changed);
+  action("actionSendResults")->trigger();
+  QVERIFY(outputs().isSending() || changed.wait(kTimeoutMs));
+  const std::string address = outputs().reports().at(0).address;
+  QVERIFY(loadedPage(address).find("<html lang=\"en") != std::string::npos);
+  window_->setLanguage(QStringLiteral("de"));
+  QVERIFY(
+      waitFor([&] { return loadedPage(address).find("<html lang=\"de") != std::string::npos; }));
+  window_->setLanguage(QStringLiteral("en"));
 }
 
 DEWPOINT_WINDOW_TEST(OutputWindowTest)

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <map>
+#include <string>
+
+namespace dewpoint::broadcast {
+
+/// Texts that a browser shows, in one language: those of livePage(), and the replies of WebServer
+/// to other requests. UTF-8 without markup. `%1` and `%2` stand for values.
+struct PageTexts {
+  /// BCP 47 tag of the language, for example "de-DE". Numbers are written as is usual there.
+  std::string language = "en";
+  std::string title = "Dewpoint live";
+  std::string view = "Cameras, targets and their tracks in 3D"; ///< describes the picture
+  std::string help = "Drag: rotate · Wheel or two fingers: zoom · Double click: reset";
+  std::string connecting = "Connecting…";
+  std::string waiting = "Connected. Waiting for images…";
+  std::string disconnected = "Not connected. Trying again…";
+  std::string frame = "Frame %1, %2"; ///< number and time of the frame shown
+  std::string seconds = "%1 s";       ///< a time
+  /// States of targets by their word in a message (stateWord()).
+  std::map<std::string, std::string> states{{"held", "tracking"}, {"ambiguous", "ambiguous"},
+                                            {"hidden", "hidden"}, {"searching", "searching"},
+                                            {"lost", "lost"},     {"gone", "not present"}};
+  std::string otherSite = "This page may not read from here.";
+  std::string onlyGet = "Only GET is possible.";
+  std::string onlyOnePage = "There is only one page, at /.";
+
+  bool operator==(const PageTexts&) const = default;
+};
+
+} // namespace dewpoint::broadcast
