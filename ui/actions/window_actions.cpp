@@ -3,6 +3,8 @@
 
 #include "ui/actions/action_registry.h"
 #include "ui/actions/camera_actions.h"
+#include "ui/actions/edit_actions.h"
+#include "ui/actions/help_actions.h"
 
 #include <QAction>
 #include <QActionGroup>
@@ -43,43 +45,6 @@ std::vector<ActionDeclaration> projectActions() {
        QT_TRANSLATE_NOOP("Actions", "Back to the start page"), nullptr, QKeySequence::Close},
       {"actionQuit", group, QT_TRANSLATE_NOOP("Actions", "Quit"),
        QT_TRANSLATE_NOOP("Actions", "Quit Dewpoint"), nullptr, QKeySequence::Quit},
-  };
-}
-
-std::vector<ActionDeclaration> editActions() {
-  const char* group = QT_TRANSLATE_NOOP("Actions", "Edit");
-  return {
-      {"actionUndo", group, QT_TRANSLATE_NOOP("Actions", "Undo"),
-       QT_TRANSLATE_NOOP("Actions", "Undo the last change"), "undo", QKeySequence::Undo},
-      {"actionRedo", group, QT_TRANSLATE_NOOP("Actions", "Redo"),
-       QT_TRANSLATE_NOOP("Actions", "Redo the last undone change"), "redo", QKeySequence::Redo},
-      {"actionLearnColor", group, QT_TRANSLATE_NOOP("Actions", "Learn the color"),
-       QT_TRANSLATE_NOOP("Actions", "Click the target in a camera image to learn its color"),
-       "learn", Qt::Key_L, true},
-      {"actionAddTarget", group, QT_TRANSLATE_NOOP("Actions", "Add a target"),
-       QT_TRANSLATE_NOOP("Actions", "Track one more object: click it in a camera image"),
-       "add-target", Qt::SHIFT | Qt::Key_L},
-      {"actionRemoveTarget", group, QT_TRANSLATE_NOOP("Actions", "Remove the target"),
-       QT_TRANSLATE_NOOP("Actions", "Remove the selected target from the project"), "remove",
-       Qt::SHIFT | Qt::Key_Delete},
-      {"actionPlacePerson", group, QT_TRANSLATE_NOOP("Actions", "Add person…"),
-       QT_TRANSLATE_NOOP("Actions",
-                         "Click the person in a camera image, or the floor in the bird's-eye view"),
-       nullptr, Qt::Key_P, true},
-      {"actionRemovePerson", group, QT_TRANSLATE_NOOP("Actions", "Remove person"),
-       QT_TRANSLATE_NOOP("Actions", "Remove the person selected in the table"), nullptr,
-       Qt::CTRL | Qt::Key_Delete},
-      {"actionCorrectPosition", group, QT_TRANSLATE_NOOP("Actions", "Correct position"),
-       QT_TRANSLATE_NOOP("Actions", "Drag a target in the camera images to its true position in "
-                                    "this frame; tracking continues from there"),
-       nullptr, Qt::Key_X, true},
-      {"actionRemoveCorrection", group, QT_TRANSLATE_NOOP("Actions", "Remove correction"),
-       QT_TRANSLATE_NOOP("Actions", "Remove the correction of the selected target in this frame, "
-                                    "or of all targets if none is selected"),
-       nullptr, Qt::SHIFT | Qt::Key_X},
-      {"actionShortcuts", group, QT_TRANSLATE_NOOP("Actions", "Shortcuts…"),
-       QT_TRANSLATE_NOOP("Actions", "See and change all keyboard shortcuts"), nullptr,
-       Qt::CTRL | Qt::Key_Comma},
   };
 }
 
@@ -348,31 +313,6 @@ std::vector<ActionDeclaration> plotActions() {
        QT_TRANSLATE_NOOP(
            "Actions", "Copy the selected rows of the trajectory, or all rows if none is selected"),
        nullptr, Qt::CTRL | Qt::ALT | Qt::Key_T},
-  };
-}
-
-std::vector<ActionDeclaration> helpActions() {
-  const char* group = QT_TRANSLATE_NOOP("Actions", "Help");
-  return {
-      {"actionManual", group, QT_TRANSLATE_NOOP("Actions", "Manual"),
-       QT_TRANSLATE_NOOP("Actions", "Open the manual at the page about the active view"), nullptr,
-       Qt::Key_F1},
-      {"actionQuickStart", group, QT_TRANSLATE_NOOP("Actions", "Quick start"),
-       QT_TRANSLATE_NOOP("Actions", "What you see in the window, and how to begin in five steps"),
-       nullptr, Qt::SHIFT | Qt::Key_F1},
-      {"actionLegend", group, QT_TRANSLATE_NOOP("Actions", "Legend of the overlays"),
-       QT_TRANSLATE_NOOP("Actions", "What crosses, ellipses and dots in the images mean"), nullptr,
-       Qt::CTRL | Qt::Key_F1},
-      {"actionMethods", group, QT_TRANSLATE_NOOP("Actions", "About the methods"),
-       QT_TRANSLATE_NOOP("Actions", "Open the reference of the tracking methods")},
-      {"actionCheckProject", group, QT_TRANSLATE_NOOP("Actions", "Check project…"),
-       QT_TRANSLATE_NOOP("Actions", "Check the recordings, times, calibration, colors and method "
-                                    "of the project for problems")},
-      {"actionReportProblem", group, QT_TRANSLATE_NOOP("Actions", "Report a problem…"),
-       QT_TRANSLATE_NOOP("Actions",
-                         "Collect the information that a bug report needs, ready to copy")},
-      {"actionAbout", group, QT_TRANSLATE_NOOP("Actions", "About Dewpoint"),
-       QT_TRANSLATE_NOOP("Actions", "Version, license, and how to cite Dewpoint")},
   };
 }
 
