@@ -2,7 +2,7 @@
 #include "core/experiment/studies/people_series.h"
 
 #include "core/experiment/report/seed_blocks.h"
-#include "core/experiment/studies/people_summary.h"
+#include "core/experiment/studies/people_report.h"
 
 #include <set>
 

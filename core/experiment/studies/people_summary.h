@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/experiment/report/figure_page.h"
 #include "core/experiment/studies/people_study.h"
 
 #include <limits>
@@ -38,6 +37,8 @@ const char* clothesName(PeopleClothes clothes);
 
 /// Summarizes the trials. Summaries are in order of first occurrence.
 std::vector<PeopleSummary> summarize(const std::vector<PeopleTrial>& trials);
+/// Returns a number for a table; "-" if it is NaN.
+std::string tableCell(double value, int digits);
 /// Returns the header or one row of a table for a terminal.
 std::string peopleTableHead();
 std::string peopleTableRow(const PeopleSummary& summary);
@@ -45,13 +46,5 @@ std::string peopleTableRow(const PeopleSummary& summary);
 std::string peopleTrialsCsv(const std::vector<PeopleTrial>& trials);
 /// Returns the content of people.csv, with one row per trial and person.
 std::string peoplePersonsCsv(const std::vector<PeopleTrial>& trials);
-/// Creates the report of a study. The report contains:
-/// - a description of the experiment and its table
-/// - the result for the paper's figure 4(a)
-/// - the requirements, and which of them are missed
-/// - results by body height, if some people are small
-/// - the images of those trials that have any
-/// - the files runs.csv and people.csv
-FigurePage peopleReport(const std::string& scenario, const std::vector<PeopleTrial>& trials);
 
 } // namespace dewpoint::experiment

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/studies/people_report.h"
 #include "core/experiment/studies/people_study.h"
 #include "core/experiment/studies/people_summary.h"
 
