@@ -6,6 +6,7 @@
 #include "core/tracking/dewpoint/clock_sightings.h"
 #include "core/tracking/dewpoint/color_adaptation.h"
 #include "core/tracking/dewpoint/dewpoint_diagnostics.h"
+#include "core/tracking/dewpoint/object_update.h"
 #include "core/tracking/frame_gap.h"
 
 #include <algorithm>
@@ -188,7 +189,7 @@ void DewpointTracker::iterate(ThreadTeam& team) {
     images_.adaptToLight();
     extendColorsToLight();
   }
-  updateTracks(team);
+  ObjectUpdate({objects_, images_, clocks_, search_, budget_, key_}, team).updateAll();
   budget_.adaptParticleCount(parameters_.at("particles"));
   if (isFirst) {
     searchDistractors(team);
@@ -229,93 +230,6 @@ void DewpointTracker::extendColorsToLight() {
       }
     }
     ++object.unseenFrames;
-  }
-}
-
-void DewpointTracker::updateTracks(ThreadTeam& team) {
-  for (std::size_t k = objects_.targetCount(); k < objects_.size(); ++k) {
-    objects_.suppressIfAtTarget(k);
-  }
-  for (const std::size_t k : objects_.indicesByProbability()) {
-    updateTrack(k, team);
-  }
-  for (std::size_t k = 0; k < objects_.targetCount(); ++k) {
-    if (!objects_[k].isBall()) {
-      objects_.removeDistractorsOf(k); // they were parts of it
-    }
-  }
-  objects_.resolveConflicts();
-}
-
-void DewpointTracker::updateTrack(std::size_t index, ThreadTeam& team) {
-  if (objects_[index].isBall()) {
-    updateAsBall(index, team);
-  }
-  if (index < objects_.targetCount()) {
-    updateShape(index, team);
-  }
-}
-
-void DewpointTracker::updateShape(std::size_t target, ThreadTeam& team) {
-  TrackedObject& object = objects_[target];
-  ShapeTracking& shape = *object.shape;
-  const bool wasBall = object.isBall();
-  const TrackHypothesis* const ball = wasBall ? object.track.confidentHypothesis() : nullptr;
-  if (wasBall && !shape.needsImages(ball != nullptr)) {
-    return;
-  }
-  alignTimesFor(object);
-  if (!wasBall) { // what was shown there is older
-    images_.passTo(object.observation, object.color);
-  }
-  images_.passTo(shape.observation(), object.color);
-  objects_.explainOtherTargets(target);
-  if (ball != nullptr) {
-    shape.measureBall(*ball, object.keyIn(key_), team);
-  } else {
-    shape.update(objects_.occupiedByOtherTargets(target), object.keyIn(key_), team);
-  }
-  const TrackHypothesis* const other = shape.track().hypothesis();
-  if (!object.isBall()) {
-    object.search.reset();
-    object.track.setOnlyHypothesis(other);
-  } else if (!wasBall && other != nullptr) {
-    object.track.initializeAt(other->position(), other->radius, object.observation,
-                              object.keyIn(key_), team);
-  }
-}
-
-void DewpointTracker::alignTimesFor(const TrackedObject& object) {
-  const TrackHypothesis* const expected = object.track.best();
-  images_.setDelays(expected != nullptr ? clocks_.delaysAt(expected->position())
-                                        : clocks_.delays());
-}
-
-void DewpointTracker::updateAsBall(std::size_t index, ThreadTeam& team) {
-  TrackedObject& object = objects_[index];
-  alignTimesFor(object);
-  images_.passTo(object.observation, object.color);
-  objects_.explainOthers(object.observation, object);
-  const auto findNow = [&](SphereObservation& observation, bool radiusKnown, std::size_t limit) {
-    return search_.find(observation, radiusKnown, limit, object.track.bounds());
-  };
-  bool searched = false;
-  const auto findInSlices = [&](SphereObservation&, bool, std::size_t limit) {
-    searched = true;
-    if (!object.search) {
-      object.search = objects_.startSearch(object, images_);
-    }
-    return advanceSearch(object.search, search_, budget_, limit, true);
-  };
-  const CandidateSource search =
-      budget_.isLimited() ? CandidateSource(findInSlices) : CandidateSource(findNow);
-  object.track.update(object.observation, search, objects_.occupiedByOthers(index),
-                      object.keyIn(key_), team);
-  if (!searched) {
-    object.search.reset(); // candidates in old images are of no use later
-  }
-  if (index >= objects_.targetCount()) {
-    objects_.suppressIfAtTarget(index);
   }
 }
 

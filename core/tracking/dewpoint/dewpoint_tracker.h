@@ -73,14 +73,6 @@ private:
   void predictTracks();
   /// Adapts the colors of targets that are not tracked to the current light.
   void extendColorsToLight();
-  /// Updates all tracks with the images of the frame, starting with the most probable objects.
-  void updateTracks(ThreadTeam& team);
-  void updateTrack(std::size_t index, ThreadTeam& team);
-  /// Sets the capture times of the images as they apply to an object.
-  void alignTimesFor(const TrackedObject& object);
-  void updateAsBall(std::size_t index, ThreadTeam& team);
-  /// Learns the shape of a target, and updates the track of a target that is not a ball.
-  void updateShape(std::size_t target, ThreadTeam& team);
   void searchDistractors(ThreadTeam& team);
   void updateEstimates();
   void updateEstimate(std::size_t target);

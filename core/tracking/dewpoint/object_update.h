@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/tracking/dewpoint/clock_estimator.h"
+#include "core/tracking/dewpoint/frame_images.h"
+#include "core/tracking/dewpoint/search/candidate_search.h"
+#include "core/tracking/dewpoint/search/time_budget.h"
+#include "core/tracking/dewpoint/tracked_objects.h"
+
+#include <cstddef>
+
+namespace dewpoint::tracking {
+
+/// One measurement update: updates the tracks of all targets and distractors with the images of a
+/// frame, as balls or by their shapes.
+class ObjectUpdate {
+public:
+  /// Inputs of an update. The references must be valid as long as the update.
+  struct Context {
+    TrackedObjects& objects;
+    FrameImages& images;
+    const ClockEstimator& clocks;
+    const CandidateSearch& candidates;
+    TimeBudget& budget;
+    RandomKey key; ///< key of the run in this iteration
+  };
+
+  ObjectUpdate(const Context& context, ThreadTeam& team) : in_(context), team_(team) {}
+
+  /// Updates all tracks, starting with the most probable objects. Afterward, no two objects are at
+  /// one position.
+  void updateAll();
+
+private:
+  void update(std::size_t index);
+  /// Sets the capture times of the images as they apply to an object.
+  void alignTimesFor(const TrackedObject& object);
+  void updateAsBall(std::size_t index);
+  /// Learns the shape of a target, and updates the track of a target that is not a ball.
+  void updateShape(std::size_t target);
+
+  Context in_;
+  ThreadTeam& team_;
+};
+
+} // namespace dewpoint::tracking
