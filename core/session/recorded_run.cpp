@@ -3,9 +3,7 @@
 
 #include "core/camera_motion/agreement/disagreement_sentence.h"
 #include "core/project/project_check.h"
-#include "core/session/watch/camera_agreement_watch.h"
-#include "core/session/watch/camera_motion_observer.h"
-#include "core/session/watch/camera_motion_watch.h"
+#include "core/session/watch/camera_watches.h"
 
 #include <algorithm>
 #include <iterator>
@@ -65,12 +63,10 @@ Result<RecordedRun> recordRun(const Project& project, FrameSetSource& source,
   kept.trajectory.header = trajectoryHeader(used);
   kept.boxes.header = boxTrackHeader(used);
 
-  CameraMotionWatch motion(run->rig());
-  CameraMotionObserver motionObserver(motion);
-  CameraAgreementWatch agreement(run->rig(), motion);
+  CameraWatches watches(run->rig());
   ResultCollector keeper(kept, order.particleLimit);
   std::vector<FrameObserver*> observers(order.observers.begin(), order.observers.end());
-  observers.insert(observers.end(), {&motionObserver, &agreement, &keeper});
+  observers.insert(observers.end(), {&watches, &keeper});
   const auto total = order.frames.count(source);
   bool isWanted = true;
   const Status tracked = trackFrames(source, order.frames, *run, observers, [&] {
@@ -90,10 +86,10 @@ Result<RecordedRun> recordRun(const Project& project, FrameSetSource& source,
   for (const Error& notice : source.notices()) {
     addNotice(sentence(notice), kept.notices);
   }
-  for (const Error& notice : motion.notices()) {
+  for (const Error& notice : watches.motion().notices()) {
     addNotice(sentence(notice), kept.notices);
   }
-  for (const CameraDisagreement& found : agreement.found(run->definition()->family())) {
+  for (const CameraDisagreement& found : watches.agreement().found(run->definition()->family())) {
     addNotice(describeDisagreement(found, run->rig()), kept.notices);
   }
   return kept;

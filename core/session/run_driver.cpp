@@ -5,6 +5,7 @@
 #include "core/session/box_counterparts.h"
 #include "core/session/correction_changes.h"
 #include "core/session/people/person_correction.h"
+#include "core/session/rerun_range.h"
 #include "core/tracking/catalog/method_catalog.h"
 
 #include <algorithm>
@@ -14,14 +15,13 @@
 namespace dewpoint::session {
 
 RunDriver::RunDriver(SessionInputs inputs, FrameTapSlot& tap, RunLog& log, const TruthTable& truth)
-    : project_(std::move(inputs.project)), source_(std::move(inputs.source)), tap_(tap), log_(log),
+    : project_(std::move(inputs.project)), input_(std::move(inputs.source)), tap_(tap), log_(log),
       current_(RunDefinition::of(project_, inputs.backgroundImages),
                filterThreadCount(inputs.threads)),
-      motionWatch_(*definition().rig), agreementWatch_(*definition().rig, motionWatch_),
-      recorder_(log, truth) {
+      watches_(*definition().rig), recorder_(log, truth) {
   replaceRun(definition(), 0);
-  if (source_) {
-    current_.keepHistory(*source_, inputs.historyBytes);
+  if (input_.exists()) {
+    current_.keepHistory(input_.source(), inputs.historyBytes);
   }
   log_.restart(project(), current_.threads());
 }
@@ -43,8 +43,8 @@ void RunDriver::start() {
 Result<FrameSetPtr> RunDriver::nextFrames() {
   recorder_.begin();
   // What a live run goes over again is in the library; when it is through, the cameras go on.
-  if (source_->isLive() && !playback_.rerunRange()) {
-    return source_->next();
+  if (takesFromCameras()) {
+    return input_.next();
   }
   const std::int64_t next = playback_.nextFrame();
   const auto frame = timeTravel().nearest(next);
@@ -136,14 +136,12 @@ bool RunDriver::restart(std::optional<std::uint64_t> seed) {
   errors_.clear();
   current_.restart(seed);
   log_.restart(project(), current_.threads());
-  if (!source_->isLive()) { // live cameras stay where they are; the calibrated place is still known
-    motionWatch_.restart();
-    agreementWatch_.restart();
+  if (!isLive()) { // live cameras stay where they are; the calibrated place is still known
+    watches_.restart();
   }
   recorder_.restart();
-  runTime_ = 0.0;
   playback_.restart();
-  if (const auto sought = source_->seek(0); !sought) {
+  if (const auto sought = input_.restart(); !sought) {
     note(sought.error());
     playback_.endInput();
     return false;
@@ -152,29 +150,13 @@ bool RunDriver::restart(std::optional<std::uint64_t> seed) {
   return playback_.playState() != PlayState::Ended;
 }
 
-std::int64_t RunDriver::startFrame(const command::SetMethod& method, std::int64_t from) const {
-  // Of the same targets, both methods can do what one can; others are tracked from the beginning.
-  const MethodFamily family = run().definition()->family();
-  const std::int64_t begin = family.tracksSameTargetsAs(methodFamily(method.method))
-                                 ? family.firstFrameFor(run().targets(), from)
-                                 : 0;
-  return timeTravel().nearest(begin).value_or(from);
-}
-
 void RunDriver::rerun(std::int64_t from, const command::SetMethod* method, bool keepView) {
-  const auto nearest = timeTravel().nearest(from);
-  if (!nearest) {
+  const auto wanted = framesToRerun(current_, playback_, from, method);
+  if (!wanted) {
     return;
   }
-  from = method != nullptr ? startFrame(*method, *nearest) : *nearest;
-  std::int64_t goal = head();
-  if (const auto underWay = playback_.rerunRange()) {
-    // What lies ahead of it is tracked again anyway, and so is a head that was only taken.
-    const bool isUntracked = playback_.head() == Playback::Head::Taken;
-    from = std::min(from, isUntracked ? head() : playback_.nextFrame());
-    goal = std::max(goal, underWay->to);
-  }
-  const RerunState range{from, goal};
+  const RerunState range = *wanted;
+  from = range.from;
   const bool isPast = from <= range.to;
   errors_.clear();
   RunDefinitionPtr before = current_.definition();
@@ -188,7 +170,7 @@ void RunDriver::rerun(std::int64_t from, const command::SetMethod* method, bool 
     }
     timeTravel().removeCheckpoints();
   } else if (isPast) {
-    if (const auto reached = current_.goBack(from, source_->isLive()); !reached) {
+    if (const auto reached = current_.goBack(from, isLive()); !reached) {
       note(reached.error());
       playback_.endInput();
       return;
@@ -278,8 +260,7 @@ void RunDriver::setCameras(const CameraRig& rig) {
   RunDefinition wanted = definition();
   wanted.rig = std::make_shared<const CameraRig>(rig);
   if (change(std::move(wanted))) {
-    motionWatch_.setCameras(rig);
-    agreementWatch_.setCameras(rig);
+    watches_.setCameras(rig);
   }
 }
 
@@ -370,17 +351,14 @@ void RunDriver::fill(const SnapshotBuilder& builder, bool quickly, TrackSnapshot
   snapshot.state = playback_.playState();
   snapshot.rerun = playback_.rerunRange();
   snapshot.notices = errors_;
-  snapshot.cameraMotions = motionWatch_.reports();
-  snapshot.disagreements = agreementWatch_.found(snapshot.family);
-  if (source_) {
-    sourceNotices_ = source_->notices();
-    std::ranges::copy(sourceNotices_, std::back_inserter(snapshot.notices));
-    snapshot.frameCount = source_->frameCount();
-    snapshot.droppedFrames = source_->droppedFrames();
+  snapshot.cameraMotions = watches_.motion().reports();
+  snapshot.disagreements = watches_.agreement().found(snapshot.family);
+  if (input_.exists()) {
+    input_.show(snapshot);
     snapshot.history = timeTravel().state();
   }
-  log_.setNotices(snapshot.notices, runTime_); // without those below, whose numbers change
-  std::ranges::move(motionWatch_.notices(), std::back_inserter(snapshot.notices));
+  log_.setNotices(snapshot.notices, input_.time()); // without those below, whose numbers change
+  std::ranges::move(watches_.motion().notices(), std::back_inserter(snapshot.notices));
   recorder_.addStatistics(snapshot);
   recorder_.updateOldResults(definition());
   log_.setFinished(playback_.hasInputEnded());

@@ -6,13 +6,13 @@
 #include "core/session/playback.h"
 #include "core/session/run/run_definition.h"
 #include "core/session/run/tracking_run.h"
+#include "core/session/run_input.h"
 #include "core/session/run_log.h"
 #include "core/session/run_recorder.h"
 #include "core/session/run_with_history.h"
 #include "core/session/session_inputs.h"
 #include "core/session/snapshot_builder.h"
-#include "core/session/watch/camera_agreement_watch.h"
-#include "core/session/watch/camera_motion_observer.h"
+#include "core/session/watch/camera_watches.h"
 
 #include <algorithm>
 #include <array>
@@ -33,13 +33,13 @@ public:
   RunDriver& operator=(const RunDriver&) = delete;
 
   /// Returns whether both a source and a run exist.
-  bool isReady() const { return current_.exists() && source_; }
+  bool isReady() const { return current_.exists() && input_.exists(); }
   /// Takes the first frame and shows it without tracking it.
   void start();
   const Playback& playback() const { return playback_; }
   /// Returns the frame rate of the input, which must exist.
-  double framesPerSecond() const { return source_->framesPerSecond(); }
-  bool isLive() const { return source_->isLive(); }
+  double framesPerSecond() const { return input_.framesPerSecond(); }
+  bool isLive() const { return input_.isLive(); }
   /// Returns the number of iterations of the run.
   std::int64_t iterations() const { return run().iterations(); }
   /// Returns whether every target is held; true without targets.
@@ -74,10 +74,7 @@ public:
   void setBackgroundImages(const command::SetBackgroundImages& request);
   /// Sets whether a calibration board is being shown to live cameras. While it is, no camera is
   /// reported as moved.
-  void setBoardShown(bool shown) {
-    motionWatch_.setPaused(shown);
-    agreementWatch_.setPaused(shown);
-  }
+  void setBoardShown(bool shown) { watches_.setPaused(shown); }
   void setPersonCorrections(const std::vector<PersonCorrection>& people);
   void setCorrections(const std::vector<PositionCorrection>& corrections);
   /// Sets the number of threads from the next iteration on; see SessionInputs::threads.
@@ -90,9 +87,7 @@ public:
   /// are not available immediately.
   void fill(const SnapshotBuilder& builder, bool quickly, TrackSnapshot& snapshot);
   /// Returns whether live cameras have other problems than in the last snapshot.
-  bool haveNoticesChanged() const {
-    return isReady() && isLive() && source_->notices() != sourceNotices_;
-  }
+  bool haveNoticesChanged() const { return isReady() && isLive() && input_.haveNoticesChanged(); }
   /// Adds likelihood maps or motion masks to a snapshot of a past frame. For this, the run is
   /// tracked again up to that frame. If `shouldContinue` returns false, the tracking stops and
   /// nothing is added.
@@ -102,8 +97,8 @@ public:
   Status describe(const SnapshotBuilder& builder, std::int64_t frame,
                   const TimeTravel::ShouldContinue& shouldContinue, TrackSnapshot& snapshot) {
     SnapshotBuilder::showDefinition(definition(), snapshot);
-    snapshot.cameraMotions = motionWatch_.reports();
-    snapshot.frameCount = source_->frameCount();
+    snapshot.cameraMotions = watches_.motion().reports();
+    snapshot.frameCount = input_.frameCount();
     snapshot.history = timeTravel().state();
     return builder.describe(run(), timeTravel(), frame, shouldContinue, snapshot);
   }
@@ -134,9 +129,9 @@ private:
   bool takesFromCameras() const { return isLive() && !playback_.rerunRange(); }
   /// Notes the time of a frame set that was just taken, and the problems of live cameras.
   void noteTaken(const FrameSet& taken) {
-    runTime_ = std::max(runTime_, seconds(taken.time));
+    input_.noteTaken(taken);
     if (takesFromCameras()) {
-      recorder_.setCameraProblems(source_->notices());
+      recorder_.setCameraProblems(input_.notices());
     }
   }
   void record() {
@@ -145,9 +140,6 @@ private:
   }
 
   void rerun(std::int64_t from, const command::SetMethod* method, bool keepView);
-  /// Returns the frame at which tracking with another method must begin so that `from` can be
-  /// tracked.
-  std::int64_t startFrame(const command::SetMethod& method, std::int64_t from) const;
   void changeBoxes(RunDefinition wanted);
   /// Replaces the corrections; `canApply` is true if the method can apply them. Usually, tracks
   /// again from the first frame whose corrections changed, and returns nothing. If the only change
@@ -160,19 +152,15 @@ private:
   void showFrame(const SnapshotBuilder& builder, bool quickly, TrackSnapshot& snapshot);
 
   Project project_; ///< project as it was opened; definition() takes precedence
-  std::unique_ptr<FrameSetSource> source_;
+  RunInput input_;
   FrameTapSlot& tap_;
   RunLog& log_;
-  RunWithHistory current_;        ///< contains no run if the project's run could not be created
-  CameraMotionWatch motionWatch_; ///< uses the calibration at the start
-  CameraMotionObserver motionObserver_{motionWatch_};
-  CameraAgreementWatch agreementWatch_; ///< uses the calibration in the project
+  RunWithHistory current_; ///< contains no run if the project's run could not be created
+  CameraWatches watches_;
   RunRecorder recorder_;
-  std::array<FrameObserver*, 3> observers_{&motionObserver_, &agreementWatch_, &recorder_};
+  std::array<FrameObserver*, 2> observers_{&watches_, &recorder_};
   Playback playback_;
   std::vector<Error> errors_;
-  std::vector<Error> sourceNotices_; ///< those of the source in the last snapshot
-  double runTime_ = 0.0;             ///< seconds; newest time of the source since the run began
 };
 
 } // namespace dewpoint::session

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/time.h"
+#include "core/capture/frame_source.h"
+#include "core/session/snapshot/snapshot.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace dewpoint::session {
+
+/// The source of a run's frames, and what it has reported so far. Used by the tracking thread only.
+class RunInput {
+public:
+  /// `source` may be null. Then only exists() and time() may be called.
+  explicit RunInput(std::unique_ptr<FrameSetSource> source) : source_(std::move(source)) {}
+
+  bool exists() const { return source_ != nullptr; }
+  FrameSetSource& source() { return *source_; }
+  bool isLive() const { return source_->isLive(); }
+  double framesPerSecond() const { return source_->framesPerSecond(); }
+  std::optional<std::int64_t> frameCount() const { return source_->frameCount(); }
+
+  /// Returns the next frame set of live cameras (FrameSetSource::next()).
+  Result<FrameSetPtr> next() { return source_->next(); }
+  /// Goes to the first frame.
+  Status restart() {
+    time_ = 0.0;
+    return source_->seek(0);
+  }
+  /// Notes that a frame set was taken.
+  void noteTaken(const FrameSet& taken) { time_ = std::max(time_, seconds(taken.time)); }
+  /// Returns the newest time of the frames taken since the restart, in seconds.
+  double time() const { return time_; }
+
+  /// Returns the present problems of live cameras.
+  std::vector<Error> notices() const { return source_->notices(); }
+  /// Returns whether live cameras have other problems than in the last snapshot.
+  bool haveNoticesChanged() const { return notices() != shownNotices_; }
+  /// Adds the problems, the number of frames and that of dropped frames to a snapshot.
+  void show(TrackSnapshot& snapshot) {
+    shownNotices_ = notices();
+    std::ranges::copy(shownNotices_, std::back_inserter(snapshot.notices));
+    snapshot.frameCount = source_->frameCount();
+    snapshot.droppedFrames = source_->droppedFrames();
+  }
+
+private:
+  std::unique_ptr<FrameSetSource> source_;
+  std::vector<Error> shownNotices_; ///< in the last snapshot
+  double time_ = 0.0;               ///< seconds
+};
+
+} // namespace dewpoint::session

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/watch/camera_agreement_watch.h"
+#include "core/session/watch/camera_motion_observer.h"
+
+namespace dewpoint::session {
+
+/// Everything that checks the cameras during a run: whether one was moved, and whether they agree
+/// with each other.
+class CameraWatches final : public FrameObserver {
+public:
+  /// `rig` is the calibration at the start of the run.
+  explicit CameraWatches(const CameraRig& rig) : motion_(rig), agreement_(rig, motion_) {}
+  CameraWatches(const CameraWatches&) = delete;
+  CameraWatches& operator=(const CameraWatches&) = delete;
+
+  Status tracked(const TrackingRun& run) override {
+    return motionObserver_.tracked(run).and_then([&] { return agreement_.tracked(run); });
+  }
+
+  const CameraMotionWatch& motion() const { return motion_; }
+  const CameraAgreementWatch& agreement() const { return agreement_; }
+  /// Sets other calibrations of the same cameras.
+  void setCameras(const CameraRig& rig) {
+    motion_.setCameras(rig);
+    agreement_.setCameras(rig);
+  }
+  /// Pauses the checks while a calibration board is shown to live cameras.
+  void setPaused(bool paused) {
+    motion_.setPaused(paused);
+    agreement_.setPaused(paused);
+  }
+  /// Discards all measurements.
+  void restart() {
+    motion_.restart();
+    agreement_.restart();
+  }
+
+private:
+  CameraMotionWatch motion_;
+  CameraMotionObserver motionObserver_{motion_};
+  CameraAgreementWatch agreement_;
+};
+
+} // namespace dewpoint::session
