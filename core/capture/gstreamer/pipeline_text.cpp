@@ -28,6 +28,9 @@ constexpr int kJpegQuality = 95;          ///< of raw images in a recording
 constexpr int kLargestTestSide = 8192;    ///< pixels
 constexpr int kLargestTestRate = 1000;    ///< images per second
 constexpr int kMostTestFrames = 1'000'000'000;
+/// Formats that a Matroska file can contain uncompressed, and that FFmpeg reads from it.
+constexpr std::array<std::string_view, 6> kLosslessFormats{"YUY2",  "I420", "UYVY",
+                                                           "GRAY8", "BGR",  "RGB"};
 /// Images that may wait for the decoder: few where each stands for itself, so that old ones are
 /// dropped at once; more where an image that is missing damages those after it.
 constexpr int kWaitingIntraImages = 2;
@@ -345,8 +348,11 @@ Result<PipelineText> pipelineText(const LiveCamera& camera) {
 }
 
 bool isStoredLossless(std::string_view rawFormat) {
-  static constexpr std::array<std::string_view, 4> kFormats{"YUY2", "I420", "UYVY", "GRAY8"};
-  return std::ranges::find(kFormats, rawFormat) != kFormats.end();
+  // The last ones become BGR or RGB: the same bytes in another order.
+  static constexpr std::array<std::string_view, 5> kSameBytes{"BGRx", "RGBx", "xBGR", "xRGB",
+                                                              "GBR"};
+  return std::ranges::find(kLosslessFormats, rawFormat) != kLosslessFormats.end() ||
+         std::ranges::find(kSameBytes, rawFormat) != kSameBytes.end();
 }
 
 std::string storedPipelineText(const std::string& file) {
@@ -359,14 +365,13 @@ std::string recordingPipelineText(const std::string& mediaType, bool lossless,
                                   const std::string& file) {
   std::string format;
   if (mediaType == "video/x-raw") {
-    // Lossless: the formats that FFmpeg reads uncompressed. For a JPEG through blue, green and red:
-    // the encoder stores limited YUV as if it had the full range, and colors would fade.
-    format =
-        lossless
-            ? " ! videoconvert ! "
-              "capsfilter caps=\"video/x-raw,format={YUY2,I420,UYVY,GRAY8}\"" // isStoredLossless()
-            : fmt::format(" ! videoconvert ! video/x-raw,format=BGR ! jpegenc quality={}",
-                          kJpegQuality);
+    // For a JPEG through blue, green and red: the encoder stores limited YUV as if it had the full
+    // range, and colors would fade.
+    format = lossless
+                 ? fmt::format(" ! videoconvert ! capsfilter caps=\"video/x-raw,format={{{}}}\"",
+                               fmt::join(kLosslessFormats, ","))
+                 : fmt::format(" ! videoconvert ! video/x-raw,format=BGR ! jpegenc quality={}",
+                               kJpegQuality);
   } else if (mediaType == "image/jpeg") {
     format = " ! jpegparse"; // a network camera does not say the size, which the file needs
   } else if (mediaType == "video/x-h264" || mediaType == "video/x-h265") {

@@ -61,7 +61,7 @@ bool isOnlyForFfmpeg(std::string_view location);
 std::string recordingPipelineText(const std::string& mediaType, bool lossless,
                                   const std::string& file);
 
-/// Returns whether a lossless recording keeps raw images of this format exactly as they are.
+/// Returns whether a lossless recording keeps the pixels of raw images of this format exactly.
 bool isStoredLossless(std::string_view rawFormat);
 
 /// Returns the pipeline that decodes the video of a recording as a live camera's images are

@@ -19,7 +19,7 @@ namespace dewpoint::capture {
 /// How images are stored that a camera sends uncompressed.
 enum class RawStorage {
   Jpeg,     ///< as JPEG of quality 95
-  Lossless, ///< as they came, uncompressed: about 18 MB/s for 640 x 480 at 30 images per second
+  Lossless, ///< as they came, uncompressed: 18 to 28 MB/s for 640 x 480 at 30 images per second
 };
 
 /// Files of the recording of one camera.

@@ -62,6 +62,12 @@ TEST(StoredStream, ImagesStoredUnchangedHaveThePixelsTheyHadLive) {
   expectSamePixels("test:ball?width=320&height=240&encoding=mjpeg", RawStorage::Jpeg);
   expectSamePixels("test:smpte?width=320&height=240&encoding=h264", RawStorage::Jpeg);
   expectSamePixels("test:smpte?width=320&height=240", RawStorage::Lossless);
+  for (const char* format : {"BGR", "RGB", "BGRx"}) {
+    expectSamePixels(std::string("gst:videotestsrc is-live=true pattern=smpte ! video/x-raw,"
+                                 "width=320,height=240,framerate=30/1,format=") +
+                         format,
+                     RawStorage::Lossless);
+  }
 }
 
 TEST(StoredStream, RawImagesStoredAsJpegAreReportedAsChanged) {

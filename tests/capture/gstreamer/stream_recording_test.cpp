@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/capture_times.h"
+#include "core/capture/gstreamer/gst_image.h"
+#include "core/capture/gstreamer/gst_library.h"
 #include "core/capture/gstreamer/gst_stream.h"
 #include "core/capture/gstreamer/open_live.h"
 #include "core/capture/gstreamer/stream_recording.h"
@@ -179,6 +181,31 @@ TEST(StreamRecording, RawImagesReadBackWithTheirColors) {
     if (raw == RawStorage::Lossless) {
       EXPECT_EQ(recording.counts().bytes / recording.counts().images / (320 * 240 * 2), 1);
     }
+  }
+}
+
+TEST(StreamRecording, LosslessImagesKeepEachColor) {
+  ASSERT_TRUE(startGStreamer());
+  const test::TemporaryFolder folder;
+  const auto feed = std::make_shared<EncodedFeed>();
+  StreamRecording recording(feed, filesIn(folder), RawStorage::Lossless, RecordingClock::now(), "");
+  cv::RNG random(7);
+  std::vector<cv::Mat> sent;
+  for (int k = 0; k < 5; ++k) {
+    cv::Mat image(49, 67, CV_8UC3); // rows that are no multiple of four bytes
+    random.fill(image, cv::RNG::UNIFORM, 0, 256);
+    sent.push_back(image);
+    feed->put({std::shared_ptr<GstSample>(sampleOf(image), gst_sample_unref),
+               {RecordingClock::now(), TimeOrigin::Arrival}});
+  }
+  EXPECT_EQ(waitForImages(recording, 5).images, 5);
+  recording.stop();
+  EXPECT_FALSE(recording.counts().isChanged);
+  cv::VideoCapture video(folder / "left.mkv", cv::CAP_FFMPEG);
+  for (const cv::Mat& image : sent) {
+    cv::Mat read;
+    ASSERT_TRUE(video.read(read));
+    EXPECT_EQ(cv::norm(read, image, cv::NORM_INF), 0.0);
   }
 }
 
