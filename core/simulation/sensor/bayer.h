@@ -10,7 +10,9 @@ namespace dewpoint::simulation {
 /// Pixel noise according to the photon transfer model (Janesick, "Photon Transfer", 2007). The
 /// variance of the number of electrons equals its mean. Reading out the electrons adds more noise.
 struct PixelNoise {
-  double fullWell = 0.0;      ///< number of electrons at full scale with a gain of 1
+  /// Number of electrons at full scale with a gain of 1, that is, at the nominal exposure of the
+  /// scene (CameraGain::exposure).
+  double fullWell = 0.0;
   double readElectrons = 0.0; ///< standard deviation of the read noise, electrons
 };
 

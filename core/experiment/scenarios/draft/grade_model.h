@@ -23,6 +23,7 @@ struct GradeModel {
   // Lens and sensor.
   Range psfSigmaPx; ///< standard deviation of the lens blur, pixels
   /// PixelNoise::fullWell, electrons; accounts for the gain that the light in the room requires.
+  /// CameraGain::exposure, which also changes the noise, is relative to this gain.
   Range fullWell;
   Range readElectrons;      ///< standard deviation of the read noise, electrons
   Range contrast;           ///< SensorModel::contrast: exponent applied to the tone curve
