@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/broadcast/transport/live_page.h"
 
+#include "core/base/markup.h"
+
 #include <nlohmann/json.hpp>
 
 #include <array>
@@ -240,29 +242,6 @@ render();
 </html>
 )html";
 
-std::string markup(std::string_view text) {
-  std::string escaped;
-  for (const char letter : text) {
-    switch (letter) {
-    case '&':
-      escaped += "&amp;";
-      break;
-    case '<':
-      escaped += "&lt;";
-      break;
-    case '>':
-      escaped += "&gt;";
-      break;
-    case '"':
-      escaped += "&quot;";
-      break;
-    default:
-      escaped += letter;
-    }
-  }
-  return escaped;
-}
-
 /// The texts that the script writes, as a value of JavaScript.
 std::string scriptTexts(const PageTexts& texts) {
   using nlohmann::json;
@@ -307,11 +286,11 @@ std::string filled(std::string_view page,
 } // namespace
 
 std::string livePage(const PageTexts& texts) {
-  return filled<6>(kLivePage, {{{"language", markup(texts.language)},
-                                {"title", markup(texts.title)},
-                                {"view", markup(texts.view)},
-                                {"connecting", markup(texts.connecting)},
-                                {"help", markup(texts.help)},
+  return filled<6>(kLivePage, {{{"language", base::htmlEscaped(texts.language)},
+                                {"title", base::htmlEscaped(texts.title)},
+                                {"view", base::htmlEscaped(texts.view)},
+                                {"connecting", base::htmlEscaped(texts.connecting)},
+                                {"help", base::htmlEscaped(texts.help)},
                                 {"texts", scriptTexts(texts)}}});
 }
 

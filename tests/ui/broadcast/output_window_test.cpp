@@ -25,6 +25,29 @@
 #include <sys/socket.h>
 
 namespace dewpoint::tests {
+namespace {
+
+/// What a browser gets from a page of this computer.
+std::string loadedPage(const std::string& address) {
+  const auto colon = address.rfind(':');
+  sockaddr_in place{};
+  place.sin_family = AF_INET;
+  place.sin_port = htons(static_cast<std::uint16_t>(std::stoi(address.substr(colon + 1))));
+  place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  const broadcast::FileDescriptor browser(::socket(AF_INET, SOCK_STREAM, 0));
+  const std::string request = "GET / HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n";
+  std::string page;
+  if (::connect(browser.number(), reinterpret_cast<const sockaddr*>(&place), sizeof place) == 0 &&
+      ::send(browser.number(), request.data(), request.size(), 0) > 0) {
+    char part = 0;
+    while (::recv(browser.number(), &part, 1, 0) == 1) {
+      page += part;
+    }
+  }
+  return page;
+}
+
+} // namespace
 
 class OutputWindowTest : public QObject, private test::WindowFixture {
   Q_OBJECT
@@ -119,26 +142,6 @@ void OutputWindowTest::anotherProjectSendsNothing() {
   open();
   QVERIFY(!outputs().isSending());
   QVERIFY(!action("actionSendResults")->isChecked());
-}
-
-/// What a browser gets from a page of this computer.
-std::string loadedPage(const std::string& address) {
-  const auto colon = address.rfind(':');
-  sockaddr_in place{};
-  place.sin_family = AF_INET;
-  place.sin_port = htons(static_cast<std::uint16_t>(std::stoi(address.substr(colon + 1))));
-  place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  const broadcast::FileDescriptor browser(::socket(AF_INET, SOCK_STREAM, 0));
-  const std::string request = "GET / HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n";
-  std::string page;
-  if (::connect(browser.number(), reinterpret_cast<const sockaddr*>(&place), sizeof place) == 0 &&
-      ::send(browser.number(), request.data(), request.size(), 0) > 0) {
-    char part = 0;
-    while (::recv(browser.number(), &part, 1, 0) == 1) {
-      page += part;
-    }
-  }
-  return page;
 }
 
 void OutputWindowTest::thePageHasTheLanguageOfTheWindow() {
