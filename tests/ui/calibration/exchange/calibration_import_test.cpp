@@ -286,9 +286,14 @@ void CalibrationImportTest::theFileThatWasFoundIsTheOneNamed() {
   QVERIFY(file.open(QIODevice::WriteOnly));
   file.close();
   out->setFile(there);
-  // Typed while the preview is made, and not yet entered.
-  find<QLineEdit>("calibrationExportFile")->setText(folder_.filePath(QStringLiteral("other.toml")));
   QVERIFY(waitText("calibrationExportPreview", QStringLiteral("there.toml exists")));
+  // Typed while the preview is made, and not yet entered.
+  out->setFile(there);
+  find<QLineEdit>("calibrationExportFile")->setText(folder_.filePath(QStringLiteral("other.toml")));
+  QVERIFY(waitFor([this] {
+    const QString text = preview("calibrationExportPreview");
+    return !text.isEmpty() && !text.contains(QStringLiteral("exists"));
+  }));
 }
 
 void CalibrationImportTest::anExportHasAFileAtOnce() {
