@@ -22,6 +22,9 @@ inline constexpr std::uintmax_t kMaxTableBytes = std::uintmax_t{4} << 30U;
 /// also contain the data from which the calibration was computed. This data does not count towards
 /// the limit: a file that contains it may have up to kMaxTextBytes.
 inline constexpr std::uintmax_t kMaxCalibrationBytes = std::uintmax_t{4} << 20U;
+/// Maximum size of a JSON file about one run or take, in bytes. Such files have some kilobytes;
+/// what the parser makes of them takes up to 30 times their size.
+inline constexpr std::uintmax_t kMaxRecordBytes = std::uintmax_t{4} << 20U;
 
 /// Maximum number of cameras in a project, calibration or scene. The largest motion capture stages
 /// have a few hundred.

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/capture_times.h"
+#include "core/capture/gstreamer/pipeline_text.h"
+#include "core/capture/redacted_location.h"
 #include "tests/fuzz/expectation.h"
 #include "tests/fuzz/fuzzed_readers.h"
 #include "tests/fuzz/input_file.h"
 
 #include <algorithm>
+#include <string>
 
 namespace dewpoint::tests {
 
@@ -15,6 +18,18 @@ void fuzzCaptureTimes(std::string_view bytes) {
     expectPlain(times.error());
   } else {
     expect(!times->empty() && std::ranges::is_sorted(*times), "times that do not rise");
+  }
+}
+
+void fuzzCameraLocation(std::string_view bytes) {
+  capture::LiveCamera camera;
+  camera.name = "left";
+  camera.location = std::string(bytes);
+  const auto pipeline = capture::pipelineText(camera);
+  if (!pipeline) {
+    expectPlain(pipeline.error());
+  } else {
+    expect(!pipeline->text.empty(), "an empty pipeline");
   }
 }
 

@@ -9,6 +9,7 @@ std::span<const FuzzedReader> fuzzedReaders() {
       {"scene", fuzzScene},
       {"trajectory", fuzzTrajectory},
       {"capture-times", fuzzCaptureTimes},
+      {"camera-location", fuzzCameraLocation},
       {"board", fuzzBoard},
       {"calibration", fuzzCalibration},
       {"dewpoint", fuzzDewpoint},
@@ -26,6 +27,17 @@ std::span<const FuzzedReader> fuzzedReaders() {
       {"plain", fuzzPlain},
       {"opencv-extrinsics", fuzzOpencvExtrinsics},
       {"ros-transforms", fuzzRosTransforms},
+      {"job-record", fuzzJobRecord},
+      {"evaluation", fuzzEvaluation},
+      {"live-frames", fuzzLiveFrames},
+      {"take-notes", fuzzTakeNotes},
+      {"clip-table", fuzzClipTable},
+      {"band-cameras", fuzzBandCameras},
+      {"box-truth", fuzzBoxTruth},
+      {"suite-rows", fuzzSuiteRows},
+      {"remote-lines", fuzzRemoteLines},
+      {"web-request", fuzzWebRequest},
+      {"web-socket", fuzzWebSocket},
   };
   return kReaders;
 }

@@ -66,6 +66,11 @@ Result<Trajectory> readTruth(const EvaluateOptions& options, const Trajectory& e
   return truth;
 }
 
+/// A name in a file can be any bytes.
+std::string jsonOutput(const nlohmann::json& json) {
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
 int evaluateIdentity(const EvaluateOptions& options, const Trajectory& estimate,
                      const Trajectory& truth) {
   const auto evaluation = evaluateIdentities(estimate, truth, {options.gate, options.ground});
@@ -73,7 +78,7 @@ int evaluateIdentity(const EvaluateOptions& options, const Trajectory& estimate,
     return report(evaluation.error());
   }
   if (options.json) {
-    fmt::print("{}\n", identityJson(*evaluation).dump(2));
+    fmt::print("{}\n", jsonOutput(identityJson(*evaluation)));
   } else {
     fmt::print("{}", identityText(*evaluation));
   }
@@ -106,7 +111,7 @@ int evaluateFiles(const EvaluateOptions& options) {
     }
   }
   if (options.json) {
-    fmt::print("{}\n", evaluationJson(*evaluations).dump(2));
+    fmt::print("{}\n", jsonOutput(evaluationJson(*evaluations)));
   } else {
     fmt::print("{}", evaluationText(*evaluations));
   }

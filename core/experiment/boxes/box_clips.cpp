@@ -25,6 +25,7 @@ constexpr double kPixelCenter = 0.5;      // boxes are measured from the corner 
 constexpr double kOtbRadius = 20.0;       // of the benchmark's precision
 constexpr double kClipPeriod = 0.8;       // seconds, of the simulated ball's fastest motion; chosen
 constexpr std::int64_t kClipFrames = 300; // of the simulated ball: 10 s; chosen
+constexpr std::size_t kMostClipRows = 1'000'000;
 constexpr int kLeastFrames = 20; // of a ball that is thrown; chosen: shorter ones tell nothing
 
 std::function<Result<cv::Mat>(std::int64_t)> imageSource(std::vector<fs::path> files) {
@@ -36,6 +37,13 @@ std::function<Result<cv::Mat>(std::int64_t)> imageSource(std::vector<fs::path> f
     }
     return image;
   };
+}
+
+/// The number of an image, as its file name has it; nothing if it cannot be one.
+std::optional<int> imageNumber(double number) {
+  constexpr double kHighestImage = 99'999'999.0; // eight digits
+  return number >= 0.0 && number <= kHighestImage ? std::optional(static_cast<int>(number))
+                                                  : std::nullopt;
 }
 
 /// The numbers of a line, whatever stands between them.
@@ -61,6 +69,10 @@ Result<std::vector<std::vector<double>>> rowsOf(const fs::path& file, std::size_
   for (std::string line; std::getline(stream, line);) {
     auto numbers = numbersOf(line);
     if (numbers.size() == count) {
+      if (rows.size() == kMostClipRows) {
+        return failure(ErrorCode::NotParsed, file.string(), "",
+                       fmt::format("more than {} rows", kMostClipRows));
+      }
       rows.push_back(std::move(numbers));
     }
   }
@@ -78,7 +90,12 @@ Status addJuggle(const fs::path& folder, std::vector<BoxClip>& clips) {
   }
   std::vector<fs::path> files;
   for (const auto& row : *rows) {
-    files.push_back(folder / fmt::format("{:08}.jpg", static_cast<int>(row[0])));
+    const auto number = imageNumber(row[0]);
+    if (!number) {
+      return failure(ErrorCode::NotParsed, (folder / "gt1.csv").string(), "frame",
+                     fmt::format("{} is not the number of an image", row[0]));
+    }
+    files.push_back(folder / fmt::format("{:08}.jpg", *number));
   }
   constexpr const char* kBalls[] = {"red", "blue", "yellow"};
   for (std::size_t ball = 0; ball < 3; ++ball) {
@@ -137,9 +154,15 @@ Status addThrows(const fs::path& folder, std::vector<BoxClip>& clips) {
   for (std::string line; std::getline(stream, line);) {
     const std::size_t comma = line.find(',');
     const auto row = numbersOf(comma == std::string::npos ? "" : line.substr(comma + 1));
-    if (row.size() == 9 && row[8] == 0.0) { // frame, center, box, area, touches the border
-      balls[line.substr(0, comma)][static_cast<int>(row[0])] = {row[3], row[4], row[5], row[6]};
+    if (row.size() != 9 || row[8] != 0.0) { // frame, center, box, area, touches the border
+      continue;
     }
+    const auto number = imageNumber(row[0]);
+    if (!number) {
+      return failure(ErrorCode::NotParsed, (folder / "balls_by_color.csv").string(), "frame",
+                     fmt::format("{} is not the number of an image", row[0]));
+    }
+    balls[line.substr(0, comma)][*number] = {row[3], row[4], row[5], row[6]};
   }
   for (const auto& [color, boxes] : balls) {
     addThrow(folder, color, boxes, clips);

@@ -93,6 +93,10 @@ Result<CalibratedClip> bandsClip(const ClipFolders& folders) {
   if (!table) {
     return tl::make_unexpected(table.error());
   }
+  if (const Status whole = checkFrameColumns(*table, {"frame"}, folder / "tapes_180349_scout.csv");
+      !whole) {
+    return tl::make_unexpected(whole.error());
+  }
   CalibratedClip clip;
   clip.name = "R1-bands";
   clip.rig = std::move(*rig);

@@ -47,10 +47,13 @@ Result<std::map<std::int64_t, ClipInstant>> boardInstants(const std::filesystem:
   if (!table) {
     return tl::make_unexpected(table.error());
   }
+  if (const Status whole = checkFrameColumns(*table, {"sync_index", "cam_id"}, file); !whole) {
+    return tl::make_unexpected(whole.error());
+  }
   std::array<std::int64_t, kBoardCameras> next{};
   std::map<std::int64_t, ClipInstant> instants;
   for (const auto& row : table->rows) {
-    if (row[1] < 0.0 || row[1] >= static_cast<double>(kBoardCameras)) {
+    if (row[1] >= static_cast<double>(kBoardCameras)) {
       return failure(ErrorCode::NotParsed, file.string(), "cam_id", "0 to 3 are expected");
     }
     const auto camera = static_cast<std::size_t>(row[1]);
@@ -77,9 +80,12 @@ Result<std::map<std::int64_t, Corners>> boardCorners(const std::filesystem::path
   if (!table) {
     return tl::make_unexpected(table.error());
   }
+  if (const Status whole = checkFrameColumns(*table, {"sync_index", "keypoint_id"}, file); !whole) {
+    return tl::make_unexpected(whole.error());
+  }
   std::map<std::int64_t, Corners> corners;
   for (const auto& row : table->rows) {
-    if (row[1] < 0.0 || row[1] >= static_cast<double>(kBoardCorners)) {
+    if (row[1] >= static_cast<double>(kBoardCorners)) {
       return failure(ErrorCode::NotParsed, file.string(), "keypoint_id", "0 to 11 are expected");
     }
     corners[static_cast<std::int64_t>(row[0])][static_cast<std::size_t>(row[1])] =

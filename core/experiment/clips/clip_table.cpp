@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -45,7 +46,7 @@ Result<std::vector<std::size_t>> columnsIn(const std::vector<std::string>& head,
 }
 
 struct NumberedLine {
-  int number = 0; ///< in the file, from 1
+  std::size_t number = 0; ///< in the file, from 1
   std::vector<std::string> cells;
 };
 
@@ -57,9 +58,13 @@ Result<std::vector<NumberedLine>> tableLines(const std::filesystem::path& file) 
   }
   std::vector<NumberedLine> lines;
   std::istringstream stream(*text);
-  int number = 0;
+  std::size_t number = 0;
   for (std::string line; std::getline(stream, line);) {
     ++number;
+    if (std::cmp_greater(number, kMaxClipFrame)) {
+      return failure(ErrorCode::NotParsed, file.string(), fmt::format("line {}", number),
+                     fmt::format("more than {} lines", kMaxClipFrame));
+    }
     if (!line.empty() && line.front() != '#' && line.front() != '\r') {
       lines.push_back({number, cellsOf(line)});
     }
@@ -100,7 +105,7 @@ Result<ClipTable> readClipTable(const std::filesystem::path& file,
     auto& row = table.rows.emplace_back();
     for (std::size_t column = 0; column < columns.size(); ++column) {
       const auto value = toNumber<double>(source.cells[(*positions)[column]]);
-      if (!value) {
+      if (!value || !std::isfinite(*value)) {
         return refuse("a number is expected");
       }
       row.push_back(*value);
@@ -110,6 +115,21 @@ Result<ClipTable> readClipTable(const std::filesystem::path& file,
     }
   }
   return table;
+}
+
+Status checkFrameColumns(const ClipTable& table, const std::vector<std::string>& names,
+                         const std::filesystem::path& file) {
+  for (const std::vector<double>& row : table.rows) {
+    for (std::size_t column = 0; column < names.size(); ++column) {
+      const double number = row[column];
+      if (number < 0.0 || number > static_cast<double>(kMaxClipFrame) ||
+          number != std::floor(number)) {
+        return failure(ErrorCode::NotParsed, file.string(), names[column],
+                       fmt::format("{} is not a whole number from 0 to {}", number, kMaxClipFrame));
+      }
+    }
+  }
+  return {};
 }
 
 } // namespace dewpoint::experiment

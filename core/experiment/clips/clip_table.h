@@ -3,6 +3,8 @@
 
 #include "core/base/error.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -20,9 +22,17 @@ struct ClipTable {
 
 /// Reads `columns` of a file as numbers, and the column `wordColumn` as text unless its name is
 /// empty. Errors: FileMissing, FileUnreadable, MissingKey with the name of a missing column, or
-/// NotParsed with the line of a cell that is not a number or of a row that is too short.
+/// NotParsed with the line of a cell that is not a finite number or of a row that is too short.
 Result<ClipTable> readClipTable(const std::filesystem::path& file,
                                 const std::vector<std::string>& columns,
                                 const std::string& wordColumn = {});
+
+/// Maximum frame number in the table of a clip; a list of all frames up to it takes 0.2 GB.
+inline constexpr std::int64_t kMaxClipFrame = 1'000'000;
+
+/// Checks that all numbers of the first columns are whole numbers from 0 to kMaxClipFrame.
+/// `names`: of these columns. Error: NotParsed with the file and the name of the column.
+Status checkFrameColumns(const ClipTable& table, const std::vector<std::string>& names,
+                         const std::filesystem::path& file);
 
 } // namespace dewpoint::experiment

@@ -46,6 +46,10 @@ Result<CalibratedClip> handClip(const ClipFolders& folders) {
   if (!table) {
     return tl::make_unexpected(table.error());
   }
+  if (const Status whole = checkFrameColumns(*table, {"frame"}, folders.truth / "hand2_desk.csv");
+      !whole) {
+    return tl::make_unexpected(whole.error());
+  }
   if (table->rows.empty() || !std::ranges::is_sorted(table->rows, {}, [](const auto& row) {
         return row[HandColumn::kFrame];
       })) {

@@ -158,7 +158,7 @@ std::string reportJson(const SuiteReport& report) {
   for (const SuiteCell& cell : report.cells) {
     json["cells"].push_back(cellJson(cell));
   }
-  return json.dump(1) + "\n";
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 Status writeSuiteReport(const std::filesystem::path& folder, const SuiteResults& results,

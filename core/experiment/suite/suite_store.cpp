@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/suite/suite_store.h"
 
+#include "core/base/limits.h"
 #include "core/base/table_text.h"
 #include "core/base/text_file.h"
 
@@ -30,6 +31,10 @@ Result<std::vector<std::string>> readLines(const std::filesystem::path& file,
   std::size_t begin = 0;
   for (std::size_t end = text->find('\n'); end != std::string::npos;
        end = text->find('\n', begin)) {
+    if (lines.size() == limits::kMaxRows) {
+      return failure(ErrorCode::NotParsed, file.string(), fmt::format("line {}", lines.size() + 1),
+                     fmt::format("more than {} rows", limits::kMaxRows));
+    }
     lines.push_back(text->substr(begin, end - begin));
     begin = end + 1;
   }

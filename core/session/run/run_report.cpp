@@ -160,7 +160,7 @@ std::string runReport(const Project& project, const RunStatistics& figures) {
     one["from"] = period.from;
     one["to"] = period.to ? nlohmann::ordered_json(*period.to) : nlohmann::ordered_json(nullptr);
   }
-  return json.dump(2) + "\n";
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 } // namespace dewpoint::session

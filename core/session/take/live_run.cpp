@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/take/live_run.h"
 
+#include "core/base/limits.h"
 #include "core/base/text_file.h"
 #include "core/base/text_number.h"
 
@@ -61,8 +62,22 @@ std::vector<std::string_view> cellsOf(std::string_view line) {
   return cells;
 }
 
+/// Nanoseconds; the difference of two times within the limit fits in 64 bits.
+constexpr std::int64_t kMostNanoseconds = std::int64_t{1} << 62U;
+
+/// Nothing if the cell is not a whole number within the limits.
+std::optional<std::int64_t> wholeNumberIn(std::string_view cell, std::int64_t low,
+                                          std::int64_t high) {
+  const auto number = toNumber<std::int64_t>(cell);
+  return number && *number >= low && *number <= high ? number : std::nullopt;
+}
+
+std::optional<std::int64_t> frameNumberIn(std::string_view cell) {
+  return wholeNumberIn(cell, 0, limits::kMaxFrames);
+}
+
 std::optional<TimeStamp> timeIn(std::string_view cell) {
-  const auto nanoseconds = toNumber<std::int64_t>(cell);
+  const auto nanoseconds = wholeNumberIn(cell, -kMostNanoseconds + 1, kMostNanoseconds - 1);
   return nanoseconds ? std::optional(TimeStamp(*nanoseconds)) : std::nullopt;
 }
 
@@ -72,7 +87,7 @@ std::optional<StoredSet> setIn(std::string_view line, std::size_t cameras) {
   if (cells.size() != 2 + 2 * cameras) {
     return std::nullopt;
   }
-  const auto index = toNumber<std::int64_t>(cells[0]);
+  const auto index = frameNumberIn(cells[0]);
   const auto time = timeIn(cells[1]);
   if (!index || !time) {
     return std::nullopt;
@@ -84,7 +99,7 @@ std::optional<StoredSet> setIn(std::string_view line, std::size_t cameras) {
       continue;
     }
     const auto number =
-        cells[k] == kLost ? std::optional<std::int64_t>(-1) : toNumber<std::int64_t>(cells[k]);
+        cells[k] == kLost ? std::optional<std::int64_t>(-1) : frameNumberIn(cells[k]);
     const auto captured = timeIn(cells[k + 1]);
     if (!number || !captured) {
       return std::nullopt;
@@ -116,7 +131,7 @@ std::vector<StoredSet> storedSets(const std::vector<LiveSet>& sets,
   return stored;
 }
 
-Status writeStoredSets(const std::vector<StoredSet>& sets, const std::filesystem::path& file) {
+std::string storedSetsText(const std::vector<StoredSet>& sets) {
   std::string text = "# Which images of the videos the live run tracked in each frame\n"
                      "frame,time_ns";
   for (std::size_t k = 0; !sets.empty() && k < sets.front().images.size(); ++k) {
@@ -133,7 +148,11 @@ Status writeStoredSets(const std::vector<StoredSet>& sets, const std::filesystem
     }
     text += '\n';
   }
-  return writeTextFile(file, text);
+  return text;
+}
+
+Status writeStoredSets(const std::vector<StoredSet>& sets, const std::filesystem::path& file) {
+  return writeTextFile(file, storedSetsText(sets));
 }
 
 Result<std::vector<StoredSet>> readStoredSets(const std::filesystem::path& file,
@@ -158,6 +177,10 @@ Result<std::vector<StoredSet>> readStoredSets(const std::filesystem::path& file,
       return failure(
           ErrorCode::NotParsed, file.string(), fmt::format("line {}", number),
           fmt::format("expected frame, time, and two cells for each of {} cameras", cameras));
+    }
+    if (sets.size() == limits::kMaxRows) {
+      return failure(ErrorCode::NotParsed, file.string(), fmt::format("line {}", number),
+                     fmt::format("more than {} rows", limits::kMaxRows));
     }
     sets.push_back(std::move(*set));
   }

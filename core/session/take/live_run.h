@@ -51,10 +51,13 @@ inline constexpr const char* kLiveFolder = "live";
 /// it names them by relative paths.
 inline constexpr const char* kLiveProject = "live.toml";
 
-/// Writes the table of the images of a live run, one line per frame: frame, time_ns, and for each
+/// Returns the table of the images of a live run, one line per frame: frame, time_ns, and for each
 /// camera image_K and time_K_ns. The image is the number in the video, `lost`, or empty.
+std::string storedSetsText(const std::vector<StoredSet>& sets);
+/// Writes this table to a file.
 Status writeStoredSets(const std::vector<StoredSet>& sets, const std::filesystem::path& file);
-/// Reads this table. Errors: those of readTextFile(), and NotParsed with the line.
+/// Reads this table. Errors: those of readTextFile(), and NotParsed with the line of
+/// a row that is not one of this table, or whose numbers are not those of a run.
 Result<std::vector<StoredSet>> readStoredSets(const std::filesystem::path& file,
                                               std::size_t cameras);
 

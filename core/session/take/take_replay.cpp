@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/take/take_replay.h"
 
+#include "core/base/limits.h"
 #include "core/base/text_file.h"
 #include "core/base/units.h"
 #include "core/capture/gstreamer/stored_stream.h"
@@ -126,28 +127,70 @@ bool isSameFrame(std::int64_t frame, const std::vector<TrajectorySample>& again,
   return same;
 }
 
-/// What a take's notes say about the live run and the stored images.
-Status readNotes(const fs::path& take, ReplayComparison& comparison) {
-  for (const auto& [file, key] : {std::pair(take / "take.json", "cameras"),
-                                  std::pair(take / kLiveFolder / "live.json", "other_settings")}) {
-    const auto text = readTextFile(file);
-    if (!text) {
-      return tl::make_unexpected(text.error());
-    }
-    const auto json = nlohmann::json::parse(*text, nullptr, false);
-    if (!json.is_object() || !json.contains(key) || !json[key].is_array()) {
-      return failure(ErrorCode::NotParsed, file.string(), key, "not the JSON of a take");
-    }
-    for (const auto& one : json[key]) {
-      if (one.is_array() && one.size() == 2 && one[0].is_number() && one[1].is_number()) {
-        comparison.otherSettings.push_back(
-            {one[0].get<std::int64_t>(), one[1].get<std::int64_t>()});
-      } else if (one.is_object() && one.value("images_changed", false)) {
-        comparison.changedCameras.push_back(one.value("name", std::string()));
-      }
+/// A frame number of the notes; nothing for anything else.
+std::optional<std::int64_t> frameIn(const nlohmann::json& value) {
+  if (!value.is_number_integer() || value.get<double>() < 0.0 ||
+      value.get<double>() > static_cast<double>(limits::kMaxFrames)) {
+    return std::nullopt;
+  }
+  return value.get<std::int64_t>();
+}
+
+/// Reads the array of a file of notes, entry by entry; `readEntry` returns whether it is one.
+template <class ReadEntry>
+Status readNoteArray(const fs::path& file, const char* key, const ReadEntry& readEntry) {
+  const auto text = readTextFile(file);
+  if (!text) {
+    return tl::make_unexpected(text.error());
+  }
+  if (text->size() > limits::kMaxRecordBytes) {
+    return failure(ErrorCode::FileUnreadable, file.string(), "",
+                   fmt::format("it is larger than {} MiB", limits::kMaxRecordBytes >> 20U));
+  }
+  const auto json = nlohmann::json::parse(*text, nullptr, false);
+  if (!json.is_object() || !json.contains(key) || !json[key].is_array()) {
+    return failure(ErrorCode::NotParsed, file.string(), key, "not the JSON of a take");
+  }
+  for (std::size_t k = 0; k < json[key].size(); ++k) {
+    if (!readEntry(json[key][k])) {
+      return failure(ErrorCode::NotParsed, file.string(), fmt::format("{} {}", key, k + 1),
+                     "not the JSON of a take");
     }
   }
   return {};
+}
+
+/// What a take's notes say about the live run and the stored images.
+Status readNotes(const fs::path& take, ReplayComparison& comparison) {
+  const auto readCamera = [&](const nlohmann::json& one) {
+    if (!one.is_object()) {
+      return false;
+    }
+    const auto changed = one.find("images_changed");
+    if (changed == one.end() || *changed == false) {
+      return true;
+    }
+    const auto name = one.find("name");
+    if (*changed != true || name == one.end() || !name->is_string()) {
+      return false;
+    }
+    comparison.changedCameras.push_back(name->get<std::string>());
+    return true;
+  };
+  const auto readRange = [&](const nlohmann::json& one) {
+    if (!one.is_array() || one.size() != 2) {
+      return false;
+    }
+    const auto first = frameIn(one[0]);
+    const auto last = frameIn(one[1]);
+    if (first && last) {
+      comparison.otherSettings.push_back({*first, *last});
+    }
+    return first && last;
+  };
+  return readNoteArray(take / "take.json", "cameras", readCamera).and_then([&] {
+    return readNoteArray(take / kLiveFolder / "live.json", "other_settings", readRange);
+  });
 }
 
 bool hasTimeBudget(const ParameterValues& parameters) {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/jobs/gathered_jobs.h"
 
-#include "core/base/text_file.h"
+#include "core/base/limits.h"
 #include "core/base/units.h"
 #include "core/trajectory/csv_line.h"
 #include "core/trajectory/evaluation_text.h"
 #include "core/trajectory/jobs/gathered_rows.h"
 #include "core/trajectory/jobs/job_folder.h"
+#include "core/trajectory/jobs/json_fields.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -24,21 +25,23 @@ namespace fs = std::filesystem;
 
 constexpr const char* kTrajectoryChecksumKey = "trajectory_sha256";
 
-Evaluation evaluationOf(const nlohmann::json& json) {
+Evaluation evaluationOf(const nlohmann::ordered_json& json, JsonFields& file,
+                        const std::string& name) {
   Evaluation one;
-  json.at("target").get_to(one.target);
-  json.at("rmse").get_to(one.rmse);
-  json.at("median").get_to(one.median);
-  json.at("p95").get_to(one.p95);
-  json.at("max").get_to(one.max);
-  json.at("rmse_all").get_to(one.rmseAll);
-  json.at("inside_95").get_to(one.inside95);
-  json.at("frames_compared").get_to(one.framesCompared);
-  json.at("lost_frames").get_to(one.lostFrames);
-  json.at("missing").get_to(one.missing);
-  if (const auto& converged = json.at("frames_to_converge"); !converged.is_null()) {
-    one.framesToConverge = converged.get<std::int64_t>();
-  }
+  JsonFields fields(json, name, "targets.");
+  fields.text("target", one.target);
+  fields.number("rmse", one.rmse);
+  fields.number("median", one.median);
+  fields.number("p95", one.p95);
+  fields.number("max", one.max);
+  fields.number("rmse_all", one.rmseAll);
+  fields.number("inside_95", one.inside95);
+  constexpr std::int64_t kNone = 0;
+  fields.integer("frames_compared", one.framesCompared, kNone, limits::kMaxFrames);
+  fields.integer("lost_frames", one.lostFrames, kNone, limits::kMaxFrames);
+  fields.integer("missing", one.missing, kNone, limits::kMaxFrames);
+  fields.integer("frames_to_converge", one.framesToConverge, kNone, limits::kMaxFrames);
+  file.recordErrorOf(fields);
   return one;
 }
 
@@ -49,26 +52,28 @@ Result<std::vector<Evaluation>> evaluationsIn(const fs::path& folder, const JobR
   if (!fs::exists(file, problem)) {
     return {};
   }
-  const auto text = readTextFile(file);
-  if (!text) {
-    return tl::make_unexpected(text.error());
+  const auto json = readJsonObject(file.string());
+  if (!json) {
+    return tl::make_unexpected(json.error());
   }
-  try {
-    const auto json = nlohmann::json::parse(*text);
-    const std::string of = json.at(kTrajectoryChecksumKey);
-    if (std::ranges::none_of(record.files, [&](const auto& one) { return one.sha256 == of; })) {
-      return failure(ErrorCode::Mismatch, file.string(), kTrajectoryChecksumKey,
-                     "it was made from another trajectory than the one in this folder: evaluate "
-                     "the run again");
+  JsonFields fields(*json, file.string(), "");
+  std::string checksum;
+  fields.text(kTrajectoryChecksumKey, checksum);
+  std::vector<Evaluation> evaluations;
+  if (const auto* targets = fields.objects("targets")) {
+    for (const auto& one : *targets) {
+      evaluations.push_back(evaluationOf(one, fields, file.string()));
     }
-    std::vector<Evaluation> evaluations;
-    for (const auto& one : json.at("targets")) {
-      evaluations.push_back(evaluationOf(one));
-    }
-    return evaluations;
-  } catch (const nlohmann::json::exception& error) {
-    return failure(ErrorCode::NotParsed, file.string(), "", error.what());
   }
+  if (fields.error()) {
+    return tl::make_unexpected(*fields.error());
+  }
+  if (std::ranges::find(record.files, checksum, &JobFile::sha256) == record.files.end()) {
+    return failure(ErrorCode::Mismatch, file.string(), kTrajectoryChecksumKey,
+                   "it was made from another trajectory than the one in this folder: evaluate "
+                   "the run again");
+  }
+  return evaluations;
 }
 
 /// Whether all files of a finished job are there with their sizes.
@@ -164,7 +169,7 @@ std::string evaluationFileText(const std::vector<Evaluation>& evaluations,
                                const std::string& trajectorySha256) {
   nlohmann::json json = evaluationJson(evaluations);
   json[kTrajectoryChecksumKey] = trajectorySha256;
-  return json.dump(2) + "\n";
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 std::string gatheredTable(const GatheredJobs& gathered) {

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/jobs/job_record.h"
 
+#include "core/base/limits.h"
 #include "core/base/sha256.h"
-#include "core/base/text_file.h"
+#include "core/trajectory/jobs/json_fields.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstdint>
 
 namespace dewpoint::trajectory {
 namespace {
@@ -66,27 +68,48 @@ Result<std::string> folderLines(const std::string& name, const fs::path& folder)
   return fmt::format("{}", fmt::join(lines, ""));
 }
 
-JobRecord recordOf(const Json& json) {
+constexpr int kMostThreads = 1'000'000;
+
+Result<JobRecord> recordOf(const Json& json, const std::string& file) {
   JobRecord record;
+  JsonFields fields(json, file, "");
   JobIdentity& identity = record.identity;
-  json.at("recording").get_to(identity.recording);
-  json.at("command").get_to(identity.command);
-  json.at("method").get_to(identity.method);
-  json.at("seed").get_to(identity.seed);
-  json.at("settings").get_to(identity.settings);
-  json.at("frame_range").get_to(identity.frames);
-  json.at("version").get_to(identity.version);
-  json.at("key").get_to(record.key);
-  json.at("frames").get_to(record.frames);
-  json.at("seconds").get_to(record.seconds);
-  json.at("threads").get_to(record.threads);
-  for (const Json& one : json.at("targets")) {
-    record.targets.push_back({one.at("name"), one.at("valid_frames")});
+  fields.text("recording", identity.recording);
+  fields.text("command", identity.command);
+  fields.text("method", identity.method);
+  fields.integer("seed", identity.seed, std::uint64_t{0}, std::uint64_t{UINT64_MAX});
+  fields.text("settings", identity.settings);
+  fields.text("frame_range", identity.frames);
+  fields.text("version", identity.version);
+  fields.text("key", record.key);
+  fields.integer("frames", record.frames, std::int64_t{0}, limits::kMaxFrames);
+  fields.number("seconds", record.seconds);
+  fields.integer("threads", record.threads, 0, kMostThreads);
+  if (const Json* targets = fields.objects("targets")) {
+    for (const Json& one : *targets) {
+      JsonFields entry(one, file, "targets.");
+      JobTarget& target = record.targets.emplace_back();
+      entry.text("name", target.name);
+      entry.integer("valid_frames", target.validFrames, std::int64_t{0}, limits::kMaxFrames);
+      fields.recordErrorOf(entry);
+    }
   }
-  for (const Json& one : json.at("files")) {
-    record.files.push_back({one.at("name"), one.at("bytes"), one.at("sha256")});
+  if (const Json* files = fields.objects("files")) {
+    for (const Json& one : *files) {
+      JsonFields entry(one, file, "files.");
+      JobFile& written = record.files.emplace_back();
+      entry.text("name", written.name);
+      entry.integer("bytes", written.bytes, std::uintmax_t{0}, std::uintmax_t{UINTMAX_MAX});
+      entry.text("sha256", written.sha256);
+      fields.recordErrorOf(entry);
+    }
   }
-  return record;
+  return fields.error() ? Result<JobRecord>(tl::make_unexpected(*fields.error()))
+                        : Result<JobRecord>(std::move(record));
+}
+
+bool isInAnotherFolder(const JobFile& file) {
+  return file.name.empty() || fs::path(file.name).filename() != file.name || file.name == "..";
 }
 
 } // namespace
@@ -130,27 +153,19 @@ std::string jobRecordText(const JobRecord& record) {
   for (const JobFile& file : record.files) {
     json["files"].push_back({{"name", file.name}, {"bytes", file.bytes}, {"sha256", file.sha256}});
   }
-  return json.dump(2) + "\n";
+  // A name from the command line can be any bytes.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 Result<JobRecord> readJobRecord(const fs::path& file) {
-  const auto text = readTextFile(file);
-  if (!text) {
-    return tl::make_unexpected(text.error());
-  }
-  // The library's errors end here.
-  try {
-    JobRecord record = recordOf(Json::parse(*text));
-    const auto isElsewhere = [](const JobFile& one) {
-      return one.name.empty() || fs::path(one.name).filename() != one.name || one.name == "..";
-    };
-    if (std::ranges::any_of(record.files, isElsewhere)) {
-      return failure(ErrorCode::BadValue, file.string(), "files", "a name is not that of a file");
-    }
-    return record;
-  } catch (const Json::exception& error) {
-    return failure(ErrorCode::NotParsed, file.string(), "", error.what());
-  }
+  return readJsonObject(file.string()).and_then([&](const Json& json) {
+    return recordOf(json, file.string()).and_then([&](JobRecord record) -> Result<JobRecord> {
+      if (std::ranges::any_of(record.files, isInAnotherFolder)) {
+        return failure(ErrorCode::BadValue, file.string(), "files", "a name is not that of a file");
+      }
+      return record;
+    });
+  });
 }
 
 } // namespace dewpoint::trajectory

@@ -77,7 +77,8 @@ Result<std::string> jobKey(const std::string& description, const std::vector<Job
 
 /// Returns the text of done.json.
 std::string jobRecordText(const JobRecord& record);
-/// Reads done.json. Returns NotParsed with the name of the file if it has another format.
+/// Reads done.json. Errors: those of readJsonObject(), and MissingKey, WrongType or BadValue with
+/// the name of the file and the field.
 Result<JobRecord> readJobRecord(const std::filesystem::path& file);
 
 } // namespace dewpoint::trajectory

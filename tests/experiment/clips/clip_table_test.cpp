@@ -34,5 +34,20 @@ TEST(ClipTable, NamesWhatIsWrong) {
   EXPECT_EQ(readClipTable(folder / "t.csv", {"v"}).error().field, "line 2") << "the row is short";
 }
 
+TEST(ClipTable, HasFiniteNumbersAndFramesWithinALimit) {
+  const test::TemporaryFolder folder;
+  std::ofstream(folder / "t.csv") << "u\nnan\n";
+  EXPECT_EQ(readClipTable(folder / "t.csv", {"u"}).error().field, "line 2");
+  const std::filesystem::path file = folder / "f.csv";
+  EXPECT_TRUE(checkFrameColumns({{{0.0, -1.0}, {1e6, 0.5}}, {}}, {"frame"}, file));
+  for (const double number : {-1.0, 0.5, 1e6 + 1.0, 1e300}) {
+    const auto checked = checkFrameColumns({{{3.0, number}}, {}}, {"frame", "cam_id"}, file);
+    ASSERT_FALSE(checked) << number;
+    EXPECT_EQ(checked.error().code, ErrorCode::NotParsed);
+    EXPECT_EQ(checked.error().file, file.string());
+    EXPECT_EQ(checked.error().field, "cam_id");
+  }
+}
+
 } // namespace
 } // namespace dewpoint::tests

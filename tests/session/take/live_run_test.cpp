@@ -76,5 +76,19 @@ TEST(LiveRun, TheTableReadsBack) {
   EXPECT_EQ(readStoredSets(folder / "none.csv", 2).error().code, ErrorCode::FileMissing);
 }
 
+TEST(LiveRun, ATableWithNumbersOfNoRunIsRefused) {
+  const test::TemporaryFolder folder;
+  const std::string file = folder / "frames.csv";
+  for (const char* row :
+       {"-1,0,0,0", "10000000001,0,0,0", "9223372036854775807,0,0,0", "0,0,-2,0",
+        "0,0,10000000001,0", "0,9223372036854775807,0,0", "0,0,0,-9223372036854775807"}) {
+    std::ofstream(file) << "1,1000,0,1007\n" << row << "\n";
+    const auto read = readStoredSets(file, 1);
+    ASSERT_FALSE(read) << row;
+    EXPECT_EQ(read.error().code, ErrorCode::NotParsed);
+    EXPECT_EQ(read.error().field, "line 2");
+  }
+}
+
 } // namespace
 } // namespace dewpoint::tests

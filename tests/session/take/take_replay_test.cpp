@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 
 namespace dewpoint::tests {
 namespace {
@@ -144,6 +145,36 @@ TEST_F(TakeReplayTest, OtherSettingsAndChangedImagesAreReported) {
   EXPECT_FALSE(comparison.otherSettings.empty());
   EXPECT_EQ(comparison.changedCameras, (std::vector<std::string>{"left", "right"}));
   EXPECT_NE(allSentences(comparison).find("other settings"), std::string::npos);
+}
+
+TEST_F(TakeReplayTest, NotesOfAnotherFormAreAnError) {
+  const std::filesystem::path take = folder_ / "notes";
+  std::filesystem::create_directories(take / "live");
+  std::ofstream(take / "live" / "frames.csv") << "";
+  const auto errorOf = [&](const char* notes, const char* live) {
+    std::ofstream(take / "take.json") << notes;
+    std::ofstream(take / "live" / "live.json") << live;
+    const auto compared = compareReplay(take, 1, [](std::int64_t, std::int64_t) { return true; });
+    EXPECT_FALSE(compared);
+    return compared ? Error{} : compared.error();
+  };
+  constexpr const char* kNotes = R"({"cameras": [{"name": "left", "images_changed": true}]})";
+  constexpr const char* kLive = R"({"other_settings": [[0, 10]]})";
+  EXPECT_EQ(errorOf(kNotes, kLive).code, ErrorCode::FileMissing) << "the project";
+  for (const char* broken :
+       {R"({"cameras": [1]})", R"({"cameras": [{"name": "left", "images_changed": "yes"}]})",
+        R"({"cameras": [{"name": 5, "images_changed": true}]})"}) {
+    const Error error = errorOf(broken, kLive);
+    EXPECT_EQ(error.code, ErrorCode::NotParsed) << broken;
+    EXPECT_EQ(error.field, "cameras 1") << broken;
+  }
+  for (const char* broken :
+       {R"({"other_settings": [[0, 10], [0, 1e300]]})", R"({"other_settings": [[0, 10], [-1, 2]]})",
+        R"({"other_settings": [[0, 10], 3]})"}) {
+    const Error error = errorOf(kNotes, broken);
+    EXPECT_EQ(error.code, ErrorCode::NotParsed) << broken;
+    EXPECT_EQ(error.field, "other_settings 2") << broken;
+  }
 }
 
 TEST_F(TakeReplayTest, ATakeWithoutARunHasNothingToCompare) {

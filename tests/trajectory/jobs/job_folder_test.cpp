@@ -46,12 +46,70 @@ TEST(JobRecord, ReadsWhatItWrote) {
     ASSERT_FALSE(read) << name;
     EXPECT_EQ(read.error().field, "files") << name;
   }
-  for (const char* text : {"", "{", "[]", "{\"recording\": 1}"}) {
+  for (const char* text : {"", "{", "[]"}) {
     ASSERT_TRUE(writeTextFile(folder / kDoneFile, text));
     const auto read = readJobRecord(folder / kDoneFile);
     ASSERT_FALSE(read) << text;
     EXPECT_EQ(read.error().code, ErrorCode::NotParsed) << text;
   }
+}
+
+TEST(JobRecord, RefusesNumbersThatDoNotFit) {
+  const fs::path folder = emptyJobFolder("numbers");
+  fs::create_directories(folder);
+  JobRecord record = recordWithKey("k");
+  record.files = {{"trajectory.csv", 12, "abc"}};
+  const std::string text = jobRecordText(record);
+  struct Change {
+    const char* before;
+    const char* after;
+    ErrorCode code;
+    const char* field;
+  };
+  for (const Change& change :
+       {Change{"\"seed\": 7", "\"seed\": -7", ErrorCode::BadValue, "seed"},
+        Change{"\"seed\": 7", "\"sed\": 7", ErrorCode::MissingKey, "seed"},
+        Change{"\"frames\": 60", "\"frames\": 1e300", ErrorCode::WrongType, "frames"},
+        Change{"\"frames\": 60", "\"frames\": 10000000001", ErrorCode::BadValue, "frames"},
+        Change{"\"threads\": 1", "\"threads\": 4294967297", ErrorCode::BadValue, "threads"},
+        Change{"\"valid_frames\": 58", "\"valid_frames\": \"58\"", ErrorCode::WrongType,
+               "targets.valid_frames"},
+        Change{"\"bytes\": 12", "\"bytes\": -12", ErrorCode::BadValue, "files.bytes"},
+        Change{"\"seconds\": 1.5", "\"seconds\": null", ErrorCode::WrongType, "seconds"}}) {
+    std::string changed = text;
+    const std::size_t at = changed.find(change.before);
+    ASSERT_NE(at, std::string::npos) << change.before;
+    changed.replace(at, std::string(change.before).size(), change.after);
+    ASSERT_TRUE(writeTextFile(folder / kDoneFile, changed));
+    const auto read = readJobRecord(folder / kDoneFile);
+    ASSERT_FALSE(read) << change.after;
+    EXPECT_EQ(read.error().code, change.code) << change.after;
+    EXPECT_EQ(read.error().field, change.field) << change.after;
+    EXPECT_EQ(read.error().file, (folder / kDoneFile).string());
+  }
+}
+
+TEST(JobRecord, HasAnUpperLimitForItsSizeAndForTheNumberOfItsTargets) {
+  const fs::path folder = emptyJobFolder("limits");
+  fs::create_directories(folder);
+  JobRecord record = recordWithKey("k");
+  ASSERT_TRUE(writeTextFile(folder / kDoneFile, std::string(5U << 20U, ' ')));
+  EXPECT_EQ(readJobRecord(folder / kDoneFile).error().code, ErrorCode::FileUnreadable);
+  record.targets.resize(10'001);
+  ASSERT_TRUE(writeTextFile(folder / kDoneFile, jobRecordText(record)));
+  const auto read = readJobRecord(folder / kDoneFile);
+  ASSERT_FALSE(read);
+  EXPECT_EQ(read.error().code, ErrorCode::BadValue);
+  EXPECT_EQ(read.error().field, "targets");
+}
+
+TEST(JobRecord, IsWrittenForANameThatIsNotUtf8) {
+  JobRecord record = recordWithKey("k");
+  record.identity.recording = "day \xFF";
+  const fs::path folder = emptyJobFolder("bytes");
+  fs::create_directories(folder);
+  ASSERT_TRUE(writeTextFile(folder / kDoneFile, jobRecordText(record)));
+  EXPECT_TRUE(readJobRecord(folder / kDoneFile));
 }
 
 TEST(JobFolder, IsDoneOnlyAfterTheEnd) {
