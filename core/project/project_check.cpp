@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project_check.h"
 
+#include "core/base/limits.h"
 #include "core/project/project_corrections.h"
 #include "core/project/project_devices.h"
 #include "core/project/project_format.h"
@@ -11,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -101,6 +103,22 @@ Status checkTargets(const Project& project) {
   return {};
 }
 
+/// Each target has a filter of its own.
+Status checkParticles(const Project& project) {
+  constexpr const char* kKey = "particles";
+  const auto declared = project.parameters.declarations();
+  if (std::ranges::find(declared, kKey, &ParameterDeclaration::key) == declared.end()) {
+    return {};
+  }
+  const double particles = project.parameters.at(kKey);
+  if (particles * static_cast<double>(project.targets.size()) > limits::kMaxParticles) {
+    return wrong(ErrorCode::BadValue, "parameters.particles",
+                 fmt::format("{:.0f} for each of {} targets; at most {:.0f} in all are possible",
+                             particles, project.targets.size(), limits::kMaxParticles));
+  }
+  return {};
+}
+
 /// Of a camera whose images will say what size they are: methods that follow boxes need no more.
 bool isBare(const Project& project, const Intrinsics& intrinsics) {
   return !methodFamily(project.method).needsCalibration && intrinsics.width == 0 &&
@@ -151,7 +169,8 @@ Status checkProject(const Project& project) {
   if (auto good = checkCameras(project); !good) {
     return good;
   }
-  return checkRoom(project)
+  return checkParticles(project)
+      .and_then([&] { return checkRoom(project); })
       .and_then([&] { return checkPeople(project); })
       .and_then([&] { return checkCorrections(project); })
       .and_then([&] { return checkOutput(project.output); });

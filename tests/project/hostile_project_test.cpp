@@ -64,6 +64,20 @@ TEST_F(HostileProject, NoFieldTakesWhatIsNoFiniteNumber) {
   }
 }
 
+TEST_F(HostileProject, TheParticlesOfAllTargetsAreBoundedTogether) {
+  std::string text = changed("particles = 500", "particles = 100000");
+  EXPECT_EQ(problemOf(text), "");
+  for (int target = 0; target < 250; ++target) {
+    text += fmt::format("\n[[target]]\nname = \"more {}\"\nhue = [100, 120]\n"
+                        "saturation = [0.3, 1]\nintensity = [0.1, 0.9]\n",
+                        target);
+  }
+  EXPECT_NE(problemOf(text).find("parameters.particles: not a usable value (100000 for each of "),
+            std::string::npos)
+      << problemOf(text);
+  EXPECT_NE(problemOf(text).find("at most 20000000 in all"), std::string::npos) << problemOf(text);
+}
+
 TEST_F(HostileProject, ClaimsAreBounded) {
   EXPECT_EQ(problemOf(changed("particles = 500", "particles = 1000000000000")),
             "parameters.particles: not a usable value (1000000000000 is not a whole number from 10 "
