@@ -31,8 +31,7 @@ inline constexpr std::uintmax_t kMaxRecordBytes = std::uintmax_t{4} << 20U;
 inline constexpr std::size_t kMaxCameras = 1000;
 /// Maximum number of targets in a project, or of balls and lights in a scene.
 inline constexpr std::size_t kMaxTargets = 1000;
-/// Maximum number of particles of all targets of a project; the filters of so many take some
-/// gigabytes.
+/// Maximum number of particles of all targets of a project. Their filters take some gigabytes.
 inline constexpr double kMaxParticles = 2e7;
 /// Maximum width or height of an image, in pixels. Line-scan cameras reach 32,768.
 inline constexpr int kMaxImageSide = 100'000;
