@@ -156,6 +156,11 @@ TEST_F(GatherTest, EvaluationOfAnotherTrajectoryIsAnError) {
   ASSERT_FALSE(gathered);
   EXPECT_EQ(gathered.error().code, ErrorCode::Mismatch);
   ASSERT_TRUE(writeTextFile(root_ / "one" / kEvaluationFile, "{}"));
+  const auto empty = gatherJobs({folder("one")});
+  ASSERT_FALSE(empty);
+  EXPECT_EQ(empty.error().code, ErrorCode::MissingKey);
+  EXPECT_EQ(empty.error().field, "trajectory_sha256");
+  ASSERT_TRUE(writeTextFile(root_ / "one" / kEvaluationFile, "["));
   EXPECT_EQ(gatherJobs({folder("one")}).error().code, ErrorCode::NotParsed);
 }
 
