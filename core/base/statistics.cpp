@@ -2,6 +2,7 @@
 #include "core/base/statistics.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace dewpoint::base {
@@ -33,6 +34,15 @@ double quantile(const std::vector<double>& sorted, double fraction) {
   const auto low = static_cast<std::size_t>(place);
   const std::size_t high = std::min(low + 1, sorted.size() - 1);
   return sorted[low] + (place - static_cast<double>(low)) * (sorted[high] - sorted[low]);
+}
+
+double studentQuantile95(double freedoms) {
+  constexpr double z = 1.959964; // of the normal distribution
+  const double first = (std::pow(z, 3) + z) / 4.0;
+  const double second = (5.0 * std::pow(z, 5) + 16.0 * std::pow(z, 3) + 3.0 * z) / 96.0;
+  const double third =
+      (3.0 * std::pow(z, 7) + 19.0 * std::pow(z, 5) + 17.0 * std::pow(z, 3) - 15.0 * z) / 384.0;
+  return z + first / freedoms + second / std::pow(freedoms, 2) + third / std::pow(freedoms, 3);
 }
 
 } // namespace dewpoint::base

@@ -24,4 +24,9 @@ double median(std::vector<double> values);
 /// neighboring values. `sorted` contains the values in ascending order.
 double quantile(const std::vector<double>& sorted, double fraction);
 
+/// Returns the value that the absolute value of Student's t exceeds with a probability of 5 %
+/// (Cornish-Fisher expansion; Abramowitz & Stegun 26.7.5). `freedoms`: degrees of freedom, at least
+/// 3; if infinite, returns that of the normal distribution, 1.96.
+double studentQuantile95(double freedoms);
+
 } // namespace dewpoint::base

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <vector>
 
 namespace dewpoint::tests {
@@ -21,6 +22,14 @@ TEST(Median, IsTheMeanOfTwoInTheMiddle) {
   EXPECT_EQ(median({5.0, 1.0, 3.0}), 3.0);
   EXPECT_EQ(median({5.0, 1.0, 3.0, 4.0}), 3.5);
   EXPECT_EQ(median({}), 0.0);
+}
+
+// Tables of Student's t, two-sided: 3.182, 2.571, 2.262, and 1.960 of the normal distribution.
+TEST(StudentQuantile, IsThatOfTheTables) {
+  EXPECT_NEAR(studentQuantile95(3.0), 3.182, 0.04);
+  EXPECT_NEAR(studentQuantile95(5.0), 2.571, 0.01);
+  EXPECT_NEAR(studentQuantile95(9.0), 2.262, 0.001);
+  EXPECT_NEAR(studentQuantile95(std::numeric_limits<double>::infinity()), 1.960, 0.001);
 }
 
 // Four values are at 0, 1/3, 2/3 and 1: a half is in the middle between the inner ones.

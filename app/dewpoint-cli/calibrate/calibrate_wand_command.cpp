@@ -181,8 +181,12 @@ int calibrate(WandCommandOptions options) {
     fmt::print("note: {}\n", farOffText(camera, result->before));
   }
   const CameraRig& cameras = result->result.cameras;
-  const bool better = !isInaccurate(*result);
-  if (!better) {
+  const bool unneeded = isUnneeded(*result);
+  const bool better = !isInaccurate(*result) && !unneeded;
+  if (unneeded) {
+    report({ErrorCode::Undetermined, inputs->project.file.string(), "cameras",
+            unneededText(*result) + (options.apply ? "; the project was not changed" : "")});
+  } else if (!better) {
     report(
         {ErrorCode::Undetermined, inputs->project.file.string(), "cameras",
          fmt::format(

@@ -3,6 +3,7 @@
 
 #include "core/base/statistics.h"
 #include "core/calibration/board/board_chain.h"
+#include "core/calibration/board/intrinsics_covariance.h"
 
 #include <fmt/format.h>
 
@@ -59,9 +60,23 @@ class Extrinsics {
 public:
   Extrinsics(const ExtrinsicsRequest& request, const CalibrationProgress& progress,
              BoardChain chain)
-      : request_(request), progress_(progress), chain_(std::move(chain)) {}
+      : request_(request), progress_(progress), chain_(std::move(chain)),
+        refined_(request.cameras.size(), request.refineIntrinsics) {}
 
   Result<ExtrinsicsResult> run() {
+    if (const auto solved = solve(); !solved) {
+      return tl::make_unexpected(solved.error());
+    }
+    if (keepUndeterminedLenses()) {
+      if (const auto solved = solve(); !solved) {
+        return tl::make_unexpected(solved.error());
+      }
+    }
+    return finished();
+  }
+
+private:
+  Status solve() {
     double lossWidth = kFirstLossWidth;
     for (int round = 0; round < kMostRounds; ++round) {
       if (!reportProgress(progress_, CalibrationStage::Adjustment,
@@ -82,14 +97,57 @@ public:
     markDoubtful(fits_);
     if (std::ranges::none_of(fits_, &ViewFit::doubtful)) {
       // Nothing is to be feared any more: plain least squares are the better estimate.
-      if (auto adjusted = adjust(RobustLoss::None, lossWidth); !adjusted) {
-        return tl::make_unexpected(adjusted.error());
-      }
+      return adjust(RobustLoss::None, lossWidth);
     }
-    return finished();
+    return {};
   }
 
-private:
+  /// Gives cameras back the lenses that they had, if their views do not determine others. Returns
+  /// whether there are such cameras.
+  bool keepUndeterminedLenses() {
+    bool any = false;
+    for (std::size_t k = 0; k < refined_.size(); ++k) {
+      const double worst = refined_[k] ? worstRay(k) : 0.0;
+      if (worst <= kWorstRayPx) {
+        continue;
+      }
+      any = true;
+      refined_[k] = false;
+      adjusted_[k].intrinsics = request_.cameras[k].camera.intrinsics;
+      adjusted_[k].distortion = request_.cameras[k].camera.distortion;
+      const std::string known =
+          std::isfinite(worst)
+              ? fmt::format("with those of these images, a ray would be off by {:.0f} px (1 sigma) "
+                            "at the worst place",
+                            worst)
+              : std::string("these images do not determine them");
+      chain_.notices.push_back(fmt::format("'{}' keeps its intrinsics: {}; show the board tilted, "
+                                           "near, and in all parts of the image",
+                                           request_.cameras[k].camera.name, known));
+    }
+    return any;
+  }
+
+  /// How far off a ray may be where it is known worst, if the lens comes from this camera's views.
+  double worstRay(std::size_t k) const {
+    std::vector<ViewFit> fits;
+    for (std::size_t i = 0; i < fits_.size(); ++i) {
+      if (chain_.views[i].camera == k) {
+        fits.push_back(fits_[i]);
+      }
+    }
+    const Camera& camera = adjusted_[k];
+    const bool rational = std::any_of(camera.distortion.begin() + 5, camera.distortion.end(),
+                                      [](double value) { return value != 0.0; });
+    const IntrinsicsParameters parameters(camera.lens == LensModel::Fisheye
+                                              ? IntrinsicsModel::Fisheye
+                                          : rational ? IntrinsicsModel::EightCoefficients
+                                                     : IntrinsicsModel::FiveCoefficients,
+                                          camera.intrinsics.focalX == camera.intrinsics.focalY);
+    return projectionSigma(camera, parameters,
+                           intrinsicsCovariance(request_.board, camera, parameters, fits));
+  }
+
   /// The problem with the views in use; what was found becomes the start of the next round.
   Status adjust(RobustLoss loss, double lossWidth) {
     BundleProblem problem;
@@ -100,12 +158,12 @@ private:
       camera.camera = adjusted_.empty() ? request_.cameras[k].camera : adjusted_[k];
       camera.camera.cameraFromWorld = chain_.cameraFromFirst[k];
       camera.poseFixed = k == 0;
-      camera.focalFree = request_.refineIntrinsics;
-      camera.centerFree = request_.refineIntrinsics;
+      camera.focalFree = refined_[k];
+      camera.centerFree = refined_[k];
       const auto& in = camera.camera.intrinsics;
-      camera.aspectFree = request_.refineIntrinsics && in.focalX != in.focalY;
+      camera.aspectFree = refined_[k] && in.focalX != in.focalY;
       for (std::size_t c = 0; c < camera.distortionFree.size(); ++c) {
-        camera.distortionFree[c] = request_.refineIntrinsics && camera.camera.distortion[c] != 0.0;
+        camera.distortionFree[c] = refined_[k] && camera.camera.distortion[c] != 0.0;
       }
       problem.cameras.push_back(camera);
     }
@@ -116,15 +174,18 @@ private:
     problem.bodies.push_back(body);
     std::map<std::int64_t, std::size_t> states;
     for (const PosedView& view : chain_.views) {
+      states[view.view->instant] = 0;
+    }
+    for (auto& [instant, index] : states) { // in order of time, as the accuracy expects
+      index = problem.states.size();
+      BundleState state;
+      state.time = static_cast<double>(index);
+      state.known = true;
+      state.worldFromBoard = chain_.firstFromBoard[instant];
+      problem.states.push_back(state);
+    }
+    for (const PosedView& view : chain_.views) {
       const std::int64_t instant = view.view->instant;
-      if (!states.contains(instant)) {
-        states[instant] = problem.states.size();
-        BundleState state;
-        state.time = static_cast<double>(problem.states.size());
-        state.known = true;
-        state.worldFromBoard = chain_.firstFromBoard[instant];
-        problem.states.push_back(state);
-      }
       for (std::size_t k = 0; k < view.detection.ids.size(); ++k) {
         problem.observations.push_back({view.camera, states[instant],
                                         static_cast<std::size_t>(view.detection.ids[k]),
@@ -249,6 +310,7 @@ private:
     result.covariance.matrix *= bundle_.noiseFactor * bundle_.noiseFactor;
     for (std::size_t k = 0; k < result.fits.size(); ++k) {
       CameraFit& fit = result.fits[k];
+      fit.lensRefined = refined_[k];
       fit.rmsPx = overallRms(fit.views);
       fit.views.insert(fit.views.end(), chain_.leftOut[k].begin(), chain_.leftOut[k].end());
       const auto& known = result.covariance;
@@ -263,6 +325,7 @@ private:
   const ExtrinsicsRequest& request_;
   const CalibrationProgress& progress_;
   BoardChain chain_;
+  std::vector<bool> refined_; ///< cameras whose intrinsics are adjusted
   CameraRig adjusted_;
   std::vector<ViewFit> fits_; ///< of chain_.views, in their order
   BundleProblem problem_;     ///< of the last adjustment, in the first camera's frame

@@ -19,6 +19,10 @@ struct BoardCamera {
   std::vector<BoardView> views;
 };
 
+/// Standard deviation of the projection of a ray, in pixels, above which intrinsics are too
+/// inaccurate to calibrate with.
+inline constexpr double kWorstRayPx = 10.0;
+
 /// Input of calibrateExtrinsics().
 struct ExtrinsicsRequest {
   BoardDescription board;
@@ -28,7 +32,10 @@ struct ExtrinsicsRequest {
   std::optional<std::int64_t> worldInstant;
   Eigen::Isometry3d worldFromBoard = worldFromFlatBoard();
   /// True to adjust the intrinsics as well: the focal lengths (a single one if both are equal), the
-  /// principal point, and the distortion coefficients that are not zero.
+  /// principal point, and the distortion coefficients that are not zero. A camera keeps its
+  /// intrinsics, and a notice names it, if its views of the board do not determine them: if the
+  /// projection of a ray would have a standard deviation of more than kWorstRayPx somewhere in the
+  /// image.
   bool refineIntrinsics = false;
 };
 
@@ -44,9 +51,11 @@ struct CameraFit {
   double rmsPx = 0.0;
   std::vector<ViewFit> views;
   BoardCoverage coverage;
-  /// Standard deviation of the camera position relative to the first camera, meters.
+  /// Standard deviation of the camera position relative to the first camera, meters. It assumes
+  /// independent errors, until setCameraSigmas() replaces it by what the recording itself shows.
   double centerSigma = 0.0;
-  double rotationSigma = 0.0; ///< standard deviation of the camera orientation, radians
+  double rotationSigma = 0.0; ///< same for the camera orientation, radians
+  bool lensRefined = false;   ///< true if the intrinsics were adjusted as well
 };
 
 /// Output of calibrateExtrinsics().

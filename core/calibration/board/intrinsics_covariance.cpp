@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/board/intrinsics_covariance.h"
 
+#include "core/base/statistics.h"
 #include "core/geometry/linear_algebra.h"
 #include "core/geometry/projector.h"
 #include "core/geometry/ray.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 namespace dewpoint::calibration {
 namespace {
 
 constexpr int kPose = 6;
 constexpr int kGrid = 9;
+constexpr std::size_t kMostBlocks = 10; ///< as leaveOutBlocks()
+constexpr std::size_t kLeastBlocks = 4;
 constexpr double kPoseStep = 1e-6; // radians, and meters per meter of distance
 
 /// Pixels of points in the camera's frame, one below the other; points not seen stay at NaN.
@@ -68,6 +73,21 @@ Eigen::MatrixXd byPose(const Camera& camera, const std::vector<Eigen::Vector3d>&
   return derivative;
 }
 
+/// The inverse of a normal matrix, scaled to a unit diagonal: focal lengths and k3 differ by many
+/// powers of ten.
+std::optional<Eigen::MatrixXd> scaledInverse(const Eigen::MatrixXd& normal) {
+  const Eigen::VectorXd scale = normal.diagonal().cwiseSqrt().cwiseInverse();
+  const Eigen::MatrixXd scaled = scale.asDiagonal() * normal * scale.asDiagonal();
+  if (!scaled.allFinite()) {
+    return std::nullopt;
+  }
+  const auto inverse = geometry::inversePositiveDefinite(scaled);
+  if (!inverse) {
+    return std::nullopt;
+  }
+  return Eigen::MatrixXd(scale.asDiagonal() * *inverse * scale.asDiagonal());
+}
+
 } // namespace
 
 IntrinsicsParameters::IntrinsicsParameters(IntrinsicsModel model, bool squarePixels)
@@ -111,13 +131,10 @@ Eigen::VectorXd IntrinsicsParameters::steps(const Camera& camera) const {
   return steps;
 }
 
-Eigen::MatrixXd intrinsicsCovariance(const BoardDescription& board, const Camera& camera,
-                                     const IntrinsicsParameters& parameters,
-                                     const std::vector<ViewFit>& views) {
-  const auto size = static_cast<Eigen::Index>(parameters.names().size());
-  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(size, size);
-  double squares = 0.0;
-  Eigen::Index freedom = -size;
+std::vector<LensEvidence> lensEvidence(const BoardDescription& board, const Camera& camera,
+                                       const IntrinsicsParameters& parameters,
+                                       const std::vector<ViewFit>& views) {
+  std::vector<LensEvidence> all;
   for (const ViewFit& view : views) {
     std::vector<Eigen::Vector3d> points;
     for (const int id : view.ids) {
@@ -128,23 +145,105 @@ Eigen::MatrixXd intrinsicsCovariance(const BoardDescription& board, const Camera
     if (!view.used || !lens.allFinite() || !pose.allFinite()) {
       continue;
     }
+    Eigen::VectorXd residuals(2 * static_cast<Eigen::Index>(points.size()));
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      residuals.segment<2>(2 * static_cast<Eigen::Index>(k)) = view.residuals[k];
+    }
     const Eigen::MatrixXd cross = pose.transpose() * lens;
-    normal += lens.transpose() * lens -
-              cross.transpose() * geometry::solveSymmetric(pose.transpose() * pose, cross);
+    const Eigen::MatrixXd rest =
+        lens - pose * geometry::solveSymmetric(pose.transpose() * pose, cross);
+    all.push_back({view.instant, rest.transpose() * rest, rest.transpose() * residuals});
+  }
+  std::ranges::stable_sort(all, {}, &LensEvidence::instant);
+  return all;
+}
+
+Eigen::MatrixXd intrinsicsCovariance(const BoardDescription& board, const Camera& camera,
+                                     const IntrinsicsParameters& parameters,
+                                     const std::vector<ViewFit>& views) {
+  const auto size = static_cast<Eigen::Index>(parameters.names().size());
+  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(size, size);
+  const auto evidence = lensEvidence(board, camera, parameters, views);
+  for (const LensEvidence& view : evidence) {
+    normal += view.information;
+  }
+  double squares = 0.0;
+  Eigen::Index freedom = -size;
+  for (const ViewFit& view : views) {
+    if (!view.used) {
+      continue;
+    }
     for (const Eigen::Vector2d& residual : view.residuals) {
       squares += residual.squaredNorm();
     }
-    freedom += 2 * static_cast<Eigen::Index>(points.size()) - kPose;
+    freedom += 2 * static_cast<Eigen::Index>(view.ids.size()) - kPose;
   }
-  // Scaled to a unit diagonal: focal lengths and k3 differ by many powers of ten.
-  const Eigen::VectorXd scale = normal.diagonal().cwiseSqrt().cwiseInverse();
-  const Eigen::MatrixXd scaled = scale.asDiagonal() * normal * scale.asDiagonal();
-  const auto inverse = geometry::inversePositiveDefinite(scaled);
-  if (freedom <= 0 || !scaled.allFinite() || !inverse) {
+  const auto inverse = scaledInverse(normal);
+  if (freedom <= 0 || !inverse) {
     return {};
   }
-  return squares / static_cast<double>(freedom) *
-         Eigen::MatrixXd(scale.asDiagonal() * *inverse * scale.asDiagonal());
+  return squares / static_cast<double>(freedom) * *inverse;
+}
+
+Eigen::VectorXd lensChangeWithout(const std::vector<LensEvidence>& evidence, std::int64_t first,
+                                  std::int64_t end) {
+  const Eigen::Index size = evidence.empty() ? 0 : evidence.front().gradient.size();
+  Eigen::MatrixXd rest = Eigen::MatrixXd::Zero(size, size);
+  Eigen::VectorXd left = Eigen::VectorXd::Zero(size);
+  for (const LensEvidence& view : evidence) {
+    if (view.instant >= first && view.instant < end) {
+      left += view.gradient;
+    } else {
+      rest += view.information;
+    }
+  }
+  const auto inverse = scaledInverse(rest);
+  return inverse ? Eigen::VectorXd(-*inverse * left) : Eigen::VectorXd(Eigen::VectorXd::Zero(size));
+}
+
+Camera lensWithout(const IntrinsicsResult& result, std::int64_t first, std::int64_t end) {
+  if (result.evidence.empty()) {
+    return result.camera;
+  }
+  // The names tell how many parameters there are; the camera tells the model.
+  const bool square = result.parameters.front().name == "f";
+  const auto coefficients = result.parameters.size() - (square ? 3 : 4);
+  const IntrinsicsParameters parameters(result.camera.lens == LensModel::Fisheye
+                                            ? IntrinsicsModel::Fisheye
+                                        : coefficients == 5 ? IntrinsicsModel::FiveCoefficients
+                                                            : IntrinsicsModel::EightCoefficients,
+                                        square);
+  return parameters.applied(result.camera, parameters.of(result.camera) +
+                                               lensChangeWithout(result.evidence, first, end));
+}
+
+Eigen::MatrixXd lensJackknife(const std::vector<LensEvidence>& evidence) {
+  const std::size_t count = evidence.size();
+  const std::size_t blocks = std::min(kMostBlocks, count);
+  if (blocks < kLeastBlocks) {
+    return {};
+  }
+  Eigen::MatrixXd changes(evidence.front().gradient.size(), static_cast<Eigen::Index>(blocks));
+  for (std::size_t block = 0; block < blocks; ++block) {
+    const std::size_t end = (block + 1) * count / blocks;
+    changes.col(static_cast<Eigen::Index>(block)) = lensChangeWithout(
+        evidence, evidence[block * count / blocks].instant,
+        end < count ? evidence[end].instant : std::numeric_limits<std::int64_t>::max());
+  }
+  const auto number = static_cast<double>(blocks);
+  const double factor = std::sqrt((number - 1.0) / number) * studentQuantile95(number - 1.0) /
+                        studentQuantile95(std::numeric_limits<double>::infinity());
+  const Eigen::MatrixXd apart = factor * (changes.colwise() - changes.rowwise().mean());
+  return apart * apart.transpose();
+}
+
+Eigen::MatrixXd widenedCovariance(const Eigen::MatrixXd& covariance, const Eigen::MatrixXd& found) {
+  if (found.size() == 0 || covariance.size() == 0) {
+    return covariance;
+  }
+  const Eigen::VectorXd wider =
+      (found.diagonal().array() / covariance.diagonal().array()).max(1.0).sqrt().matrix();
+  return wider.asDiagonal() * covariance * wider.asDiagonal();
 }
 
 double projectionSigma(const Camera& camera, const IntrinsicsParameters& parameters,

@@ -234,8 +234,15 @@ private:
     }
     result.rmsPx = overallRms(fits_);
     const IntrinsicsParameters parameters(request_.model, square_);
-    result.covariance = intrinsicsCovariance(request_.board, camera_, parameters, fits_);
-    result.worstProjectionPx = projectionSigma(camera_, parameters, result.covariance);
+    const Eigen::MatrixXd stated = intrinsicsCovariance(request_.board, camera_, parameters, fits_);
+    result.evidence = lensEvidence(request_.board, camera_, parameters, fits_);
+    const Eigen::MatrixXd found = lensJackknife(result.evidence);
+    result.covariance = widenedCovariance(stated, found);
+    result.worstProjectionPx = projectionSigma(camera_, parameters, stated);
+    if (found.size() > 0) {
+      result.worstProjectionPx =
+          std::max(result.worstProjectionPx, projectionSigma(camera_, parameters, found));
+    }
     const Eigen::VectorXd values = parameters.of(camera_);
     for (Eigen::Index k = 0; k < values.size(); ++k) {
       const double sigma = result.covariance.size() == 0 ? 0.0 : std::sqrt(result.covariance(k, k));

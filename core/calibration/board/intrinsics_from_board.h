@@ -43,6 +43,14 @@ struct EstimatedParameter {
   double sigma = 0.0;
 };
 
+/// What one view says about the intrinsics, with the pose of the board eliminated: in the order of
+/// IntrinsicsResult::parameters, and for corners with a standard deviation of one pixel.
+struct LensEvidence {
+  std::int64_t instant = 0;    ///< BoardView::instant
+  Eigen::MatrixXd information; ///< normal matrix
+  Eigen::VectorXd gradient;    ///< right-hand side: `information` times the step this view asks for
+};
+
 /// Intrinsics of one camera, with their accuracy.
 struct IntrinsicsResult {
   Camera camera; ///< intrinsics, distortion and lens model; its pose is not determined
@@ -51,7 +59,9 @@ struct IntrinsicsResult {
   std::vector<ViewFit> views;
   std::vector<EstimatedParameter> parameters;
   Eigen::MatrixXd covariance; ///< covariance of `parameters`, in the same order
-  BoardCoverage coverage;     ///< coverage of the views used
+  /// One for each view used, in the order of instants. See lensWithout().
+  std::vector<LensEvidence> evidence;
+  BoardCoverage coverage; ///< coverage of the views used
   /// Largest standard deviation of the projection of a ray across the image, in pixels; see
   /// projectionSigma().
   double worstProjectionPx = 0.0;

@@ -2,11 +2,13 @@
 #include "core/calibration/quality/board_accuracy.h"
 
 #include "core/base/statistics.h"
+#include "core/calibration/board/intrinsics_covariance.h"
 #include "core/calibration/formats/calibration_plausibility.h"
 #include "core/geometry/projector.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace dewpoint::calibration {
@@ -79,6 +81,23 @@ std::optional<double> upSigma(const ExtrinsicsResult& result, const BoardDescrip
   return std::hypot(tilt, kFlatnessSigma / (0.5 * shorter));
 }
 
+/// The cameras with the lenses that they would have without some of the instants.
+CameraRig lensesWithout(const ExtrinsicsResult& result,
+                        const std::vector<const IntrinsicsResult*>& lenses, std::size_t first,
+                        std::size_t end) {
+  using Limits = std::numeric_limits<std::int64_t>;
+  const auto& poses = result.boardPoses;
+  const std::int64_t from = first == 0 ? Limits::min() : poses[first].instant;
+  const std::int64_t to = end < poses.size() ? poses[end].instant : Limits::max();
+  CameraRig rig = result.bundle.cameras;
+  for (std::size_t c = 0; c < std::min(rig.size(), lenses.size()); ++c) {
+    if (lenses[c] != nullptr) {
+      rig[c] = lensWithout(*lenses[c], from, to);
+    }
+  }
+  return rig;
+}
+
 /// What the views show, before anything is solved.
 BundleProblem problemFromViews(const ExtrinsicsRequest& request, double framesPerSecond) {
   BundleProblem problem;
@@ -139,12 +158,31 @@ void countFrames(FaultReport& report, double stride, const ExtrinsicsRequest& re
 
 Result<CalibrationAccuracy> assessBoard(const ExtrinsicsResult& result,
                                         const BoardDescription& board,
-                                        std::optional<std::int64_t> worldInstant) {
+                                        std::optional<std::int64_t> worldInstant,
+                                        const std::vector<const IntrinsicsResult*>& lenses) {
   AccuracyPriors known;
   known.scaleSigma =
       kRulerSigma / (board.squareSize * std::max(board.squareColumns(), board.squareRows()));
   known.upSigma = worldInstant ? upSigma(result, board, *worldInstant) : std::nullopt;
+  const bool estimated = std::ranges::any_of(lenses, [](const auto* lens) { return lens; });
+  if (estimated && result.boardPoses.size() == result.problem.states.size()) {
+    known.camerasWithout = [&](std::size_t first, std::size_t end) {
+      return lensesWithout(result, lenses, first, end);
+    };
+  }
   return assessCalibration(result.problem, result.bundle, known);
+}
+
+void setCameraSigmas(const CalibrationAccuracy& accuracy, ExtrinsicsResult& result) {
+  for (std::size_t i = 0; i < accuracy.cameras.size(); ++i) {
+    const std::string& name = result.problem.cameras.at(i).camera.name;
+    for (std::size_t k = 0; k < result.cameras.size(); ++k) {
+      if (result.cameras[k].name == name) {
+        result.fits[k].centerSigma = accuracy.cameras[i].positionSigma;
+        result.fits[k].rotationSigma = accuracy.cameras[i].rotationSigma;
+      }
+    }
+  }
 }
 
 FaultReport findBoardFaults(const ExtrinsicsRequest& request, double framesPerSecond,

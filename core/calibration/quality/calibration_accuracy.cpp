@@ -5,9 +5,12 @@
 #include "core/base/statistics.h"
 #include "core/base/uncertainty_text.h"
 #include "core/base/units.h"
+#include "core/calibration/quality/block_jackknife.h"
 #include "core/calibration/quality/position_error.h"
 #include "core/calibration/wand/wand_gauge.h"
 #include "core/geometry/linear_algebra.h"
+#include "core/geometry/rotation_vector.h"
+#include "core/geometry/similarity.h"
 #include "core/geometry/small_matrices.h"
 
 #include <fmt/format.h>
@@ -23,94 +26,73 @@ namespace {
 constexpr std::size_t kPositions = 80;
 /// Draws that the 95 % are read off.
 constexpr std::uint32_t kDraws = 200;
-/// Solutions, each without a fifth of the stretches.
-constexpr std::size_t kFolds = 5;
-/// Stretches of neighboring instants, left out as wholes.
-constexpr std::size_t kStretches = 20;
-constexpr double kClearlyLarger = 1.5;    ///< five solutions scatter by chance up to here
+constexpr double kClearlyLarger = 1.5;    ///< ten solutions scatter by chance up to here
 constexpr double kNinetyFive = 1.96;      ///< standard deviations, one axis
 constexpr double kNinetyFivePlane = 2.45; ///< two axes: sqrt(-2 log 0.05)
 /// m/s², of a fall.
 constexpr double kGravity = 9.81;    ///< m/s²
 constexpr double kTouchSigma = 1e-3; ///< meters: how well a ball is held on the floor
 
-/// The instants whose stretch is (or is not) of a fold, with their observations.
-BundleProblem stretches(const BundleProblem& problem, std::size_t fold, bool ofFold) {
-  BundleProblem part = problem;
-  part.states.clear();
-  part.observations.clear();
-  constexpr std::size_t kNone = ~std::size_t{0};
-  std::vector<std::size_t> renamed(problem.states.size(), kNone);
-  for (std::size_t s = 0; s < problem.states.size(); ++s) {
-    const std::size_t stretch = s * kStretches / problem.states.size();
-    const bool left = stretch % kFolds == fold && !problem.states[s].fixed;
-    if (left == ofFold || problem.states[s].fixed) {
-      renamed[s] = part.states.size();
-      part.states.push_back(problem.states[s]);
-    }
-  }
-  for (BundleObservation seen : problem.observations) {
-    seen.state = renamed[seen.state];
-    if (seen.state != kNone) {
-      part.observations.push_back(seen);
-    }
-  }
-  return part;
+/// Scatter over predicted standard deviation of the positions.
+double ratioOf(const Eigen::MatrixXd& empirical, const Eigen::MatrixXd& predicted) {
+  return predicted.squaredNorm() > 0.0 ? empirical.norm() / predicted.norm() : 0.0;
 }
 
-/// The left-out instants with cameras that did not see them: only the target is free.
-Result<BundleResult> heldOut(BundleProblem part, const BundleResult& without) {
-  for (std::size_t c = 0; c < part.cameras.size(); ++c) {
-    BundleCamera known;
-    known.camera = without.cameras[c];
-    known.poseFixed = true;
-    known.offset = without.offsets[c];
-    part.cameras[c] = known;
-  }
-  part.draft = true;
-  return adjustBundle(part);
-}
-
-/// What leaving out instants shows.
-struct Folds {
-  Eigen::MatrixXd changes; ///< of the cameras, one column per fold that could be solved
-  double squares = 0.0;    ///< pixels
-  std::size_t points = 0;
-};
-
-Folds leaveOut(const BundleProblem& problem, const BundleResult& result) {
-  Folds folds;
-  const auto& columns = result.covariance.columns;
-  folds.changes.resize(static_cast<Eigen::Index>(columns.size()), 0);
-  for (std::size_t fold = 0; fold < kFolds; ++fold) {
-    BundleProblem rest = stretches(problem, fold, false);
-    rest.draft = true;
-    const auto without = adjustBundle(rest);
-    if (!without) {
-      continue; // too little left: says nothing about the whole
+/// Moves the cameras of each solution with the positions that it triangulates, back onto those of
+/// the whole: where the world is arbitrary, only what cameras are to these positions is known.
+void alignSolutions(const PositionErrors& errors, const Eigen::MatrixXd& changes, bool sizeToo,
+                    std::vector<CameraRig>& solutions) {
+  for (std::size_t column = 0; column < solutions.size(); ++column) {
+    std::vector<Eigen::Vector3d> found;
+    for (std::size_t i = 0; i < errors.positions.size(); ++i) {
+      found.emplace_back(
+          errors.positions[i] +
+          changes.block<3, 1>(static_cast<Eigen::Index>(3 * i), static_cast<Eigen::Index>(column)));
     }
-    folds.changes.conservativeResize(Eigen::NoChange, folds.changes.cols() + 1);
-    folds.changes.rightCols<1>() = cameraDifference(columns, result, *without);
-    if (const auto held = heldOut(stretches(problem, fold, true), *without)) {
-      folds.squares += held->rms * held->rms * static_cast<double>(held->used);
-      folds.points += held->used;
+    const Similarity back = fitSimilarity(found, errors.positions, sizeToo);
+    for (Camera& camera : solutions[column]) {
+      const Eigen::Vector3d center = back * camera.center();
+      camera.cameraFromWorld.linear() = camera.cameraFromWorld.linear() * back.rotation.transpose();
+      camera.cameraFromWorld.translation() = -camera.cameraFromWorld.linear() * center;
     }
   }
-  return folds;
 }
 
-/// Jackknife variance over predicted variance of the places, as standard deviations.
-double changeRatio(const Eigen::MatrixXd& perCamera, const Eigen::MatrixXd& covariance,
-                   const Eigen::MatrixXd& changes) {
-  const auto count = static_cast<double>(changes.cols());
-  if (changes.cols() < 3) {
-    return 0.0;
+/// Covariance of the three numbers that begin with `first`; zero if they are not free.
+Eigen::Matrix3d covarianceOf(const BundleCovariance& covariance, std::size_t camera,
+                             CameraQuantity first) {
+  for (std::size_t k = 0; k < covariance.columns.size(); ++k) {
+    if (covariance.columns[k].camera == camera && covariance.columns[k].quantity == first) {
+      const auto at = static_cast<Eigen::Index>(k);
+      return covariance.matrix.block<3, 3>(at, at);
+    }
   }
-  const Eigen::MatrixXd moved = perCamera * changes;
-  const Eigen::MatrixXd about = moved.colwise() - moved.rowwise().mean();
-  const double empirical = (count - 1.0) / count * about.squaredNorm();
-  const double predicted = (perCamera * covariance * perCamera.transpose()).trace();
-  return predicted > 0.0 ? std::sqrt(empirical / predicted) : 0.0;
+  return Eigen::Matrix3d::Zero();
+}
+
+/// What the covariance says, and what the solutions without a block say: the larger.
+CameraAccuracy accuracyOf(std::size_t camera, const BundleResult& result,
+                          const std::vector<CameraRig>& solutions, double factor) {
+  const double noise = result.noiseFactor * result.noiseFactor;
+  const Camera& whole = result.cameras[camera];
+  Eigen::Matrix3Xd centers(3, static_cast<Eigen::Index>(solutions.size()));
+  Eigen::Matrix3Xd turns = centers;
+  for (std::size_t k = 0; k < solutions.size(); ++k) {
+    const auto at = static_cast<Eigen::Index>(k);
+    const Camera& other = solutions[k][camera];
+    centers.col(at) = other.center() - whole.center();
+    turns.col(at) = vectorFromRotation(other.cameraFromWorld.linear() *
+                                       whole.cameraFromWorld.linear().transpose());
+  }
+  const auto bound = [&](CameraQuantity quantity, const Eigen::Matrix3Xd& changes) {
+    const Eigen::Matrix3d stated = noise * covarianceOf(result.covariance, camera, quantity);
+    if (factor <= 0.0 || stated.isZero()) { // a camera that is held has no error by convention
+      return lengthBound95(stated) / kNinetyFive;
+    }
+    const Eigen::MatrixXd apart = jackknifeDeviations(changes, factor);
+    return std::max(lengthBound95(stated), lengthBound95(apart * apart.transpose())) / kNinetyFive;
+  };
+  return {bound(CameraQuantity::CenterX, centers), bound(CameraQuantity::TurnX, turns)};
 }
 
 /// A matrix whose product with its transpose is the covariance.
@@ -198,23 +180,37 @@ Result<CalibrationAccuracy> assessCalibration(const BundleProblem& problem,
   const Eigen::MatrixXd perCamera =
       removeRigidMotion(errors.positions, errors.fromCameras, sizeless);
   const double noise = std::max(result.noiseFactor, 1e-9);
-  const Eigen::MatrixXd covariance = noise * noise * result.covariance.matrix;
-  const Folds folds = leaveOut(problem, result);
+  const Eigen::MatrixXd deviation = noise * root(result.covariance.matrix);
+  BlockJackknife blocks = leaveOutBlocks(problem, result, known.camerasWithout);
+  const double factor = blocks.factor();
+  const Eigen::MatrixXd changes = positionChanges(errors.positions, result.cameras, blocks.rigs);
+  const Eigen::MatrixXd apart = jackknifeDeviations(changes, factor);
+  const Eigen::MatrixXd stated = perCamera * deviation;
+  const Eigen::MatrixXd found = removeRigidMotion(errors.positions, apart, sizeless);
   CalibrationAccuracy accuracy;
-  accuracy.changeRatio = changeRatio(perCamera, covariance, folds.changes);
+  accuracy.changeRatio = ratioOf(found, stated);
   accuracy.modelFactor = accuracy.changeRatio > kClearlyLarger ? accuracy.changeRatio : 1.0;
-  accuracy.heldOut = folds.points;
+  accuracy.heldOut = blocks.points;
   accuracy.heldOutPx =
-      folds.points > 0 ? std::sqrt(folds.squares / static_cast<double>(folds.points)) : 0.0;
-  const Eigen::MatrixXd deviation = accuracy.modelFactor * root(covariance);
+      blocks.points > 0 ? std::sqrt(blocks.squares / static_cast<double>(blocks.points)) : 0.0;
   const double scale = known.scaleKnown ? known.scaleSigma : 0.0;
-  accuracy.cameras95 = percentile95(errors, perCamera * deviation, scale, 0.0);
-  accuracy.position95 =
-      percentile95(errors, perCamera * deviation, scale, noise * typicalSigma(problem));
+  const double pixels = noise * typicalSigma(problem);
+  const Eigen::MatrixXd& larger = found.norm() > stated.norm() ? found : stated;
+  accuracy.cameras95 = percentile95(errors, larger, scale, 0.0);
+  accuracy.position95 = percentile95(errors, larger, scale, pixels);
   if (known.scaleKnown && (!sizeless || known.scaleSigma > 0.0)) {
-    const double found =
-        sizeless ? 0.0 : sizeChange(errors.positions, errors.fromCameras * deviation).norm();
-    accuracy.scale95 = kNinetyFive * std::hypot(found, known.scaleSigma);
+    const auto size = [&](const Eigen::MatrixXd& of) {
+      return sizeless ? 0.0 : sizeChange(errors.positions, of).norm();
+    };
+    accuracy.scale95 =
+        kNinetyFive *
+        std::hypot(std::max(size(errors.fromCameras * deviation), size(apart)), known.scaleSigma);
+  }
+  if (result.covariance.gaugeFreedoms >= 6) {
+    alignSolutions(errors, changes, sizeless, blocks.rigs);
+  }
+  for (std::size_t c = 0; c < result.cameras.size(); ++c) {
+    accuracy.cameras.push_back(accuracyOf(c, result, blocks.rigs, factor));
   }
   if (known.upSigma) {
     accuracy.up95 = kNinetyFivePlane * *known.upSigma;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/calibration/bundle/bundle_adjustment.h"
+#include "core/calibration/quality/block_jackknife.h"
 #include "core/calibration/wand/wand_calibration.h"
 
 #include <cstddef>
@@ -19,6 +20,17 @@ struct AccuracyPriors {
   /// Standard deviation of the upward direction about each of two horizontal axes, radians; empty
   /// if the upward direction is arbitrary.
   std::optional<double> upSigma;
+  /// If the intrinsics were estimated from the same images: the cameras without a part of them.
+  CamerasWithout camerasWithout = nullptr;
+};
+
+/// Accuracy of one camera's pose. An error of 1.96 times these values is not exceeded with a
+/// probability of 95 %.
+struct CameraAccuracy {
+  /// Of the position relative to the camera that is held, or to the target if none is; meters. 0 if
+  /// the pose was not estimated.
+  double positionSigma = 0.0;
+  double rotationSigma = 0.0; ///< same for the orientation, radians
 };
 
 /// Accuracy of a calibration. Errors are computed after the best-fitting rigid motion, so they do
@@ -32,9 +44,10 @@ struct CalibrationAccuracy {
   double cameras95 = 0.0;
   std::optional<double> scale95; ///< relative error of the scale, 95 %
   std::optional<double> up95;    ///< error of the upward direction, radians, 95 %
-  /// Factor by which the standard deviations of the cameras were increased, because the
-  /// cross-validation showed larger errors than the covariance predicts. 1: they were not
-  /// increased.
+  /// Accuracy of each camera of the problem.
+  std::vector<CameraAccuracy> cameras;
+  /// Factor by which the errors of positions are larger than the covariance predicts, according to
+  /// the cross-validation. The values above include it. 1: not clearly larger.
   double modelFactor = 1.0;
   /// Root mean square reprojection error of the image points left out in the cross-validation,
   /// pixels.
@@ -53,12 +66,11 @@ struct CalibrationAccuracy {
 /// observed. A common rigid motion of all positions is not an error. Then the image noise of a
 /// single measurement is added, and the 95 % values are determined from 200 draws.
 ///
-/// For cross-validation, the states are divided into 20 groups of neighboring states. The cameras
-/// are calibrated five times, each time without another four of the groups. The left-out image
-/// points are compared with the cameras calibrated without them. The spread of the five solutions
-/// (jackknife over groups, Efron & Stein 1981) is the empirical error. If it is clearly larger than
-/// the predicted error, the errors are not independent as assumed. The predicted error is then
-/// increased to the empirical error.
+/// For cross-validation, the cameras are calibrated again without each of ten blocks of neighboring
+/// states (leaveOutBlocks()). The left-out image points are compared with the cameras calibrated
+/// without them. The scatter of the solutions is the empirical error of positions, scale, and each
+/// camera. If it is larger than the predicted error, the errors are not independent as assumed, and
+/// the empirical error is returned instead.
 ///
 /// Error: Undetermined if no camera was free, or if two cameras saw the target at fewer than four
 /// positions.

@@ -3,6 +3,8 @@
 
 #include "core/calibration/quality/board_accuracy.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <vector>
@@ -46,18 +48,31 @@ std::optional<double> positionError(double sigma) {
   return sigma > 0.0 ? std::optional(sigma) : std::nullopt;
 }
 
-/// Which cameras were placed by the board, and how well. What the accuracy is widened by holds for
-/// each camera as well.
+/// The lenses that were estimated, of the cameras that poses were found of.
+std::vector<const IntrinsicsResult*> lensesOf(const BoardOutcome& outcome,
+                                              const ExtrinsicsResult& extrinsics) {
+  std::vector<const IntrinsicsResult*> lenses;
+  for (const BundleCamera& placed : extrinsics.problem.cameras) {
+    const IntrinsicsResult*& lens = lenses.emplace_back(nullptr);
+    for (std::size_t k = 0; outcome.lenses && k < outcome.lenses->cameras.size(); ++k) {
+      if (outcome.lenses->cameras[k] && extrinsics.cameras[k].name == placed.camera.name) {
+        lens = &*outcome.lenses->cameras[k];
+      }
+    }
+  }
+  return lenses;
+}
+
+/// Which cameras were placed by the board, and how well.
 void recordPoses(const BoardCalibrationRequest& request, BoardOutcome& outcome) {
-  const double factor = outcome.accuracy ? outcome.accuracy->modelFactor : 1.0;
   const std::vector<CameraFit>& fits = outcome.extrinsics->fits;
   for (std::size_t k = 0; k < std::min(fits.size(), outcome.project.cameras.size()); ++k) {
     ProjectCamera& camera = outcome.project.cameras[k];
     if (!fits[k].views.empty()) {
-      camera.calibrated.pose = recordOfPose(camera.camera, CalibrationOrigin::Board,
-                                            positionError(factor * fits[k].centerSigma));
+      camera.calibrated.pose =
+          recordOfPose(camera.camera, CalibrationOrigin::Board, positionError(fits[k].centerSigma));
     }
-    if (request.refineIntrinsics && !fits[k].views.empty()) {
+    if (fits[k].lensRefined && !fits[k].views.empty()) {
       camera.calibrated.lens = recordOfLens(camera.camera, CalibrationOrigin::Board);
     }
   }
@@ -71,6 +86,24 @@ void recordPoses(const BoardCalibrationRequest& request, BoardOutcome& outcome) 
   }
 }
 
+/// Names the cameras whose lenses are known too badly for poses.
+void addPoorLenses(const Project& project, ExtrinsicsResult& extrinsics) {
+  for (std::size_t k = 0; k < std::min(project.cameras.size(), extrinsics.fits.size()); ++k) {
+    const ProjectCamera& camera = project.cameras[k];
+    const auto& lens = camera.calibrated.lens;
+    const CameraFit& fit = extrinsics.fits[k];
+    if (fit.views.empty() || fit.lensRefined || !lens || !describes(*lens, camera.camera) ||
+        lens->error.value_or(0.0) <= kWorstRayPx) {
+      continue;
+    }
+    extrinsics.notices.push_back(fmt::format(
+        "the lens of '{}' is poorly known: a ray may be off by {:.0f} px (1 sigma) at the worst "
+        "place in its image. Its pose, and positions seen there, may be further off than stated. "
+        "Show it the board tilted, near, and in all parts of the image",
+        camera.camera.name, *lens->error));
+  }
+}
+
 Status addExtrinsics(const BoardDetections& seen, const BoardCalibrationRequest& request,
                      BoardOutcome& outcome, const CalibrationProgress& progress) {
   auto extrinsics = extrinsicsFromBoards(outcome.project, seen, request, progress);
@@ -80,7 +113,11 @@ Status addExtrinsics(const BoardDetections& seen, const BoardCalibrationRequest&
   if (!reportProgress(progress, CalibrationStage::Assessment, 0.5)) {
     return canceled();
   }
-  const auto accuracy = assessBoard(*extrinsics, request.board, request.worldFrame);
+  const auto accuracy =
+      assessBoard(*extrinsics, request.board, request.worldFrame, lensesOf(outcome, *extrinsics));
+  if (accuracy) {
+    setCameraSigmas(*accuracy, *extrinsics);
+  }
   outcome.accuracy = accuracy ? std::optional(*accuracy) : std::nullopt;
   outcome.accuracySummary =
       accuracy ? accuracySummary(*accuracy) : "none; " + sentence(accuracy.error());

@@ -24,6 +24,29 @@ constexpr double kFarDistance = 0.05;          ///< meters
 constexpr double kFarFactor = 3.0;             ///< times the median of the others
 constexpr std::size_t kLeastCamerasToCompare = 3;
 
+/// How far the image points are from the projections of the positions that explain them best with
+/// the former cameras. Gross errors have been dropped already.
+std::optional<double> errorBefore(const WandOptions& options, const CameraRig& before,
+                                  const WandResult& result) {
+  const bool onlyCameras = !options.findOffsets && !result.floorFound && !result.freeFall &&
+                           result.scale != WandScale::Distance &&
+                           result.scale != WandScale::Diameter;
+  if (!onlyCameras || before.size() != result.problem.cameras.size()) {
+    return std::nullopt;
+  }
+  BundleProblem problem = result.problem;
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    const double offset = problem.cameras[k].offset;
+    problem.cameras[k] = {.camera = before[k], .poseFixed = true, .offset = offset};
+  }
+  for (BundleState& state : problem.states) {
+    state.known = false; // the solution's positions are no start in the former world
+  }
+  problem.draft = true;
+  const auto adjusted = adjustBundle(problem);
+  return adjusted ? std::optional(adjusted->rms) : std::nullopt;
+}
+
 Result<WandRefinement> assessed(const Project& project, const WandOptions& options,
                                 Result<WandResult> result) {
   if (!result) {
@@ -31,16 +54,21 @@ Result<WandRefinement> assessed(const Project& project, const WandOptions& optio
   }
   CameraRig before = rigOf(project);
   auto accuracy = assessWand(*result, options.floorTimes);
-  return WandRefinement{options, std::move(before), std::move(*result), std::move(accuracy)};
+  const auto beforePx = errorBefore(options, before, *result);
+  return WandRefinement{options, std::move(before), std::move(*result), std::move(accuracy),
+                        beforePx};
 }
 
 void recordCameras(const WandRefinement& refinement, Project& project) {
   const BundleResult& bundle = refinement.result.bundle;
-  const double factor =
-      bundle.noiseFactor * (refinement.accuracy ? refinement.accuracy->modelFactor : 1.0);
+  const auto sigmaOf = [&](std::size_t k) {
+    return refinement.accuracy && k < refinement.accuracy->cameras.size()
+               ? refinement.accuracy->cameras[k].positionSigma
+               : bundle.noiseFactor * centerSigma(bundle.covariance, k);
+  };
   for (std::size_t k = 0; k < project.cameras.size(); ++k) {
     ProjectCamera& camera = project.cameras[k];
-    const double sigma = factor * centerSigma(bundle.covariance, k);
+    const double sigma = sigmaOf(k);
     camera.calibrated.pose = recordOfPose(camera.camera, CalibrationOrigin::Wand,
                                           sigma > 0.0 ? std::optional(sigma) : std::nullopt);
     if (refinement.options.findFocal || refinement.options.findDistortion) {
@@ -67,6 +95,19 @@ void recordWorld(const WandRefinement& refinement, WorldRecord& world) {
 bool isInaccurate(const WandRefinement& refinement) {
   return refinement.accuracy &&
          refinement.accuracy->cameras95 > refinement.options.initialPositionError;
+}
+
+bool isUnneeded(const WandRefinement& refinement) {
+  return refinement.beforePx && refinement.accuracy && refinement.accuracy->heldOut > 0 &&
+         *refinement.beforePx <= refinement.accuracy->heldOutPx;
+}
+
+std::string unneededText(const WandRefinement& refinement) {
+  return fmt::format("the cameras as they were explain the images as well ({:.2f} px; the new ones "
+                     "{:.2f} px in images that they were not computed from): keep them, or wave "
+                     "longer and through more of the volume",
+                     refinement.beforePx.value_or(0.0),
+                     refinement.accuracy ? refinement.accuracy->heldOutPx : 0.0);
 }
 
 std::vector<FarOffCamera> farOffCameras(const WandRefinement& refinement) {
@@ -101,7 +142,7 @@ std::string farOffText(const FarOffCamera& camera, const CameraRig& rig) {
 }
 
 bool isDoubtful(const WandRefinement& refinement) {
-  return !refinement.result.faults.empty() || isInaccurate(refinement);
+  return !refinement.result.faults.empty() || isInaccurate(refinement) || isUnneeded(refinement);
 }
 
 Result<WandRefinement> refineFromRecording(const Project& project, FrameSetSource& source,

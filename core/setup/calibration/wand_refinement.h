@@ -6,6 +6,7 @@
 #include "core/calibration/quality/calibration_accuracy.h"
 #include "core/setup/calibration/wand_views.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,12 +18,24 @@ struct WandRefinement {
   CameraRig before; ///< cameras of the project before the calibration
   WandResult result;
   Result<CalibrationAccuracy> accuracy; ///< accuracy, or the reason why there is none
+  /// Root mean square reprojection error of the same image points with the cameras `before`,
+  /// pixels. Empty if more was estimated than poses and intrinsics: offsets, the scale, or the
+  /// floor.
+  std::optional<double> beforePx = std::nullopt;
 };
 
 /// Returns whether the former calibration should be kept, because the new one is probably less
 /// accurate. This is the case if the assessed error of the camera positions is larger than their
 /// possible error before the calibration, WandOptions::initialPositionError.
 bool isInaccurate(const WandRefinement& refinement);
+
+/// Returns whether the cameras as they were before explain the images at least as well as the new
+/// ones explain images that they were not computed from (CalibrationAccuracy::heldOutPx). The
+/// recording then gives no reason to change the cameras.
+bool isUnneeded(const WandRefinement& refinement);
+
+/// Returns a sentence about a refinement that is not needed.
+std::string unneededText(const WandRefinement& refinement);
 
 /// Camera whose pose before the refinement was far off.
 struct FarOffCamera {
@@ -39,8 +52,8 @@ std::vector<FarOffCamera> farOffCameras(const WandRefinement& refinement);
 std::string farOffText(const FarOffCamera& camera, const CameraRig& rig);
 
 /// Returns whether a known fault, such as exchanged cameras, explains the views better than this
-/// result does, or isInaccurate() is true. If so, ask the user before you store the result in the
-/// project.
+/// result does, or isInaccurate() or isUnneeded() is true. If so, ask the user before you store the
+/// result in the project.
 bool isDoubtful(const WandRefinement& refinement);
 
 /// Runs calibrateFromRecording() and assesses its accuracy. Returns the errors of the calibration.

@@ -90,6 +90,22 @@ TEST(ExtrinsicsFromBoard, NoisyCornersStayNear) {
   EXPECT_LT(result->fits[3].centerSigma, 0.01);
 }
 
+// The board is small in the middle of the images: it does not tell how the lens bends rays at the
+// edges.
+TEST(ExtrinsicsFromBoard, LensesThatTheViewsDoNotDetermineAreKept) {
+  auto request = extrinsicsRequest("chessboard:9x6:0.025", 0.5);
+  request.refineIntrinsics = true;
+  const auto result = calibrateExtrinsics(request);
+  ASSERT_TRUE(result) << sentence(result.error());
+  for (std::size_t k = 0; k < result->cameras.size(); ++k) {
+    EXPECT_FALSE(result->fits[k].lensRefined) << k;
+    EXPECT_EQ(result->cameras[k].intrinsics.focalX, request.cameras[k].camera.intrinsics.focalX);
+  }
+  ASSERT_EQ(result->notices.size(), 4U);
+  EXPECT_NE(result->notices[0].find("keeps its intrinsics"), std::string::npos)
+      << result->notices[0];
+}
+
 TEST(ExtrinsicsFromBoard, SymmetricBoardIsCountedAlike) {
   auto request = extrinsicsRequest("chessboard:7x5:0.03", 0.1);
   for (std::size_t camera = 1; camera < 4; ++camera) {

@@ -40,6 +40,20 @@ TEST(WandRefinement, AFaultOrTooLittleMakesItDoubtful) {
   EXPECT_TRUE(isDoubtful(faulty));
 }
 
+TEST(WandRefinement, WhatTheFormerCamerasExplainAsWellIsNotNeeded) {
+  WandRefinement refinement = refinedTo(0.003);
+  refinement.accuracy->heldOut = 100;
+  refinement.accuracy->heldOutPx = 0.4;
+  EXPECT_FALSE(isUnneeded(refinement)); // not compared
+  refinement.beforePx = 0.5;
+  EXPECT_FALSE(isUnneeded(refinement));
+  EXPECT_FALSE(isDoubtful(refinement));
+  refinement.beforePx = 0.35;
+  EXPECT_TRUE(isUnneeded(refinement));
+  EXPECT_TRUE(isDoubtful(refinement));
+  EXPECT_NE(unneededText(refinement).find("0.35 px"), std::string::npos);
+}
+
 /// Cameras that the refinement rotates about x by these angles, degrees.
 WandRefinement rotatedBy(const std::vector<double>& degrees) {
   WandRefinement refinement;

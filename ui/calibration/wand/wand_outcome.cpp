@@ -189,6 +189,11 @@ void WandOutcome::showOutcome() {
                        .arg(lengthText(found->options.initialPositionError,
                                        LengthScale::Centimeters, 1));
     }
+    if (isUnneeded(*found)) {
+      notes << QStringLiteral("⚠ ") +
+                   tr("The cameras as they were explain the images as well. Keep them, or wave "
+                      "longer and through more of the volume.");
+    }
     if (!calibrator_.isApplied()) {
       notes << tr("The cameras are unchanged.");
     }
