@@ -50,6 +50,20 @@ CameraRig arcRig(std::uint64_t seed) {
   return rig;
 }
 
+/// The camera with a lens as from another calibration, off by some 0.5 %.
+Camera roughlyKnown(Camera camera, std::uint64_t seed, std::size_t number) {
+  const RandomStream random(seed, static_cast<std::uint32_t>(number), 2, RandomPurpose::Simulation);
+  const auto draw = random.normal4(0);
+  camera.cameraFromWorld.setIdentity();
+  camera.intrinsics.focalX *= 1.0 + 0.005 * draw[0];
+  camera.intrinsics.focalY = camera.intrinsics.focalX;
+  camera.intrinsics.centerX += 3.0 * draw[1];
+  camera.intrinsics.centerY += 3.0 * draw[2];
+  camera.distortion[0] += 0.01 * draw[3];
+  camera.distortion[5] = 0.0; // not part of the model that is estimated
+  return camera;
+}
+
 /// Where the board is: upright, toward the cameras, waved by hand.
 Eigen::Isometry3d wavedBoard(const BoardDescription& board, std::uint64_t seed, double time) {
   const RandomStream random(seed, 0, 1, RandomPurpose::Simulation);
@@ -130,14 +144,15 @@ std::vector<std::filesystem::path> imagesOf(const std::filesystem::path& folder,
 BoardRecording simulatedRig(std::uint64_t seed, bool rendered) {
   BoardRecording recording;
   recording.name = fmt::format("rig {}", seed);
+  recording.lensesKnown = true;
   recording.board = parseBoard("chessboard:8x5:0.05").value();
   const double scatter = kScatters[seed % std::size(kScatters)];
   const CameraRig rig = arcRig(seed);
+  recording.truth = rig;
   for (std::size_t k = 0; k < rig.size(); ++k) {
     const Intrinsics& image = rig[k].intrinsics;
     ProjectCamera& camera = recording.project.cameras.emplace_back();
-    camera.camera = guessedCamera(image.width, image.height);
-    camera.camera.name = rig[k].name;
+    camera.camera = roughlyKnown(rig[k], seed, k);
     setup::BoardDetections::PerCamera seen;
     seen.name = rig[k].name;
     seen.width = image.width;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/geometry/camera.h"
 #include "core/setup/calibration/board_search.h"
 
 #include <cstdint>
@@ -16,6 +17,7 @@ struct BoardRecording {
   Project project; ///< cameras without poses
   setup::BoardDetections seen;
   BoardDescription board;
+  CameraRig truth;          ///< true cameras of a simulated rig; otherwise empty
   bool lensesKnown = false; ///< true if the project contains the intrinsics of the cameras
 };
 

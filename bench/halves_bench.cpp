@@ -98,8 +98,7 @@ Result<Half> calibrated(const BoardRecording& recording, const setup::BoardDetec
       });
 }
 
-CameraRig rigRelativeToFirst(const Half& half) {
-  CameraRig rig = half.extrinsics.cameras;
+CameraRig relativeToFirst(CameraRig rig) {
   const Eigen::Isometry3d worldFromFirst = rig.front().cameraFromWorld.inverse();
   for (Camera& camera : rig) {
     camera.cameraFromWorld = camera.cameraFromWorld * worldFromFirst;
@@ -147,8 +146,8 @@ double scale95(const Half& half, const BoardDescription& board) {
 
 void compare(const BoardRecording& recording, const Half& a, const Half& b, bool verbose,
              Ratios& ratios) {
-  const CameraRig rigA = rigRelativeToFirst(a);
-  const CameraRig rigB = rigRelativeToFirst(b);
+  const CameraRig rigA = relativeToFirst(a.extrinsics.cameras);
+  const CameraRig rigB = relativeToFirst(b.extrinsics.cameras);
   const auto add = [&](const char* what, double difference, double statedA, double statedB,
                        double unit) {
     ratios[what].push_back(std::abs(difference) / std::hypot(statedA, statedB));
@@ -194,6 +193,25 @@ void compare(const BoardRecording& recording, const Half& a, const Half& b, bool
   }
 }
 
+/// The errors of a half whose true cameras are known.
+void compareWithTruth(const CameraRig& truth, const Half& half, Ratios& ratios) {
+  if (truth.empty()) {
+    return; // a real recording
+  }
+  const CameraRig found = relativeToFirst(half.extrinsics.cameras);
+  const CameraRig real = relativeToFirst(truth);
+  for (std::size_t k = 0; k < std::min(found.size(), real.size()); ++k) {
+    const CameraFit& fit = half.extrinsics.fits[k];
+    if (fit.centerSigma > 0.0) {
+      ratios["true camera position"].push_back((found[k].center() - real[k].center()).norm() /
+                                               (kNinetyFive * fit.centerSigma));
+      const Eigen::AngleAxisd turn(found[k].cameraFromWorld.linear() *
+                                   real[k].cameraFromWorld.linear().transpose());
+      ratios["true camera rotation"].push_back(turn.angle() / (kNinetyFive * fit.rotationSigma));
+    }
+  }
+}
+
 /// Both halves of a recording, in time.
 void halve(const BoardRecording& recording, bool lenses, bool verbose, Ratios& ratios) {
   std::int64_t end = 0;
@@ -207,6 +225,8 @@ void halve(const BoardRecording& recording, bool lenses, bool verbose, Ratios& r
     return;
   }
   compare(recording, *a, *b, verbose, ratios);
+  compareWithTruth(recording.truth, *a, ratios);
+  compareWithTruth(recording.truth, *b, ratios);
 }
 
 void print(const char* title, Ratios& ratios) {
@@ -235,12 +255,15 @@ int main(int count, char** arguments) {
   };
   const bool verbose = given("-v");
   Ratios simulated;
+  Ratios simulatedGiven;
   const int first = number(1, 26);
   for (int seed = first; seed < first + number(2, 50); ++seed) {
-    halve(simulatedRig(static_cast<std::uint64_t>(seed), given("rendered")), true, verbose,
-          simulated);
+    const auto recording = simulatedRig(static_cast<std::uint64_t>(seed), given("rendered"));
+    halve(recording, true, verbose, simulated);
+    halve(recording, false, verbose, simulatedGiven);
   }
   print("simulated rigs", simulated);
+  print("simulated rigs with given lenses that are off by 0.5 %", simulatedGiven);
   const char* data = std::getenv("DEWPOINT_DATA");
   if (data == nullptr) {
     return 0;
