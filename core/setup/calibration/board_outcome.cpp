@@ -121,6 +121,7 @@ Status addExtrinsics(const BoardDetections& seen, const BoardCalibrationRequest&
   outcome.accuracy = accuracy ? std::optional(*accuracy) : std::nullopt;
   outcome.accuracySummary =
       accuracy ? accuracySummary(*accuracy) : "none; " + sentence(accuracy.error());
+  addPoorLenses(outcome.project, *extrinsics);
   outcome.project = withCameras(std::move(outcome.project), extrinsics->cameras);
   outcome.extrinsics = std::move(*extrinsics);
   recordPoses(request, outcome);

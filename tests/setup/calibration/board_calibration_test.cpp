@@ -252,6 +252,23 @@ TEST(BoardCalibration, SaysAVerdictAndNoFault) {
   EXPECT_NE(outcome->report.find("In this volume"), std::string::npos);
 }
 
+TEST(BoardCalibration, APoorlyKnownLensIsNamed) {
+  Recorded recorded;
+  project::LensRecord known = project::recordOfLens(recorded.cameras[1], CalibrationOrigin::File);
+  known.error = 25.0;
+  recorded.project.cameras[1].calibrated.lens = known;
+  const auto source = recorded.open();
+  const auto seen = findBoards(recorded.project, *source, recorded.wish());
+  ASSERT_TRUE(seen) << sentence(seen.error());
+  const auto outcome = calibrateFromBoards(recorded.project, *seen, recorded.wish(), {false, true});
+  ASSERT_TRUE(outcome) << sentence(outcome.error());
+  ASSERT_TRUE(outcome->extrinsics);
+  const auto named = [](const std::string& notice) {
+    return notice.starts_with("the lens of 'right' is poorly known: a ray may be off by 25 px");
+  };
+  EXPECT_EQ(std::ranges::count_if(outcome->extrinsics->notices, named), 1);
+}
+
 TEST(BoardCalibration, AVideoThatWasRotatedIsNamed) {
   Recorded recorded;
   const auto source = recorded.open();

@@ -65,7 +65,8 @@ void MessageRoomTest::aMessageThatComesLiesOverTheViews() {
   // It can be seen, and used.
   const QPoint middle = messages()->geometry().center();
   const QWidget* there = window_->childAt(middle);
-  QVERIFY(there == messages() || messages()->isAncestorOf(there));
+  QVERIFY2(there == messages() || messages()->isAncestorOf(there),
+           there == nullptr ? "none" : there->metaObject()->className());
   layer(0)->setFocus();
   QVERIFY(waitFor([this] { return roomHeight() >= messages()->height(); }));
   QVERIFY(waitFor([&] { return top() > before + kStill; }));
