@@ -847,8 +847,8 @@
         <translation>passt auch zur Farbe</translation>
     </message>
     <message>
-        <source>recognized as the target (if it is not, Alt-click it)</source>
-        <translation>als Ziel erkannt (wenn es das nicht ist: Alt+Klick darauf)</translation>
+        <source>recognized as the target (if it is not, Ctrl+Shift-click it)</source>
+        <translation>als Ziel erkannt (wenn es das nicht ist: Strg+Umschalt+Klick darauf)</translation>
     </message>
 </context>
 <context>
@@ -1524,10 +1524,6 @@
         <translation>Große Teile des Ziels haben nicht die gelernte Farbe: Umschalt-Klick auf seine helle und seine dunkle Seite.</translation>
     </message>
     <message>
-        <source>Other objects have this color too: Alt-click them to exclude them.</source>
-        <translation>Auch andere Objekte haben diese Farbe: Alt-Klick darauf schließt sie aus.</translation>
-    </message>
-    <message>
         <source>Cover objects of the same color, or take them out of view.</source>
         <translation>Bedecken Sie Objekte derselben Farbe, oder nehmen Sie sie aus dem Bild.</translation>
     </message>
@@ -1602,6 +1598,10 @@
         <source>A color range that covers the whole target would also cover %1 % of the background.</source>
         <translation>Ein Farbbereich, der das ganze Ziel umfasst, würde auch %1 % des Hintergrunds umfassen.</translation>
     </message>
+    <message>
+        <source>Other objects have this color too: Ctrl+Shift-click them to exclude them.</source>
+        <translation>Auch andere Objekte haben diese Farbe: Strg+Umschalt+Klick darauf schließt sie aus.</translation>
+    </message>
 </context>
 <context>
     <name>Convergence</name>
@@ -1670,10 +1670,6 @@
         <translation>lässt sich aus den Beobachtungen nicht bestimmen</translation>
     </message>
     <message>
-        <source>the text cannot be understood</source>
-        <translation>der Text ist nicht verständlich</translation>
-    </message>
-    <message>
         <source>not found</source>
         <translation>nicht gefunden</translation>
     </message>
@@ -1688,6 +1684,10 @@
     <message>
         <source>wrong type of value</source>
         <translation>falsche Art von Wert</translation>
+    </message>
+    <message>
+        <source>invalid format</source>
+        <translation>ungültiges Format</translation>
     </message>
 </context>
 <context>
@@ -2607,10 +2607,6 @@
         <translation>Sie brauchen eine bekannte Länge, zum Beispiel die eines Tischs oder einer Bodenfliese. In wenigen Minuten haben Sie ein erstes Ergebnis.</translation>
     </message>
     <message>
-        <source>You need a tape measure and six points that the cameras see. This way suits cameras that are mounted in a room.</source>
-        <translation>Sie brauchen ein Maßband und sechs Punkte, die die Kameras sehen. Dieser Weg eignet sich für Kameras, die fest in einem Raum montiert sind.</translation>
-    </message>
-    <message>
         <source>You need a printed board that you can carry through the room. This way calibrates the lenses most accurately.</source>
         <translation>Sie brauchen eine gedruckte Kalibriertafel, die Sie durch den Raum tragen können. Dieser Weg kalibriert die Objektive am genauesten.</translation>
     </message>
@@ -2681,6 +2677,10 @@
     <message>
         <source>Done for %1 of %2 cameras. The largest error is %3.</source>
         <translation>Erledigt für %1 von %2 Kameras. Der größte Fehler ist %3.</translation>
+    </message>
+    <message>
+        <source>You need a tape measure and points that the cameras see: at least four for each camera, better six. This way suits cameras that are mounted in a room.</source>
+        <translation>Sie brauchen ein Maßband und Punkte, die die Kameras sehen: mindestens vier für jede Kamera, besser sechs. Dieser Weg eignet sich für Kameras, die fest in einem Raum montiert sind.</translation>
     </message>
 </context>
 <context>
@@ -2902,6 +2902,74 @@
     </message>
 </context>
 <context>
+    <name>PageText</name>
+    <message>
+        <source>Dewpoint live</source>
+        <translation>Dewpoint live</translation>
+    </message>
+    <message>
+        <source>Cameras, targets and their tracks in 3D</source>
+        <translation>Kameras, Ziele und ihre Spuren in 3D</translation>
+    </message>
+    <message>
+        <source>Drag: rotate · Wheel or two fingers: zoom · Double click: reset</source>
+        <translation>Ziehen: drehen · Mausrad oder zwei Finger: zoomen · Doppelklick: zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Connecting…</source>
+        <translation>Verbindung wird hergestellt …</translation>
+    </message>
+    <message>
+        <source>Connected. Waiting for images…</source>
+        <translation>Verbunden. Warten auf Bilder …</translation>
+    </message>
+    <message>
+        <source>Not connected. Trying again…</source>
+        <translation>Nicht verbunden. Neuer Versuch …</translation>
+    </message>
+    <message>
+        <source>Frame %1, %2</source>
+        <extracomment>%1 is the number of a frame, %2 its time</extracomment>
+        <translation>Bild %1, %2</translation>
+    </message>
+    <message>
+        <source>tracking</source>
+        <translation>verfolgt</translation>
+    </message>
+    <message>
+        <source>ambiguous</source>
+        <translation>mehrdeutig</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>verdeckt</translation>
+    </message>
+    <message>
+        <source>searching</source>
+        <translation>sucht</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>verloren</translation>
+    </message>
+    <message>
+        <source>not present</source>
+        <translation>nicht anwesend</translation>
+    </message>
+    <message>
+        <source>This page may not read from here.</source>
+        <translation>Diese Seite darf hier nichts lesen.</translation>
+    </message>
+    <message>
+        <source>Only GET is possible.</source>
+        <translation>Nur GET ist möglich.</translation>
+    </message>
+    <message>
+        <source>There is only one page, at /.</source>
+        <translation>Es gibt nur eine Seite: /.</translation>
+    </message>
+</context>
+<context>
     <name>Parameter</name>
     <message>
         <source>Half the x size of the start box: the particles start evenly spread in this box; 0 starts them all at the same x.</source>
@@ -2940,30 +3008,6 @@
         <translation>Partikel</translation>
     </message>
     <message>
-        <source>Start half-size x</source>
-        <translation>Start: halbe Größe x</translation>
-    </message>
-    <message>
-        <source>Start half-size y</source>
-        <translation>Start: halbe Größe y</translation>
-    </message>
-    <message>
-        <source>Start half-size z</source>
-        <translation>Start: halbe Größe z</translation>
-    </message>
-    <message>
-        <source>Start x</source>
-        <translation>Start x</translation>
-    </message>
-    <message>
-        <source>Start y</source>
-        <translation>Start y</translation>
-    </message>
-    <message>
-        <source>Start z</source>
-        <translation>Start z</translation>
-    </message>
-    <message>
         <source>World x coordinate of the center of the box in which the particles start.</source>
         <translation>Welt-x-Koordinate der Mitte des Quaders, in dem die Partikel beginnen.</translation>
     </message>
@@ -2984,10 +3028,6 @@
         <translation>Kantenlänge des Raums, in dem ein Ziel auftauchen kann: Bei größeren Werten entsteht eine Spur erst bei höherer Likelihood.</translation>
     </message>
     <message>
-        <source>Fewest particles</source>
-        <translation>Mindestzahl der Partikel</translation>
-    </message>
-    <message>
         <source>How long a target still counts as present when no camera can see its expected position.</source>
         <translation>Wie lange ein Ziel noch als vorhanden gilt, wenn keine Kamera seine erwartete Position sehen kann.</translation>
     </message>
@@ -2998,10 +3038,6 @@
     <message>
         <source>How strongly targets accelerate, brake and turn: larger values follow abrupt motion, smaller values bridge gaps better.</source>
         <translation>Wie stark Ziele beschleunigen, bremsen und abbiegen: Größere Werte folgen abrupten Bewegungen, kleinere überbrücken Lücken besser.</translation>
-    </message>
-    <message>
-        <source>Sampling error</source>
-        <translation>Stichprobenfehler</translation>
     </message>
     <message>
         <source>Search size</source>
@@ -3354,6 +3390,38 @@
     <message>
         <source>How much the delays of the cameras may differ (standard deviation). While a target moves, the delays are estimated and corrected. 0 if all time stamps are exact: then no delay is estimated.</source>
         <translation>Wie stark sich die Verzögerungen der Kameras unterscheiden können (Standardabweichung). Während sich ein Ziel bewegt, werden die Verzögerungen geschätzt und korrigiert. 0, wenn alle Zeitstempel genau sind: Dann wird keine Verzögerung geschätzt.</translation>
+    </message>
+    <message>
+        <source>KLD error</source>
+        <translation>KLD-Fehler</translation>
+    </message>
+    <message>
+        <source>Minimum particles</source>
+        <translation>Mindestzahl der Partikel</translation>
+    </message>
+    <message>
+        <source>Start box, center x</source>
+        <translation>Startquader, Mitte x</translation>
+    </message>
+    <message>
+        <source>Start box, center y</source>
+        <translation>Startquader, Mitte y</translation>
+    </message>
+    <message>
+        <source>Start box, center z</source>
+        <translation>Startquader, Mitte z</translation>
+    </message>
+    <message>
+        <source>Start box, half width x</source>
+        <translation>Startquader, halbe Breite x</translation>
+    </message>
+    <message>
+        <source>Start box, half width y</source>
+        <translation>Startquader, halbe Breite y</translation>
+    </message>
+    <message>
+        <source>Start box, half width z</source>
+        <translation>Startquader, halbe Breite z</translation>
     </message>
 </context>
 <context>
@@ -3744,14 +3812,6 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>✕ %1</translation>
     </message>
     <message>
-        <source>history: %1 of %2 MB</source>
-        <translation>Verlauf: %1 von %2 MB</translation>
-    </message>
-    <message>
-        <source>history: %1 of %2 MB (the last %3)</source>
-        <translation>Verlauf: %1 von %2 MB (die letzten %3)</translation>
-    </message>
-    <message>
         <source>tracking frames %2 to %3 again: now at %1</source>
         <translation>verfolgt die Bilder %2 bis %3 erneut: jetzt bei %1</translation>
     </message>
@@ -3770,6 +3830,14 @@ Effektive Stichprobengröße %8 von %9</translation>
     <message>
         <source>The state of each target appears here during tracking.</source>
         <translation>Der Zustand jedes Ziels erscheint hier während der Verfolgung.</translation>
+    </message>
+    <message>
+        <source>memory for going back: %1 of %2 MB (the last %3)</source>
+        <translation>Speicher für den Rückblick: %1 von %2 MB (die letzten %3)</translation>
+    </message>
+    <message>
+        <source>memory for going back: %1 of %2 MB</source>
+        <translation>Speicher für den Rückblick: %1 von %2 MB</translation>
     </message>
 </context>
 <context>
@@ -3860,14 +3928,6 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Mindestens zwei Kameras müssen den Ball sehen.</translation>
     </message>
     <message>
-        <source>Learn the color of the ball first: press L and click the ball in an image.</source>
-        <translation>Lernen Sie zuerst die Farbe des Balls: L drücken und den Ball in einem Bild anklicken.</translation>
-    </message>
-    <message>
-        <source>A wand has two balls of different colors: learn the second color (Shift+L).</source>
-        <translation>Ein Stab hat zwei Bälle verschiedener Farben: Lernen Sie die zweite Farbe (Umschalt+L).</translation>
-    </message>
-    <message>
         <source>The scale comes from a known distance: add the times at which the ball is at each end of this distance.</source>
         <translation>Der Maßstab kommt von einer bekannten Strecke: Fügen Sie die Zeitpunkte hinzu, zu denen der Ball an jedem Ende dieser Strecke ist.</translation>
     </message>
@@ -3878,6 +3938,14 @@ Effektive Stichprobengröße %8 von %9</translation>
     <message>
         <source>Both ends of the wand are the same target: choose another target for one of them.</source>
         <translation>Beide Enden des Stabs sind dasselbe Ziel: Wählen Sie für eines davon ein anderes Ziel.</translation>
+    </message>
+    <message>
+        <source>Learn the color of the ball first: press “Learn the color” in the toolbar, then click the ball in an image.</source>
+        <translation>Lernen Sie zuerst die Farbe des Balls: Drücken Sie „Farbe lernen“ in der Werkzeugleiste, und klicken Sie dann den Ball in einem Bild an.</translation>
+    </message>
+    <message>
+        <source>A wand has two balls of different colors: press “Add a target” in the toolbar, then click the second ball in an image.</source>
+        <translation>Ein Stab hat zwei Bälle verschiedener Farben: Drücken Sie „Ziel hinzufügen“ in der Werkzeugleiste, und klicken Sie dann den zweiten Ball in einem Bild an.</translation>
     </message>
 </context>
 <context>
@@ -4737,10 +4805,6 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Kalibrierungsdatei:</translation>
     </message>
     <message>
-        <source>Choose calibration…</source>
-        <translation>Kalibrierung wählen…</translation>
-    </message>
-    <message>
         <source>A calibration file of Dewpoint or another program. Cameras are matched by name, or by order if the names differ</source>
         <translation>Eine Kalibrierungsdatei von Dewpoint oder einem anderen Programm. Kameras werden nach Namen zugeordnet, oder nach Reihenfolge, wenn die Namen nicht passen</translation>
     </message>
@@ -4751,10 +4815,6 @@ Effektive Stichprobengröße %8 von %9</translation>
     <message>
         <source>Continue without a calibration file</source>
         <translation>Ohne Kalibrierungsdatei fortfahren</translation>
-    </message>
-    <message>
-        <source>Choose a calibration</source>
-        <translation>Eine Kalibrierung wählen</translation>
     </message>
     <message>
         <source>Recognized: %1. The file does not contain everything: %2. Create the project without this file, then choose Calibration › Import calibration and enter what is missing.</source>
@@ -4790,6 +4850,18 @@ Effektive Stichprobengröße %8 von %9</translation>
     <message>
         <source>Reading…</source>
         <translation>Wird gelesen…</translation>
+    </message>
+    <message>
+        <source>Import calibration…</source>
+        <translation>Kalibrierung importieren…</translation>
+    </message>
+    <message>
+        <source>Import a calibration</source>
+        <translation>Eine Kalibrierung importieren</translation>
+    </message>
+    <message>
+        <source>%1 (found beside the recordings)</source>
+        <translation>%1 (bei den Aufnahmen gefunden)</translation>
     </message>
 </context>
 <context>
@@ -4838,10 +4910,6 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Einheit der Längen, wenn das Format sie nicht festlegt</translation>
     </message>
     <message>
-        <source>format default</source>
-        <translation>Vorgabe des Formats</translation>
-    </message>
-    <message>
         <source>meters</source>
         <translation>Meter</translation>
     </message>
@@ -4872,6 +4940,10 @@ Effektive Stichprobengröße %8 von %9</translation>
     <message>
         <source>%1: with the exported lens, %2 of 81 tested directions can no longer be projected into the image</source>
         <translation>%1: mit dem exportierten Objektiv lassen sich %2 von 81 geprüften Richtungen nicht mehr ins Bild projizieren</translation>
+    </message>
+    <message>
+        <source>usual for the format</source>
+        <translation>wie im Format üblich</translation>
     </message>
 </context>
 <context>
@@ -4928,10 +5000,6 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Einen Ordner mit einer Datei je Kamera wählen</translation>
     </message>
     <message>
-        <source>Use these cameras</source>
-        <translation>Diese Kameras verwenden</translation>
-    </message>
-    <message>
         <source>Use the calibration in the project; you can undo this</source>
         <translation>Die Kalibrierung im Projekt verwenden; das lässt sich rückgängig machen</translation>
     </message>
@@ -4972,10 +5040,6 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>k1 k2 k3 k4 eines Fischauges</translation>
     </message>
     <message>
-        <source>format default</source>
-        <translation>Vorgabe des Formats</translation>
-    </message>
-    <message>
         <source>camera from world</source>
         <translation>Kamera aus Welt</translation>
     </message>
@@ -4998,10 +5062,6 @@ Effektive Stichprobengröße %8 von %9</translation>
     <message>
         <source>Unit of the lengths in the file; or enter the length of one unit in meters, such as 0.025 for squares of 25 mm</source>
         <translation>Einheit der Längen in der Datei; oder geben Sie die Länge einer Einheit in Metern ein, etwa 0.025 für Felder von 25 mm</translation>
-    </message>
-    <message>
-        <source>Four coefficients</source>
-        <translation>Vier Koeffizienten</translation>
     </message>
     <message>
         <source>Meaning of the four lens coefficients</source>
@@ -5087,12 +5147,24 @@ Effektive Stichprobengröße %8 von %9</translation>
         <source>After the import, projected points are at most %1 away from where the file projects them</source>
         <translation>Nach dem Import liegen projizierte Punkte höchstens %1 von der Stelle entfernt, an die die Datei sie projiziert</translation>
     </message>
+    <message>
+        <source>Apply calibration</source>
+        <translation>Kalibrierung anwenden</translation>
+    </message>
+    <message>
+        <source>usual for the format</source>
+        <translation>wie im Format üblich</translation>
+    </message>
+    <message>
+        <source>Lens model (4 coefficients)</source>
+        <translation>Linsenmodell (4 Koeffizienten)</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::CalibrationMode</name>
     <message>
-        <source>Camera calibration</source>
-        <translation>Kamerakalibrierung</translation>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
     </message>
 </context>
 <context>
@@ -5397,14 +5469,6 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Bilder drehen</translation>
     </message>
     <message>
-        <source>Choose a calibration</source>
-        <translation>Eine Kalibrierung wählen</translation>
-    </message>
-    <message>
-        <source>Calibrations (*.toml);;All files (*)</source>
-        <translation>Kalibrierungen (*.toml);;Alle Dateien (*)</translation>
-    </message>
-    <message>
         <source>Cameras</source>
         <translation>Kameras</translation>
     </message>
@@ -5435,14 +5499,6 @@ Effektive Stichprobengröße %8 von %9</translation>
     <message>
         <source>Rotated</source>
         <translation>Gedreht</translation>
-    </message>
-    <message>
-        <source>Load calibration…</source>
-        <translation>Kalibrierung laden…</translation>
-    </message>
-    <message>
-        <source>Load the calibration of all cameras from a file</source>
-        <translation>Die Kalibrierung aller Kameras aus einer Datei laden</translation>
     </message>
     <message>
         <source>simulated</source>
@@ -5527,32 +5583,20 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>Verzögerung der Bilder in Millisekunden</translation>
     </message>
     <message>
-        <source>Load calibration</source>
-        <translation>Kalibrierung laden</translation>
-    </message>
-    <message>
-        <source>The calibration uses other camera names. The cameras were matched by order.</source>
-        <translation>Die Kalibrierung verwendet andere Kameranamen. Die Kameras wurden nach Reihenfolge zugeordnet.</translation>
-    </message>
-    <message>
-        <source>The cameras now use the calibration from %1.</source>
-        <translation>Die Kameras verwenden jetzt die Kalibrierung aus %1.</translation>
-    </message>
-    <message>
-        <source>Probably a mistake: %1</source>
-        <translation>Wahrscheinlich ein Fehler: %1</translation>
-    </message>
-    <message>
-        <source>%1. Choose Calibration › Import calibration instead.</source>
-        <translation>%1. Wählen Sie stattdessen Kalibrierung › Kalibrierung importieren.</translation>
-    </message>
-    <message>
         <source>Keep estimated delay</source>
         <translation>Geschätzte Verzögerung übernehmen</translation>
     </message>
     <message>
         <source>How far the images are rotated clockwise before they are used. The calibration is rotated with them</source>
         <translation>Um wie viel die Bilder vor der Verwendung im Uhrzeigersinn gedreht werden. Die Kalibrierung wird mitgedreht</translation>
+    </message>
+    <message>
+        <source>Import calibration…</source>
+        <translation>Kalibrierung importieren…</translation>
+    </message>
+    <message>
+        <source>Import the calibration of the cameras from a file of Dewpoint or another program</source>
+        <translation>Die Kalibrierung der Kameras aus einer Datei von Dewpoint oder einem anderen Programm importieren</translation>
     </message>
 </context>
 <context>
@@ -5699,8 +5743,8 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>Diese Farbe zu den Farben des Ziels hinzufügen (Umschalt-Klick tut dasselbe)</translation>
     </message>
     <message>
-        <source>Remove this color from the colors of the target (Alt-click does the same)</source>
-        <translation>Diese Farbe aus den Farben des Ziels ausschließen (Alt-Klick tut dasselbe)</translation>
+        <source>Remove this color from the colors of the target (Ctrl+Shift-click does the same)</source>
+        <translation>Diese Farbe aus den Farben des Ziels ausschließen (Strg+Umschalt+Klick tut dasselbe)</translation>
     </message>
 </context>
 <context>
@@ -5886,16 +5930,16 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>%1, Bild %2, Pixel %3, %4</translation>
     </message>
     <message>
-        <source>Shift-click in an image to add a sample, Alt-click or Ctrl+Shift-click to exclude one. Samples marked “found” were detected in other cameras.</source>
-        <translation>Umschalt+Klick in einem Bild fügt eine Probe hinzu, Alt+Klick oder Strg+Umschalt+Klick schließt eine aus. Mit „gefunden“ bezeichnete Proben wurden in anderen Kameras erkannt.</translation>
-    </message>
-    <message>
         <source>Remove the selected sample and learn from the others (Del). If the sample is marked “found”, it becomes an excluded sample.</source>
         <translation>Die gewählte Probe entfernen und aus den übrigen lernen (Entf). Ist die Probe mit „gefunden“ bezeichnet, wird sie zu einer ausgeschlossenen Probe.</translation>
     </message>
     <message>
         <source>found by Dewpoint: %1, frame %2, pixel %3, %4</source>
         <translation>von Dewpoint gefunden: %1, Bild %2, Pixel %3, %4</translation>
+    </message>
+    <message>
+        <source>Shift-click in an image to add a sample, Ctrl+Shift-click or Alt-click to exclude one. Samples marked “found” were detected in other cameras.</source>
+        <translation>Umschalt+Klick in einem Bild fügt eine Probe hinzu, Strg+Umschalt+Klick oder Alt+Klick schließt eine aus. Mit „gefunden“ bezeichnete Proben wurden in anderen Kameras erkannt.</translation>
     </message>
 </context>
 <context>
@@ -6236,6 +6280,10 @@ Position x, y, z: %4, %5, %6</translation>
         <source>How often each case is run, each time with another seed. More runs take longer and give more certain results.</source>
         <translation>Wie oft jeder Fall gerechnet wird, jedes Mal mit einer anderen Startzahl. Mehr Läufe dauern länger und liefern sicherere Ergebnisse.</translation>
     </message>
+    <message>
+        <source>No program was found that shows the report. It is in %1.</source>
+        <translation>Es wurde kein Programm gefunden, das den Bericht anzeigt. Er liegt in %1.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::ExportDialog</name>
@@ -6415,14 +6463,6 @@ Position x, y, z: %4, %5, %6</translation>
         <translation> pro Sekunde</translation>
     </message>
     <message>
-        <source>Notes about the run</source>
-        <translation>Angaben zum Lauf</translation>
-    </message>
-    <message>
-        <source>live</source>
-        <translation>live</translation>
-    </message>
-    <message>
         <source>smoothed after the run</source>
         <translation>nach dem Lauf geglättet</translation>
     </message>
@@ -6433,10 +6473,6 @@ Position x, y, z: %4, %5, %6</translation>
     <message>
         <source>fill</source>
         <translation>füllen</translation>
-    </message>
-    <message>
-        <source>format default</source>
-        <translation>Vorgabe des Formats</translation>
     </message>
     <message>
         <source>Z up</source>
@@ -6455,10 +6491,6 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>Millimeter</translation>
     </message>
     <message>
-        <source>Live: as estimated during the run. Smoothed: estimated after the run, from all earlier and later frames</source>
-        <translation>Live: wie während des Laufs geschätzt. Geglättet: nach dem Lauf aus allen früheren und späteren Bildern geschätzt</translation>
-    </message>
-    <message>
         <source>Earliest time to export, 0 to 1,000,000 s</source>
         <translation>Frühester Zeitpunkt, der exportiert wird, 0 bis 1.000.000 s</translation>
     </message>
@@ -6471,8 +6503,24 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>Zeilen pro Sekunde, 0,001 bis 10.000. Positionen zwischen den Bildern werden interpoliert</translation>
     </message>
     <message>
-        <source>Write the method, seed, parameters, units and axes into the file as comments</source>
-        <translation>Verfahren, Startwert, Parameter, Einheiten und Achsen als Kommentare in die Datei schreiben</translation>
+        <source>As tracked: estimated during the run, from earlier frames alone. Smoothed: estimated after the run, from earlier and later frames</source>
+        <translation>Wie verfolgt: während des Laufs geschätzt, nur aus früheren Bildern. Geglättet: nach dem Lauf geschätzt, aus früheren und späteren Bildern</translation>
+    </message>
+    <message>
+        <source>Notes at the top of the file</source>
+        <translation>Angaben am Anfang der Datei</translation>
+    </message>
+    <message>
+        <source>Lines that describe the run: method, seed, parameters, units and axes. Without them, a CSV file begins with the names of its columns. TRC and C3D files have no notes</source>
+        <translation>Zeilen, die den Lauf beschreiben: Verfahren, Startwert, Parameter, Einheiten und Achsen. Ohne sie beginnt eine CSV-Datei mit den Namen ihrer Spalten. TRC- und C3D-Dateien haben keine Angaben</translation>
+    </message>
+    <message>
+        <source>as tracked (live)</source>
+        <translation>wie verfolgt (live)</translation>
+    </message>
+    <message>
+        <source>%1 (usual for this format)</source>
+        <translation>%1 (bei diesem Format üblich)</translation>
     </message>
 </context>
 <context>
@@ -6679,16 +6727,36 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>Vorher</translation>
     </message>
     <message>
-        <source>Show the grid before your changes</source>
-        <translation>Das Gitter vor Ihren Änderungen zeigen</translation>
-    </message>
-    <message>
         <source>Position of the corner at which the axes of the grid start, in meters</source>
         <translation>Position der Ecke, an der die Achsen des Gitters beginnen, in Metern</translation>
     </message>
     <message>
-        <source>Hold down this button to show the grid as it was when you opened the calibration. You can also hold down B while the pointer is over an image</source>
-        <translation>Halten Sie diese Schaltfläche gedrückt, um das Gitter zu zeigen, wie es beim Öffnen der Kalibrierung war. Oder halten Sie B gedrückt, während der Zeiger über einem Bild ist</translation>
+        <source>Show the grid with earlier cameras</source>
+        <translation>Das Gitter mit früheren Kameras zeigen</translation>
+    </message>
+    <message>
+        <source>Hold down this button to draw the grid with the earlier cameras that you chose below. The key B does the same after you have clicked an image</source>
+        <translation>Halten Sie diese Schaltfläche gedrückt, um das Gitter mit den früheren Kameras zu zeichnen, die Sie unten gewählt haben. Die Taste B tut dasselbe, nachdem Sie ein Bild angeklickt haben</translation>
+    </message>
+    <message>
+        <source>Before shows</source>
+        <translation>Vorher zeigt</translation>
+    </message>
+    <message>
+        <source>cameras when the panel was opened</source>
+        <translation>Kameras beim Öffnen der Ansicht</translation>
+    </message>
+    <message>
+        <source>cameras before the last change</source>
+        <translation>Kameras vor der letzten Änderung</translation>
+    </message>
+    <message>
+        <source>Earlier cameras that Before shows</source>
+        <translation>Frühere Kameras, die Vorher zeigt</translation>
+    </message>
+    <message>
+        <source>The cameras as they were when you opened this panel, or as they were before the last step that changed a camera</source>
+        <translation>Die Kameras, wie sie beim Öffnen dieser Ansicht waren, oder wie sie vor dem letzten Schritt waren, der eine Kamera geändert hat</translation>
     </message>
 </context>
 <context>
@@ -6877,16 +6945,8 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>Erst die Farbe lernen: das Ziel in einem Kamerabild anklicken.</translation>
     </message>
     <message>
-        <source>Click: add a sample · Alt: exclude · Esc: stop</source>
-        <translation>Klick: Probe hinzufügen · Alt: ausschließen · Esc: beenden</translation>
-    </message>
-    <message>
         <source>Click: exclude a color · Esc: stop</source>
         <translation>Klick: Farbe ausschließen · Esc: beenden</translation>
-    </message>
-    <message>
-        <source>Click: learn · Shift: add · Alt: exclude · Esc: stop</source>
-        <translation>Klick: lernen · Umschalt: hinzufügen · Alt: ausschließen · Esc: beenden</translation>
     </message>
     <message>
         <source>Click the object in a camera image, or drag a box around it.
@@ -6901,16 +6961,24 @@ When this button is off, Shift-click does the same.</source>
 Wenn diese Schaltfläche aus ist, tut Umschalt-Klick dasselbe.</translation>
     </message>
     <message>
-        <source>Click something that has the target&apos;s color but is not the target, to exclude it.
-When this button is off, Alt-click or Ctrl+Shift-click does the same.</source>
-        <translation>Etwas anklicken, das die Farbe des Ziels hat, aber nicht das Ziel ist, um es auszuschließen.
-Wenn diese Schaltfläche aus ist, tut Alt-Klick oder Strg+Umschalt-Klick dasselbe.</translation>
-    </message>
-    <message>
         <source>Click the target in a camera image, or drag a box around it,
 to learn its color again.</source>
         <translation>Klicken Sie das Ziel in einem Kamerabild an, oder ziehen Sie einen
 Rahmen darum, um seine Farbe neu zu lernen.</translation>
+    </message>
+    <message>
+        <source>Click something that has the target&apos;s color but is not the target, to exclude it.
+When this button is off, Ctrl+Shift-click does the same; so does Alt-click, where the desktop does not use it.</source>
+        <translation>Etwas anklicken, das die Farbe des Ziels hat, aber nicht das Ziel ist, um es auszuschließen.
+Wenn diese Schaltfläche aus ist, tut Strg+Umschalt+Klick dasselbe; auch Alt+Klick, wo der Desktop ihn nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>Click: add a sample · Ctrl+Shift: exclude · Esc: stop</source>
+        <translation>Klick: Probe hinzufügen · Strg+Umschalt: ausschließen · Esc: beenden</translation>
+    </message>
+    <message>
+        <source>Click: learn · Shift: add · Ctrl+Shift: exclude · Esc: stop</source>
+        <translation>Klick: lernen · Umschalt: hinzufügen · Strg+Umschalt: ausschließen · Esc: beenden</translation>
     </message>
 </context>
 <context>
@@ -7021,10 +7089,6 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
 <context>
     <name>dewpoint::ui::ManualCalibrationPage</name>
     <message>
-        <source>Drag the grid in an image until it matches the real scene. Click a grid point to hold it in place.</source>
-        <translation>Ziehen Sie das Gitter in einem Bild, bis es zur wirklichen Szene passt. Ein Klick auf einen Gitterpunkt hält ihn fest.</translation>
-    </message>
-    <message>
         <source>Camera</source>
         <translation>Kamera</translation>
     </message>
@@ -7039,6 +7103,10 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
     <message>
         <source>By hand</source>
         <translation>Von Hand</translation>
+    </message>
+    <message>
+        <source>Drag the grid in an image until it matches the real scene. Click a grid point to hold it in place. Turn the wheel to zoom; double-click beside the grid points to see the whole image.</source>
+        <translation>Ziehen Sie das Gitter in einem Bild, bis es zur wirklichen Szene passt. Ein Klick auf einen Gitterpunkt hält ihn fest. Das Mausrad vergrößert; ein Doppelklick neben den Gitterpunkten zeigt das ganze Bild.</translation>
     </message>
 </context>
 <context>
@@ -7860,12 +7928,22 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <source>The target whose values are plotted: the target selected in the panel Target, or the first target if none is selected.</source>
         <translation>Das Ziel, dessen Werte gezeichnet werden: das im Bereich „Ziel“ gewählte, oder das erste, wenn keines gewählt ist.</translation>
     </message>
+    <message>
+        <source>The frame that all views show. The numbers beside the plots belong to it.
+In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Shift+wheel moves along the time axis.</source>
+        <translation>Das Bild, das alle Ansichten zeigen. Die Zahlen neben den Kurven gehören dazu.
+In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und Umschalt+Mausrad bewegt sie.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::PlotStack</name>
     <message>
         <source>frame %1, iteration %2, %3</source>
         <translation>Bild %1, Iteration %2, %3</translation>
+    </message>
+    <message>
+        <source>Click: go to this frame · Ctrl+wheel: zoom</source>
+        <translation>Klick: zu diesem Bild gehen · Strg+Mausrad: zoomen</translation>
     </message>
 </context>
 <context>
@@ -7903,24 +7981,8 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <translation>Kameras aus gemessenen Punkten berechnen</translation>
     </message>
     <message>
-        <source>No point has been clicked yet: select one, then click it in the images</source>
-        <translation>Noch kein Punkt wurde angeklickt: Wählen Sie einen aus, und klicken Sie ihn in den Bildern an</translation>
-    </message>
-    <message>
         <source>%1: average error %2</source>
         <translation>%1: mittlerer Fehler %2</translation>
-    </message>
-    <message>
-        <source>%1: %2 points are not enough, click at least four</source>
-        <translation>%1: %2 Punkte reichen nicht, klicken Sie mindestens vier an</translation>
-    </message>
-    <message>
-        <source>%1: its points lie on one line, add a point beside the line</source>
-        <translation>%1: Ihre Punkte liegen auf einer Geraden, fügen Sie einen Punkt daneben hinzu</translation>
-    </message>
-    <message>
-        <source>%1: average error %2, but a second pose fits equally well: add a point outside the plane of the others</source>
-        <translation>%1: mittlerer Fehler %2, aber eine zweite Lage passt ebenso gut: Fügen Sie einen Punkt außerhalb der Ebene der anderen hinzu</translation>
     </message>
     <message>
         <source>%1: no pose fits the clicked points</source>
@@ -7958,16 +8020,47 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <source>The images of %1 are rotated: turn them clockwise by %2 degrees</source>
         <translation>Die Bilder von %1 sind gedreht: drehen Sie sie um %2 Grad im Uhrzeigersinn</translation>
     </message>
+    <message>
+        <source>%1: the focal length was kept, because computing it needs at least %2 points</source>
+        <translation>%1: Die Brennweite wurde beibehalten, weil ihre Berechnung mindestens %2 Punkte braucht</translation>
+    </message>
+    <message>
+        <source>No point has been clicked yet. Press “Click in images”, then click the selected point in the images</source>
+        <translation>Noch kein Punkt wurde angeklickt. Drücken Sie „In Bildern anklicken“, und klicken Sie dann den gewählten Punkt in den Bildern an</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n point(s) clicked, but at least %2 are needed (six are better)</source>
+        <translation>
+            <numerusform>%1: %n Punkt angeklickt, aber mindestens %2 sind nötig (besser sechs)</numerusform>
+            <numerusform>%1: %n Punkte angeklickt, aber mindestens %2 sind nötig (besser sechs)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: all points lie on one line. Add a point beside this line</source>
+        <translation>%1: Alle Punkte liegen auf einer Geraden. Fügen Sie einen Punkt neben dieser Geraden hinzu</translation>
+    </message>
+    <message>
+        <source>%1: average error %2, but a second pose fits equally well. Add a point outside the plane of the others</source>
+        <translation>%1: mittlerer Fehler %2, aber eine zweite Lage passt ebenso gut. Fügen Sie einen Punkt außerhalb der Ebene der anderen hinzu</translation>
+    </message>
+    <message>
+        <source>Mirror the images of %1</source>
+        <translation>Bilder von %1 spiegeln</translation>
+    </message>
+    <message>
+        <source>Rotate the images of %1 clockwise by %2, and mirror them</source>
+        <translation>Bilder von %1 um %2 im Uhrzeigersinn drehen und spiegeln</translation>
+    </message>
+    <message>
+        <source>Rotate the images of %1 clockwise by %2</source>
+        <translation>Bilder von %1 um %2 im Uhrzeigersinn drehen</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::PointsTable</name>
     <message>
         <source>Measured points</source>
         <translation>Gemessene Punkte</translation>
-    </message>
-    <message>
-        <source>Positions measured with a tape, in meters: double-click to edit. The highlighted row has the largest error.</source>
-        <translation>Mit dem Maßband gemessene Positionen, in Metern: Doppelklick zum Bearbeiten. Die hervorgehobene Zeile hat den größten Fehler.</translation>
     </message>
     <message>
         <source>Point</source>
@@ -7984,10 +8077,6 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
     <message>
         <source>z m</source>
         <translation>z m</translation>
-    </message>
-    <message>
-        <source>seen</source>
-        <translation>gesehen</translation>
     </message>
     <message>
         <source>px</source>
@@ -8010,10 +8099,6 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <translation>Punkt entfernen</translation>
     </message>
     <message>
-        <source>Remove the chosen point</source>
-        <translation>Den gewählten Punkt entfernen</translation>
-    </message>
-    <message>
         <source>Click in images</source>
         <translation>In Bildern anklicken</translation>
     </message>
@@ -8030,16 +8115,8 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <translation>Kameras berechnen</translation>
     </message>
     <message>
-        <source>Compute the poses of all cameras in which points were clicked; each needs at least four points</source>
-        <translation>Die Lagen aller Kameras berechnen, in denen Punkte angeklickt wurden; jede braucht mindestens vier Punkte</translation>
-    </message>
-    <message>
         <source>%1: %2, %3</source>
         <translation>%1: %2, %3</translation>
-    </message>
-    <message>
-        <source>Apply: %1</source>
-        <translation>Anwenden: %1</translation>
     </message>
     <message>
         <source>Rotate or mirror the images of this camera and compute its pose again</source>
@@ -8054,8 +8131,24 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <translation>Den Klick auf den gewählten Punkt aus dem Bild der gewählten Kamera entfernen</translation>
     </message>
     <message>
-        <source>Also compute the focal length of each camera in which you clicked six or more points</source>
-        <translation>Auch die Brennweite jeder Kamera berechnen, in der Sie sechs oder mehr Punkte angeklickt haben</translation>
+        <source>Positions measured with a tape, in meters: double-click to edit. ▲ marks the point with the largest error.</source>
+        <translation>Mit dem Maßband gemessene Positionen, in Metern: Doppelklick zum Bearbeiten. ▲ bezeichnet den Punkt mit dem größten Fehler.</translation>
+    </message>
+    <message>
+        <source>clicked</source>
+        <translation>angeklickt</translation>
+    </message>
+    <message>
+        <source>Remove the selected point</source>
+        <translation>Den ausgewählten Punkt entfernen</translation>
+    </message>
+    <message>
+        <source>Also compute the focal length of each camera in which you clicked six or more points. Other cameras keep their focal length</source>
+        <translation>Auch die Brennweite jeder Kamera berechnen, in der Sie sechs oder mehr Punkte angeklickt haben. Andere Kameras behalten ihre Brennweite</translation>
+    </message>
+    <message>
+        <source>Compute the poses of all cameras in which points were clicked. Each camera needs at least four points; six that do not all lie in one plane are better</source>
+        <translation>Die Lagen aller Kameras berechnen, in denen Punkte angeklickt wurden. Jede Kamera braucht mindestens vier Punkte; besser sind sechs, die nicht alle in einer Ebene liegen</translation>
     </message>
 </context>
 <context>
@@ -8574,10 +8667,6 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <translation>Startwert</translation>
     </message>
     <message>
-        <source>Memory used by the history</source>
-        <translation>Speicher für den Verlauf</translation>
-    </message>
-    <message>
         <source>%1 of %2 particles</source>
         <translation>%1 von %2 Partikeln</translation>
     </message>
@@ -8600,6 +8689,10 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
     <message>
         <source>Time from light to estimate</source>
         <translation>Zeit vom Licht bis zur Schätzung</translation>
+    </message>
+    <message>
+        <source>Memory for going back</source>
+        <translation>Speicher für den Rückblick</translation>
     </message>
 </context>
 <context>
@@ -8851,10 +8944,6 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <translation>Eine Sekunde lang verdeckt</translation>
     </message>
     <message>
-        <source>Four balls have the same color, but only one of them moves.</source>
-        <translation>Vier Bälle haben dieselbe Farbe, aber nur einer bewegt sich.</translation>
-    </message>
-    <message>
         <source>People in an office</source>
         <translation>Personen in einem Büro</translation>
     </message>
@@ -8915,10 +9004,6 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <translation>Ein früher gespeichertes Projekt</translation>
     </message>
     <message>
-        <source>Four identical balls</source>
-        <translation>Vier gleiche Bälle</translation>
-    </message>
-    <message>
         <source>A box passes in front of the ball. One camera is enough to keep tracking the ball.</source>
         <translation>Eine Kiste zieht vor dem Ball vorbei. Eine Kamera genügt, um den Ball weiter zu verfolgen.</translation>
     </message>
@@ -8929,6 +9014,14 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
     <message>
         <source>Videos of a board or a ball, step by step</source>
         <translation>Videos einer Tafel oder eines Balls, Schritt für Schritt</translation>
+    </message>
+    <message>
+        <source>Identical balls</source>
+        <translation>Gleiche Bälle</translation>
+    </message>
+    <message>
+        <source>Other balls have the same color, but only one ball moves.</source>
+        <translation>Andere Bälle haben dieselbe Farbe, aber nur ein Ball bewegt sich.</translation>
     </message>
 </context>
 <context>
@@ -9303,10 +9396,6 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
 <context>
     <name>dewpoint::ui::Timeline</name>
     <message>
-        <source>Memory for looking back: images, particles and saved states of the method. When it is full, only the estimates of older frames are kept.</source>
-        <translation>Speicher für den Rückblick: Bilder, Partikel und gespeicherte Zustände des Verfahrens. Ist er voll, bleiben von älteren Bildern nur die Schätzungen.</translation>
-    </message>
-    <message>
         <source>Nothing tracked yet: press play (Space), then drag here to move through time.</source>
         <translation>Noch nichts verfolgt: abspielen (Leertaste), dann hier durch die Zeit ziehen.</translation>
     </message>
@@ -9317,6 +9406,10 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
     <message>
         <source>The change applies to new frames. Use “%1” to track again from the current frame.</source>
         <translation>Die Änderung gilt für neue Bilder. Mit „%1“ verfolgen Sie ab dem aktuellen Bild erneut.</translation>
+    </message>
+    <message>
+        <source>Memory for going back to earlier frames: images, particles and saved states of the method. When it is full, only the estimates of older frames are kept.</source>
+        <translation>Speicher für den Rückblick auf frühere Bilder: Bilder, Partikel und gespeicherte Zustände des Verfahrens. Ist er voll, bleiben von älteren Bildern nur die Schätzungen.</translation>
     </message>
 </context>
 <context>
@@ -9627,10 +9720,6 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <translation>Video exportieren</translation>
     </message>
     <message>
-        <source>First image</source>
-        <translation>Erstes Bild</translation>
-    </message>
-    <message>
         <source>File</source>
         <translation>Datei</translation>
     </message>
@@ -9849,6 +9938,25 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
     <message>
         <source>Write the name of the recording, the frame number and the time into the video</source>
         <translation>Den Namen der Aufnahme, die Nummer des Frames und die Zeit in das Video schreiben</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::VideoPreview</name>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Image</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Choose the image of the video that the preview shows</source>
+        <translation>Das Bild des Videos wählen, das die Vorschau zeigt</translation>
+    </message>
+    <message>
+        <source>Image %1 of %2: frame %3</source>
+        <translation>Bild %1 von %2: Bild %3 der Aufnahme</translation>
     </message>
 </context>
 <context>
@@ -10291,6 +10399,10 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <source>%1 was far off: the refinement rotates it by %2 and moves it by %3, much more than the others. Was it moved after its calibration?</source>
         <translation>%1 lag weit daneben: Die Verfeinerung dreht sie um %2 und verschiebt sie um %3, viel mehr als die anderen. Wurde sie nach ihrer Kalibrierung bewegt?</translation>
     </message>
+    <message>
+        <source>The cameras as they were explain the images as well. Keep them, or wave longer and through more of the volume.</source>
+        <translation>Die bisherigen Kameras erklären die Bilder genauso gut. Behalten Sie sie bei, oder schwenken Sie länger und durch mehr des Raumes.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::WandWaving</name>
@@ -10507,10 +10619,6 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
         <translation>Punkt</translation>
     </message>
     <message>
-        <source>seen</source>
-        <translation>gesehen</translation>
-    </message>
-    <message>
         <source>x m</source>
         <translation>x m</translation>
     </message>
@@ -10685,6 +10793,10 @@ Rahmen darum, um seine Farbe neu zu lernen.</translation>
     <message>
         <source>Click the selected point in two or more images. Near a corner, the click moves exactly onto the corner; hold Alt to prevent this. Press Esc to finish.</source>
         <translation>Klicken Sie den gewählten Punkt in mindestens zwei Bildern an. Nahe einer Ecke springt der Klick genau auf die Ecke; halten Sie Alt gedrückt, um das zu verhindern. Esc beendet es.</translation>
+    </message>
+    <message>
+        <source>marked</source>
+        <translation>markiert</translation>
     </message>
 </context>
 </TS>

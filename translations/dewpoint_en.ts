@@ -136,6 +136,16 @@
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::PointCalibrator</name>
+    <message numerus="yes">
+        <source>%1: %n point(s) clicked, but at least %2 are needed (six are better)</source>
+        <translation>
+            <numerusform>%1: %n point clicked, but at least %2 are needed (six are better)</numerusform>
+            <numerusform>%1: %n points clicked, but at least %2 are needed (six are better)</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::ProjectCheckDialog</name>
     <message numerus="yes">
         <source>%n problem(s) must be solved before this project can be tracked.</source>

@@ -847,8 +847,8 @@
         <translation>también coincide con el color</translation>
     </message>
     <message>
-        <source>recognized as the target (if it is not, Alt-click it)</source>
-        <translation>reconocido como objetivo (si no lo es, Alt+clic en él)</translation>
+        <source>recognized as the target (if it is not, Ctrl+Shift-click it)</source>
+        <translation>reconocido como objetivo (si no lo es, Ctrl+Mayús+clic en él)</translation>
     </message>
 </context>
 <context>
@@ -1524,10 +1524,6 @@
         <translation>Gran parte del objetivo no tiene el color aprendido: Mayús-clic en su lado claro y en su lado oscuro.</translation>
     </message>
     <message>
-        <source>Other objects have this color too: Alt-click them to exclude them.</source>
-        <translation>Otros objetos también tienen este color: Alt-clic en ellos los excluye.</translation>
-    </message>
-    <message>
         <source>Cover objects of the same color, or take them out of view.</source>
         <translation>Cubra los objetos del mismo color o sáquelos de la imagen.</translation>
     </message>
@@ -1602,6 +1598,10 @@
         <source>A color range that covers the whole target would also cover %1 % of the background.</source>
         <translation>Un rango de color que abarque todo el objetivo abarcaría también el %1 % del fondo.</translation>
     </message>
+    <message>
+        <source>Other objects have this color too: Ctrl+Shift-click them to exclude them.</source>
+        <translation>Otros objetos también tienen este color: Ctrl+Mayús+clic en ellos los excluye.</translation>
+    </message>
 </context>
 <context>
     <name>Convergence</name>
@@ -1670,10 +1670,6 @@
         <translation>no se puede determinar con las observaciones</translation>
     </message>
     <message>
-        <source>the text cannot be understood</source>
-        <translation>no se entiende el texto</translation>
-    </message>
-    <message>
         <source>not found</source>
         <translation>no encontrado</translation>
     </message>
@@ -1688,6 +1684,10 @@
     <message>
         <source>wrong type of value</source>
         <translation>tipo de valor incorrecto</translation>
+    </message>
+    <message>
+        <source>invalid format</source>
+        <translation>formato no válido</translation>
     </message>
 </context>
 <context>
@@ -2607,10 +2607,6 @@
         <translation>Necesita una longitud conocida, por ejemplo la de una mesa o una baldosa del suelo. Obtiene un primer resultado en minutos.</translation>
     </message>
     <message>
-        <source>You need a tape measure and six points that the cameras see. This way suits cameras that are mounted in a room.</source>
-        <translation>Necesita una cinta métrica y seis puntos que vean las cámaras. Esta forma es adecuada para cámaras montadas en una sala.</translation>
-    </message>
-    <message>
         <source>You need a printed board that you can carry through the room. This way calibrates the lenses most accurately.</source>
         <translation>Necesita un tablero impreso que pueda llevar por la sala. Esta forma calibra las lentes con la mayor exactitud.</translation>
     </message>
@@ -2681,6 +2677,10 @@
     <message>
         <source>Done for %1 of %2 cameras. The largest error is %3.</source>
         <translation>Hecho en %1 de %2 cámaras. El error máximo es %3.</translation>
+    </message>
+    <message>
+        <source>You need a tape measure and points that the cameras see: at least four for each camera, better six. This way suits cameras that are mounted in a room.</source>
+        <translation>Necesita una cinta métrica y puntos que vean las cámaras: al menos cuatro para cada cámara, mejor seis. Esta forma es adecuada para cámaras montadas en una sala.</translation>
     </message>
 </context>
 <context>
@@ -2902,6 +2902,74 @@
     </message>
 </context>
 <context>
+    <name>PageText</name>
+    <message>
+        <source>Dewpoint live</source>
+        <translation>Dewpoint en vivo</translation>
+    </message>
+    <message>
+        <source>Cameras, targets and their tracks in 3D</source>
+        <translation>Cámaras, objetivos y sus trayectorias en 3D</translation>
+    </message>
+    <message>
+        <source>Drag: rotate · Wheel or two fingers: zoom · Double click: reset</source>
+        <translation>Arrastrar: girar · Rueda o dos dedos: zoom · Doble clic: restablecer</translation>
+    </message>
+    <message>
+        <source>Connecting…</source>
+        <translation>Conectando…</translation>
+    </message>
+    <message>
+        <source>Connected. Waiting for images…</source>
+        <translation>Conectado. Esperando imágenes…</translation>
+    </message>
+    <message>
+        <source>Not connected. Trying again…</source>
+        <translation>Sin conexión. Reintentando…</translation>
+    </message>
+    <message>
+        <source>Frame %1, %2</source>
+        <extracomment>%1 is the number of a frame, %2 its time</extracomment>
+        <translation>Fotograma %1, %2</translation>
+    </message>
+    <message>
+        <source>tracking</source>
+        <translation>seguido</translation>
+    </message>
+    <message>
+        <source>ambiguous</source>
+        <translation>ambiguo</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>oculto</translation>
+    </message>
+    <message>
+        <source>searching</source>
+        <translation>buscando</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>perdido</translation>
+    </message>
+    <message>
+        <source>not present</source>
+        <translation>ausente</translation>
+    </message>
+    <message>
+        <source>This page may not read from here.</source>
+        <translation>Esta página no puede leer desde aquí.</translation>
+    </message>
+    <message>
+        <source>Only GET is possible.</source>
+        <translation>Solo es posible GET.</translation>
+    </message>
+    <message>
+        <source>There is only one page, at /.</source>
+        <translation>Solo hay una página, en /.</translation>
+    </message>
+</context>
+<context>
     <name>Parameter</name>
     <message>
         <source>Half the x size of the start box: the particles start evenly spread in this box; 0 starts them all at the same x.</source>
@@ -2940,30 +3008,6 @@
         <translation>Partículas</translation>
     </message>
     <message>
-        <source>Start half-size x</source>
-        <translation>Semitamaño inicial x</translation>
-    </message>
-    <message>
-        <source>Start half-size y</source>
-        <translation>Semitamaño inicial y</translation>
-    </message>
-    <message>
-        <source>Start half-size z</source>
-        <translation>Semitamaño inicial z</translation>
-    </message>
-    <message>
-        <source>Start x</source>
-        <translation>Inicio x</translation>
-    </message>
-    <message>
-        <source>Start y</source>
-        <translation>Inicio y</translation>
-    </message>
-    <message>
-        <source>Start z</source>
-        <translation>Inicio z</translation>
-    </message>
-    <message>
         <source>World x coordinate of the center of the box in which the particles start.</source>
         <translation>Coordenada x del mundo del centro de la caja en la que empiezan las partículas.</translation>
     </message>
@@ -2984,10 +3028,6 @@
         <translation>Arista del espacio en el que puede aparecer un objetivo: con valores mayores, el seguimiento solo empieza con una verosimilitud más alta.</translation>
     </message>
     <message>
-        <source>Fewest particles</source>
-        <translation>Mínimo de partículas</translation>
-    </message>
-    <message>
         <source>How long a target still counts as present when no camera can see its expected position.</source>
         <translation>Cuánto tiempo se considera presente un objetivo cuando ninguna cámara puede ver su posición esperada.</translation>
     </message>
@@ -2998,10 +3038,6 @@
     <message>
         <source>How strongly targets accelerate, brake and turn: larger values follow abrupt motion, smaller values bridge gaps better.</source>
         <translation>Con cuánta fuerza los objetivos aceleran, frenan y giran: un valor mayor sigue movimientos bruscos, uno menor salva mejor las interrupciones.</translation>
-    </message>
-    <message>
-        <source>Sampling error</source>
-        <translation>Error de muestreo</translation>
     </message>
     <message>
         <source>Search size</source>
@@ -3354,6 +3390,38 @@
     <message>
         <source>How much the delays of the cameras may differ (standard deviation). While a target moves, the delays are estimated and corrected. 0 if all time stamps are exact: then no delay is estimated.</source>
         <translation>Cuánto pueden diferir los retardos de las cámaras (desviación típica). Mientras un objetivo se mueve, los retardos se estiman y se corrigen. 0 si todas las marcas de tiempo son exactas: entonces no se estima ningún retardo.</translation>
+    </message>
+    <message>
+        <source>KLD error</source>
+        <translation>Error KLD</translation>
+    </message>
+    <message>
+        <source>Minimum particles</source>
+        <translation>Mínimo de partículas</translation>
+    </message>
+    <message>
+        <source>Start box, center x</source>
+        <translation>Caja inicial, centro x</translation>
+    </message>
+    <message>
+        <source>Start box, center y</source>
+        <translation>Caja inicial, centro y</translation>
+    </message>
+    <message>
+        <source>Start box, center z</source>
+        <translation>Caja inicial, centro z</translation>
+    </message>
+    <message>
+        <source>Start box, half width x</source>
+        <translation>Caja inicial, semiancho x</translation>
+    </message>
+    <message>
+        <source>Start box, half width y</source>
+        <translation>Caja inicial, semiancho y</translation>
+    </message>
+    <message>
+        <source>Start box, half width z</source>
+        <translation>Caja inicial, semiancho z</translation>
     </message>
 </context>
 <context>
@@ -3744,14 +3812,6 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>✕ %1</translation>
     </message>
     <message>
-        <source>history: %1 of %2 MB</source>
-        <translation>historial: %1 de %2 MB</translation>
-    </message>
-    <message>
-        <source>history: %1 of %2 MB (the last %3)</source>
-        <translation>historial: %1 de %2 MB (los últimos %3)</translation>
-    </message>
-    <message>
         <source>tracking frames %2 to %3 again: now at %1</source>
         <translation>siguiendo de nuevo los fotogramas %2 a %3: ahora en %1</translation>
     </message>
@@ -3770,6 +3830,14 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     <message>
         <source>The state of each target appears here during tracking.</source>
         <translation>El estado de cada objetivo aparece aquí durante el seguimiento.</translation>
+    </message>
+    <message>
+        <source>memory for going back: %1 of %2 MB (the last %3)</source>
+        <translation>memoria para volver atrás: %1 de %2 MB (los últimos %3)</translation>
+    </message>
+    <message>
+        <source>memory for going back: %1 of %2 MB</source>
+        <translation>memoria para volver atrás: %1 de %2 MB</translation>
     </message>
 </context>
 <context>
@@ -3860,14 +3928,6 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Dos o más cámaras deben ver la pelota.</translation>
     </message>
     <message>
-        <source>Learn the color of the ball first: press L and click the ball in an image.</source>
-        <translation>Aprenda primero el color de la pelota: pulse L y haga clic en ella en una imagen.</translation>
-    </message>
-    <message>
-        <source>A wand has two balls of different colors: learn the second color (Shift+L).</source>
-        <translation>Una varita tiene dos pelotas de colores distintos: aprenda el segundo color (Mayús+L).</translation>
-    </message>
-    <message>
         <source>The scale comes from a known distance: add the times at which the ball is at each end of this distance.</source>
         <translation>La escala se toma de una distancia conocida: añada los instantes en que la pelota está en cada extremo de esa distancia.</translation>
     </message>
@@ -3878,6 +3938,14 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     <message>
         <source>Both ends of the wand are the same target: choose another target for one of them.</source>
         <translation>Los dos extremos de la varita son el mismo objetivo: elija otro objetivo para uno de ellos.</translation>
+    </message>
+    <message>
+        <source>Learn the color of the ball first: press “Learn the color” in the toolbar, then click the ball in an image.</source>
+        <translation>Aprenda primero el color de la pelota: pulse «Aprender el color» en la barra de herramientas y haga clic en la pelota en una imagen.</translation>
+    </message>
+    <message>
+        <source>A wand has two balls of different colors: press “Add a target” in the toolbar, then click the second ball in an image.</source>
+        <translation>Una varita tiene dos pelotas de colores distintos: pulse «Añadir un objetivo» en la barra de herramientas y haga clic en la segunda pelota en una imagen.</translation>
     </message>
 </context>
 <context>
@@ -4737,10 +4805,6 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Archivo de calibración:</translation>
     </message>
     <message>
-        <source>Choose calibration…</source>
-        <translation>Elegir calibración…</translation>
-    </message>
-    <message>
         <source>A calibration file of Dewpoint or another program. Cameras are matched by name, or by order if the names differ</source>
         <translation>Un archivo de calibración de Dewpoint o de otro programa. Las cámaras se asignan por nombre o, si los nombres difieren, por orden</translation>
     </message>
@@ -4751,10 +4815,6 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     <message>
         <source>Continue without a calibration file</source>
         <translation>Continuar sin archivo de calibración</translation>
-    </message>
-    <message>
-        <source>Choose a calibration</source>
-        <translation>Elija una calibración</translation>
     </message>
     <message>
         <source>Recognized: %1. The file does not contain everything: %2. Create the project without this file, then choose Calibration › Import calibration and enter what is missing.</source>
@@ -4790,6 +4850,18 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     <message>
         <source>Reading…</source>
         <translation>Leyendo…</translation>
+    </message>
+    <message>
+        <source>Import calibration…</source>
+        <translation>Importar calibración…</translation>
+    </message>
+    <message>
+        <source>Import a calibration</source>
+        <translation>Importar una calibración</translation>
+    </message>
+    <message>
+        <source>%1 (found beside the recordings)</source>
+        <translation>%1 (encontrado junto a las grabaciones)</translation>
     </message>
 </context>
 <context>
@@ -4838,10 +4910,6 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Unidad de las longitudes, si el formato no la define</translation>
     </message>
     <message>
-        <source>format default</source>
-        <translation>predeterminada del formato</translation>
-    </message>
-    <message>
         <source>meters</source>
         <translation>metros</translation>
     </message>
@@ -4872,6 +4940,10 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     <message>
         <source>%1: with the exported lens, %2 of 81 tested directions can no longer be projected into the image</source>
         <translation>%1: con la lente exportada, %2 de 81 direcciones probadas ya no se pueden proyectar en la imagen</translation>
+    </message>
+    <message>
+        <source>usual for the format</source>
+        <translation>lo habitual en el formato</translation>
     </message>
 </context>
 <context>
@@ -4928,10 +5000,6 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Elegir una carpeta con un archivo por cámara</translation>
     </message>
     <message>
-        <source>Use these cameras</source>
-        <translation>Usar estas cámaras</translation>
-    </message>
-    <message>
         <source>Use the calibration in the project; you can undo this</source>
         <translation>Usar la calibración en el proyecto; se puede deshacer</translation>
     </message>
@@ -4972,10 +5040,6 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>k1 k2 k3 k4 de un ojo de pez</translation>
     </message>
     <message>
-        <source>format default</source>
-        <translation>predeterminada del formato</translation>
-    </message>
-    <message>
         <source>camera from world</source>
         <translation>cámara desde mundo</translation>
     </message>
@@ -4998,10 +5062,6 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     <message>
         <source>Unit of the lengths in the file; or enter the length of one unit in meters, such as 0.025 for squares of 25 mm</source>
         <translation>Unidad de las longitudes del archivo; o introduzca la longitud de una unidad en metros, como 0.025 para casillas de 25 mm</translation>
-    </message>
-    <message>
-        <source>Four coefficients</source>
-        <translation>Cuatro coeficientes</translation>
     </message>
     <message>
         <source>Meaning of the four lens coefficients</source>
@@ -5087,12 +5147,24 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <source>After the import, projected points are at most %1 away from where the file projects them</source>
         <translation>Tras la importación, los puntos proyectados distan como mucho %1 de donde los proyecta el archivo</translation>
     </message>
+    <message>
+        <source>Apply calibration</source>
+        <translation>Aplicar calibración</translation>
+    </message>
+    <message>
+        <source>usual for the format</source>
+        <translation>lo habitual en el formato</translation>
+    </message>
+    <message>
+        <source>Lens model (4 coefficients)</source>
+        <translation>Modelo de lente (4 coeficientes)</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::CalibrationMode</name>
     <message>
-        <source>Camera calibration</source>
-        <translation>Calibración de cámaras</translation>
+        <source>Calibration</source>
+        <translation>Calibración</translation>
     </message>
 </context>
 <context>
@@ -5397,14 +5469,6 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Girar las imágenes</translation>
     </message>
     <message>
-        <source>Choose a calibration</source>
-        <translation>Elija una calibración</translation>
-    </message>
-    <message>
-        <source>Calibrations (*.toml);;All files (*)</source>
-        <translation>Calibraciones (*.toml);;Todos los archivos (*)</translation>
-    </message>
-    <message>
         <source>Cameras</source>
         <translation>Cámaras</translation>
     </message>
@@ -5435,14 +5499,6 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     <message>
         <source>Rotated</source>
         <translation>Girada</translation>
-    </message>
-    <message>
-        <source>Load calibration…</source>
-        <translation>Cargar calibración…</translation>
-    </message>
-    <message>
-        <source>Load the calibration of all cameras from a file</source>
-        <translation>Cargar la calibración de todas las cámaras de un archivo</translation>
     </message>
     <message>
         <source>simulated</source>
@@ -5527,32 +5583,20 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>Retraso de las imágenes en milisegundos</translation>
     </message>
     <message>
-        <source>Load calibration</source>
-        <translation>Cargar calibración</translation>
-    </message>
-    <message>
-        <source>The calibration uses other camera names. The cameras were matched by order.</source>
-        <translation>La calibración usa otros nombres de cámara. Las cámaras se asignaron por orden.</translation>
-    </message>
-    <message>
-        <source>The cameras now use the calibration from %1.</source>
-        <translation>Las cámaras usan ahora la calibración de %1.</translation>
-    </message>
-    <message>
-        <source>Probably a mistake: %1</source>
-        <translation>Probablemente un error: %1</translation>
-    </message>
-    <message>
-        <source>%1. Choose Calibration › Import calibration instead.</source>
-        <translation>%1. Elija en su lugar Calibración › Importar calibración.</translation>
-    </message>
-    <message>
         <source>Keep estimated delay</source>
         <translation>Conservar el retardo estimado</translation>
     </message>
     <message>
         <source>How far the images are rotated clockwise before they are used. The calibration is rotated with them</source>
         <translation>Cuánto se giran las imágenes en el sentido de las agujas del reloj antes de usarlas. La calibración se gira con ellas</translation>
+    </message>
+    <message>
+        <source>Import calibration…</source>
+        <translation>Importar calibración…</translation>
+    </message>
+    <message>
+        <source>Import the calibration of the cameras from a file of Dewpoint or another program</source>
+        <translation>Importar la calibración de las cámaras de un archivo de Dewpoint o de otro programa</translation>
     </message>
 </context>
 <context>
@@ -5699,8 +5743,8 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>Añadir este color a los colores del objetivo (Mayús-clic hace lo mismo)</translation>
     </message>
     <message>
-        <source>Remove this color from the colors of the target (Alt-click does the same)</source>
-        <translation>Excluir este color de los colores del objetivo (Alt-clic hace lo mismo)</translation>
+        <source>Remove this color from the colors of the target (Ctrl+Shift-click does the same)</source>
+        <translation>Excluir este color de los colores del objetivo (Ctrl+Mayús+clic hace lo mismo)</translation>
     </message>
 </context>
 <context>
@@ -5886,16 +5930,16 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>%1, fotograma %2, píxel %3, %4</translation>
     </message>
     <message>
-        <source>Shift-click in an image to add a sample, Alt-click or Ctrl+Shift-click to exclude one. Samples marked “found” were detected in other cameras.</source>
-        <translation>Mayús+clic en una imagen añade una muestra; Alt+clic o Ctrl+Mayús+clic excluye una. Las muestras marcadas como «encontrada» se detectaron en otras cámaras.</translation>
-    </message>
-    <message>
         <source>Remove the selected sample and learn from the others (Del). If the sample is marked “found”, it becomes an excluded sample.</source>
         <translation>Quitar la muestra elegida y aprender de las demás (Supr). Si la muestra está marcada como «encontrada», pasa a ser una muestra excluida.</translation>
     </message>
     <message>
         <source>found by Dewpoint: %1, frame %2, pixel %3, %4</source>
         <translation>encontrada por Dewpoint: %1, fotograma %2, píxel %3, %4</translation>
+    </message>
+    <message>
+        <source>Shift-click in an image to add a sample, Ctrl+Shift-click or Alt-click to exclude one. Samples marked “found” were detected in other cameras.</source>
+        <translation>Mayús+clic en una imagen añade una muestra; Ctrl+Mayús+clic o Alt+clic excluye una. Las muestras marcadas como «encontrada» se detectaron en otras cámaras.</translation>
     </message>
 </context>
 <context>
@@ -6236,6 +6280,10 @@ Posición x, y, z: %4, %5, %6</translation>
         <source>How often each case is run, each time with another seed. More runs take longer and give more certain results.</source>
         <translation>Cuántas veces se ejecuta cada caso, cada vez con otra semilla. Más ejecuciones tardan más y dan resultados más seguros.</translation>
     </message>
+    <message>
+        <source>No program was found that shows the report. It is in %1.</source>
+        <translation>No se encontró ningún programa que muestre el informe. Está en %1.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::ExportDialog</name>
@@ -6415,14 +6463,6 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation> por segundo</translation>
     </message>
     <message>
-        <source>Notes about the run</source>
-        <translation>Notas sobre la ejecución</translation>
-    </message>
-    <message>
-        <source>live</source>
-        <translation>en vivo</translation>
-    </message>
-    <message>
         <source>smoothed after the run</source>
         <translation>suavizadas tras la ejecución</translation>
     </message>
@@ -6433,10 +6473,6 @@ Posición x, y, z: %4, %5, %6</translation>
     <message>
         <source>fill</source>
         <translation>rellenar</translation>
-    </message>
-    <message>
-        <source>format default</source>
-        <translation>predeterminada del formato</translation>
     </message>
     <message>
         <source>Z up</source>
@@ -6455,10 +6491,6 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>milímetros</translation>
     </message>
     <message>
-        <source>Live: as estimated during the run. Smoothed: estimated after the run, from all earlier and later frames</source>
-        <translation>En vivo: como se estimaron durante la ejecución. Suavizadas: estimadas tras la ejecución con todos los fotogramas anteriores y posteriores</translation>
-    </message>
-    <message>
         <source>Earliest time to export, 0 to 1,000,000 s</source>
         <translation>Primer instante que se exporta, de 0 a 1.000.000 s</translation>
     </message>
@@ -6471,8 +6503,24 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>Filas por segundo, de 0,001 a 10.000. Las posiciones entre fotogramas se interpolan</translation>
     </message>
     <message>
-        <source>Write the method, seed, parameters, units and axes into the file as comments</source>
-        <translation>Escribir el método, la semilla, los parámetros, las unidades y los ejes en el archivo como comentarios</translation>
+        <source>As tracked: estimated during the run, from earlier frames alone. Smoothed: estimated after the run, from earlier and later frames</source>
+        <translation>Como se siguieron: estimadas durante la ejecución, solo con los fotogramas anteriores. Suavizadas: estimadas tras la ejecución, con los anteriores y los posteriores</translation>
+    </message>
+    <message>
+        <source>Notes at the top of the file</source>
+        <translation>Notas al principio del archivo</translation>
+    </message>
+    <message>
+        <source>Lines that describe the run: method, seed, parameters, units and axes. Without them, a CSV file begins with the names of its columns. TRC and C3D files have no notes</source>
+        <translation>Líneas que describen la ejecución: método, semilla, parámetros, unidades y ejes. Sin ellas, un archivo CSV empieza con los nombres de sus columnas. Los archivos TRC y C3D no tienen notas</translation>
+    </message>
+    <message>
+        <source>as tracked (live)</source>
+        <translation>como se siguieron (en vivo)</translation>
+    </message>
+    <message>
+        <source>%1 (usual for this format)</source>
+        <translation>%1 (habitual en este formato)</translation>
     </message>
 </context>
 <context>
@@ -6679,16 +6727,36 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>Antes</translation>
     </message>
     <message>
-        <source>Show the grid before your changes</source>
-        <translation>Mostrar la cuadrícula anterior a sus cambios</translation>
-    </message>
-    <message>
         <source>Position of the corner at which the axes of the grid start, in meters</source>
         <translation>Posición de la esquina en que empiezan los ejes de la cuadrícula, en metros</translation>
     </message>
     <message>
-        <source>Hold down this button to show the grid as it was when you opened the calibration. You can also hold down B while the pointer is over an image</source>
-        <translation>Mantenga pulsado este botón para mostrar la cuadrícula como estaba al abrir la calibración. O mantenga pulsada la tecla B con el puntero sobre una imagen</translation>
+        <source>Show the grid with earlier cameras</source>
+        <translation>Mostrar la cuadrícula con cámaras anteriores</translation>
+    </message>
+    <message>
+        <source>Hold down this button to draw the grid with the earlier cameras that you chose below. The key B does the same after you have clicked an image</source>
+        <translation>Mantenga pulsado este botón para dibujar la cuadrícula con las cámaras anteriores que eligió abajo. La tecla B hace lo mismo después de hacer clic en una imagen</translation>
+    </message>
+    <message>
+        <source>Before shows</source>
+        <translation>Antes muestra</translation>
+    </message>
+    <message>
+        <source>cameras when the panel was opened</source>
+        <translation>cámaras al abrir el panel</translation>
+    </message>
+    <message>
+        <source>cameras before the last change</source>
+        <translation>cámaras antes del último cambio</translation>
+    </message>
+    <message>
+        <source>Earlier cameras that Before shows</source>
+        <translation>Cámaras anteriores que muestra Antes</translation>
+    </message>
+    <message>
+        <source>The cameras as they were when you opened this panel, or as they were before the last step that changed a camera</source>
+        <translation>Las cámaras como estaban al abrir este panel, o como estaban antes del último paso que cambió una cámara</translation>
     </message>
 </context>
 <context>
@@ -6877,16 +6945,8 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>Aprenda primero el color: haga clic en el objetivo en una imagen de cámara.</translation>
     </message>
     <message>
-        <source>Click: add a sample · Alt: exclude · Esc: stop</source>
-        <translation>Clic: añadir una muestra · Alt: excluir · Esc: terminar</translation>
-    </message>
-    <message>
         <source>Click: exclude a color · Esc: stop</source>
         <translation>Clic: excluir un color · Esc: terminar</translation>
-    </message>
-    <message>
-        <source>Click: learn · Shift: add · Alt: exclude · Esc: stop</source>
-        <translation>Clic: aprender · Mayús: añadir · Alt: excluir · Esc: terminar</translation>
     </message>
     <message>
         <source>Click the object in a camera image, or drag a box around it.
@@ -6901,16 +6961,24 @@ When this button is off, Shift-click does the same.</source>
 Si este botón está desactivado, Mayús-clic hace lo mismo.</translation>
     </message>
     <message>
-        <source>Click something that has the target&apos;s color but is not the target, to exclude it.
-When this button is off, Alt-click or Ctrl+Shift-click does the same.</source>
-        <translation>Haga clic en algo que tiene el color del objetivo pero no es el objetivo, para excluirlo.
-Si este botón está desactivado, Alt-clic o Ctrl+Mayús-clic hace lo mismo.</translation>
-    </message>
-    <message>
         <source>Click the target in a camera image, or drag a box around it,
 to learn its color again.</source>
         <translation>Haga clic en el objetivo en una imagen de cámara, o arrastre un recuadro
 alrededor, para aprender de nuevo su color.</translation>
+    </message>
+    <message>
+        <source>Click something that has the target&apos;s color but is not the target, to exclude it.
+When this button is off, Ctrl+Shift-click does the same; so does Alt-click, where the desktop does not use it.</source>
+        <translation>Haga clic en algo que tiene el color del objetivo pero no es el objetivo, para excluirlo.
+Si este botón está desactivado, Ctrl+Mayús+clic hace lo mismo; también Alt+clic, si el escritorio no lo usa.</translation>
+    </message>
+    <message>
+        <source>Click: add a sample · Ctrl+Shift: exclude · Esc: stop</source>
+        <translation>Clic: añadir una muestra · Ctrl+Mayús: excluir · Esc: terminar</translation>
+    </message>
+    <message>
+        <source>Click: learn · Shift: add · Ctrl+Shift: exclude · Esc: stop</source>
+        <translation>Clic: aprender · Mayús: añadir · Ctrl+Mayús: excluir · Esc: terminar</translation>
     </message>
 </context>
 <context>
@@ -7021,10 +7089,6 @@ alrededor, para aprender de nuevo su color.</translation>
 <context>
     <name>dewpoint::ui::ManualCalibrationPage</name>
     <message>
-        <source>Drag the grid in an image until it matches the real scene. Click a grid point to hold it in place.</source>
-        <translation>Arrastre la cuadrícula en una imagen hasta que coincida con la escena real. Un clic en un punto de la cuadrícula lo sujeta.</translation>
-    </message>
-    <message>
         <source>Camera</source>
         <translation>Cámara</translation>
     </message>
@@ -7039,6 +7103,10 @@ alrededor, para aprender de nuevo su color.</translation>
     <message>
         <source>By hand</source>
         <translation>A mano</translation>
+    </message>
+    <message>
+        <source>Drag the grid in an image until it matches the real scene. Click a grid point to hold it in place. Turn the wheel to zoom; double-click beside the grid points to see the whole image.</source>
+        <translation>Arrastre la cuadrícula en una imagen hasta que coincida con la escena real. Un clic en un punto de la cuadrícula lo sujeta. Gire la rueda para ampliar; un doble clic lejos de los puntos de la cuadrícula muestra la imagen entera.</translation>
     </message>
 </context>
 <context>
@@ -7860,12 +7928,22 @@ alrededor, para aprender de nuevo su color.</translation>
         <source>The target whose values are plotted: the target selected in the panel Target, or the first target if none is selected.</source>
         <translation>El objetivo cuyos valores se representan: el elegido en el panel Objetivo, o el primero si no hay ninguno elegido.</translation>
     </message>
+    <message>
+        <source>The frame that all views show. The numbers beside the plots belong to it.
+In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Shift+wheel moves along the time axis.</source>
+        <translation>El fotograma que muestran todas las vistas. Los números junto a los gráficos le corresponden.
+En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero y Mayús+rueda recorre el eje del tiempo.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::PlotStack</name>
     <message>
         <source>frame %1, iteration %2, %3</source>
         <translation>fotograma %1, iteración %2, %3</translation>
+    </message>
+    <message>
+        <source>Click: go to this frame · Ctrl+wheel: zoom</source>
+        <translation>Clic: ir a este fotograma · Ctrl+rueda: zoom</translation>
     </message>
 </context>
 <context>
@@ -7903,24 +7981,8 @@ alrededor, para aprender de nuevo su color.</translation>
         <translation>Calcular las cámaras con los puntos medidos</translation>
     </message>
     <message>
-        <source>No point has been clicked yet: select one, then click it in the images</source>
-        <translation>Aún no ha hecho clic en ningún punto: elija uno y haga clic en él en las imágenes</translation>
-    </message>
-    <message>
         <source>%1: average error %2</source>
         <translation>%1: error medio %2</translation>
-    </message>
-    <message>
-        <source>%1: %2 points are not enough, click at least four</source>
-        <translation>%1: %2 puntos no bastan, marque al menos cuatro</translation>
-    </message>
-    <message>
-        <source>%1: its points lie on one line, add a point beside the line</source>
-        <translation>%1: sus puntos están en una recta, añada un punto fuera de ella</translation>
-    </message>
-    <message>
-        <source>%1: average error %2, but a second pose fits equally well: add a point outside the plane of the others</source>
-        <translation>%1: error medio %2, pero otra pose encaja igual: añada un punto fuera del plano de los demás</translation>
     </message>
     <message>
         <source>%1: no pose fits the clicked points</source>
@@ -7958,16 +8020,47 @@ alrededor, para aprender de nuevo su color.</translation>
         <source>The images of %1 are rotated: turn them clockwise by %2 degrees</source>
         <translation>Las imágenes de %1 están giradas: gírelas %2 grados en sentido horario</translation>
     </message>
+    <message>
+        <source>%1: the focal length was kept, because computing it needs at least %2 points</source>
+        <translation>%1: se conservó la distancia focal, porque para calcularla se necesitan al menos %2 puntos</translation>
+    </message>
+    <message>
+        <source>No point has been clicked yet. Press “Click in images”, then click the selected point in the images</source>
+        <translation>Aún no ha marcado ningún punto. Pulse «Marcar en imágenes» y haga clic en el punto elegido en las imágenes</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n point(s) clicked, but at least %2 are needed (six are better)</source>
+        <translation>
+            <numerusform>%1: %n punto marcado, pero se necesitan al menos %2 (mejor seis)</numerusform>
+            <numerusform>%1: %n puntos marcados, pero se necesitan al menos %2 (mejor seis)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: all points lie on one line. Add a point beside this line</source>
+        <translation>%1: todos los puntos están en una recta. Añada un punto fuera de ella</translation>
+    </message>
+    <message>
+        <source>%1: average error %2, but a second pose fits equally well. Add a point outside the plane of the others</source>
+        <translation>%1: error medio %2, pero otra pose encaja igual. Añada un punto fuera del plano de los demás</translation>
+    </message>
+    <message>
+        <source>Mirror the images of %1</source>
+        <translation>Reflejar las imágenes de %1</translation>
+    </message>
+    <message>
+        <source>Rotate the images of %1 clockwise by %2, and mirror them</source>
+        <translation>Girar las imágenes de %1 %2 en sentido horario y reflejarlas</translation>
+    </message>
+    <message>
+        <source>Rotate the images of %1 clockwise by %2</source>
+        <translation>Girar las imágenes de %1 %2 en sentido horario</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::PointsTable</name>
     <message>
         <source>Measured points</source>
         <translation>Puntos medidos</translation>
-    </message>
-    <message>
-        <source>Positions measured with a tape, in meters: double-click to edit. The highlighted row has the largest error.</source>
-        <translation>Posiciones medidas con cinta, en metros: doble clic para editar. La fila resaltada tiene el mayor error.</translation>
     </message>
     <message>
         <source>Point</source>
@@ -7984,10 +8077,6 @@ alrededor, para aprender de nuevo su color.</translation>
     <message>
         <source>z m</source>
         <translation>z m</translation>
-    </message>
-    <message>
-        <source>seen</source>
-        <translation>visto</translation>
     </message>
     <message>
         <source>px</source>
@@ -8010,10 +8099,6 @@ alrededor, para aprender de nuevo su color.</translation>
         <translation>Quitar punto</translation>
     </message>
     <message>
-        <source>Remove the chosen point</source>
-        <translation>Quitar el punto elegido</translation>
-    </message>
-    <message>
         <source>Click in images</source>
         <translation>Marcar en imágenes</translation>
     </message>
@@ -8030,16 +8115,8 @@ alrededor, para aprender de nuevo su color.</translation>
         <translation>Calcular cámaras</translation>
     </message>
     <message>
-        <source>Compute the poses of all cameras in which points were clicked; each needs at least four points</source>
-        <translation>Calcular las poses de todas las cámaras en las que se marcaron puntos; cada una necesita al menos cuatro</translation>
-    </message>
-    <message>
         <source>%1: %2, %3</source>
         <translation>%1: %2, %3</translation>
-    </message>
-    <message>
-        <source>Apply: %1</source>
-        <translation>Aplicar: %1</translation>
     </message>
     <message>
         <source>Rotate or mirror the images of this camera and compute its pose again</source>
@@ -8054,8 +8131,24 @@ alrededor, para aprender de nuevo su color.</translation>
         <translation>Quitar el clic en el punto elegido de la imagen de la cámara elegida</translation>
     </message>
     <message>
-        <source>Also compute the focal length of each camera in which you clicked six or more points</source>
-        <translation>Calcular también la distancia focal de cada cámara en la que hizo clic en seis puntos o más</translation>
+        <source>Positions measured with a tape, in meters: double-click to edit. ▲ marks the point with the largest error.</source>
+        <translation>Posiciones medidas con cinta, en metros: doble clic para editar. ▲ indica el punto con el mayor error.</translation>
+    </message>
+    <message>
+        <source>clicked</source>
+        <translation>clics</translation>
+    </message>
+    <message>
+        <source>Remove the selected point</source>
+        <translation>Quitar el punto seleccionado</translation>
+    </message>
+    <message>
+        <source>Also compute the focal length of each camera in which you clicked six or more points. Other cameras keep their focal length</source>
+        <translation>Calcular también la distancia focal de cada cámara en la que hizo clic en seis puntos o más. Las demás cámaras conservan su distancia focal</translation>
+    </message>
+    <message>
+        <source>Compute the poses of all cameras in which points were clicked. Each camera needs at least four points; six that do not all lie in one plane are better</source>
+        <translation>Calcular las poses de todas las cámaras en las que se marcaron puntos. Cada cámara necesita al menos cuatro puntos; mejor seis que no estén todos en un plano</translation>
     </message>
 </context>
 <context>
@@ -8574,10 +8667,6 @@ alrededor, para aprender de nuevo su color.</translation>
         <translation>Semilla aleatoria</translation>
     </message>
     <message>
-        <source>Memory used by the history</source>
-        <translation>Memoria del historial</translation>
-    </message>
-    <message>
         <source>%1 of %2 particles</source>
         <translation>%1 de %2 partículas</translation>
     </message>
@@ -8600,6 +8689,10 @@ alrededor, para aprender de nuevo su color.</translation>
     <message>
         <source>Time from light to estimate</source>
         <translation>Tiempo desde la luz hasta la estimación</translation>
+    </message>
+    <message>
+        <source>Memory for going back</source>
+        <translation>Memoria para volver atrás</translation>
     </message>
 </context>
 <context>
@@ -8851,10 +8944,6 @@ alrededor, para aprender de nuevo su color.</translation>
         <translation>Oculta durante un segundo</translation>
     </message>
     <message>
-        <source>Four balls have the same color, but only one of them moves.</source>
-        <translation>Cuatro pelotas tienen el mismo color, pero solo una se mueve.</translation>
-    </message>
-    <message>
         <source>People in an office</source>
         <translation>Personas en una oficina</translation>
     </message>
@@ -8915,10 +9004,6 @@ alrededor, para aprender de nuevo su color.</translation>
         <translation>Un proyecto guardado antes</translation>
     </message>
     <message>
-        <source>Four identical balls</source>
-        <translation>Cuatro pelotas iguales</translation>
-    </message>
-    <message>
         <source>A box passes in front of the ball. One camera is enough to keep tracking the ball.</source>
         <translation>Una caja pasa ante la pelota. Basta una cámara para seguir la pelota.</translation>
     </message>
@@ -8929,6 +9014,14 @@ alrededor, para aprender de nuevo su color.</translation>
     <message>
         <source>Videos of a board or a ball, step by step</source>
         <translation>Vídeos de un tablero o una bola, paso a paso</translation>
+    </message>
+    <message>
+        <source>Identical balls</source>
+        <translation>Pelotas idénticas</translation>
+    </message>
+    <message>
+        <source>Other balls have the same color, but only one ball moves.</source>
+        <translation>Otras pelotas tienen el mismo color, pero solo una se mueve.</translation>
     </message>
 </context>
 <context>
@@ -9303,10 +9396,6 @@ alrededor, para aprender de nuevo su color.</translation>
 <context>
     <name>dewpoint::ui::Timeline</name>
     <message>
-        <source>Memory for looking back: images, particles and saved states of the method. When it is full, only the estimates of older frames are kept.</source>
-        <translation>Memoria para mirar atrás: imágenes, partículas y estados guardados del método. Cuando se llena, de los fotogramas antiguos solo se conservan las estimaciones.</translation>
-    </message>
-    <message>
         <source>Nothing tracked yet: press play (Space), then drag here to move through time.</source>
         <translation>Aún no hay seguimiento: reproduzca (Espacio) y después arrastre aquí por el tiempo.</translation>
     </message>
@@ -9317,6 +9406,10 @@ alrededor, para aprender de nuevo su color.</translation>
     <message>
         <source>The change applies to new frames. Use “%1” to track again from the current frame.</source>
         <translation>El cambio se aplica a los fotogramas nuevos. Use «%1» para seguir de nuevo desde el fotograma actual.</translation>
+    </message>
+    <message>
+        <source>Memory for going back to earlier frames: images, particles and saved states of the method. When it is full, only the estimates of older frames are kept.</source>
+        <translation>Memoria para volver a fotogramas anteriores: imágenes, partículas y estados guardados del método. Cuando se llena, de los fotogramas antiguos solo se conservan las estimaciones.</translation>
     </message>
 </context>
 <context>
@@ -9627,10 +9720,6 @@ alrededor, para aprender de nuevo su color.</translation>
         <translation>Exportar vídeo</translation>
     </message>
     <message>
-        <source>First image</source>
-        <translation>Primera imagen</translation>
-    </message>
-    <message>
         <source>File</source>
         <translation>Archivo</translation>
     </message>
@@ -9849,6 +9938,25 @@ alrededor, para aprender de nuevo su color.</translation>
     <message>
         <source>Write the name of the recording, the frame number and the time into the video</source>
         <translation>Escribir el nombre de la grabación, el número del fotograma y el tiempo en el vídeo</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::VideoPreview</name>
+    <message>
+        <source>Preview</source>
+        <translation>Vista previa</translation>
+    </message>
+    <message>
+        <source>Image</source>
+        <translation>Imagen</translation>
+    </message>
+    <message>
+        <source>Choose the image of the video that the preview shows</source>
+        <translation>Elegir la imagen del vídeo que muestra la vista previa</translation>
+    </message>
+    <message>
+        <source>Image %1 of %2: frame %3</source>
+        <translation>Imagen %1 de %2: fotograma %3</translation>
     </message>
 </context>
 <context>
@@ -10291,6 +10399,10 @@ alrededor, para aprender de nuevo su color.</translation>
         <source>%1 was far off: the refinement rotates it by %2 and moves it by %3, much more than the others. Was it moved after its calibration?</source>
         <translation>%1 estaba muy desviada: el ajuste la gira %2 y la desplaza %3, mucho más que las demás. ¿Se movió después de calibrarla?</translation>
     </message>
+    <message>
+        <source>The cameras as they were explain the images as well. Keep them, or wave longer and through more of the volume.</source>
+        <translation>Las cámaras anteriores explican las imágenes igual de bien. Consérvelas, o agite durante más tiempo y por una parte mayor del volumen.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::WandWaving</name>
@@ -10507,10 +10619,6 @@ alrededor, para aprender de nuevo su color.</translation>
         <translation>Punto</translation>
     </message>
     <message>
-        <source>seen</source>
-        <translation>visto</translation>
-    </message>
-    <message>
         <source>x m</source>
         <translation>x m</translation>
     </message>
@@ -10685,6 +10793,10 @@ alrededor, para aprender de nuevo su color.</translation>
     <message>
         <source>Click the selected point in two or more images. Near a corner, the click moves exactly onto the corner; hold Alt to prevent this. Press Esc to finish.</source>
         <translation>Haga clic en el punto seleccionado en dos o más imágenes. Cerca de una esquina, el clic se mueve justo a la esquina; mantenga pulsada Alt para evitarlo. Pulse Esc para terminar.</translation>
+    </message>
+    <message>
+        <source>marked</source>
+        <translation>marcas</translation>
     </message>
 </context>
 </TS>

@@ -847,8 +847,8 @@
         <translation>この色にも一致</translation>
     </message>
     <message>
-        <source>recognized as the target (if it is not, Alt-click it)</source>
-        <translation>ターゲットと認識（違う場合はそれを Alt+クリック）</translation>
+        <source>recognized as the target (if it is not, Ctrl+Shift-click it)</source>
+        <translation>ターゲットと認識（違う場合はそれを Ctrl+Shift+クリック）</translation>
     </message>
 </context>
 <context>
@@ -1524,10 +1524,6 @@
         <translation>ターゲットの多くの部分が、学習した色ではありません。明るい側と暗い側を Shift クリックしてください。</translation>
     </message>
     <message>
-        <source>Other objects have this color too: Alt-click them to exclude them.</source>
-        <translation>ほかの物もこの色です。Alt クリックして除外してください。</translation>
-    </message>
-    <message>
         <source>Cover objects of the same color, or take them out of view.</source>
         <translation>同じ色の物体を覆うか、画面の外に出してください。</translation>
     </message>
@@ -1601,6 +1597,10 @@
         <source>A color range that covers the whole target would also cover %1 % of the background.</source>
         <translation>ターゲット全体を含む色の範囲は、背景の %1 % も含んでしまいます。</translation>
     </message>
+    <message>
+        <source>Other objects have this color too: Ctrl+Shift-click them to exclude them.</source>
+        <translation>ほかの物もこの色です。Ctrl+Shift+クリックして除外してください。</translation>
+    </message>
 </context>
 <context>
     <name>Convergence</name>
@@ -1669,10 +1669,6 @@
         <translation>観測からは決まりません</translation>
     </message>
     <message>
-        <source>the text cannot be understood</source>
-        <translation>内容を解釈できません</translation>
-    </message>
-    <message>
         <source>not found</source>
         <translation>見つかりません</translation>
     </message>
@@ -1687,6 +1683,10 @@
     <message>
         <source>wrong type of value</source>
         <translation>値の型が違います</translation>
+    </message>
+    <message>
+        <source>invalid format</source>
+        <translation>形式が正しくありません</translation>
     </message>
 </context>
 <context>
@@ -2606,10 +2606,6 @@
         <translation>テーブルや床タイルの長さなど、わかっている長さが 1 つ必要です。数分で最初の結果が得られます。</translation>
     </message>
     <message>
-        <source>You need a tape measure and six points that the cameras see. This way suits cameras that are mounted in a room.</source>
-        <translation>巻き尺と、カメラに見える 6 点が必要です。部屋に固定したカメラに向いた方法です。</translation>
-    </message>
-    <message>
         <source>You need a printed board that you can carry through the room. This way calibrates the lenses most accurately.</source>
         <translation>部屋の中を持ち運べる印刷したボードが必要です。レンズを最も正確にキャリブレーションできる方法です。</translation>
     </message>
@@ -2680,6 +2676,10 @@
     <message>
         <source>Done for %1 of %2 cameras. The largest error is %3.</source>
         <translation>カメラ %2 台中 %1 台が完了。最大誤差は %3。</translation>
+    </message>
+    <message>
+        <source>You need a tape measure and points that the cameras see: at least four for each camera, better six. This way suits cameras that are mounted in a room.</source>
+        <translation>巻き尺と、カメラに見える点が必要です。カメラごとに少なくとも 4 点、できれば 6 点です。部屋に固定したカメラに向いた方法です。</translation>
     </message>
 </context>
 <context>
@@ -2901,6 +2901,74 @@
     </message>
 </context>
 <context>
+    <name>PageText</name>
+    <message>
+        <source>Dewpoint live</source>
+        <translation>Dewpoint ライブ</translation>
+    </message>
+    <message>
+        <source>Cameras, targets and their tracks in 3D</source>
+        <translation>カメラ、ターゲット、その軌跡の 3D 表示</translation>
+    </message>
+    <message>
+        <source>Drag: rotate · Wheel or two fingers: zoom · Double click: reset</source>
+        <translation>ドラッグ: 回転 · ホイールまたは 2 本指: ズーム · ダブルクリック: リセット</translation>
+    </message>
+    <message>
+        <source>Connecting…</source>
+        <translation>接続中…</translation>
+    </message>
+    <message>
+        <source>Connected. Waiting for images…</source>
+        <translation>接続しました。画像を待っています…</translation>
+    </message>
+    <message>
+        <source>Not connected. Trying again…</source>
+        <translation>接続されていません。再試行しています…</translation>
+    </message>
+    <message>
+        <source>Frame %1, %2</source>
+        <extracomment>%1 is the number of a frame, %2 its time</extracomment>
+        <translation>フレーム %1、%2</translation>
+    </message>
+    <message>
+        <source>tracking</source>
+        <translation>追跡中</translation>
+    </message>
+    <message>
+        <source>ambiguous</source>
+        <translation>あいまい</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>隠れている</translation>
+    </message>
+    <message>
+        <source>searching</source>
+        <translation>探索中</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>見失い</translation>
+    </message>
+    <message>
+        <source>not present</source>
+        <translation>不在</translation>
+    </message>
+    <message>
+        <source>This page may not read from here.</source>
+        <translation>このページはここから読み取れません。</translation>
+    </message>
+    <message>
+        <source>Only GET is possible.</source>
+        <translation>GET のみ使用できます。</translation>
+    </message>
+    <message>
+        <source>There is only one page, at /.</source>
+        <translation>ページは / の 1 つだけです。</translation>
+    </message>
+</context>
+<context>
     <name>Parameter</name>
     <message>
         <source>Half the x size of the start box: the particles start evenly spread in this box; 0 starts them all at the same x.</source>
@@ -2939,30 +3007,6 @@
         <translation>粒子数</translation>
     </message>
     <message>
-        <source>Start half-size x</source>
-        <translation>開始範囲の半分 x</translation>
-    </message>
-    <message>
-        <source>Start half-size y</source>
-        <translation>開始範囲の半分 y</translation>
-    </message>
-    <message>
-        <source>Start half-size z</source>
-        <translation>開始範囲の半分 z</translation>
-    </message>
-    <message>
-        <source>Start x</source>
-        <translation>開始位置 x</translation>
-    </message>
-    <message>
-        <source>Start y</source>
-        <translation>開始位置 y</translation>
-    </message>
-    <message>
-        <source>Start z</source>
-        <translation>開始位置 z</translation>
-    </message>
-    <message>
         <source>World x coordinate of the center of the box in which the particles start.</source>
         <translation>粒子が始まる箱の中心の世界座標 x。</translation>
     </message>
@@ -2983,10 +3027,6 @@
         <translation>ターゲットが現れうる空間の一辺の長さ。大きいほど、追跡を始めるのに高い尤度が必要になります。</translation>
     </message>
     <message>
-        <source>Fewest particles</source>
-        <translation>最小粒子数</translation>
-    </message>
-    <message>
         <source>How long a target still counts as present when no camera can see its expected position.</source>
         <translation>ターゲットがあるはずの場所をどのカメラからも見られないとき、まだそこにあるとみなす時間。</translation>
     </message>
@@ -2997,10 +3037,6 @@
     <message>
         <source>How strongly targets accelerate, brake and turn: larger values follow abrupt motion, smaller values bridge gaps better.</source>
         <translation>ターゲットがどれだけ強く加速、減速、方向転換するか。大きいほど急な動きを追え、小さいほど途切れをうまく補えます。</translation>
-    </message>
-    <message>
-        <source>Sampling error</source>
-        <translation>標本誤差</translation>
     </message>
     <message>
         <source>Search size</source>
@@ -3353,6 +3389,38 @@
     <message>
         <source>How much the delays of the cameras may differ (standard deviation). While a target moves, the delays are estimated and corrected. 0 if all time stamps are exact: then no delay is estimated.</source>
         <translation>カメラの遅延がどれだけ異なりうるか（標準偏差）。ターゲットが動いている間に遅延を推定し、補正します。すべてのタイムスタンプが正確なら 0 にします。その場合、遅延は推定しません。</translation>
+    </message>
+    <message>
+        <source>KLD error</source>
+        <translation>KLD誤差</translation>
+    </message>
+    <message>
+        <source>Minimum particles</source>
+        <translation>最小粒子数</translation>
+    </message>
+    <message>
+        <source>Start box, center x</source>
+        <translation>開始範囲の中心 x</translation>
+    </message>
+    <message>
+        <source>Start box, center y</source>
+        <translation>開始範囲の中心 y</translation>
+    </message>
+    <message>
+        <source>Start box, center z</source>
+        <translation>開始範囲の中心 z</translation>
+    </message>
+    <message>
+        <source>Start box, half width x</source>
+        <translation>開始範囲の半幅 x</translation>
+    </message>
+    <message>
+        <source>Start box, half width y</source>
+        <translation>開始範囲の半幅 y</translation>
+    </message>
+    <message>
+        <source>Start box, half width z</source>
+        <translation>開始範囲の半幅 z</translation>
     </message>
 </context>
 <context>
@@ -3742,14 +3810,6 @@ Effective sample size %8 of %9</source>
         <translation>✕ %1</translation>
     </message>
     <message>
-        <source>history: %1 of %2 MB</source>
-        <translation>履歴: %1 / %2 MB</translation>
-    </message>
-    <message>
-        <source>history: %1 of %2 MB (the last %3)</source>
-        <translation>履歴: %1 / %2 MB（直近 %3）</translation>
-    </message>
-    <message>
         <source>tracking frames %2 to %3 again: now at %1</source>
         <translation>フレーム %2～%3 を再追跡中: 現在 %1</translation>
     </message>
@@ -3768,6 +3828,14 @@ Effective sample size %8 of %9</source>
     <message>
         <source>The state of each target appears here during tracking.</source>
         <translation>追跡中、ここに各ターゲットの状態が表示されます。</translation>
+    </message>
+    <message>
+        <source>memory for going back: %1 of %2 MB (the last %3)</source>
+        <translation>過去に戻るためのメモリ: %1 / %2 MB（直近 %3）</translation>
+    </message>
+    <message>
+        <source>memory for going back: %1 of %2 MB</source>
+        <translation>過去に戻るためのメモリ: %1 / %2 MB</translation>
     </message>
 </context>
 <context>
@@ -3858,14 +3926,6 @@ Effective sample size %8 of %9</source>
         <translation>2台以上のカメラがボールを見る必要があります。</translation>
     </message>
     <message>
-        <source>Learn the color of the ball first: press L and click the ball in an image.</source>
-        <translation>まずボールの色を学習させてください。L を押して画像の中のボールをクリックします。</translation>
-    </message>
-    <message>
-        <source>A wand has two balls of different colors: learn the second color (Shift+L).</source>
-        <translation>ワンドには色の異なるボールが2つあります。2つ目の色を学習してください（Shift+L）。</translation>
-    </message>
-    <message>
         <source>The scale comes from a known distance: add the times at which the ball is at each end of this distance.</source>
         <translation>縮尺は既知の距離から求めます。ボールがその距離の両端にある時刻を追加してください。</translation>
     </message>
@@ -3876,6 +3936,14 @@ Effective sample size %8 of %9</source>
     <message>
         <source>Both ends of the wand are the same target: choose another target for one of them.</source>
         <translation>ワンドの両端が同じターゲットです。一方に別のターゲットを選んでください。</translation>
+    </message>
+    <message>
+        <source>Learn the color of the ball first: press “Learn the color” in the toolbar, then click the ball in an image.</source>
+        <translation>先にボールの色を学習してください。ツールバーの「色を学習」を押してから、画像でボールをクリックします。</translation>
+    </message>
+    <message>
+        <source>A wand has two balls of different colors: press “Add a target” in the toolbar, then click the second ball in an image.</source>
+        <translation>ワンドには色の異なるボールが2つあります。ツールバーの「ターゲットを追加」を押してから、画像で2つ目のボールをクリックしてください。</translation>
     </message>
 </context>
 <context>
@@ -4733,10 +4801,6 @@ Effective sample size %8 of %9</source>
         <translation>キャリブレーションファイル:</translation>
     </message>
     <message>
-        <source>Choose calibration…</source>
-        <translation>キャリブレーションを選択…</translation>
-    </message>
-    <message>
         <source>A calibration file of Dewpoint or another program. Cameras are matched by name, or by order if the names differ</source>
         <translation>Dewpoint または他のプログラムのキャリブレーションファイル。カメラは名前で対応づけ、名前が違えば順番で対応づけます</translation>
     </message>
@@ -4747,10 +4811,6 @@ Effective sample size %8 of %9</source>
     <message>
         <source>Continue without a calibration file</source>
         <translation>キャリブレーションファイルを使いません</translation>
-    </message>
-    <message>
-        <source>Choose a calibration</source>
-        <translation>キャリブレーションを選択</translation>
     </message>
     <message>
         <source>Recognized: %1. The file does not contain everything: %2. Create the project without this file, then choose Calibration › Import calibration and enter what is missing.</source>
@@ -4785,6 +4845,18 @@ Effective sample size %8 of %9</source>
     <message>
         <source>Reading…</source>
         <translation>読み込み中…</translation>
+    </message>
+    <message>
+        <source>Import calibration…</source>
+        <translation>キャリブレーションをインポート…</translation>
+    </message>
+    <message>
+        <source>Import a calibration</source>
+        <translation>キャリブレーションをインポート</translation>
+    </message>
+    <message>
+        <source>%1 (found beside the recordings)</source>
+        <translation>%1（録画と同じフォルダーで検出）</translation>
     </message>
 </context>
 <context>
@@ -4833,10 +4905,6 @@ Effective sample size %8 of %9</source>
         <translation>長さの単位。形式が定めていない場合</translation>
     </message>
     <message>
-        <source>format default</source>
-        <translation>形式の既定</translation>
-    </message>
-    <message>
         <source>meters</source>
         <translation>メートル</translation>
     </message>
@@ -4867,6 +4935,10 @@ Effective sample size %8 of %9</source>
     <message>
         <source>%1: with the exported lens, %2 of 81 tested directions can no longer be projected into the image</source>
         <translation>%1: 書き出したレンズでは、調べた 81 方向のうち %2 方向を画像に投影できなくなりました</translation>
+    </message>
+    <message>
+        <source>usual for the format</source>
+        <translation>形式の標準</translation>
     </message>
 </context>
 <context>
@@ -4923,10 +4995,6 @@ Effective sample size %8 of %9</source>
         <translation>カメラごとのファイルがあるフォルダーを選択</translation>
     </message>
     <message>
-        <source>Use these cameras</source>
-        <translation>このカメラを使う</translation>
-    </message>
-    <message>
         <source>Use the calibration in the project; you can undo this</source>
         <translation>キャリブレーションをプロジェクトで使います。元に戻せます</translation>
     </message>
@@ -4967,10 +5035,6 @@ Effective sample size %8 of %9</source>
         <translation>魚眼の k1 k2 k3 k4</translation>
     </message>
     <message>
-        <source>format default</source>
-        <translation>形式の既定</translation>
-    </message>
-    <message>
         <source>camera from world</source>
         <translation>世界からカメラへ</translation>
     </message>
@@ -4993,10 +5057,6 @@ Effective sample size %8 of %9</source>
     <message>
         <source>Unit of the lengths in the file; or enter the length of one unit in meters, such as 0.025 for squares of 25 mm</source>
         <translation>ファイル内の長さの単位。または1単位の長さをメートルで入力（25 mm のマス目なら 0.025）</translation>
-    </message>
-    <message>
-        <source>Four coefficients</source>
-        <translation>4つの係数</translation>
     </message>
     <message>
         <source>Meaning of the four lens coefficients</source>
@@ -5082,12 +5142,24 @@ Effective sample size %8 of %9</source>
         <source>After the import, projected points are at most %1 away from where the file projects them</source>
         <translation>インポート後、投影した点の位置は、ファイルによる投影位置から最大 %1 ずれます</translation>
     </message>
+    <message>
+        <source>Apply calibration</source>
+        <translation>キャリブレーションを適用</translation>
+    </message>
+    <message>
+        <source>usual for the format</source>
+        <translation>形式の標準</translation>
+    </message>
+    <message>
+        <source>Lens model (4 coefficients)</source>
+        <translation>レンズモデル（係数 4 個）</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::CalibrationMode</name>
     <message>
-        <source>Camera calibration</source>
-        <translation>カメラのキャリブレーション</translation>
+        <source>Calibration</source>
+        <translation>校正</translation>
     </message>
 </context>
 <context>
@@ -5391,14 +5463,6 @@ Effective sample size %8 of %9</source>
         <translation>画像を回転</translation>
     </message>
     <message>
-        <source>Choose a calibration</source>
-        <translation>キャリブレーションを選択</translation>
-    </message>
-    <message>
-        <source>Calibrations (*.toml);;All files (*)</source>
-        <translation>キャリブレーション (*.toml);;すべてのファイル (*)</translation>
-    </message>
-    <message>
         <source>Cameras</source>
         <translation>カメラ</translation>
     </message>
@@ -5429,14 +5493,6 @@ Effective sample size %8 of %9</source>
     <message>
         <source>Rotated</source>
         <translation>回転</translation>
-    </message>
-    <message>
-        <source>Load calibration…</source>
-        <translation>キャリブレーションを読み込む…</translation>
-    </message>
-    <message>
-        <source>Load the calibration of all cameras from a file</source>
-        <translation>すべてのカメラのキャリブレーションをファイルから読み込みます</translation>
     </message>
     <message>
         <source>simulated</source>
@@ -5521,32 +5577,20 @@ Position x, y, z: %4, %5, %6</source>
         <translation>画像が遅れているミリ秒数</translation>
     </message>
     <message>
-        <source>Load calibration</source>
-        <translation>キャリブレーションを読み込む</translation>
-    </message>
-    <message>
-        <source>The calibration uses other camera names. The cameras were matched by order.</source>
-        <translation>キャリブレーションのカメラ名が異なるため、順番で対応づけました。</translation>
-    </message>
-    <message>
-        <source>The cameras now use the calibration from %1.</source>
-        <translation>カメラは %1 のキャリブレーションを使います。</translation>
-    </message>
-    <message>
-        <source>Probably a mistake: %1</source>
-        <translation>おそらく誤りです: %1</translation>
-    </message>
-    <message>
-        <source>%1. Choose Calibration › Import calibration instead.</source>
-        <translation>%1。代わりに「キャリブレーション › キャリブレーションをインポート」を選んでください。</translation>
-    </message>
-    <message>
         <source>Keep estimated delay</source>
         <translation>推定した遅延の採用</translation>
     </message>
     <message>
         <source>How far the images are rotated clockwise before they are used. The calibration is rotated with them</source>
         <translation>使用する前に画像を時計回りに回転する角度。キャリブレーションも一緒に回転します</translation>
+    </message>
+    <message>
+        <source>Import calibration…</source>
+        <translation>キャリブレーションをインポート…</translation>
+    </message>
+    <message>
+        <source>Import the calibration of the cameras from a file of Dewpoint or another program</source>
+        <translation>Dewpoint またはほかのプログラムのファイルからカメラのキャリブレーションをインポートします</translation>
     </message>
 </context>
 <context>
@@ -5690,8 +5734,8 @@ Position x, y, z: %4, %5, %6</source>
         <translation>この色をターゲットの色に加えます（Shift クリックでも可）</translation>
     </message>
     <message>
-        <source>Remove this color from the colors of the target (Alt-click does the same)</source>
-        <translation>この色をターゲットの色から除外します（Alt クリックでも可）</translation>
+        <source>Remove this color from the colors of the target (Ctrl+Shift-click does the same)</source>
+        <translation>この色をターゲットの色から除外します（Ctrl+Shift+クリックでも可）</translation>
     </message>
 </context>
 <context>
@@ -5877,16 +5921,16 @@ Position x, y, z: %4, %5, %6</source>
         <translation>%1、フレーム %2、ピクセル %3, %4</translation>
     </message>
     <message>
-        <source>Shift-click in an image to add a sample, Alt-click or Ctrl+Shift-click to exclude one. Samples marked “found” were detected in other cameras.</source>
-        <translation>画像を Shift+クリックすると見本を追加し、Alt+クリックまたは Ctrl+Shift+クリックすると除外します。「検出」と表示された見本は、他のカメラで見つかったものです。</translation>
-    </message>
-    <message>
         <source>Remove the selected sample and learn from the others (Del). If the sample is marked “found”, it becomes an excluded sample.</source>
         <translation>選択した見本を削除し、残りから学習します (Del)。「検出」と表示された見本は除外見本になります。</translation>
     </message>
     <message>
         <source>found by Dewpoint: %1, frame %2, pixel %3, %4</source>
         <translation>Dewpoint が検出: %1、フレーム %2、ピクセル %3, %4</translation>
+    </message>
+    <message>
+        <source>Shift-click in an image to add a sample, Ctrl+Shift-click or Alt-click to exclude one. Samples marked “found” were detected in other cameras.</source>
+        <translation>画像を Shift+クリックすると見本を追加し、Ctrl+Shift+クリックまたは Alt+クリックすると除外します。「検出」と表示された見本は、他のカメラで見つかったものです。</translation>
     </message>
 </context>
 <context>
@@ -6227,6 +6271,10 @@ Position x, y, z: %4, %5, %6</source>
         <source>How often each case is run, each time with another seed. More runs take longer and give more certain results.</source>
         <translation>各ケースを、毎回別のシードで何回実行するか。多いほど時間がかかり、結果が確かになります。</translation>
     </message>
+    <message>
+        <source>No program was found that shows the report. It is in %1.</source>
+        <translation>レポートを表示するプログラムが見つかりません。レポートは %1 にあります。</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::ExportDialog</name>
@@ -6406,14 +6454,6 @@ Position x, y, z: %4, %5, %6</source>
         <translation> 回/秒</translation>
     </message>
     <message>
-        <source>Notes about the run</source>
-        <translation>実行の情報</translation>
-    </message>
-    <message>
-        <source>live</source>
-        <translation>追跡中の値</translation>
-    </message>
-    <message>
         <source>smoothed after the run</source>
         <translation>実行後に平滑化</translation>
     </message>
@@ -6424,10 +6464,6 @@ Position x, y, z: %4, %5, %6</source>
     <message>
         <source>fill</source>
         <translation>埋める</translation>
-    </message>
-    <message>
-        <source>format default</source>
-        <translation>形式の既定</translation>
     </message>
     <message>
         <source>Z up</source>
@@ -6446,10 +6482,6 @@ Position x, y, z: %4, %5, %6</source>
         <translation>ミリメートル</translation>
     </message>
     <message>
-        <source>Live: as estimated during the run. Smoothed: estimated after the run, from all earlier and later frames</source>
-        <translation>追跡中の値：実行中の推定値。平滑化：実行の後に、前後すべてのフレームから推定した値</translation>
-    </message>
-    <message>
         <source>Earliest time to export, 0 to 1,000,000 s</source>
         <translation>書き出す最初の時刻（0〜1,000,000 s）</translation>
     </message>
@@ -6462,8 +6494,24 @@ Position x, y, z: %4, %5, %6</source>
         <translation>1秒あたりの行数（0.001〜10,000）。フレーム間の位置は補間します</translation>
     </message>
     <message>
-        <source>Write the method, seed, parameters, units and axes into the file as comments</source>
-        <translation>手法、シード、パラメータ、単位、軸をコメントとしてファイルに書きます</translation>
+        <source>As tracked: estimated during the run, from earlier frames alone. Smoothed: estimated after the run, from earlier and later frames</source>
+        <translation>追跡中の値：実行中に、それより前のフレームだけから推定した値。平滑化：実行の後に、前後のフレームから推定した値</translation>
+    </message>
+    <message>
+        <source>Notes at the top of the file</source>
+        <translation>ファイルの先頭に情報を書く</translation>
+    </message>
+    <message>
+        <source>Lines that describe the run: method, seed, parameters, units and axes. Without them, a CSV file begins with the names of its columns. TRC and C3D files have no notes</source>
+        <translation>実行を説明する行です：手法、シード、パラメータ、単位、軸。これがないと、CSV ファイルは列名から始まります。TRC と C3D のファイルにはこの情報はありません</translation>
+    </message>
+    <message>
+        <source>as tracked (live)</source>
+        <translation>追跡中の値（ライブ）</translation>
+    </message>
+    <message>
+        <source>%1 (usual for this format)</source>
+        <translation>%1（この形式の標準）</translation>
     </message>
 </context>
 <context>
@@ -6668,16 +6716,36 @@ Position x, y, z: %4, %5, %6</source>
         <translation>前の状態</translation>
     </message>
     <message>
-        <source>Show the grid before your changes</source>
-        <translation>変更前の格子を表示</translation>
-    </message>
-    <message>
         <source>Position of the corner at which the axes of the grid start, in meters</source>
         <translation>格子の軸が始まる角の位置（メートル）</translation>
     </message>
     <message>
-        <source>Hold down this button to show the grid as it was when you opened the calibration. You can also hold down B while the pointer is over an image</source>
-        <translation>このボタンを押している間、キャリブレーションを開いたときの格子を表示します。ポインターを画像に重ねて B を押し続けても表示できます</translation>
+        <source>Show the grid with earlier cameras</source>
+        <translation>以前のカメラで格子を表示</translation>
+    </message>
+    <message>
+        <source>Hold down this button to draw the grid with the earlier cameras that you chose below. The key B does the same after you have clicked an image</source>
+        <translation>このボタンを押している間、下で選んだ以前のカメラで格子を描きます。画像をクリックした後は B キーでも同じです</translation>
+    </message>
+    <message>
+        <source>Before shows</source>
+        <translation>「前の状態」の表示</translation>
+    </message>
+    <message>
+        <source>cameras when the panel was opened</source>
+        <translation>パネルを開いたときのカメラ</translation>
+    </message>
+    <message>
+        <source>cameras before the last change</source>
+        <translation>最後の変更前のカメラ</translation>
+    </message>
+    <message>
+        <source>Earlier cameras that Before shows</source>
+        <translation>「前の状態」で表示するカメラ</translation>
+    </message>
+    <message>
+        <source>The cameras as they were when you opened this panel, or as they were before the last step that changed a camera</source>
+        <translation>このパネルを開いたときのカメラ、またはカメラを最後に変更した操作の前のカメラ</translation>
     </message>
 </context>
 <context>
@@ -6866,16 +6934,8 @@ Position x, y, z: %4, %5, %6</source>
         <translation>先に色を学習してください。カメラ画像のターゲットをクリックします。</translation>
     </message>
     <message>
-        <source>Click: add a sample · Alt: exclude · Esc: stop</source>
-        <translation>クリック：見本を追加 · Alt：除外 · Esc：終了</translation>
-    </message>
-    <message>
         <source>Click: exclude a color · Esc: stop</source>
         <translation>クリック：色を除外 · Esc：終了</translation>
-    </message>
-    <message>
-        <source>Click: learn · Shift: add · Alt: exclude · Esc: stop</source>
-        <translation>クリック：学習 · Shift：追加 · Alt：除外 · Esc：終了</translation>
     </message>
     <message>
         <source>Click the object in a camera image, or drag a box around it.
@@ -6890,16 +6950,24 @@ When this button is off, Shift-click does the same.</source>
 このボタンがオフのときは、Shift クリックで同じことができます。</translation>
     </message>
     <message>
-        <source>Click something that has the target&apos;s color but is not the target, to exclude it.
-When this button is off, Alt-click or Ctrl+Shift-click does the same.</source>
-        <translation>ターゲットの色をしているがターゲットではない物をクリックして除外します。
-このボタンがオフのときは、Alt クリックまたは Ctrl+Shift クリックで同じことができます。</translation>
-    </message>
-    <message>
         <source>Click the target in a camera image, or drag a box around it,
 to learn its color again.</source>
         <translation>カメラ画像でターゲットをクリックするか、囲む枠をドラッグすると、
 色を学習し直します。</translation>
+    </message>
+    <message>
+        <source>Click something that has the target&apos;s color but is not the target, to exclude it.
+When this button is off, Ctrl+Shift-click does the same; so does Alt-click, where the desktop does not use it.</source>
+        <translation>ターゲットの色をしているがターゲットではない物をクリックして除外します。
+このボタンがオフのときは、Ctrl+Shift+クリックで同じことができます。デスクトップが使っていなければ Alt+クリックでもできます。</translation>
+    </message>
+    <message>
+        <source>Click: add a sample · Ctrl+Shift: exclude · Esc: stop</source>
+        <translation>クリック：見本を追加 · Ctrl+Shift：除外 · Esc：終了</translation>
+    </message>
+    <message>
+        <source>Click: learn · Shift: add · Ctrl+Shift: exclude · Esc: stop</source>
+        <translation>クリック：学習 · Shift：追加 · Ctrl+Shift：除外 · Esc：終了</translation>
     </message>
 </context>
 <context>
@@ -7010,10 +7078,6 @@ to learn its color again.</source>
 <context>
     <name>dewpoint::ui::ManualCalibrationPage</name>
     <message>
-        <source>Drag the grid in an image until it matches the real scene. Click a grid point to hold it in place.</source>
-        <translation>画像の中で格子を実際の場面に重なるまでドラッグします。格子の点をクリックするとそこに固定されます。</translation>
-    </message>
-    <message>
         <source>Camera</source>
         <translation>カメラ</translation>
     </message>
@@ -7028,6 +7092,10 @@ to learn its color again.</source>
     <message>
         <source>By hand</source>
         <translation>手動</translation>
+    </message>
+    <message>
+        <source>Drag the grid in an image until it matches the real scene. Click a grid point to hold it in place. Turn the wheel to zoom; double-click beside the grid points to see the whole image.</source>
+        <translation>画像の中で格子を実際の場面に重なるまでドラッグします。格子の点をクリックするとそこに固定されます。ホイールで拡大し、格子の点から離れた場所をダブルクリックすると画像全体を表示します。</translation>
     </message>
 </context>
 <context>
@@ -7846,12 +7914,22 @@ to learn its color again.</source>
         <source>The target whose values are plotted: the target selected in the panel Target, or the first target if none is selected.</source>
         <translation>値をグラフにするターゲット：「ターゲット」パネルで選択したもの、選択していなければ最初のもの。</translation>
     </message>
+    <message>
+        <source>The frame that all views show. The numbers beside the plots belong to it.
+In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Shift+wheel moves along the time axis.</source>
+        <translation>すべてのビューが表示しているフレームです。グラフの横の数値はこのフレームのものです。
+グラフでは、ホイールでスクロール、Ctrl+ホイールでポインターの位置を中心に時間軸を拡大縮小、Shift+ホイールで時間軸に沿って移動します。</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::PlotStack</name>
     <message>
         <source>frame %1, iteration %2, %3</source>
         <translation>フレーム %1、反復 %2、%3</translation>
+    </message>
+    <message>
+        <source>Click: go to this frame · Ctrl+wheel: zoom</source>
+        <translation>クリック：このフレームへ · Ctrl+ホイール：拡大縮小</translation>
     </message>
 </context>
 <context>
@@ -7889,24 +7967,8 @@ to learn its color again.</source>
         <translation>測定点からカメラを求める</translation>
     </message>
     <message>
-        <source>No point has been clicked yet: select one, then click it in the images</source>
-        <translation>まだ点がクリックされていません。点を選び、画像でクリックしてください</translation>
-    </message>
-    <message>
         <source>%1: average error %2</source>
         <translation>%1: 平均誤差 %2</translation>
-    </message>
-    <message>
-        <source>%1: %2 points are not enough, click at least four</source>
-        <translation>%1: %2 点では足りません。四点以上クリックしてください</translation>
-    </message>
-    <message>
-        <source>%1: its points lie on one line, add a point beside the line</source>
-        <translation>%1: 点が一直線上にあります。外れた点を加えてください</translation>
-    </message>
-    <message>
-        <source>%1: average error %2, but a second pose fits equally well: add a point outside the plane of the others</source>
-        <translation>%1: 平均誤差 %2 ですが、別の姿勢も同じくらい合います。ほかの点がのる平面の外に点を加えてください</translation>
     </message>
     <message>
         <source>%1: no pose fits the clicked points</source>
@@ -7944,16 +8006,46 @@ to learn its color again.</source>
         <source>The images of %1 are rotated: turn them clockwise by %2 degrees</source>
         <translation>%1 の画像は回転しています: 時計回りに %2 度回してください</translation>
     </message>
+    <message>
+        <source>%1: the focal length was kept, because computing it needs at least %2 points</source>
+        <translation>%1: 焦点距離はそのままです。求めるには少なくとも %2 点が必要です</translation>
+    </message>
+    <message>
+        <source>No point has been clicked yet. Press “Click in images”, then click the selected point in the images</source>
+        <translation>まだ点がクリックされていません。「画像でクリック」を押してから、選んだ点を画像でクリックしてください</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n point(s) clicked, but at least %2 are needed (six are better)</source>
+        <translation>
+            <numerusform>%1: %n 点がクリックされていますが、少なくとも %2 点が必要です（6 点がよりよい）</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: all points lie on one line. Add a point beside this line</source>
+        <translation>%1: すべての点が一直線上にあります。この線から外れた点を加えてください</translation>
+    </message>
+    <message>
+        <source>%1: average error %2, but a second pose fits equally well. Add a point outside the plane of the others</source>
+        <translation>%1: 平均誤差 %2 ですが、別の姿勢も同じくらい合います。ほかの点がのる平面の外に点を加えてください</translation>
+    </message>
+    <message>
+        <source>Mirror the images of %1</source>
+        <translation>%1 の画像を左右反転</translation>
+    </message>
+    <message>
+        <source>Rotate the images of %1 clockwise by %2, and mirror them</source>
+        <translation>%1 の画像を時計回りに %2 回転し、左右反転</translation>
+    </message>
+    <message>
+        <source>Rotate the images of %1 clockwise by %2</source>
+        <translation>%1 の画像を時計回りに %2 回転</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::PointsTable</name>
     <message>
         <source>Measured points</source>
         <translation>測定点</translation>
-    </message>
-    <message>
-        <source>Positions measured with a tape, in meters: double-click to edit. The highlighted row has the largest error.</source>
-        <translation>巻尺で測った位置（メートル）。ダブルクリックで編集できます。強調された行の誤差が最も大きいです。</translation>
     </message>
     <message>
         <source>Point</source>
@@ -7970,10 +8062,6 @@ to learn its color again.</source>
     <message>
         <source>z m</source>
         <translation>z m</translation>
-    </message>
-    <message>
-        <source>seen</source>
-        <translation>可視</translation>
     </message>
     <message>
         <source>px</source>
@@ -7996,10 +8084,6 @@ to learn its color again.</source>
         <translation>点を削除</translation>
     </message>
     <message>
-        <source>Remove the chosen point</source>
-        <translation>選んだ点を削除します</translation>
-    </message>
-    <message>
         <source>Click in images</source>
         <translation>画像でクリック</translation>
     </message>
@@ -8016,16 +8100,8 @@ to learn its color again.</source>
         <translation>カメラを求める</translation>
     </message>
     <message>
-        <source>Compute the poses of all cameras in which points were clicked; each needs at least four points</source>
-        <translation>点をクリックしたすべてのカメラの姿勢を求めます(各四点以上)</translation>
-    </message>
-    <message>
         <source>%1: %2, %3</source>
         <translation>%1: %2、%3</translation>
-    </message>
-    <message>
-        <source>Apply: %1</source>
-        <translation>適用: %1</translation>
     </message>
     <message>
         <source>Rotate or mirror the images of this camera and compute its pose again</source>
@@ -8040,8 +8116,24 @@ to learn its color again.</source>
         <translation>選んだカメラの画像から、選んだ点のクリックを消します</translation>
     </message>
     <message>
-        <source>Also compute the focal length of each camera in which you clicked six or more points</source>
-        <translation>6 点以上をクリックした各カメラの焦点距離も求めます</translation>
+        <source>Positions measured with a tape, in meters: double-click to edit. ▲ marks the point with the largest error.</source>
+        <translation>巻尺で測った位置（メートル）。ダブルクリックで編集できます。▲ は誤差が最も大きい点です。</translation>
+    </message>
+    <message>
+        <source>clicked</source>
+        <translation>クリック数</translation>
+    </message>
+    <message>
+        <source>Remove the selected point</source>
+        <translation>選択した点を削除します</translation>
+    </message>
+    <message>
+        <source>Also compute the focal length of each camera in which you clicked six or more points. Other cameras keep their focal length</source>
+        <translation>6 点以上をクリックした各カメラの焦点距離も求めます。ほかのカメラの焦点距離はそのままです</translation>
+    </message>
+    <message>
+        <source>Compute the poses of all cameras in which points were clicked. Each camera needs at least four points; six that do not all lie in one plane are better</source>
+        <translation>点をクリックしたすべてのカメラの姿勢を求めます。各カメラに少なくとも 4 点が必要です。一つの平面に並ばない 6 点がよりよい結果になります</translation>
     </message>
 </context>
 <context>
@@ -8557,10 +8649,6 @@ to learn its color again.</source>
         <translation>乱数のシード</translation>
     </message>
     <message>
-        <source>Memory used by the history</source>
-        <translation>履歴のメモリ</translation>
-    </message>
-    <message>
         <source>%1 of %2 particles</source>
         <translation>粒子 %1 / %2</translation>
     </message>
@@ -8583,6 +8671,10 @@ to learn its color again.</source>
     <message>
         <source>Time from light to estimate</source>
         <translation>光から推定までの時間</translation>
+    </message>
+    <message>
+        <source>Memory for going back</source>
+        <translation>過去に戻るためのメモリ</translation>
     </message>
 </context>
 <context>
@@ -8834,10 +8926,6 @@ to learn its color again.</source>
         <translation>1 秒間隠れる</translation>
     </message>
     <message>
-        <source>Four balls have the same color, but only one of them moves.</source>
-        <translation>4 つのボールが同じ色ですが、動くのは 1 つだけです。</translation>
-    </message>
-    <message>
         <source>People in an office</source>
         <translation>オフィスの人々</translation>
     </message>
@@ -8898,10 +8986,6 @@ to learn its color again.</source>
         <translation>以前に保存したプロジェクト</translation>
     </message>
     <message>
-        <source>Four identical balls</source>
-        <translation>そっくりな 4 つのボール</translation>
-    </message>
-    <message>
         <source>A box passes in front of the ball. One camera is enough to keep tracking the ball.</source>
         <translation>箱がボールの前を横切ります。カメラ 1 台だけでボールの追跡を保てます。</translation>
     </message>
@@ -8912,6 +8996,14 @@ to learn its color again.</source>
     <message>
         <source>Videos of a board or a ball, step by step</source>
         <translation>ボードまたはボールの映像から、手順に沿って</translation>
+    </message>
+    <message>
+        <source>Identical balls</source>
+        <translation>同じ色のボール</translation>
+    </message>
+    <message>
+        <source>Other balls have the same color, but only one ball moves.</source>
+        <translation>同じ色のボールがほかにもありますが、動くのは1つだけです。</translation>
     </message>
 </context>
 <context>
@@ -9286,10 +9378,6 @@ to learn its color again.</source>
 <context>
     <name>dewpoint::ui::Timeline</name>
     <message>
-        <source>Memory for looking back: images, particles and saved states of the method. When it is full, only the estimates of older frames are kept.</source>
-        <translation>過去を表示するためのメモリ: 画像、粒子、手法の保存状態。いっぱいになると、古いフレームは推定値だけが残ります。</translation>
-    </message>
-    <message>
         <source>Nothing tracked yet: press play (Space), then drag here to move through time.</source>
         <translation>まだ追跡していません: 再生 (スペース) してから、ここをドラッグして時間を移動します。</translation>
     </message>
@@ -9300,6 +9388,10 @@ to learn its color again.</source>
     <message>
         <source>The change applies to new frames. Use “%1” to track again from the current frame.</source>
         <translation>変更は新しいフレームに適用されます。「%1」で現在のフレームから追跡し直せます。</translation>
+    </message>
+    <message>
+        <source>Memory for going back to earlier frames: images, particles and saved states of the method. When it is full, only the estimates of older frames are kept.</source>
+        <translation>前のフレームに戻るためのメモリ: 画像、粒子、手法の保存状態。いっぱいになると、古いフレームは推定値だけが残ります。</translation>
     </message>
 </context>
 <context>
@@ -9607,10 +9699,6 @@ to learn its color again.</source>
         <translation>動画を書き出す</translation>
     </message>
     <message>
-        <source>First image</source>
-        <translation>最初の画像</translation>
-    </message>
-    <message>
         <source>File</source>
         <translation>ファイル</translation>
     </message>
@@ -9829,6 +9917,25 @@ to learn its color again.</source>
     <message>
         <source>Write the name of the recording, the frame number and the time into the video</source>
         <translation>録画の名前、フレーム番号、時刻を動画に書きます</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::VideoPreview</name>
+    <message>
+        <source>Preview</source>
+        <translation>プレビュー</translation>
+    </message>
+    <message>
+        <source>Image</source>
+        <translation>画像</translation>
+    </message>
+    <message>
+        <source>Choose the image of the video that the preview shows</source>
+        <translation>プレビューに表示する動画の画像を選びます</translation>
+    </message>
+    <message>
+        <source>Image %1 of %2: frame %3</source>
+        <translation>画像 %1 / %2：フレーム %3</translation>
     </message>
 </context>
 <context>
@@ -10271,6 +10378,10 @@ to learn its color again.</source>
         <source>%1 was far off: the refinement rotates it by %2 and moves it by %3, much more than the others. Was it moved after its calibration?</source>
         <translation>%1は大きくずれていました。補正で%2回転し、%3移動します。ほかのカメラよりはるかに大きな値です。キャリブレーションの後に動かしませんでしたか?</translation>
     </message>
+    <message>
+        <source>The cameras as they were explain the images as well. Keep them, or wave longer and through more of the volume.</source>
+        <translation>これまでのカメラでも画像を同じ程度に説明できます。そのまま使うか、より長く、空間のより広い範囲で振ってください。</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::WandWaving</name>
@@ -10487,10 +10598,6 @@ to learn its color again.</source>
         <translation>点</translation>
     </message>
     <message>
-        <source>seen</source>
-        <translation>写った数</translation>
-    </message>
-    <message>
         <source>x m</source>
         <translation>x m</translation>
     </message>
@@ -10665,6 +10772,10 @@ to learn its color again.</source>
     <message>
         <source>Click the selected point in two or more images. Near a corner, the click moves exactly onto the corner; hold Alt to prevent this. Press Esc to finish.</source>
         <translation>選択した点を 2 つ以上の画像でクリックします。角の近くでは、クリックがちょうど角に移ります。Alt を押していると移りません。Esc で終了します。</translation>
+    </message>
+    <message>
+        <source>marked</source>
+        <translation>マーク数</translation>
     </message>
 </context>
 </TS>
