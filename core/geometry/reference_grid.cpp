@@ -178,27 +178,6 @@ private:
   std::vector<std::vector<Eigen::Vector2d>> strokes_;
 };
 
-/// The crossing of lines nearest to a pixel, within reach.
-std::optional<Eigen::Vector3d> nearestCrossing(const Camera& camera, const ReferenceGrid& grid,
-                                               const Eigen::Vector2d& pixel, double reach) {
-  const Projector projector(camera);
-  const Eigen::Isometry3d worldFromGrid = grid.worldFromGrid();
-  std::optional<Eigen::Vector3d> nearest;
-  for (const auto& [first, second] : sidesOf(grid.kind)) {
-    for (const double a : linesOf(grid.size[first], grid.step)) {
-      for (const double b : linesOf(grid.size[second], grid.step)) {
-        const Eigen::Vector3d world = worldFromGrid * placed(first, a, second, b);
-        const auto seen = projector.project(world);
-        if (seen && (*seen - pixel).norm() < reach) {
-          reach = (*seen - pixel).norm();
-          nearest = world;
-        }
-      }
-    }
-  }
-  return nearest;
-}
-
 /// How far along a ray (in the grid's frame) it meets a side of the grid; the plane of the only
 /// side has no end.
 std::optional<double> meets(const ReferenceGrid& grid, std::pair<int, int> side,
@@ -313,9 +292,29 @@ ProjectedGrid projectGrid(const Camera& camera, const ReferenceGrid& grid) {
   return result;
 }
 
+std::optional<Eigen::Vector3d> crossingAt(const Camera& camera, const ReferenceGrid& grid,
+                                          const Eigen::Vector2d& pixel, double reach) {
+  const Projector projector(camera);
+  const Eigen::Isometry3d worldFromGrid = grid.worldFromGrid();
+  std::optional<Eigen::Vector3d> nearest;
+  for (const auto& [first, second] : sidesOf(grid.kind)) {
+    for (const double a : linesOf(grid.size[first], grid.step)) {
+      for (const double b : linesOf(grid.size[second], grid.step)) {
+        const Eigen::Vector3d world = worldFromGrid * placed(first, a, second, b);
+        const auto seen = projector.project(world);
+        if (seen && (*seen - pixel).norm() < reach) {
+          reach = (*seen - pixel).norm();
+          nearest = world;
+        }
+      }
+    }
+  }
+  return nearest;
+}
+
 std::optional<Eigen::Vector3d> gridPointAt(const Camera& camera, const ReferenceGrid& grid,
                                            const Eigen::Vector2d& pixel, double reach) {
-  if (const auto crossing = nearestCrossing(camera, grid, pixel, reach)) {
+  if (const auto crossing = crossingAt(camera, grid, pixel, reach)) {
     return crossing;
   }
   const auto ray = Unprojector(camera).ray(pixel);

@@ -83,6 +83,11 @@ struct ProjectedGrid {
 /// model are left out.
 ProjectedGrid projectGrid(const Camera& camera, const ReferenceGrid& grid);
 
+/// Returns the intersection of grid lines (world frame, meters) that is nearest to `pixel` in the
+/// image, or nothing if none is within `reach` pixels.
+std::optional<Eigen::Vector3d> crossingAt(const Camera& camera, const ReferenceGrid& grid,
+                                          const Eigen::Vector2d& pixel, double reach);
+
 /// Returns the world point (meters) that the user means by a click at `pixel`, or nothing if the
 /// lens model has no ray for the pixel. The point is the first of these that exists:
 /// - the nearest intersection of grid lines within `reach` pixels

@@ -211,16 +211,8 @@ void ManualCalibration::togglePin(int camera, const Eigen::Vector2d& pixel, doub
   Q_EMIT changed();
 }
 
-bool ManualCalibration::isGridPointAt(int camera, const Eigen::Vector2d& pixel,
-                                      double reach) const {
-  const Camera seen = cameraAt(camera);
-  const Projector projector(seen);
-  const auto isThere = [&](const Eigen::Vector3d& pin) {
-    const auto at = projector.project(pin);
-    return at && (*at - pixel).norm() < reach;
-  };
-  return std::ranges::any_of(pins(camera), isThere) ||
-         gridPointAt(seen, grid(), pixel, reach).has_value();
+bool ManualCalibration::isCrossingAt(int camera, const Eigen::Vector2d& pixel, double reach) const {
+  return geometry::crossingAt(cameraAt(camera), grid(), pixel, reach).has_value();
 }
 
 void ManualCalibration::clearPins(int camera) {

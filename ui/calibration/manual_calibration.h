@@ -79,9 +79,8 @@ public:
 
   // Dragging in images.
   const std::vector<Eigen::Vector3d>& pins(int camera) const;
-  /// Returns whether there is a pin or a grid point at most `reach` pixels from `pixel`: a click
-  /// there is for the grid.
-  bool isGridPointAt(int camera, const Eigen::Vector2d& pixel, double reach) const;
+  /// Returns whether grid lines cross at most `reach` pixels from `pixel`.
+  bool isCrossingAt(int camera, const Eigen::Vector2d& pixel, double reach) const;
   /// If there is a pin at most `reach` pixels from `pixel`, removes it. Otherwise pins the grid
   /// point there, if there is one within this distance.
   void togglePin(int camera, const Eigen::Vector2d& pixel, double reach);

@@ -64,6 +64,9 @@ void MessageRoomTest::aMessageThatComesLiesOverTheViews() {
   QVERIFY(std::abs(top() - before) <= kStill);
   // It can be seen, and used.
   const QPoint middle = messages()->geometry().center();
+  const QRect at = messages()->geometry();
+  QVERIFY2(window_->rect().contains(at),
+           qPrintable(QStringLiteral("%1 %2 %3 %4").arg(at.x()).arg(at.y()).arg(at.width()).arg(at.height())));
   const QWidget* there = window_->childAt(middle);
   QVERIFY2(there == messages() || messages()->isAncestorOf(there),
            there == nullptr ? "none" : there->metaObject()->className());

@@ -140,15 +140,22 @@ void GridLayer::mouseReleaseEvent(QMouseEvent* event) {
   if (manual_.isDragging()) {
     manual_.endDrag();
   } else {
+    const auto before = manual_.pins(camera_).size();
     manual_.togglePin(camera_, pixelAt(from), toImagePixels(kReachPx));
+    const auto after = manual_.pins(camera_).size();
+    lastClick_ = after > before ? Click::SetPin : after < before ? Click::RemovedPin : Click::None;
   }
 }
 
 void GridLayer::mouseDoubleClickEvent(QMouseEvent* event) {
   const Eigen::Vector2d pixel = pixelAt(event->position());
-  const bool isForGrid =
-      points_.isClicking() || manual_.isGridPointAt(camera_, pixel, toImagePixels(kReachPx));
+  const bool isForGrid = points_.isClicking() || lastClick_ == Click::RemovedPin ||
+                         manual_.isCrossingAt(camera_, pixel, toImagePixels(kReachPx));
   if (event->button() == Qt::LeftButton && !isForGrid && view_->isZoomed()) {
+    if (lastClick_ == Click::SetPin) { // by the first of the two clicks
+      manual_.togglePin(camera_, pixel, toImagePixels(kReachPx));
+    }
+    lastClick_ = Click::None;
     view_->fitImage();
   } else {
     mousePressEvent(event); // two clicks

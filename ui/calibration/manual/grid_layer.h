@@ -18,7 +18,8 @@ class PointCalibrator;
 
 /// Camera view overlay for calibration by hand. Draws the reference grid, pins and measured points
 /// over the image, and handles mouse and keyboard input. A drag moves the grid. A click pins a grid
-/// point or removes its pin. A double click beside the grid points fits a zoomed image. Arrows, W A
+/// point or removes its pin. A double click away from pins and from crossings of grid lines fits a
+/// zoomed image. Arrows, W A
 /// S D, Q and E move or rotate the camera. Shift takes coarse steps. Ctrl (with arrows, page keys,
 /// plus and minus) takes fine steps.
 class GridLayer : public QWidget {
@@ -76,6 +77,8 @@ private:
   ManualCalibration& manual_;
   PointCalibrator& points_;
   TrackSnapshotPtr snapshot_;
+  enum class Click { None, SetPin, RemovedPin };
+  Click lastClick_ = Click::None;  ///< what the last click did
   std::optional<QPointF> pressed_; ///< widget coordinates; may still become a click or a drag
   std::optional<QPointF> pointer_; ///< widget coordinates
   bool exact_ = false;             ///< Alt is held down: no snapping

@@ -76,7 +76,7 @@ QPointF CalibrationClicksTest::besideTheGrid() {
   for (double y = 5.0; y < image.height - 5.0; y += 2.0) {
     for (double x = 5.0; x < image.width - 5.0; x += 2.0) {
       const QPointF at = placed(0, {x, y});
-      if (!gridPointAt(camera(0), grid_, {x, y}, 10.0 / view(0)->placement().scale) &&
+      if (!geometry::crossingAt(camera(0), grid_, {x, y}, 10.0 / view(0)->placement().scale) &&
           layer(0)->rect().contains(at.toPoint())) {
         return at;
       }
@@ -92,8 +92,11 @@ void CalibrationClicksTest::aDoubleClickBesideTheGridFits() {
   const QPoint on = placed(0, seen(0, crossings(0).front())).toPoint();
   QTest::mouseDClick(layer(0), Qt::LeftButton, {}, on); // two clicks on a point of the grid
   QVERIFY(view(0)->isZoomed());
+  auto* manual = window_->findChild<ManualCalibration*>();
+  const auto pins = manual->pins(0).size();
   QTest::mouseDClick(layer(0), Qt::LeftButton, {}, besideTheGrid().toPoint());
   QVERIFY(!view(0)->isZoomed());
+  QCOMPARE(manual->pins(0).size(), pins); // none is left by the first of the two clicks
   QCOMPARE(history().count(), 0);
 }
 
