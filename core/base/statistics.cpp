@@ -37,12 +37,15 @@ double quantile(const std::vector<double>& sorted, double fraction) {
 }
 
 double studentQuantile95(double freedoms) {
-  constexpr double z = 1.959964; // of the normal distribution
-  const double first = (std::pow(z, 3) + z) / 4.0;
-  const double second = (5.0 * std::pow(z, 5) + 16.0 * std::pow(z, 3) + 3.0 * z) / 96.0;
-  const double third =
-      (3.0 * std::pow(z, 7) + 19.0 * std::pow(z, 5) + 17.0 * std::pow(z, 3) - 15.0 * z) / 384.0;
-  return z + first / freedoms + second / std::pow(freedoms, 2) + third / std::pow(freedoms, 3);
+  constexpr double kNormal = 1.959964; // of the normal distribution
+  const double first = (std::pow(kNormal, 3) + kNormal) / 4.0;
+  const double second =
+      (5.0 * std::pow(kNormal, 5) + 16.0 * std::pow(kNormal, 3) + 3.0 * kNormal) / 96.0;
+  const double third = (3.0 * std::pow(kNormal, 7) + 19.0 * std::pow(kNormal, 5) +
+                        17.0 * std::pow(kNormal, 3) - 15.0 * kNormal) /
+                       384.0;
+  return kNormal + first / freedoms + second / std::pow(freedoms, 2) +
+         third / std::pow(freedoms, 3);
 }
 
 } // namespace dewpoint::base

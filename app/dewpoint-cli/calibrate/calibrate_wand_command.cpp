@@ -183,9 +183,11 @@ int calibrate(WandCommandOptions options) {
   const CameraRig& cameras = result->result.cameras;
   const bool unneeded = isUnneeded(*result);
   const bool better = !isInaccurate(*result) && !unneeded;
-  if (unneeded) {
+  if (unneeded && options.apply) {
     report({ErrorCode::Undetermined, inputs->project.file.string(), "cameras",
-            unneededText(*result) + (options.apply ? "; the project was not changed" : "")});
+            unneededText(*result) + "; the project was not changed"});
+  } else if (unneeded) {
+    fmt::print("note: {}\n", unneededText(*result));
   } else if (!better) {
     report(
         {ErrorCode::Undetermined, inputs->project.file.string(), "cameras",

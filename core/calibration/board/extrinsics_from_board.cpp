@@ -102,13 +102,20 @@ private:
     return {};
   }
 
-  /// Gives cameras back the lenses that they had, if their views do not determine others. Returns
-  /// whether there are such cameras.
+  /// Returns whether a lens that may be off by `worst` pixels is no better than the given one.
+  bool isLensUseless(std::size_t k, double worst) const {
+    const BoardCamera& given = request_.cameras[k];
+    const bool isKnownBetter = worst > kWorstRayPx && given.lensError && *given.lensError < worst;
+    return isKnownBetter || !(worst <= kUndeterminedRayShare * given.camera.intrinsics.width);
+  }
+
+  /// Gives cameras back the lenses that they had, if their views do not determine better ones.
+  /// Returns whether there are such cameras.
   bool keepUndeterminedLenses() {
     bool any = false;
     for (std::size_t k = 0; k < refined_.size(); ++k) {
       const double worst = refined_[k] ? worstRay(k) : 0.0;
-      if (worst <= kWorstRayPx) {
+      if (!refined_[k] || !isLensUseless(k, worst)) {
         continue;
       }
       any = true;

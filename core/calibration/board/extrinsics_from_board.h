@@ -17,11 +17,17 @@ struct BoardCamera {
   Camera camera; ///< its name is used in errors; its pose matters only if it defines the world
   /// Views of different cameras that were taken at the same time have the same BoardView::instant.
   std::vector<BoardView> views;
+  /// Standard deviation, in pixels, of the projection of a ray with the intrinsics of `camera`,
+  /// where it is largest in the image. Empty if unknown.
+  std::optional<double> lensError = {};
 };
 
 /// Standard deviation of the projection of a ray, in pixels, above which intrinsics are too
 /// inaccurate to calibrate with.
 inline constexpr double kWorstRayPx = 10.0;
+/// The same as a share of the width of the image, above which images do not determine intrinsics
+/// at all. Chosen: a lens that may be wrong by a quarter of the image says nothing.
+inline constexpr double kUndeterminedRayShare = 0.25;
 
 /// Input of calibrateExtrinsics().
 struct ExtrinsicsRequest {
@@ -33,9 +39,9 @@ struct ExtrinsicsRequest {
   Eigen::Isometry3d worldFromBoard = worldFromFlatBoard();
   /// True to adjust the intrinsics as well: the focal lengths (a single one if both are equal), the
   /// principal point, and the distortion coefficients that are not zero. A camera keeps its
-  /// intrinsics, and a notice names it, if its views of the board do not determine them: if the
-  /// projection of a ray would have a standard deviation of more than kWorstRayPx somewhere in the
-  /// image.
+  /// intrinsics, and a notice names it, in two cases: its views of the board do not determine them
+  /// (kUndeterminedRayShare), or they determine them badly (kWorstRayPx) and worse than
+  /// BoardCamera::lensError.
   bool refineIntrinsics = false;
 };
 

@@ -167,7 +167,11 @@ Result<ExtrinsicsResult> extrinsicsFromBoards(const Project& project, const Boar
                                              "rotate = 90 or 270 for this camera"
                                            : ""));
     }
-    rigRequest.cameras.push_back({project.cameras[taking[i]].camera, chosen[i]});
+    const ProjectCamera& given = project.cameras[taking[i]];
+    const auto& lens = given.calibrated.lens;
+    rigRequest.cameras.push_back(
+        {given.camera, chosen[i],
+         lens && describes(*lens, given.camera) ? lens->error : std::nullopt});
   }
   auto result = calibrateExtrinsics(rigRequest, progress);
   if (!result && result.error().code == ErrorCode::Canceled) {

@@ -234,6 +234,9 @@ TEST(BoardRecordings, StereoTray) {
   request.refineIntrinsics = true;
   const auto result = calibrateExtrinsics(request);
   ASSERT_TRUE(result) << sentence(result.error());
+  for (const std::string& notice : result->notices) {
+    std::printf("stereo_tray: %s\n", notice.c_str());
+  }
   const Eigen::Vector3d shift =
       (result->cameras[1].cameraFromWorld * result->cameras[0].cameraFromWorld.inverse())
           .translation();
