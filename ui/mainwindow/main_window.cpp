@@ -148,7 +148,7 @@ void MainWindow::installFeatures() {
   auto* takes = new TakeController(bench);
   connect(outputs, &OutputController::recordRequested, takes, &TakeController::startNamed);
   connect(takes, &TakeController::openRequested, this, &MainWindow::openProject);
-  new RunAlerts(bench, *notices_, calibration->manual());
+  new RunAlerts(bench, *notices_, *calibration);
   new OldResultsOffer(bench);
   installRunActions(bench);
   history_ = new HistoryDock(bench);

@@ -4,6 +4,7 @@
 #include "core/calibration/manual/interactive_pose.h"
 #include "core/session/snapshot/snapshot.h"
 #include "core/session/watch/camera_repair.h"
+#include "ui/calibration/calibration_mode.h"
 #include "ui/calibration/manual_calibration.h"
 #include "ui/document/document.h"
 #include "ui/mainwindow/camera_agreement_alerts.h"
@@ -26,14 +27,14 @@
 
 namespace dewpoint::ui {
 
-RunAlerts::RunAlerts(const Workbench& bench, NoticeList& notices, ManualCalibration& manual)
-    : QObject(&bench.window), bench_(bench), notices_(notices), manual_(manual) {
+RunAlerts::RunAlerts(const Workbench& bench, NoticeList& notices, CalibrationMode& calibration)
+    : QObject(&bench.window), bench_(bench), notices_(notices), manual_(calibration.manual()) {
   auto* alerts = new CameraMotionAlerts(bench_.messages, this);
   connect(&bench_.session, &SessionController::snapshotChanged, this, &RunAlerts::showNotices);
   bench_.connectView(alerts);
   connect(alerts, &CameraMotionAlerts::newPoseRequested, this, &RunAlerts::applyNewPose);
   connect(alerts, &CameraMotionAlerts::calibrationRequested, this, &RunAlerts::calibrate);
-  connectAgreement();
+  connectAgreement(calibration);
   addHiddenButton();
   connect(&notices_, &NoticeList::began, this,
           [this](const QString& notice) { bench_.messages.record(notice, Severity::Warning); });
@@ -45,10 +46,10 @@ RunAlerts::RunAlerts(const Workbench& bench, NoticeList& notices, ManualCalibrat
   connect(&bench_.session, &SessionController::failed, &bench_.messages, &MessageBar::showError);
 }
 
-void RunAlerts::connectAgreement() {
+void RunAlerts::connectAgreement(const CalibrationMode& calibration) {
   auto* alerts = new CameraAgreementAlerts(bench_.messages, this);
-  connect(&manual_, &ManualCalibration::activeChanged, alerts,
-          &CameraAgreementAlerts::setSuppressed);
+  connect(&calibration, &CalibrationMode::shown, alerts,
+          [alerts](const QString& page) { alerts->setSuppressed(!page.isEmpty()); });
   bench_.connectView(alerts);
   connect(alerts, &CameraAgreementAlerts::rigCorrectionRequested, this, &RunAlerts::correctRig);
   connect(alerts, &CameraAgreementAlerts::calibrationRequested, this, &RunAlerts::calibrate);

@@ -8,7 +8,7 @@
 
 namespace dewpoint::ui {
 
-class CameraAgreementAlerts;
+class CalibrationMode;
 class ManualCalibration;
 class NoticeList;
 
@@ -17,7 +17,7 @@ class NoticeList;
 class RunAlerts : public QObject {
   Q_OBJECT
 public:
-  RunAlerts(const Workbench& bench, NoticeList& notices, ManualCalibration& manual);
+  RunAlerts(const Workbench& bench, NoticeList& notices, CalibrationMode& calibration);
 
 private:
   void showNotices(const TrackSnapshotPtr& snapshot);
@@ -27,7 +27,8 @@ private:
   /// Applies the pose found by the run for a moved camera to the project.
   void applyNewPose(int camera);
   void calibrate(int camera);
-  void connectAgreement();
+  /// Suppresses the alerts about cameras that disagree while a page for calibration is shown.
+  void connectAgreement(const CalibrationMode& calibration);
   /// Changes the project in one step so that its cameras agree. `choice` is the index of the
   /// correction that the user selected.
   void correctRig(const CameraDisagreement& found, std::size_t choice);

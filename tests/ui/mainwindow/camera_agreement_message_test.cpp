@@ -64,6 +64,7 @@ private Q_SLOTS:
   void cleanup() { window_.reset(); }
   void swappedCamerasAreExchangedByAClick();
   void aRigInMillimetersIsConvertedByAClick();
+  void nothingIsAskedWhileAPageForCalibrationIsShown();
 
 private:
   QPushButton* answer() {
@@ -125,6 +126,31 @@ void CameraAgreementMessageTest::aRigInMillimetersIsConvertedByAClick() {
   history().undo();
   QVERIFY(camera(0).center().norm() > 100.0);
   QVERIFY(waitFor([&] { return answer() != nullptr; }));
+}
+
+void CameraAgreementMessageTest::nothingIsAskedWhileAPageForCalibrationIsShown() {
+  makeWindow({.opener =
+                  [](const SessionRequest&) {
+                    return spoiled({1, 0}, [](Project&) {});
+                  },
+              .size = {1400, 900},
+              .theme = Theme::Light,
+              .play = false});
+  open();
+  const auto isSaid = [this] { return said().contains(QStringLiteral("swapped")); };
+  action("actionCalibrateBoard")->trigger();
+  action("actionPlay")->trigger();
+  QVERIFY(waitFor([this] { return !shown().disagreements.empty(); }));
+  for (const char* page :
+       {"actionCalibrateWand", "actionCalibrateWorld", "actionCalibrateBoard", "actionCalibrate"}) {
+    action(page)->trigger();
+    const auto frame = shown().frame;
+    QVERIFY(waitFor([&] { return shown().frame > frame + 5; }));
+    QVERIFY(!shown().disagreements.empty());
+    QVERIFY2(!isSaid(), page);
+  }
+  action("actionCalibrateByHand")->setChecked(false);
+  QVERIFY(waitFor(isSaid));
 }
 
 DEWPOINT_WINDOW_TEST(CameraAgreementMessageTest)
