@@ -9,6 +9,7 @@
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QGuiApplication>
+#include <QIcon>
 #include <QKeyEvent>
 #include <QPalette>
 #include <QWidget>
@@ -74,7 +75,7 @@ QAction* ActionRegistry::add(const ActionDeclaration& declaration) {
   action->setObjectName(nameOf(declaration));
   action->setCheckable(declaration.checkable);
   action->setShortcut(Preferences().shortcut(nameOf(declaration)).value_or(declaration.shortcut));
-  entries_.push_back({declaration, action});
+  entries_.push_back({declaration, action, declaration.text, declaration.icon});
   byId_[declaration.id.index()] = action;
   setTexts(entries_.back());
   if (declaration.icon != nullptr) {
@@ -105,18 +106,35 @@ QString ActionRegistry::hintOf(const QAction* action) const {
   return entry == nullptr ? QString() : translated(entry->declaration.hint);
 }
 
+QString ActionRegistry::labelOf(const QAction* action) const {
+  const Entry* entry = entryOf(action);
+  return entry == nullptr ? QString()
+                          : translated(entry->declaration.text).remove(QLatin1Char('&'));
+}
+
+QIcon ActionRegistry::iconOf(const QAction* action) const {
+  const Entry* entry = entryOf(action);
+  return entry == nullptr || entry->declaration.icon == nullptr
+             ? QIcon()
+             : symbolicIcon(QLatin1String(entry->declaration.icon), QGuiApplication::palette());
+}
+
 void ActionRegistry::setTexts(const Entry& entry) {
-  entry.action->setText(translated(entry.declaration.text));
+  entry.action->setText(translated(entry.text));
+  setTooltip(entry);
+  entry.action->setStatusTip(QString());
+}
+
+void ActionRegistry::setTooltip(const Entry& entry) {
   entry.action->setToolTip(
       tooltipWithShortcut(translated(entry.declaration.hint), entry.action->shortcut()));
-  entry.action->setStatusTip(QString());
 }
 
 void ActionRegistry::rename(QAction* action, const char* text, const char* icon) {
   for (Entry& entry : entries_) {
-    if (entry.action == action && entry.declaration.text != text) {
-      entry.declaration.text = text;
-      entry.declaration.icon = icon;
+    if (entry.action == action && entry.text != text) {
+      entry.text = text;
+      entry.icon = icon;
       setTexts(entry);
       action->setIcon(symbolicIcon(QLatin1String(icon), QGuiApplication::palette()));
     }
@@ -141,7 +159,7 @@ void ActionRegistry::saveShortcut(const Entry& entry) {
   Preferences().setShortcut(nameOf(entry.declaration), shortcut == entry.declaration.shortcut
                                                            ? std::nullopt
                                                            : std::optional(shortcut));
-  setTexts(entry);
+  setTooltip(entry); // the text may name what the action would do now
 }
 
 void ActionRegistry::setShortcut(QAction* action, const QKeySequence& shortcut) {
@@ -195,8 +213,8 @@ void ActionRegistry::applyAlternatives() {
 
 void ActionRegistry::drawIcons(const QPalette& palette) {
   for (const Entry& entry : entries_) {
-    if (entry.declaration.icon != nullptr) {
-      entry.action->setIcon(symbolicIcon(QLatin1String(entry.declaration.icon), palette));
+    if (entry.icon != nullptr) {
+      entry.action->setIcon(symbolicIcon(QLatin1String(entry.icon), palette));
     }
   }
 }

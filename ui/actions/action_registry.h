@@ -12,6 +12,7 @@
 #include <vector>
 
 class QAction;
+class QIcon;
 class QPalette;
 
 namespace dewpoint::ui {
@@ -50,6 +51,11 @@ public:
   /// Returns the translated heading under which an action is listed.
   QString groupOf(const QAction* action) const;
   QString hintOf(const QAction* action) const;
+  /// Returns the translated name of an action as declared. It stays the same when the action is
+  /// renamed, or when its text names what it would do now ("Undo: Rename target").
+  QString labelOf(const QAction* action) const;
+  /// Returns the icon of an action as declared, which is null if it has none.
+  QIcon iconOf(const QAction* action) const;
 
   /// Changes the name and icon of an action to match its current state (Play or Pause).
   void rename(QAction* action, const char* text, const char* icon);
@@ -85,10 +91,13 @@ private:
   struct Entry {
     ActionDeclaration declaration;
     QAction* action;
+    const char* text; ///< now; differs from the declaration once the action is renamed
+    const char* icon; ///< likewise; null for no icon
   };
   /// Returns the entry for an action, or null if the action is not in this registry.
   const Entry* entryOf(const QAction* action) const;
-  void setTexts(const Entry& entry);
+  static void setTexts(const Entry& entry);
+  static void setTooltip(const Entry& entry);
   void saveShortcut(const Entry& entry);
   void applyAlternatives();
 

@@ -92,7 +92,9 @@ ShortcutEditor::ShortcutEditor(ActionRegistry& registry, QWidget* parent)
   connect(clear_, &QPushButton::clicked, this, [this] {
     if (QAction* action = current()) {
       registry_.setShortcut(action, {});
-      showHint([action] { return tr("“%1” no longer has a shortcut.").arg(action->text()); });
+      showHint([this, action] {
+        return tr("“%1” no longer has a shortcut.").arg(registry_.labelOf(action));
+      });
     }
   });
   connect(resetAll_, &QPushButton::clicked, this, [this] {
@@ -112,11 +114,14 @@ void ShortcutEditor::fill() {
   const QAction* chosen = current();
   tree_->clear();
   for (QAction* action : registry_.all()) {
-    const QString name = action->text().remove(QLatin1Char('&'));
+    const QString name =
+        registry_.groupOf(action) + QStringLiteral(" › ") + registry_.labelOf(action);
+    const QString hint = registry_.hintOf(action);
     auto* item = new QTreeWidgetItem(
-        tree_, {registry_.groupOf(action) + QStringLiteral(" › ") + name,
-                action->shortcut().toString(QKeySequence::NativeText), registry_.hintOf(action)});
-    item->setIcon(kName, action->icon());
+        tree_, {name, action->shortcut().toString(QKeySequence::NativeText), hint});
+    item->setIcon(kName, registry_.iconOf(action));
+    item->setToolTip(kName, hint);
+    item->setToolTip(kHint, hint); // often longer than its column
     item->setData(kName, Qt::UserRole, QVariant::fromValue<QObject*>(action));
     if (action == chosen) {
       tree_->setCurrentItem(item);
@@ -162,10 +167,11 @@ void ShortcutEditor::assign() {
   const QAction* holder = registry_.actionWithShortcut(keys, action);
   const QString shown = keys.toString(QKeySequence::NativeText);
   registry_.setShortcut(action, keys);
-  showHint([action, holder, shown] {
-    return holder == nullptr ? tr("“%1” is now %2.").arg(action->text(), shown)
+  showHint([this, action, holder, shown] {
+    const QString name = registry_.labelOf(action);
+    return holder == nullptr ? tr("“%1” is now %2.").arg(name, shown)
                              : tr("“%1” is now %2; it was removed from “%3”.")
-                                   .arg(action->text(), shown, holder->text());
+                                   .arg(name, shown, registry_.labelOf(holder));
   });
 }
 

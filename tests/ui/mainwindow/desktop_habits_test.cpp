@@ -24,6 +24,7 @@
 #include <QSpinBox>
 #include <QThread>
 #include <QToolButton>
+#include <QTreeWidget>
 #include <QUndoStack>
 #include <QWindow>
 
@@ -31,6 +32,7 @@
 #include <functional>
 #include <memory>
 #include <set>
+#include <utility>
 
 namespace dewpoint::tests {
 
@@ -46,6 +48,7 @@ private Q_SLOTS:
   void theSystemsColorsAreFollowedWhileItRuns();
   void aChosenThemeIsKeptWhateverTheSystemDoes();
   void undoAndRedoAreThoseOfTheHistory();
+  void theShortcutEditorNamesActionsAsDeclared();
   void theKeyThatRestartsAsks();
   void dialogsHaveTheirButtonsWhereThePlatformPutsThem();
   void theFilterUsesAsManyThreadsAsChosen();
@@ -153,6 +156,38 @@ void DesktopHabitsTest::undoAndRedoAreThoseOfTheHistory() {
   QVERIFY(action("actionRedo")->text().contains(step));
   action("actionRedo")->trigger();
   QCOMPARE(window_->document().project().parameters.at("particles"), 777.0);
+}
+
+void DesktopHabitsTest::theShortcutEditorNamesActionsAsDeclared() {
+  openDemo();
+  auto* registry = window_->findChild<ActionRegistry*>();
+  QVERIFY(window_->document().setParameter("particles", 777));
+  const QString undo = action("actionUndo")->text();
+  QVERIFY(undo.startsWith(QStringLiteral("Undo: ")));
+  action("actionShortcuts")->trigger();
+  const auto* tree = find<QTreeWidget>("shortcutTree");
+  const auto listed = [&](const char* id) -> QTreeWidgetItem* {
+    for (int i = 0; i < tree->topLevelItemCount(); ++i) {
+      QTreeWidgetItem* item = tree->topLevelItem(i);
+      if (item->data(0, Qt::UserRole).value<QObject*>() == action(id)) {
+        return item;
+      }
+    }
+    return nullptr;
+  };
+  for (const auto& [id, name] : {std::pair("actionUndo", "Undo"), std::pair("actionRedo", "Redo"),
+                                 std::pair("actionPlay", "Play")}) {
+    const QTreeWidgetItem* item = listed(id);
+    QVERIFY2(item != nullptr, id);
+    QVERIFY2(item->text(0).endsWith(QStringLiteral("› ") + QLatin1String(name)), id);
+    QCOMPARE(item->toolTip(0), registry->hintOf(action(id)));
+  }
+  // A new shortcut leaves in the menu what would be undone.
+  registry->setShortcut(action("actionUndo"), Qt::CTRL | Qt::ALT | Qt::Key_U);
+  QCOMPARE(action("actionUndo")->text(), undo);
+  QVERIFY(action("actionUndo")->toolTip().contains(QStringLiteral("Ctrl+Alt+U")));
+  registry->resetShortcuts();
+  QCOMPARE(action("actionUndo")->text(), undo);
 }
 
 void DesktopHabitsTest::theKeyThatRestartsAsks() {
