@@ -120,7 +120,7 @@ void StatusBarPanel::retranslateUi() {
              "tracking again"));
   explain(frame_, tr("frame %1 / %2").arg("0000", "0000"),
           tr("Number of the frame shown, and number of all frames"));
-  explain(rate_, tr("%1 /s").arg("0000.0"), tr("Frames tracked per second"));
+  explain(rate_, frameRateText(888.8), tr("Frames tracked per second, while playing"));
   explain(spread_, tr("± %1").arg("0000 mm"),
           tr("Uncertainty of the position: the standard deviations in x, y and z combined. The "
              "plots show each of the three"));
@@ -179,7 +179,9 @@ void StatusBarPanel::refresh() {
   const QString frame = QString::number(snapshot.frame + 1); // people count from 1
   frame_->setText(snapshot.frameCount ? tr("frame %1 / %2").arg(frame).arg(*snapshot.frameCount)
                                       : tr("frame %1").arg(frame));
-  rate_->setText(tr("%1 /s").arg(numberText(snapshot.framesPerSecond, 1)));
+  // While nothing plays, the rate of the last frames says nothing about this one.
+  rate_->setText(snapshot.state == PlayState::Playing ? frameRateText(snapshot.framesPerSecond)
+                                                      : QString());
   const TargetSnapshot* target = targetToExplain(snapshot, target_);
   if (target != nullptr) {
     std::visit(Overloaded{[&](const SphereEstimate&) { showPosition(*target); },

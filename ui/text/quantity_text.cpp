@@ -123,6 +123,10 @@ QString rateText(double perSecond) {
   return shortest(perSecond, 4);
 }
 
+QString frameRateText(double framesPerSecond) {
+  return Quantity::tr("%1 frames/s").arg(numberText(framesPerSecond, 1));
+}
+
 QString lengthText(double meters, LengthForm form) {
   switch (form) {
   case LengthForm::Readout:

@@ -29,6 +29,8 @@ QString ratioText(double value);
 QString declaredText(double value);
 /// Returns a rate with at most four digits: 30 or 29.97 per second.
 QString rateText(double perSecond);
+/// Returns a rate at which frames are processed: "30.0 frames/s".
+QString frameRateText(double framesPerSecond);
 
 /// Precision of a length that is written with its unit.
 enum class LengthForm {

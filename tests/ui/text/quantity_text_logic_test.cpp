@@ -83,6 +83,11 @@ TEST(QuantityText, WhatWasDeclaredIsAsShortAsItCanBe) {
   EXPECT_EQ(rateText(29.97003), QStringLiteral("29.97"));
 }
 
+TEST(QuantityText, RatesOfFramesHaveOneDecimal) {
+  EXPECT_EQ(frameRateText(30.0), QStringLiteral("30.0 frames/s"));
+  EXPECT_EQ(frameRateText(2532.32), QStringLiteral("2,532.3 frames/s"));
+}
+
 TEST(QuantityText, AShareIsAllOrNothingOnlyWhenItIs) {
   EXPECT_EQ(shareText(0.0), QStringLiteral("0 %"));
   EXPECT_EQ(shareText(0.0001), QStringLiteral("1 %"));
