@@ -110,6 +110,11 @@ void RunDetails::retranslateUi() {
   names_[dropped_]->setText(tr("Frames skipped"));
   names_[seed_]->setText(tr("Random seed"));
   names_[history_]->setText(tr("Memory for going back"));
+  for (QLabel* label : {names_[history_], history_}) {
+    label->setToolTip(tr("Memory for going back to earlier frames: images, particles and saved "
+                         "states of the method. When it is full, only the estimates of older "
+                         "frames are kept."));
+  }
 }
 
 void RunDetails::setSnapshot(const TrackSnapshotPtr& snapshot, const TargetSnapshot* target) {

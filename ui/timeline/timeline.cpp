@@ -111,7 +111,7 @@ int Timeline::dropoutCameraCount() const {
 
 TimelineRows Timeline::rows() const {
   return TimelineRows(size(), static_cast<int>(model_.targets.size()), dropoutCameraCount(),
-                      QFontMetricsF(font()).height(), gutter_);
+                      QFontMetricsF(font()).height(), gutter_, model_.rerun.has_value());
 }
 
 void Timeline::place() {
@@ -173,13 +173,7 @@ void Timeline::zoomOut() {
 bool Timeline::event(QEvent* event) {
   if (event->type() == QEvent::ToolTip) {
     const auto* help = static_cast<QHelpEvent*>(event);
-    if (rows().footer.contains(help->pos())) {
-      QToolTip::showText(help->globalPos(),
-                         tr("Memory for going back to earlier frames: images, particles and saved "
-                            "states of the method. When it is full, only the estimates of older "
-                            "frames are kept."),
-                         this);
-    } else if (help->pos().x() >= gutter_ && !model_.targets.isEmpty()) {
+    if (help->pos().x() >= gutter_ && !model_.targets.isEmpty()) {
       QToolTip::showText(help->globalPos(), model_.describe(scale_.frameAt(help->pos().x())), this);
     }
     return true;

@@ -213,31 +213,17 @@ void paintNames(QPainter& painter, const TimelineModel& model, const TimelineRow
   }
 }
 
+/// Writes which frames are tracked again.
 void paintFooter(QPainter& painter, const TimelineModel& model, const TimelineRows& rows,
                  const QPalette& palette) {
-  const auto megabytes = [&](std::size_t bytes) {
-    return numberText(static_cast<double>(bytes) / (1 << 20), 0);
-  };
-  if (model.history.maxBytes == 0) {
+  if (!model.rerun) {
     return;
   }
-  const double shownSeconds =
-      model.secondsOf(model.history.last + 1) - model.secondsOf(model.history.first);
-  const QString used = megabytes(model.history.bytes);
-  const QString most = megabytes(model.history.maxBytes);
-  QString text = model.live && model.history.last >= 0
-                     ? QCoreApplication::translate(
-                           "Timeline", "memory for going back: %1 of %2 MB (the last %3)")
-                           .arg(used, most, secondsText(shownSeconds, 0))
-                     : QCoreApplication::translate("Timeline", "memory for going back: %1 of %2 MB")
-                           .arg(used, most);
-  if (model.rerun) {
-    text = QCoreApplication::translate("Timeline", "tracking frames %2 to %3 again: now at %1")
-               .arg(model.history.head + 1)
-               .arg(model.rerun->from + 1)
-               .arg(model.rerun->to + 1) +
-           QStringLiteral(" · ") + text;
-  }
+  const QString text =
+      QCoreApplication::translate("Timeline", "tracking frames %2 to %3 again: now at %1")
+          .arg(model.history.head + 1)
+          .arg(model.rerun->from + 1)
+          .arg(model.rerun->to + 1);
   painter.setPen(palette.color(QPalette::PlaceholderText));
   painter.drawText(rows.footer, Qt::AlignRight | Qt::AlignVCenter, text);
 }
@@ -245,10 +231,10 @@ void paintFooter(QPainter& painter, const TimelineModel& model, const TimelineRo
 } // namespace
 
 TimelineRows::TimelineRows(const QSizeF& size, int targets, int cameraCount, double fontHeight,
-                           double gutter) {
+                           double gutter, bool hasFooter) {
   const double width = size.width() - gutter - 10.0;
   const double axisHeight = fontHeight + 8.0;
-  const double footerHeight = fontHeight + 4.0;
+  const double footerHeight = hasFooter ? fontHeight + 4.0 : 0.0;
   const double body = std::max(20.0, size.height() - axisHeight - footerHeight - 2.0 * kGap);
   const double readable = std::max(1, targets) * (fontHeight + kGap);
   camerasShareRow = cameraCount > 1 && body - cameraCount * fontHeight < readable;

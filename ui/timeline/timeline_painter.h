@@ -15,8 +15,9 @@ namespace dewpoint::ui {
 
 /// Positions of the rows in a timeline, in widget coordinates.
 struct TimelineRows {
+  /// `hasFooter`: whether there is a line of text below the rows.
   explicit TimelineRows(const QSizeF& size, int targets, int cameras, double fontHeight,
-                        double gutter);
+                        double gutter, bool hasFooter);
   /// Returns the height at which these rows are readable. It does not increase beyond a few
   /// targets.
   static int minimumHeightFor(int targets, int cameras, double fontHeight);
@@ -25,7 +26,7 @@ struct TimelineRows {
   QRectF ribbons; ///< rows of the targets, one below the other
   /// Missing images: one thin row per affected camera, or a single row if there is not enough room.
   QRectF cameras;
-  QRectF footer; ///< frames kept in memory
+  QRectF footer; ///< progress while frames are tracked again; else of no height
   double ribbonHeight = 0.0;
   double cameraHeight = 0.0;
   bool camerasShareRow = false;

@@ -20,7 +20,7 @@ TEST(TimelineColors, BesideEachNameIsTheColorOfTheTarget) {
   TimelineScale scale;
   scale.setExtent(0, 49);
   scale.setPixels(100.0, 300.0);
-  const TimelineRows rows(kTimelineSize, 2, 0, 16.0, 100.0);
+  const TimelineRows rows(kTimelineSize, 2, 0, 16.0, 100.0, false);
   for (const bool dark : {false, true}) {
     const QPalette palette = themePalette(dark);
     QImage picture(kTimelineSize, QImage::Format_RGB32);
@@ -35,6 +35,32 @@ TEST(TimelineColors, BesideEachNameIsTheColorOfTheTarget) {
     }
     EXPECT_GT(colors[0].green(), colors[0].red()); // as it was learned
   }
+}
+
+TEST(TimelineFooter, SaysOnlyWhatIsTrackedAgain) {
+  TimelineModel model;
+  model.targets = {QStringLiteral("ball")};
+  model.history = {
+      .first = 0, .last = 49, .head = 33, .bytes = 62U << 20U, .maxBytes = 512U << 20U};
+  TimelineScale scale;
+  scale.setExtent(0, 49);
+  scale.setPixels(100.0, 300.0);
+  const QPalette palette = themePalette(false);
+  const auto hasText = [&] {
+    const TimelineRows rows(kTimelineSize, 1, 0, 16.0, 100.0, model.rerun.has_value());
+    EXPECT_EQ(rows.footer.height() > 0.0, model.rerun.has_value());
+    QImage picture(kTimelineSize, QImage::Format_RGB32);
+    picture.fill(palette.color(QPalette::Window));
+    const QImage empty = picture;
+    QPainter painter(&picture);
+    paintTimeline(painter, model, scale, rows, Selection(), -1, palette);
+    painter.end();
+    const QRect below(0, kTimelineSize.height() - 20, kTimelineSize.width(), 20);
+    return picture.copy(below) != empty.copy(below);
+  };
+  EXPECT_FALSE(hasText());
+  model.rerun = RerunState{19, 49};
+  EXPECT_TRUE(hasText());
 }
 
 } // namespace

@@ -234,6 +234,7 @@ void WindowFrameTest::detailsAreOneClickAway() {
   QTest::mouseClick(find<QToolButton>("statusMore"), Qt::LeftButton);
   QVERIFY(details->isVisible());
   QVERIFY(find<QLabel>("statusHistory")->text().contains(QStringLiteral("MB")));
+  QVERIFY(!find<QLabel>("statusHistory")->toolTip().isEmpty()); // what the memory is for
   QTest::keyClick(details, Qt::Key_Escape);
   QVERIFY(waitFor([&] { return !details->isVisible(); }));
 }
