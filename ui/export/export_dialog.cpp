@@ -147,14 +147,14 @@ void ExportDialog::updatePreview() {
   auto now = trajectorySource_();
   if (now.samples.size() != trajectory_->samples.size()) {
     trajectory_ = std::make_shared<const Trajectory>(std::move(now));
-    form_->setTargetsOf(*trajectory_);
+    form_->setTrajectory(*trajectory_);
     preview_->request();
   }
 }
 
 void ExportDialog::refresh() {
   trajectory_ = std::make_shared<const Trajectory>(trajectorySource_());
-  form_->setTargetsOf(*trajectory_);
+  form_->setTrajectory(*trajectory_);
   changed();
 }
 
@@ -258,7 +258,7 @@ void ExportDialog::start() {
   withdrawQuestion();
   startedAt_ = questions_;
   trajectory_ = std::make_shared<const Trajectory>(trajectorySource_()); // with what came since
-  form_->setTargetsOf(*trajectory_);
+  form_->setTrajectory(*trajectory_);
   preview_->dropRequest();
   outcome_->clear();
   setRunning(true);

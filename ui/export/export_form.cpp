@@ -4,6 +4,7 @@
 #include "core/trajectory/export/export_catalog.h"
 #include "ui/export/export_text.h"
 #include "ui/preferences/preferences.h"
+#include "ui/text/quantity_text.h"
 #include "ui/widgets/choice_field.h"
 #include "ui/widgets/decimal_field.h"
 #include "ui/widgets/named.h"
@@ -13,6 +14,7 @@
 #include <QDateTime>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
 #include <QSignalBlocker>
@@ -46,6 +48,9 @@ ExportForm::ExportForm(QWidget* parent) : QWidget(parent), form_(new QFormLayout
   estimates_ = named(new QComboBox(this), "exportEstimates");
   from_ = makeSpin(this, "exportFrom", -1.0, kMostSeconds, 3);
   to_ = makeSpin(this, "exportTo", -1.0, kMostSeconds, 3);
+  trackedTo_ = named(new QLabel(this), "exportTrackedTo");
+  trackedTo_->setForegroundRole(QPalette::PlaceholderText);
+  trackedTo_->hide();
   rate_ = makeSpin(this, "exportRate", 0.0, kMostRate, 3);
   gaps_ = named(new QComboBox(this), "exportGaps");
   longestGap_ = makeSpin(this, "exportLongestGap", 0.01, kMostGap, 2);
@@ -58,10 +63,19 @@ ExportForm::ExportForm(QWidget* parent) : QWidget(parent), form_(new QFormLayout
   to_->setValue(to_->minimum());
   proposedRange_ = {from_->value(), to_->value()};
   form_->setSpacing(8);
-  const auto row = [this](QWidget* field) {
+  auto* end = new QHBoxLayout;
+  end->setSpacing(8);
+  end->addWidget(to_, 1);
+  end->addWidget(trackedTo_);
+  const auto row = [this, end](QWidget* field) {
     auto* label = new QLabel(this);
     label->setBuddy(field);
-    form_->addRow(label, field);
+    labels_[field] = label;
+    if (field == to_) {
+      form_->addRow(label, end);
+    } else {
+      form_->addRow(label, field);
+    }
   };
   for (QWidget* field : std::initializer_list<QWidget*>{format_, targets_, estimates_, from_, to_,
                                                         rate_, gaps_, longestGap_, axes_, unit_}) {
@@ -75,6 +89,7 @@ ExportForm::ExportForm(QWidget* parent) : QWidget(parent), form_(new QFormLayout
   });
   const auto change = [this] {
     longestGap_->setEnabled(gaps_->currentIndex() == 1 || estimates_->currentIndex() == 1);
+    showTrackedEnd();
     Q_EMIT changed();
   };
   for (QComboBox* box : {estimates_, gaps_, axes_, unit_}) {
@@ -94,7 +109,7 @@ ExportForm::ExportForm(QWidget* parent) : QWidget(parent), form_(new QFormLayout
 void ExportForm::retranslateUi() {
   fillChoices();
   const auto setTexts = [this](QWidget* field, const QString& label, const QString& hint) {
-    qobject_cast<QLabel*>(form_->labelForField(field))->setText(label);
+    labels_.at(field)->setText(label);
     field->setAccessibleName(label);
     field->setToolTip(hint);
   };
@@ -120,6 +135,7 @@ void ExportForm::retranslateUi() {
   }
   rate_->setSuffix(tr(" per second"));
   notes_->setText(notesText());
+  showTrackedEnd();
   notes_->setToolTip(notesHint());
 }
 
@@ -163,9 +179,22 @@ void ExportForm::updateUsualChoices() {
   show(*unit_, usual.unit == LengthUnit::Meter ? 1 : 2);
 }
 
-void ExportForm::setTargetsOf(const Trajectory& trajectory) {
+void ExportForm::showTrackedEnd() {
+  const double beyond = lastTime_ ? to_->value() - *lastTime_ : 0.0;
+  const bool isBeyond = beyond >= std::pow(10.0, -to_->decimals()); // more than rounding
+  if (isBeyond) {
+    // So many decimals that the two times differ.
+    trackedTo_->setText(tr("tracked to %1").arg(secondsText(*lastTime_, beyond < 0.1 ? 3 : 1)));
+  }
+  trackedTo_->setVisible(isBeyond);
+  to_->setAccessibleDescription(isBeyond ? trackedTo_->text() : QString());
+}
+
+void ExportForm::setTrajectory(const Trajectory& trajectory) {
   QStringList names;
+  lastTime_.reset();
   for (const TrajectorySample& sample : trajectory.samples) {
+    lastTime_ = std::max(lastTime_.value_or(sample.time), sample.time);
     const QString name = QString::fromStdString(sample.target);
     if (!names.contains(name)) {
       names << name;
@@ -175,6 +204,7 @@ void ExportForm::setTargetsOf(const Trajectory& trajectory) {
   for (int i = 0; i < targets_->count(); ++i) {
     shown << targets_->item(i)->text();
   }
+  showTrackedEnd();
   if (names == shown) {
     return;
   }

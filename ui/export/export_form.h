@@ -5,6 +5,7 @@
 
 #include <QWidget>
 
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -12,6 +13,7 @@ class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QFormLayout;
+class QLabel;
 class QListWidget;
 
 namespace dewpoint::ui {
@@ -28,8 +30,9 @@ public:
   /// Returns whether the estimates made during the run are exported, and not those smoothed
   /// afterward.
   bool exportsLiveEstimates() const;
-  /// Lists the targets in a trajectory. If the list is unchanged, its check marks are kept.
-  void setTargetsOf(const Trajectory& trajectory);
+  /// Lists the targets in a trajectory, and notes how far it goes. If the list is unchanged, its
+  /// check marks are kept.
+  void setTrajectory(const Trajectory& trajectory);
   /// Proposes to export only this time range (seconds). If `seconds` is empty, the proposal is
   /// withdrawn, unless the user has edited the range.
   void setSelectedRange(std::optional<std::pair<double, double>> seconds);
@@ -52,13 +55,17 @@ private:
   /// Names the usual axes and unit of the selected format in their first choices.
   void updateUsualChoices();
   const ExportFormat& format() const;
+  /// Shows beside the end of the range how far the run was tracked, if the range goes further.
+  void showTrackedEnd();
 
   QFormLayout* form_;
+  std::map<QWidget*, QLabel*> labels_; ///< of the fields
   QComboBox* format_;
   QListWidget* targets_;
   QComboBox* estimates_;
   QDoubleSpinBox* from_;
   QDoubleSpinBox* to_;
+  QLabel* trackedTo_;
   QDoubleSpinBox* rate_;
   QComboBox* gaps_;
   QDoubleSpinBox* longestGap_;
@@ -66,6 +73,7 @@ private:
   QComboBox* unit_;
   QCheckBox* notes_;
   std::pair<double, double> proposedRange_; ///< proposed range, seconds
+  std::optional<double> lastTime_;          ///< of the trajectory, seconds; empty if it is empty
 };
 
 } // namespace dewpoint::ui

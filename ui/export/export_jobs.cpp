@@ -28,7 +28,7 @@ void ExportJobs::preview(TrajectoryPtr trajectory, const ExportOptions& options,
                          const std::filesystem::path& file) {
   preview_.start([this, trajectory = std::move(trajectory), options,
                   file](const BackgroundJob::Progress& progress) -> std::function<void()> {
-    constexpr std::size_t kLines = 40;
+    constexpr std::size_t kLines = 100; // notes, and more rows than can be seen below them
     const auto preview = previewExport(*trajectory, options, file, kLines, progress);
     if (preview) {
       return [this, found = *preview] { Q_EMIT previewReady(found); };

@@ -7,9 +7,11 @@
 #include <QFontDatabase>
 #include <QLabel>
 #include <QPlainTextEdit>
+#include <QScrollBar>
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <utility>
 
 namespace dewpoint::ui {
@@ -66,7 +68,7 @@ void PreviewPane::connectJobs() {
     end();
     units_->clear();
     size_->setText(sentence);
-    lines_->clear();
+    clearLines();
   });
 }
 
@@ -110,7 +112,7 @@ void PreviewPane::stop() {
   jobs_.stopPreview();
   end();
   units_->clear();
-  lines_->clear();
+  clearLines();
   size_->setText(tr("The preview was stopped. It starts again when you change a setting."));
 }
 
@@ -122,11 +124,23 @@ void PreviewPane::setExporting(bool exporting) {
   }
 }
 
+void PreviewPane::clearLines() {
+  lines_->clear();
+  noteLines_ = -1;
+}
+
 void PreviewPane::showPreview(const ExportPreview& preview) {
   end();
   units_->setText(exportUnitsText(preview));
   size_->setText(exportSizeText(preview));
+  // Numbers are what people look for; the last note shows that there are others above. A preview
+  // that follows the run stays where it was scrolled to.
+  QScrollBar* scroll = lines_->verticalScrollBar();
+  const int before = scroll->value();
+  const int notes = static_cast<int>(preview.noteLines);
   lines_->setPlainText(QString::fromStdString(preview.text));
+  scroll->setValue(notes == noteLines_ ? before : std::max(0, notes - 1));
+  noteLines_ = notes;
 }
 
 } // namespace dewpoint::ui

@@ -13,7 +13,8 @@ class QTimer;
 
 namespace dewpoint::ui {
 
-/// First lines of the file that an export would write, with its units and size. The preview is
+/// First lines of the file that an export would write, with its units and size. Notes are scrolled
+/// out of sight, so that the names of the columns and the first rows can be seen. The preview is
 /// computed in the background, a short time after its input has changed.
 class PreviewPane : public QWidget {
   Q_OBJECT
@@ -47,6 +48,7 @@ Q_SIGNALS:
 private:
   void connectJobs();
   void showPreview(const ExportPreview& preview);
+  void clearLines();
   void end();
 
   ExportJobs& jobs_;
@@ -57,6 +59,7 @@ private:
   QTimer* startTimer_;
   QTimer* longTimer_;
   bool isUnderWay_ = false;
+  int noteLines_ = -1; ///< of the preview shown; -1: none is shown
 };
 
 } // namespace dewpoint::ui

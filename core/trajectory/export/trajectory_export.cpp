@@ -171,6 +171,15 @@ std::string firstLines(const std::string& text, std::size_t count) {
   return text.substr(0, end);
 }
 
+std::size_t noteLineCount(const std::string& text) {
+  std::size_t count = 0;
+  for (std::size_t begin = 0; begin < text.size() && text[begin] == '#'; ++count) {
+    const std::size_t next = text.find('\n', begin);
+    begin = next == std::string::npos ? text.size() : next + 1;
+  }
+  return count;
+}
+
 std::string sizeSentence(const ExportTable& table) {
   const std::size_t gaps = table.gapCount();
   return fmt::format("{} target{}, {} rows at {:.4g} per second, {}.", table.targets.size(),
@@ -271,6 +280,7 @@ Result<ExportPreview> previewExport(const Trajectory& trajectory, const ExportOp
                                                     ? encoded->files.front().bytes
                                                     : bytes,
                                                 lineCount);
+  preview.noteLines = (*format)->binary ? 0 : noteLineCount(preview.text);
   return preview;
 }
 
