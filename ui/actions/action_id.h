@@ -85,6 +85,7 @@ inline constexpr auto kActionNames = std::to_array<std::string_view>({
     "actionFitImage",
     "actionLookFromAbove",
     "actionLookFromFront",
+    "actionLookFromSide",
     "actionLookFree",
     "actionFitScene",
     "actionPalette",

@@ -143,6 +143,7 @@ void WindowMenus::makeViewMenu() {
                      "actionLookFree",
                      "actionLookFromAbove",
                      "actionLookFromFront",
+                     "actionLookFromSide",
                      "actionFitScene",
                      nullptr,
                      "actionResetLayout",

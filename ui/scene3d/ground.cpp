@@ -62,16 +62,19 @@ constexpr double kMarginBelow = 0.01;
 } // namespace
 
 Ground::Ground(vtkRenderer* renderer)
-    : plane_(flatActor(planeData_)), minor_(flatActor(minorData_)), major_(flatActor(majorData_)),
-      wallMinor_(flatActor(wallMinorData_)),
-      wallMajor_(flatActor(wallMajorData_)), numbers_{SceneLabels(renderer), SceneLabels(renderer),
-                                                      SceneLabels(renderer)},
+    : plane_(flatActor(planeData_)), minor_(flatActor(minorData_)),
+      major_(flatActor(majorData_)), wallMinor_{flatActor(wallMinorData_[0]),
+                                                flatActor(wallMinorData_[1])},
+      wallMajor_{flatActor(wallMajorData_[0]), flatActor(wallMajorData_[1])},
+      numbers_{SceneLabels(renderer), SceneLabels(renderer), SceneLabels(renderer)},
       names_{SceneLabels(renderer), SceneLabels(renderer), SceneLabels(renderer)} {
   renderer->AddActor(plane_);
   renderer->AddActor(minor_);
   renderer->AddActor(major_);
-  renderer->AddActor(wallMinor_);
-  renderer->AddActor(wallMajor_);
+  for (int wall = 0; wall < 2; ++wall) {
+    renderer->AddActor(wallMinor_[wall]);
+    renderer->AddActor(wallMajor_[wall]);
+  }
   for (int axis = 0; axis < 3; ++axis) {
     axes_[axis] = flatActor(axisData_[axis]);
     renderer->AddActor(axes_[axis]);
@@ -100,7 +103,7 @@ void Ground::cover(const Eigen::AlignedBox2d& extent, double height, double lowe
   drawPlane();
   drawLines();
   drawNumbers();
-  drawWall();
+  drawWalls();
   drawAxes();
 }
 
@@ -136,8 +139,8 @@ void Ground::drawNumbers() {
       Eigen::Vector3d point(low.x(), low.y(), 0.0);
       point[axis] = value;
       const std::string text = meters(value, step, decimalPoint_) + (i == last ? " m" : "");
-      if (axis == 0) {
-        numbers_[0].add(text, point, 11.0, 0.0, -1.0);
+      if (axis == 0 || (axis == 1 && isFromSide_)) { // below the edge of the floor
+        numbers_[axis].add(text, point, 11.0, 0.0, -1.0);
       } else {
         numbers_[axis].add(text, point, 11.0, -0.6);
       }
@@ -171,12 +174,19 @@ void Ground::thinNumbers(const ScreenScale& scale) {
   }
 }
 
-void Ground::drawWall() {
-  const double back = extent_.max().y() + 0.01 * extent_.sizes().maxCoeff();
-  const Eigen::AlignedBox2d wall(Eigen::Vector2d(extent_.min().x(), 0.0),
-                                 Eigen::Vector2d(extent_.max().x(), height_));
-  gridLines(wall, 0, 2, back * 1.001, minorStep_, wallMinorData_);
-  gridLines(wall, 0, 2, back, majorStep_, wallMajorData_);
+// Each is behind the room for who looks along its normal, with the fine lines behind the others.
+void Ground::drawWalls() {
+  const double size = extent_.sizes().maxCoeff();
+  const double behind = 0.01 * size;
+  const double lift = 0.0005 * size;
+  const double back[2] = {extent_.max().y() + behind, extent_.min().x() - behind};
+  const double away[2] = {lift, -lift};
+  for (int wall = 0; wall < 2; ++wall) {
+    const Eigen::AlignedBox2d area(Eigen::Vector2d(extent_.min()[wall], 0.0),
+                                   Eigen::Vector2d(extent_.max()[wall], height_));
+    gridLines(area, wall, 2, back[wall] + away[wall], minorStep_, wallMinorData_[wall]);
+    gridLines(area, wall, 2, back[wall], majorStep_, wallMajorData_[wall]);
+  }
 }
 
 void Ground::drawAxes() {
@@ -207,8 +217,10 @@ void Ground::setPalette(const ScenePalette& palette) {
   for (int axis = 0; axis < 3; ++axis) {
     paint(axes_[axis], axisColor(axis));
   }
-  paint(wallMinor_, palette.gridMinor);
-  paint(wallMajor_, palette.gridMajor);
+  for (int wall = 0; wall < 2; ++wall) {
+    paint(wallMinor_[wall], palette.gridMinor);
+    paint(wallMajor_[wall], palette.gridMajor);
+  }
   for (int axis = 0; axis < 3; ++axis) {
     numbers_[axis].setColors(palette.text, palette.background);
     names_[axis].setColors(palette.text, palette.floor);
@@ -228,20 +240,28 @@ void Ground::prepareFrame(const ScreenScale& scale) {
   minor_->GetProperty()->SetLineWidth(width(1.0));
   major_->GetProperty()->SetLineWidth(width(1.6));
   const bool fromFront = scale.parallel && std::abs(scale.direction.y()) > 0.99;
-  wallMinor_->SetVisibility(fromFront && minorStep_ < majorStep_);
-  wallMajor_->SetVisibility(fromFront);
-  minor_->SetVisibility(!fromFront && minorStep_ < majorStep_);
-  wallMinor_->GetProperty()->SetLineWidth(width(1.0));
-  wallMajor_->GetProperty()->SetLineWidth(width(1.6));
+  const bool fromSide = scale.parallel && std::abs(scale.direction.x()) > 0.99;
+  const bool isWallShown[2] = {fromFront, fromSide};
+  for (int wall = 0; wall < 2; ++wall) {
+    wallMinor_[wall]->SetVisibility(isWallShown[wall] && minorStep_ < majorStep_);
+    wallMajor_[wall]->SetVisibility(isWallShown[wall]);
+    wallMinor_[wall]->GetProperty()->SetLineWidth(width(1.0));
+    wallMajor_[wall]->GetProperty()->SetLineWidth(width(1.6));
+  }
+  minor_->SetVisibility(!fromFront && !fromSide && minorStep_ < majorStep_);
   for (const auto& axis : axes_) {
     axis->GetProperty()->SetLineWidth(width(2.5));
+  }
+  if (fromSide != isFromSide_ && !extent_.isEmpty()) {
+    isFromSide_ = fromSide;
+    drawNumbers();
   }
   thinNumbers(scale);
   for (int axis = 0; axis < 3; ++axis) {
     // Along the line of sight, texts would pile up in one place.
     const bool across = std::abs(scale.direction[axis]) < 0.97;
     names_[axis].setVisible(across);
-    numbers_[axis].setVisible(axis == 2 ? fromFront : across);
+    numbers_[axis].setVisible(axis == 2 ? fromFront || fromSide : across);
     names_[axis].prepareFrame(scale);
     numbers_[axis].prepareFrame(scale);
   }

@@ -12,8 +12,8 @@
 namespace dewpoint::ui {
 
 /// Floor z = 0: a faint plane, lines every 0.1 m or 1 m, numbers in meters along two edges, and the
-/// axes at the origin. In the front view, in which the floor is only a line, a wall in the x-z
-/// plane replaces it.
+/// axes at the origin. In the views from the front and from the side, in which the floor is only a
+/// line, a wall in the x-z or y-z plane replaces it.
 class Ground {
 public:
   explicit Ground(vtkRenderer* renderer);
@@ -36,22 +36,22 @@ private:
   void drawNumbers();
   /// Draws fewer numbers along an axis if they would lie on each other.
   void thinNumbers(const ScreenScale& scale);
-  void drawWall();
+  void drawWalls();
   void drawAxes();
 
   vtkNew<vtkPolyData> planeData_;
   vtkNew<vtkPolyData> minorData_;
   vtkNew<vtkPolyData> majorData_;
-  vtkNew<vtkPolyData> wallMinorData_;
-  vtkNew<vtkPolyData> wallMajorData_;
+  vtkNew<vtkPolyData> wallMinorData_[2];
+  vtkNew<vtkPolyData> wallMajorData_[2];
   vtkNew<vtkPolyData> axisData_[3];
   vtkSmartPointer<vtkActor> plane_;
   vtkSmartPointer<vtkActor> minor_;
   vtkSmartPointer<vtkActor> major_;
-  vtkSmartPointer<vtkActor> wallMinor_;
-  vtkSmartPointer<vtkActor> wallMajor_;
+  vtkSmartPointer<vtkActor> wallMinor_[2]; ///< the wall along x, and the wall along y
+  vtkSmartPointer<vtkActor> wallMajor_[2];
   vtkSmartPointer<vtkActor> axes_[3];
-  SceneLabels numbers_[3]; ///< along x, along y, and along z on the wall
+  SceneLabels numbers_[3]; ///< along x, along y, and along z on a wall
   SceneLabels names_[3];   ///< axis names
   Eigen::AlignedBox2d extent_;
   double height_ = 0.0;
@@ -60,6 +60,7 @@ private:
   double minorStep_ = 0.1;
   double numberStep_ = 1.0;                               ///< at least, meters
   Eigen::Vector3d numberSteps_ = Eigen::Vector3d::Ones(); ///< as drawn, along each axis
+  bool isFromSide_ = false; ///< then the numbers along y are below the floor
   std::string decimalPoint_ = ".";
 };
 

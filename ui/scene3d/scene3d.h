@@ -27,6 +27,7 @@ public:
   enum class View {
     Above, ///< parallel projection onto the x-y plane, x right, y up (the view in the papers)
     Front, ///< parallel projection onto the x-z plane, looking along +y, x right, z up
+    Side,  ///< parallel projection onto the y-z plane, looking along -x, y right, z up
     Free   ///< perspective, initially obliquely from above; the user can orbit
   };
 

@@ -153,10 +153,12 @@ void SceneParts::frame() {
   const Eigen::AlignedBox3d box = room();
   const Eigen::Vector3d side = view == View::Above   ? Eigen::Vector3d(Eigen::Vector3d::UnitZ())
                                : view == View::Front ? Eigen::Vector3d(-Eigen::Vector3d::UnitY())
+                               : view == View::Side  ? Eigen::Vector3d(Eigen::Vector3d::UnitX())
                                                      : kFreeSide;
-  const Eigen::Vector3d right = view == View::Free
-                                    ? Eigen::Vector3d::UnitZ().cross(side).normalized()
-                                    : Eigen::Vector3d(Eigen::Vector3d::UnitX());
+  // Seen from above, "right" does not follow from the vertical: it is x, as in the papers.
+  const Eigen::Vector3d right = view == View::Above
+                                    ? Eigen::Vector3d(Eigen::Vector3d::UnitX())
+                                    : Eigen::Vector3d::UnitZ().cross(side).normalized();
   const Eigen::Vector3d up = side.cross(right);
   const double pixels = std::max(1, height);
   const double free = std::max(0.5 * pixels, pixels - kBottomPx * scale.pixelRatio);

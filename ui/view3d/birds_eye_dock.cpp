@@ -47,6 +47,7 @@ BirdsEyeView* installBirdsEyeView(const Workbench& bench) {
                 [view](const std::optional<WorldBox>& volume) { view->showVolume(volume); });
   bench.onTriggered("actionLookFromAbove", view, [view] { view->lookFromAbove(); });
   bench.onTriggered("actionLookFromFront", view, [view] { view->lookFromFront(); });
+  bench.onTriggered("actionLookFromSide", view, [view] { view->lookFromSide(); });
   bench.onTriggered("actionLookFree", view, [view] { view->lookFree(); });
   bench.onTriggered("actionFitScene", view, [view] { view->resetView(); });
   const auto update = [bench, dock] { showForMethod(bench, dock); };

@@ -334,7 +334,7 @@ void BirdsEyeView::setChosenTarget(int target) {
 void BirdsEyeView::setPlacing(bool placing, double floor) {
   placing_ = placing;
   floor_ = floor;
-  if (placing && scene_.view() == Scene3d::View::Front) {
+  if (placing && (scene_.view() == Scene3d::View::Front || scene_.view() == Scene3d::View::Side)) {
     lookFromAbove(); // edge on, the floor has no places
   }
   setCursor(placing ? Qt::CrossCursor : Qt::ArrowCursor);

@@ -117,6 +117,7 @@ public Q_SLOTS:
   void look(dewpoint::ui::Scene3d::View view);
   void lookFromAbove() { look(Scene3d::View::Above); }
   void lookFromFront() { look(Scene3d::View::Front); }
+  void lookFromSide() { look(Scene3d::View::Side); }
   void lookFree() { look(Scene3d::View::Free); }
   /// Fits the current view to the whole scene.
   void resetView();
@@ -133,8 +134,8 @@ Q_SIGNALS:
   /// Emitted when a handle was pressed.
   void cameraChosen(int camera);
   /// Emitted while a camera (`cameraDragged`), or the point it looks at (`cameraAimed`), is dragged
-  /// to this world position (meters). In the views from above and from the front, the drag stays in
-  /// the plane of the view; in the 3D view, it is parallel to the image plane.
+  /// to this world position (meters). In the views from above, from the front and from the side,
+  /// the drag stays in the plane of the view; in the 3D view, it is parallel to the image plane.
   void cameraDragged(int camera, const Eigen::Vector3d& center);
   void cameraAimed(int camera, const Eigen::Vector3d& target);
   void cameraDropped();

@@ -42,8 +42,8 @@ Q_SIGNALS:
   /// Emitted when a handle was pressed.
   void chosen(int camera);
   /// Emitted while a camera (`dragged`), or the point it looks at (`aimed`), is dragged to this
-  /// world position (meters). In the views from above and from the front, the drag stays in the
-  /// plane of the view; in the 3D view, it is parallel to the image plane.
+  /// world position (meters). In the views from above, from the front and from the side, the drag
+  /// stays in the plane of the view; in the 3D view, it is parallel to the image plane.
   void dragged(int camera, const Eigen::Vector3d& center);
   void aimed(int camera, const Eigen::Vector3d& target);
   void dropped();

@@ -10,8 +10,8 @@
 namespace dewpoint::ui {
 namespace {
 
-constexpr std::array<Scene3d::View, 3> kViews{Scene3d::View::Free, Scene3d::View::Above,
-                                              Scene3d::View::Front};
+constexpr std::array<Scene3d::View, 4> kViews{Scene3d::View::Free, Scene3d::View::Above,
+                                              Scene3d::View::Front, Scene3d::View::Side};
 
 QToolButton* pictureButton(QWidget& view, const QString& name) {
   auto* button = new QToolButton(&view);
@@ -24,9 +24,9 @@ QToolButton* pictureButton(QWidget& view, const QString& name) {
 } // namespace
 
 ViewButtons::ViewButtons(QWidget& view) : QObject(&view), view_(view) {
-  const std::array<QString, 3> names{QStringLiteral("lookFreeButton"),
-                                     QStringLiteral("lookFromAboveButton"),
-                                     QStringLiteral("lookFromFrontButton")};
+  const std::array<QString, 4> names{
+      QStringLiteral("lookFreeButton"), QStringLiteral("lookFromAboveButton"),
+      QStringLiteral("lookFromFrontButton"), QStringLiteral("lookFromSideButton")};
   for (std::size_t i = 0; i < kViews.size(); ++i) {
     buttons_[i] = pictureButton(view, names[i]);
     buttons_[i]->setCheckable(true);
@@ -50,8 +50,14 @@ void ViewButtons::setShown(bool shown) {
 void ViewButtons::moveToCorner() {
   int x = kSpacing;
   int above = kSpacing; // the lower border of the view
+  const double end =
+      SceneInset::hasRoom(view_) ? SceneInset::area(view_).left() : view_.width() - kSpacing;
   const auto put = [&](QToolButton* button) {
     const QSize size = button->sizeHint();
+    if (x > kSpacing && x + size.width() > end) { // words are long in some languages
+      x = kSpacing;
+      above += size.height() + kSpacing / 2;
+    }
     button->setGeometry(QRect(QPoint(x, view_.height() - size.height() - above), size));
     button->setVisible(shown_);
     x += size.width() + kSpacing / 2;
@@ -60,24 +66,20 @@ void ViewButtons::moveToCorner() {
     put(button);
   }
   x += kSpacing; // it chooses no view
-  const double end =
-      SceneInset::hasRoom(view_) ? SceneInset::area(view_).left() : view_.width() - kSpacing;
-  if (x + fit_->sizeHint().width() > end) { // its word is long in some languages
-    x = kSpacing;
-    above += buttons_[0]->height() + kSpacing / 2;
-  }
   put(fit_);
 }
 
 void ViewButtons::retranslateUi() {
-  const std::array<QString, 3> texts{tr("3D"), tr("Top"), tr("Front")};
-  const std::array<QString, 3> tips{
+  const std::array<QString, 4> texts{tr("3D"), tr("Top"), tr("Front"), tr("Side")};
+  const std::array<QString, 4> tips{
       tr("Perspective view. Drag to orbit, Shift-drag to move, scroll to zoom, double-click to "
          "show "
          "everything."),
       tr("View from above: X to the right, Y up. Drag to move, scroll to zoom, double-click to "
          "show everything."),
       tr("View from the front: X to the right, Z up. Drag to move, scroll to zoom, double-click to "
+         "show everything."),
+      tr("View from the side: Y to the right, Z up. Drag to move, scroll to zoom, double-click to "
          "show everything.")};
   for (std::size_t i = 0; i < kViews.size(); ++i) {
     buttons_[i]->setText(texts[i]);

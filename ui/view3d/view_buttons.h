@@ -13,8 +13,8 @@ class QWidget;
 
 namespace dewpoint::ui {
 
-/// Buttons in a corner of the view that select the viewing direction (3D, top, front), and a button
-/// that fits the view to the whole scene.
+/// Buttons in a corner of the view that select the viewing direction (3D, top, front, side), and a
+/// button that fits the view to the whole scene.
 class ViewButtons : public QObject {
   Q_OBJECT
 public:
@@ -32,7 +32,7 @@ Q_SIGNALS:
 
 private:
   QWidget& view_;
-  std::array<QToolButton*, 3> buttons_{}; ///< free, above, front
+  std::array<QToolButton*, 4> buttons_{}; ///< free, above, front, side
   QToolButton* fit_;
   bool shown_ = true;
 };

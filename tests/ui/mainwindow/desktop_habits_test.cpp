@@ -12,6 +12,7 @@
 #include "ui/preferences/preferences.h"
 #include "ui/style/theme.h"
 #include "ui/text/language.h"
+#include "ui/view3d/birds_eye_view.h"
 
 #include <QDialog>
 #include <QDialogButtonBox>
@@ -49,6 +50,7 @@ private Q_SLOTS:
   void aChosenThemeIsKeptWhateverTheSystemDoes();
   void undoAndRedoAreThoseOfTheHistory();
   void theShortcutEditorNamesActionsAsDeclared();
+  void keysChooseTheDirectionOfView();
   void theKeyThatRestartsAsks();
   void dialogsHaveTheirButtonsWhereThePlatformPutsThem();
   void theFilterUsesAsManyThreadsAsChosen();
@@ -188,6 +190,18 @@ void DesktopHabitsTest::theShortcutEditorNamesActionsAsDeclared() {
   QVERIFY(action("actionUndo")->toolTip().contains(QStringLiteral("Ctrl+Alt+U")));
   registry->resetShortcuts();
   QCOMPARE(action("actionUndo")->text(), undo);
+}
+
+void DesktopHabitsTest::keysChooseTheDirectionOfView() {
+  openDemo();
+  const auto* view = window_->findChild<BirdsEyeView*>();
+  QVERIFY(view != nullptr);
+  for (const auto& choice :
+       {std::pair(Qt::Key_A, Scene3d::View::Above), std::pair(Qt::Key_F, Scene3d::View::Front),
+        std::pair(Qt::Key_Y, Scene3d::View::Side), std::pair(Qt::Key_V, Scene3d::View::Free)}) {
+    QTest::keyClick(window_.get(), choice.first);
+    QVERIFY(waitFor([&] { return view->currentView() == choice.second; }));
+  }
 }
 
 void DesktopHabitsTest::theKeyThatRestartsAsks() {

@@ -101,14 +101,14 @@ private Q_SLOTS:
 
   void theFitButtonStaysInANarrowView() {
     const auto* fit = view_->findChild<QToolButton*>(QStringLiteral("fitSceneButton"));
-    const auto* front = view_->findChild<QToolButton*>(QStringLiteral("lookFromFrontButton"));
-    QCOMPARE(fit->y(), front->y()); // beside it, as long as there is room
+    const auto* side = view_->findChild<QToolButton*>(QStringLiteral("lookFromSideButton"));
+    QCOMPARE(fit->y(), side->y()); // beside it, as long as there is room
     const QSize before = view_->size();
-    view_->resize(front->geometry().right() + 12, before.height());
-    QTRY_VERIFY(fit->geometry().bottom() < front->y());
+    view_->resize(side->geometry().right() + 12, before.height());
+    QTRY_VERIFY(fit->geometry().bottom() < side->y());
     QVERIFY(view_->rect().contains(fit->geometry()));
     view_->resize(before);
-    QTRY_COMPARE(fit->y(), front->y());
+    QTRY_COMPARE(fit->y(), side->y());
   }
 
   void aTargetHasTheColorThatWasLearned() {

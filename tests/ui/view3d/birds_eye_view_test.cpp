@@ -108,6 +108,26 @@ private Q_SLOTS:
     QVERIFY(differentPixels(above, front) > above.width() * above.height() / 20);
   }
 
+  void fromTheSideTheBallIsWhereYAndZSay() {
+    view_->setSnapshot(ballSnapshot());
+    view_->lookFromSide();
+    const QImage side = view_->currentImage();
+    keep(side, "side");
+    QCOMPARE(view_->currentView(), Scene3d::View::Side);
+    const Scene3d& scene = view_->scene();
+    QVERIFY((scene.rightAxisInWorld() - Eigen::Vector3d::UnitY()).norm() < 1e-9);
+    QVERIFY((scene.upAxisInWorld() - Eigen::Vector3d::UnitZ()).norm() < 1e-9);
+    const QPointF expected =
+        flatProjection(scene, side, kBall.y(), kBall.z(), scene.focus().y(), scene.focus().z());
+    const Blob found = blob(side, expected, 0.03 / scene.metersPerPixel());
+    QVERIFY(found.count > 20);
+    QVERIFY(std::abs(found.center.x() - expected.x()) < 2.5 * view_->devicePixelRatioF());
+    QVERIFY(std::abs(found.center.y() - expected.y()) < 2.5 * view_->devicePixelRatioF());
+    // From the side, the floor has no places to click.
+    view_->setPlacing(true);
+    QCOMPARE(view_->currentView(), Scene3d::View::Above);
+  }
+
   void darkAndFreeDiffer() {
     view_->setSnapshot(ballSnapshot());
     view_->lookFree();
@@ -294,6 +314,10 @@ private Q_SLOTS:
     QTest::mouseClick(front, Qt::LeftButton);
     QCOMPARE(view_->currentView(), Scene3d::View::Front);
     QVERIFY(front->isChecked());
+    auto* side = view_->findChild<QToolButton*>(QStringLiteral("lookFromSideButton"));
+    QTest::mouseClick(side, Qt::LeftButton);
+    QCOMPARE(view_->currentView(), Scene3d::View::Side);
+    QVERIFY(side->isChecked() && !front->isChecked());
     QVERIFY(!view_->accessibleName().isEmpty());
   }
 
