@@ -154,6 +154,20 @@ std::vector<ActionDeclaration> runActions() {
        Qt::CTRL | Qt::Key_PageUp},
       {"actionNextMark", group, QT_TRANSLATE_NOOP("Actions", "Next marker"),
        QT_TRANSLATE_NOOP("Actions", "Go to the next marker"), nullptr, Qt::CTRL | Qt::Key_PageDown},
+      {"actionGoToFrame", group, QT_TRANSLATE_NOOP("Actions", "Go to frame…"),
+       QT_TRANSLATE_NOOP("Actions", "Enter a frame number, or a time such as 2.5 s, and go there"),
+       nullptr, Qt::CTRL | Qt::Key_G},
+      {"actionPreviousTrouble", group, QT_TRANSLATE_NOOP("Actions", "Previous trouble"),
+       QT_TRANSLATE_NOOP("Actions",
+                         "Go back to the frame where tracking of the selected target was "
+                         "lost or became uncertain, or where a camera had a problem. If "
+                         "no target is selected, all targets count"),
+       nullptr, Qt::CTRL | Qt::SHIFT | Qt::Key_PageUp},
+      {"actionNextTrouble", group, QT_TRANSLATE_NOOP("Actions", "Next trouble"),
+       QT_TRANSLATE_NOOP("Actions", "Go to the next frame where tracking of the selected target is "
+                                    "lost or becomes uncertain, or where a camera has a problem. "
+                                    "If no target is selected, all targets count"),
+       nullptr, Qt::CTRL | Qt::SHIFT | Qt::Key_PageDown},
       {"actionZoomToSpan", group, QT_TRANSLATE_NOOP("Actions", "Zoom to the selected span"),
        QT_TRANSLATE_NOOP("Actions", "Fill the timeline with the selected span of the recording"),
        nullptr, Qt::Key_Z},

@@ -174,6 +174,8 @@ void MainWindow::installStatusBar() {
   statusBar()->addWidget(figures, 1);
   bench_->connectView(figures);
   connect(selection_, &Selection::targetSelected, figures, &StatusBarPanel::setTarget);
+  connect(figures, &StatusBarPanel::frameClicked, bench_->action("actionGoToFrame"),
+          &QAction::trigger);
   // While no views are shown there is nothing to measure.
   connect(docks_, &DockManager::viewsShowing, figures, &QWidget::setVisible);
 }

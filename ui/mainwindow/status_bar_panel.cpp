@@ -15,6 +15,7 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMouseEvent>
 #include <QResizeEvent>
 #include <QToolButton>
 
@@ -100,6 +101,8 @@ StatusBarPanel::StatusBarPanel(QWidget* parent)
   for (QLabel* label : {playing_, frame_, rate_}) {
     label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   }
+  frame_->setCursor(Qt::PointingHandCursor);
+  frame_->installEventFilter(this);
   more_->setObjectName(QStringLiteral("statusMore"));
   more_->setAutoRaise(true);
   more_->setFocusPolicy(Qt::TabFocus);
@@ -119,7 +122,7 @@ void StatusBarPanel::retranslateUi() {
           tr("State of the run: playing, paused, at the end, looking back at an earlier frame, or "
              "tracking again"));
   explain(frame_, tr("frame %1 / %2").arg("0000", "0000"),
-          tr("Number of the frame shown, and number of all frames"));
+          tr("Number of the frame shown, and number of all frames. Click to go to another frame"));
   explain(rate_, frameRateText(888.8), tr("Frames tracked per second, while playing"));
   explain(spread_, tr("± %1").arg("0000 mm"),
           tr("Uncertainty of the position: the standard deviations in x, y and z combined. The "
@@ -242,6 +245,15 @@ void StatusBarPanel::showBox(const BoxEstimate& estimate) {
                          .arg(numberText(center.x(), 1), numberText(center.y(), 1),
                               numberText(estimate.box.width, 0),
                               pixelText(estimate.box.height, 0)));
+}
+
+bool StatusBarPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == frame_ && event->type() == QEvent::MouseButtonPress &&
+      static_cast<QMouseEvent*>(event)->button() == Qt::LeftButton && snapshot_ != nullptr) {
+    Q_EMIT frameClicked();
+    return true;
+  }
+  return QWidget::eventFilter(watched, event);
 }
 
 void StatusBarPanel::changeEvent(QEvent* event) {

@@ -47,7 +47,12 @@ public:
 
   QSize minimumSizeHint() const override;
 
+Q_SIGNALS:
+  /// Emitted when the frame number is clicked.
+  void frameClicked();
+
 protected:
+  bool eventFilter(QObject* watched, QEvent* event) override; ///< clicks on the frame number
   void changeEvent(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/timeline/timeline.h"
 
+#include "core/session/frames/trouble_search.h"
 #include "core/session/target_colors.h"
 #include "ui/document/document.h"
 #include "ui/text/reason_text.h"
@@ -140,8 +141,8 @@ qint64 Timeline::latestFrame() const {
 
 void Timeline::requestFrame(qint64 frame, bool extendsRange) {
   const qint64 before = latestFrame();
-  const qint64 first = model_.live ? model_.history.first : scale_.first();
-  frame = std::clamp(frame, first, scale_.last());
+  const auto [first, last] = reachableFrames();
+  frame = std::clamp(frame, first, last);
   if (extendsRange) {
     anchor_ = selection_.selectedRange() && anchor_ >= 0 ? anchor_ : before;
     selection_.selectRange(SelectedRange{anchor_, frame});
@@ -355,6 +356,18 @@ void Timeline::stepToMarker(int direction) {
   if (const auto marker = model_.nextMarker(latestFrame(), direction)) {
     requestFrame(*marker);
   }
+}
+
+bool Timeline::stepToTrouble(int direction) {
+  const int target = selection_.target();
+  const auto frame =
+      nextTrouble(model_.records, latestFrame(), direction,
+                  target >= 0 ? std::optional(static_cast<std::size_t>(target)) : std::nullopt);
+  const bool reachable = frame && *frame >= reachableFrames().first;
+  if (reachable) {
+    requestFrame(*frame);
+  }
+  return reachable;
 }
 
 void Timeline::addMarker() {

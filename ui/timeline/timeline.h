@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace dewpoint::ui {
 
@@ -38,6 +39,17 @@ public:
 
   /// Moves by this number of frames, starting at the current or the requested frame.
   void step(qint64 frames);
+  /// Moves to this frame, which is one of the reachable frames.
+  void goTo(qint64 frame) { requestFrame(frame); }
+  /// Returns the first and the last frame that can be shown.
+  std::pair<qint64, qint64> reachableFrames() const {
+    return {model_.live ? model_.history.first : scale_.first(), scale_.last()};
+  }
+  /// Returns the current frame, or the frame requested last.
+  qint64 latestFrame() const;
+  /// Moves to the next (1) or previous (-1) frame where trouble begins for the selected target, or
+  /// for any target if none is selected (nextTrouble()). Returns false if there is none.
+  bool stepToTrouble(int direction);
   /// Moves to the next (1) or previous (-1) marker.
   void stepToMarker(int direction);
   /// Adds a marker at the current frame in an undoable step, and edits its name in place.
@@ -81,8 +93,6 @@ private:
   TimelineRows rows() const;
   int dropoutCameraCount() const;
   void place();
-  /// Returns the current frame, or the frame requested last.
-  qint64 latestFrame() const;
   void requestFrame(qint64 frame, bool extendsRange = false);
   void selectTo(qint64 frame);
   std::optional<std::size_t> markerAt(const QPointF& point) const;

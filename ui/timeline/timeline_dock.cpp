@@ -8,6 +8,7 @@
 #include "ui/selection/selection.h"
 #include "ui/session/logged_records.h"
 #include "ui/session/result_refresher.h"
+#include "ui/timeline/frame_field.h"
 #include "ui/timeline/timeline.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/workbench/dock_manager.h"
@@ -27,14 +28,41 @@ void showMenu(const Workbench& bench, const QPoint& place) {
   menu->setAttribute(Qt::WA_DeleteOnClose);
   for (const ActionId id : std::initializer_list<ActionId>{
            "actionRerun", "actionTrackAgain", "actionNow", nullptr, "actionAddMark",
-           "actionRemoveMark", "actionPreviousMark", "actionNextMark", nullptr,
-           "actionCorrectPosition", "actionRemoveCorrection", nullptr, "actionZoomToSpan"}) {
+           "actionRemoveMark", "actionPreviousMark", "actionNextMark", nullptr, "actionGoToFrame",
+           "actionPreviousTrouble", "actionNextTrouble", nullptr, "actionCorrectPosition",
+           "actionRemoveCorrection", nullptr, "actionZoomToSpan"}) {
     id.isSeparator() ? (void)menu->addSeparator() : menu->addAction(bench.action(id));
   }
   menu->popup(place);
 }
 
-void connectActions(const Workbench& bench, Timeline* timeline) {
+void openFrameField(const Workbench& bench, ViewDock* dock, Timeline* timeline, FrameField* field) {
+  if (bench.docks.maximized() != nullptr && bench.docks.maximized() != dock) {
+    bench.docks.restoreMaximized();
+  }
+  if (dock->isBehind()) {
+    dock->bringToFront();
+  }
+  field->open(timeline->latestFrame());
+}
+
+void stepToTrouble(const Workbench& bench, Timeline* timeline, int direction) {
+  if (!timeline->stepToTrouble(direction)) {
+    bench.messages.showNotice(direction > 0
+                                  ? Timeline::tr("No trouble begins after the frame shown.")
+                                  : Timeline::tr("No trouble begins before the frame shown."));
+  }
+}
+
+void connectActions(const Workbench& bench, ViewDock* dock, Timeline* timeline) {
+  auto* field = new FrameField(*timeline);
+  bench.onTriggered("actionGoToFrame", field, [bench, dock, timeline, field] {
+    openFrameField(bench, dock, timeline, field);
+  });
+  bench.onTriggered("actionPreviousTrouble", timeline,
+                    [bench, timeline] { stepToTrouble(bench, timeline, -1); });
+  bench.onTriggered("actionNextTrouble", timeline,
+                    [bench, timeline] { stepToTrouble(bench, timeline, 1); });
   bench.onTriggered("actionPreviousFrame", timeline, [timeline] { timeline->step(-1); });
   bench.onTriggered("actionNow", timeline, [bench] { bench.selection.requestLiveFrame(); });
   bench.onTriggered("actionRerun", timeline, [bench] { bench.session.rerun(); });
@@ -44,7 +72,8 @@ void connectActions(const Workbench& bench, Timeline* timeline) {
   bench.onTriggered("actionNextMark", timeline, [timeline] { timeline->stepToMarker(1); });
   bench.onTriggered("actionZoomToSpan", timeline, [timeline] { timeline->zoomToRange(); });
   bench.requireRun({"actionPreviousFrame", "actionRerun", "actionAddMark", "actionRemoveMark",
-                    "actionPreviousMark", "actionNextMark", "actionZoomToSpan"});
+                    "actionPreviousMark", "actionNextMark", "actionGoToFrame",
+                    "actionPreviousTrouble", "actionNextTrouble", "actionZoomToSpan"});
   bench.action("actionNow")->setEnabled(false); // the current frame decides
 }
 
@@ -65,10 +94,10 @@ void explainChange(const Workbench& bench, const ProjectChanges& changes) {
 
 Timeline* installTimeline(const Workbench& bench) {
   auto* timeline = new Timeline(bench.selection, bench.document, &bench.window);
-  bench.docks.make({.name = QStringLiteral("timelineDock"),
-                    .title = [] { return Timeline::tr("Timeline"); },
-                    .content = timeline,
-                    .area = DockArea::Timeline});
+  ViewDock* dock = bench.docks.make({.name = QStringLiteral("timelineDock"),
+                                     .title = [] { return Timeline::tr("Timeline"); },
+                                     .content = timeline,
+                                     .area = DockArea::Timeline});
   QObject::connect(&bench.session, &SessionController::framesLogged, timeline,
                    [timeline](const LoggedFrames& frames) {
                      timeline->append(frames.records, frames.restarted);
@@ -91,7 +120,7 @@ Timeline* installTimeline(const Workbench& bench) {
                    [bench](const QPoint& place) { showMenu(bench, place); });
   QObject::connect(&bench.document, &Document::changed, timeline,
                    [bench](const ProjectChanges& changes) { explainChange(bench, changes); });
-  connectActions(bench, timeline);
+  connectActions(bench, dock, timeline);
   return timeline;
 }
 

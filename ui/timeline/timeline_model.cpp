@@ -11,6 +11,7 @@
 #include <QLocale>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <iterator>
 
@@ -67,6 +68,16 @@ double TimelineModel::secondsOf(qint64 frame) const {
   return known != nullptr
              ? known->time + static_cast<double>(frame - known->frame) / framesPerSecond
              : static_cast<double>(frame) / framesPerSecond;
+}
+
+qint64 TimelineModel::frameAtSeconds(double seconds) const {
+  const auto next = std::ranges::upper_bound(records, seconds, {}, &FrameRecord::time);
+  if (records.empty()) {
+    return std::llround(seconds * framesPerSecond);
+  }
+  const FrameRecord& known = next == records.begin() ? records.front() : *std::prev(next);
+  const qint64 frame = known.frame + std::llround((seconds - known.time) * framesPerSecond);
+  return next == records.end() ? frame : std::min<qint64>(frame, next->frame);
 }
 
 bool TimelineModel::isCorrected(std::size_t target, qint64 frame) const {

@@ -41,6 +41,9 @@ struct TimelineModel {
   const FrameRecord* at(qint64 frame) const;
   /// Returns the time of a frame in seconds, from its record or from the frame rate.
   double secondsOf(qint64 frame) const;
+  /// Returns the frame closest to a time in seconds. Beyond the records, it is computed from the
+  /// frame rate, and may be a frame that does not exist.
+  qint64 frameAtSeconds(double seconds) const;
   /// Returns whether this camera's image is missing in any frame.
   bool hasDropouts(std::size_t camera) const { return (missing_ >> camera & 1U) != 0; }
   /// Returns whether the user corrected this target's position in this frame.

@@ -78,6 +78,11 @@ TEST(TimelineModel, TheRateIsThatOfTheTimeStamps) {
   EXPECT_DOUBLE_EQ(model.secondsOf(11), 0.44);
   EXPECT_DOUBLE_EQ(model.secondsOf(62), 2.48); // from the newest one on
   EXPECT_DOUBLE_EQ(TimelineModel().secondsOf(60), 2.0);
+  EXPECT_EQ(model.frameAtSeconds(0.44), 11);
+  EXPECT_EQ(model.frameAtSeconds(0.425), 11); // 10.6: the closest
+  EXPECT_EQ(model.frameAtSeconds(2.48), 62);
+  EXPECT_EQ(model.frameAtSeconds(0.2), 5); // before the first record
+  EXPECT_EQ(TimelineModel().frameAtSeconds(2.0), 60);
 }
 
 TEST(TimelineModel, DropoutsAreKnownUntilTheRunBeginsAnew) {

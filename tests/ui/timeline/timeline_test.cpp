@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Going through time in the real window: scrubbing with mouse and keys, marks, spans, tracking
 // again.
+#include "core/session/frames/trouble_search.h"
 #include "core/session/session.h"
 #include "core/session/snapshot/snapshot.h"
 #include "tests/ui/window_fixture.h"
@@ -34,6 +35,8 @@ private Q_SLOTS:
   void playGoesOnFromTheFrameShown();
   void trackingAgainReplacesWhatFollows();
   void markersAreStepsOfTheDocument();
+  void framesAndTimesCanBeEntered();
+  void troubleIsFoundInBothDirections();
   void rangesAreSelectedAndZoomedTo();
   void titleSaysWhy();
 
@@ -175,6 +178,73 @@ void TimelineTest::markersAreStepsOfTheDocument() {
   QCOMPARE(timeline_->model().markers.size(), std::size_t{1});
   trigger("actionRemoveMark");
   QVERIFY(project().markers.empty());
+}
+
+void TimelineTest::framesAndTimesCanBeEntered() {
+  auto* edit = window_->findChild<QLineEdit*>(QStringLiteral("frameFieldEdit"));
+  auto* problem = window_->findChild<QLabel*>(QStringLiteral("frameFieldProblem"));
+  const auto enter = [edit](const char* text) {
+    edit->selectAll();
+    QTest::keyClicks(edit, QLatin1String(text));
+    QTest::keyClick(edit, Qt::Key_Return);
+  };
+  QVERIFY(showsFrame(kTracked - 1));
+  QVERIFY(!edit->isVisible());
+  trigger("actionGoToFrame");
+  QVERIFY(edit->isVisible() && edit->hasFocus());
+  QCOMPARE(edit->text(), QString::number(kTracked)); // people count from 1
+  enter("13");
+  QVERIFY(!edit->isVisible());
+  QVERIFY(showsFrame(12));
+  // The frame number in the status bar opens the field as well.
+  QTest::mouseClick(window_->findChild<QLabel*>(QStringLiteral("statusFrame")), Qt::LeftButton);
+  QVERIFY(edit->isVisible());
+  enter("1.0 s"); // the demo has 30 frames per second
+  QVERIFY(showsFrame(30));
+  trigger("actionGoToFrame");
+  for (const char* wrong : {"0", "-3", "99999", "999 s", "nowhere"}) {
+    enter(wrong);
+    QVERIFY2(edit->isVisible() && problem->isVisible(), wrong);
+    QVERIFY2(problem->text().contains(QStringLiteral(" 1 ")), qPrintable(problem->text()));
+    QVERIFY(window_->rect().contains(
+        QRect(problem->mapTo(window_.get(), QPoint(0, 0)), problem->size())));
+  }
+  QTest::keyClick(edit, Qt::Key_1);
+  QVERIFY(!problem->isVisible()); // the user is mending it
+  QTest::keyClick(edit, Qt::Key_Escape);
+  QVERIFY(!edit->isVisible());
+  QVERIFY(timeline_->hasFocus());
+  QVERIFY(showsFrame(30)); // nothing has changed
+}
+
+void TimelineTest::troubleIsFoundInBothDirections() {
+  const auto& records = timeline_->model().records;
+  QVERIFY(showsFrame(kTracked - 1));
+  // Whatever the demo does in its first frames: the actions go where the search says.
+  std::vector<qint64> begins;
+  for (auto at = nextTrouble(records, -1, 1); at; at = nextTrouble(records, *at, 1)) {
+    begins.push_back(*at);
+  }
+  for (auto at = begins.rbegin(); at != begins.rend(); ++at) {
+    if (*at < kTracked - 1) {
+      trigger("actionPreviousTrouble");
+      QVERIFY(showsFrame(*at));
+    }
+  }
+  const qint64 first = window_->selection().currentFrame();
+  trigger("actionPreviousTrouble"); // there is none: a message says so
+  QVERIFY(messageText().contains(QStringLiteral("before")));
+  QVERIFY(showsFrame(first));
+  for (const qint64 frame : begins) {
+    if (frame > first) {
+      trigger("actionNextTrouble");
+      QVERIFY(showsFrame(frame));
+    }
+  }
+  const qint64 last = window_->selection().currentFrame();
+  trigger("actionNextTrouble");
+  QVERIFY(messageText().contains(QStringLiteral("after")));
+  QVERIFY(showsFrame(last));
 }
 
 void TimelineTest::rangesAreSelectedAndZoomedTo() {

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <QFrame>
+
+class QLabel;
+class QLineEdit;
+
+namespace dewpoint::ui {
+
+class Timeline;
+
+/// Small field on the timeline in which the user enters a frame number or a time. Enter goes to
+/// this frame, Esc closes the field. If there is no such frame, a sentence below the field says
+/// what can be entered, and the field stays open.
+class FrameField : public QFrame {
+  Q_OBJECT
+public:
+  explicit FrameField(Timeline& timeline);
+
+  /// Opens the field at the current frame, with the keyboard focus. It contains the number of this
+  /// frame, selected.
+  void open(qint64 currentFrame);
+
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override; ///< Esc, and loss of the focus
+
+private:
+  void goToEntered();
+  void close(bool returnsFocus);
+  void showProblem(const QString& sentence);
+  void place();
+
+  Timeline& timeline_;
+  QLineEdit* edit_;
+  QLabel* problem_;
+  qint64 openedAt_ = 0;
+};
+
+} // namespace dewpoint::ui
