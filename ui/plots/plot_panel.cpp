@@ -82,11 +82,15 @@ void PlotPanel::connectActions() {
     connect(choice, &QAction::toggled, this, &PlotPanel::saveShownPlots);
   }
   QAction* overTime = actions_.action("actionPlotOverTime");
-  connect(overTime, &QAction::toggled, this, [this](bool time) {
+  const auto show = [this](bool time) {
     stack_->setAxis(time ? PlotAxis::Time : PlotAxis::Iterations);
-    Preferences().setPlotsOverTime(time);
-  });
+  };
   overTime->setChecked(Preferences().plotsOverTime());
+  show(overTime->isChecked());
+  connect(overTime, &QAction::toggled, this, [show](bool time) {
+    show(time);
+    Preferences().setPlotsOverTime(time); // only what the user chose is stored
+  });
   connect(actions_.action("actionPlotAll"), &QAction::triggered, stack_, &PlotStack::showAll);
   connect(actions_.action("actionPlotCopy"), &QAction::triggered, this, &PlotPanel::copyCsv);
   connect(actions_.action("actionPlotSave"), &QAction::triggered, this,

@@ -147,7 +147,7 @@ void Preferences::setShownPlots(const QStringList& plots) {
 }
 
 bool Preferences::plotsOverTime() const {
-  return read(kPlotsOverTime, false).toBool();
+  return read(kPlotsOverTime, true).toBool();
 }
 
 void Preferences::setPlotsOverTime(bool time) {

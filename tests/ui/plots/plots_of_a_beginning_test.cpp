@@ -24,6 +24,7 @@ private Q_SLOTS:
   void init();
   void cleanup() { window_.reset(); }
   void whatMattersIsInSight();
+  void axisIsInSecondsUntilTheUserChooses();
   void axisStaysWhileThePlotsScroll();
   void oneIterationIsADot();
   void iterationsOfAFrameConverge();
@@ -60,6 +61,17 @@ void PlotsOfABeginningTest::whatMattersIsInSight() {
   QVERIFY(waitFor([this] { return plots().fullyVisiblePlots().size() >= 3; }));
   QCOMPARE(plots().fullyVisiblePlots().first(3), (QStringList{"position", "spread", "sampleSize"}));
   QCOMPARE(find<QLabel>("plotTarget")->text(), QStringLiteral("pink ball"));
+}
+
+void PlotsOfABeginningTest::axisIsInSecondsUntilTheUserChooses() {
+  QVERIFY(action("actionPlotOverTime")->isChecked());
+  QCOMPARE(plots().axis(), PlotAxis::Time);
+  action("actionPlotOverTime")->trigger();
+  QCOMPARE(plots().axis(), PlotAxis::Iterations);
+  window_.reset();
+  makeAnotherWindow({.size = {1400, 900}, .theme = Theme::Light, .play = false});
+  QCOMPARE(plots().axis(), PlotAxis::Iterations); // as chosen before
+  QVERIFY(!action("actionPlotOverTime")->isChecked());
 }
 
 void PlotsOfABeginningTest::axisStaysWhileThePlotsScroll() {
@@ -107,14 +119,14 @@ void PlotsOfABeginningTest::restartShowsTheWholeRun() {
   QVERIFY(waitFor([&] { return (motion.showRange(0.5, 1.0), !motion.showsAll()); }));
   window_->findChild<QDockWidget*>(QStringLiteral("plotDock"))->raise();
   QVERIFY(waitFor([this] { return plots().isVisible(); }));
-  plots().showRange(1.0, 20.0);
+  plots().showRange(0.5, 1.5); // seconds
   QVERIFY(!plots().showsAll());
   action("actionRestart")->trigger();
   QVERIFY(waitFor([this] { return shown().iterations == 0; }));
   QVERIFY(plots().showsAll());
   QVERIFY(motion.showsAll());
-  QVERIFY(runsTo(66)); // and goes along with the new one
-  QVERIFY(waitFor([this] { return plots().shownRange().second >= 66.0; }));
+  QVERIFY(runsTo(66)); // at 30 per second; and the plots go along with the new run
+  QVERIFY(waitFor([this] { return plots().shownRange().second >= 2.1; }));
 }
 
 void PlotsOfABeginningTest::withoutDataThereIsASentence() {

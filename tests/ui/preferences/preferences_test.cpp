@@ -32,7 +32,7 @@ void PreferencesTest::atFirstThereIsNone() {
   QCOMPARE(preferences.filterThreadCount(), 0);
   QVERIFY(!preferences.shortcut(QStringLiteral("actionPlay")));
   QVERIFY(!preferences.shownPlots());
-  QVERIFY(!preferences.plotsOverTime());
+  QVERIFY(preferences.plotsOverTime());
   const BoardPreferences otherwise{QStringLiteral("some board"), 1, false, true, 0.25, 0.5};
   const BoardPreferences board = preferences.board(otherwise);
   QCOMPARE(board.board, otherwise.board);
@@ -55,7 +55,7 @@ void PreferencesTest::whatEarlierVersionsWroteIsRead() {
   settings.setValue(QStringLiteral("shortcuts/actionPlay"), QStringLiteral("Ctrl+J"));
   settings.setValue(QStringLiteral("shortcuts/actionRestart"), QString());
   settings.setValue(QStringLiteral("plots/shown"), QStringList{QStringLiteral("error")});
-  settings.setValue(QStringLiteral("plots/overTime"), true);
+  settings.setValue(QStringLiteral("plots/overTime"), false);
   settings.setValue(QStringLiteral("calibration/board"), QStringLiteral("chessboard 9 6 0.03"));
   settings.setValue(QStringLiteral("calibration/boardModel"), 2);
   settings.setValue(QStringLiteral("calibration/boardLenses"), false);
@@ -70,7 +70,7 @@ void PreferencesTest::whatEarlierVersionsWroteIsRead() {
            std::optional(QKeySequence(Qt::CTRL | Qt::Key_J)));
   QCOMPARE(preferences.shortcut(QStringLiteral("actionRestart")), std::optional(QKeySequence()));
   QCOMPARE(preferences.shownPlots(), std::optional(QStringList{QStringLiteral("error")}));
-  QVERIFY(preferences.plotsOverTime());
+  QVERIFY(!preferences.plotsOverTime());
   const BoardPreferences board = preferences.board({});
   QCOMPARE(board.board, QStringLiteral("chessboard 9 6 0.03"));
   QCOMPARE(board.lensModel, 2);
@@ -90,7 +90,7 @@ void PreferencesTest::whatIsSetIsThereAtTheNextStart() {
   before.setShortcut(QStringLiteral("actionRestart"), QKeySequence(Qt::Key_Y));
   before.setShortcut(QStringLiteral("actionRestart"), std::nullopt); // as declared again
   before.setShownPlots({});
-  before.setPlotsOverTime(true);
+  before.setPlotsOverTime(false); // not the default
   QTemporaryDir folder;
   before.setLastFolder(folder.path());
   QSettings().sync();
@@ -102,7 +102,7 @@ void PreferencesTest::whatIsSetIsThereAtTheNextStart() {
   QCOMPARE(after.shortcut(QStringLiteral("actionPlay")), std::optional(QKeySequence(Qt::Key_X)));
   QVERIFY(!after.shortcut(QStringLiteral("actionRestart")));
   QCOMPARE(after.shownPlots(), std::optional(QStringList())); // none is a choice, too
-  QVERIFY(after.plotsOverTime());
+  QVERIFY(!after.plotsOverTime());
   QCOMPARE(after.lastFolder(), folder.path());
   before.setLastFolder(QStringLiteral("/"));
   QCOMPARE(after.lastFolder(), QStringLiteral("/"));
