@@ -12,7 +12,6 @@ namespace dewpoint::ui {
 
 namespace {
 
-constexpr int kRowGap = 4;          ///< pixels above and below a plot
 constexpr int kLeastRect = 20;      ///< height of the axes
 constexpr int kTickRoom = 22;       ///< pixels of the y axis for each number on it
 constexpr int kCaptionLines = 2;    ///< of a title
@@ -76,11 +75,11 @@ PlotRow::PlotRow(QCustomPlot* plot, const PlotDeclaration& declaration, int layo
   plot->plotLayout()->setRowStretchFactor(layoutRow, heightShare());
   rect_->setMarginGroup(QCP::msLeft, margins);
   rect_->setAutoMargins(QCP::msLeft); // no row needs room for the numbers of the shared axis
-  rect_->setMargins(QMargins(0, kRowGap, kRowGap, kRowGap));
+  rect_->setMargins(QMargins(0, kGap, kGap, kGap));
   rect_->setMinimumSize(kLeastRect, kLeastRect);
   for (QCPLayoutElement* beside :
        {static_cast<QCPLayoutElement*>(caption_), static_cast<QCPLayoutElement*>(readout_)}) {
-    beside->setMargins(QMargins(0, kRowGap / 2, 0, 0));
+    beside->setMargins(QMargins(0, kGap / 2, 0, 0));
   }
   prepareAxes();
   addGraphs();
@@ -149,7 +148,7 @@ void PlotRow::prepareAxes() {
 int PlotRow::minimumHeightFor(const QFont& font) const {
   const int line = PlotReadout::lineHeight(font);
   const int lines = std::max(kCaptionLines, PlotReadout::lineCount(*declaration_));
-  return static_cast<int>(std::lround(heightShare() * (kCaptionLines * line + 2 * kRowGap))) +
+  return static_cast<int>(std::lround(heightShare() * (kCaptionLines * line + 2 * kGap))) +
          std::max(0, lines - kCaptionLines) * line;
 }
 

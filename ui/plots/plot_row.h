@@ -28,6 +28,9 @@ public:
   QCPAxis* yAxis() const { return rect_->axis(QCPAxis::atLeft); }
   PlotCaption* caption() const { return caption_; }
   PlotReadout* readout() const { return readout_; }
+  /// Empty space above and below the axes, pixels.
+  static constexpr int kGap = 4;
+
   /// Returns the minimum height (pixels) at which the title, readout and two axis numbers are
   /// readable.
   int minimumHeightFor(const QFont& font) const;

@@ -6,6 +6,7 @@
 #include "ui/plots/plot_pointer.h"
 #include "ui/plots/plot_row.h"
 #include "ui/plots/plot_scroll.h"
+#include "ui/plots/row_heights.h"
 #include "ui/text/quantity_text.h"
 
 #include <QEvent>
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace dewpoint::ui {
 
@@ -130,19 +132,38 @@ void PlotStack::rebuild() {
 void PlotStack::arrangeRows(const std::vector<const PlotDeclaration*>& wanted) {
   const int captionWidth = curvesOnly_ ? 0 : PlotCaption::widthFor(wanted, font());
   const int readoutWidth = curvesOnly_ ? kBareMargin : PlotReadout::widthFor(wanted, font());
-  int height = 0;
   for (const auto& row : rows_) {
     row->caption()->setWidth(captionWidth);
     row->readout()->setWidth(readoutWidth);
-    height += row->minimumHeightFor(font());
   }
   if (!rows_.empty()) { // a number at the upper end of an axis is not cut off
     QMargins margins = rows_.front()->rect()->margins();
     margins.setTop(margins.top() + kTopRoom);
     rows_.front()->rect()->setMargins(margins);
-    height += kTopRoom;
   }
-  plot_->setMinimumHeight(height);
+  fittedHeight_ = -1;
+  fitRows();
+}
+
+void PlotStack::fitRows() {
+  const int visible = scroll_->visibleArea().height();
+  if (visible == fittedHeight_) {
+    return;
+  }
+  fittedHeight_ = visible;
+  std::vector<int> least;
+  for (const auto& row : rows_) {
+    least.push_back(row->minimumHeightFor(font()) + (least.empty() ? kTopRoom : 0));
+  }
+  // The gap below the last visible plot need not be visible.
+  const std::vector<int> heights = wholeRowHeights(least, visible + PlotRow::kGap);
+  for (std::size_t k = 0; k < rows_.size(); ++k) {
+    const double share = heights.empty() ? rows_[k]->heightShare() : heights[k];
+    plot_->plotLayout()->setRowStretchFactor(static_cast<int>(k), share);
+  }
+  plot_->setMinimumHeight(heights.empty()
+                              ? std::min(visible, std::accumulate(least.begin(), least.end(), 0))
+                              : std::accumulate(heights.begin(), heights.end(), 0));
 }
 
 void PlotStack::refresh() {
@@ -168,6 +189,7 @@ void PlotStack::draw() {
   }
   QElapsedTimer took;
   took.start();
+  fitRows();
   const auto [lower, upper] = navigation_->advance();
   const double margin = kEndMargin * (upper - lower); // the first dot is seen in full
   for (const auto& row : rows_) {
@@ -259,6 +281,19 @@ QStringList PlotStack::fullyVisiblePlots() const {
   return ids;
 }
 
+QStringList PlotStack::cutPlots() const {
+  const QRect sight = scroll_->visibleArea();
+  QStringList ids;
+  for (const auto& row : rows_) {
+    const QRect its = row->rect()->rect();
+    const bool visible = its.bottom() >= sight.top() && its.top() <= sight.bottom();
+    if (visible && (its.top() < sight.top() || its.bottom() > sight.bottom())) {
+      ids << row->declaration().id;
+    }
+  }
+  return ids;
+}
+
 bool PlotStack::hasDots() const {
   return std::ranges::any_of(rows_, [](const auto& row) { return row->hasDots(); });
 }
@@ -280,6 +315,7 @@ void PlotStack::changeEvent(QEvent* event) {
 
 void PlotStack::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
+  fitRows();
   refresh();
 }
 

@@ -23,9 +23,10 @@ class PlotRow;
 class PlotScroll;
 
 /// Stack of plots that share an axis of iterations or time, a cursor and a range. If there is not
-/// enough room, the plots scroll above the axis numbers. While there are no data, a sentence is
-/// shown. New data are drawn at most a few times per second, no matter how often `refresh()` is
-/// called. The whole run is shown unless part of the axis is selected.
+/// enough room, the plots scroll above the axis numbers, and a whole number of them is visible.
+/// While there are no data, a sentence is shown. New data are drawn at most a few times per second,
+/// no matter how often `refresh()` is called. The whole run is shown unless part of the axis is
+/// selected.
 class PlotStack : public QWidget {
   Q_OBJECT
 public:
@@ -87,6 +88,8 @@ public:
   QStringList visiblePlots() const;
   /// Returns the plots that are fully visible without scrolling.
   QStringList fullyVisiblePlots() const;
+  /// Returns the plots of which only a part is visible without scrolling.
+  QStringList cutPlots() const;
   /// Returns whether any curve shows dots.
   bool hasDots() const;
 
@@ -107,6 +110,8 @@ protected:
 private:
   void rebuild();
   void arrangeRows(const std::vector<const PlotDeclaration*>& wanted);
+  /// Sets the heights of the plots so that a whole number of them is visible.
+  void fitRows();
   void draw();
   void drawCursor();
   /// Shows the frame and the values at the cursor in a label at the pointer, or hides the label.
@@ -128,6 +133,7 @@ private:
   std::vector<std::unique_ptr<PlotRow>> rows_;
   QTimer timer_;
   QElapsedTimer sinceDrawing_;
+  int fittedHeight_ = -1; ///< visible height that the rows fit, pixels
   double lastDrawingMs_ = 0.0;
 };
 

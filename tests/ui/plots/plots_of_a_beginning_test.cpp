@@ -24,6 +24,7 @@ private Q_SLOTS:
   void init();
   void cleanup() { window_.reset(); }
   void whatMattersIsInSight();
+  void noPlotIsCut();
   void axisIsInSecondsUntilTheUserChooses();
   void axisStaysWhileThePlotsScroll();
   void oneIterationIsADot();
@@ -61,6 +62,23 @@ void PlotsOfABeginningTest::whatMattersIsInSight() {
   QVERIFY(waitFor([this] { return plots().fullyVisiblePlots().size() >= 3; }));
   QCOMPARE(plots().fullyVisiblePlots().first(3), (QStringList{"position", "spread", "sampleSize"}));
   QCOMPARE(find<QLabel>("plotTarget")->text(), QStringLiteral("pink ball"));
+}
+
+void PlotsOfABeginningTest::noPlotIsCut() {
+  QVERIFY(runsTo(5));
+  auto* bar = plots().findChild<QScrollArea*>(QStringLiteral("plotScroll"))->verticalScrollBar();
+  for (const int height : {900, 780, 860, 1000, 1200}) {
+    window_->resize(1400, height);
+    QVERIFY(draws(*window_));
+    for (const bool atEnd : {false, true}) {
+      QVERIFY(waitFor([&] {
+        bar->setValue(atEnd ? bar->maximum() : 0);
+        return plots().isDrawn() && plots().cutPlots().isEmpty() &&
+               !plots().fullyVisiblePlots().isEmpty();
+      }));
+    }
+    QCOMPARE(plots().fullyVisiblePlots().last(), plots().visiblePlots().last());
+  }
 }
 
 void PlotsOfABeginningTest::axisIsInSecondsUntilTheUserChooses() {
