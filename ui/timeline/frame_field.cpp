@@ -18,7 +18,7 @@
 namespace dewpoint::ui {
 
 namespace {
-constexpr int kFieldWidth = 150; ///< pixels
+constexpr int kFrameFieldWidth = 150; ///< pixels
 } // namespace
 
 FrameField::FrameField(Timeline& timeline)
@@ -28,7 +28,7 @@ FrameField::FrameField(Timeline& timeline)
   setFrameShape(QFrame::StyledPanel);
   setAutoFillBackground(true);
   edit_->setObjectName(QStringLiteral("frameFieldEdit"));
-  edit_->setMinimumWidth(kFieldWidth);
+  edit_->setMinimumWidth(kFrameFieldWidth);
   edit_->installEventFilter(this);
   problem_->setObjectName(QStringLiteral("frameFieldProblem"));
   problem_->hide();

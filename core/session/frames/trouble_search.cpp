@@ -7,7 +7,7 @@ namespace dewpoint::session {
 
 namespace {
 
-bool isUntracked(const FrameRecord* record, std::size_t target) {
+bool isTroubled(const FrameRecord* record, std::size_t target) {
   if (record == nullptr || target >= record->targets.size()) {
     return false;
   }
@@ -35,7 +35,7 @@ bool beginsTrouble(const FrameRecord* before, const FrameRecord& record,
   const std::size_t first = target.value_or(0);
   const std::size_t end = target ? *target + 1 : record.targets.size();
   for (std::size_t k = first; k < end; ++k) {
-    if (isUntracked(&record, k) && !isUntracked(before, k)) {
+    if (isTroubled(&record, k) && !isTroubled(before, k)) {
       return true;
     }
   }

@@ -6,14 +6,8 @@
 namespace dewpoint::tests {
 namespace {
 
-using base::Error;
-using session::FrameRecord;
-using session::nextTrouble;
-using session::TargetStatus;
-using enum session::TargetStatus;
-
 /// Records of the frames 0, 1, 2 …; each list has the states of the targets in one frame.
-std::vector<FrameRecord> recordsOf(const std::vector<std::vector<TargetStatus>>& frames) {
+std::vector<FrameRecord> recordsWith(const std::vector<std::vector<TargetStatus>>& frames) {
   std::vector<FrameRecord> records;
   for (const auto& states : frames) {
     FrameRecord record;
@@ -27,7 +21,8 @@ std::vector<FrameRecord> recordsOf(const std::vector<std::vector<TargetStatus>>&
 }
 
 TEST(TroubleSearch, FindsWhereATargetStopsBeingTracked) {
-  const auto records = recordsOf(
+  using enum TargetStatus;
+  const auto records = recordsWith(
       {{Held}, {Held}, {Searching}, {Lost}, {Held}, {Ambiguous}, {Searching}, {Held}, {Lost}});
   EXPECT_EQ(nextTrouble(records, 0, 1), 2);
   EXPECT_EQ(nextTrouble(records, 2, 1), 5); // lost in 3 is still the trouble that began in 2
@@ -40,7 +35,8 @@ TEST(TroubleSearch, FindsWhereATargetStopsBeingTracked) {
 }
 
 TEST(TroubleSearch, ARunThatBeginsUntrackedBeginsWithTrouble) {
-  const auto records = recordsOf({{Searching}, {Searching}, {Held}});
+  using enum TargetStatus;
+  const auto records = recordsWith({{Searching}, {Searching}, {Held}});
   EXPECT_EQ(nextTrouble(records, 2, -1), 0);
   EXPECT_EQ(nextTrouble(records, 0, 1), std::nullopt);
   EXPECT_EQ(nextTrouble({}, 0, 1), std::nullopt);
@@ -48,13 +44,16 @@ TEST(TroubleSearch, ARunThatBeginsUntrackedBeginsWithTrouble) {
 }
 
 TEST(TroubleSearch, ARemovedTargetIsNoTrouble) {
-  const auto records = recordsOf({{Held}, {Gone}, {Gone}, {Searching}, {Gone}, {Held}});
+  using enum TargetStatus;
+  const auto records = recordsWith({{Held}, {Gone}, {Gone}, {Searching}, {Gone}, {Held}});
   EXPECT_EQ(nextTrouble(records, 0, 1), 3);
   EXPECT_EQ(nextTrouble(records, 3, 1), std::nullopt);
 }
 
 TEST(TroubleSearch, LooksAtAllTargetsOrAtOne) {
-  const auto records = recordsOf({{Held}, {Held, Held}, {Lost, Held}, {Lost, Lost}, {Held, Lost}});
+  using enum TargetStatus;
+  const auto records =
+      recordsWith({{Held}, {Held, Held}, {Lost, Held}, {Lost, Lost}, {Held, Lost}});
   EXPECT_EQ(nextTrouble(records, 0, 1), 2);
   EXPECT_EQ(nextTrouble(records, 2, 1), 3); // the other target
   EXPECT_EQ(nextTrouble(records, 0, 1, 1), 3);
@@ -63,9 +62,10 @@ TEST(TroubleSearch, LooksAtAllTargetsOrAtOne) {
 }
 
 TEST(TroubleSearch, FindsWhereAProblemOfACameraBegins) {
-  auto records = recordsOf({{Held}, {Held}, {Held}, {Held}, {Held}, {Held}});
-  const Error silent{base::ErrorCode::BadValue, "left", "", "silent"};
-  const Error frozen{base::ErrorCode::BadValue, "right", "", "frozen"};
+  using enum TargetStatus;
+  auto records = recordsWith({{Held}, {Held}, {Held}, {Held}, {Held}, {Held}});
+  const Error silent{ErrorCode::BadValue, "left", "", "silent"};
+  const Error frozen{ErrorCode::BadValue, "right", "", "frozen"};
   const auto one = std::make_shared<const std::vector<Error>>(std::vector{silent});
   const auto same = std::make_shared<const std::vector<Error>>(std::vector{silent});
   const auto two = std::make_shared<const std::vector<Error>>(std::vector{silent, frozen});
@@ -80,7 +80,8 @@ TEST(TroubleSearch, FindsWhereAProblemOfACameraBegins) {
 }
 
 TEST(TroubleSearch, RecordsMayLieApart) {
-  auto records = recordsOf({{Held}, {Lost}, {Held}, {Lost}});
+  using enum TargetStatus;
+  auto records = recordsWith({{Held}, {Lost}, {Held}, {Lost}});
   for (FrameRecord& record : records) {
     record.frame *= 8;
   }

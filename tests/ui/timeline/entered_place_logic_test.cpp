@@ -6,35 +6,36 @@
 namespace dewpoint::tests {
 namespace {
 
-std::optional<EnteredPlace> placeIn(const char* text, QLocale::Language language) {
+std::optional<EnteredPlace> enteredIn(const char* text, QLocale::Language language) {
   return enteredPlace(QString::fromUtf8(text), QLocale(language));
 }
 
-std::optional<EnteredPlace> place(const char* text) {
-  return placeIn(text, QLocale::English);
+std::optional<EnteredPlace> enteredInEnglish(const char* text) {
+  return enteredIn(text, QLocale::English);
 }
 
 TEST(EnteredPlace, AFrameIsCountedFromOne) {
-  EXPECT_EQ(place("132"), EnteredPlace(qint64{131}));
-  EXPECT_EQ(place(" 1 "), EnteredPlace(qint64{0}));
-  EXPECT_EQ(place("1,200"), EnteredPlace(qint64{1199}));
-  EXPECT_EQ(placeIn("1.200", QLocale::German), EnteredPlace(qint64{1199}));
-  EXPECT_EQ(place("0"), EnteredPlace(qint64{-1})); // whether it exists is checked elsewhere
+  EXPECT_EQ(enteredInEnglish("132"), EnteredPlace(qint64{131}));
+  EXPECT_EQ(enteredInEnglish(" 1 "), EnteredPlace(qint64{0}));
+  EXPECT_EQ(enteredInEnglish("1,200"), EnteredPlace(qint64{1199}));
+  EXPECT_EQ(enteredIn("1.200", QLocale::German), EnteredPlace(qint64{1199}));
+  EXPECT_EQ(enteredInEnglish("0"),
+            EnteredPlace(qint64{-1})); // whether it exists is checked elsewhere
 }
 
 TEST(EnteredPlace, ATimeHasItsUnit) {
-  EXPECT_EQ(place("2.5 s"), EnteredPlace(2.5));
-  EXPECT_EQ(place("2.5s"), EnteredPlace(2.5));
-  EXPECT_EQ(place("4 S"), EnteredPlace(4.0));
-  EXPECT_EQ(placeIn("2,5 s", QLocale::German), EnteredPlace(2.5));
-  EXPECT_EQ(placeIn("2.5 s", QLocale::German), EnteredPlace(2.5));
-  EXPECT_EQ(placeIn("2.500 s", QLocale::German), EnteredPlace(2.5)); // not 2500
+  EXPECT_EQ(enteredInEnglish("2.5 s"), EnteredPlace(2.5));
+  EXPECT_EQ(enteredInEnglish("2.5s"), EnteredPlace(2.5));
+  EXPECT_EQ(enteredInEnglish("4 S"), EnteredPlace(4.0));
+  EXPECT_EQ(enteredIn("2,5 s", QLocale::German), EnteredPlace(2.5));
+  EXPECT_EQ(enteredIn("2.5 s", QLocale::German), EnteredPlace(2.5));
+  EXPECT_EQ(enteredIn("2.500 s", QLocale::German), EnteredPlace(2.5)); // not 2500
 }
 
 TEST(EnteredPlace, OtherTextsNameNoPlace) {
   for (const char* text : {"", " ", "s", "x", "2.5", "1 2", "2.5 m", "nan s", "inf s", "1e999 s",
                            "99999999999999999999", "-9223372036854775808"}) {
-    EXPECT_EQ(place(text), std::nullopt) << text;
+    EXPECT_EQ(enteredInEnglish(text), std::nullopt) << text;
   }
 }
 
