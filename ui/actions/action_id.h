@@ -113,6 +113,7 @@ inline constexpr auto kActionNames = std::to_array<std::string_view>({
     "actionQuickStart",
     "actionLegend",
     "actionMethods",
+    "actionMessages",
     "actionCheckProject",
     "actionReportProblem",
     "actionAbout",

@@ -19,6 +19,9 @@ std::vector<ActionDeclaration> helpActions() {
        Qt::CTRL | Qt::Key_F1},
       {"actionMethods", group, QT_TRANSLATE_NOOP("Actions", "About the methods"),
        QT_TRANSLATE_NOOP("Actions", "Open the reference of the tracking methods")},
+      {"actionMessages", group, QT_TRANSLATE_NOOP("Actions", "Messages"),
+       QT_TRANSLATE_NOOP("Actions", "Read the messages of this window again, with their times, and "
+                                    "copy them")},
       {"actionCheckProject", group, QT_TRANSLATE_NOOP("Actions", "Check project…"),
        QT_TRANSLATE_NOOP("Actions", "Check the recordings, times, calibration, colors and method "
                                     "of the project for problems")},

@@ -7,6 +7,7 @@
 #include "ui/help/about_dialog.h"
 #include "ui/help/manual_pages.h"
 #include "ui/help/manual_window.h"
+#include "ui/help/message_history.h"
 #include "ui/help/overlay_legend.h"
 #include "ui/help/problem_report.h"
 #include "ui/help/project_check_dialog.h"
@@ -18,9 +19,13 @@
 #include <QApplication>
 #include <QMainWindow>
 
+#include <algorithm>
+
 namespace dewpoint::ui {
 
 namespace {
+
+constexpr qsizetype kReportedMessages = 30; ///< in a problem report
 
 /// The one window of this kind, made when there is none, in front.
 template <class Dialog, class Make> Dialog* presentOne(const Workbench& bench, const Make& make) {
@@ -40,6 +45,11 @@ void showManual(const Workbench& bench, const QString& page) {
   manual->showPage(page);
 }
 
+QStringList lastMessages(const Workbench& bench) {
+  const QStringList& all = bench.messages.recent();
+  return all.mid(std::max<qsizetype>(0, all.size() - kReportedMessages));
+}
+
 QString projectText(const Workbench& bench) {
   const Project& project = bench.document.project();
   return bench.session.isRunning() ? QStringLiteral("%1 cameras, %2 targets, method %3")
@@ -52,7 +62,7 @@ QString projectText(const Workbench& bench) {
 } // namespace
 
 void reportCrash(const Workbench& bench, const QString& crash) {
-  auto* report = new ProblemReport({bench.messages.recent(), projectText(bench), crash},
+  auto* report = new ProblemReport({lastMessages(bench), projectText(bench), crash},
                                    bench.session.opener(), &bench.window);
   report->setAttribute(Qt::WA_DeleteOnClose);
   Workbench::present(report);
@@ -86,9 +96,13 @@ void installHelp(const Workbench& bench) {
   bench.onTriggered("actionLegend", window, [bench] {
     presentOne<OverlayLegend>(bench, [&] { return new OverlayLegend(&bench.window); });
   });
+  bench.onTriggered("actionMessages", window, [bench] {
+    presentOne<MessageHistory>(bench,
+                               [&] { return new MessageHistory(bench.messages, &bench.window); });
+  });
   bench.onTriggered("actionReportProblem", window, [bench] {
     presentOne<ProblemReport>(bench, [&] {
-      return new ProblemReport({bench.messages.recent(), projectText(bench), {}},
+      return new ProblemReport({lastMessages(bench), projectText(bench), {}},
                                bench.session.opener(), &bench.window);
     });
   });

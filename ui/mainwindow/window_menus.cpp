@@ -110,7 +110,8 @@ void WindowMenus::make() {
        "actionExperiments"});
   add(tr("&Help"), "menuHelp",
       {"actionQuickStart", "actionLegend", "actionShortcuts", nullptr, "actionManual",
-       "actionMethods", nullptr, "actionCheckProject", "actionReportProblem", "actionAbout"});
+       "actionMethods", nullptr, "actionMessages", "actionCheckProject", "actionReportProblem",
+       "actionAbout"});
 }
 
 void WindowMenus::makeFileMenu() {

@@ -26,7 +26,7 @@ namespace {
 /// How long a notice stays: to be found, and to be read.
 constexpr int kShortestMs = 4000;
 constexpr int kMsPerLetter = 70;
-constexpr qsizetype kMostRecent = 30;
+constexpr qsizetype kMostRecent = 1000;
 /// How much of a message's color is in its ground and in its edge: quiet, but seen.
 constexpr double kTint = 0.10;
 constexpr double kEdge = 0.45;

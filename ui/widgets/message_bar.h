@@ -54,7 +54,7 @@ public:
   void forget(bool notices);
   /// Adds a message to recent() without showing it, because it is shown elsewhere.
   void record(const QString& text, Severity severity);
-  /// Returns the last messages in this window, oldest first, each with its time.
+  /// Returns the messages in this window, oldest first, each with its time; at most the last 1000.
   const QStringList& recent() const { return recent_; }
 
 Q_SIGNALS:

@@ -9,6 +9,7 @@
 #include "ui/help/manual_browser.h"
 #include "ui/help/manual_pages.h"
 #include "ui/help/manual_window.h"
+#include "ui/help/message_history.h"
 #include "ui/help/problem_report.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/workbench/dock_manager.h"
@@ -17,11 +18,13 @@
 #include <QClipboard>
 #include <QDir>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
 #include <QMenuBar>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QScrollBar>
 #include <QTextBlock>
 #include <QToolButton>
@@ -42,6 +45,7 @@ private Q_SLOTS:
   void everyHelpOpensAndCloses_data();
   void everyHelpOpensAndCloses();
   void theReportNamesVersionsAndTheLastMessages();
+  void messagesCanBeReadAgainAndCopied();
   void theLicenseCanBeRead();
 };
 
@@ -140,6 +144,8 @@ void HelpTest::everyHelpOpensAndCloses_data() {
                                << "quickStart";
   QTest::newRow("legend") << "actionLegend"
                           << "overlayLegend";
+  QTest::newRow("messages") << "actionMessages"
+                            << "messageHistory";
   QTest::newRow("report") << "actionReportProblem"
                           << "problemReport";
   QTest::newRow("about") << "actionAbout"
@@ -175,6 +181,41 @@ void HelpTest::theReportNamesVersionsAndTheLastMessages() {
   }
   QTest::mouseClick(find<QPushButton>("problemCopy"), Qt::LeftButton);
   QCOMPARE(QApplication::clipboard()->text(), report);
+}
+
+void HelpTest::messagesCanBeReadAgainAndCopied() {
+  MessageBar& messages = window_->workbench().messages;
+  for (int k = 1; k <= 40; ++k) { // more than a report has
+    messages.showNotice(QStringLiteral("notice %1.").arg(k));
+  }
+  messages.showError(QStringLiteral("room.toml: cameras: there is none"));
+  messages.dismiss();
+  action("actionMessages")->trigger();
+  auto* history = find<MessageHistory>("messageHistory");
+  QVERIFY(waitFor([&] { return history->isVisible(); }));
+  const QStringList lines = history->text().split(QLatin1Char('\n'));
+  QVERIFY(lines.size() >= 41);
+  const QRegularExpression form(QStringLiteral("^\\d\\d:\\d\\d:\\d\\d  [●◆▲]  "));
+  QVERIFY2(form.match(lines.last()).hasMatch(), qPrintable(lines.last()));
+  QVERIFY(lines.last().contains(QStringLiteral("▲")));
+  QVERIFY(lines.last().endsWith(QStringLiteral("room.toml: cameras: there is none")));
+  QVERIFY(lines.at(lines.size() - 41).endsWith(QStringLiteral("notice 1.")));
+  // What comes while it is open is added; the same window is shown again.
+  messages.record(QStringLiteral("camera 1 is silent"), Severity::Warning);
+  action("actionMessages")->trigger();
+  QCOMPARE(window_->findChildren<MessageHistory*>().size(), 1);
+  QVERIFY(history->text().endsWith(QStringLiteral("camera 1 is silent")));
+  QTest::mouseClick(find<QPushButton>("messageHistoryCopy"), Qt::LeftButton);
+  QCOMPARE(QGuiApplication::clipboard()->text(), history->text());
+  // The search for actions finds it first.
+  history->close();
+  action("actionPalette")->trigger();
+  auto* search = find<QLineEdit>("paletteSearch");
+  search->setText(QStringLiteral("messages"));
+  const QListWidgetItem* found = find<QListWidget>("paletteList")->currentItem();
+  QVERIFY(found != nullptr);
+  QCOMPARE(found->text(), QStringLiteral("Help › Messages"));
+  search->window()->close();
 }
 
 void HelpTest::theLicenseCanBeRead() {
