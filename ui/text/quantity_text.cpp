@@ -205,7 +205,8 @@ QString pixelText(double value, int decimals) {
 }
 
 QString pixelDifferenceText(double value) {
-  return pixelsText(shortest(value, 2));
+  constexpr double kLeast = 1e-4; // less is rounding, and nobody's concern
+  return pixelsText(shortest(std::max(value, kLeast), 2));
 }
 
 } // namespace dewpoint::ui

@@ -76,7 +76,8 @@ QString durationText(double microseconds);
 
 /// Returns a length in image pixels: "12.3 px".
 QString pixelText(double pixels, int decimals = 1);
-/// Returns a difference in image pixels with at most two significant digits: "0.0031 px".
+/// Returns an upper limit of a difference in image pixels with at most two significant digits:
+/// "0.0031 px". Smaller limits than 0.0001 px become 0.0001 px.
 QString pixelDifferenceText(double pixels);
 
 } // namespace dewpoint::ui

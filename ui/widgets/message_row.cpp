@@ -34,6 +34,11 @@ bool isTextField(const QWidget* widget) {
          (choice != nullptr && choice->isEditable());
 }
 
+/// Whether one who leaves a field for this widget goes on filling in a form.
+bool isInForm(const QWidget* widget) {
+  return isTextField(widget) || qobject_cast<const QComboBox*>(widget) != nullptr;
+}
+
 } // namespace
 
 MessageRow::MessageRow(MessageBar* bar, NoticeList* notices, QWidget* parent)
@@ -86,7 +91,9 @@ bool MessageRow::keepsHeight(int wanted) const {
     return true;
   }
   const QWidget* focus = QApplication::focusWidget();
-  if (focus == nullptr || focus != typedIn_ || !focus->isVisible()) {
+  // A field that is left acts on its value before followFocus() is told of the next field.
+  const bool goesOn = typedIn_ != nullptr && focus != nullptr && isInForm(focus);
+  if (focus == nullptr || !(focus == typedIn_ || goesOn) || !focus->isVisible()) {
     return false;
   }
   if (wanted > maximumHeight()) {
@@ -131,8 +138,7 @@ void MessageRow::waitForQuiet(bool waits) {
 }
 
 void MessageRow::followFocus(QWidget* before, QWidget* now) {
-  const bool goesOn = before != nullptr && before == typedIn_ && now != nullptr &&
-                      (isTextField(now) || qobject_cast<QComboBox*>(now) != nullptr);
+  const bool goesOn = before != nullptr && before == typedIn_ && now != nullptr && isInForm(now);
   typedIn_ = goesOn ? now : nullptr;
 }
 

@@ -18,6 +18,7 @@ private Q_SLOTS:
   void init() { openCalibration(); }
   void cleanup() { window_.reset(); }
   void aMessageThatGoesLeavesItsRoom();
+  void aFieldThatIsLeftMayEndTheMessage();
   void aMessageThatComesLiesOverTheViews();
 
 private:
@@ -52,6 +53,20 @@ void MessageRoomTest::aMessageThatGoesLeavesItsRoom() {
   QVERIFY(waitFor([&] { return top() < before - kStill; }));
 }
 
+void MessageRoomTest::aFieldThatIsLeftMayEndTheMessage() {
+  messages()->showError(QStringLiteral("something is wrong"));
+  QVERIFY(waitFor([this] { return roomHeight() > kStill; }));
+  QVERIFY(draws(*window_));
+  const int before = top();
+  auto* field = typeInTheForm();
+  connect(field, &QDoubleSpinBox::editingFinished, messages(), &MessageBar::dismiss);
+  QTest::keyClick(field, Qt::Key_Tab);
+  QVERIFY(!field->hasFocus());
+  letTimePass(1000);
+  QVERIFY(!messages()->isVisible());
+  QVERIFY2(std::abs(top() - before) <= kStill, qPrintable(QString::number(top() - before)));
+}
+
 void MessageRoomTest::aMessageThatComesLiesOverTheViews() {
   QVERIFY(waitFor([this] { return roomHeight() == 0; }));
   QVERIFY(draws(*window_));
@@ -65,8 +80,10 @@ void MessageRoomTest::aMessageThatComesLiesOverTheViews() {
   // It can be seen, and used.
   const QPoint middle = messages()->geometry().center();
   const QRect at = messages()->geometry();
-  QVERIFY2(window_->rect().contains(at),
-           qPrintable(QStringLiteral("%1 %2 %3 %4").arg(at.x()).arg(at.y()).arg(at.width()).arg(at.height())));
+  QVERIFY2(
+      window_->rect().contains(at),
+      qPrintable(
+          QStringLiteral("%1 %2 %3 %4").arg(at.x()).arg(at.y()).arg(at.width()).arg(at.height())));
   const QWidget* there = window_->childAt(middle);
   QVERIFY2(there == messages() || messages()->isAncestorOf(there),
            there == nullptr ? "none" : there->metaObject()->className());

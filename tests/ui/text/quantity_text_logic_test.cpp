@@ -105,6 +105,7 @@ TEST(QuantityText, DurationsAndPixelsHaveTheirUnits) {
   EXPECT_EQ(pixelText(12.34), QStringLiteral("12.3 px"));
   EXPECT_EQ(pixelText(0.4567, 3), QStringLiteral("0.457 px"));
   EXPECT_EQ(pixelDifferenceText(0.00312), QStringLiteral("0.0031 px"));
+  EXPECT_EQ(pixelDifferenceText(3.4e-13), QStringLiteral("0.0001 px"));
 }
 
 } // namespace

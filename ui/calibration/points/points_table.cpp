@@ -37,7 +37,10 @@ PointsTable::PointsTable(PointCalibrator& points, ManualCalibration& manual, QWi
   connect(remove_, &QPushButton::clicked, &points_, &PointCalibrator::remove);
   connect(click_, &QPushButton::clicked, &points_, &PointCalibrator::setClicking);
   connect(forget_, &QPushButton::clicked, this, [this] { points_.removeClick(manual_.camera()); });
-  connect(solve_, &QPushButton::clicked, this, [this] { points_.solve(focal_->isChecked()); });
+  connect(solve_, &QPushButton::clicked, this, [this] {
+    points_.setClicking(false); // or the next click in an image would move a point
+    points_.solve(focal_->isChecked());
+  });
   connect(accept_, &QPushButton::clicked, &points_, &PointCalibrator::acceptProposal);
   onRetranslate(this, [this] { retranslateUi(); });
 }

@@ -85,6 +85,7 @@ void PointsTest::tooFewPointsSayHowManyAreNeeded() {
   find<QPushButton>("pointClick")->click();
   click(0, Eigen::Vector2d(100.0, 100.0), Qt::AltModifier);
   find<QPushButton>("pointSolve")->click();
+  QVERIFY(!find<QPushButton>("pointClick")->isChecked()); // the next click moves no point
   const auto text = [this] { return find<QLabel>("pointAssessment")->text(); };
   QVERIFY(waitFor([&] { return !text().isEmpty(); }));
   QVERIFY2(text().contains(QStringLiteral("1 point")), qPrintable(text()));
