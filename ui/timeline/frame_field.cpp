@@ -79,6 +79,7 @@ void FrameField::goToEntered() {
       }
     }
   }
+  //: %1 and %2 are numbers of frames, %3 and %4 times
   showProblem(tr("Enter a frame from %1 to %2, or a time from %3 to %4.")
                   .arg(numbers.toString(first + 1), numbers.toString(last + 1),
                        secondsText(model.secondsOf(first), 2),
