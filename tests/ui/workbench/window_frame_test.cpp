@@ -49,7 +49,6 @@ private Q_SLOTS:
   void aMessagePushesTheViewsAndCoversNothing();
   void aMessageTakesNoKeys();
   void theSeverityOfAMessageIsSeen();
-  void f11FillsTheScreen();
 
 private:
   void openScene(const char* scene, const QSize& size);
@@ -393,15 +392,6 @@ void WindowFrameTest::theSeverityOfAMessageIsSeen() {
   QVERIFY(notice.first != warning.first && warning.first != error.first);
   QVERIFY(notice.second != warning.second && warning.second != error.second);
   QVERIFY(messages.recent().last().endsWith(QStringLiteral("a")));
-}
-
-void WindowFrameTest::f11FillsTheScreen() {
-  QAction* full = action("actionFullScreen");
-  full->trigger();
-  QVERIFY(waitFor([this] { return window_->isFullScreen(); }));
-  QVERIFY(full->isChecked());
-  full->trigger();
-  QVERIFY(waitFor([this] { return !window_->isFullScreen(); }));
 }
 
 DEWPOINT_WINDOW_TEST(WindowFrameTest)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Messages in a window as large as a small screen: it does not grow beyond the screen.
+// The window fills a screen when told to, and never grows beyond a small one.
 #include "core/session/snapshot/snapshot.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/window_test.h"
@@ -7,11 +7,12 @@
 #include "ui/workbench/dock_manager.h"
 #include "ui/workbench/workbench.h"
 
+#include <QAction>
 #include <QStatusBar>
 
 namespace dewpoint::tests {
 
-class SmallWindowTest : public QObject, private test::WindowFixture {
+class WindowSizeTest : public QObject, private test::WindowFixture {
   Q_OBJECT
 
 private Q_SLOTS:
@@ -19,15 +20,16 @@ private Q_SLOTS:
   void cleanup() { window_.reset(); }
   void aMessageFitsASmallScreen_data();
   void aMessageFitsASmallScreen();
+  void f11FillsTheScreen();
 };
 
-void SmallWindowTest::aMessageFitsASmallScreen_data() {
+void WindowSizeTest::aMessageFitsASmallScreen_data() {
   QTest::addColumn<bool>("arranged");
   QTest::newRow("as it is") << false;
   QTest::newRow("arranged by hand, with nothing to spare above the plots") << true;
 }
 
-void SmallWindowTest::aMessageFitsASmallScreen() {
+void WindowSizeTest::aMessageFitsASmallScreen() {
   QFETCH(bool, arranged);
   window_->resize(1024, 640);
   open(std::filesystem::path("demo"));
@@ -53,8 +55,17 @@ void SmallWindowTest::aMessageFitsASmallScreen() {
   QVERIFY(fits());
 }
 
-DEWPOINT_WINDOW_TEST(SmallWindowTest)
+void WindowSizeTest::f11FillsTheScreen() {
+  QAction* full = action("actionFullScreen");
+  full->trigger();
+  QVERIFY(waitFor([this] { return window_->isFullScreen(); }));
+  QVERIFY(full->isChecked());
+  full->trigger();
+  QVERIFY(waitFor([this] { return !window_->isFullScreen(); }));
+}
+
+DEWPOINT_WINDOW_TEST(WindowSizeTest)
 
 } // namespace dewpoint::tests
 
-#include "small_window_test.moc"
+#include "window_size_test.moc"
