@@ -9,6 +9,7 @@
 #include "ui/session/session_controller.h"
 #include "ui/text/language.h"
 
+#include <QLabel>
 #include <QMenu>
 #include <QToolButton>
 
@@ -25,6 +26,7 @@ private Q_SLOTS:
   void aSpeedHoldsForTheNextProject();
   void slowlyAtFirstIsRemembered();
   void whatIsBelievedBeforeTheFirstIterationIsShown();
+  void theRateIsShownWhilePlaying();
 
 private:
   const Pace& pace() const { return window_->findChild<SessionController*>()->pace(); }
@@ -99,6 +101,18 @@ void SpeedTest::whatIsBelievedBeforeTheFirstIterationIsShown() {
   openDemo();
   QVERIFY(waitFor([this] { return shown().iterations > 3; }));
   QVERIFY(seenBefore);
+}
+
+void SpeedTest::theRateIsShownWhilePlaying() {
+  window_->resize(1400, 900);
+  openDemo();
+  const auto* rate = find<QLabel>("statusRate");
+  if (shown().state != PlayState::Playing) {
+    action("actionPlay")->trigger();
+  }
+  QVERIFY(waitFor([&] { return rate->text().endsWith(QStringLiteral(" frames/s")); }));
+  action("actionPlay")->trigger();
+  QVERIFY(waitFor([&] { return rate->text().isEmpty(); }));
 }
 
 DEWPOINT_WINDOW_TEST(SpeedTest)

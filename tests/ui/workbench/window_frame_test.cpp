@@ -42,7 +42,6 @@ private Q_SLOTS:
   void itFitsASmallScreen_data();
   void itFitsASmallScreen();
   void figuresOfTheStatusLineGoFromTheRight();
-  void theRateIsShownWhilePlaying();
   void detailsAreOneClickAway();
   void escAndAButtonGiveAllViewsBack();
   void aFloatingViewIsAWindowLikeAnyOther();
@@ -213,18 +212,6 @@ void WindowFrameTest::figuresOfTheStatusLineGoFromTheRight() {
     QVERIFY(!find<QWidget>("statusRate")->isVisible() || width >= 900);
     QVERIFY(find<QWidget>("statusPosition")->isVisible() || width < 500);
   }
-}
-
-void WindowFrameTest::theRateIsShownWhilePlaying() {
-  openScene("demo", {1400, 900});
-  const auto* rate = find<QLabel>("statusRate");
-  action("actionNextFrame")->trigger();
-  QVERIFY(waitFor([this] { return find<QLabel>("statusPosition")->text().contains("z"); }));
-  QCOMPARE(rate->text(), QString());
-  action("actionPlay")->trigger();
-  QVERIFY(waitFor([&] { return rate->text().endsWith(QStringLiteral(" frames/s")); }));
-  action("actionPlay")->trigger();
-  QVERIFY(waitFor([&] { return rate->text().isEmpty(); }));
 }
 
 void WindowFrameTest::detailsAreOneClickAway() {
