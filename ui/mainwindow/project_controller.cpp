@@ -211,6 +211,9 @@ void ProjectController::chooseProject() {
 
 void ProjectController::close() {
   bench_.session.close();
+  if (MessageBar& bar = bench_.messages; !bar.isAsking(bar.text())) {
+    bar.dismiss(); // it was about what is closed
+  }
   showStart();
 }
 
