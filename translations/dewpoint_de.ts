@@ -839,6 +839,46 @@
         <source>Set number and notes of the next take, or notes of this one</source>
         <translation>Nummer und Notizen der nächsten Aufnahme oder Notizen der laufenden festlegen</translation>
     </message>
+    <message>
+        <source>Messages</source>
+        <translation>Meldungen</translation>
+    </message>
+    <message>
+        <source>Read the messages of this window again, with their times, and copy them</source>
+        <translation>Die Meldungen dieses Fensters mit ihren Uhrzeiten noch einmal lesen und kopieren</translation>
+    </message>
+    <message>
+        <source>Go to frame…</source>
+        <translation>Zu Bild gehen…</translation>
+    </message>
+    <message>
+        <source>Enter a frame number, or a time such as 2.5 s, and go there</source>
+        <translation>Eine Bildnummer oder eine Zeit wie 2,5 s eingeben und dorthin gehen</translation>
+    </message>
+    <message>
+        <source>Previous trouble</source>
+        <translation>Vorige Störung</translation>
+    </message>
+    <message>
+        <source>Go back to the frame where tracking of the selected target was lost or became uncertain, or where a camera had a problem. If no target is selected, all targets count</source>
+        <translation>Zurück zu dem Bild gehen, in dem das ausgewählte Ziel verloren oder unsicher wurde oder eine Kamera ein Problem hatte. Ist kein Ziel ausgewählt, zählen alle Ziele</translation>
+    </message>
+    <message>
+        <source>Next trouble</source>
+        <translation>Nächste Störung</translation>
+    </message>
+    <message>
+        <source>Go to the next frame where tracking of the selected target is lost or becomes uncertain, or where a camera has a problem. If no target is selected, all targets count</source>
+        <translation>Zum nächsten Bild gehen, in dem das ausgewählte Ziel verloren oder unsicher wird oder eine Kamera ein Problem hat. Ist kein Ziel ausgewählt, zählen alle Ziele</translation>
+    </message>
+    <message>
+        <source>Side view</source>
+        <translation>Ansicht von der Seite</translation>
+    </message>
+    <message>
+        <source>Bird&apos;s-eye view from the side: the YZ plane</source>
+        <translation>Vogelperspektive von der Seite: die YZ-Ebene</translation>
+    </message>
 </context>
 <context>
     <name>AssessedRegions</name>
@@ -3568,6 +3608,10 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <source>%1 µs</source>
         <translation>%1 µs</translation>
     </message>
+    <message>
+        <source>%1 frames/s</source>
+        <translation>%1 Bilder/s</translation>
+    </message>
 </context>
 <context>
     <name>Reason</name>
@@ -3830,14 +3874,6 @@ Effektive Stichprobengröße %8 von %9</translation>
     <message>
         <source>The state of each target appears here during tracking.</source>
         <translation>Der Zustand jedes Ziels erscheint hier während der Verfolgung.</translation>
-    </message>
-    <message>
-        <source>memory for going back: %1 of %2 MB (the last %3)</source>
-        <translation>Speicher für den Rückblick: %1 von %2 MB (die letzten %3)</translation>
-    </message>
-    <message>
-        <source>memory for going back: %1 of %2 MB</source>
-        <translation>Speicher für den Rückblick: %1 von %2 MB</translation>
     </message>
 </context>
 <context>
@@ -6522,6 +6558,10 @@ Position x, y, z: %4, %5, %6</translation>
         <source>%1 (usual for this format)</source>
         <translation>%1 (bei diesem Format üblich)</translation>
     </message>
+    <message>
+        <source>tracked to %1</source>
+        <translation>verfolgt bis %1</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::ExportOutcome</name>
@@ -6585,6 +6625,22 @@ Position x, y, z: %4, %5, %6</translation>
     <message>
         <source>Images per second</source>
         <translation>Bilder pro Sekunde</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::FrameField</name>
+    <message>
+        <source>Frame, or time in s</source>
+        <translation>Bild, oder Zeit in s</translation>
+    </message>
+    <message>
+        <source>Frame number or time to go to</source>
+        <translation>Bildnummer oder Zeit, zu der gegangen wird</translation>
+    </message>
+    <message>
+        <source>Enter a frame from %1 to %2, or a time from %3 to %4.</source>
+        <extracomment>%1 and %2 are numbers of frames, %3 and %4 times</extracomment>
+        <translation>Geben Sie ein Bild von %1 bis %2 oder eine Zeit von %3 bis %4 ein.</translation>
     </message>
 </context>
 <context>
@@ -7160,6 +7216,37 @@ Wenn diese Schaltfläche aus ist, tut Strg+Umschalt+Klick dasselbe; auch Alt+Kli
     <message>
         <source>Close this message</source>
         <translation>Diese Meldung schließen</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::MessageHistory</name>
+    <message>
+        <source>Messages – Dewpoint</source>
+        <translation>Meldungen – Dewpoint</translation>
+    </message>
+    <message>
+        <source>Messages, the newest last</source>
+        <translation>Meldungen, die neueste zuletzt</translation>
+    </message>
+    <message>
+        <source>There have been no messages yet.</source>
+        <translation>Bisher gab es keine Meldungen.</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy all messages as text</source>
+        <translation>Alle Meldungen als Text kopieren</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation>Dieses Fenster schließen</translation>
     </message>
 </context>
 <context>
@@ -8694,6 +8781,10 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <source>Memory for going back</source>
         <translation>Speicher für den Rückblick</translation>
     </message>
+    <message>
+        <source>Memory for going back to earlier frames: images, particles and saved states of the method. When it is full, only the estimates of older frames are kept.</source>
+        <translation>Speicher für den Rückblick auf frühere Bilder: Bilder, Partikel und gespeicherte Zustände des Verfahrens. Ist er voll, bleiben von älteren Bildern nur die Schätzungen.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::SessionController</name>
@@ -9039,14 +9130,6 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>am Ende</translation>
     </message>
     <message>
-        <source>%1 /s</source>
-        <translation>%1 /s</translation>
-    </message>
-    <message>
-        <source>Frames tracked per second</source>
-        <translation>Verfolgte Bilder je Sekunde</translation>
-    </message>
-    <message>
         <source>Estimated position of the target in the room</source>
         <translation>Geschätzte Position des Ziels im Raum</translation>
     </message>
@@ -9123,12 +9206,16 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Verfolgt: Die Kameras bestätigen die Schätzung. Mehrdeutig: Ein anderes Objekt passt etwa genauso gut. Verloren: seit mehr als einer Sekunde nicht verfolgt.</translation>
     </message>
     <message>
-        <source>Number of the frame shown, and number of all frames</source>
-        <translation>Nummer des gezeigten Bildes und Zahl aller Bilder</translation>
-    </message>
-    <message>
         <source>Uncertainty of the position: the standard deviations in x, y and z combined. The plots show each of the three</source>
         <translation>Unsicherheit der Position: die Standardabweichungen in x, y und z zusammen. Die Kurven zeigen jede der drei</translation>
+    </message>
+    <message>
+        <source>Number of the frame shown, and number of all frames. Click to go to another frame</source>
+        <translation>Nummer des gezeigten Bildes und Anzahl aller Bilder. Klicken, um zu einem anderen Bild zu gehen</translation>
+    </message>
+    <message>
+        <source>Frames tracked per second, while playing</source>
+        <translation>Verfolgte Bilder je Sekunde, während der Wiedergabe</translation>
     </message>
 </context>
 <context>
@@ -9408,8 +9495,12 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Die Änderung gilt für neue Bilder. Mit „%1“ verfolgen Sie ab dem aktuellen Bild erneut.</translation>
     </message>
     <message>
-        <source>Memory for going back to earlier frames: images, particles and saved states of the method. When it is full, only the estimates of older frames are kept.</source>
-        <translation>Speicher für den Rückblick auf frühere Bilder: Bilder, Partikel und gespeicherte Zustände des Verfahrens. Ist er voll, bleiben von älteren Bildern nur die Schätzungen.</translation>
+        <source>No trouble begins after the frame shown.</source>
+        <translation>Nach dem gezeigten Bild beginnt keine Störung.</translation>
+    </message>
+    <message>
+        <source>No trouble begins before the frame shown.</source>
+        <translation>Vor dem gezeigten Bild beginnt keine Störung.</translation>
     </message>
 </context>
 <context>
@@ -9992,6 +10083,14 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
     <message>
         <source>Perspective view. Drag to orbit, Shift-drag to move, scroll to zoom, double-click to show everything.</source>
         <translation>Perspektive. Ziehen dreht, Umschalt und Ziehen verschiebt, das Rad zoomt, ein Doppelklick zeigt alles.</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>View from the side: Y to the right, Z up. Drag to move, scroll to zoom, double-click to show everything.</source>
+        <translation>Blick von der Seite: Y nach rechts, Z nach oben. Ziehen verschiebt, das Rad zoomt, ein Doppelklick zeigt alles.</translation>
     </message>
 </context>
 <context>

@@ -839,6 +839,46 @@
         <source>Set number and notes of the next take, or notes of this one</source>
         <translation>Fijar el número y las notas de la próxima toma, o las notas de la actual</translation>
     </message>
+    <message>
+        <source>Messages</source>
+        <translation>Mensajes</translation>
+    </message>
+    <message>
+        <source>Read the messages of this window again, with their times, and copy them</source>
+        <translation>Volver a leer los mensajes de esta ventana, con sus horas, y copiarlos</translation>
+    </message>
+    <message>
+        <source>Go to frame…</source>
+        <translation>Ir al fotograma…</translation>
+    </message>
+    <message>
+        <source>Enter a frame number, or a time such as 2.5 s, and go there</source>
+        <translation>Introducir un número de fotograma, o un tiempo como 2,5 s, e ir allí</translation>
+    </message>
+    <message>
+        <source>Previous trouble</source>
+        <translation>Problema anterior</translation>
+    </message>
+    <message>
+        <source>Go back to the frame where tracking of the selected target was lost or became uncertain, or where a camera had a problem. If no target is selected, all targets count</source>
+        <translation>Volver al fotograma en el que se perdió el seguimiento del objetivo seleccionado o se volvió incierto, o en el que una cámara tuvo un problema. Si no hay ningún objetivo seleccionado, cuentan todos</translation>
+    </message>
+    <message>
+        <source>Next trouble</source>
+        <translation>Problema siguiente</translation>
+    </message>
+    <message>
+        <source>Go to the next frame where tracking of the selected target is lost or becomes uncertain, or where a camera has a problem. If no target is selected, all targets count</source>
+        <translation>Ir al siguiente fotograma en el que se pierde el seguimiento del objetivo seleccionado o se vuelve incierto, o en el que una cámara tiene un problema. Si no hay ningún objetivo seleccionado, cuentan todos</translation>
+    </message>
+    <message>
+        <source>Side view</source>
+        <translation>Vista lateral</translation>
+    </message>
+    <message>
+        <source>Bird&apos;s-eye view from the side: the YZ plane</source>
+        <translation>Vista de pájaro desde el lado: el plano YZ</translation>
+    </message>
 </context>
 <context>
     <name>AssessedRegions</name>
@@ -3568,6 +3608,10 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <source>%1 µs</source>
         <translation>%1 µs</translation>
     </message>
+    <message>
+        <source>%1 frames/s</source>
+        <translation>%1 fotogramas/s</translation>
+    </message>
 </context>
 <context>
     <name>Reason</name>
@@ -3830,14 +3874,6 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     <message>
         <source>The state of each target appears here during tracking.</source>
         <translation>El estado de cada objetivo aparece aquí durante el seguimiento.</translation>
-    </message>
-    <message>
-        <source>memory for going back: %1 of %2 MB (the last %3)</source>
-        <translation>memoria para volver atrás: %1 de %2 MB (los últimos %3)</translation>
-    </message>
-    <message>
-        <source>memory for going back: %1 of %2 MB</source>
-        <translation>memoria para volver atrás: %1 de %2 MB</translation>
     </message>
 </context>
 <context>
@@ -6522,6 +6558,10 @@ Posición x, y, z: %4, %5, %6</translation>
         <source>%1 (usual for this format)</source>
         <translation>%1 (habitual en este formato)</translation>
     </message>
+    <message>
+        <source>tracked to %1</source>
+        <translation>seguido hasta %1</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::ExportOutcome</name>
@@ -6585,6 +6625,22 @@ Posición x, y, z: %4, %5, %6</translation>
     <message>
         <source>Images per second</source>
         <translation>Imágenes por segundo</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::FrameField</name>
+    <message>
+        <source>Frame, or time in s</source>
+        <translation>Fotograma, o tiempo en s</translation>
+    </message>
+    <message>
+        <source>Frame number or time to go to</source>
+        <translation>Número de fotograma o tiempo al que ir</translation>
+    </message>
+    <message>
+        <source>Enter a frame from %1 to %2, or a time from %3 to %4.</source>
+        <extracomment>%1 and %2 are numbers of frames, %3 and %4 times</extracomment>
+        <translation>Introduzca un fotograma de %1 a %2, o un tiempo de %3 a %4.</translation>
     </message>
 </context>
 <context>
@@ -7160,6 +7216,37 @@ Si este botón está desactivado, Ctrl+Mayús+clic hace lo mismo; también Alt+c
     <message>
         <source>Close this message</source>
         <translation>Cerrar este mensaje</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::MessageHistory</name>
+    <message>
+        <source>Messages – Dewpoint</source>
+        <translation>Mensajes – Dewpoint</translation>
+    </message>
+    <message>
+        <source>Messages, the newest last</source>
+        <translation>Mensajes, el más reciente al final</translation>
+    </message>
+    <message>
+        <source>There have been no messages yet.</source>
+        <translation>Todavía no ha habido mensajes.</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copiar</translation>
+    </message>
+    <message>
+        <source>Copy all messages as text</source>
+        <translation>Copiar todos los mensajes como texto</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation>Cerrar esta ventana</translation>
     </message>
 </context>
 <context>
@@ -8694,6 +8781,10 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <source>Memory for going back</source>
         <translation>Memoria para volver atrás</translation>
     </message>
+    <message>
+        <source>Memory for going back to earlier frames: images, particles and saved states of the method. When it is full, only the estimates of older frames are kept.</source>
+        <translation>Memoria para volver a fotogramas anteriores: imágenes, partículas y estados guardados del método. Cuando se llena, de los fotogramas antiguos solo se conservan las estimaciones.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::SessionController</name>
@@ -9039,14 +9130,6 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>terminado</translation>
     </message>
     <message>
-        <source>%1 /s</source>
-        <translation>%1 /s</translation>
-    </message>
-    <message>
-        <source>Frames tracked per second</source>
-        <translation>Fotogramas seguidos por segundo</translation>
-    </message>
-    <message>
         <source>Estimated position of the target in the room</source>
         <translation>Posición estimada del objetivo en la sala</translation>
     </message>
@@ -9123,12 +9206,16 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>Seguido: las cámaras confirman la estimación. Ambiguo: otro objeto encaja casi igual de bien. Perdido: no seguido desde hace más de un segundo.</translation>
     </message>
     <message>
-        <source>Number of the frame shown, and number of all frames</source>
-        <translation>Número del fotograma mostrado y número total de fotogramas</translation>
-    </message>
-    <message>
         <source>Uncertainty of the position: the standard deviations in x, y and z combined. The plots show each of the three</source>
         <translation>Incertidumbre de la posición: las desviaciones típicas en x, y y z combinadas. Los gráficos muestran cada una de las tres</translation>
+    </message>
+    <message>
+        <source>Number of the frame shown, and number of all frames. Click to go to another frame</source>
+        <translation>Número del fotograma mostrado y número total de fotogramas. Haga clic para ir a otro fotograma</translation>
+    </message>
+    <message>
+        <source>Frames tracked per second, while playing</source>
+        <translation>Fotogramas seguidos por segundo, durante la reproducción</translation>
     </message>
 </context>
 <context>
@@ -9408,8 +9495,12 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>El cambio se aplica a los fotogramas nuevos. Use «%1» para seguir de nuevo desde el fotograma actual.</translation>
     </message>
     <message>
-        <source>Memory for going back to earlier frames: images, particles and saved states of the method. When it is full, only the estimates of older frames are kept.</source>
-        <translation>Memoria para volver a fotogramas anteriores: imágenes, partículas y estados guardados del método. Cuando se llena, de los fotogramas antiguos solo se conservan las estimaciones.</translation>
+        <source>No trouble begins after the frame shown.</source>
+        <translation>Después del fotograma mostrado no empieza ningún problema.</translation>
+    </message>
+    <message>
+        <source>No trouble begins before the frame shown.</source>
+        <translation>Antes del fotograma mostrado no empieza ningún problema.</translation>
     </message>
 </context>
 <context>
@@ -9992,6 +10083,14 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
     <message>
         <source>Perspective view. Drag to orbit, Shift-drag to move, scroll to zoom, double-click to show everything.</source>
         <translation>Vista en perspectiva. Arrastrar para girar, Mayús y arrastrar para mover, rueda para acercar, doble clic para verlo todo.</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Lado</translation>
+    </message>
+    <message>
+        <source>View from the side: Y to the right, Z up. Drag to move, scroll to zoom, double-click to show everything.</source>
+        <translation>Vista desde el lado: Y a la derecha, Z hacia arriba. Arrastrar para mover, rueda para acercar, doble clic para verlo todo.</translation>
     </message>
 </context>
 <context>

@@ -839,6 +839,46 @@
         <source>Set number and notes of the next take, or notes of this one</source>
         <translation>次のテイクの番号とメモ、または録画中のテイクのメモを設定します</translation>
     </message>
+    <message>
+        <source>Messages</source>
+        <translation>メッセージ</translation>
+    </message>
+    <message>
+        <source>Read the messages of this window again, with their times, and copy them</source>
+        <translation>このウィンドウのメッセージを時刻とともにもう一度読み、コピーします</translation>
+    </message>
+    <message>
+        <source>Go to frame…</source>
+        <translation>フレームへ移動…</translation>
+    </message>
+    <message>
+        <source>Enter a frame number, or a time such as 2.5 s, and go there</source>
+        <translation>フレーム番号、または 2.5 s のような時刻を入力して、そこへ移動します</translation>
+    </message>
+    <message>
+        <source>Previous trouble</source>
+        <translation>前のトラブル</translation>
+    </message>
+    <message>
+        <source>Go back to the frame where tracking of the selected target was lost or became uncertain, or where a camera had a problem. If no target is selected, all targets count</source>
+        <translation>選択したターゲットの追跡が失われたか不確かになったフレーム、またはカメラに問題が起きたフレームへ戻ります。ターゲットを選択していない場合は、すべてのターゲットが対象です</translation>
+    </message>
+    <message>
+        <source>Next trouble</source>
+        <translation>次のトラブル</translation>
+    </message>
+    <message>
+        <source>Go to the next frame where tracking of the selected target is lost or becomes uncertain, or where a camera has a problem. If no target is selected, all targets count</source>
+        <translation>選択したターゲットの追跡が失われるか不確かになる次のフレーム、またはカメラに問題が起きる次のフレームへ移動します。ターゲットを選択していない場合は、すべてのターゲットが対象です</translation>
+    </message>
+    <message>
+        <source>Side view</source>
+        <translation>側面図</translation>
+    </message>
+    <message>
+        <source>Bird&apos;s-eye view from the side: the YZ plane</source>
+        <translation>側面からの鳥瞰図：YZ 平面</translation>
+    </message>
 </context>
 <context>
     <name>AssessedRegions</name>
@@ -3567,6 +3607,10 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <source>%1 µs</source>
         <translation>%1 µs</translation>
     </message>
+    <message>
+        <source>%1 frames/s</source>
+        <translation>%1 フレーム/秒</translation>
+    </message>
 </context>
 <context>
     <name>Reason</name>
@@ -3828,14 +3872,6 @@ Effective sample size %8 of %9</source>
     <message>
         <source>The state of each target appears here during tracking.</source>
         <translation>追跡中、ここに各ターゲットの状態が表示されます。</translation>
-    </message>
-    <message>
-        <source>memory for going back: %1 of %2 MB (the last %3)</source>
-        <translation>過去に戻るためのメモリ: %1 / %2 MB（直近 %3）</translation>
-    </message>
-    <message>
-        <source>memory for going back: %1 of %2 MB</source>
-        <translation>過去に戻るためのメモリ: %1 / %2 MB</translation>
     </message>
 </context>
 <context>
@@ -6513,6 +6549,10 @@ Position x, y, z: %4, %5, %6</source>
         <source>%1 (usual for this format)</source>
         <translation>%1（この形式の標準）</translation>
     </message>
+    <message>
+        <source>tracked to %1</source>
+        <translation>%1 まで追跡済み</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::ExportOutcome</name>
@@ -6575,6 +6615,22 @@ Position x, y, z: %4, %5, %6</source>
     <message>
         <source>Images per second</source>
         <translation>1 秒あたりの画像数</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::FrameField</name>
+    <message>
+        <source>Frame, or time in s</source>
+        <translation>フレーム、または秒 (s)</translation>
+    </message>
+    <message>
+        <source>Frame number or time to go to</source>
+        <translation>移動先のフレーム番号または時刻</translation>
+    </message>
+    <message>
+        <source>Enter a frame from %1 to %2, or a time from %3 to %4.</source>
+        <extracomment>%1 and %2 are numbers of frames, %3 and %4 times</extracomment>
+        <translation>%1～%2 のフレーム、または %3～%4 の時刻を入力してください。</translation>
     </message>
 </context>
 <context>
@@ -7149,6 +7205,37 @@ When this button is off, Ctrl+Shift-click does the same; so does Alt-click, wher
     <message>
         <source>Close this message</source>
         <translation>このメッセージを閉じる</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::MessageHistory</name>
+    <message>
+        <source>Messages – Dewpoint</source>
+        <translation>メッセージ – Dewpoint</translation>
+    </message>
+    <message>
+        <source>Messages, the newest last</source>
+        <translation>メッセージ（最新のものが最後）</translation>
+    </message>
+    <message>
+        <source>There have been no messages yet.</source>
+        <translation>まだメッセージはありません。</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>コピー</translation>
+    </message>
+    <message>
+        <source>Copy all messages as text</source>
+        <translation>すべてのメッセージをテキストとしてコピーします</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation>このウィンドウを閉じます</translation>
     </message>
 </context>
 <context>
@@ -8676,6 +8763,10 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <source>Memory for going back</source>
         <translation>過去に戻るためのメモリ</translation>
     </message>
+    <message>
+        <source>Memory for going back to earlier frames: images, particles and saved states of the method. When it is full, only the estimates of older frames are kept.</source>
+        <translation>前のフレームに戻るためのメモリ: 画像、粒子、手法の保存状態。いっぱいになると、古いフレームは推定値だけが残ります。</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::SessionController</name>
@@ -9021,14 +9112,6 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>終了</translation>
     </message>
     <message>
-        <source>%1 /s</source>
-        <translation>%1 /s</translation>
-    </message>
-    <message>
-        <source>Frames tracked per second</source>
-        <translation>1 秒あたりに追跡したフレーム数</translation>
-    </message>
-    <message>
         <source>Estimated position of the target in the room</source>
         <translation>部屋の中でのターゲットの推定位置</translation>
     </message>
@@ -9105,12 +9188,16 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>追跡中：カメラが推定を裏付けています。あいまい：別の物体も同じくらい合います。見失い：1 秒以上追跡できていません。</translation>
     </message>
     <message>
-        <source>Number of the frame shown, and number of all frames</source>
-        <translation>表示中のフレームの番号 / 全フレーム数</translation>
-    </message>
-    <message>
         <source>Uncertainty of the position: the standard deviations in x, y and z combined. The plots show each of the three</source>
         <translation>位置の不確かさ：x、y、z の標準偏差を合わせたもの。グラフには 3 つがそれぞれ表示されます</translation>
+    </message>
+    <message>
+        <source>Number of the frame shown, and number of all frames. Click to go to another frame</source>
+        <translation>表示中のフレームの番号と、全フレーム数。クリックすると別のフレームへ移動できます</translation>
+    </message>
+    <message>
+        <source>Frames tracked per second, while playing</source>
+        <translation>再生中に 1 秒あたりに追跡したフレーム数</translation>
     </message>
 </context>
 <context>
@@ -9390,8 +9477,12 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>変更は新しいフレームに適用されます。「%1」で現在のフレームから追跡し直せます。</translation>
     </message>
     <message>
-        <source>Memory for going back to earlier frames: images, particles and saved states of the method. When it is full, only the estimates of older frames are kept.</source>
-        <translation>前のフレームに戻るためのメモリ: 画像、粒子、手法の保存状態。いっぱいになると、古いフレームは推定値だけが残ります。</translation>
+        <source>No trouble begins after the frame shown.</source>
+        <translation>表示中のフレームより後に始まるトラブルはありません。</translation>
+    </message>
+    <message>
+        <source>No trouble begins before the frame shown.</source>
+        <translation>表示中のフレームより前に始まるトラブルはありません。</translation>
     </message>
 </context>
 <context>
@@ -9971,6 +10062,14 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
     <message>
         <source>Perspective view. Drag to orbit, Shift-drag to move, scroll to zoom, double-click to show everything.</source>
         <translation>透視図。ドラッグで回転、Shift を押しながらドラッグで移動、ホイールで拡大縮小、ダブルクリックで全体を表示。</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>側面</translation>
+    </message>
+    <message>
+        <source>View from the side: Y to the right, Z up. Drag to move, scroll to zoom, double-click to show everything.</source>
+        <translation>側面から見る：Y は右、Z は上。ドラッグで移動、ホイールで拡大縮小、ダブルクリックで全体を表示。</translation>
     </message>
 </context>
 <context>
