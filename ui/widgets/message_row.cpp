@@ -12,6 +12,7 @@
 #include <QEvent>
 #include <QLayout>
 #include <QLineEdit>
+#include <QMainWindow>
 #include <QPlainTextEdit>
 #include <QTimer>
 
@@ -70,7 +71,7 @@ int MessageRow::neededHeight(const QWidget* part) const {
   QLayout* layout = part->layout();
   layout->activate();
   return std::max(layout->minimumSize().height(), layout->hasHeightForWidth()
-                                                      ? layout->heightForWidth(width())
+                                                      ? layout->heightForWidth(place().width())
                                                       : part->sizeHint().height());
 }
 
@@ -142,13 +143,30 @@ void MessageRow::followFocus(QWidget* before, QWidget* now) {
   typedIn_ = goesOn ? now : nullptr;
 }
 
+QRect MessageRow::place() const {
+  const auto* window = qobject_cast<QMainWindow*>(parentWidget());
+  if (maximumHeight() > 0 || window == nullptr) {
+    return geometry();
+  }
+  // The window lays out no toolbar without height: it lies far outside.
+  int top = window->menuWidget() != nullptr ? window->menuWidget()->geometry().bottom() + 1 : 0;
+  for (const QToolBar* bar : window->findChildren<QToolBar*>(Qt::FindDirectChildrenOnly)) {
+    if (bar != this && bar->isVisible() && !bar->isFloating() &&
+        window->toolBarArea(bar) == Qt::TopToolBarArea) {
+      top = std::max(top, bar->geometry().bottom() + 1);
+    }
+  }
+  return {0, top, window->width(), 0};
+}
+
 void MessageRow::placeParts() {
-  int top = y();
+  const QRect row = place();
+  int top = row.y();
   for (QWidget* part : std::initializer_list<QWidget*>{bar_, notices_}) {
     if (const int needed = neededHeight(part); needed > 0) {
-      part->setGeometry(x(), top, width(), needed);
+      part->setGeometry(row.x(), top, row.width(), needed);
       top += needed;
-      if (top > y() + maximumHeight()) {
+      if (top > row.y() + maximumHeight()) {
         part->raise(); // above the views
       }
     }

@@ -48,6 +48,8 @@ private:
   int neededHeight(const QWidget* part) const;
   int neededHeight() const;
   void fit();
+  /// Returns where the row is in the window, or where it would be if it had a height.
+  QRect place() const;
   void placeParts();
   /// Takes the height that the parts need.
   void takeNeededHeight();

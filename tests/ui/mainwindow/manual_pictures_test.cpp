@@ -67,8 +67,7 @@ private:
   void pause();
   /// Tracks again what is of earlier settings.
   void trackAgain();
-  /// Shows a frame, paused.
-  void showFrame(qint64 frame);
+  void showFrame(qint64 frame); ///< paused
   /// Clicks a point of space, as a camera sees it.
   void clickAt(int camera, const Eigen::Vector3d& world);
   /// A camera's image with what is drawn over it, cut to the shape of `size`.
@@ -125,8 +124,9 @@ void ManualPicturesTest::openRecordings(bool calibrated) {
   }
   if (calibrated) {
     files << file("calibration.toml");
-  } else { // or it would be found beside the videos
+  } else { // or they would be found beside the videos
     std::filesystem::remove(path("calibration.toml"));
+    std::filesystem::remove(path("truth.toml"));
   }
   drop(files);
   auto* create = find<QPushButton>("newCreate");

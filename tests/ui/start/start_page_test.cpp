@@ -9,6 +9,8 @@
 #include "ui/start/gallery_card.h"
 #include "ui/start/project_thumbnails.h"
 #include "ui/start/recent_projects.h"
+#include "ui/widgets/message_bar.h"
+#include "ui/workbench/workbench.h"
 
 #include <QDockWidget>
 #include <QFile>
@@ -93,9 +95,12 @@ void StartPageTest::enterAndSpacePressTheCardWithTheFocus() {
   card->setFocus();
   QTest::keyClick(card, Qt::Key_Return);
   QVERIFY(isOpen(1));
+  auto& messages = window_->workbench().messages;
+  messages.ask(QStringLiteral("Restart?"), {{QStringLiteral("Restart"), [] {}}});
   action("actionCloseProject")->trigger();
   QVERIFY(waitFor([card] { return card->isVisible(); }));
   QVERIFY(!card->isBusy());
+  QVERIFY(!messages.isVisible()); // the question was about what is closed
   QTest::keyClick(card, Qt::Key_Space);
   QVERIFY(isOpen(1));
 }
