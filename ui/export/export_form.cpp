@@ -67,6 +67,7 @@ ExportForm::ExportForm(QWidget* parent) : QWidget(parent), form_(new QFormLayout
   end->setSpacing(8);
   end->addWidget(to_, 1);
   end->addWidget(trackedTo_);
+  trackedTo_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed); // the row is not stretched
   const auto row = [this, end](QWidget* field) {
     auto* label = new QLabel(this);
     label->setBuddy(field);
