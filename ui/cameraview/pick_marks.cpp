@@ -31,13 +31,19 @@ void paintPickRegion(QPainter& painter, const QPolygonF& outline, const QString&
     return;
   }
   const QRectF box = outline.boundingRect();
-  const QRectF words = painter.fontMetrics().boundingRect(text).toRectF().adjusted(-4, -2, 4, 2);
+  constexpr int kAround = 4;
+  constexpr int kFlags = static_cast<int>(Qt::AlignCenter) | static_cast<int>(Qt::TextWordWrap);
+  const QRect most(0, 0, std::max(1, static_cast<int>(room.width()) - 2 * kAround), 1000);
+  const QRectF words = painter.fontMetrics()
+                           .boundingRect(most, kFlags, text)
+                           .toRectF()
+                           .adjusted(-kAround, -2, kAround, 2);
   QRectF label(box.topLeft() - QPointF(0.0, words.height() + 2.0), words.size());
   label.moveLeft(std::clamp(label.left(), 0.0, std::max(0.0, room.width() - label.width())));
   label.moveTop(std::max(0.0, label.top()));
   painter.fillRect(label, QColor(0, 0, 0, 170));
   painter.setPen(kPickColor);
-  painter.drawText(label, Qt::AlignCenter, text);
+  painter.drawText(label, kFlags, text);
 }
 
 void paintPickCross(QPainter& painter, const QPointF& position) {

@@ -3,6 +3,8 @@
 
 #include <QFont>
 #include <QFontMetricsF>
+#include <QImage>
+#include <QPainter>
 #include <gtest/gtest.h>
 
 namespace dewpoint::tests {
@@ -21,6 +23,30 @@ TEST(PickMarks, AHintIsDividedWhereItsPartsEnd) {
   }
   EXPECT_EQ(lines.join(QStringLiteral(" · ")), hint);
   EXPECT_EQ(pickHintLines(hint, metrics, 1.0).size(), 4); // no part is divided
+}
+
+/// Rows above the region that its label covers.
+int rowsOfLabel(int width, const QString& text) {
+  QImage image(width, 200, QImage::Format_RGB32);
+  image.fill(Qt::white);
+  QPainter painter(&image);
+  const QRectF region(width / 2.0 - 10.0, 150.0, 20.0, 20.0);
+  paintPickRegion(painter, QPolygonF(region), text, image.size());
+  painter.end();
+  int rows = 0;
+  for (int y = 0; y < 145; ++y) {
+    rows += image.pixelColor(width / 2, y) != QColor(Qt::white) ? 1 : 0;
+  }
+  return rows;
+}
+
+TEST(PickMarks, ALongLabelOfARegionIsDivided) {
+  const QString text =
+      QStringLiteral("recognized as the target (if it is not, Ctrl+Shift-click it)");
+  const int one = rowsOfLabel(2000, text);
+  EXPECT_GT(one, 5);
+  const double whole = QFontMetricsF(QFont()).horizontalAdvance(text);
+  EXPECT_GT(rowsOfLabel(static_cast<int>(0.6 * whole), text), one + one / 2);
 }
 
 } // namespace
