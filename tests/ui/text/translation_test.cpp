@@ -41,7 +41,7 @@ class MarkingTranslator : public QTranslator {
 public:
   bool isEmpty() const override { return false; }
   QString translate(const char* context, const char* text, const char*, int) const override {
-    if (QByteArrayView(context).startsWith('Q')) {
+    if (context[0] == 'Q' && QChar::isUpper(uint(context[1]))) { // a class of Qt
       return {};
     }
     asked.insert({context, text});
