@@ -173,7 +173,7 @@ void WindowAssemblyTest::anotherProjectIsSeenWhole() {
   }
   auto* plots = window_->findChild<PlotStack*>(QStringLiteral("plotStack"));
   // Long enough to be looked at in part.
-  QTRY_VERIFY_WITH_TIMEOUT((plots->showRange(1.0, 6.0), !plots->showsAll()), kTimeoutMs);
+  QTRY_VERIFY_WITH_TIMEOUT((plots->showRange(0.5, 1.0), !plots->showsAll()), kTimeoutMs);
   dock("trajectoryDock")->raise(); // the panel follows the run while it is seen
   auto* motion = window_->findChild<PlotStack*>(QStringLiteral("motionPlots"));
   QTRY_VERIFY_WITH_TIMEOUT((motion->showRange(0.5, 1.0), !motion->showsAll()), kTimeoutMs);
