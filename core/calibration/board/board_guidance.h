@@ -46,7 +46,7 @@ struct GuidanceState {
   int views = 0;                      ///< number of views captured so far
   double holdProgress = 0.0;          ///< elapsed fraction of GuidanceSettings::holdSeconds, 0 to 1
   bool captured = false;              ///< true if this image was captured as a view
-  std::optional<double> projectionPx; ///< worstProjectionPx of the latest calibration, pixels
+  std::optional<double> projectionPx; ///< independentProjectionPx of the latest result, px
 };
 
 /// Guides the user in showing a board to one camera. From the detections in a live stream, it

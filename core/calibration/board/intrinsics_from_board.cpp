@@ -238,7 +238,8 @@ private:
     result.evidence = lensEvidence(request_.board, camera_, parameters, fits_);
     const Eigen::MatrixXd found = lensJackknife(result.evidence);
     result.covariance = widenedCovariance(stated, found);
-    result.worstProjectionPx = projectionSigma(camera_, parameters, stated);
+    result.independentProjectionPx = projectionSigma(camera_, parameters, stated);
+    result.worstProjectionPx = result.independentProjectionPx;
     if (found.size() > 0) {
       result.worstProjectionPx =
           std::max(result.worstProjectionPx, projectionSigma(camera_, parameters, found));

@@ -65,6 +65,9 @@ struct IntrinsicsResult {
   /// Largest standard deviation of the projection of a ray across the image, in pixels; see
   /// projectionSigma().
   double worstProjectionPx = 0.0;
+  /// The same if the errors of all corners were independent of each other. It shrinks with each
+  /// view, so that it can say whether there are enough views.
+  double independentProjectionPx = 0.0;
 };
 
 /// Estimates intrinsics from images of a board with Zhang's method (2000), using OpenCV's
