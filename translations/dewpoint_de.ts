@@ -3609,7 +3609,7 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>%1 µs</translation>
     </message>
     <message>
-        <source>%1 frames/s</source>
+        <source>%1 fps</source>
         <translation>%1 Bilder/s</translation>
     </message>
 </context>
@@ -6807,7 +6807,7 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>Kameras vor der letzten Änderung</translation>
     </message>
     <message>
-        <source>Earlier cameras that Before shows</source>
+        <source>Cameras that Before shows</source>
         <translation>Frühere Kameras, die Vorher zeigt</translation>
     </message>
     <message>

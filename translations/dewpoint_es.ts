@@ -3609,7 +3609,7 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>%1 µs</translation>
     </message>
     <message>
-        <source>%1 frames/s</source>
+        <source>%1 fps</source>
         <translation>%1 fotogramas/s</translation>
     </message>
 </context>
@@ -6807,7 +6807,7 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>cámaras antes del último cambio</translation>
     </message>
     <message>
-        <source>Earlier cameras that Before shows</source>
+        <source>Cameras that Before shows</source>
         <translation>Cámaras anteriores que muestra Antes</translation>
     </message>
     <message>

@@ -3608,7 +3608,7 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>%1 µs</translation>
     </message>
     <message>
-        <source>%1 frames/s</source>
+        <source>%1 fps</source>
         <translation>%1 フレーム/秒</translation>
     </message>
 </context>
@@ -6796,7 +6796,7 @@ Position x, y, z: %4, %5, %6</source>
         <translation>最後の変更前のカメラ</translation>
     </message>
     <message>
-        <source>Earlier cameras that Before shows</source>
+        <source>Cameras that Before shows</source>
         <translation>「前の状態」で表示するカメラ</translation>
     </message>
     <message>

@@ -124,7 +124,7 @@ QString rateText(double perSecond) {
 }
 
 QString frameRateText(double framesPerSecond) {
-  return Quantity::tr("%1 frames/s").arg(numberText(framesPerSecond, 1));
+  return Quantity::tr("%1 fps").arg(numberText(framesPerSecond, 1));
 }
 
 QString lengthText(double meters, LengthForm form) {

@@ -29,7 +29,7 @@ QString ratioText(double value);
 QString declaredText(double value);
 /// Returns a rate with at most four digits: 30 or 29.97 per second.
 QString rateText(double perSecond);
-/// Returns a rate at which frames are processed: "30.0 frames/s".
+/// Returns a rate at which frames are processed: "30.0 fps".
 QString frameRateText(double framesPerSecond);
 
 /// Precision of a length that is written with its unit.

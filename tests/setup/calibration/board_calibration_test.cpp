@@ -191,14 +191,11 @@ TEST(BoardCalibration, ACameraThatNeverSawTheBoardKeepsWhatItHas) {
   EXPECT_NE(outcome->project.cameras[1].camera.intrinsics,
             blind.recorded.project.cameras[1].camera.intrinsics);
   const auto remarks = remarksOn(*outcome);
-  ASSERT_GE(remarks.size(), 2U);
+  ASSERT_EQ(remarks.size(), 3U);
   EXPECT_EQ(remarks[0], "door keeps its intrinsics: it never saw the board in 14 images.");
   EXPECT_EQ(remarks[1], "'door' never saw the board: it keeps its pose.");
-  for (std::size_t k = 2; k < remarks.size(); ++k) { // nothing else about that camera
-    EXPECT_TRUE(remarks[k].starts_with("the lens of 'left'") ||
-                remarks[k].starts_with("the lens of 'right'"))
-        << remarks[k];
-  }
+  // Fourteen small images leave the edges open; the other lens was given.
+  EXPECT_TRUE(remarks[2].starts_with("the lens of 'left' is poorly known")) << remarks[2];
   EXPECT_TRUE(outcome->extrinsics->fits[0].views.empty());
   EXPECT_GE(outcome->extrinsics->fits[2].views.size(), 10U);
   // The distance between the other two is that of the scene.

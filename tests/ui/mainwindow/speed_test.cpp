@@ -110,7 +110,7 @@ void SpeedTest::theRateIsShownWhilePlaying() {
   if (shown().state != PlayState::Playing) {
     action("actionPlay")->trigger();
   }
-  QVERIFY(waitFor([&] { return rate->text().endsWith(QStringLiteral(" frames/s")); }));
+  QVERIFY(waitFor([&] { return rate->text().endsWith(QStringLiteral(" fps")); }));
   action("actionPlay")->trigger();
   QVERIFY(waitFor([&] { return rate->text().isEmpty(); }));
 }

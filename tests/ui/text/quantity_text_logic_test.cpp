@@ -84,8 +84,8 @@ TEST(QuantityText, WhatWasDeclaredIsAsShortAsItCanBe) {
 }
 
 TEST(QuantityText, RatesOfFramesHaveOneDecimal) {
-  EXPECT_EQ(frameRateText(30.0), QStringLiteral("30.0 frames/s"));
-  EXPECT_EQ(frameRateText(2532.32), QStringLiteral("2,532.3 frames/s"));
+  EXPECT_EQ(frameRateText(30.0), QStringLiteral("30.0 fps"));
+  EXPECT_EQ(frameRateText(2532.32), QStringLiteral("2,532.3 fps"));
 }
 
 TEST(QuantityText, AShareIsAllOrNothingOnlyWhenItIs) {
