@@ -65,7 +65,7 @@ std::vector<ActionDeclaration> calibrationActions() {
        nullptr, Qt::SHIFT | Qt::Key_C},
       {"actionPrintBoard", group, QT_TRANSLATE_NOOP("Actions", "Print a calibration board…"),
        QT_TRANSLATE_NOOP("Actions", "Save the calibration board as a PDF at its true size")},
-      {"actionCalibrateWand", group, QT_TRANSLATE_NOOP("Actions", "Calibrate with wand…"),
+      {"actionCalibrateWand", group, QT_TRANSLATE_NOOP("Actions", "Calibrate with a wand…"),
        QT_TRANSLATE_NOOP("Actions",
                          "Refine the calibration by waving a ball, or a wand with two balls"),
        nullptr, Qt::SHIFT | Qt::Key_V},
@@ -94,7 +94,7 @@ std::vector<ActionDeclaration> calibrationActions() {
        QT_TRANSLATE_NOOP("Actions", "Add a planned camera; you can then drag it in the bird's-eye "
                                     "view to try out where to place it"),
        nullptr, Qt::SHIFT | Qt::Key_P},
-      {"actionResolveCamera", group, QT_TRANSLATE_NOOP("Actions", "Recompute camera pose"),
+      {"actionResolveCamera", group, QT_TRANSLATE_NOOP("Actions", "Recompute pose of moved camera"),
        QT_TRANSLATE_NOOP("Actions", "Recompute the pose of the camera that was moved during the "
                                     "run; all other cameras stay unchanged"),
        nullptr, Qt::CTRL | Qt::SHIFT | Qt::Key_B},

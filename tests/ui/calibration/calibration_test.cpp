@@ -35,6 +35,7 @@ private Q_SLOTS:
   void theRunGoesOn();
   void theWheelScrollsThePage();
   void everythingHasAName();
+  void theMenuNamesBoardAndWandAlike();
 };
 
 void CalibrationTest::init() {
@@ -162,10 +163,16 @@ void CalibrationTest::fieldsShowAndSet() {
   QVERIFY(std::abs(camera(0).center().x() - 0.125) < 1e-12);
   QVERIFY(history().undoText().contains(QStringLiteral("12.5 cm")));
   find<QComboBox>("handAimMode")->setCurrentIndex(1);
+  const auto* yaw = find<QDoubleSpinBox>("handAimX");
+  const auto* roll = find<QDoubleSpinBox>("handRoll");
+  QCOMPARE(yaw->prefix(), QStringLiteral("yaw "));
+  QCOMPARE(find<QDoubleSpinBox>("handAimY")->prefix(), QStringLiteral("pitch "));
+  QVERIFY(waitFor([&] { return roll->y() == yaw->y() && roll->x() > yaw->x(); })); // one row
   find<QDoubleSpinBox>("handRoll")->setValue(3.0);
   QVERIFY(std::abs(headingOf(camera(0)).roll - 3.0 * M_PI / 180.0) < 1e-9);
   find<QDoubleSpinBox>("handAimX")->setValue(40.0); // yaw
   QVERIFY(std::abs(headingOf(camera(0)).yaw - 40.0 * M_PI / 180.0) < 1e-9);
+  QCOMPARE(history().undoText().count(QStringLiteral("yaw")), 1);
   find<QComboBox>("handLensMode")->setCurrentIndex(1);
   find<QDoubleSpinBox>("handLens")->setValue(60.0);
   QVERIFY(std::abs(fieldOfView(camera(0)) - M_PI / 3.0) < 1e-9);
@@ -293,6 +300,12 @@ void CalibrationTest::everythingHasAName() {
                qPrintable(control->objectName()));
     }
   }
+}
+
+void CalibrationTest::theMenuNamesBoardAndWandAlike() {
+  QCOMPARE(find<QAction>("actionCalibrateBoard")->text(),
+           QStringLiteral("Calibrate with a board…"));
+  QCOMPARE(find<QAction>("actionCalibrateWand")->text(), QStringLiteral("Calibrate with a wand…"));
 }
 
 DEWPOINT_WINDOW_TEST(CalibrationTest)

@@ -34,6 +34,12 @@ QString withoutEnding(const QString& file) {
   return file.chopped(longest);
 }
 
+constexpr double kLeastLossPx = 0.01; ///< less is not worth a number: no click is that accurate
+
+bool losesAccuracy(const CameraDifference& camera) {
+  return !(camera.largestPixels <= kLeastLossPx) || camera.lostDirections > 0;
+}
+
 } // namespace
 
 CalibrationExportDialog::CalibrationExportDialog(Document& document, QWidget* parent)
@@ -147,15 +153,20 @@ QString CalibrationExportDialog::textOf(const CalibrationConversion& conversion,
     lines << QString::fromStdString(decision);
   }
   lines << QString();
+  if (std::ranges::none_of(conversion.cameras, losesAccuracy)) {
+    lines << tr("No accuracy is lost: points are projected to the same pixels as before.");
+  }
   for (std::size_t k = 0; k < conversion.cameras.size(); ++k) {
     const CameraDifference& camera = conversion.cameras[k];
     const QString name = cameraName(camera.camera, k);
-    lines << (camera.refitted
-                  ? tr("%1: with the exported calibration, projected points move by at most %2, "
-                       "because the format cannot store this lens model and the lens was fitted "
-                       "again")
-                  : tr("%1: with the exported calibration, projected points move by at most %2"))
-                 .arg(name, pixelDifferenceText(camera.largestPixels));
+    if (!(camera.largestPixels <= kLeastLossPx)) {
+      lines << (camera.refitted
+                    ? tr("%1: with the exported calibration, projected points move by at most %2, "
+                         "because the format cannot store this lens model and the lens was fitted "
+                         "again")
+                    : tr("%1: with the exported calibration, projected points move by at most %2"))
+                   .arg(name, pixelDifferenceText(camera.largestPixels));
+    }
     if (camera.lostDirections > 0) {
       lines << tr("%1: with the exported lens, %2 of 81 tested directions can no longer be "
                   "projected into the image")
@@ -213,8 +224,9 @@ void CalibrationExportDialog::finish(const Result<CalibrationConversion>& writte
   for (const auto& one : written->written) {
     files << QString::fromStdString(one.string());
   }
-  Q_EMIT done(tr("Saved %1.").arg(files.join(QStringLiteral(", "))));
-  close();
+  const QString sentence = tr("Saved %1.").arg(files.join(QStringLiteral(", ")));
+  showPreview(sentence, false); // until an answer changes: there is nothing else to write
+  Q_EMIT done(sentence);
 }
 
 } // namespace dewpoint::ui

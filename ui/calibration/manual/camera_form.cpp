@@ -181,6 +181,7 @@ void CameraForm::showUnits() {
   const QString unit = centimeters ? QStringLiteral(" cm") : QStringLiteral(" m");
   const QString degrees = QStringLiteral("°");
   const QString heading[] = {tr("Yaw"), tr("Pitch"), QString()};
+  const QString prefix[] = {tr("yaw"), tr("pitch"), QString()};
   for (std::size_t k = 0; k < 3; ++k) {
     const QString axis = QLatin1String(kAxes[k]);
     setRange(*position_[k], length, unit);
@@ -194,13 +195,16 @@ void CameraForm::showUnits() {
       aim_[k]->setToolTip(tr("%1 coordinate of the point that the camera looks at").arg(axis));
     } else {
       setRange(*aim_[k], {-180.0, 180.0, 0.1, 2}, degrees);
-      aim_[k]->setPrefix({});
+      aim_[k]->setPrefix(prefix[k] + QLatin1Char(' '));
       aim_[k]->setAccessibleName(heading[k]);
       aim_[k]->setToolTip(k == 0 ? tr("Direction seen from above: 0° along x, 90° along y")
                                  : tr("Angle above the horizon; straight down is −90°"));
     }
   }
   aim_[2]->setVisible(looksAtPoint());
+  auto* grid = static_cast<QGridLayout*>(layout());
+  grid->removeWidget(aim_[3]);
+  grid->addWidget(aim_[3], looksAtPoint() ? 5 : 4, looksAtPoint() ? 0 : 2); // three in a row
   setRange(*aim_[3], {-180.0, 180.0, 0.1, 2}, degrees);
   aim_[3]->setPrefix(tr("roll") + QLatin1Char(' '));
   aim_[3]->setAccessibleName(tr("Roll"));
@@ -256,10 +260,7 @@ void CameraForm::editAim(int index, double value) {
   }
   Heading heading = headingOf(camera);
   (index == 0 ? heading.yaw : index == 1 ? heading.pitch : heading.roll) = value * base::kDegree;
-  change(index == 0   ? tr("yaw")
-         : index == 1 ? tr("pitch")
-                      : QString(),
-         field->text(), withHeading(camera, heading), keys[index]);
+  change({}, field->text(), withHeading(camera, heading), keys[index]); // the field names itself
 }
 
 void CameraForm::editLens(double value) {

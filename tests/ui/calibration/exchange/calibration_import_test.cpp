@@ -246,6 +246,8 @@ void CalibrationImportTest::whatIsExportedComesBack() {
   QVERIFY(waitFor([&] { return QFileInfo::exists(file); }));
   QVERIFY(waitFor(
       [&] { return find<MessageBar>("messageBar")->text().contains(QStringLiteral("Saved")); }));
+  QVERIFY(out->isVisible()); // for another format, as the export of a trajectory
+  QVERIFY(preview("calibrationExportPreview").contains(QStringLiteral("Saved")));
   // Cameras elsewhere; then they come back from the file.
   QVERIFY(window_->document().edit(QStringLiteral("elsewhere"), [](Project& project) {
     for (ProjectCamera& one : project.cameras) {
@@ -307,6 +309,9 @@ void CalibrationImportTest::anExportHasAFileAtOnce() {
   QCOMPARE(out->file(), file("take 1.5-calibration") + QString::fromStdString(ending));
   choose("calibrationExportFormat", "dewpoint");
   QCOMPARE(out->file(), file("take 1.5-calibration.toml"));
+  // What rounding costs is no news.
+  QVERIFY(waitText("calibrationExportPreview", QStringLiteral("No accuracy is lost")));
+  QVERIFY(!preview("calibrationExportPreview").contains(QStringLiteral("move by")));
 }
 
 void CalibrationImportTest::theButtonFollowsWhatIsTyped() {
