@@ -17,9 +17,10 @@ CalibrationGuide::CalibrationGuide(Document& document, QObject* parent)
 void CalibrationGuide::restart() {
   status_ = calibrationStatus(document_.project());
   way_ = wayTaken(status_);
+  isFollowed_ = false;
   current_ = 0;
   if (way_) {
-    setWay(*way_);
+    takeWay(*way_);
   } else {
     Q_EMIT changed();
   }
@@ -28,13 +29,25 @@ void CalibrationGuide::restart() {
 void CalibrationGuide::refresh() {
   status_ = calibrationStatus(document_.project());
   if (const auto taken = wayTaken(status_); taken && !way_) {
-    setWay(*taken); // somebody who knows the pages has begun without the guide
+    takeWay(*taken); // somebody who knows the pages has begun without the guide
   } else {
     Q_EMIT changed();
   }
 }
 
 void CalibrationGuide::setWay(CalibrationWay way) {
+  isFollowed_ = true;
+  takeWay(way);
+}
+
+void CalibrationGuide::follow() {
+  if (way_ && !isFollowed_) {
+    isFollowed_ = true;
+    Q_EMIT changed();
+  }
+}
+
+void CalibrationGuide::takeWay(CalibrationWay way) {
   way_ = way;
   const auto& all = stepsOf(way);
   const GuideStep next = nextStep(way, document_.project(), status_);

@@ -23,8 +23,12 @@ public:
   /// Returns the chosen way; nothing until the user has chosen one, or the project records how its
   /// cameras were calibrated (setup::wayTaken()).
   std::optional<CalibrationWay> way() const { return way_; }
-  /// Chooses a way and goes to its first step that is not done.
+  /// Chooses a way for the user, and goes to its first step that is not done.
   void setWay(CalibrationWay way);
+  /// Returns whether the user follows the guide: has chosen a way, or seen that the guide knows it.
+  bool isFollowed() const { return isFollowed_; }
+  /// Records that the user sees the guide. Nothing changes before a way is known.
+  void follow();
   /// Returns the steps of the chosen way.
   std::vector<GuideStep> steps() const;
   /// Returns the progress of a step.
@@ -42,10 +46,12 @@ Q_SIGNALS:
 private:
   void refresh();
   void restart();
+  void takeWay(CalibrationWay way);
 
   Document& document_;
   CalibrationStatus status_;
   std::optional<CalibrationWay> way_;
+  bool isFollowed_ = false;
   int current_ = 0;
 };
 

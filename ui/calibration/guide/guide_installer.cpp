@@ -96,6 +96,11 @@ void installCalibrationGuide(const Workbench& bench, CalibrationMode& mode) {
   mode.setHeader(new StepStrip(*guide));
   QObject::connect(guide, &CalibrationGuide::openRequested, &mode,
                    [bench, &mode](GuideStep step) { openStep(bench, mode, step); });
+  QObject::connect(&mode, &CalibrationMode::shown, guide, [guide](const QString& page) {
+    if (page == kPage) {
+      guide->follow();
+    }
+  });
   bench.onTriggered("actionCalibrate", guide, [&mode] { mode.open(kPage); });
   bench.requireRun({"actionCalibrate"});
   followCalibration(bench, guide);

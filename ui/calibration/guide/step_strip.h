@@ -16,7 +16,7 @@ class CalibrationGuide;
 
 /// The steps of the chosen way in one row above the pages of the calibration panel, each with a
 /// check mark or another symbol, and one number. A click on a step opens the page for it. Hidden
-/// until a way is chosen.
+/// until the user follows the guide.
 class StepStrip : public QWidget {
   Q_OBJECT
 public:

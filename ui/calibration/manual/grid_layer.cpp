@@ -290,7 +290,7 @@ void GridLayer::drawPoints(QPainter& painter) {
     PaintedPoint painted;
     painted.name = QString::fromStdString(all[k].name);
     painted.chosen = static_cast<int>(k) == points_.chosen();
-    painted.worst = points_.worst() == static_cast<int>(k);
+    painted.isMisfit = points_.misfit() == static_cast<int>(k);
     if (const PointClick* click = clickIn(all[k], camera_)) {
       painted.click = widgetPosition(click->pixel, placement);
     }

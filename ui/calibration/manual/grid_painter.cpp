@@ -13,9 +13,9 @@
 namespace dewpoint::ui {
 namespace {
 
-const QColor kPin("#f0e442");   // Okabe-Ito yellow
-const QColor kPoint("#56b4e9"); // sky blue
-const QColor kWorst("#d55e00"); // vermilion
+const QColor kPin("#f0e442");    // Okabe-Ito yellow
+const QColor kPoint("#56b4e9");  // sky blue
+const QColor kMisfit("#d55e00"); // vermilion
 
 struct Stroke {
   QColor color;
@@ -133,7 +133,7 @@ void paintGrip(QPainter& painter, QPointF place) {
 void paintPoint(QPainter& painter, const PaintedPoint& point) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
-  const QColor color = point.worst ? kWorst : kPoint;
+  const QColor color = point.isMisfit ? kMisfit : kPoint;
   const double width = point.chosen ? 2.2 : 1.5;
   if (point.click && point.seen) {
     withGridHalo(painter, color, 1.0, [&] { painter.drawLine(*point.click, *point.seen); });

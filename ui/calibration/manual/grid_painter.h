@@ -35,9 +35,9 @@ struct PaintedPoint {
   std::optional<QPointF> click;
   std::optional<QPointF> seen;
   bool chosen = false;
-  bool worst = false;
+  bool isMisfit = false; ///< does not fit the other points
 };
-/// Draws a measured point. The selected point and the worst point are highlighted.
+/// Draws a measured point. The selected point and one that does not fit are highlighted.
 void paintPoint(QPainter& painter, const PaintedPoint& point);
 
 /// Returns the edges found in `image`, in one bright color on a transparent background of size

@@ -61,7 +61,7 @@ bool PointCalibrator::edit(const QString& step, const std::function<void(Project
 
 void PointCalibrator::discardSolution() {
   resultText_.clear();
-  worst_.reset();
+  misfit_.reset();
   proposal_.reset();
 }
 
@@ -192,8 +192,8 @@ void PointCalibrator::applyResult(const PointSolution& solution, bool estimatedF
         "No point has been clicked yet. Press “Click in images”, then click the selected point in "
         "the images");
   }
-  worst_ = solution.worst;
-  if (worst_ && solution.anySolved()) {
+  misfit_ = solution.isWorstWrong ? solution.worst : std::nullopt;
+  if (solution.worst && solution.anySolved()) {
     lines << worstPointText(solution);
   }
   resultText_ = lines.join(QLatin1Char('\n'));

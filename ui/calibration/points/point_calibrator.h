@@ -56,9 +56,9 @@ public:
   /// Returns the report of the last solution, one sentence per line, or an empty string before the
   /// first solution.
   const QString& resultText() const { return resultText_; }
-  /// Returns the index of the worst point in the last solution, or nothing if that solution is no
-  /// longer valid.
-  std::optional<int> worst() const { return worst_; }
+  /// Returns the index of the point that does not fit the others in the last solution; nothing if
+  /// all fit, or if that solution is no longer valid.
+  std::optional<int> misfit() const { return misfit_; }
   /// Returns the camera whose images are rotated or mirrored according to the last solution, if the
   /// project can correct this.
   std::optional<int> proposedCamera() const;
@@ -84,7 +84,7 @@ private:
   bool clicking_ = false;
   bool applying_ = false; ///< the next change of the document is the solution itself
   QString resultText_;
-  std::optional<int> worst_;
+  std::optional<int> misfit_;
   struct Proposal {
     int camera;
     ImageSymmetry symmetry;

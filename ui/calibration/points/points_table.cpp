@@ -14,6 +14,7 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
+#include <QStyle>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
@@ -21,6 +22,32 @@
 #include <cmath>
 
 namespace dewpoint::ui {
+namespace {
+
+/// The usual numbers of a column, as wide as they get.
+QString usualText(int column) {
+  constexpr double kPositionOfTheRoom = -8.888; // meters
+  constexpr double kErrorPx = 88.88;
+  constexpr double kErrorLength = 0.0888; // meters
+  switch (column) {
+  case PointsTable::Clicks:
+    return QStringLiteral("8/8");
+  case PointsTable::Pixels:
+    return numberText(kErrorPx, 2);
+  case PointsTable::Millimeters:
+    return lengthNumber(kErrorLength, LengthScale::Millimeters, 1);
+  default:
+    return lengthNumber(kPositionOfTheRoom, LengthScale::Meters, 3);
+  }
+}
+
+int usualWidth(const QTableWidget& table, int column) {
+  const int margin = table.style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, &table) + 1;
+  return table.fontMetrics().horizontalAdvance(usualText(column)) + 2 * margin + 2;
+}
+
+} // namespace
+
 PointsTable::PointsTable(PointCalibrator& points, ManualCalibration& manual, QWidget* parent)
     : QWidget(parent), points_(points), manual_(manual) {
   setObjectName(QStringLiteral("pointsTable"));
@@ -51,8 +78,11 @@ void PointsTable::createWidgets() {
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->verticalHeader()->hide();
-  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  // Columns that follow their contents, or a scroll bar that comes, would move the cell that is
+  // edited next.
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   table_->horizontalHeader()->setSectionResizeMode(Name, QHeaderView::Stretch);
+  table_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
   table_->horizontalHeader()->setMinimumSectionSize(28);
   table_->setMinimumHeight(150);
   table_->setTabKeyNavigation(false); // Tab goes on to the buttons
@@ -67,7 +97,11 @@ void PointsTable::createWidgets() {
   resultText_ = new QLabel(this);
   resultText_->setObjectName(QStringLiteral("pointAssessment"));
   resultText_->setWordWrap(true);
+  resultText_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   resultText_->setProperty(kRevealed, true);
+  QSizePolicy policy = resultText_->sizePolicy();
+  policy.setRetainSizeWhenHidden(true); // nothing moves when a result comes or goes
+  resultText_->setSizePolicy(policy);
   resultText_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   accept_ = makeButton("pointAccept", this);
   auto* buttons = new QGridLayout;
@@ -89,8 +123,9 @@ void PointsTable::createWidgets() {
 
 void PointsTable::retranslateUi() {
   table_->setAccessibleName(tr("Measured points"));
-  table_->setToolTip(tr("Positions measured with a tape, in meters: double-click to edit. ▲ marks "
-                        "the point with the largest error."));
+  table_->setToolTip(
+      tr("Positions measured with a tape, in meters: double-click to edit. ▲ marks a "
+         "point that does not fit the others."));
   table_->setHorizontalHeaderLabels(
       {tr("Point"), tr("x m"), tr("y m"), tr("z m"), tr("clicked"), tr("px"), tr("mm")});
   const auto button = [](QPushButton* one, const QString& text, const QString& tip) {
@@ -112,6 +147,9 @@ void PointsTable::retranslateUi() {
   button(solve_, tr("Compute cameras"),
          tr("Compute the poses of all cameras in which points were clicked. Each camera needs at "
             "least four points; six that do not all lie in one plane are better"));
+  for (int column = X; column < ColumnCount; ++column) {
+    table_->setColumnWidth(column, usualWidth(*table_, column));
+  }
   refresh();
 }
 
@@ -132,21 +170,17 @@ void PointsTable::setCell(int row, int column, const QString& text, bool editabl
 
 void PointsTable::fillRow(int row) {
   const MeasuredPoint& point = points_.points()[static_cast<std::size_t>(row)];
-  const bool worst = points_.worst() == row;
+  const bool isMisfit = points_.misfit() == row;
   const QString name = QString::fromStdString(point.name);
-  setCell(row, Name, worst ? QStringLiteral("▲ ") + name : name, true);
+  setCell(row, Name, isMisfit ? QStringLiteral("▲ ") + name : name, true);
   for (int axis = 0; axis < 3; ++axis) {
     setCell(row, X + axis, lengthNumber(point.world[axis], LengthScale::Meters, 3), true);
   }
   setCell(row, Clicks, QStringLiteral("%1/%2").arg(point.clicks.size()).arg(manual_.cameraCount()),
           false);
-  for (int column = 0; column < ColumnCount; ++column) {
-    if (QTableWidgetItem* item = table_->item(row, column)) {
-      QFont font = table_->font();
-      font.setBold(worst);
-      item->setFont(font);
-    }
-  }
+  QFont font = table_->font();
+  font.setBold(isMisfit); // not the numbers: their columns would have to grow
+  table_->item(row, Name)->setFont(font);
 }
 
 void PointsTable::showResiduals() {
@@ -174,6 +208,24 @@ void PointsTable::showResiduals() {
   }
 }
 
+/// Columns grow for unusual numbers and never shrink.
+void PointsTable::widenColumns() {
+  for (int column = X; column < ColumnCount; ++column) {
+    const int before = table_->columnWidth(column);
+    table_->resizeColumnToContents(column);
+    table_->setColumnWidth(column, std::max(before, table_->columnWidth(column)));
+  }
+}
+
+void PointsTable::showResult() {
+  // A line for each camera and one for the worst point; longer results keep the room they took.
+  const int usual = (manual_.cameraCount() + 1) * resultText_->fontMetrics().lineSpacing();
+  resultText_->setText(points_.resultText());
+  resultText_->setMinimumHeight(std::max(
+      {usual, resultText_->minimumHeight(), resultText_->heightForWidth(resultText_->width())}));
+  resultText_->setVisible(!points_.resultText().isEmpty());
+}
+
 void PointsTable::refresh() {
   filling_ = true;
   const int count = static_cast<int>(points_.points().size());
@@ -182,6 +234,7 @@ void PointsTable::refresh() {
     fillRow(row);
   }
   showResiduals();
+  widenColumns();
   if (table_->currentRow() != points_.chosen()) {
     table_->setCurrentCell(points_.chosen(), Name);
   }
@@ -196,8 +249,7 @@ void PointsTable::refresh() {
   forget_->setEnabled(any && clickIn(points_.points()[static_cast<std::size_t>(points_.chosen())],
                                      manual_.camera()) != nullptr);
   solve_->setEnabled(count > 0 && !points_.isSolving());
-  resultText_->setText(points_.resultText());
-  resultText_->setVisible(!points_.resultText().isEmpty());
+  showResult();
   const auto proposed = points_.proposedCamera();
   accept_->setVisible(proposed.has_value());
   if (proposed) {

@@ -20,15 +20,18 @@ class PointCalibrator;
 class PointsTable : public QWidget {
   Q_OBJECT
 public:
+  /// Columns of the table.
+  enum Column { Name, X, Y, Z, Clicks, Pixels, Millimeters, ColumnCount };
+
   PointsTable(PointCalibrator& points, ManualCalibration& manual, QWidget* parent = nullptr);
 
 private:
-  enum Column { Name, X, Y, Z, Clicks, Pixels, Millimeters, ColumnCount };
-
   void createWidgets();
   void retranslateUi();
   void refresh();
   void fillRow(int row);
+  void widenColumns();
+  void showResult();
   void setCell(int row, int column, const QString& text, bool editable);
   void edited(int row, int column);
   void showResiduals();

@@ -28,6 +28,7 @@ private Q_SLOTS:
   void leadsThroughTheStepsOfAWay();
   void aStepOpensItsPage();
   void followsTheProject();
+  void theStripWaitsUntilTheGuideIsSeen();
   void asksWhilePositionsAreGuesses();
 
 private:
@@ -110,6 +111,23 @@ void GuidePageTest::followsTheProject() {
   QVERIFY(known()->item(1, 2)->text().startsWith(QStringLiteral("✓")));
   find<QAction>("actionUndo")->trigger();
   QVERIFY(known()->item(0, 2)->text().startsWith(QStringLiteral("✓")));
+}
+
+void GuidePageTest::theStripWaitsUntilTheGuideIsSeen() {
+  find<QAction>("actionCalibrateByHand")->trigger();
+  QCOMPARE(pages()->shownPage(), QStringLiteral("handPage"));
+  QVERIFY(window_->document().edit(QStringLiteral("compute"), [](Project& project) {
+    for (ProjectCamera& one : project.cameras) {
+      one.camera.cameraFromWorld.translation().x() += 0.01;
+      one.markAdjusted();
+      one.calibrated.pose = recordOfPose(one.camera, CalibrationOrigin::Points, 0.001);
+    }
+  }));
+  QVERIFY(!find<QWidget>("guideStrip")->isVisible()); // the page stays where it is
+  find<QAction>("actionCalibrate")->trigger();
+  QVERIFY(find<QWidget>("guideStrip")->isVisible()); // the guide knows the way
+  find<QAction>("actionCalibrateByHand")->trigger();
+  QVERIFY(find<QWidget>("guideStrip")->isVisible());
 }
 
 void GuidePageTest::keepPicture() {

@@ -21,13 +21,23 @@ private Q_SLOTS:
   void init() { openCalibration(); }
   void cleanup() { window_.reset(); }
   void measuredPointsGiveTheCameraBack();
+  void onlyAPointThatDoesNotFitIsMarked();
+  void nothingMovesWhenResultsCome();
   void clickingEndsWithItsPage();
   void tooFewPointsSayHowManyAreNeeded();
+
+private:
+  QTableWidget* table() { return find<QTableWidget>("pointsList"); }
+  QString result() { return find<QLabel>("pointAssessment")->text(); }
+  /// Six positions around the ball.
+  std::vector<Eigen::Vector3d> room();
+  void type(int row, const Eigen::Vector3d& world);
+  /// Adds points and clicks them where cameras see them.
+  void enter(const std::vector<Eigen::Vector3d>& world, const std::vector<Camera>& cameras);
+  void compute();
 };
 
-void PointsTest::measuredPointsGiveTheCameraBack() {
-  // Where points of the room are in the images as they are rendered.
-  const std::vector<Camera> truth{camera(0), camera(1)};
+std::vector<Eigen::Vector3d> PointsTest::room() {
   std::vector<Eigen::Vector3d> world;
   for (const Eigen::Vector3d& offset :
        {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(0.06, 0, 0.01), Eigen::Vector3d(0, 0.06, 0.03),
@@ -37,38 +47,101 @@ void PointsTest::measuredPointsGiveTheCameraBack() {
     // Millimeters, as the table shows them.
     world.push_back((1000.0 * (ball + offset)).array().round().matrix() / 1000.0);
   }
-  // Off by a decimeter each way.
-  layer(0)->setFocus();
-  QTest::keyClick(layer(0), Qt::Key_D, Qt::ShiftModifier);
-  QTest::keyClick(layer(0), Qt::Key_W, Qt::ShiftModifier);
-  QVERIFY((camera(0).center() - truth[0].center()).norm() > 0.1);
+  return world;
+}
 
-  auto* table = find<QTableWidget>("pointsList");
+void PointsTest::type(int row, const Eigen::Vector3d& world) {
+  for (int axis = 0; axis < 3; ++axis) {
+    table()->item(row, 1 + axis)->setText(QLocale().toString(world[axis], 'f', 3));
+  }
+}
+
+void PointsTest::enter(const std::vector<Eigen::Vector3d>& world,
+                       const std::vector<Camera>& cameras) {
   for (std::size_t k = 0; k < world.size(); ++k) {
     QTest::mouseClick(find<QPushButton>("pointAdd"), Qt::LeftButton);
-    const int row = static_cast<int>(k);
-    for (int axis = 0; axis < 3; ++axis) {
-      table->item(row, 1 + axis)->setText(QLocale().toString(world[k][axis], 'f', 3));
-    }
+    type(static_cast<int>(k), world[k]);
     QVERIFY((project().points[k].world - world[k]).norm() < 1e-9);
     find<QPushButton>("pointClick")->click();
     for (int c = 0; c < 2; ++c) {
-      const auto pixel = Projector(truth[static_cast<std::size_t>(c)]).project(world[k]);
+      const auto pixel = Projector(cameras[static_cast<std::size_t>(c)]).project(world[k]);
       QVERIFY(pixel.has_value());
       click(c, *pixel, Qt::AltModifier);
     }
     QTest::keyClick(layer(1), Qt::Key_Escape);
     QCOMPARE(project().points[k].clicks.size(), std::size_t(2));
   }
-  QVERIFY(table->item(0, 5)->text().toDouble() > 5.0); // px, of the camera that is off
-  QTest::mouseClick(find<QPushButton>("pointSolve"), Qt::LeftButton);
-  QVERIFY(waitFor([&] { return !find<QLabel>("pointAssessment")->text().isEmpty(); }));
+}
+
+void PointsTest::compute() {
+  find<QPushButton>("pointSolve")->click();
+  QVERIFY(waitFor([this] { return !result().isEmpty(); }));
+}
+
+void PointsTest::measuredPointsGiveTheCameraBack() {
+  // Where points of the room are in the images as they are rendered.
+  const std::vector<Camera> truth{camera(0), camera(1)};
+  // Off by a decimeter each way.
+  layer(0)->setFocus();
+  QTest::keyClick(layer(0), Qt::Key_D, Qt::ShiftModifier);
+  QTest::keyClick(layer(0), Qt::Key_W, Qt::ShiftModifier);
+  QVERIFY((camera(0).center() - truth[0].center()).norm() > 0.1);
+
+  enter(room(), truth);
+  QVERIFY(table()->item(0, 5)->text().toDouble() > 5.0); // px, of the camera that is off
+  compute();
   QVERIFY((camera(0).center() - truth[0].center()).norm() < 1e-3);
   QVERIFY((camera(1).center() - truth[1].center()).norm() < 1e-3);
-  QVERIFY(table->item(0, 5)->text().toDouble() < 0.1);
+  QVERIFY(table()->item(0, 5)->text().toDouble() < 0.1);
   history().undo(); // the solution is one step
   QVERIFY((camera(0).center() - truth[0].center()).norm() > 0.1);
   QVERIFY((camera(1).center() - truth[1].center()).norm() < 1e-9);
+}
+
+void PointsTest::onlyAPointThatDoesNotFitIsMarked() {
+  const auto isMarked = [this](int row) {
+    return table()->item(row, 0)->text().startsWith(QStringLiteral("▲"));
+  };
+  const auto world = room();
+  enter(world, {camera(0), camera(1)});
+  compute();
+  QVERIFY2(result().contains(QStringLiteral("Largest error")), qPrintable(result()));
+  for (int row = 0; row < table()->rowCount(); ++row) {
+    QVERIFY(!isMarked(row)); // exact points have a worst one, too
+  }
+  constexpr int kWrong = 3;
+  type(kWrong, world[kWrong] + Eigen::Vector3d(0.1, 0.0, 0.0));
+  QVERIFY(result().isEmpty());
+  compute();
+  for (int row = 0; row < table()->rowCount(); ++row) {
+    QCOMPARE(isMarked(row), row == kWrong);
+  }
+}
+
+/// Else the next click or the next number goes to another place than it is meant for.
+void PointsTest::nothingMovesWhenResultsCome() {
+  const auto places = [this] {
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+    std::vector<QPoint> all{table()->mapTo(window_.get(), QPoint()),
+                            find<QPushButton>("pointSolve")->mapTo(window_.get(), QPoint())};
+    for (int column = 0; column < table()->columnCount(); ++column) {
+      all.emplace_back(table()->columnViewportPosition(column), table()->columnWidth(column));
+    }
+    return all;
+  };
+  const auto world = room();
+  enter(world, {camera(0), camera(1)});
+  compute();
+  QVERIFY(keepsItsSize(table())); // the result has been scrolled to
+  const auto with = places();
+  type(0, world[0] + Eigen::Vector3d(-0.001, 0.0, 0.0));
+  QVERIFY(result().isEmpty());
+  QVERIFY(keepsItsSize(table()));
+  QVERIFY(places() == with);
+  compute();
+  QVERIFY(keepsItsSize(table()));
+  QVERIFY(places() == with);
+  QVERIFY(!find<QWidget>("guideStrip")->isVisible()); // of the guide, which nobody follows
 }
 
 void PointsTest::clickingEndsWithItsPage() {
@@ -86,10 +159,9 @@ void PointsTest::tooFewPointsSayHowManyAreNeeded() {
   click(0, Eigen::Vector2d(100.0, 100.0), Qt::AltModifier);
   find<QPushButton>("pointSolve")->click();
   QVERIFY(!find<QPushButton>("pointClick")->isChecked()); // the next click moves no point
-  const auto text = [this] { return find<QLabel>("pointAssessment")->text(); };
-  QVERIFY(waitFor([&] { return !text().isEmpty(); }));
-  QVERIFY2(text().contains(QStringLiteral("1 point")), qPrintable(text()));
-  QVERIFY2(text().contains(QString::number(kFewestPointsOfPose)), qPrintable(text()));
+  QVERIFY(waitFor([this] { return !result().isEmpty(); }));
+  QVERIFY2(result().contains(QStringLiteral("1 point")), qPrintable(result()));
+  QVERIFY2(result().contains(QString::number(kFewestPointsOfPose)), qPrintable(result()));
 }
 
 DEWPOINT_WINDOW_TEST(PointsTest)
