@@ -83,6 +83,11 @@ MeasuredPoint readPoint(const toml::table& table, const std::string& file, std::
     read.camera = camera - 1;
     click.require("pixel");
     click.numbers("pixel", read.pixel.data(), 2);
+    std::int64_t frame = -1;
+    click.integer("frame", frame, 0, limits::kMaxFrames);
+    if (frame >= 0) {
+      read.frame = frame;
+    }
     reader.recordError(click.finish());
   }
   error = reader.finish();
@@ -157,6 +162,9 @@ std::string roomText(const Project& project) {
     for (const PointClick& click : point.clicks) {
       text += fmt::format("[[point.click]]\ncamera = {}\npixel = [{}, {}]\n", click.camera + 1,
                           click.pixel.x(), click.pixel.y());
+      if (click.frame) {
+        text += fmt::format("frame = {}\n", *click.frame);
+      }
     }
   }
   return text;

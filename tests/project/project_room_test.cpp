@@ -40,6 +40,7 @@ world = [0.5, 0.25, 0.74]
 [[point.click]]
 camera = 1
 pixel = [320.25, 120.5]
+frame = 7
 
 [[point]]
 name = "door"
@@ -63,6 +64,8 @@ TEST(ProjectRoom, ReadsGridPointsAndMirror) {
   ASSERT_EQ(project->points[0].clicks.size(), 1U);
   EXPECT_EQ(project->points[0].clicks[0].camera, 0);
   EXPECT_EQ(project->points[0].clicks[0].pixel, Eigen::Vector2d(320.25, 120.5));
+  EXPECT_EQ(project->points[0].clicks[0].frame, 7);
+  EXPECT_FALSE(load(kRoom, "frame = 7\n", "")->points[0].clicks[0].frame); // of older files
   EXPECT_TRUE(project->points[1].clicks.empty());
   EXPECT_TRUE(project->cameras[0].mirrored);
   EXPECT_EQ(project->cameras[0].delay, 0.012);
@@ -143,6 +146,7 @@ TEST(ProjectRoom, NamesWhatIsWrong) {
   EXPECT_EQ(fieldOf("\"door\"", "\"\""), "point 2.name");
   EXPECT_EQ(fieldOf("world = [2, 0, 0]", ""), "point 2.world");
   EXPECT_EQ(fieldOf("pixel = [320.25, 120.5]", ""), "point 1.click 1.pixel");
+  EXPECT_EQ(fieldOf("frame = 7", "frame = -1"), "point 1.click 1.frame");
   EXPECT_EQ(fieldOf("turn = 0.5", "turns = 0.5"), "grid.turns");
   EXPECT_EQ(fieldOf("late_by = 0.012", "late_by = 3601"), "camera 1.late_by");
 }

@@ -125,13 +125,21 @@ const PointClick* clickIn(const MeasuredPoint& point, int camera) {
   return found == point.clicks.end() ? nullptr : &*found;
 }
 
-void setClickIn(MeasuredPoint& point, int camera, const Eigen::Vector2d& pixel) {
+void setClickIn(MeasuredPoint& point, int camera, const Eigen::Vector2d& pixel,
+                std::optional<std::int64_t> frame) {
   const auto there = std::ranges::find(point.clicks, camera, &PointClick::camera);
   if (there != point.clicks.end()) {
     there->pixel = pixel;
+    there->frame = frame;
   } else {
-    point.clicks.push_back({camera, pixel});
+    point.clicks.push_back({camera, pixel, frame});
   }
+}
+
+bool isClickedElsewhere(const MeasuredPoint& point, std::int64_t frame) {
+  return !point.clicks.empty() && std::ranges::all_of(point.clicks, [&](const PointClick& click) {
+    return click.frame && *click.frame != frame;
+  });
 }
 
 std::vector<ClickResidual> clickResiduals(const CameraRig& rig,

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +17,8 @@ namespace dewpoint::calibration {
 struct PointClick {
   int camera = 0; ///< camera index in the rig
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
+  /// Frame of a recording in which the user clicked, from 0; nothing if it is not known.
+  std::optional<std::int64_t> frame = std::nullopt;
 
   bool operator==(const PointClick&) const = default;
 };
@@ -32,8 +35,13 @@ struct MeasuredPoint {
 /// Returns the click on a point in a camera's image, or null if there is none.
 const PointClick* clickIn(const MeasuredPoint& point, int camera);
 
-/// Sets the pixel at which a camera sees the point, replacing any previous one.
-void setClickIn(MeasuredPoint& point, int camera, const Eigen::Vector2d& pixel);
+/// Sets the pixel at which a camera sees the point in a frame, replacing any previous one.
+void setClickIn(MeasuredPoint& point, int camera, const Eigen::Vector2d& pixel,
+                std::optional<std::int64_t> frame = std::nullopt);
+
+/// Returns whether all clicks on the point are known to be from other frames than `frame`. A point
+/// that moves, such as a ball, is then elsewhere in the images of this frame. False without clicks.
+bool isClickedElsewhere(const MeasuredPoint& point, std::int64_t frame);
 
 /// Distance between a click and the pixel at which the camera should see the point.
 struct ClickResidual {

@@ -41,7 +41,8 @@ Project withImageSymmetry(Project project, int camera, const ImageSymmetry& symm
   of.camera = transformed(symmetry, of.camera);
   for (MeasuredPoint& point : project.points) {
     if (const PointClick* click = clickIn(point, camera)) {
-      setClickIn(point, camera, transformed(symmetry, click->pixel, before.width, before.height));
+      setClickIn(point, camera, transformed(symmetry, click->pixel, before.width, before.height),
+                 click->frame);
     }
   }
   return project;

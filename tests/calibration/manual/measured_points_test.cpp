@@ -127,6 +127,19 @@ TEST(MeasuredPoints, TheMistypedPointIsNamed) {
   EXPECT_LT(apart(solveFromPoints(displaced(rig), points).rig[0], rig[0]), 1e-6);
 }
 
+TEST(MeasuredPoints, APointIsElsewhereInFramesInWhichItWasNotClicked) {
+  MeasuredPoint point;
+  EXPECT_FALSE(isClickedElsewhere(point, 5)); // not clicked
+  setClickIn(point, 0, {1.0, 2.0}, 5);
+  EXPECT_FALSE(isClickedElsewhere(point, 5));
+  EXPECT_TRUE(isClickedElsewhere(point, 6));
+  setClickIn(point, 1, {3.0, 4.0}, 6);
+  EXPECT_FALSE(isClickedElsewhere(point, 6)); // in one camera
+  EXPECT_TRUE(isClickedElsewhere(point, 7));
+  setClickIn(point, 1, {3.0, 4.0}); // nobody knows
+  EXPECT_FALSE(isClickedElsewhere(point, 7));
+}
+
 TEST(MeasuredPoints, TapeErrorsDoNotShakeTheCameras) {
   const CameraRig rig = twoCameras();
   auto points = pointsSeenBy(rig, 8);

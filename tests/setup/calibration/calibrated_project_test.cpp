@@ -71,12 +71,13 @@ TEST(CalibratedProject, ATurnedPictureTakesItsCalibrationAndClicksAlong) {
   project.cameras[1].rotateDegrees = 90;
   project.points.emplace_back().name = "corner";
   setClickIn(project.points[0], 0, {10.0, 20.0});
-  setClickIn(project.points[0], 1, {30.0, 40.0});
+  setClickIn(project.points[0], 1, {30.0, 40.0}, 12);
   const Project rotated = withImageSymmetry(project, 1, {180, false});
   EXPECT_EQ(rotated.cameras[1].rotateDegrees, 270);
   EXPECT_FALSE(rotated.cameras[1].mirrored);
   EXPECT_EQ(rotated.cameras[0], project.cameras[0]);
   EXPECT_EQ(clickIn(rotated.points[0], 0)->pixel, Eigen::Vector2d(10.0, 20.0));
+  EXPECT_EQ(clickIn(rotated.points[0], 1)->frame, 12);
   // Upside down, pixel centers at integers: 159 - 30 and 119 - 40.
   EXPECT_EQ(clickIn(rotated.points[0], 1)->pixel, Eigen::Vector2d(129.0, 79.0));
   // A point of the world moves with its pixel.
