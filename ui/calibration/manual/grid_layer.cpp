@@ -97,7 +97,8 @@ Eigen::Vector2d GridLayer::clicked(QPointF position, Qt::KeyboardModifiers modif
 void GridLayer::placeClick(QMouseEvent* event) {
   const Eigen::Vector2d pixel = clicked(event->position(), event->modifiers());
   manual_.selectCamera(camera_);
-  points_.setClick(camera_, pixel);
+  const bool isRecording = snapshot_ && snapshot_->frameCount && snapshot_->frame >= 0;
+  points_.setClick(camera_, pixel, isRecording ? std::optional(snapshot_->frame) : std::nullopt);
 }
 
 void GridLayer::mousePressEvent(QMouseEvent* event) {
@@ -286,10 +287,13 @@ void GridLayer::drawPoints(QPainter& painter) {
   const Projector projector(manual_.shownCamera(camera_));
   const ImagePlacement& placement = view_->placement();
   const auto& all = points_.points();
+  std::vector<PaintedPoint> shown;
   for (std::size_t k = 0; k < all.size(); ++k) {
-    PaintedPoint painted;
+    PaintedPoint& painted = shown.emplace_back();
     painted.name = QString::fromStdString(all[k].name);
     painted.chosen = static_cast<int>(k) == points_.chosen();
+    painted.isElsewhere =
+        !painted.chosen && snapshot_ && isClickedElsewhere(all[k], snapshot_->frame);
     painted.isMisfit = points_.misfit() == static_cast<int>(k);
     if (const PointClick* click = clickIn(all[k], camera_)) {
       painted.click = widgetPosition(click->pixel, placement);
@@ -297,8 +301,8 @@ void GridLayer::drawPoints(QPainter& painter) {
     if (const auto seen = projector.project(all[k].world); seen && isInside(*seen)) {
       painted.seen = widgetPosition(*seen, placement);
     }
-    paintPoint(painter, painted);
   }
+  paintPoints(painter, shown);
 }
 
 void GridLayer::drawMagnifier(QPainter& painter) {

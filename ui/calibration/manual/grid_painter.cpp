@@ -2,6 +2,7 @@
 #include "ui/calibration/manual/grid_painter.h"
 
 #include "core/calibration/manual/click_aids.h"
+#include "ui/calibration/manual/label_places.h"
 #include "ui/style/halo.h"
 
 #include <QPainter>
@@ -9,6 +10,7 @@
 #include <opencv2/core/mat.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace dewpoint::ui {
 namespace {
@@ -43,18 +45,16 @@ void withGridHalo(QPainter& painter, const QColor& color, double width, const Dr
   withHalo(painter, color, width, draw, Qt::SolidLine, kGridHalo);
 }
 
-QRectF labelAt(const QPainter& painter, QPointF place, const QString& text) {
-  const QRectF box = painter.fontMetrics().boundingRect(text).toRectF().adjusted(-3, -1, 3, 1);
-  QRectF label(place + QPointF(5.0, -box.height() - 2.0), box.size());
-  if (const QRectF area = painter.clipBoundingRect(); !area.isEmpty()) {
-    label.moveRight(std::min(label.right(), area.right()));
-    label.moveTop(std::max(label.top(), area.top()));
-  }
-  return label;
+QSizeF gridLabelSize(const QPainter& painter, const QString& text) {
+  return painter.fontMetrics().boundingRect(text).toRectF().adjusted(-3, -1, 3, 1).size();
 }
 
-void paintText(QPainter& painter, QPointF place, const QString& text, const QColor& color) {
-  const QRectF label = labelAt(painter, place, text);
+QRectF areaToPaint(const QPainter& painter) {
+  const QRectF clip = painter.clipBoundingRect();
+  return clip.isEmpty() ? QRectF(painter.viewport()) : clip;
+}
+
+void paintText(QPainter& painter, const QRectF& label, const QString& text, const QColor& color) {
   painter.setPen(Qt::NoPen);
   painter.setBrush(QColor(0, 0, 0, 150));
   painter.drawRoundedRect(label, 3.0, 3.0);
@@ -62,16 +62,78 @@ void paintText(QPainter& painter, QPointF place, const QString& text, const QCol
   painter.drawText(label, Qt::AlignCenter, text);
 }
 
-/// As many as have room; the names of the axes, which stand last, before all others.
-void paintLabels(QPainter& painter, const ProjectedGrid& grid, const ImagePlacement& placement) {
-  std::vector<QRectF> taken;
+/// As many as have room; the names of the axes, which stand last, before all others. They point
+/// away from the middle of the grid: its corners are what is aimed at.
+void paintLabels(QPainter& painter, const ProjectedGrid& grid, const ImagePlacement& placement,
+                 const std::vector<QPolygonF>& lines) {
+  LabelPlaces places(areaToPaint(painter));
+  QPointF sum;
+  double count = 0.0;
+  for (const QPolygonF& line : lines) {
+    for (qsizetype k = 0; k < line.size(); ++k) {
+      sum += line[k];
+      count += 1.0;
+      if (k > 0) {
+        places.avoid({line[k - 1], line[k]});
+      }
+    }
+  }
+  const QPointF middle = sum / std::max(1.0, count);
+  std::optional<GridRole> named;
   for (auto label = grid.labels.rbegin(); label != grid.labels.rend(); ++label) {
     const QString text = QString::fromStdString(label->text);
-    const QPointF place = widgetPosition(label->at, placement);
-    const QRectF box = labelAt(painter, place, text);
-    if (std::ranges::none_of(taken, [&](const QRectF& other) { return other.intersects(box); })) {
-      paintText(painter, place, text, strokeOf(label->role).color);
-      taken.push_back(box);
+    const QPointF at = widgetPosition(label->at, placement);
+    const QSizeF size = gridLabelSize(painter, text);
+    const bool isName = std::exchange(named, label->role) != label->role;
+    if (const auto place = isName ? places.takeNeeded(at, size, at - middle)
+                                  : places.take(at, size, at - middle)) {
+      paintText(painter, *place, text, strokeOf(label->role).color);
+    }
+  }
+}
+
+constexpr double kElsewhereOpacity = 0.35;
+
+QColor pointColor(const PaintedPoint& point) {
+  return point.isMisfit ? kMisfit : kPoint;
+}
+
+void paintPointMark(QPainter& painter, const PaintedPoint& point) {
+  const QColor color = pointColor(point);
+  const double width = point.chosen ? 2.2 : 1.5;
+  if (point.click && point.seen) {
+    withGridHalo(painter, color, 1.0, [&] { painter.drawLine(*point.click, *point.seen); });
+  }
+  if (point.seen) {
+    withGridHalo(painter, color, width, [&] { painter.drawEllipse(*point.seen, 6.0, 6.0); });
+  }
+  if (point.click) {
+    withGridHalo(painter, color, width, [&] {
+      painter.drawLine(*point.click + QPointF(-7, 0), *point.click + QPointF(7, 0));
+      painter.drawLine(*point.click + QPointF(0, -7), *point.click + QPointF(0, 7));
+    });
+  }
+}
+
+void paintPointNames(QPainter& painter, const std::vector<PaintedPoint>& points) {
+  const QPointF upRight(1.0, -1.0);
+  LabelPlaces places(areaToPaint(painter));
+  for (const PaintedPoint& point : points) {
+    for (const auto& at : {point.click, point.seen}) {
+      if (at && !point.isElsewhere) {
+        places.avoid({*at + QPointF(-7, 0), *at + QPointF(7, 0)});
+      }
+    }
+  }
+  for (const PaintedPoint& point : points) {
+    const auto& at = point.click ? point.click : point.seen;
+    const QSizeF size = gridLabelSize(painter, point.name);
+    const auto place = !at                 ? std::nullopt
+                       : point.isElsewhere ? places.takeIfFree(*at, size, upRight)
+                                           : places.takeNeeded(*at, size, upRight);
+    if (place) {
+      painter.setOpacity(point.isElsewhere ? kElsewhereOpacity : 1.0);
+      paintText(painter, *place, point.name, pointColor(point));
     }
   }
 }
@@ -105,7 +167,7 @@ void paintGrid(QPainter& painter, const ProjectedGrid& grid, const ImagePlacemen
       painter.drawPolyline(lines[k]);
     }
   }
-  paintLabels(painter, grid, placement);
+  paintLabels(painter, grid, placement, lines);
   painter.restore();
 }
 
@@ -130,26 +192,20 @@ void paintGrip(QPainter& painter, QPointF place) {
   painter.restore();
 }
 
-void paintPoint(QPainter& painter, const PaintedPoint& point) {
+void paintPoints(QPainter& painter, const std::vector<PaintedPoint>& points) {
+  // The most important last, to be on top, and first to get a place for its name.
+  std::vector<PaintedPoint> ordered = points;
+  std::ranges::stable_sort(ordered, {}, [](const PaintedPoint& point) {
+    return point.chosen ? 2 : point.isElsewhere ? 0 : 1;
+  });
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
-  const QColor color = point.isMisfit ? kMisfit : kPoint;
-  const double width = point.chosen ? 2.2 : 1.5;
-  if (point.click && point.seen) {
-    withGridHalo(painter, color, 1.0, [&] { painter.drawLine(*point.click, *point.seen); });
+  for (const PaintedPoint& point : ordered) {
+    painter.setOpacity(point.isElsewhere ? kElsewhereOpacity : 1.0);
+    paintPointMark(painter, point);
   }
-  if (point.seen) {
-    withGridHalo(painter, color, width, [&] { painter.drawEllipse(*point.seen, 6.0, 6.0); });
-  }
-  if (point.click) {
-    withGridHalo(painter, color, width, [&] {
-      painter.drawLine(*point.click + QPointF(-7, 0), *point.click + QPointF(7, 0));
-      painter.drawLine(*point.click + QPointF(0, -7), *point.click + QPointF(0, 7));
-    });
-  }
-  if (const auto& at = point.click ? point.click : point.seen) {
-    paintText(painter, *at + QPointF(4.0, -4.0), point.name, color);
-  }
+  std::ranges::reverse(ordered);
+  paintPointNames(painter, ordered);
   painter.restore();
 }
 

@@ -8,6 +8,7 @@
 #include <QString>
 
 #include <optional>
+#include <vector>
 
 namespace cv {
 class Mat;
@@ -19,7 +20,7 @@ namespace dewpoint::ui {
 QPointF widgetPosition(const Eigen::Vector2d& pixel, const ImagePlacement& placement);
 
 /// Draws the reference grid as thin bright lines with a dark halo. Each axis has its own color, a
-/// name and labels in meters.
+/// name and labels in meters, which lie outside the grid where there is room.
 void paintGrid(QPainter& painter, const ProjectedGrid& grid, const ImagePlacement& placement,
                double opacity);
 
@@ -35,10 +36,12 @@ struct PaintedPoint {
   std::optional<QPointF> click;
   std::optional<QPointF> seen;
   bool chosen = false;
-  bool isMisfit = false; ///< does not fit the other points
+  bool isMisfit = false;    ///< does not fit the other points
+  bool isElsewhere = false; ///< was clicked in other frames
 };
-/// Draws a measured point. The selected point and one that does not fit are highlighted.
-void paintPoint(QPainter& painter, const PaintedPoint& point);
+/// Draws measured points. The selected point and one that does not fit are highlighted. Points that
+/// were clicked in other frames are faint, and have a name only where it covers nothing.
+void paintPoints(QPainter& painter, const std::vector<PaintedPoint>& points);
 
 /// Returns the edges found in `image`, in one bright color on a transparent background of size
 /// `size`. Slow for large images. May be called from any thread.

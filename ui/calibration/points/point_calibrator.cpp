@@ -119,14 +119,15 @@ void PointCalibrator::setClicking(bool clicking) {
   }
 }
 
-void PointCalibrator::setClick(int camera, const Eigen::Vector2d& pixel) {
+void PointCalibrator::setClick(int camera, const Eigen::Vector2d& pixel,
+                               std::optional<std::int64_t> frame) {
   if (chosen_ < 0) {
     return;
   }
   const auto point = static_cast<std::size_t>(chosen_);
   edit(tr("Click %1 in %2")
            .arg(QString::fromStdString(points()[point].name), manual_.nameOf(camera)),
-       [&](Project& project) { setClickIn(project.points[point], camera, pixel); });
+       [&](Project& project) { setClickIn(project.points[point], camera, pixel, frame); });
 }
 
 void PointCalibrator::removeClick(int camera) {

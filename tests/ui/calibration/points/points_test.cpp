@@ -7,7 +7,9 @@
 #include <QAction>
 #include <QLabel>
 #include <QLocale>
+#include <QPainter>
 #include <QPushButton>
+#include <QSlider>
 #include <QTableWidget>
 
 #include <vector>
@@ -23,6 +25,7 @@ private Q_SLOTS:
   void measuredPointsGiveTheCameraBack();
   void onlyAPointThatDoesNotFitIsMarked();
   void nothingMovesWhenResultsCome();
+  void pointsOfOtherFramesAreFaint();
   void clickingEndsWithItsPage();
   void tooFewPointsSayHowManyAreNeeded();
 
@@ -142,6 +145,41 @@ void PointsTest::nothingMovesWhenResultsCome() {
   QVERIFY(keepsItsSize(table()));
   QVERIFY(places() == with);
   QVERIFY(!find<QWidget>("guideStrip")->isVisible()); // of the guide, which nobody follows
+}
+
+void PointsTest::pointsOfOtherFramesAreFaint() {
+  QVERIFY(shown().frameCount); // a recording
+  const std::int64_t frame = shown().frame;
+  enter({room().front()}, {camera(0), camera(1)});
+  for (const PointClick& one : project().points[0].clicks) {
+    QVERIFY(one.frame == frame);
+  }
+  find<QPushButton>("pointAdd")->click(); // the selected point is never faint
+  const auto picture = [this] { return layer(0)->parentWidget()->grab().toImage(); };
+  find<QSlider>("gridOpacity")->setValue(0);
+  action("actionNextFrame")->trigger();
+  QVERIFY(waitFor([&] { return shown().frame > frame; }));
+  QVERIFY(isClickedElsewhere(project().points[0], shown().frame));
+  QVERIFY(draws(*layer(0)->parentWidget()));
+  const QImage faint = picture();
+  QVERIFY(window_->document().edit(QStringLiteral("clicked now"), [this](Project& project) {
+    for (PointClick& one : project.points[0].clicks) {
+      one.frame = shown().frame;
+    }
+  }));
+  QVERIFY(picture() != faint);
+  const auto strength = [](bool isElsewhere) {
+    QImage image(60, 60, QImage::Format_ARGB32_Premultiplied);
+    image.fill(Qt::transparent);
+    QPainter painter(&image);
+    PaintedPoint point;
+    point.click = QPointF(30.0, 30.0);
+    point.isElsewhere = isElsewhere;
+    paintPoints(painter, {point});
+    return qAlpha(image.pixel(30, 30));
+  };
+  QVERIFY(strength(true) > 0);
+  QVERIFY(strength(true) < strength(false));
 }
 
 void PointsTest::clickingEndsWithItsPage() {
