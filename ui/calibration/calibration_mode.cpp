@@ -4,6 +4,7 @@
 #include "ui/calibration/calibration_dock.h"
 #include "ui/calibration/manual_calibration.h"
 #include "ui/workbench/dock_manager.h"
+#include "ui/workbench/view_dock.h"
 
 #include <QAction>
 #include <QMainWindow>
@@ -71,13 +72,29 @@ void CalibrationMode::open(const QString& page) {
   pages_->showPage(page);
 }
 
+ViewDock* CalibrationMode::dockInFront() const {
+  for (QDockWidget* other : bench_.window.tabifiedDockWidgets(dock_)) {
+    if (auto* view = qobject_cast<ViewDock*>(other);
+        view != nullptr && !view->isHidden() && !view->isBehind()) {
+      return view;
+    }
+  }
+  return nullptr;
+}
+
 void CalibrationMode::show(bool isShown) {
   if (isShown && page_.isEmpty() && !isReturning_) {
     manual_->storeAs(EarlierCameras::PanelOpened);
   }
+  const bool wasInFront = !dock_->isHidden() && !dock_->isBehind();
+  if (isShown && dock_->isHidden()) {
+    dockBefore_ = dockInFront();
+  }
   dock_->setShownByUser(isShown);
   if (isShown) {
     dock_->raise();
+  } else if (wasInFront && dockBefore_) {
+    dockBefore_->raise(); // not just the next tab
   }
   // The grid would lie over the board that is shown to the cameras.
   manual_->setActive(isShown && pages_->shownPage() != kBoard);

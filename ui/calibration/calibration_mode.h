@@ -3,6 +3,7 @@
 
 #include "ui/workbench/workbench.h"
 
+#include <QPointer>
 #include <QString>
 
 #include <functional>
@@ -40,13 +41,16 @@ Q_SIGNALS:
 
 private:
   void show(bool isShown);
+  /// Returns the dock in front of those that share their place with the panel, or null.
+  ViewDock* dockInFront() const;
 
   Workbench bench_;
   ManualCalibration* manual_;
   CalibrationDock* pages_;
   ViewDock* dock_;
-  bool isReturning_ = false; ///< the mode goes on with another page
-  QString page_;             ///< last page that shown() was emitted for
+  QPointer<ViewDock> dockBefore_; ///< in front before the mode began
+  bool isReturning_ = false;      ///< the mode goes on with another page
+  QString page_;                  ///< last page that shown() was emitted for
 };
 
 } // namespace dewpoint::ui

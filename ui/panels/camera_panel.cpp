@@ -20,7 +20,6 @@
 #include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
@@ -92,11 +91,8 @@ void CameraPanel::makeFields() {
   form->addRow(delayLabel_, delay_);
   form->addRow(delayEstimate_);
   form->addRow(backgroundImageLabel_, backgroundImage_);
-  auto* rooms = new QHBoxLayout;
-  rooms->setSpacing(8);
-  rooms->addWidget(backgroundImageBrowse_);
-  rooms->addWidget(backgroundImageTake_, 1);
-  form->addRow(nullptr, rooms);
+  form->addRow(nullptr, backgroundImageBrowse_);
+  form->addRow(backgroundImageTake_); // beside the other, the panel would be wider than its dock
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(12, 8, 12, 8);
   column->setSpacing(8);

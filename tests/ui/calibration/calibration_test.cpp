@@ -3,6 +3,7 @@
 #include "tests/ui/calibration/calibration_window.h"
 #include "tests/ui/window_test.h"
 #include "ui/view3d/birds_eye_view.h"
+#include "ui/workbench/view_dock.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -24,6 +25,7 @@ private Q_SLOTS:
   void init();
   void cleanup();
   void opensAsAModeOfTheWindow();
+  void theViewBeforeComesBack();
   void theGridFollowsTheMouse();
   void heldPointsStay();
   void keysNudgeInNamedSteps();
@@ -62,6 +64,18 @@ void CalibrationTest::opensAsAModeOfTheWindow() {
   QTest::keyClick(window_.get(), Qt::Key_C);
   QVERIFY(!layer(0)->isVisible());
   QVERIFY(!find<QDockWidget>("calibrationDock")->isVisible());
+}
+
+void CalibrationTest::theViewBeforeComesBack() {
+  auto* parameters = find<ViewDock>("parameterDock");
+  const auto toggle = [this] { QTest::keyClick(window_.get(), Qt::Key_C); };
+  toggle();
+  parameters->raise();
+  QVERIFY(waitFor([&] { return !parameters->isBehind(); }));
+  toggle();
+  QVERIFY(waitFor([&] { return parameters->isBehind(); }));
+  toggle();
+  QVERIFY(waitFor([&] { return !parameters->isBehind(); }));
 }
 
 void CalibrationTest::theGridFollowsTheMouse() {

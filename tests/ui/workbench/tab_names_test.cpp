@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The names of all tabs of the views can be read in full, in every language.
+// The names of all tabs of the views can be read in full, in every language, and the panel of the
+// cameras is not cut.
 #include "core/session/snapshot/snapshot.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/window_test.h"
 #include "ui/text/language.h"
 
+#include <QDockWidget>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTabBar>
 
 #include <algorithm>
@@ -22,6 +26,8 @@ private Q_SLOTS:
   void theyAreWhole_data();
   void theyAreWhole();
   void theyAreWholeInANewLanguage();
+  void theCamerasFitTheirDock_data() { theyAreWhole_data(); }
+  void theCamerasFitTheirDock();
 
 private:
   /// The bars of tabs of docks, as far as they can be seen.
@@ -85,6 +91,20 @@ void TabNamesTest::theyAreWholeInANewLanguage() {
     window_->setLanguage(QString::fromLatin1(language));
     QVERIFY2(waitFor([this] { return cutNames().isEmpty(); }), qPrintable(cutNames()));
   }
+}
+
+void TabNamesTest::theCamerasFitTheirDock() {
+  QFETCH(QString, language);
+  QFETCH(QSize, size);
+  useLanguage(language);
+  makeWindow({.size = size, .play = false});
+  open();
+  find<QDockWidget>("cameraListDock")->raise();
+  const auto* scroll = find<QScrollArea>("cameraListDockScroll");
+  QVERIFY(waitFor([&] { return scroll->isVisible(); }));
+  QVERIFY(keepsItsSize(scroll));
+  const int needed = scroll->widget()->minimumSizeHint().width();
+  QVERIFY2(scroll->horizontalScrollBar()->maximum() == 0, qPrintable(QString::number(needed)));
 }
 
 DEWPOINT_WINDOW_TEST(TabNamesTest)
