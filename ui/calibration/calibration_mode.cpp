@@ -9,6 +9,8 @@
 #include <QAction>
 #include <QMainWindow>
 
+#include <utility>
+
 namespace dewpoint::ui {
 
 namespace {
@@ -86,15 +88,15 @@ void CalibrationMode::show(bool isShown) {
   if (isShown && page_.isEmpty() && !isReturning_) {
     manual_->storeAs(EarlierCameras::PanelOpened);
   }
-  const bool wasInFront = !dock_->isHidden() && !dock_->isBehind();
+  const bool wasInFront = dock_->isHidden() || !dock_->isBehind(); // hidden: by its own button
   if (isShown && dock_->isHidden()) {
     dockBefore_ = dockInFront();
   }
   dock_->setShownByUser(isShown);
   if (isShown) {
     dock_->raise();
-  } else if (wasInFront && dockBefore_) {
-    dockBefore_->raise(); // not just the next tab
+  } else if (ViewDock* before = std::exchange(dockBefore_, nullptr).data(); before && wasInFront) {
+    before->raise(); // not just the next tab
   }
   // The grid would lie over the board that is shown to the cameras.
   manual_->setActive(isShown && pages_->shownPage() != kBoard);
