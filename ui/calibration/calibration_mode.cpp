@@ -38,10 +38,10 @@ CalibrationMode::CalibrationMode(const Workbench& bench)
     }
   });
   connect(mode, &QAction::toggled, this, [this](bool shown) {
-    show(shown);
     if (shown) {
-      pages_->showPage(kByHand);
+      pages_->showPage(kByHand); // first: the page before is not opened again
     }
+    show(shown);
   });
   connect(dock_, &ViewDock::toggledByUser, mode, &QAction::setChecked);
   connect(pages_, &CalibrationDock::pageChanged, this, [this, mode] {
