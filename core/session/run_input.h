@@ -43,11 +43,13 @@ public:
   std::vector<Error> notices() const { return source_->notices(); }
   /// Returns whether live cameras have other problems than in the last snapshot.
   bool haveNoticesChanged() const { return notices() != shownNotices_; }
-  /// Adds the problems, the number of frames and that of dropped frames to a snapshot.
+  /// Adds the problems, the number and rate of the frames, and the number of dropped frames to a
+  /// snapshot.
   void show(TrackSnapshot& snapshot) {
     shownNotices_ = notices();
     std::ranges::copy(shownNotices_, std::back_inserter(snapshot.notices));
     snapshot.frameCount = source_->frameCount();
+    snapshot.sourceFramesPerSecond = source_->framesPerSecond();
     snapshot.droppedFrames = source_->droppedFrames();
   }
 

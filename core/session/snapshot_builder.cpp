@@ -76,6 +76,18 @@ void showPresentBoxes(const TrackingRun& run, TrackSnapshot& snapshot) {
   }
 }
 
+/// A renamed target has its new name in all frames. Of another number of targets nobody knows which
+/// they are, and those that are found get their names from the run.
+void showPresentNames(const TrackingRun& run, TrackSnapshot& snapshot) {
+  const std::vector<Target>& targets = run.targets();
+  if (run.definition()->family().findsTargets() || snapshot.targets.size() != targets.size()) {
+    return;
+  }
+  for (std::size_t k = 0; k < targets.size(); ++k) {
+    snapshot.targets[k].target.name = targets[k].name;
+  }
+}
+
 void addShapes(TrackSnapshot& snapshot) {
   for (TargetSnapshot& target : snapshot.targets) {
     const bool hasBody = std::visit(Overloaded{[](const SphereEstimate&) { return false; },
@@ -195,6 +207,7 @@ void SnapshotBuilder::show(const TrackedFrame& trackedFrame, const TrackingRun& 
   if (run.definition()->family().tracksAgainOnEdit) {
     showPresentBoxes(run, snapshot);
   }
+  showPresentNames(run, snapshot);
 }
 
 void SnapshotBuilder::addImages(const TrackingRun& run, TrackSnapshot& snapshot) const {

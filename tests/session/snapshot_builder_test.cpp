@@ -49,6 +49,19 @@ TEST(SnapshotBuilder, NewBeliefsBeginNewTails) {
   EXPECT_EQ(shown(session, 5)->targets.at(0).tail.size(), 6U);
 }
 
+TEST(SnapshotBuilder, ARenamedTargetHasItsNewNameInAllFrames) {
+  Session session(drawnInputs("dewpoint", 60));
+  iterateTo(session, 9);
+  EXPECT_GT(session.newest()->sourceFramesPerSecond, 0.0);
+  ASSERT_EQ(shown(session, 4)->targets.at(0).target.name, drawn::redBall().name);
+  Target renamed = drawn::redBall();
+  renamed.name = "renamed";
+  session.setTargets({renamed});
+  EXPECT_TRUE(eventually([&] { return session.newest()->targets.at(0).target.name == "renamed"; }));
+  EXPECT_EQ(session.newest()->frame, 4); // without going anywhere
+  EXPECT_EQ(shown(session, 6)->targets.at(0).target.name, "renamed");
+}
+
 TEST(SnapshotBuilder, AFrameLooksTheSameNowAndLater) {
   SessionInputs inputs = drawnInputs("dewpoint", 60);
   for (std::int64_t frame = 0; frame < 60; ++frame) {

@@ -56,6 +56,7 @@ void Timeline::setSnapshot(const TrackSnapshotPtr& shown) {
   const TrackSnapshot& snapshot = *shown;
   model_.history = snapshot.history;
   model_.rerun = snapshot.rerun;
+  model_.setSourceRate(snapshot.sourceFramesPerSecond);
   model_.live = snapshot.frames != nullptr && !snapshot.frameCount.has_value();
   QStringList targets;
   for (const TargetSnapshot& target : snapshot.targets) {

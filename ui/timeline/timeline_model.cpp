@@ -38,6 +38,12 @@ void TimelineModel::append(const std::vector<FrameRecord>& more, bool restarted)
   }
 }
 
+void TimelineModel::setSourceRate(double rate) {
+  if (records.size() < 2 && rate > 0.0) {
+    framesPerSecond = rate;
+  }
+}
+
 qint64 TimelineModel::endOf(std::size_t record) const {
   const std::int64_t frame = records[record].frame;
   if (record + 1 == records.size()) {

@@ -29,8 +29,11 @@ struct TimelineModel {
   HistoryState history;
   std::optional<RerunState> rerun;
   bool live = false;
-  double framesPerSecond = 30.0; ///< frame rate of the recording, from the record time stamps
+  /// Frame rate: from the time stamps of the records, or before there are two, that of the source.
+  double framesPerSecond = 30.0;
 
+  /// Sets the frame rate of the source. It counts as long as no records tell the rate.
+  void setSourceRate(double rate);
   /// Adds new log records. If a frame is repeated, the new record replaces the old one.
   void append(const std::vector<FrameRecord>& more, bool restarted);
   /// Returns the frame after the last frame that a record represents. This is the frame of the next

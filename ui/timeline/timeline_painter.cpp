@@ -23,6 +23,9 @@ namespace dewpoint::ui {
 namespace {
 
 constexpr double kGap = 3.0;
+/// From a line of the axis to its label: beside the sign of the current frame, which is this wide.
+constexpr double kLabelGap = 8.0;
+constexpr double kHeadReach = 6.0; ///< of that sign, to either side
 constexpr int kMostRowsWanted = 5;
 
 void paintDropouts(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
@@ -88,8 +91,9 @@ void paintAxis(QPainter& painter, const TimelineModel& model, const TimelineScal
       painter.setPen(palette.color(QPalette::PlaceholderText));
       const QString text = clock(at, step);
       const double width = metrics.horizontalAdvance(text);
-      const bool fits = x + 3.0 + width <= rows.axis.right() + 7.0;
-      painter.drawText(QPointF(fits ? x + 3.0 : x - 8.0 - width, rows.axis.bottom() - 5.0), text);
+      const bool fits = x + kLabelGap + width <= rows.axis.right() + 7.0;
+      painter.drawText(
+          QPointF(fits ? x + kLabelGap : x - kLabelGap - width, rows.axis.bottom() - 5.0), text);
     }
   }
 }
@@ -143,8 +147,8 @@ void paintHead(QPainter& painter, const TimelineModel& model, const TimelineScal
   painter.setPen(Qt::NoPen);
   painter.setBrush(color);
   const double y = rows.axis.bottom();
-  painter.drawPolygon(
-      QPolygonF({QPointF(x - 6.0, y - 8.0), QPointF(x + 6.0, y - 8.0), QPointF(x, y + 1.0)}));
+  painter.drawPolygon(QPolygonF(
+      {QPointF(x - kHeadReach, y - 8.0), QPointF(x + kHeadReach, y - 8.0), QPointF(x, y + 1.0)}));
 }
 
 void paintHovered(QPainter& painter, const TimelineScale& scale, const TimelineRows& rows,

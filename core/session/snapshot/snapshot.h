@@ -109,6 +109,7 @@ struct TrackSnapshot {
   std::optional<RerunState> rerun; ///< set while past frames are tracked again
   std::optional<std::int64_t> frameCount;
   std::int64_t iterations = 0;           ///< filter iterations since the (re)start
+  double sourceFramesPerSecond = 0.0;    ///< frame rate of the recording or cameras; 0: unknown
   double framesPerSecond = 0.0;          ///< achieved frame rate
   double microsecondsPerIteration = 0.0; ///< median of the last iterations, per target
   Latency latency;                       ///< time from the arrival of a frame set to its estimate

@@ -72,6 +72,18 @@ TEST(TimelineModel, TheNearestMarkerInEitherDirectionIsTheNextOne) {
   EXPECT_FALSE(model.nextMarker(20, 1));
 }
 
+TEST(TimelineModel, TheSourceTellsTheRateUntilTimeStampsDo) {
+  TimelineModel model;
+  model.setSourceRate(0.0); // unknown
+  EXPECT_DOUBLE_EQ(model.framesPerSecond, 30.0);
+  model.setSourceRate(8.0);
+  EXPECT_DOUBLE_EQ(model.secondsOf(300), 37.5);
+  model.append({record(0), record(1)}, true);
+  EXPECT_DOUBLE_EQ(model.framesPerSecond, 25.0);
+  model.setSourceRate(8.0);
+  EXPECT_DOUBLE_EQ(model.framesPerSecond, 25.0);
+}
+
 TEST(TimelineModel, TheRateIsThatOfTheTimeStamps) {
   TimelineModel model = modelOf({10, 11, 12});
   EXPECT_DOUBLE_EQ(model.framesPerSecond, 25.0);

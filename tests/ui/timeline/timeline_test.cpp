@@ -33,6 +33,7 @@ private Q_SLOTS:
   void scrubbingShowsThatFrameInAllViews();
   void keysGoByFramesSecondsAndToTheEnds();
   void playGoesOnFromTheFrameShown();
+  void aNewNameIsShownAtOnceWhileLookingBack();
   void trackingAgainReplacesWhatFollows();
   void markersAreStepsOfTheDocument();
   void framesAndTimesCanBeEntered();
@@ -126,6 +127,19 @@ void TimelineTest::playGoesOnFromTheFrameShown() {
   QVERIFY(showsFrame(35));
   QTest::keyClick(window_.get(), Qt::Key_Space);
   QVERIFY(waitFor([this] { return shown().history.head > kTracked; })); // and goes on tracking
+}
+
+void TimelineTest::aNewNameIsShownAtOnceWhileLookingBack() {
+  QTest::mouseClick(timeline_, Qt::LeftButton, {}, timeline_->positionOf(12));
+  QVERIFY(showsFrame(12));
+  QVERIFY(window_->document().edit(QStringLiteral("Rename target"), [](Project& project) {
+    project.targets.front().name = "renamed";
+  }));
+  const QString name = QStringLiteral("renamed");
+  QVERIFY(waitFor([&] { return timeline_->model().targets == QStringList{name}; }));
+  QVERIFY(waitFor([&] { return find<QLabel>("plotTarget")->text() == name; }));
+  QVERIFY(showsFrame(12));
+  QVERIFY(shown().past);
 }
 
 void TimelineTest::trackingAgainReplacesWhatFollows() {
