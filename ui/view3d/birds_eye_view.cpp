@@ -149,7 +149,7 @@ QImage BirdsEyeView::currentImage() {
 }
 
 void BirdsEyeView::paintOver(QPainter& painter) const {
-  labels_.paint(painter, *this);
+  labels_.paint(painter, *this, inset_.shownArea(*this, chosenTarget_));
   inset_.paint(painter, *this, chosenTarget_);
   people_.paint(painter, *this, {*this, scene_}, chosenTarget_);
   map_.paintLegend(painter, *this);

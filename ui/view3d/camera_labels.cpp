@@ -74,7 +74,8 @@ std::array<QRectF, 5> placesFor(const Drawn& camera, const QSizeF& size) {
 
 } // namespace
 
-std::vector<CameraLabels::Label> CameraLabels::labels(const QWidget& view) const {
+std::vector<CameraLabels::Label> CameraLabels::labels(const QWidget& view,
+                                                      const QRectF& taken) const {
   const ViewProjection projection(view, scene_);
   const QFontMetricsF metrics(view.font());
   const QRectF room = QRectF(view.rect()).adjusted(kBorderPx, kBorderPx, -kBorderPx, -kBorderPx);
@@ -96,7 +97,7 @@ std::vector<CameraLabels::Label> CameraLabels::labels(const QWidget& view) const
   for (const Drawn& camera : cameras) {
     const QSizeF size(metrics.horizontalAdvance(camera.name), metrics.height());
     const auto isFree = [&](const QRectF& place) {
-      return room.contains(place) &&
+      return room.contains(place) && !taken.intersects(place) &&
              std::ranges::none_of(texts,
                                   [&](const QRectF& text) { return text.intersects(place); }) &&
              std::ranges::none_of(cameras,
@@ -111,13 +112,13 @@ std::vector<CameraLabels::Label> CameraLabels::labels(const QWidget& view) const
   return placed;
 }
 
-void CameraLabels::paint(QPainter& painter, const QWidget& view) const {
+void CameraLabels::paint(QPainter& painter, const QWidget& view, const QRectF& taken) const {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   QColor halo = view.palette().color(QPalette::Window);
   halo.setAlphaF(0.8F);
   const QFontMetricsF metrics(view.font());
-  for (const Label& label : labels(view)) {
+  for (const Label& label : labels(view, taken)) {
     QPainterPath text;
     text.addText(label.area.left(), label.area.top() + metrics.ascent(), view.font(), label.text);
     painter.strokePath(text, QPen(halo, kHaloPx, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));

@@ -21,10 +21,10 @@ public:
     QString text;
     QRectF area; ///< view coordinates
   };
-  /// Returns the labels. If there is room, they avoid all pyramids, the floor numbers and each
-  /// other. Cameras outside the rendered image have no labels.
-  std::vector<Label> labels(const QWidget& view) const;
-  void paint(QPainter& painter, const QWidget& view) const;
+  /// Returns the labels. If there is room, they avoid all pyramids, the floor numbers, each other,
+  /// and the area `taken`. Cameras outside the rendered image have no labels.
+  std::vector<Label> labels(const QWidget& view, const QRectF& taken = {}) const;
+  void paint(QPainter& painter, const QWidget& view, const QRectF& taken) const;
 
 private:
   const Scene3d& scene_;

@@ -109,6 +109,32 @@ QRectF SceneInset::area(const QWidget& view) {
   return {view.width() - kSpacing - kSidePx, view.height() - kSpacing - kSidePx, kSidePx, kSidePx};
 }
 
+int SceneInset::coveredCount(const QWidget& view, const QRectF& box) const {
+  const ViewProjection projection(view, scene_);
+  const auto glyphs = scene_.cameraGlyphs();
+  const auto texts = scene_.textAreas();
+  const auto isCovered = [&](const CameraGlyph& glyph) {
+    return scene_.isInFront(glyph.center) && box.contains(projection.toWidget(glyph.center));
+  };
+  const auto isTextCovered = [&](const Eigen::AlignedBox2d& text) {
+    return QRectF(projection.toWidget(text.min()), projection.toWidget(text.max()))
+        .normalized()
+        .intersects(box);
+  };
+  return static_cast<int>(std::ranges::count_if(glyphs, isCovered) +
+                          std::ranges::count_if(texts, isTextCovered));
+}
+
+QRectF SceneInset::shownArea(const QWidget& view, int chosen) const {
+  if (target(view, chosen) < 0) {
+    return {};
+  }
+  const QRectF below = area(view);
+  const QRectF above = below.translated(0.0, kSpacing - below.top());
+  const int covered = coveredCount(view, below);
+  return covered > 0 && coveredCount(view, above) < covered ? above : below;
+}
+
 void SceneInset::paint(QPainter& painter, const QWidget& view, int chosen) const {
   const int index = target(view, chosen);
   if (index < 0) {
@@ -125,7 +151,7 @@ void SceneInset::paint(QPainter& painter, const QWidget& view, int chosen) const
   const QColor ground = palette.color(QPalette::Base);
   const QColor ink = palette.color(QPalette::Text);
   const QColor color = toColor(scene_.colorOf(static_cast<std::size_t>(index)));
-  const QRectF box = area(view);
+  const QRectF box = shownArea(view, chosen);
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   // A line to what is enlarged, up to the box.

@@ -13,7 +13,8 @@ class QPainter;
 namespace dewpoint::ui {
 
 /// Inset in a corner of the view that enlarges a particle cloud that is too small to see, with its
-/// 95 % ellipsoid and a scale bar.
+/// 95 % ellipsoid and a scale bar. It is at the lower right, or at the upper right if it covers
+/// fewer cameras and numbers there.
 class SceneInset {
 public:
   explicit SceneInset(const Scene3d& scene) : scene_(scene) {}
@@ -25,12 +26,16 @@ public:
   int target(const QWidget& view, int chosen) const;
   /// Returns whether the view is large enough for an inset.
   static bool hasRoom(const QWidget& view);
-  /// Returns the area of the inset in view pixels.
+  /// Returns the usual area of the inset, at the lower right, in view pixels.
   static QRectF area(const QWidget& view);
+  /// Returns the area where the inset is painted, in view pixels; empty if there is no inset.
+  QRectF shownArea(const QWidget& view, int chosen) const;
   void paint(QPainter& painter, const QWidget& view, int chosen) const;
 
 private:
   bool isTooSmall(const TargetSnapshot& target) const;
+  /// Returns how many cameras and numbers of the floor this area covers.
+  int coveredCount(const QWidget& view, const QRectF& box) const;
 
   const Scene3d& scene_;
   TrackSnapshotPtr snapshot_;

@@ -270,6 +270,29 @@ private Q_SLOTS:
     }
   }
 
+  void namesAvoidTheInset() {
+    const auto snapshot = ballSnapshot();
+    scatter(snapshot->targets[0], 0.0004);
+    view_->setSnapshot(snapshot);
+    for (const auto look : {Scene3d::View::Free, Scene3d::View::Above, Scene3d::View::Front}) {
+      view_->look(look);
+      view_->currentImage();
+      const QRectF inset = view_->cloudInset().shownArea(*view_, -1);
+      QVERIFY(QRectF(view_->rect()).contains(inset));
+      const ViewProjection projection(*view_, view_->scene());
+      for (const CameraGlyph& glyph : view_->scene().cameraGlyphs()) {
+        if (inset.contains(projection.toWidget(glyph.center))) {
+          continue; // both corners of the view would cover a camera
+        }
+        for (const auto& label : view_->cameraLabels().labels(*view_, inset)) {
+          QVERIFY2(label.text != QString::fromStdString(glyph.name) ||
+                       !label.area.intersects(inset),
+                   glyph.name.c_str());
+        }
+      }
+    }
+  }
+
   void aRigOfAnotherScaleIsFramedAlsoAfterZooming() {
     const auto large = ballSnapshot();
     const auto small = quartered(*large);
