@@ -182,9 +182,11 @@ void StatusBarPanel::refresh() {
   const QString frame = QString::number(snapshot.frame + 1); // people count from 1
   frame_->setText(snapshot.frameCount ? tr("frame %1 / %2").arg(frame).arg(*snapshot.frameCount)
                                       : tr("frame %1").arg(frame));
-  // While nothing plays, the rate of the last frames says nothing about this one.
-  rate_->setText(snapshot.state == PlayState::Playing ? frameRateText(snapshot.framesPerSecond)
-                                                      : QString());
+  // While nothing is tracked, the rate of the last frames says nothing about this one.
+  const bool isTracking = snapshot.state == PlayState::Playing && !snapshot.past;
+  rate_->setText(isTracking && snapshot.framesPerSecond > 0.0
+                     ? frameRateText(snapshot.framesPerSecond)
+                     : QString());
   const TargetSnapshot* target = targetToExplain(snapshot, target_);
   if (target != nullptr) {
     std::visit(Overloaded{[&](const SphereEstimate&) { showPosition(*target); },
@@ -284,12 +286,20 @@ void StatusBarPanel::hideOverflow() {
   if (const QString reason = reason_->fullText(); !reason.isEmpty()) {
     needed += std::min(kLeastReason, fontMetrics().horizontalAdvance(reason)) + kSpacing;
   }
+  // An empty value before a reason leaves it its room.
+  const auto isSpare = [this](const QWidget* part) {
+    const auto isEmpty = [part](const QLabel* label) {
+      return part == label && label->text().isEmpty();
+    };
+    return !reason_->fullText().isEmpty() &&
+           (isEmpty(position_) || isEmpty(spread_) || isEmpty(speed_));
+  };
   for (QWidget* part : hideOrder_) {
-    const bool fits = needed <= width();
-    if (part->isHidden() == fits) {
-      part->setVisible(fits);
+    const bool isShown = needed <= width() && !isSpare(part);
+    if (part->isHidden() == isShown) {
+      part->setVisible(isShown);
     }
-    needed -= fits ? 0 : widthOf(part);
+    needed -= isShown ? 0 : widthOf(part);
   }
 }
 

@@ -360,10 +360,11 @@ QString PlotStack::placeText(const std::optional<std::size_t>& row) const {
     return {};
   }
   const PlotSeries::Row& at = series()->row(*row);
-  return tr("frame %1, iteration %2, %3") // people count frames from 1
-      .arg(at.frame + 1)
-      .arg(at.iteration)
-      .arg(secondsText(at.time, 2));
+  const QString frame = QString::number(at.frame + 1); // people count from 1
+  const QString time = secondsText(at.time, 2);
+  return axis() == PlotAxis::Time
+             ? tr("frame %1, %2").arg(frame, time)
+             : tr("frame %1, iteration %2, %3").arg(frame, QString::number(at.iteration), time);
 }
 
 QString PlotStack::valuesText() const {

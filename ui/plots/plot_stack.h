@@ -74,8 +74,8 @@ public:
   PlotExport exported();
   /// Returns all values at the cursor, with names and units.
   QString valuesText() const;
-  /// Returns the cursor as "frame 132, iteration 660, 4.40 s", or an empty string before the first
-  /// frame.
+  /// Returns the cursor as "frame 132, 4.40 s", or "frame 132, iteration 660, 4.40 s" if the axis
+  /// counts iterations; an empty string before the first frame.
   QString cursorText() const { return placeText(navigation_->cursorRow()); }
   /// Returns the frame that all views show in the same form, wherever the cursor is.
   QString shownText() const { return placeText(navigation_->shownRow()); }

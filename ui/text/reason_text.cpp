@@ -80,12 +80,22 @@ QString cameraBlindText(const CameraReport& report) {
 }
 
 QString reasonText(const std::vector<CameraReport>& reports, const QStringList& cameraNames) {
-  QStringList parts;
+  QStringList troubles; // in the order of the cameras, each once
+  QList<QStringList> cameras;
   for (std::size_t k = 0; k < reports.size(); ++k) {
     const QString trouble = cameraReasonText(reports[k]);
-    if (!trouble.isEmpty()) {
-      parts.append(QStringLiteral("%1: %2").arg(cameraNames.value(static_cast<int>(k)), trouble));
+    if (trouble.isEmpty()) {
+      continue;
     }
+    if (!troubles.contains(trouble)) {
+      troubles.append(trouble);
+      cameras.emplace_back();
+    }
+    cameras[troubles.indexOf(trouble)].append(cameraNames.value(static_cast<int>(k)));
+  }
+  QStringList parts;
+  for (qsizetype k = 0; k < troubles.size(); ++k) {
+    parts.append(QStringLiteral("%1: %2").arg(cameras[k].join(QStringLiteral(", ")), troubles[k]));
   }
   return parts.join(QStringLiteral(" · "));
 }

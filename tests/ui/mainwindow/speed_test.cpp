@@ -6,6 +6,7 @@
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/window_test.h"
 #include "ui/preferences/preferences.h"
+#include "ui/selection/selection.h"
 #include "ui/session/session_controller.h"
 #include "ui/text/language.h"
 
@@ -111,8 +112,25 @@ void SpeedTest::theRateIsShownWhilePlaying() {
     action("actionPlay")->trigger();
   }
   QVERIFY(waitFor([&] { return rate->text().endsWith(QStringLiteral(" fps")); }));
+  QVERIFY(waitFor([this] { return shown().history.head > 10; }));
   action("actionPlay")->trigger();
   QVERIFY(waitFor([&] { return rate->text().isEmpty(); }));
+  // Frames that are shown again are not tracked.
+  window_->selection().requestFrame(0);
+  QVERIFY(waitFor([this] { return shown().past; }));
+  bool isReplayed = false;
+  bool isShown = false;
+  connect(window_->findChild<SessionController*>(), &SessionController::snapshotChanged, this,
+          [&](const TrackSnapshotPtr& snapshot) {
+            if (snapshot && snapshot->past && snapshot->state == PlayState::Playing) {
+              isReplayed = true;
+              isShown = isShown || !rate->text().isEmpty();
+            }
+          });
+  action("actionPlay")->trigger();
+  QVERIFY(waitFor([&] { return isReplayed && !shown().past; }));
+  window_->findChild<SessionController*>()->disconnect(this);
+  QVERIFY(!isShown);
 }
 
 DEWPOINT_WINDOW_TEST(SpeedTest)

@@ -50,6 +50,13 @@ TEST(ReasonText, OnlyCamerasInTroubleAreNamed) {
   EXPECT_TRUE(reasonText({{CameraStatus::None, 0.0}}, {"left"}).isEmpty());
 }
 
+TEST(ReasonText, CamerasWithTheSameTroubleShareItsWords) {
+  const std::vector<CameraReport> reports{
+      {CameraStatus::Unclear, 0.0}, {CameraStatus::Hidden, 0.0}, {CameraStatus::Unclear, 0.0}};
+  EXPECT_EQ(reasonText(reports, {"left", "middle", "right"}).toStdString(),
+            "left, right: right color, wrong shape · middle: hidden");
+}
+
 TEST(ReasonText, ACameraWithoutANameHasItsNumber) {
   CameraRig rig(2);
   rig[0].name = "left";
