@@ -17,7 +17,7 @@ std::vector<ActionDeclaration> editActions() {
        "learn", Qt::Key_L, true},
       {"actionAddTarget", group, QT_TRANSLATE_NOOP("Actions", "Add a target"),
        QT_TRANSLATE_NOOP("Actions", "Track one more object: click it in a camera image"),
-       "add-target", Qt::SHIFT | Qt::Key_L},
+       "add-target", Qt::SHIFT | Qt::Key_L, true},
       {"actionRemoveTarget", group, QT_TRANSLATE_NOOP("Actions", "Remove the target"),
        QT_TRANSLATE_NOOP("Actions", "Remove the selected target from the project"), "remove",
        Qt::SHIFT | Qt::Key_Delete},

@@ -41,8 +41,7 @@ ColorDock::ColorDock(const Workbench& bench, const CameraDocks& cameras, const T
   bench_.connectImageView(panel_);
   connect(dock_, &QDockWidget::visibilityChanged, panel_, &ColorPanel::setInFront);
   connect(panel_, &ColorPanel::failed, &bench_.messages, &MessageBar::showError);
-  connect(panel_, &ColorPanel::pickingChanged, bench_.action("actionLearnColor"),
-          &QAction::setChecked);
+  connect(panel_, &ColorPanel::pickingChanged, this, &ColorDock::showAwaited);
   connect(panel_, &ColorPanel::learned, this, &ColorDock::learned);
   connect(targets_, &TargetPanel::targetChosen, panel_, &ColorPanel::setTarget);
   cameras.menu().addSection([this, pick = &cameras.pick()](int camera, const QPointF& pixel) {
@@ -74,22 +73,55 @@ std::vector<ImageMenuEntry> ColorDock::menuEntries(ImagePickTool& pick, int came
 }
 
 void ColorDock::connectActions() {
-  bench_.onToggled("actionLearnColor", this, [this](bool learning) {
-    panel_->setPicking(learning);
-    if (learning) {
-      dock_->raise();
+  bench_.onToggled("actionLearnColor", this, [this](bool starts) { learn(starts); });
+  bench_.onToggled("actionAddTarget", this, [this](bool starts) { addTarget(starts); });
+  // A page opened now has the clicks.
+  bench_.onToggled("actionCalibrateByHand", this, [this](bool opened) {
+    if (opened && panel_->addsTarget()) {
+      panel_->setPicking(false);
     }
-  });
-  bench_.onTriggered("actionAddTarget", this, [this] {
-    panel_->setTarget(-1);
-    panel_->setPicking(true);
-    dock_->raise();
   });
   bench_.requireRun({"actionLearnColor", "actionAddTarget"});
   bench_.onToggled("actionShowMask", this, [this](bool) { isMaskOfLearning_ = false; });
   connect(&bench_.session, &SessionController::snapshotChanged, this, &ColorDock::hideLearned);
   connect(&bench_.session, &SessionController::runStarted, this, &ColorDock::updateLearnActionText);
   connect(&bench_.document, &Document::methodChanged, this, &ColorDock::updateLearnActionText);
+}
+
+void ColorDock::learn(bool starts) {
+  if (showsAwaited_) {
+    return;
+  }
+  if (starts && panel_->addsTarget()) {
+    panel_->setTarget(targets_->chosen());
+  }
+  panel_->setPicking(starts);
+  if (starts) {
+    dock_->raise();
+  }
+  showAwaited();
+}
+
+void ColorDock::addTarget(bool starts) {
+  if (showsAwaited_) {
+    return;
+  }
+  if (starts) {
+    panel_->setTarget(-1);
+    dock_->raise();
+  }
+  panel_->setPicking(starts);
+  showAwaited();
+}
+
+void ColorDock::showAwaited() {
+  const bool adds = panel_->isPicking() && panel_->addsTarget();
+  const bool learns =
+      panel_->isPicking() && (!adds || bench_.action("actionCalibrateByHand")->isChecked());
+  showsAwaited_ = true;
+  bench_.action("actionLearnColor")->setChecked(learns);
+  bench_.action("actionAddTarget")->setChecked(adds);
+  showsAwaited_ = false;
 }
 
 void ColorDock::updateLearnActionText() {
@@ -123,8 +155,7 @@ void ColorDock::hideLearned(const TrackSnapshotPtr& snapshot) {
   if (!isMaskOfLearning_) {
     return;
   }
-  const bool isPlaying = snapshot && snapshot->state == PlayState::Playing &&
-                         !bench_.action("actionLearnColor")->isChecked();
+  const bool isPlaying = snapshot && snapshot->state == PlayState::Playing && !panel_->isPicking();
   if (!isPlaying) {
     playing_.invalidate();
   } else if (!playing_.isValid()) {

@@ -30,6 +30,13 @@ public:
 private:
   void connectActions();
   void updateLearnActionText();
+  /// Starts or ends waiting for a click that teaches the color of the selected target.
+  void learn(bool starts);
+  /// Starts or ends waiting for a click that adds a target.
+  void addTarget(bool starts);
+  /// Checks the action whose click is awaited. While a calibration page is open, the action for
+  /// learning is also checked for an added target: it takes the clicks from the page.
+  void showAwaited();
   /// Returns the menu entries offered at a pixel of a camera image.
   std::vector<ImageMenuEntry> menuEntries(ImagePickTool& pick, int camera, const QPointF& pixel);
   void learned(int target, bool isNew);
@@ -43,6 +50,7 @@ private:
   TargetPanel* targets_;
   ColorPanel* panel_;
   ViewDock* dock_;
+  bool showsAwaited_ = false;     ///< showAwaited() is at work: nobody has pressed the actions
   bool isMaskOfLearning_ = false; ///< the mask is shown because a color was learned
   QElapsedTimer playing_;         ///< since the run plays with this mask; invalid while it does not
 };

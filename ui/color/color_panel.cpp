@@ -30,6 +30,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace dewpoint::ui {
@@ -155,9 +156,10 @@ void ColorPanel::handlePick(int camera, const QRectF& region, Qt::KeyboardModifi
 }
 
 void ColorPanel::setPicking(bool picking) {
-  if (picking_ != picking) {
-    picking_ = picking;
-    Q_EMIT pickingChanged(picking);
+  const bool isOther = std::exchange(picking_, picking) != picking;
+  const bool isAdding = addsTarget();
+  if (std::exchange(wasAdding_, isAdding) != isAdding || isOther) {
+    Q_EMIT pickingChanged();
   }
   if (!picking || !modes_->offers(mode_)) {
     mode_ = ColorLearner::SampleAction::Replace;
@@ -180,7 +182,7 @@ QString ColorPanel::hint() const {
   if (takesBoxes()) {
     return tr("Click the object or drag a box around it");
   }
-  return picking_ && !expectsClick() ? LearnModes::hintOf(mode_) : tr("Click the object to track");
+  return picking_ && !expectsClick() ? modes_->hintOf(mode_) : tr("Click the object to track");
 }
 
 void ColorPanel::setTarget(int target) {
@@ -193,6 +195,10 @@ void ColorPanel::setTarget(int target) {
 
 bool ColorPanel::hasTarget() const {
   return target_ >= 0 && target_ < static_cast<int>(document_.project().targets.size());
+}
+
+bool ColorPanel::addsTarget() const {
+  return target_ < 0 && !document_.project().targets.empty();
 }
 
 void ColorPanel::refresh() {

@@ -49,11 +49,14 @@ public:
   bool isPicking() const { return picking_; }
   /// Returns whether there is a target whose color is shown.
   bool hasTarget() const;
+  /// Returns whether the next click adds a target to those that exist.
+  bool addsTarget() const;
   /// Returns whether a click sets a target's box instead of its color.
   bool takesBoxes() const;
 
 Q_SIGNALS:
-  void pickingChanged(bool picking);
+  /// Emitted when isPicking() or addsTarget() has changed.
+  void pickingChanged();
   /// Emitted when a color was learned from images and tracking can start.
   void learned(int target, bool isNew);
   void failed(const QString& sentence);
@@ -94,6 +97,7 @@ private:
   TrackSnapshotPtr snapshot_;
   int target_ = 0;
   bool picking_ = false;
+  bool wasAdding_ = false; ///< addsTarget() at the last pickingChanged()
   bool clicksTaken_ = false;
   /// Effect of a click while picking.
   ColorLearner::SampleAction mode_ = ColorLearner::SampleAction::Replace;

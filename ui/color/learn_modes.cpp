@@ -91,16 +91,19 @@ void LearnModes::showHints() {
           : first);
 }
 
-QString LearnModes::hintOf(ColorLearner::SampleAction mode) {
+QString LearnModes::hintOf(ColorLearner::SampleAction mode) const {
   switch (mode) {
   case SampleAction::Replace:
     break;
   case SampleAction::Add:
-    return tr("Click: add a sample · Ctrl+Shift: exclude · Esc: stop");
+    return canExclude_ ? tr("Click: add a sample · Ctrl+Shift: exclude · Esc: stop")
+                       : tr("Click: add a sample · Esc: stop");
   case SampleAction::Exclude:
     return tr("Click: exclude a color · Esc: stop");
   }
-  return tr("Click: learn · Shift: add · Ctrl+Shift: exclude · Esc: stop");
+  return canExclude_ ? tr("Click: learn · Shift: add · Ctrl+Shift: exclude · Esc: stop")
+         : canAdd_   ? tr("Click: learn · Shift: add · Esc: stop")
+                     : tr("Click the new target · Esc: stop");
 }
 
 } // namespace dewpoint::ui

@@ -32,8 +32,8 @@ public:
   void setTakesBoxes(bool takesBoxes);
   void retranslateUi();
 
-  /// Returns the hint for a mode, shown over the images.
-  static QString hintOf(ColorLearner::SampleAction mode);
+  /// Returns the hint for a mode, shown over the images. It names only clicks that work now.
+  QString hintOf(ColorLearner::SampleAction mode) const;
 
 Q_SIGNALS:
   /// Emitted when the user presses a button.

@@ -64,8 +64,8 @@ void CorrectionMode::connectActions() {
     remove(bench_.selection.currentFrame(), bench_.selection.target());
   });
   // One thing at a time is meant by a press in an image.
-  for (const ActionId other :
-       std::initializer_list<ActionId>{"actionLearnColor", "actionCalibrateByHand"}) {
+  for (const ActionId other : std::initializer_list<ActionId>{"actionLearnColor", "actionAddTarget",
+                                                              "actionCalibrateByHand"}) {
     bench_.onToggled(other, this, [this](bool on) {
       if (on) {
         end();
@@ -89,6 +89,7 @@ void CorrectionMode::setActive(bool active) {
       active && bench_.session.isRunning() && bench_.document.presentation().searchesVolume;
   if (can) {
     bench_.action("actionLearnColor")->setChecked(false);
+    bench_.action("actionAddTarget")->setChecked(false);
     bench_.action("actionCalibrateByHand")->setChecked(false);
   }
   tool_->setActive(can);

@@ -9,11 +9,26 @@ namespace {
 
 TEST(LearnModes, TheHintsNameAClickThatNoDesktopTakes) {
   using SampleAction = ColorLearner::SampleAction;
+  LearnModes modes;
+  modes.setRefinable(true, true);
   for (const auto mode : {SampleAction::Replace, SampleAction::Add}) {
-    const QString hint = LearnModes::hintOf(mode);
+    const QString hint = modes.hintOf(mode);
     EXPECT_TRUE(hint.contains(QStringLiteral("Ctrl+Shift: exclude"))) << hint.toStdString();
     EXPECT_FALSE(hint.contains(QStringLiteral("Alt"))) << hint.toStdString();
   }
+}
+
+TEST(LearnModes, TheHintsNameOnlyClicksThatWork) {
+  using SampleAction = ColorLearner::SampleAction;
+  LearnModes modes; // of a target that is added
+  EXPECT_EQ(modes.hintOf(SampleAction::Replace),
+            QStringLiteral("Click the new target · Esc: stop"));
+  modes.setRefinable(true, false); // its color was given, not learned
+  EXPECT_EQ(modes.hintOf(SampleAction::Replace),
+            QStringLiteral("Click: learn · Shift: add · Esc: stop"));
+  EXPECT_FALSE(modes.hintOf(SampleAction::Add).contains(QStringLiteral("exclude")));
+  modes.setRefinable(true, true);
+  EXPECT_TRUE(modes.hintOf(SampleAction::Add).contains(QStringLiteral("exclude")));
 }
 
 } // namespace

@@ -176,8 +176,29 @@ void InspectorTest::buttonsOfTheTargetPanelDoWhatTheirActionsDo() {
   QVERIFY(window_->document().project().targets.empty());
   action("actionUndo")->trigger();
   QCOMPARE(window_->document().project().targets.size(), std::size_t{1});
-  find<QToolButton>("targetAdd")->click();
-  QVERIFY(action("actionLearnColor")->isChecked()); // the next click makes one
+  auto* add = find<QToolButton>("targetAdd");
+  add->click();
+  QVERIFY(action("actionAddTarget")->isChecked() && add->isChecked()); // the next click makes one
+  QVERIFY(!action("actionLearnColor")->isChecked() && !learn->isChecked());
+  QVERIFY(find<QToolButton>("colorLearn")->isChecked());
+  QVERIFY(!find<QToolButton>("colorAddSample")->isEnabled());
+  // Another way to use a click ends it.
+  learn->click();
+  QVERIFY(action("actionLearnColor")->isChecked() && !add->isChecked());
+  add->click();
+  QVERIFY(add->isChecked() && !learn->isChecked());
+  action("actionCorrectPosition")->setChecked(true);
+  QVERIFY(!add->isChecked() && !find<QToolButton>("colorLearn")->isChecked());
+  add->click();
+  QVERIFY(add->isChecked() && !action("actionCorrectPosition")->isChecked());
+  add->click();
+  QVERIFY(!add->isChecked() && !learn->isChecked());
+  // Over a calibration page the click belongs to the new target.
+  action("actionCalibrateByHand")->setChecked(true);
+  add->click();
+  QVERIFY(add->isChecked() && learn->isChecked());
+  learn->click();
+  QVERIFY(!add->isChecked() && !learn->isChecked());
 }
 
 void InspectorTest::rowsOfTargetsSayStateAndSize() {
