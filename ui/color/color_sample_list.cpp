@@ -61,7 +61,7 @@ void ColorSampleList::setSamples(const Project& project, int target) {
           camera < project.cameras.size() ? project.cameras[camera].camera.name : std::string(),
           camera);
       const QString text = sample.excluded ? tr("excluded: %1, frame %2, pixel %3, %4")
-                           : sample.found  ? tr("found by Dewpoint: %1, frame %2, pixel %3, %4")
+                           : sample.found  ? tr("found: %1, frame %2, pixel %3, %4")
                                            : tr("%1, frame %2, pixel %3, %4");
       list_->addItem(text.arg(name)
                          .arg(sample.frame + 1)

@@ -41,7 +41,7 @@ ExportDialog::ExportDialog(std::function<Trajectory()> trajectory, QWidget* pare
   connectFields();
   setRunning(false);
   resetChoices(QDir::home().filePath(QStringLiteral("trajectory")));
-  resize(760, 620);
+  resize(760, 660);
 }
 
 void ExportDialog::makeFields() {
@@ -70,7 +70,7 @@ void ExportDialog::makeFields() {
 void ExportDialog::arrangeFields() {
   auto* columns = new QHBoxLayout;
   columns->setSpacing(16);
-  columns->addWidget(form_);
+  columns->addWidget(form_, 0, Qt::AlignTop); // its rows stay where they are when a message comes
   columns->addWidget(preview_, 1);
   arrangeExportDialog(
       *this, columns,

@@ -76,7 +76,7 @@ void VideoDialog::arrangeFields() {
   seen->addWidget(summary_);
   auto* columns = new QHBoxLayout;
   columns->setSpacing(16);
-  columns->addWidget(form_);
+  columns->addWidget(form_, 0, Qt::AlignTop); // its rows stay where they are when a message comes
   columns->addLayout(seen, 1);
   arrangeExportDialog(*this, columns,
                       {file_, browse_, question_, outcome_, progress_, cancel_, {export_}, close_});

@@ -75,9 +75,50 @@ CameraOverlay overlayOf(LegendSign sign, const QPointF& ball) {
     break;
   case LegendSign::Ray:
   case LegendSign::Mask:
+  case LegendSign::Inset:
+  case LegendSign::Range:
     break;
   }
   return overlay;
+}
+
+/// A box in the corner with an enlarged cloud, and a line from it to the ball.
+void paintInset(QPainter& painter, const QPointF& ball, const QSizeF& size) {
+  constexpr double kSide = 30.0;
+  constexpr double kBracket = 9.0;
+  const QRectF box(3.0, size.height() - kSide - 3.0, kSide, kSide);
+  const QRectF place(ball - QPointF(kBracket / 2.0, kBracket / 2.0), QSizeF(kBracket, kBracket));
+  withHalo(painter, Qt::white, 1.0, [&] {
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(place);
+    painter.drawLine(box.topRight() + QPointF(0.0, 4.0), place.bottomLeft());
+  });
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(kBall.darker(130));
+  painter.drawRoundedRect(box, 4.0, 4.0);
+  painter.setBrush(Qt::white);
+  for (const Eigen::Vector2f& dot : cloudAround(box.center(), 0.26 * kSide)) {
+    painter.drawEllipse(QPointF(dot.x(), dot.y()), 0.9, 0.9);
+  }
+  withHalo(painter, Qt::white, 1.0, [&] {
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRoundedRect(box, 4.0, 4.0);
+  });
+}
+
+/// A path to the ball, with a dark band along a part of it.
+void paintRange(QPainter& painter, const QPointF& ball, const QSizeF& size) {
+  QPainterPath path(QPointF(4.0, size.height() - 8.0));
+  path.quadTo(QPointF(ball.x() - 30.0, 2.0), ball);
+  QPainterPath part(path.pointAtPercent(0.2));
+  for (double at = 0.25; at < 0.6; at += 0.05) {
+    part.lineTo(path.pointAtPercent(at));
+  }
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(kBall.darker(120), 2.0));
+  painter.drawPath(path);
+  painter.setPen(QPen(QColor(0, 0, 0, 150), 7.0, Qt::SolidLine, Qt::FlatCap));
+  painter.drawPath(part);
 }
 
 } // namespace
@@ -109,6 +150,12 @@ QString LegendPicture::meaningOf(LegendSign sign) {
               "the target. The target must lie on this line.");
   case LegendSign::Mask:
     return tr("Tinted and outlined: regions with the color of the target (View › Show mask).");
+  case LegendSign::Inset:
+    return tr("Box in a corner: the particles, enlarged, if they are too close together to be seen "
+              "in the view. A line shows where they are, and the bar shows the scale.");
+  case LegendSign::Range:
+    return tr("Dark band along a path in the bird's-eye view: the time range that is selected in "
+              "the timeline. Press Esc in the timeline to remove the selection.");
   }
   return {};
 }
@@ -135,6 +182,10 @@ void LegendPicture::paintEvent(QPaintEvent* /*event*/) {
     });
   } else if (sign_ == LegendSign::Ray) {
     withHalo(painter, color, 1.6, [&] { painter.drawLine(QPointF(0, 10), QPointF(width(), 48)); });
+  } else if (sign_ == LegendSign::Inset) {
+    paintInset(painter, ball, size());
+  } else if (sign_ == LegendSign::Range) {
+    paintRange(painter, ball, size());
   }
   // Pixels of the image are those of the picture; their centers lie at integers.
   paintOverlay(painter, overlayOf(sign_, ball), {QPointF(-0.5, -0.5), 1.0}, color,

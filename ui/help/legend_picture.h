@@ -7,7 +7,8 @@
 
 namespace dewpoint::ui {
 
-/// Signs that are drawn over the images. The legend shows a small image of each.
+/// Signs that are drawn over the images and in the bird's-eye view. The legend shows a small image
+/// of each.
 enum class LegendSign {
   Particles,
   Estimate, ///< the cross
@@ -16,7 +17,9 @@ enum class LegendSign {
   Truth,    ///< the diamond
   Best,     ///< the triangle
   Ray,
-  Mask
+  Mask,
+  Inset, ///< the enlarged cloud in a corner
+  Range  ///< the selected part of the path
 };
 
 /// Small image of one sign, drawn by the painters of the camera views.

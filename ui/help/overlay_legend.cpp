@@ -5,6 +5,7 @@
 
 #include <QDialogButtonBox>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -12,18 +13,24 @@
 namespace dewpoint::ui {
 
 namespace {
-constexpr int kSentenceWidth = 380;
+constexpr int kLegendSentenceWidth = 310; ///< so that two columns fit a small screen
 } // namespace
 
 OverlayLegend::OverlayLegend(QWidget* parent) : QDialog(parent) {
   setObjectName(QStringLiteral("overlayLegend"));
-  auto* rows = new QGridLayout;
-  rows->setHorizontalSpacing(16);
-  rows->setVerticalSpacing(8);
-  addRows(rows,
-          {LegendSign::Particles, LegendSign::Estimate, LegendSign::Belief, LegendSign::Outline,
-           LegendSign::Truth, LegendSign::Best, LegendSign::Ray, LegendSign::Mask},
-          this);
+  auto* columns = new QHBoxLayout;
+  columns->setSpacing(24);
+  const auto addColumn = [&](const std::vector<LegendSign>& signs) {
+    auto* rows = new QGridLayout;
+    rows->setHorizontalSpacing(16);
+    rows->setVerticalSpacing(8);
+    addRows(rows, signs, this, kLegendSentenceWidth);
+    columns->addLayout(rows);
+  };
+  addColumn({LegendSign::Particles, LegendSign::Estimate, LegendSign::Belief, LegendSign::Outline,
+             LegendSign::Truth});
+  addColumn(
+      {LegendSign::Best, LegendSign::Ray, LegendSign::Mask, LegendSign::Inset, LegendSign::Range});
   auto* buttons = new QDialogButtonBox(this);
   auto* close = new QPushButton(this);
   buttons->addButton(close, QDialogButtonBox::RejectRole);
@@ -31,7 +38,7 @@ OverlayLegend::OverlayLegend(QWidget* parent) : QDialog(parent) {
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(16, 16, 16, 16);
   all->setSpacing(16);
-  all->addLayout(rows);
+  all->addLayout(columns);
   all->addWidget(buttons);
   all->setSizeConstraint(QLayout::SetFixedSize);
   onRetranslate(this, [this, close] {
@@ -42,12 +49,12 @@ OverlayLegend::OverlayLegend(QWidget* parent) : QDialog(parent) {
 }
 
 void OverlayLegend::addRows(QGridLayout* rows, const std::vector<LegendSign>& signs,
-                            QWidget* parent) {
+                            QWidget* parent, int sentenceWidth) {
   rows->setColumnStretch(1, 1);
   for (const LegendSign sign : signs) {
     auto* sentence = new QLabel(parent);
     sentence->setWordWrap(true);
-    sentence->setFixedWidth(kSentenceWidth);
+    sentence->setFixedWidth(sentenceWidth);
     onRetranslate(sentence, [sentence, sign] {
       sentence->setText(LegendPicture::meaningOf(sign));
       // In a column of texts that wrap, the layout has to know how high each is.

@@ -9,14 +9,19 @@ class QGridLayout;
 
 namespace dewpoint::ui {
 
-/// Explains the signs drawn over the images, with a small image and a sentence for each. Not modal.
+/// Explains the signs drawn over the images and in the bird's-eye view, with a small image and a
+/// sentence for each. Not modal.
 class OverlayLegend : public QDialog {
   Q_OBJECT
 public:
   explicit OverlayLegend(QWidget* parent);
 
-  /// Adds a row for each sign. The sentences are updated when the language changes.
-  static void addRows(QGridLayout* rows, const std::vector<LegendSign>& signs, QWidget* parent);
+  /// Width of the sentences in pixels, if nothing else is said.
+  static constexpr int kSentenceWidth = 380;
+  /// Adds a row for each sign, with sentences of this width. They are updated when the language
+  /// changes.
+  static void addRows(QGridLayout* rows, const std::vector<LegendSign>& signs, QWidget* parent,
+                      int sentenceWidth = kSentenceWidth);
 };
 
 } // namespace dewpoint::ui

@@ -9,6 +9,7 @@
 #include "ui/widgets/number_field.h"
 
 #include <QAbstractItemView>
+#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QStandardItemModel>
 
@@ -62,7 +63,13 @@ void MethodChoice::showMethods(const Project& project) {
       setCurrentIndex(items->rowCount() - 1);
     }
   }
-  view()->setMinimumWidth(view()->sizeHintForColumn(0));
+}
+
+void MethodChoice::showPopup() {
+  // Now, with the fonts in use; the frame and a scroll bar stand beside the rows.
+  view()->setMinimumWidth(view()->sizeHintForColumn(0) + 2 * view()->frameWidth() +
+                          view()->verticalScrollBar()->sizeHint().width());
+  QComboBox::showPopup();
 }
 
 } // namespace dewpoint::ui

@@ -26,6 +26,8 @@ public:
 
   /// Lists all methods, enables those that suit the project, and selects the project's method.
   void showMethods(const Project& project);
+  /// Opens the list, wide enough for all texts.
+  void showPopup() override;
 };
 
 } // namespace dewpoint::ui

@@ -124,6 +124,7 @@ void TargetPanel::makeFields(TargetListModel& targets) {
   box_->setWordWrap(true);
   box_->hide();
   histograms_->hide();
+  hint_->setObjectName(QStringLiteral("targetHint"));
   hint_->setWordWrap(true);
   hint_->setForegroundRole(QPalette::PlaceholderText);
   auto* form = new QFormLayout;
@@ -159,8 +160,7 @@ void TargetPanel::retranslateUi() {
   list_->setAccessibleName(tr("Targets"));
   nameLabel_->setText(tr("Name"));
   name_->setToolTip(tr("Target name, as shown in views and files"));
-  radiusLabel_->setText(tr("Radius"));
-  radius_->setSuffix(tr(" mm"));
+  radiusLabel_->setText(tr("Radius (mm)")); // in the label: "unknown" has no unit
   radius_->setSpecialValueText(tr("unknown"));
   radius_->setToolTip(tr("Radius of the ball, 0 to 2,000 mm. If unknown, it is estimated."));
   shapeLabel_->setText(tr("Shape"));
@@ -203,11 +203,6 @@ void TargetPanel::refresh() {
     remove_->setText(tr("Remove"));
     learn_->setText(boxes ? tr("Box") : tr("Learn"));
   }
-  hint_->setText(boxes ? tr("Click the object or drag a box around it in any camera view. It is "
-                            "tracked from there.")
-                 : targets.empty()
-                     ? tr("No target yet. In any camera image, click the object to track.")
-                     : tr("Click a target in a camera image to learn its color."));
   showChosen();
   showRows();
   if (before > chosen()) { // the chosen one is gone: all others are to show its neighbor, too
@@ -215,8 +210,25 @@ void TargetPanel::refresh() {
   }
 }
 
+QString TargetPanel::hintOf(int row) const {
+  const auto& targets = document_.project().targets;
+  if (document_.presentation().takesBoxes) {
+    return tr("Click the object or drag a box around it in any camera view. It is tracked from "
+              "there.");
+  }
+  if (targets.empty()) {
+    return tr("No target yet. In any camera image, click the object to track.");
+  }
+  const bool isLearned = row >= 0 && !targets[static_cast<std::size_t>(row)].samples.empty();
+  return isLearned ? QString()
+                   : tr("To learn the color of this target, press Learn and click the target in a "
+                        "camera image.");
+}
+
 void TargetPanel::showChosen() {
   const int row = chosen();
+  hint_->setText(hintOf(row));
+  hint_->setVisible(!hint_->text().isEmpty());
   name_->setEnabled(row >= 0);
   radius_->setEnabled(row >= 0);
   shape_->setEnabled(row >= 0);

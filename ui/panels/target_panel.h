@@ -72,6 +72,8 @@ private:
   QString speedText(std::size_t target) const;
   void showBox();
   void showChosen();
+  /// Returns the hint about what to do for the target in this row; empty if nothing is to be done.
+  QString hintOf(int row) const;
   void editChosen(const QString& step, const std::function<void(Project&, std::size_t)>& change);
   void rename();
   void resizeTarget(double millimeters);

@@ -124,6 +124,7 @@ void ExportTest::previewFollowsTheChoices() {
 }
 
 void ExportTest::writesInTheBackground() {
+  const int place = field<QComboBox>("exportUnit")->y();
   for (const ExportFormat& format : exportFormats()) {
     chooseFormat(format.id);
     const QString file =
@@ -140,6 +141,8 @@ void ExportTest::writesInTheBackground() {
     QVERIFY2(said.contains(file), qPrintable(said));
     QVERIFY(field<QPushButton>("exportShowFolder")->isVisible());
     QVERIFY(!messageText().contains(file));
+    QVERIFY(keepsItsSize(field<QPushButton>("exportShowFolder")));
+    QCOMPARE(field<QComboBox>("exportUnit")->y(), place); // the fields stay where they are
   }
 }
 

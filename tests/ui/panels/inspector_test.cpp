@@ -20,6 +20,7 @@
 #include <QListView>
 #include <QListWidget>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSlider>
 #include <QToolButton>
 #include <QUndoStack>
@@ -243,12 +244,16 @@ void InspectorTest::samplesAreAddedAndExcludedByButtons() {
   auto* layer = find<ImagePickOverlay>("cameraView0Pick");
   const QPoint place = placeInImage();
   const auto samples = [this] { return window_->document().project().targets[0].samples; };
+  QVERIFY(!find<QLabel>("targetHint")->isHidden());
   learn->click();
   QVERIFY(action("actionLearnColor")->isChecked());
   QTest::mouseClick(layer, Qt::LeftButton, Qt::NoModifier, place);
   QVERIFY(waitFor([&] { return !samples().empty() && !learn->isChecked(); })); // for one click
   const std::size_t learned = samples().size();
   QVERIFY(add->isEnabled() && exclude->isEnabled());
+  QVERIFY(find<QLabel>("targetHint")->isHidden()); // there is nothing left to do
+  const auto* list = find<QListWidget>("colorSamples");
+  QVERIFY2(!list->horizontalScrollBar()->isVisible(), qPrintable(list->item(0)->text()));
   action("actionPlay")->isChecked() ? action("actionPlay")->trigger() : (void)0;
   add->click();
   QVERIFY(add->isChecked() && action("actionLearnColor")->isChecked());

@@ -5,6 +5,7 @@
 #include "ui/panels/method_choice.h"
 
 #include <QAbstractItemModel>
+#include <QAbstractItemView>
 #include <gtest/gtest.h>
 
 #include <set>
@@ -58,6 +59,16 @@ TEST(MethodChoice, ListsAllMethodsUnderHeadings) {
   EXPECT_TRUE(choice.itemData(choice.findData(QStringLiteral("barrera")), MethodChoice::PaperRole)
                   .toString()
                   .contains(QStringLiteral("2005")));
+}
+
+TEST(MethodChoice, TheOpenListIsWideEnoughForAllTexts) {
+  MethodChoice choice;
+  choice.showMethods(withCameras(2));
+  choice.show();
+  choice.showPopup();
+  EXPECT_GE(choice.view()->minimumWidth(), choice.view()->sizeHintForColumn(0));
+  EXPECT_GE(choice.view()->viewport()->width(), choice.view()->sizeHintForColumn(0));
+  choice.hidePopup();
 }
 
 TEST(MethodChoice, WhatCannotWorkIsDisabledAndSaysWhy) {
