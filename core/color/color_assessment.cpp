@@ -21,7 +21,6 @@ namespace {
 /// An object that matters as a distractor: this share of the target's size, and no speckle.
 constexpr double kDistractorShare = 0.1;
 constexpr double kSmallestDistractor = 9.0; ///< pixels
-constexpr int kGood = 90;                   ///< score() from which on nothing needs to be done
 constexpr double kDark = 0.08;              ///< intensity
 constexpr double kBright = 0.94;            ///< intensity, with kPale
 constexpr double kPale = 0.12;              ///< saturation
@@ -131,10 +130,10 @@ Suggestion suggestionFor(const ColorAssessment& assessment, const ColorEvidence&
   if (evidence.imageShare > kMostOfImage) {
     return Suggestion::ClickObjectItself;
   }
-  if (typical.saturation < kPale && assessment.score() >= kGood) {
+  if (typical.saturation < kPale && assessment.isGood()) {
     return Suggestion::UseStrongerColor; // the next change of light makes it like the walls
   }
-  if (assessment.score() >= kGood) {
+  if (assessment.isGood()) {
     return Suggestion::None;
   }
   if (assessment.separability < kLow && assessment.targetShare < kLow &&

@@ -248,6 +248,12 @@ TEST(ColorLearning, TheVerdictFollowsTheRange) {
   const ColorAssessment all = assessColor(ColorRange{0.0, 360.0}, {sample}, {image});
   EXPECT_NEAR(all.backgroundShare, 1.0, 1e-3);
   EXPECT_LT(all.separability, 0.05);
+  EXPECT_FALSE(all.isGood());
+  ColorAssessment good;
+  good.separability = 0.9;
+  EXPECT_TRUE(good.isGood());
+  good.targetKnown = false; // then there is no score
+  EXPECT_FALSE(good.isGood());
   const ColorAssessment none = assessColor(ColorRange{100.0, 110.0, 0.5}, {sample}, {image});
   EXPECT_EQ(none.separability, 0.0);
   EXPECT_EQ(none.suggestion, Suggestion::AddSamples);

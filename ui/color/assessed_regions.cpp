@@ -27,9 +27,10 @@ ImagePickOverlay::Region regionOf(const std::vector<cv::Point>& outline, const Q
 std::map<int, std::vector<ImagePickOverlay::Region>>
 assessedRegions(const ColorAssessment& assessment, const std::vector<setup::FoundOutline>& found) {
   std::map<int, std::vector<ImagePickOverlay::Region>> regions;
+  const QString matches = assessment.isGood() ? AssessedRegions::tr("some pixels match too")
+                                              : AssessedRegions::tr("also matches the color");
   for (const DistractorRegion& region : assessment.distractors) {
-    regions[region.camera].push_back(
-        regionOf(region.outline, AssessedRegions::tr("also matches the color")));
+    regions[region.camera].push_back(regionOf(region.outline, matches));
   }
   const QString also =
       AssessedRegions::tr("recognized as the target (if it is not, Ctrl+Shift-click it)");

@@ -31,7 +31,8 @@ QString placeName(HorizontalThird horizontal, VerticalThird vertical) {
 
 QString separationSentence(int score) {
   const char* text =
-      score >= 90 ? QT_TRANSLATE_NOOP("ColorText", "The color stands out well (%1 of 100 points).")
+      score >= ColorAssessment::kGoodScore
+          ? QT_TRANSLATE_NOOP("ColorText", "The color stands out well (%1 of 100 points).")
       : score >= 70 ? QT_TRANSLATE_NOOP("ColorText", "The color stands out (%1 of 100 points).")
       : score >= 40
           ? QT_TRANSLATE_NOOP("ColorText",
@@ -76,6 +77,13 @@ QString suggestionSentence(const ColorAssessment& assessment) {
 /// What the score is made of: the target that does not match, the background that does.
 QString sharesSentence(const ColorAssessment& assessment) {
   const QString background = percentText(assessment.backgroundShare, 2);
+  if (!assessment.missesTarget() && assessment.isGood()) {
+    return background == percentText(0.0, 2)
+               ? ColorText::tr("Almost nothing else in the images has this color.")
+               : ColorText::tr("Only %1 % of the background has this color too, which is little "
+                               "compared with the target.")
+                     .arg(background);
+  }
   if (!assessment.missesTarget()) {
     return ColorText::tr("This color also covers %1 % of the background.").arg(background);
   }
@@ -119,9 +127,12 @@ QString colorAssessmentText(const ColorAssessment& assessment,
   if (!assessment.distractors.empty()) {
     const DistractorRegion& region = assessment.distractors.front();
     const auto camera = static_cast<std::size_t>(region.camera);
-    sentences << ColorText::tr("In the image of %3, a region %2 has this color too (it looks %1).")
-                     .arg(colorName(region.color), placeName(region.horizontal, region.vertical),
-                          camera < cameras.size() ? cameras[camera] : QString());
+    sentences
+        << ColorText::tr(
+               "The largest region of this color outside the target is in the image of %3, %2 "
+               "(it looks %1).")
+               .arg(colorName(region.color), placeName(region.horizontal, region.vertical),
+                    camera < cameras.size() ? cameras[camera] : QString());
   }
   if (const QString suggestion = suggestionSentence(assessment); !suggestion.isEmpty()) {
     sentences << suggestion;

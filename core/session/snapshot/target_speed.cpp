@@ -15,12 +15,15 @@ constexpr std::size_t kReach = 2; ///< frames before and after the one shown
 } // namespace
 
 void TargetSpeed::add(const TrackSnapshot& snapshot, const TargetSnapshot& target) {
-  if (target.target.name != target_ || snapshot.seed != seed_) {
+  const auto position = positionOf(target.estimate);
+  const bool isShown = shown_ < track_.size() && track_[shown_].frame == snapshot.frame &&
+                       position && track_[shown_].position == position->mean;
+  // At the same position in the same frame it is the same target with another name.
+  if ((target.target.name != target_ && !isShown) || snapshot.seed != seed_) {
     track_.clear();
-    target_ = target.target.name;
     seed_ = snapshot.seed;
   }
-  const auto position = positionOf(target.estimate);
+  target_ = target.target.name;
   TrajectorySample sample;
   sample.frame = snapshot.frame;
   sample.time = snapshot.frames ? seconds(snapshot.frames->time) : 0.0;

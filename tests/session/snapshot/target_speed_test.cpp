@@ -43,6 +43,21 @@ TEST(TargetSpeed, NeedsASecondFrame) {
   EXPECT_NEAR(*speed.now(), kSpeed, 1e-9);
 }
 
+TEST(TargetSpeed, ANewNameChangesNothing) {
+  TargetSpeed speed;
+  show(speed, frameAt(0));
+  show(speed, frameAt(1));
+  TrackSnapshot renamed = frameAt(1);
+  renamed.targets.front().target.name = "the same ball";
+  show(speed, renamed);
+  ASSERT_TRUE(speed.now());
+  EXPECT_NEAR(*speed.now(), kSpeed, 1e-9);
+  TrackSnapshot other = frameAt(2); // of which nothing is known
+  other.targets.front().target.name = "another";
+  show(speed, other);
+  EXPECT_FALSE(speed.now());
+}
+
 TEST(TargetSpeed, FramesThatTheScreenLeftOutAreNoGap) {
   TargetSpeed speed;
   for (const std::int64_t frame : {0, 3, 7}) {

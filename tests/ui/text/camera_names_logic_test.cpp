@@ -48,7 +48,7 @@ TEST(CameraNames, WhereSomethingElseMatchesIsNamedToo) {
   assessment.distractors.push_back(region);
   Q_EMIT learner->assessed(assessment);
   const QString text = panel.findChild<QLabel*>(QStringLiteral("colorAssessment"))->text();
-  EXPECT_TRUE(text.contains(QStringLiteral("In the image of camera 2, "))) << qPrintable(text);
+  EXPECT_TRUE(text.contains(QStringLiteral("in the image of camera 2, "))) << qPrintable(text);
 }
 
 } // namespace

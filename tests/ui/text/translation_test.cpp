@@ -256,6 +256,20 @@ void TranslationTest::anAssessmentSaysWhatItsScoreIsMadeOf() {
   const QString hit = colorAssessmentText(assessment, {});
   QVERIFY2(hit.contains(QStringLiteral("This color also covers 0.00 % of the background.")),
            qPrintable(hit));
+  // Of a good color, what matches beside the target is said to be little.
+  assessment.separability = 0.97;
+  const QString alone = colorAssessmentText(assessment, {});
+  QVERIFY2(
+      alone.contains(QStringLiteral("stands out well (97 of 100 points). Almost nothing else")),
+      qPrintable(alone));
+  assessment.backgroundShare = 0.0007;
+  assessment.distractors.emplace_back().color = ColorWord::Green;
+  const QString good = colorAssessmentText(assessment, {QStringLiteral("left")});
+  QVERIFY2(good.contains(QStringLiteral("Only 0.07 % of the background has this color too, which "
+                                        "is little compared with the target.")) &&
+               good.endsWith(QStringLiteral("outside the target is in the image of left, in the "
+                                            "center (it looks green).")),
+           qPrintable(good));
 }
 
 void TranslationTest::titlesOfTheGapsAreWhole() {
