@@ -7,7 +7,8 @@ namespace dewpoint::ui {
 
 /// Offers to track again those frames whose results are from earlier settings. Shows a message with
 /// a button when the settings change, and provides an action that is enabled while such results
-/// exist.
+/// exist. If tracking began at a later frame because a target was learned there, it offers to track
+/// from the first frame instead, until this is done or the message is closed.
 class OldResultsOffer : public QObject {
   Q_OBJECT
 public:
@@ -15,9 +16,15 @@ public:
 
 private:
   void offer(bool offers);
+  void offerFirstFrame(qint64 started);
+  void withdrawFirstFrame();
+  /// Returns whether these records are of frames that were passed over.
+  bool fills(const LoggedFrames& logged) const;
 
   Workbench bench_;
-  QString shown_; ///< message currently shown
+  QString shown_;      ///< message currently shown
+  QString late_;       ///< message about the first frame; empty if it is not needed
+  qint64 started_ = 0; ///< frame at which tracking began, while `late_` is not empty
 };
 
 } // namespace dewpoint::ui

@@ -356,8 +356,13 @@ void SessionController::rerun() {
 
 void SessionController::startAfterLearning(bool isNew) {
   const bool isTracked = shown_ && shown_->frameCount && shown_->history.head > 0;
-  if (shown_ && !isPlaying() && isNew && !isTracked) {
-    togglePlay(); // at the end: from the beginning
+  if (!shown_ || isPlaying() || !isNew || isTracked) {
+    return;
+  }
+  const bool isLate = shown_->frameCount && shown_->frame > 0 && shown_->state != PlayState::Ended;
+  togglePlay(); // at the end: from the beginning
+  if (isLate) {
+    Q_EMIT startedLate(shown_->frame);
   }
 }
 
