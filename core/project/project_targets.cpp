@@ -170,6 +170,7 @@ Target readTarget(const toml::table& table, const std::string& file, std::size_t
   reader.text("name", target.name);
   reader.number("radius", target.radius, 0.0, kLargestRadius);
   target.shape = readShape(reader);
+  reader.boolean("shown", target.isShown);
   target.box = readBox(reader, file, prefix);
   if (!target.box) {
     reader.require("hue");
@@ -199,6 +200,9 @@ std::string targetText(const Target& target) {
                      colorText(target.color);
   if (target.shape != TargetShape::Auto) {
     text += fmt::format("shape = {}\n", tomlQuoted(nameOf(target.shape)));
+  }
+  if (!target.isShown) {
+    text += "shown = false   # in the views\n";
   }
   if (target.box) {
     text += boxText(*target.box);

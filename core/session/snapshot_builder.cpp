@@ -76,7 +76,7 @@ void showPresentBoxes(const TrackingRun& run, TrackSnapshot& snapshot) {
   }
 }
 
-/// A renamed target has its new name in all frames. Of another number of targets nobody knows which
+/// A renamed or hidden target is so in all frames. Of another number of targets nobody knows which
 /// they are, and those that are found get their names from the run.
 void showPresentNames(const TrackingRun& run, TrackSnapshot& snapshot) {
   const std::vector<Target>& targets = run.targets();
@@ -85,6 +85,7 @@ void showPresentNames(const TrackingRun& run, TrackSnapshot& snapshot) {
   }
   for (std::size_t k = 0; k < targets.size(); ++k) {
     snapshot.targets[k].target.name = targets[k].name;
+    snapshot.targets[k].target.isShown = targets[k].isShown;
   }
 }
 
@@ -130,7 +131,8 @@ void addHistograms(const TrackingRun& run, TrackSnapshot& snapshot) {
   }
 }
 
-/// Which pixels have the colors of the targets; what matches several targets is the first one's.
+/// Which pixels have the colors of the targets shown; what matches several targets is the first
+/// one's.
 std::vector<cv::Mat> colorMasks(const TrackSnapshot& snapshot) {
   std::vector<cv::Mat> masks;
   const auto& frames = snapshot.frames->frames;
@@ -140,15 +142,14 @@ std::vector<cv::Mat> colorMasks(const TrackSnapshot& snapshot) {
     for (std::size_t k = 0; k < std::min(snapshot.targets.size(), kMostInMask); ++k) {
       const auto& target = snapshot.targets[k];
       const auto& followed = colorsOf(target.estimate); // empty: they are as they were learned
-      if (frame) {
+      if (frame && target.target.isShown) {
         const ColorClassifier color(camera < followed.size() ? followed[camera]
                                                              : target.target.colors());
         const cv::Mat matched = matchImage(frame->image, color);
         if (mask.empty()) {
-          mask = matched;
-        } else {
-          mask.setTo(255 - static_cast<int>(k), matched & (mask == 0));
+          mask = cv::Mat::zeros(matched.size(), CV_8UC1);
         }
+        mask.setTo(255 - static_cast<int>(k), matched & (mask == 0));
       }
     }
     masks.push_back(mask);

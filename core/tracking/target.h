@@ -34,10 +34,18 @@ struct Target {
   TargetShape shape = TargetShape::Auto;
   /// Colors of a multicolored target in addition to `color`.
   std::vector<ColorRange> otherColors{};
+  /// Whether the views draw the target. It has no effect on tracking and results.
+  bool isShown = true;
 
   /// Returns all colors of the target.
   ColorRanges colors() const { return {color, otherColors}; }
   bool operator==(const Target&) const = default;
 };
+
+/// Returns whether the targets differ in nothing but Target::isShown.
+inline bool areSameExceptShown(Target a, const Target& b) {
+  a.isShown = b.isShown;
+  return a == b;
+}
 
 } // namespace dewpoint::tracking

@@ -48,6 +48,18 @@ Error errorOf(const std::string& from, const std::string& to) {
   return project ? Error{} : project.error();
 }
 
+TEST(ProjectFile, KeepsWhetherATargetIsShown) {
+  EXPECT_TRUE(load(kGood)->targets.front().isShown);
+  const auto hidden = load(kGood, "radius = 0.035", "radius = 0.035\nshown = false");
+  ASSERT_TRUE(hidden);
+  EXPECT_FALSE(hidden->targets.front().isShown);
+  const auto file = fileNamed("hidden.toml");
+  ASSERT_TRUE(saveProject(*hidden, file));
+  EXPECT_FALSE(loadProject(file)->targets.front().isShown);
+  const Error bad = errorOf("radius = 0.035", "radius = 0.035\nshown = 1");
+  EXPECT_EQ(bad.field, "target 1.shown");
+}
+
 TEST(ProjectFile, KeepsTheShapeOfATarget) {
   EXPECT_EQ(load(kGood)->targets.front().shape, TargetShape::Auto);
   const auto any = load(kGood, "radius = 0.035", "radius = 0.035\nshape = \"any\"");

@@ -62,6 +62,25 @@ TEST(SnapshotBuilder, ARenamedTargetHasItsNewNameInAllFrames) {
   EXPECT_EQ(shown(session, 6)->targets.at(0).target.name, "renamed");
 }
 
+TEST(SnapshotBuilder, AHiddenTargetIsTrackedOnAsBefore) {
+  Session session(drawnInputs("dewpoint", 60));
+  Session other(drawnInputs("dewpoint", 60));
+  other.setMasksShown(true);
+  iterateTo(session, 9);
+  iterateTo(other, 9);
+  ASSERT_FALSE(other.newest()->masks.at(0).empty());
+  Target hidden = drawn::redBall();
+  hidden.isShown = false;
+  other.setTargets({hidden});
+  ASSERT_TRUE(eventually([&] { return !other.newest()->targets.at(0).target.isShown; }));
+  EXPECT_TRUE(other.newest()->masks.at(0).empty());
+  iterateTo(session, 14);
+  iterateTo(other, 14);
+  EXPECT_EQ(positionOf(session.newest()->targets.at(0).estimate)->mean,
+            positionOf(other.newest()->targets.at(0).estimate)->mean);
+  EXPECT_FALSE(shown(other, 4)->targets.at(0).target.isShown); // in earlier frames, too
+}
+
 TEST(SnapshotBuilder, AFrameLooksTheSameNowAndLater) {
   SessionInputs inputs = drawnInputs("dewpoint", 60);
   for (std::int64_t frame = 0; frame < 60; ++frame) {

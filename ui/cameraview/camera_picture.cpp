@@ -73,7 +73,8 @@ void paintInset(QPainter& painter, const CameraImageSource& source, const TrackS
           : 0;
   const cv::Mat& image = source.frame->image;
   if (!look.magnifierShown || targets.empty() || isPaintedAsPerson(targets[chosen]) ||
-      targets[chosen].status != TargetStatus::Held || image.type() != CV_8UC3) {
+      !targets[chosen].target.isShown || targets[chosen].status != TargetStatus::Held ||
+      image.type() != CV_8UC3) {
     return;
   }
   const QColor& color = colors[chosen];
@@ -131,7 +132,7 @@ void paintEstimates(QPainter& painter, const CameraImage& image, const TrackSnap
   const std::vector<QColor> colors = overlayColors(*snapshot);
   for (std::size_t i = 0; i < snapshot->targets.size(); ++i) {
     const TargetSnapshot& target = snapshot->targets[i];
-    if (isPaintedAsPerson(target)) {
+    if (isPaintedAsPerson(target) || !target.target.isShown) {
       continue;
     }
     if (hasMaps) {

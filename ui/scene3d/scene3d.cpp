@@ -11,6 +11,19 @@
 
 namespace dewpoint::ui {
 
+namespace {
+
+/// What is drawn of a target that is hidden.
+TargetSnapshot nothingOf(const TargetSnapshot& target) {
+  TargetSnapshot nothing;
+  nothing.target = target.target;
+  nothing.estimate = AbsentEstimate{};
+  nothing.status = TargetStatus::Gone;
+  return nothing;
+}
+
+} // namespace
+
 Scene3d::Scene3d() : parts_(std::make_unique<SceneParts>()) {
   parts_->coverGround();
   parts_->applyPalette();
@@ -58,11 +71,12 @@ void Scene3d::setSnapshot(const TrackSnapshot& snapshot) {
   for (std::size_t i = 0; i < count; ++i) {
     const TargetSnapshot& target = snapshot.targets[i];
     TargetActors& actors = *parts.targets[i];
-    actors.show(target);
+    const bool isShown = target.target.isShown;
+    isShown ? actors.show(target) : actors.show(nothingOf(target));
     // Of people there would be too many to be read.
-    const bool rays = parts.raysShown && !snapshot.family.findsTargets();
+    const bool rays = parts.raysShown && isShown && !snapshot.family.findsTargets();
     actors.showLinesOfSight(rays ? sightLines(snapshot, target) : std::vector<SightLine>());
-    actors.showPath(parts.path.of(i));
+    actors.showPath(isShown ? parts.path.of(i) : std::vector<Eigen::Vector3d>());
     actors.setChosen(static_cast<int>(i) == parts.chosenTarget);
     actors.setBestShown(parts.bestShown);
   }

@@ -120,7 +120,8 @@ void SceneParts::showCrowd(const TrackSnapshot& snapshot) {
   Eigen::ArrayXXd means =
       Eigen::ArrayXXd::Constant(static_cast<Eigen::Index>(count - kMaxBodies), 3, kUnknown);
   for (std::size_t k = kMaxBodies; k < count; ++k) {
-    if (const auto position = positionOf(snapshot.targets[k].estimate)) {
+    const auto position = positionOf(snapshot.targets[k].estimate);
+    if (position && snapshot.targets[k].target.isShown) {
       means.row(static_cast<Eigen::Index>(k - kMaxBodies)) = position->mean.transpose().array();
     }
   }

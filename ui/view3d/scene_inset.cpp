@@ -81,7 +81,7 @@ void paintBar(QPainter& painter, const QRectF& box, const CloudCloseup& closeup,
 
 bool SceneInset::isTooSmall(const TargetSnapshot& target) const {
   const auto reach = cloudSemiAxis(target);
-  if (!reach || particleCountOf(target.estimate) <= 0) {
+  if (!reach || particleCountOf(target.estimate) <= 0 || !target.target.isShown) {
     return false;
   }
   const Eigen::Vector3d mean = positionOf(target.estimate)->mean;

@@ -8,6 +8,9 @@ std::optional<TailPosition> nearestTailPosition(const TrackSnapshot& snapshot, c
   double nearest = reach;
   std::optional<TailPosition> found;
   for (std::size_t k = 0; k < snapshot.targets.size(); ++k) {
+    if (!snapshot.targets[k].target.isShown) {
+      continue;
+    }
     for (const Eigen::Vector3d& point : snapshot.targets[k].tail) {
       const double away = (scene.projectToImage(point) - position).norm();
       if (away < nearest) {

@@ -2,15 +2,16 @@
 #include "core/session/run/result_settings.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace dewpoint::session {
 namespace {
 
-/// But for their names, and for what their colors were learned from.
+/// But for their names, for what their colors were learned from, and for what the views show.
 bool areTrackedAlike(Target a, const Target& b) {
   a.name = b.name;
   a.samples = b.samples;
-  return a == b;
+  return areSameExceptShown(std::move(a), b);
 }
 
 /// The values in use: whether somebody gave them or the cameras did decides nothing.

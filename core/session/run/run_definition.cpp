@@ -95,7 +95,7 @@ std::string differences(const RunDefinition& before, const RunDefinition& after)
     }
   }
   for (std::size_t k = 0; k < std::min(before.targets.size(), after.targets.size()); ++k) {
-    if (!(before.targets[k] == after.targets[k])) {
+    if (!areSameExceptShown(before.targets[k], after.targets[k])) {
       add(after.targets[k].name, after.family().describe(after.targets[k]));
     }
   }

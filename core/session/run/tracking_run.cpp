@@ -134,7 +134,9 @@ void TrackingRun::apply(const RunDefinitionPtr& definition) {
     configurable->configure(definition->parameters);
   }
   auto* const following = tracking::capability<TargetTracking>(*tracker_);
-  if (following != nullptr && definition->targets != before->targets) {
+  // A target that is hidden in the views is tracked on as before, to the last bit.
+  if (following != nullptr &&
+      !std::ranges::equal(definition->targets, before->targets, areSameExceptShown)) {
     following->setTargets(definition->targets);
   }
   auto* const calibrated = tracking::capability<CameraCalibrated>(*tracker_);

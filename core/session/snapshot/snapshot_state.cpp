@@ -207,6 +207,9 @@ int targetNear(const TrackSnapshot& snapshot, int count, int camera, const Eigen
   double least = reach;
   for (int target = 0; target < count; ++target) {
     const auto belief = positionEstimate(snapshot, target);
+    if (belief && !snapshot.targets[static_cast<std::size_t>(target)].target.isShown) {
+      continue;
+    }
     const auto there = belief ? pixelOf(snapshot, camera, belief->mean) : std::nullopt;
     if (const double distance = there ? (*there - pixel).norm() : 0.0; there && distance <= least) {
       least = distance;

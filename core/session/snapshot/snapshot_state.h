@@ -43,8 +43,8 @@ std::optional<Eigen::Vector2d> pixelOf(const TrackSnapshot& snapshot, int camera
 /// Returns the estimate of a target's position; nothing for a frame that was not tracked.
 std::optional<Gaussian3> positionEstimate(const TrackSnapshot& snapshot, int target);
 
-/// Returns the index of the target, among the first `count`, whose estimate is closest to a pixel
-/// of a camera and at most `reach` pixels away; -1 if there is none.
+/// Returns the index of the target, among those of the first `count` that the views show, whose
+/// estimate is closest to a pixel of a camera and at most `reach` pixels away; -1 if there is none.
 int targetNear(const TrackSnapshot& snapshot, int count, int camera, const Eigen::Vector2d& pixel,
                double reach);
 

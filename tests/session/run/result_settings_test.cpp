@@ -39,6 +39,7 @@ TEST(ResultSettings, WhatDecidesResults) {
   EXPECT_TRUE(isSame([](RunDefinition&) {}));
   EXPECT_TRUE(isSame([](RunDefinition& other) { other.targets[0].name = "apple"; }));
   EXPECT_TRUE(isSame([](RunDefinition& other) { other.targets[0].samples.resize(1); }));
+  EXPECT_TRUE(isSame([](RunDefinition& other) { other.targets[0].isShown = false; }));
   EXPECT_TRUE(isSame([](RunDefinition& other) { other.corrections.resize(1); }));
   EXPECT_TRUE(isSame([](RunDefinition& other) { other.people.resize(1); }));
   EXPECT_TRUE(isSame([](RunDefinition& other) { other.parameters.markAllGiven(); }));

@@ -161,7 +161,7 @@ TrackSnapshot twoBelieved() {
 }
 
 TEST(SnapshotState, APressIsAboutTheTargetNearestToIt) {
-  const TrackSnapshot snapshot = twoBelieved();
+  TrackSnapshot snapshot = twoBelieved();
   EXPECT_EQ(targetNear(snapshot, 2, 0, {79.5, 59.5}, 10.0), 0);
   EXPECT_EQ(targetNear(snapshot, 2, 0, {104.5, 59.5}, 10.0), 1);
   EXPECT_EQ(targetNear(snapshot, 2, 0, {94.5, 59.5}, 20.0), 1); // 15 and 10 pixels away
@@ -169,6 +169,8 @@ TEST(SnapshotState, APressIsAboutTheTargetNearestToIt) {
   EXPECT_EQ(targetNear(snapshot, 1, 0, {104.5, 59.5}, 10.0), -1); // the project has one
   EXPECT_EQ(targetNear(snapshot, 5, 0, {104.5, 59.5}, 10.0), 1);
   EXPECT_EQ(targetNear(snapshot, 2, 2, {79.5, 59.5}, 10.0), -1); // no such camera
+  snapshot.targets[1].target.isShown = false;                    // nobody means what is not seen
+  EXPECT_EQ(targetNear(snapshot, 2, 0, {94.5, 59.5}, 20.0), 0);
 }
 
 TEST(SnapshotState, NothingIsBelievedBeforeTheFirstParticles) {

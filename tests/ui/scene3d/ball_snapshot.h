@@ -66,6 +66,20 @@ inline std::shared_ptr<TrackSnapshot> ballSnapshot(const Eigen::Vector3d& ball =
   return snapshot;
 }
 
+/// Another cloud about the ball, of 300 particles.
+inline void scatter(TargetSnapshot& target, double sigma) {
+  std::mt19937 random(3);
+  std::normal_distribution<double> normal(0.0, sigma);
+  target.particles.resize(300, 3);
+  target.weights.setOnes(300);
+  for (int i = 0; i < 300; ++i) {
+    const Eigen::Vector3d offset(normal(random), normal(random), normal(random));
+    target.particles.row(i) = (kBall + offset).transpose().array();
+  }
+  std::get<SphereEstimate>(target.estimate).covariance =
+      sigma * sigma * Eigen::Matrix3d::Identity();
+}
+
 /// Vermillion of Okabe and Ito (213, 94, 0), the first target's color, at any lightness.
 inline bool isTargetColor(QRgb pixel) {
   const int red = qRed(pixel);

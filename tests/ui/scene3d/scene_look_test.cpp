@@ -30,20 +30,6 @@ int countPixels(const QImage& picture, QPointF around, double reach,
   return count;
 }
 
-/// Another cloud about the ball, of 300 particles.
-void scatter(TargetSnapshot& target, double sigma) {
-  std::mt19937 random(3);
-  std::normal_distribution<double> normal(0.0, sigma);
-  target.particles.resize(300, 3);
-  target.weights.setOnes(300);
-  for (int i = 0; i < 300; ++i) {
-    const Eigen::Vector3d offset(normal(random), normal(random), normal(random));
-    target.particles.row(i) = (kBall + offset).transpose().array();
-  }
-  std::get<SphereEstimate>(target.estimate).covariance =
-      sigma * sigma * Eigen::Matrix3d::Identity();
-}
-
 /// A quarter of the size, as another calibration would have it.
 std::shared_ptr<TrackSnapshot> quartered(const TrackSnapshot& snapshot) {
   const auto small = std::make_shared<TrackSnapshot>(snapshot);
@@ -68,6 +54,7 @@ private Q_SLOTS:
     view_->show();
     QVERIFY(QTest::qWaitForWindowExposed(view_.get()));
   }
+
   void cleanup() { view_.reset(); }
 
   void opensInPerspective() {
@@ -266,29 +253,6 @@ private Q_SLOTS:
       }
       for (const auto& label : labels) {
         QVERIFY(QRectF(view_->rect()).contains(label.area));
-      }
-    }
-  }
-
-  void namesAvoidTheInset() {
-    const auto snapshot = ballSnapshot();
-    scatter(snapshot->targets[0], 0.0004);
-    view_->setSnapshot(snapshot);
-    for (const auto look : {Scene3d::View::Free, Scene3d::View::Above, Scene3d::View::Front}) {
-      view_->look(look);
-      view_->currentImage();
-      const QRectF inset = view_->cloudInset().shownArea(*view_, -1);
-      QVERIFY(QRectF(view_->rect()).contains(inset));
-      const ViewProjection projection(*view_, view_->scene());
-      for (const CameraGlyph& glyph : view_->scene().cameraGlyphs()) {
-        if (inset.contains(projection.toWidget(glyph.center))) {
-          continue; // both corners of the view would cover a camera
-        }
-        for (const auto& label : view_->cameraLabels().labels(*view_, inset)) {
-          QVERIFY2(label.text != QString::fromStdString(glyph.name) ||
-                       !label.area.intersects(inset),
-                   glyph.name.c_str());
-        }
       }
     }
   }
