@@ -28,6 +28,7 @@ inline constexpr auto kActionNames = std::to_array<std::string_view>({
     "actionLearnColor",
     "actionAddTarget",
     "actionRemoveTarget",
+    "actionHideTarget",
     "actionCameras",
     "actionLockColors",
     "actionPlacePerson",

@@ -21,6 +21,10 @@ std::vector<ActionDeclaration> editActions() {
       {"actionRemoveTarget", group, QT_TRANSLATE_NOOP("Actions", "Remove the target"),
        QT_TRANSLATE_NOOP("Actions", "Remove the selected target from the project"), "remove",
        Qt::SHIFT | Qt::Key_Delete},
+      {"actionHideTarget", group, QT_TRANSLATE_NOOP("Actions", "Hide or show the target"),
+       QT_TRANSLATE_NOOP("Actions", "Hide the selected target in the images and in the bird's-eye "
+                                    "view, or show it again; it is tracked all the same"),
+       nullptr, Qt::CTRL | Qt::SHIFT | Qt::Key_H},
       {"actionPlacePerson", group, QT_TRANSLATE_NOOP("Actions", "Add person…"),
        QT_TRANSLATE_NOOP("Actions",
                          "Click the person in a camera image, or the floor in the bird's-eye view"),

@@ -64,8 +64,8 @@ void WindowMenus::make() {
   makeFileMenu();
   add(tr("&Edit"), "menuEdit",
       {"actionUndo", "actionRedo", nullptr, "actionLearnColor", "actionAddTarget",
-       "actionRemoveTarget", nullptr, "actionCameras", "actionLockColors", nullptr,
-       "actionCorrectPosition", "actionRemoveCorrection", nullptr, "actionPlacePerson",
+       "actionRemoveTarget", "actionHideTarget", nullptr, "actionCameras", "actionLockColors",
+       nullptr, "actionCorrectPosition", "actionRemoveCorrection", nullptr, "actionPlacePerson",
        "actionRemovePerson", nullptr, "actionShortcuts"});
   makeViewMenu();
   add(tr("&Calibration"), "menuCalibration",

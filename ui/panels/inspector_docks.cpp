@@ -60,7 +60,8 @@ TargetDock installTargets(const Workbench& bench) {
   QObject::connect(panel, &TargetPanel::targetChosen, &bench.selection, &Selection::selectTarget);
   QObject::connect(&bench.selection, &Selection::targetSelected, panel, &TargetPanel::choose);
   bench.onTriggered("actionRemoveTarget", panel, [panel] { panel->removeChosen(); });
-  bench.requireRun({"actionRemoveTarget"});
+  bench.onTriggered("actionHideTarget", panel, [panel] { panel->toggleShown(panel->chosen()); });
+  bench.requireRun({"actionRemoveTarget", "actionHideTarget"});
   return {dock, panel};
 }
 

@@ -103,6 +103,7 @@ TargetPanel::TargetPanel(Document& document, TargetListModel& targets, QWidget* 
   connect(name_, &QLineEdit::editingFinished, this, &TargetPanel::rename);
   connect(radius_, &QDoubleSpinBox::valueChanged, this, &TargetPanel::resizeTarget);
   connect(shape_, &QComboBox::activated, this, &TargetPanel::reshapeTarget);
+  connect(rows_, &TargetRowDelegate::eyeClicked, this, &TargetPanel::toggleShown);
 }
 
 void TargetPanel::makeFields(TargetListModel& targets) {
@@ -278,6 +279,7 @@ void TargetPanel::showRows() {
   for (std::size_t k = 0; k < targets.size(); ++k) {
     TargetRow row;
     row.identity = colors[k];
+    row.isShown = targets[k].isShown;
     if (showsColors) {
       row.learned = rangeColor(targets[k].color);
     }
@@ -351,6 +353,19 @@ void TargetPanel::reshapeTarget(int shape) {
   editChosen(tr("Change shape"), [shape](Project& project, std::size_t index) {
     project.targets[index].shape = static_cast<TargetShape>(shape);
   });
+}
+
+void TargetPanel::toggleShown(int row) {
+  const auto& targets = document_.project().targets;
+  const auto index = static_cast<std::size_t>(row);
+  if (row < 0 || index >= targets.size()) {
+    return;
+  }
+  (void)document_.edit(targets[index].isShown ? tr("Hide target") : tr("Show target"),
+                       [index](Project& project) {
+                         Target& target = project.targets[index];
+                         target.isShown = !target.isShown;
+                       });
 }
 
 void TargetPanel::removeChosen() {

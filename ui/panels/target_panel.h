@@ -54,6 +54,8 @@ public:
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   /// Removes the selected target in an undoable step.
   void removeChosen();
+  /// Hides a target in the views, or shows it again, in an undoable step. Invalid rows are ignored.
+  void toggleShown(int row);
 
 Q_SIGNALS:
   void targetChosen(int target);

@@ -5,8 +5,13 @@
 #include "ui/style/type_scale.h"
 #include "ui/text/hold_text.h"
 
+#include <QAbstractItemView>
 #include <QFontMetrics>
+#include <QHelpEvent>
+#include <QMouseEvent>
 #include <QPainter>
+#include <QPainterPath>
+#include <QToolTip>
 
 #include <utility>
 
@@ -18,12 +23,32 @@ constexpr int kRowMargin = 8;   ///< left and right, pixels
 constexpr int kRowPadding = 5;  ///< above and below
 constexpr int kSwatchSide = 18; ///< of the disc with its ring
 constexpr double kRing = 2.5;
+constexpr int kEyeSide = 18;
 
 void drawSwatch(QPainter& painter, const QRectF& place, const TargetRow& row) {
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(QPen(row.identity, kRing));
   painter.setBrush(row.learned.value_or(row.identity));
   painter.drawEllipse(place.adjusted(kRing / 2.0, kRing / 2.0, -kRing / 2.0, -kRing / 2.0));
+}
+
+/// An eye, crossed out if the target is hidden.
+void drawEye(QPainter& painter, const QRectF& place, bool isOpen, const QColor& ink) {
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(ink, 1.3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.setBrush(Qt::NoBrush);
+  const QRectF eye = place.adjusted(2.0, 4.0, -2.0, -4.0);
+  const QPointF left(eye.left(), eye.center().y());
+  const QPointF right(eye.right(), eye.center().y());
+  QPainterPath lids(left);
+  lids.quadTo(QPointF(eye.center().x(), eye.top() - 2.5), right);
+  lids.quadTo(QPointF(eye.center().x(), eye.bottom() + 2.5), left);
+  painter.drawPath(lids);
+  painter.drawEllipse(eye.center(), 2.0, 2.0);
+  if (!isOpen) {
+    painter.drawLine(place.bottomLeft() + QPointF(3.0, -3.0),
+                     place.topRight() - QPointF(3.0, -3.0));
+  }
 }
 
 } // namespace
@@ -55,7 +80,9 @@ void TargetRowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opt
       *painter,
       QRectF(inner.left(), inner.center().y() - kSwatchSide / 2.0 + 0.5, kSwatchSide, kSwatchSide),
       row);
-  QRect line = inner.adjusted(kSwatchSide + kRowMargin, 0, 0, 0);
+  drawEye(*painter, eyeArea(option.rect), row.isShown,
+          ink(row.isShown ? QPalette::PlaceholderText : QPalette::Text));
+  QRect line = inner.adjusted(kSwatchSide + kRowMargin, 0, -kEyeSide - kRowMargin, 0);
   line.setHeight(QFontMetrics(name).height());
   const QString state = row.state ? holdText(*row.state) : QString();
   painter->setFont(option.font);
@@ -64,7 +91,7 @@ void TargetRowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opt
   painter->drawText(line, Qt::AlignRight | Qt::AlignVCenter, state);
   const int room = line.width() - option.fontMetrics.horizontalAdvance(state) - kRowMargin;
   painter->setFont(name);
-  painter->setPen(ink(QPalette::Text));
+  painter->setPen(ink(row.isShown ? QPalette::Text : QPalette::PlaceholderText));
   painter->drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
                     QFontMetrics(name).elidedText(index.data().toString(), Qt::ElideRight, room));
   line.moveTop(line.bottom() + 1);
@@ -79,6 +106,46 @@ void TargetRowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opt
   painter->drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
                     QFontMetrics(small).elidedText(row.size, Qt::ElideRight, left));
   painter->restore();
+}
+
+QRect TargetRowDelegate::eyeArea(const QRect& row) {
+  QRect area(0, 0, kEyeSide, kEyeSide);
+  area.moveCenter(row.center());
+  area.moveRight(row.right() - kRowMargin);
+  return area;
+}
+
+bool TargetRowDelegate::editorEvent(QEvent* event, QAbstractItemModel* model,
+                                    const QStyleOptionViewItem& option, const QModelIndex& index) {
+  const bool isClick = event->type() == QEvent::MouseButtonRelease;
+  if (isClick || event->type() == QEvent::MouseButtonPress ||
+      event->type() == QEvent::MouseButtonDblClick) {
+    const auto* mouse = static_cast<QMouseEvent*>(event);
+    if (mouse->button() == Qt::LeftButton &&
+        eyeArea(option.rect).contains(mouse->position().toPoint())) {
+      if (isClick) {
+        Q_EMIT eyeClicked(index.row());
+      }
+      return true;
+    }
+  }
+  return QStyledItemDelegate::editorEvent(event, model, option, index);
+}
+
+bool TargetRowDelegate::helpEvent(QHelpEvent* event, QAbstractItemView* view,
+                                  const QStyleOptionViewItem& option, const QModelIndex& index) {
+  const auto row = static_cast<std::size_t>(index.row());
+  if (event->type() != QEvent::ToolTip || row >= rows_.size() ||
+      !eyeArea(option.rect).contains(event->pos())) {
+    return QStyledItemDelegate::helpEvent(event, view, option, index);
+  }
+  QToolTip::showText(event->globalPos(),
+                     rows_[row].isShown
+                         ? tr("Hide this target in the images and in the bird's-eye view. It is "
+                              "still tracked.")
+                         : tr("Show this target in the images and in the bird's-eye view"),
+                     view);
+  return true;
 }
 
 QSize TargetRowDelegate::sizeHint(const QStyleOptionViewItem& option,

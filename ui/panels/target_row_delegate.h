@@ -16,25 +16,39 @@ struct TargetRow {
   std::optional<QColor> learned;  ///< learned target color; empty if the target needs no color
   std::optional<HoldState> state; ///< empty without a run
   QString size;
-  QString speed; ///< empty if unknown
+  QString speed;       ///< empty if unknown
+  bool isShown = true; ///< whether the views draw the target
 
   bool operator==(const TargetRow&) const = default;
 };
 
 /// Draws the targets in a list, each in two lines. The first line has a disc in the learned color,
 /// inside a ring in the target's color in the views; the name; and the state as a word, shape and
-/// color. The second line has the size, and the speed below the state.
+/// color. The second line has the size, and the speed below the state. An eye at the right end
+/// shows whether the views draw the target; a click on it changes this.
 class TargetRowDelegate : public QStyledItemDelegate {
+  Q_OBJECT
 public:
   using QStyledItemDelegate::QStyledItemDelegate;
 
   /// Sets the rows. Returns whether they differ from the previous ones.
   bool setRows(std::vector<TargetRow> rows);
   const std::vector<TargetRow>& rows() const { return rows_; }
+  /// Returns the area of the eye in a row with this area.
+  static QRect eyeArea(const QRect& row);
 
   void paint(QPainter* painter, const QStyleOptionViewItem& option,
              const QModelIndex& index) const override;
   QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+  bool helpEvent(QHelpEvent* event, QAbstractItemView* view, const QStyleOptionViewItem& option,
+                 const QModelIndex& index) override;
+
+Q_SIGNALS:
+  void eyeClicked(int row);
+
+protected:
+  bool editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& option,
+                   const QModelIndex& index) override;
 
 private:
   std::vector<TargetRow> rows_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/snapshot/snapshot.h"
 #include "tests/ui/wait.h"
+#include "ui/cameraview/camera_picture.h"
 #include "ui/cameraview/camera_view.h"
 #include "ui/style/target_colors.h"
 
@@ -30,6 +31,32 @@ TrackSnapshotPtr showing(const cv::Scalar& color) {
 QColor middleOf(CameraView& view) {
   const QImage picture = view.grab().toImage();
   return picture.pixelColor(picture.width() / 2, picture.height() / 2);
+}
+
+TEST(CameraPicture, AHiddenTargetIsNotDrawn) {
+  TrackSnapshot bare = *showing({0, 0, 200});
+  CameraRig rig(1);
+  rig[0].intrinsics = {80, 60, 60.0, 60.0, 39.5, 29.5};
+  bare.rig = std::make_shared<const CameraRig>(rig);
+  bare.tracked = true;
+  TrackSnapshot with = bare;
+  TargetSnapshot& target = with.targets.emplace_back();
+  auto& sphere = std::get<SphereEstimate>(target.estimate);
+  sphere.mean = {0.0, 0.0, 1.0};
+  sphere.covariance = 1e-2 * Eigen::Matrix3d::Identity();
+  sphere.particleCount = 1;
+  sphere.valid = true;
+  target.status = TargetStatus::Held;
+  target.particles = sphere.mean.transpose().array();
+  target.weights.setOnes(1);
+  TrackSnapshot hidden = with;
+  hidden.targets[0].target.isShown = false;
+  const auto picture = [](const TrackSnapshot& snapshot) {
+    return cameraPicture(std::make_shared<const TrackSnapshot>(snapshot), 0, CameraLook(),
+                         {160, 120});
+  };
+  EXPECT_NE(picture(with), picture(bare));
+  EXPECT_EQ(picture(hidden), picture(bare));
 }
 
 class ShownCameraView : public testing::Test, protected test::Waiting {

@@ -43,6 +43,7 @@ private Q_SLOTS:
   void theVolumeIsOpenOnlyWhenItIsSet();
   void buttonsOfTheTargetPanelDoWhatTheirActionsDo();
   void rowsOfTargetsSayStateAndSize();
+  void theEyeOfARowHidesItsTarget();
   void samplesAreAddedAndExcludedByButtons();
   void aNameStandsInTheTabOrInTheTitle();
   void aLongPathIsCutAtItsBeginning();
@@ -220,6 +221,33 @@ void InspectorTest::rowsOfTargetsSayStateAndSize() {
                                    [](Project& project) { project.targets[0].radius = 0.0; }));
   action("actionNextFrame")->trigger();
   QVERIFY(waitFor([&] { return rows()[0].size.contains(QStringLiteral("(estimated)")); }));
+}
+
+void InspectorTest::theEyeOfARowHidesItsTarget() {
+  action("actionNextFrame")->trigger();
+  QVERIFY(waitFor([this] { return shown().tracked; }));
+  find<QDockWidget>("targetDock")->raise();
+  auto* list = find<QListView>("targetList");
+  QVERIFY(waitFor([&] { return list->isVisible(); }));
+  auto* view = find<CameraView>("cameraView0");
+  QVERIFY(settles(*view));
+  const QImage with = view->grab().toImage();
+  const auto isShown = [this] { return window_->document().project().targets[0].isShown; };
+  const QRect eye = TargetRowDelegate::eyeArea(list->visualRect(list->model()->index(0, 0)));
+  QTest::mouseClick(list->viewport(), Qt::LeftButton, Qt::NoModifier, eye.center());
+  QVERIFY(!isShown());
+  QVERIFY(waitFor([this] { return !shown().targets[0].target.isShown; }));
+  QVERIFY(settles(*view));
+  QVERIFY(view->grab().toImage() != with);
+  QVERIFY(!static_cast<TargetRowDelegate*>(list->itemDelegate())->rows()[0].isShown);
+  action("actionUndo")->trigger();
+  QVERIFY(waitFor([this] { return shown().targets[0].target.isShown; }));
+  QVERIFY(settles(*view));
+  QCOMPARE(view->grab().toImage(), with);
+  action("actionHideTarget")->trigger();
+  QVERIFY(!isShown());
+  action("actionHideTarget")->trigger();
+  QVERIFY(isShown());
 }
 
 QPoint InspectorTest::placeInImage() {
