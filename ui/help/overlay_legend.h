@@ -16,7 +16,7 @@ class OverlayLegend : public QDialog {
 public:
   explicit OverlayLegend(QWidget* parent);
 
-  /// Width of the sentences in pixels, if nothing else is said.
+  /// Default width of the sentences in pixels.
   static constexpr int kSentenceWidth = 380;
   /// Adds a row for each sign, with sentences of this width. They are updated when the language
   /// changes.
