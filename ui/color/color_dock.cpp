@@ -80,6 +80,7 @@ void ColorDock::connectActions() {
     if (opened && panel_->addsTarget()) {
       panel_->setPicking(false);
     }
+    showAwaited();
   });
   bench_.requireRun({"actionLearnColor", "actionAddTarget"});
   bench_.onToggled("actionShowMask", this, [this](bool) { isMaskOfLearning_ = false; });
