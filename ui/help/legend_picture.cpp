@@ -83,7 +83,7 @@ CameraOverlay overlayOf(LegendSign sign, const QPointF& ball) {
 }
 
 /// A box in the corner with an enlarged cloud, and a line from it to the ball.
-void paintInset(QPainter& painter, const QPointF& ball, const QSizeF& size) {
+void paintInsetSign(QPainter& painter, const QPointF& ball, const QSizeF& size) {
   constexpr double kSide = 30.0;
   constexpr double kBracket = 9.0;
   const QRectF box(3.0, size.height() - kSide - 3.0, kSide, kSide);
@@ -107,7 +107,7 @@ void paintInset(QPainter& painter, const QPointF& ball, const QSizeF& size) {
 }
 
 /// A path to the ball, with a dark band along a part of it.
-void paintRange(QPainter& painter, const QPointF& ball, const QSizeF& size) {
+void paintRangeSign(QPainter& painter, const QPointF& ball, const QSizeF& size) {
   QPainterPath path(QPointF(4.0, size.height() - 8.0));
   path.quadTo(QPointF(ball.x() - 30.0, 2.0), ball);
   QPainterPath part(path.pointAtPercent(0.2));
@@ -183,9 +183,9 @@ void LegendPicture::paintEvent(QPaintEvent* /*event*/) {
   } else if (sign_ == LegendSign::Ray) {
     withHalo(painter, color, 1.6, [&] { painter.drawLine(QPointF(0, 10), QPointF(width(), 48)); });
   } else if (sign_ == LegendSign::Inset) {
-    paintInset(painter, ball, size());
+    paintInsetSign(painter, ball, size());
   } else if (sign_ == LegendSign::Range) {
-    paintRange(painter, ball, size());
+    paintRangeSign(painter, ball, size());
   }
   // Pixels of the image are those of the picture; their centers lie at integers.
   paintOverlay(painter, overlayOf(sign_, ball), {QPointF(-0.5, -0.5), 1.0}, color,

@@ -279,27 +279,28 @@ void StatusBarPanel::hideOverflow() {
   const auto widthOf = [](const QWidget* part) {
     return std::max(part->minimumWidth(), part->sizeHint().width()) + kSpacing;
   };
-  int needed = margins.left() + margins.right() + widthOf(held_);
-  for (const QWidget* part : hideOrder_) {
-    needed += widthOf(part);
-  }
-  if (const QString reason = reason_->fullText(); !reason.isEmpty()) {
-    needed += std::min(kLeastReason, fontMetrics().horizontalAdvance(reason)) + kSpacing;
-  }
   // An empty value before a reason leaves it its room.
-  const auto isSpare = [this](const QWidget* part) {
+  const QString reason = reason_->fullText();
+  const auto isSpare = [this, &reason](const QWidget* part) {
     const auto isEmpty = [part](const QLabel* label) {
       return part == label && label->text().isEmpty();
     };
-    return !reason_->fullText().isEmpty() &&
-           (isEmpty(position_) || isEmpty(spread_) || isEmpty(speed_));
+    return !reason.isEmpty() && (isEmpty(position_) || isEmpty(spread_) || isEmpty(speed_));
   };
+  int needed = margins.left() + margins.right() + widthOf(held_);
+  for (const QWidget* part : hideOrder_) {
+    needed += isSpare(part) ? 0 : widthOf(part);
+  }
+  if (!reason.isEmpty()) {
+    needed += std::min(kLeastReason, fontMetrics().horizontalAdvance(reason)) + kSpacing;
+  }
   for (QWidget* part : hideOrder_) {
-    const bool isShown = needed <= width() && !isSpare(part);
+    const bool fits = needed <= width();
+    const bool isShown = fits && !isSpare(part);
     if (part->isHidden() == isShown) {
       part->setVisible(isShown);
     }
-    needed -= isShown ? 0 : widthOf(part);
+    needed -= fits || isSpare(part) ? 0 : widthOf(part);
   }
 }
 
