@@ -12,7 +12,7 @@ namespace dewpoint::geometry {
 namespace {
 
 constexpr int kScanSteps = 8192;
-constexpr int kBisections = 100;
+constexpr int kInverseBisections = 100;
 
 /// OpenCV's rational radial factor N(s)/D(s) at the squared normalized radius s.
 struct RadialFactor {
@@ -52,7 +52,7 @@ double foldBackRadiusSquared(const std::array<double, 8>& k, const Grows& stillG
       inside = outside;
       continue;
     }
-    for (int j = 0; j < kBisections; ++j) {
+    for (int j = 0; j < kInverseBisections; ++j) {
       const double middle = 0.5 * (inside + outside);
       (stillGrows(k, middle) ? inside : outside) = middle;
     }

@@ -14,7 +14,7 @@ namespace {
 
 // Origin of the values not recorded.
 
-constexpr int kGrid = 8;               ///< pixels between those whose brightness is measured
+constexpr int kBrightnessGrid = 8;     ///< pixels between those whose brightness is measured
 constexpr int kDarkLevel = 24;         ///< gray level, 0 to 255, above which a pixel is bright
 constexpr double kBrightShare = 0.002; ///< share of bright pixels up to which an image is dark
 
@@ -70,9 +70,9 @@ bool isDark(const cv::Mat& image) {
   }
   int bright = 0;
   int all = 0;
-  for (int row = kGrid / 2; row < image.rows; row += kGrid) {
+  for (int row = kBrightnessGrid / 2; row < image.rows; row += kBrightnessGrid) {
     const auto* pixels = image.ptr<cv::Vec3b>(row);
-    for (int column = kGrid / 2; column < image.cols; column += kGrid) {
+    for (int column = kBrightnessGrid / 2; column < image.cols; column += kBrightnessGrid) {
       const cv::Vec3b& pixel = pixels[column];
       bright += std::max({pixel[0], pixel[1], pixel[2]}) > kDarkLevel ? 1 : 0;
       ++all;

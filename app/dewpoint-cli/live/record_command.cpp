@@ -38,7 +38,7 @@ constexpr auto kCameraPatience = 3s;
 /// After which all streams are called ended, although their cameras could come back.
 constexpr auto kEndPatience = 2s;
 constexpr double kMegabyte = 1e6;
-constexpr std::uint16_t kLastPort = 65535;
+constexpr std::uint16_t kHighestPort = 65535;
 
 struct RecordOptions {
   std::string project;
@@ -361,7 +361,7 @@ void addRecordCommand(CLI::App& app, int& exitCode) {
       ->add_option("--tcp", options->tcp,
                    "Also start and stop at the remote commands record and stop-recording on this "
                    "port (with --wait); 0: any free port")
-      ->check(CLI::Range(std::uint16_t{0}, kLastPort))
+      ->check(CLI::Range(std::uint16_t{0}, kHighestPort))
       ->needs(wait);
   command->add_option("--listen", options->listen,
                       "Address of this computer on which the port is opened (default: the "

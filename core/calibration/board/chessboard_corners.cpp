@@ -15,15 +15,15 @@ namespace {
 using Grid = std::vector<cv::Point2f>;
 
 // Tuned; where no source is named here or in the docs, the origin is not recorded.
-constexpr int kLiveWidth = 640;     // pixels: a wider picture is made smaller to look for the board
-constexpr int kSampleWindow = 11;   // as in OpenCV's sample programs
-constexpr double kWindowPart = 0.4; // of the spacing: no other corner within reach
+constexpr int kLiveWidth = 640;   // pixels: a wider picture is made smaller to look for the board
+constexpr int kSampleWindow = 11; // as in OpenCV's sample programs
+constexpr double kSpacingPart = 0.4; // of the spacing: no other corner within reach
 /// Half the window's side, pixels.
 constexpr int kLeastWindow = 2;
 
 /// A window that holds no neighboring corner.
 void refineWithinSpacing(const cv::Mat& gray, int columns, Grid& corners) {
-  const int window = std::clamp(static_cast<int>(kWindowPart * smallestSpacing(corners, columns)),
+  const int window = std::clamp(static_cast<int>(kSpacingPart * smallestSpacing(corners, columns)),
                                 kLeastWindow, kSampleWindow);
   refineCorners(gray, window, 60, 1e-3, corners);
 }

@@ -17,7 +17,7 @@ namespace {
 /// Views that a lens needs.
 constexpr std::size_t kLeastViews = 3;
 /// Rounds of solving and leaving out views.
-constexpr int kMostRounds = 10;
+constexpr int kMostLensRounds = 10;
 /// The pixels' aspect is not 1 when it is off by this share, ...
 constexpr double kClearAspect = 0.003;
 /// ... and by so many of its standard deviations.
@@ -139,7 +139,7 @@ public:
 private:
   Status solveAll(bool square) {
     square_ = square && request_.model != IntrinsicsModel::Fisheye;
-    for (int round = 0; round < kMostRounds; ++round) {
+    for (int round = 0; round < kMostLensRounds; ++round) {
       if (views_.size() < kLeastViews) {
         return failure(
             ErrorCode::Undetermined, "", "views",
@@ -147,7 +147,7 @@ private:
                         views_.size(), views_.size() == 1 ? "" : "s", kLeastViews));
       }
       if (!reportProgress(progress_, CalibrationStage::Intrinsics,
-                          static_cast<double>(round) / kMostRounds)) {
+                          static_cast<double>(round) / kMostLensRounds)) {
         return canceled();
       }
       const auto solution = solve(request_, views_, square_);

@@ -17,8 +17,8 @@ namespace {
 /// Points that a rig is fitted to.
 constexpr std::size_t kMostPoints = 240;
 /// Instants, and points, that a fit needs.
-constexpr std::size_t kFewestPoints = 8;
-constexpr double kMostSigmas = 5.0;      ///< that a camera is off the initial rig
+constexpr std::size_t kFewestComparedPoints = 8;
+constexpr double kMostRigSigmas = 5.0;   ///< that a camera is off the initial rig
 constexpr double kUnseen = 1e6;          ///< pixels², of a point the camera cannot see
 constexpr double kMedianSquare = 0.4549; ///< of chi-square with one freedom
 constexpr std::array<double, 3> kWidths{40.0, 8.0, 2.0}; ///< of the loss, pixels, far to near
@@ -113,8 +113,8 @@ std::vector<double> squaresOf(const BundleResult& now) {
 bool plausible(const Camera& initial, const Camera& found, const InitialRigSigma& sigma) {
   const double turn =
       angleBetween(found.cameraFromWorld.linear(), initial.cameraFromWorld.linear());
-  return turn < kMostSigmas * sigma.turn &&
-         (found.center() - initial.center()).norm() < kMostSigmas * sigma.position;
+  return turn < kMostRigSigmas * sigma.turn &&
+         (found.center() - initial.center()).norm() < kMostRigSigmas * sigma.position;
 }
 
 } // namespace
@@ -137,7 +137,7 @@ std::optional<PointFit> estimateStructureAndPoses(const CameraRig& initialRig,
                                                   const std::vector<bool>& use,
                                                   const InitialRigSigma& sigma, bool centersFree) {
   BundleProblem problem = pointProblem(initialRig, imagePoints, use, sigma, centersFree);
-  if (problem.cameras.size() < 2 || problem.states.size() < kFewestPoints) {
+  if (problem.cameras.size() < 2 || problem.states.size() < kFewestComparedPoints) {
     return std::nullopt;
   }
   const auto now = narrowed(problem, 0);

@@ -20,7 +20,8 @@ constexpr float kFirstDeviation = 9.0F; ///< gray levels, before anything is lea
 constexpr float kDeviations = 3.5F;
 constexpr float kSlack = 14.0F;
 constexpr float kShadowTint = 0.08F; ///< largest difference of ratio between a shadow's channels
-constexpr float kBrightest = 1.06F;  ///< largest brightness of a shadow, as a share of the mean
+constexpr float kBrightestShadow =
+    1.06F; ///< largest brightness of a shadow, as a share of the mean
 
 float distanceTo(float value, float mean) {
   return value > mean ? value - mean : mean - value;
@@ -55,8 +56,8 @@ struct SubtractKernel {
       const float tint = distanceTo(b * usual, blueMean[i] * sum) +
                          distanceTo(g * usual, greenMean[i] * sum) +
                          distanceTo(r * usual, redMean[i] * sum);
-      const bool shadow =
-          (sum > darkest * usual) & (sum < kBrightest * usual) & (tint < kShadowTint * usual * sum);
+      const bool shadow = (sum > darkest * usual) & (sum < kBrightestShadow * usual) &
+                          (tint < kShadowTint * usual * sum);
       mask[i] = (moved & !shadow) ? 255 : 0;
       const float own = moved ? slowRate : rate;
       const float step = keep[i] != 0 ? 0.0F : own;

@@ -15,7 +15,7 @@ namespace {
 /// few gray levels carries it over the edge.
 constexpr double kToNeighbor = 0.25;
 /// The ring around a box that shows its surroundings: share of its sides, and pixels.
-constexpr double kRing = 0.5;
+constexpr double kBackgroundRing = 0.5;
 constexpr double kRingPx = 8.0;
 /// Share of the whole image in the surroundings: what the target may come to next.
 constexpr double kElsewhere = 0.3;
@@ -94,8 +94,8 @@ FineHistogram centralHistogramOf(const cv::Mat& bgr, const ImageBox& box) {
 
 FineHistogram surroundingsHistogramOf(const cv::Mat& bgr, const ImageBox& box) {
   const ImageBox grown =
-      ImageBox::around(box.center(), (1.0 + 2.0 * kRing) * box.width + 2.0 * kRingPx,
-                       (1.0 + 2.0 * kRing) * box.height + 2.0 * kRingPx);
+      ImageBox::around(box.center(), (1.0 + 2.0 * kBackgroundRing) * box.width + 2.0 * kRingPx,
+                       (1.0 + 2.0 * kBackgroundRing) * box.height + 2.0 * kRingPx);
   const cv::Rect hole = clippedToImage(box, bgr);
   FineHistogram near = histogramAround(bgr, clippedToImage(grown, bgr), hole);
   const FineHistogram all = histogramAround(bgr, {{0, 0}, bgr.size()}, hole, kElsewhereStep);

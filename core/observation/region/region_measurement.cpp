@@ -27,8 +27,8 @@ constexpr double kSameObject = 3.0;
 constexpr double kLeastShare = 0.005;
 constexpr double kLeastArea = 5.0;
 /// The ring in which a target does not show its color, in semi-axes.
-constexpr double kRingBegin = 1.3;
-constexpr double kRingEnd = 1.8;
+constexpr double kRegionRingBegin = 1.3;
+constexpr double kRegionRingEnd = 1.8;
 /// Share of the ring from which on it speaks against the target.
 constexpr double kCleanRing = 0.2;
 /// Share of the best evidence that a clean ring gives; the inside gives the rest.
@@ -96,7 +96,7 @@ std::optional<ColorRegion> regionAt(LabelImage& labels, const EllipseImage& expe
 void countPixels(LabelImage& labels, RegionMeasurement& measurement) {
   const EllipseImage& expected = measurement.expected;
   const cv::Rect image(cv::Point(0, 0), labels.size());
-  const cv::Rect area = boxAround(expected, kRingEnd, Eigen::Matrix2d::Zero()) & image;
+  const cv::Rect area = boxAround(expected, kRegionRingEnd, Eigen::Matrix2d::Zero()) & image;
   labels.ensureLabels(area);
   const Eigen::Matrix2d inverse = expected.extent.inverse();
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
@@ -108,7 +108,7 @@ void countPixels(LabelImage& labels, RegionMeasurement& measurement) {
     for (int column = area.x; column < area.x + area.width; ++column) {
       const Eigen::Vector2d off = Eigen::Vector2d(column, row) - expected.center;
       const double squared = off.dot(inverse * off);
-      if (squared > kRingEnd * kRingEnd) {
+      if (squared > kRegionRingEnd * kRegionRingEnd) {
         continue;
       }
       const PixelLabel label = labels.at(column, row);
@@ -120,7 +120,7 @@ void countPixels(LabelImage& labels, RegionMeasurement& measurement) {
         sum += off;
         visible += 1.0;
         matched += match;
-      } else if (squared >= kRingBegin * kRingBegin) {
+      } else if (squared >= kRegionRingBegin * kRegionRingBegin) {
         known += 1.0;
         ring += match;
       }

@@ -27,7 +27,7 @@ constexpr double kSpoiledShare = 0.03;
 /// touches it.
 constexpr double kTouching = 2.0;
 /// Pixels, least area: of a smaller one the raster decides.
-constexpr double kLeastArea = 80.0;
+constexpr double kLeastRoundArea = 80.0;
 /// Largest share of the rim that something else than the target may end.
 constexpr double kMostOpen = 0.2;
 
@@ -61,7 +61,7 @@ Roundness roundnessOf(const ColorRegion& region, const EllipseImage& ball) {
 }
 
 std::optional<double> shapeEvidence(const ColorRegion& region, const EllipseImage& ball) {
-  if (region.area < kLeastArea) {
+  if (region.area < kLeastRoundArea) {
     return std::nullopt;
   }
   const Roundness round = roundnessOf(region, ball);

@@ -20,7 +20,7 @@ constexpr int kRounds = 4;             ///< searches for edges about the outline
 constexpr double kWidestPx = 1.6;      ///< pixels from the outline within which edges are searched
 constexpr double kWidestShare = 0.4;   ///< radii, likewise
 constexpr double kBandPx = 1.0;        ///< pixels, width of the bands that show the unmixed colors
-constexpr double kStepPx = 0.25;       ///< pixels between two samples of a spoke
+constexpr double kFineStepPx = 0.25;   ///< pixels between two samples of a spoke
 constexpr double kLeastAngle = 0.12;   ///< sine of the angle between both colors
 constexpr double kLeastShare = 0.6;    ///< of the spokes that must agree
 constexpr double kLargestSpread = 0.6; ///< pixels: of the edges about the ellipse
@@ -47,7 +47,7 @@ Color colorAt(const cv::Mat& bgr, const Eigen::Vector2d& point) {
 }
 
 /// Where an edge was found.
-struct Edge {
+struct PolarEdge {
   double angle = 0.0;
   double distance = 0.0; ///< from the center, pixels
 };
@@ -81,8 +81,8 @@ private:
 };
 
 /// The edge on one spoke within `reach` of the expected distance.
-std::optional<Edge> edgeOn(const cv::Mat& bgr, const Eigen::Vector2d& center, double angle,
-                           double expected, double reach) {
+std::optional<PolarEdge> edgeOn(const cv::Mat& bgr, const Eigen::Vector2d& center, double angle,
+                                double expected, double reach) {
   const Eigen::Vector2d way(std::cos(angle), std::sin(angle));
   const auto bandColor = [&](double from) {
     Color sum = Color::Zero();
@@ -97,13 +97,13 @@ std::optional<Edge> edgeOn(const cv::Mat& bgr, const Eigen::Vector2d& center, do
   if (!background.usable()) {
     return std::nullopt;
   }
-  const int steps = std::max(1, static_cast<int>(std::lround(2.0 * reach / kStepPx)));
+  const int steps = std::max(1, static_cast<int>(std::lround(2.0 * reach / kFineStepPx)));
   const double step = 2.0 * reach / steps;
   double covered = 0.0;
   for (int k = 0; k < steps; ++k) {
     covered += step * (1.0 - background(colorAt(bgr, center + (inner + (k + 0.5) * step) * way)));
   }
-  return Edge{angle, inner + covered};
+  return PolarEdge{angle, inner + covered};
 }
 
 struct PolarFit {
@@ -114,11 +114,11 @@ struct PolarFit {
 };
 
 /// Robust least squares (Tukey's weights about the median spread).
-std::optional<PolarFit> fitPolar(const std::vector<Edge>& edges) {
+std::optional<PolarFit> fitPolar(const std::vector<PolarEdge>& edges) {
   PolarFit fit;
   std::vector<double> sorted;
   sorted.reserve(edges.size());
-  for (const Edge& edge : edges) {
+  for (const PolarEdge& edge : edges) {
     sorted.push_back(edge.distance);
   }
   fit.shape[0] = upperMedianInPlace(sorted);
@@ -170,7 +170,7 @@ std::optional<MarkerImage> fitBallEdge(const cv::Mat& bgr, const SphereImage& in
         center.x() > bgr.cols - 1 - outer || center.y() > bgr.rows - 1 - outer) {
       return std::nullopt;
     }
-    std::vector<Edge> edges;
+    std::vector<PolarEdge> edges;
     for (int k = 0; k < spokes; ++k) {
       const double angle = 2.0 * std::numbers::pi * k / spokes;
       const double expected = std::clamp(shape.dot(terms(angle)), 0.6 * shape[0], 1.5 * shape[0]);

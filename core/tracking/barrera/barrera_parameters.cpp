@@ -8,7 +8,7 @@
 namespace dewpoint::tracking {
 namespace {
 
-std::vector<ParameterDeclaration> declare() {
+std::vector<ParameterDeclaration> declareBarrera() {
   std::vector<ParameterDeclaration> all{
       {"particles", ParameterKind::Integer, "Particles", "", 10.0, 1000000.0, 10.0, 200.0,
        "Number of particles of the filter: more particles track more reliably, but take more time.",
@@ -28,7 +28,7 @@ std::vector<ParameterDeclaration> declare() {
 } // namespace
 
 std::span<const ParameterDeclaration> barreraParameters() {
-  static const std::vector<ParameterDeclaration> declarations = declare();
+  static const std::vector<ParameterDeclaration> declarations = declareBarrera();
   return declarations;
 }
 

@@ -8,7 +8,7 @@
 namespace dewpoint::tracking {
 namespace {
 
-std::vector<ParameterDeclaration> declare() {
+std::vector<ParameterDeclaration> declareDynamics() {
   const auto walk = barreraParameters();
   std::vector<ParameterDeclaration> all(walk.begin(), walk.end());
   all.insert(all.begin() + 2, {"observation_sigma", ParameterKind::Real, "Observation sigma", "m",
@@ -23,7 +23,7 @@ std::vector<ParameterDeclaration> declare() {
 } // namespace
 
 std::span<const ParameterDeclaration> dynamicsParameters() {
-  static const std::vector<ParameterDeclaration> declarations = declare();
+  static const std::vector<ParameterDeclaration> declarations = declareDynamics();
   return declarations;
 }
 

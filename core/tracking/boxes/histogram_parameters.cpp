@@ -6,7 +6,7 @@
 namespace dewpoint::tracking {
 namespace {
 
-std::vector<ParameterDeclaration> declare() {
+std::vector<ParameterDeclaration> declareHistogram() {
   std::vector<ParameterDeclaration> all{
       {"particles", ParameterKind::Integer, "Particles", "", 10.0, 100000.0, 10.0, 300.0,
        "Number of particles of the filter: more particles track more reliably, but take more time.",
@@ -51,7 +51,7 @@ std::vector<ParameterDeclaration> declare() {
 } // namespace
 
 std::span<const ParameterDeclaration> histogramParameters() {
-  static const std::vector<ParameterDeclaration> declarations = declare();
+  static const std::vector<ParameterDeclaration> declarations = declareHistogram();
   return declarations;
 }
 

@@ -6,7 +6,7 @@
 namespace dewpoint::tracking {
 namespace {
 
-std::vector<ParameterDeclaration> declare() {
+std::vector<ParameterDeclaration> declareSugandi() {
   return {
       {"particles", ParameterKind::Integer, "Particles", "", 10.0, 100000.0, 10.0, 300.0,
        "Number of particles of the filter: more particles track more reliably, but take more time.",
@@ -25,7 +25,7 @@ std::vector<ParameterDeclaration> declare() {
 } // namespace
 
 std::span<const ParameterDeclaration> sugandiParameters() {
-  static const std::vector<ParameterDeclaration> declarations = declare();
+  static const std::vector<ParameterDeclaration> declarations = declareSugandi();
   return declarations;
 }
 

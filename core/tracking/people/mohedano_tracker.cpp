@@ -10,8 +10,8 @@
 namespace dewpoint::tracking {
 namespace {
 
-constexpr double kBirthHalfWidth = 0.25; ///< meters around the place of birth
-constexpr double kBirthSpeed = 0.5;      ///< m/s, standard deviation of a new person's velocity
+constexpr double kBirthHalfWidth = 0.25;  ///< meters around the place of birth
+constexpr double kPersonBirthSpeed = 0.5; ///< m/s, standard deviation of a new person's velocity
 
 /// The middle of hues in [0, 1], which lie on a circle.
 double meanHue(const Eigen::ArrayXd& hues, const Eigen::ArrayXd& weights) {
@@ -67,7 +67,7 @@ void MohedanoTracker::createBelief(const PersonEstimate& person, const RandomKey
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
       const auto k = static_cast<std::size_t>(axis);
       states(i, axis) = person.position[axis] + half[axis] * (2.0 * uniform[k] - 1.0);
-      states(i, axis + 3) = kBirthSpeed * normal[k];
+      states(i, axis + 3) = kPersonBirthSpeed * normal[k];
     }
     if (color_) {
       states.row(i).tail<2>() =

@@ -13,17 +13,17 @@
 namespace dewpoint::tracking {
 namespace {
 
-constexpr double kBirthSpread = 0.12;  ///< meters, standard deviation of a new person's place
-constexpr double kBirthSpeed = 0.6;    ///< m/s, the same of the velocity
-constexpr double kHeightSpread = 0.08; ///< meters, the same of the height
-constexpr double kTooNear = 8.0;       ///< nats against standing in somebody else's place
-constexpr double kColorReach = 1.5;    ///< meters within which clothes are compared
-constexpr double kMeetingMemory = 4.0; ///< seconds after which a meeting is settled
-constexpr double kEvidenceLoss = 0.9;  ///< per frame
-constexpr double kMistaken = -4.0;     ///< evidence at which two people change identities
-constexpr double kBodyMaskSigma = 2.0; ///< pixels of the reduced masks
-constexpr double kBodyMaskFloor = 0.2; ///< the paper's p_B
-constexpr double kBodyWider = 1.2;     ///< points are drawn a little beyond the usual body
+constexpr double kBirthSpread = 0.12;      ///< meters, standard deviation of a new person's place
+constexpr double kWalkingBirthSpeed = 0.6; ///< m/s, the same of the velocity
+constexpr double kHeightSpread = 0.08;     ///< meters, the same of the height
+constexpr double kTooNear = 8.0;           ///< nats against standing in somebody else's place
+constexpr double kColorReach = 1.5;        ///< meters within which clothes are compared
+constexpr double kMeetingMemory = 4.0;     ///< seconds after which a meeting is settled
+constexpr double kEvidenceLoss = 0.9;      ///< per frame
+constexpr double kMistaken = -4.0;         ///< evidence at which two people change identities
+constexpr double kBodyMaskSigma = 2.0;     ///< pixels of the reduced masks
+constexpr double kBodyMaskFloor = 0.2;     ///< the paper's p_B
+constexpr double kBodyWider = 1.2;         ///< points are drawn a little beyond the usual body
 
 /// How well standing bodies fit: states x y vx vy height.
 class StandingObservation {
@@ -102,8 +102,8 @@ void PeopleParticleTracker::createBelief(const PersonEstimate& person, const Ran
     const auto normal = stream.normal4(index, 0);
     states(i, 0) = person.position.x() + kBirthSpread * normal[0];
     states(i, 1) = person.position.y() + kBirthSpread * normal[1];
-    states(i, 2) = kBirthSpeed * normal[2];
-    states(i, 3) = kBirthSpeed * normal[3];
+    states(i, 2) = kWalkingBirthSpeed * normal[2];
+    states(i, 3) = kWalkingBirthSpeed * normal[3];
     states(i, 4) = parameters_.at("usual_height") + kHeightSpread * stream.normal4(index, 1)[0];
   }
   Belief& belief = beliefs_.emplace_back();

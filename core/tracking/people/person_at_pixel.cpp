@@ -13,7 +13,7 @@
 namespace dewpoint::tracking {
 namespace {
 
-constexpr double kStep = 0.1; ///< meters between places that are tried
+constexpr double kPlaceStep = 0.1; ///< meters between places that are tried
 constexpr double kMostSteps = 200.0;
 constexpr double kUsualHeight = 1.72; ///< where the method has none of its own
 /// What a pixel at the border of a body takes from its score: who clicks on somebody aims at the
@@ -97,7 +97,7 @@ std::optional<Eigen::Vector3d> personAtPixel(const PeopleFinding& people, const 
   }
   const PeopleArea area = peopleSettings(parameters).area;
   const double height = heightIn(parameters);
-  const double step = std::max(kStep, 2.0 * area.half.maxCoeff() / kMostSteps);
+  const double step = std::max(kPlaceStep, 2.0 * area.half.maxCoeff() / kMostSteps);
   double best = -std::numeric_limits<double>::infinity();
   std::optional<Eigen::Vector2d> found;
   for (double x = -area.half.x(); x <= area.half.x(); x += step) {

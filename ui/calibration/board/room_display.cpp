@@ -16,7 +16,7 @@
 namespace dewpoint::ui {
 namespace {
 
-constexpr int kSteps = 100;
+constexpr int kScreenSteps = 100;
 /// Letters are this part of the height of the window: five lines of advice fit.
 constexpr int kLinesPerHeight = 10;
 constexpr int kSmallestLetters = 16; ///< pixels
@@ -58,7 +58,7 @@ RoomDisplay::RoomDisplay(BoardCalibrator& calibrator, QWidget* parent)
     label->setAlignment(Qt::AlignCenter);
     label->setWordWrap(true);
   }
-  held_->setRange(0, kSteps);
+  held_->setRange(0, kScreenSteps);
   held_->setTextVisible(false);
   setMinimumSize(kSmallestWindow);
   auto* column = new QVBoxLayout(this);
@@ -102,7 +102,7 @@ void RoomDisplay::refresh() {
     advice_->setText(pairText(calibrator_, state->rig));
     held = state->rig.holdProgress;
   }
-  held_->setValue(static_cast<int>(kSteps * held));
+  held_->setValue(static_cast<int>(kScreenSteps * held));
   fitText(); // a longer advice has smaller letters
 }
 

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t kMaxCandidates = 4; ///< per search
 /// Probability above which another object is not searched for.
-constexpr double kNoSearchProbability = 0.5;
+constexpr double kRegionNoSearchProbability = 0.5;
 /// Standard deviation of the extent from frame to frame, as a share of its trace: a stick that
 /// tumbles once in four seconds changes by 0.05 in a thirtieth of one. And at a birth.
 constexpr double kExtentSigma = 0.06;
@@ -31,7 +31,7 @@ constexpr double kMaxDisagreement = 100.0;
 /// Share of its outline that a target fills, before it is known.
 constexpr double kPriorFill = 0.75;
 /// Probability below which a hypothesis is given up.
-constexpr double kMinProbability = 1e-3;
+constexpr double kMinRegionProbability = 1e-3;
 
 double logLikelihoodRatio(const std::vector<RegionMeasurement>& views, double fill) {
   double sum = 0.0;
@@ -80,7 +80,7 @@ void RegionTrack::predict(double interval, const RandomKey& key) {
     hypothesis.probability *= std::exp(-interval / settings_.survivalTime);
     hypothesis.pending.clear(); // particles are drawn anew in each update
   }
-  if (state_ && state_->hypothesis.probability > kNoSearchProbability) {
+  if (state_ && state_->hypothesis.probability > kRegionNoSearchProbability) {
     const TrackHypothesis& sure = state_->hypothesis;
     searchPrior_.confirm({sure.position(), sure.gaussian.covariance.topLeftCorner<3, 3>()});
   } else {
@@ -210,11 +210,11 @@ void RegionTrack::update(RegionObservation& observation,
       hypothesis.provenProbability = hypothesis.probability;
     }
     const bool outside = bounds_ && !bounds_->contains(hypothesis.position(), hypothesis.radius);
-    if (hypothesis.probability < kMinProbability || outside) {
+    if (hypothesis.probability < kMinRegionProbability || outside) {
       state_.reset();
     }
   }
-  if (!state_ || state_->hypothesis.probability < kNoSearchProbability) {
+  if (!state_ || state_->hypothesis.probability < kRegionNoSearchProbability) {
     search(observation, occupied);
   }
   draw(key, team);
@@ -251,7 +251,7 @@ void RegionTrack::search(RegionObservation& observation,
       best = state;
     }
   }
-  if (!best || bestMass / allMass <= std::max(present, kMinProbability)) {
+  if (!best || bestMass / allMass <= std::max(present, kMinRegionProbability)) {
     return;
   }
   const double absence = std::max(kMinAbsence, 1.0 - present);
