@@ -6,7 +6,7 @@
 namespace dewpoint::geometry {
 namespace {
 
-constexpr double kStep = 1e-4; ///< of the plane z = 1, for the lens's local magnification
+constexpr double kSphereStep = 1e-4; ///< of the plane z = 1, for the lens's local magnification
 
 } // namespace
 
@@ -37,14 +37,14 @@ std::optional<SphereImage> SphereProjector::project(const Eigen::Vector3d& cente
   double magnification = focal_;
   if (distorted_) {
     // Pixels per unit of the plane z = 1 around the middle: the lens stretches and squeezes.
-    const double step = kStep * (depth - squares / depth);
+    const double step = kSphereStep * (depth - squares / depth);
     const auto right = projector_.project(middle + step * right_);
     const auto down = projector_.project(middle + step * down_);
     if (!right || !down) {
       return std::nullopt;
     }
-    const Eigen::Vector2d a = (*right - *center) / kStep;
-    const Eigen::Vector2d b = (*down - *center) / kStep;
+    const Eigen::Vector2d a = (*right - *center) / kSphereStep;
+    const Eigen::Vector2d b = (*down - *center) / kSphereStep;
     magnification = std::sqrt(std::abs(a.x() * b.y() - a.y() * b.x()));
   }
   return SphereImage{*center, magnification * radius * std::sqrt(area)};

@@ -14,8 +14,8 @@ namespace dewpoint::calibration {
 namespace {
 
 // Tuned; where no source is named here or in the docs, the origin is not recorded.
-constexpr double kLeastContrast = 20.0; // gray levels; less is no edge of a board
-constexpr double kStep = 0.25;          // pixels between two samples across an edge
+constexpr double kLeastBoardContrast = 20.0; // gray levels; less is no edge of a board
+constexpr double kEdgeStep = 0.25;           // pixels between two samples across an edge
 /// Edges whose width is measured: more cost time.
 constexpr int kMostEdges = 60;
 
@@ -30,15 +30,15 @@ double widthAcross(const cv::Mat& gray, const Eigen::Vector2d& from, const Eigen
   double most = 0.0;
   double steepest = 0.0;
   double before = 0.0;
-  for (double t = -half; t <= half; t += kStep) {
+  for (double t = -half; t <= half; t += kEdgeStep) {
     const Eigen::Vector2d at = middle + t * across;
     const double level = grayAt(gray, at.x(), at.y());
-    steepest = t > -half ? std::max(steepest, std::abs(level - before) / kStep) : 0.0;
+    steepest = t > -half ? std::max(steepest, std::abs(level - before) / kEdgeStep) : 0.0;
     before = level;
     least = std::min(least, level);
     most = std::max(most, level);
   }
-  return most - least > kLeastContrast ? (most - least) / steepest : 0.0;
+  return most - least > kLeastBoardContrast ? (most - least) / steepest : 0.0;
 }
 
 } // namespace

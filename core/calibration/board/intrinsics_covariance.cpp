@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kPose = 6;
 constexpr int kGrid = 9;
-constexpr std::size_t kMostBlocks = 10; ///< as leaveOutBlocks()
+constexpr std::size_t kMostLensBlocks = 10; ///< as leaveOutBlocks()
 constexpr std::size_t kLeastBlocks = 4;
 constexpr double kPoseStep = 1e-6; // radians, and meters per meter of distance
 
@@ -219,7 +219,7 @@ Camera lensWithout(const IntrinsicsResult& result, std::int64_t first, std::int6
 
 Eigen::MatrixXd lensJackknife(const std::vector<LensEvidence>& evidence) {
   const std::size_t count = evidence.size();
-  const std::size_t blocks = std::min(kMostBlocks, count);
+  const std::size_t blocks = std::min(kMostLensBlocks, count);
   if (blocks < kLeastBlocks) {
     return {};
   }

@@ -18,7 +18,7 @@ namespace dewpoint::calibration {
 namespace {
 
 /// Points along each side of the image at which lenses are compared.
-constexpr int kGrid = 9;
+constexpr int kRayGrid = 9;
 constexpr double kDepths[] = {0.3, 1.0, 3.0, 10.0}; // meters along the ray
 
 /// The format a person named, or the only one with the path's ending.
@@ -206,9 +206,10 @@ CameraDifference difference(const Camera& camera, const Camera& other,
   const Unprojector unprojector(camera);
   const Projector mine(camera);
   const Projector theirs(other);
-  for (int i = 0; i < kGrid * kGrid; ++i) {
-    const Eigen::Vector2d pixel(i % kGrid * (camera.intrinsics.width - 1.0) / (kGrid - 1),
-                                int(i / kGrid) * (camera.intrinsics.height - 1.0) / (kGrid - 1));
+  for (int i = 0; i < kRayGrid * kRayGrid; ++i) {
+    const Eigen::Vector2d pixel(i % kRayGrid * (camera.intrinsics.width - 1.0) / (kRayGrid - 1),
+                                int(i / kRayGrid) * (camera.intrinsics.height - 1.0) /
+                                    (kRayGrid - 1));
     const auto ray = unprojector.ray(pixel);
     for (const double depth : kDepths) {
       const Eigen::Vector3d point =

@@ -24,11 +24,12 @@ namespace {
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-constexpr double kHuber = 2.0;        // sigmas
-constexpr double kAgrees = 3.0;       // sigmas
-constexpr double kBackgroundAt = 3.0; // meters
-constexpr double kStep = 1e-6;        // radians and meters, of the differences
-constexpr double kUnseen = 50.0;      // pixels a sighting counts as off that the camera cannot see
+constexpr double kHuber = 2.0;          // sigmas
+constexpr double kAgrees = 3.0;         // sigmas
+constexpr double kBackgroundAt = 3.0;   // meters
+constexpr double kMovedPoseStep = 1e-6; // radians and meters, of the differences
+constexpr double kUnseenSightingPx =
+    50.0; // pixels a sighting counts as off that the camera cannot see
 
 /// The camera after a turn (rad) about its center and a shift (m) of it, both in camera axes.
 Camera movedCamera(const Camera& camera, const Vector6& change) {
@@ -68,16 +69,17 @@ public:
     const Vector6 change = Eigen::Map<const Vector6>(parameters[0]);
     Eigen::Map<Eigen::Vector2d> out(residuals);
     const auto off = at(change);
-    // What the camera cannot see costs as much as kUnseen, whichever way it goes.
-    out = off.value_or(Eigen::Vector2d(0.5 * kHuber + kUnseen / sighting_.sigmaPixels, 0.0));
+    // What the camera cannot see costs as much as kUnseenSightingPx, whichever way it goes.
+    out = off.value_or(
+        Eigen::Vector2d(0.5 * kHuber + kUnseenSightingPx / sighting_.sigmaPixels, 0.0));
     if (jacobians == nullptr || jacobians[0] == nullptr) {
       return true;
     }
     Eigen::Map<Eigen::Matrix<double, 2, 6, Eigen::RowMajor>> byChange(jacobians[0]);
     byChange.setZero();
     for (int k = 0; off && k < 6; ++k) {
-      if (const auto there = at(change + kStep * Vector6::Unit(k))) {
-        byChange.col(k) = (*there - *off) / kStep;
+      if (const auto there = at(change + kMovedPoseStep * Vector6::Unit(k))) {
+        byChange.col(k) = (*there - *off) / kMovedPoseStep;
       }
     }
     return true;
@@ -158,7 +160,7 @@ double medianPixels(const Camera& camera, std::span<const PointSighting> sightin
   std::vector<double> distances;
   for (const PointSighting& sighting : sightings) {
     const auto off = residual(projector, sighting.world, sighting);
-    distances.push_back(off ? off->norm() * sighting.sigmaPixels : kUnseen);
+    distances.push_back(off ? off->norm() * sighting.sigmaPixels : kUnseenSightingPx);
   }
   return upperMedian(std::move(distances));
 }

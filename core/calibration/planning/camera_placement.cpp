@@ -11,11 +11,11 @@
 namespace dewpoint::calibration {
 namespace {
 
-constexpr int kAlong = 7;        // places along a wall
-constexpr double kLowest = 0.5;  // of the walls' height
-constexpr int kShrinkings = 5;   // of the steps
-constexpr int kMostRounds = 6;   // with steps of one size
-constexpr double kSeen = 0.01;   // what being seen by one camera more is worth, up to two
+constexpr int kAlong = 7;               // places along a wall
+constexpr double kLowest = 0.5;         // of the walls' height
+constexpr int kShrinkings = 5;          // of the steps
+constexpr int kMostPlacementRounds = 6; // with steps of one size
+constexpr double kSeen = 0.01;          // what being seen by one camera more is worth, up to two
 constexpr double kInward = 0.25; // how far out in the volume the points lie that are looked at
 
 /// Where a camera may hang, and what it looks at.
@@ -117,7 +117,7 @@ Mount Search::improved(Mount best) {
   Eigen::Vector3d aim = 0.5 * kInward * settings_.volume.sizes();
   for (int shrinking = 0; shrinking < kShrinkings; ++shrinking, step *= 0.5, aim *= 0.5) {
     bool better = true;
-    for (int round = 0; round < kMostRounds && better; ++round) {
+    for (int round = 0; round < kMostPlacementRounds && better; ++round) {
       better = false;
       for (int way = 0; way < 12; ++way) {
         const int axis = way % 3;

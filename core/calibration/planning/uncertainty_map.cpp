@@ -15,8 +15,8 @@ namespace dewpoint::calibration {
 namespace {
 
 constexpr float kNoValue = std::numeric_limits<float>::quiet_NaN();
-constexpr double kStep = 1e-4;     // meters, of the differences
-constexpr double kFlattest = 1e-7; // smallest by largest eigenvalue of the information
+constexpr double kPointStep = 1e-4; // meters, of the differences
+constexpr double kFlattest = 1e-7;  // smallest by largest eigenvalue of the information
 
 /// Pixels of many points, and of the same points moved by a step along each axis.
 struct PixelColumns {
@@ -33,7 +33,7 @@ struct PixelColumns {
 
 std::vector<double> moved(std::vector<double> values) {
   for (double& value : values) {
-    value += kStep;
+    value += kPointStep;
   }
   return values;
 }
@@ -127,7 +127,7 @@ void UncertaintyMap::compute(const Camera& camera, const PoseCovariance& covaria
     byPoint << alongX.column[i] - at.column[i], alongY.column[i] - at.column[i],
         alongZ.column[i] - at.column[i], alongX.row[i] - at.row[i], alongY.row[i] - at.row[i],
         alongZ.row[i] - at.row[i];
-    byPoint /= kStep;
+    byPoint /= kPointStep;
     if (!isInside(camera.intrinsics, at.column[i], at.row[i]) || !byPoint.allFinite()) {
       continue;
     }

@@ -14,11 +14,11 @@
 namespace dewpoint::calibration {
 namespace {
 
-constexpr double kRulerSigma = 0.2e-3;    ///< meters
-constexpr double kFlatnessSigma = 0.5e-3; ///< meters
-constexpr double kStep = 1e-6;            ///< radians, meters: of derivatives
-constexpr double kCornerSigma = 0.3;      ///< pixels
-constexpr double kLeastSpread = 0.01;     ///< meters: cameras all in one place are not placed yet
+constexpr double kRulerSigma = 0.2e-3;      ///< meters
+constexpr double kFlatnessSigma = 0.5e-3;   ///< meters
+constexpr double kDerivativeStep = 1e-6;    ///< radians, meters: of derivatives
+constexpr double kCornerSigma = 0.3;        ///< pixels
+constexpr double kLeastCameraSpread = 0.01; ///< meters: cameras all in one place are not placed yet
 /// An initial rig that leaves more than this, in pixels and in times of what the board itself
 /// leaves, was no knowledge.
 constexpr double kMostSigma = 1.0;
@@ -31,9 +31,10 @@ constexpr double kSharedErrors = 0.5; ///< pixels, per axis
 Eigen::Isometry3d nudged(const Eigen::Isometry3d& pose, int number) {
   Eigen::Isometry3d change = Eigen::Isometry3d::Identity();
   if (number < 3) {
-    change.linear() = Eigen::AngleAxisd(kStep, Eigen::Vector3d::Unit(number)).toRotationMatrix();
+    change.linear() =
+        Eigen::AngleAxisd(kDerivativeStep, Eigen::Vector3d::Unit(number)).toRotationMatrix();
   } else {
-    change.translation() = kStep * Eigen::Vector3d::Unit(number - 3);
+    change.translation() = kDerivativeStep * Eigen::Vector3d::Unit(number - 3);
   }
   return pose * change;
 }
@@ -51,7 +52,7 @@ void addInformation(const BoardDescription& board, const Camera& camera, const V
     Eigen::Matrix<double, 2, 6> slope = Eigen::Matrix<double, 2, 6>::Zero();
     for (int number = 0; here && number < 6; ++number) {
       if (const auto there = pixelOf(nudged(view.cameraFromBoard, number), id)) {
-        slope.col(number) = (*there - *here) / kStep;
+        slope.col(number) = (*there - *here) / kDerivativeStep;
       }
     }
     information += slope.transpose() * slope;
@@ -211,7 +212,7 @@ FaultReport findBoardFaults(const ExtrinsicsRequest& request, double framesPerSe
   };
   const double own = result != nullptr ? result->rmsPx / std::sqrt(2.0) : kCornerSigma;
   input.unsynchronized = own > kSharedErrors;
-  if (cameraSpread(former) > kLeastSpread) {
+  if (cameraSpread(former) > kLeastCameraSpread) {
     auto report = ask(former);
     if (report.sigmaPx > 0.0 && report.sigmaPx < std::max(kMostSigma, kMostSigmas * own)) {
       return report;

@@ -19,7 +19,7 @@ constexpr std::size_t kFewestPoints = 6; ///< of a board at an instant
 /// Relative standard deviation of a rig's size, at least.
 constexpr double kLeastSizeSigma = 0.005;
 /// Standard deviations of the size beyond which a length is wrong.
-constexpr double kClearSigmas = 4.0;
+constexpr double kClearFaultSigmas = 4.0;
 constexpr double kSameSize = 0.1; ///< relative scatter of the length over the instants
 constexpr double kGoodMisfit =
     0.1; ///< of a square: a board's points lie so near to where they should
@@ -182,7 +182,7 @@ std::optional<DetectedFault> lengths(const FaultSearchInput& input, const PointP
   if (ratios.size() < kFewest && !(boards.size() == ratios.size() && !boards.empty())) {
     return std::nullopt;
   }
-  const double clear = kClearSigmas * sigma;
+  const double clear = kClearFaultSigmas * sigma;
   if (upperMedian(ratios) > kSameSize || std::abs(std::log(ratio)) < clear) {
     return std::nullopt;
   }

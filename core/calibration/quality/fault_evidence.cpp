@@ -19,7 +19,7 @@ constexpr std::size_t kMostPoints = 240;
 /// Instants, and points, that a fit needs.
 constexpr std::size_t kFewestComparedPoints = 8;
 constexpr double kMostRigSigmas = 5.0;   ///< that a camera is off the initial rig
-constexpr double kUnseen = 1e6;          ///< pixels², of a point the camera cannot see
+constexpr double kUnseenPx2 = 1e6;       ///< pixels², of a point the camera cannot see
 constexpr double kMedianSquare = 0.4549; ///< of chi-square with one freedom
 constexpr std::array<double, 3> kWidths{40.0, 8.0, 2.0}; ///< of the loss, pixels, far to near
 
@@ -102,7 +102,7 @@ std::vector<double> squaresOf(const BundleResult& now) {
   std::vector<double> squares;
   for (const Eigen::Vector2d& residual : now.residuals) {
     for (const double value : residual) {
-      squares.push_back(std::isfinite(value) ? value * value : kUnseen);
+      squares.push_back(std::isfinite(value) ? value * value : kUnseenPx2);
     }
   }
   return squares;
@@ -155,7 +155,7 @@ std::optional<PointFit> estimateStructureAndPoses(const CameraRig& initialRig,
   fit.squares = squaresOf(*now);
   for (std::size_t c = 0; c < initialRig.size(); ++c) {
     if (!plausible(initialRig[c], fit.rig[c], sigma)) {
-      fit.squares.assign(fit.squares.size(), kUnseen);
+      fit.squares.assign(fit.squares.size(), kUnseenPx2);
     }
   }
   fit.points = problem.states.size();
@@ -211,7 +211,7 @@ std::optional<CameraResection> fitCamera(const Camera& initial,
   }
   CameraResection found{now->cameras[0], squaresOf(*now)};
   if (!plausible(initial, found.camera, sigma)) {
-    found.squares.assign(found.squares.size(), kUnseen);
+    found.squares.assign(found.squares.size(), kUnseenPx2);
   }
   return found;
 }

@@ -57,7 +57,7 @@ double stepOf(CameraQuantity quantity) {
 }
 
 /// The camera with one of its numbers larger by `step`.
-Camera changed(Camera camera, CameraQuantity quantity, double step) {
+Camera withChange(Camera camera, CameraQuantity quantity, double step) {
   const int index = static_cast<int>(quantity);
   if (index < 3) {
     const Eigen::Vector3d center = camera.center();
@@ -93,7 +93,7 @@ std::vector<VariedCamera> variedCameras(const BundleResult& result) {
         camera.steps.push_back(step);
         camera.varied.emplace_back(
             static_cast<Eigen::Index>(k),
-            Projector(changed(result.cameras[c], columns[k].quantity, step)));
+            Projector(withChange(result.cameras[c], columns[k].quantity, step)));
       }
     }
     cameras.push_back(std::move(camera));

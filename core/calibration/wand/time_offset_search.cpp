@@ -17,7 +17,7 @@ namespace {
 
 // Tuned; where no source is named here or in the docs, the origin is not recorded.
 constexpr double kMost = 0.5;             ///< seconds
-constexpr double kStep = 0.5;             ///< of a frame's time
+constexpr double kOffsetStep = 0.5;       ///< of a frame's time
 constexpr double kLongestGap = 2.5;       ///< frames between two views that are joined by a line
 constexpr std::size_t kMostSamples = 300; ///< of one pair and offset
 /// Samples of one pair and offset, at least.
@@ -81,10 +81,10 @@ struct Passing {
 
 std::optional<Passing> passing(const Eigen::Vector3d& a, const Eigen::Vector3d& u,
                                const Eigen::Vector3d& b, const Eigen::Vector3d& v) {
-  constexpr double kFlattest = 1e-3; // sine squared: parallel rays say nothing
+  constexpr double kFlattestPair = 1e-3; // sine squared: parallel rays say nothing
   const Eigen::Vector3d normal = u.cross(v);
   const double square = normal.squaredNorm();
-  if (square < kFlattest) {
+  if (square < kFlattestPair) {
     return std::nullopt;
   }
   const Eigen::Vector3d apart = b - a;
@@ -147,11 +147,11 @@ double offsetBetween(const Tracks& reference, const Tracks& other) {
     return 0.0;
   }
   const auto fewest = static_cast<std::size_t>(kFewestShare * static_cast<double>(still.size()));
-  const int steps = static_cast<int>(kMost / (kStep * period));
+  const int steps = static_cast<int>(kMost / (kOffsetStep * period));
   double best = 0.0;
   double least = kClearGain * unexplained(still);
   for (int step = -steps; step <= steps; ++step) {
-    const double shift = step * kStep * period;
+    const double shift = step * kOffsetStep * period;
     const auto samples = passingsAt(reference, other, shift, kLongestGap * period);
     if (samples.size() < std::max(fewest, kFewestSamples)) {
       continue;

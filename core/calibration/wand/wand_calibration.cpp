@@ -24,7 +24,7 @@ constexpr double kTightStick = 2e-4;  ///< meters
 /// Of the solver, for each start and width of the loss.
 constexpr int kStartIterations = 40;
 /// Rounds of dropping views.
-constexpr int kMostRounds = 10;
+constexpr int kMostWandRounds = 10;
 constexpr double kLeastLimitPx = 1.5; ///< views nearer than this to the solution are never dropped
 constexpr double kLimitMedians = 5.0; ///< and none nearer than so many median residuals
 constexpr double kGoodStart = 0.02;   ///< starts whose medians differ by less agree
@@ -45,7 +45,7 @@ class WandSolver {
 public:
   WandSolver(WandProblem problem, const WandCallback& callback)
       : given_(std::move(problem)), callback_(callback) {
-    steps_ = given_.starts * int(kStartWidths.size()) + kMostRounds;
+    steps_ = given_.starts * int(kStartWidths.size()) + kMostWandRounds;
   }
 
   Result<WandResult> run() {
@@ -211,7 +211,7 @@ private:
     bundle.loss = RobustLoss::SoftL1;
     bundle.lossWidth = 3.0;
     bundle.draft = true;
-    for (int round = 0; round < kMostRounds; ++round) {
+    for (int round = 0; round < kMostWandRounds; ++round) {
       auto now = adjust(bundle);
       if (!now) {
         return tl::make_unexpected(withAdvice(now.error()));
@@ -230,7 +230,7 @@ private:
         bundle.cameras[c].offset = result_.bundle.offsets[c];
       }
       updateOutlineShifts(given_.ballRadius, result_.bundle, bundle);
-      bundle.draft = !(clean && round > 0) && round + 2 < kMostRounds;
+      bundle.draft = !(clean && round > 0) && round + 2 < kMostWandRounds;
     }
     return {};
   }

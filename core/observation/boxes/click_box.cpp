@@ -26,10 +26,10 @@ namespace {
 constexpr std::array<double, 8> kSizes{7.0, 8.5, 10.0, 12.0, 14.5, 17.0, 20.5, 24.0};
 constexpr std::size_t kFirstOfSmaller = 4;
 constexpr std::array<double, 7> kAspects{0.35, 0.5, 0.71, 1.0, 1.41, 2.0, 2.9};
-constexpr double kLargest = 0.7; ///< of the image's smaller side
-constexpr double kReach = 80.0;  ///< pixels around the click, in the reduced image
+constexpr double kLargest = 0.7;     ///< of the image's smaller side
+constexpr double kClickReach = 80.0; ///< pixels around the click, in the reduced image
 /// Steps of the click from the center, in sides of the box; it is taken to be normal about it.
-constexpr int kSteps = 3;
+constexpr int kClickSteps = 3;
 constexpr double kStep = 0.1;
 constexpr double kAim = 0.25;
 /// Of the best score: a smaller object with so much is taken.
@@ -51,17 +51,17 @@ struct Candidate {
 class Outlook {
 public:
   Outlook(const cv::Mat& bgr, const Eigen::Vector2d& pixel, double scale)
-      : part_(clippedToImage(
-            ImageBox::around(pixel, std::max(2.0, 2.0 * kReach * scale), 2.0 * kReach * scale),
-            bgr)),
+      : part_(clippedToImage(ImageBox::around(pixel, std::max(2.0, 2.0 * kClickReach * scale),
+                                              2.0 * kClickReach * scale),
+                             bgr)),
         scale_(scale), click_((pixel - corner()) / scale), contrast_(smaller(bgr), click_) {}
 
   Candidate best(double size, double aspect) const {
     const double width = size * std::sqrt(aspect);
     const double height = size / std::sqrt(aspect);
     Candidate best;
-    for (int i = -kSteps; i <= kSteps; ++i) {
-      for (int j = -kSteps; j <= kSteps; ++j) {
+    for (int i = -kClickSteps; i <= kClickSteps; ++i) {
+      for (int j = -kClickSteps; j <= kClickSteps; ++j) {
         const Eigen::Vector2d off(kStep * i, kStep * j);
         const ImageBox box = ImageBox::around(
             click_ + Eigen::Vector2d(off.x() * width, off.y() * height), width, height);

@@ -9,7 +9,7 @@ namespace {
 
 // docs/method-sugandi.md has the steps; the origin of the values is not recorded.
 
-constexpr double kRing = 1.6;       ///< size of the ring's outline, in boxes
+constexpr double kFigureRing = 1.6; ///< size of the ring's outline, in boxes
 constexpr double kFewestPixels = 4; ///< in an oval
 constexpr double kLeastRing = 0.5;  ///< of the oval's pixels, in the ring: else it is cut off
 constexpr double kKnownReach = 1.5; ///< pixels around the known one that count as known
@@ -75,7 +75,8 @@ FigureContrast::Colors FigureContrast::colorsInOval(const ImageBox& box) const {
 
 double FigureContrast::at(const ImageBox& box) const {
   const Colors figure = colorsInOval(box);
-  Colors ring = colorsInOval(ImageBox::around(box.center(), kRing * box.width, kRing * box.height));
+  Colors ring = colorsInOval(
+      ImageBox::around(box.center(), kFigureRing * box.width, kFigureRing * box.height));
   ring.pixels -= figure.pixels;
   if (figure.pixels < kFewestPixels || ring.pixels < kLeastRing * figure.pixels ||
       known_.pixels <= 0.0) {

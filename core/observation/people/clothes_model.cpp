@@ -9,9 +9,9 @@ namespace {
 
 // Origin of the values not recorded.
 
-constexpr float kLeastShare = 0.01F;  ///< of a color that was never observed
-constexpr float kFastestRate = 0.05F; ///< least gain of an update, 0 to 1
-constexpr float kFewest = 10.0F;      ///< pixels, least of an update
+constexpr float kUnseenColorShare = 0.01F;   ///< of a color that was never observed
+constexpr float kFastestRate = 0.05F;        ///< least gain of an update, 0 to 1
+constexpr float kFewestUpdatePixels = 10.0F; ///< pixels, least of an update
 
 int cell(int part, int whole, int low, int high) {
   // Percent of the whole, in eight cells from `low` to `high`.
@@ -68,7 +68,7 @@ void ClothesModel::finishFrame() {
     for (const float count : counts_[part]) {
       sum += count;
     }
-    if (sum >= kFewest) {
+    if (sum >= kFewestUpdatePixels) {
       learned = true;
       const float rate = std::max(kFastestRate, 1.0F / static_cast<float>(updateCount_ + 1));
       for (std::size_t bin = 0; bin < kClothesBins; ++bin) {
@@ -87,8 +87,8 @@ ClothesRatio ClothesModel::logRatioAgainst(const ClothesModel& other) const {
   }
   for (std::size_t part = 0; part < 2; ++part) {
     for (std::size_t bin = 0; bin < kClothesBins; ++bin) {
-      const float own = shares_[part][bin] + kLeastShare;
-      const float others = other.shares_[part][bin] + kLeastShare;
+      const float own = shares_[part][bin] + kUnseenColorShare;
+      const float others = other.shares_[part][bin] + kUnseenColorShare;
       ratio[part][bin] = std::clamp(std::log(own / others), -1.0F, 1.0F);
     }
   }
@@ -103,7 +103,7 @@ double ClothesModel::meanRatio(const ClothesRatio& ratio, const cv::Mat& image, 
     sum += static_cast<double>(ratio[part][clothesBin(bgr)]);
     count += 1.0;
   });
-  return count >= static_cast<double>(kFewest) ? sum / count : 0.0;
+  return count >= static_cast<double>(kFewestUpdatePixels) ? sum / count : 0.0;
 }
 
 } // namespace dewpoint::observation

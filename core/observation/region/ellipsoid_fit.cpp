@@ -29,12 +29,12 @@ constexpr double kMomentSigma = 0.1;
 /// second moments to count.
 constexpr double kWhole = 0.9;
 constexpr double kMostOpen = 0.25;
-constexpr int kSteps = 3;
-constexpr int kRounds = 2;
+constexpr int kFitSteps = 3;
+constexpr int kFitRounds = 2;
 /// Meters and share of the largest, least semi-axis.
 constexpr double kLeastAxis = 0.002;
 constexpr double kLeastAxisShare = 0.03;
-constexpr double kJacobianStep = 1e-5; ///< meters
+constexpr double kFitJacobianStep = 1e-5; ///< meters
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
@@ -53,11 +53,11 @@ jacobian(const EllipsoidProjector& projector, const Ellipsoid& here, const Ellip
   Eigen::Matrix<double, 2, 3> j;
   for (int axis = 0; axis < 3; ++axis) {
     const auto there =
-        projector.project(movedBy(here, kJacobianStep * Eigen::Vector3d::Unit(axis)));
+        projector.project(movedBy(here, kFitJacobianStep * Eigen::Vector3d::Unit(axis)));
     if (!there) {
       return std::nullopt;
     }
-    j.col(axis) = (there->center - image.center) / kJacobianStep;
+    j.col(axis) = (there->center - image.center) / kFitJacobianStep;
   }
   return j;
 }
@@ -222,10 +222,10 @@ EllipsoidFit fitEllipsoid(RegionObservation& observation, const EllipsoidPrior& 
   if (!covariance.allFinite()) {
     covariance.setZero();
   }
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kFitRounds; ++round) {
     // What hides the target, and what belongs to it, is clearer where it was found.
     measureAll(observation, prior, fit.ellipsoid, covariance, fit.views);
-    for (int step = 0; step < kSteps; ++step) {
+    for (int step = 0; step < kFitSteps; ++step) {
       if (!moveCenter(observation, prior, fit)) {
         return fit;
       }

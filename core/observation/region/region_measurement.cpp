@@ -14,17 +14,17 @@ namespace {
 // Judgments (docs/method-dewpoint.md, section 12).
 
 /// Semi-axes within which regions are looked for first.
-constexpr double kReach = 1.8;
+constexpr double kRegionReach = 1.8;
 constexpr double kMarginPx = 6.0;
 /// Factor by which that part grows while what belongs to the target goes on at its edge, and how
 /// often it does.
-constexpr double kGrowth = 1.6;
+constexpr double kRegionGrowth = 1.6;
 constexpr int kMostGrowths = 6;
 /// Squared distance between the centroids of two areas, by the sum of their second moments, up to
 /// which they are parts of one: two halves of a stick have 0.6, two equal objects side by side 6.
 constexpr double kSameObject = 3.0;
 /// Least area of a piece, as a share of the expected outline's, and in pixels.
-constexpr double kLeastShare = 0.005;
+constexpr double kLeastRegionShare = 0.005;
 constexpr double kLeastArea = 5.0;
 /// The ring in which a target does not show its color, in semi-axes.
 constexpr double kRegionRingBegin = 1.3;
@@ -41,7 +41,7 @@ constexpr double kFullRing = 9.0;
 constexpr double kSizeTolerance = 0.35;
 constexpr double kLargerShare = 1.5;
 /// Pixels of area; smaller outlines count less, as SphereEvidence has it.
-constexpr double kFullArea = 60.0;
+constexpr double kFullRegionArea = 60.0;
 
 cv::Rect boxAround(const EllipseImage& ellipse, double reach, const Eigen::Matrix2d& more) {
   const Eigen::Vector2d half = reach * ellipse.extent.diagonal().cwiseSqrt() +
@@ -74,10 +74,10 @@ bool overlap(const EllipseImage& expected, const Eigen::Matrix2d& centerCovarian
 std::optional<ColorRegion> regionAt(LabelImage& labels, const EllipseImage& expected,
                                     const Eigen::Matrix2d& centerCovariance) {
   const cv::Rect image(cv::Point(0, 0), labels.size());
-  const double least = std::max(kLeastArea, kLeastShare * expected.area());
+  const double least = std::max(kLeastArea, kLeastRegionShare * expected.area());
   std::optional<ColorRegion> all;
-  double reach = kReach;
-  for (int growth = 0; growth <= kMostGrowths; ++growth, reach *= kGrowth) {
+  double reach = kRegionReach;
+  for (int growth = 0; growth <= kMostGrowths; ++growth, reach *= kRegionGrowth) {
     const cv::Rect window = boxAround(expected, reach, centerCovariance) & image;
     all.reset();
     for (const ColorRegion& region : findRegions(labels, window, least)) {
@@ -166,7 +166,7 @@ double fullRegionEvidence() {
 }
 
 double regionEvidence(const RegionMeasurement& measurement, double fill) {
-  const double share = std::min(1.0, measurement.expected.area() / kFullArea);
+  const double share = std::min(1.0, measurement.expected.area() / kFullRegionArea);
   const double seen = std::min(1.0, measurement.matched / std::max(fill, 1e-3));
   const double inside = measurement.visible * (2.0 * seen - 1.0);
   const double ring =

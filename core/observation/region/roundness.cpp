@@ -29,7 +29,7 @@ constexpr double kTouching = 2.0;
 /// Pixels, least area: of a smaller one the raster decides.
 constexpr double kLeastRoundArea = 80.0;
 /// Largest share of the rim that something else than the target may end.
-constexpr double kMostOpen = 0.2;
+constexpr double kMostRoundOpen = 0.2;
 
 double exponential(double value, double mean) {
   return std::exp(-value / mean) / mean;
@@ -68,7 +68,7 @@ std::optional<double> shapeEvidence(const ColorRegion& region, const EllipseImag
   // What is no ball has regions of all sizes where one of its size was found: that they fit says
   // nothing.
   const double ofSize = std::max(0.0, logRatio(round.excess, kBallExcess, kOtherExcess));
-  if (region.cutOffShare() > kMostOpen) {
+  if (region.cutOffShare() > kMostRoundOpen) {
     return ofSize > 0.0 ? std::optional(ofSize) : std::nullopt;
   }
   return ofSize + logRatio(round.elongation, kBallElongation, kOtherElongation) +

@@ -11,7 +11,7 @@
 namespace dewpoint::observation {
 namespace {
 
-constexpr int kBlock = kMostWindows;
+constexpr int kWindowBlock = kMostWindows;
 /// Counting a whole image takes as long as this many of its pixels have windows counted one by one:
 /// measured (bench/color_window_bench).
 constexpr std::int64_t kPixelsPerWindow = 60;
@@ -86,8 +86,8 @@ void ColorWindow::prepare(std::int64_t windowCount) {
 
 void ColorWindow::projectToPixels(const View& view, std::int64_t count, const double* x,
                                   const double* y, const double* z, std::int32_t* pixels) {
-  std::array<double, kBlock> columns;
-  std::array<double, kBlock> rows;
+  std::array<double, kWindowBlock> columns;
+  std::array<double, kWindowBlock> rows;
   view.projector.projectBatch(count, x, y, z, columns.data(), rows.data());
   runKernel<NearestPixelKernel>(count, columns.data(), rows.data(), view.image.cols,
                                 view.image.rows, pixels);
@@ -98,10 +98,10 @@ void ColorWindow::addLogLikelihood(ConstStateRows rows, LogWeightSegment logLike
   const double* x = rows.col(0).data();
   const double* y = rows.col(1).data();
   const double* z = rows.col(2).data();
-  std::array<std::int32_t, kBlock> pixels;
-  std::array<std::uint8_t, kBlock> counts;
-  for (Eigen::Index begin = 0; begin < rows.rows(); begin += kBlock) {
-    const int count = static_cast<int>(std::min<Eigen::Index>(kBlock, rows.rows() - begin));
+  std::array<std::int32_t, kWindowBlock> pixels;
+  std::array<std::uint8_t, kWindowBlock> counts;
+  for (Eigen::Index begin = 0; begin < rows.rows(); begin += kWindowBlock) {
+    const int count = static_cast<int>(std::min<Eigen::Index>(kWindowBlock, rows.rows() - begin));
     double* out = logLikelihood.data() + begin;
     for (const View& view : views_) {
       if (view.image.empty()) {

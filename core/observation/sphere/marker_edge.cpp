@@ -16,29 +16,29 @@ namespace {
 
 // Origin of the values not recorded.
 
-constexpr int kRounds = 4;             ///< searches for edges about the outline found so far
-constexpr double kWidestPx = 1.6;      ///< pixels from the outline within which edges are searched
-constexpr double kWidestShare = 0.4;   ///< radii, likewise
-constexpr double kBandPx = 1.0;        ///< pixels, width of the bands that show the unmixed colors
-constexpr double kFineStepPx = 0.25;   ///< pixels between two samples of a spoke
-constexpr double kLeastAngle = 0.12;   ///< sine of the angle between both colors
-constexpr double kLeastShare = 0.6;    ///< of the spokes that must agree
-constexpr double kLargestSpread = 0.6; ///< pixels: of the edges about the ellipse
-constexpr double kLeastSpread = 0.05;  ///< pixels: what remains of the raster
-constexpr double kTukeyWidth = 4.0;    ///< in spreads
+constexpr int kRounds = 4;           ///< searches for edges about the outline found so far
+constexpr double kWidestPx = 1.6;    ///< pixels from the outline within which edges are searched
+constexpr double kWidestShare = 0.4; ///< radii, likewise
+constexpr double kBandPx = 1.0;      ///< pixels, width of the bands that show the unmixed colors
+constexpr double kFineStepPx = 0.25; ///< pixels between two samples of a spoke
+constexpr double kLeastAngle = 0.12; ///< sine of the angle between both colors
+constexpr double kLeastAgreeingShare = 0.6; ///< of the spokes that must agree
+constexpr double kLargestSpread = 0.6;      ///< pixels: of the edges about the ellipse
+constexpr double kLeastSpread = 0.05;       ///< pixels: what remains of the raster
+constexpr double kTukeyWidth = 4.0;         ///< in spreads
 
-using Color = Eigen::Vector3d;
+using BgrColor = Eigen::Vector3d;
 using Vector5 = Eigen::Matrix<double, 5, 1>;
 
 /// The color between pixels, by bilinear interpolation, at a point inside the image.
-Color colorAt(const cv::Mat& bgr, const Eigen::Vector2d& point) {
+BgrColor colorAt(const cv::Mat& bgr, const Eigen::Vector2d& point) {
   const auto column = static_cast<int>(std::floor(point.x()));
   const auto row = static_cast<int>(std::floor(point.y()));
   const double x = point.x() - column;
   const double y = point.y() - row;
   const auto* above = bgr.ptr<cv::Vec3b>(row) + column;
   const auto* below = bgr.ptr<cv::Vec3b>(row + 1) + column;
-  Color color;
+  BgrColor color;
   for (int i = 0; i < 3; ++i) {
     color[i] = (1.0 - y) * ((1.0 - x) * above[0][i] + x * above[1][i]) +
                y * ((1.0 - x) * below[0][i] + x * below[1][i]);
@@ -62,7 +62,7 @@ Vector5 terms(double angle) {
 /// Share of the background in a color that is p * ball + w * background: w, by least squares.
 class Unmixing {
 public:
-  Unmixing(const Color& ball, const Color& background) {
+  Unmixing(const BgrColor& ball, const BgrColor& background) {
     const double bb = ball.squaredNorm();
     const double gg = background.squaredNorm();
     const double bg = ball.dot(background);
@@ -73,11 +73,11 @@ public:
     }
   }
   bool usable() const { return usable_; }
-  double operator()(const Color& color) const { return std::clamp(row_.dot(color), -0.3, 1.3); }
+  double operator()(const BgrColor& color) const { return std::clamp(row_.dot(color), -0.3, 1.3); }
 
 private:
   bool usable_ = false;
-  Color row_ = Color::Zero();
+  BgrColor row_ = BgrColor::Zero();
 };
 
 /// The edge on one spoke within `reach` of the expected distance.
@@ -85,12 +85,12 @@ std::optional<PolarEdge> edgeOn(const cv::Mat& bgr, const Eigen::Vector2d& cente
                                 double expected, double reach) {
   const Eigen::Vector2d way(std::cos(angle), std::sin(angle));
   const auto bandColor = [&](double from) {
-    Color sum = Color::Zero();
+    BgrColor sum = BgrColor::Zero();
     int count = 0;
     for (double s = from; s <= from + kBandPx + 1e-9; s += 0.5 * kBandPx, ++count) {
       sum += colorAt(bgr, center + s * way);
     }
-    return Color(sum / count);
+    return BgrColor(sum / count);
   };
   const double inner = expected - reach;
   const Unmixing background(bandColor(std::max(inner - kBandPx, 0.0)), bandColor(expected + reach));
@@ -178,7 +178,7 @@ std::optional<MarkerImage> fitBallEdge(const cv::Mat& bgr, const SphereImage& in
         edges.push_back(*edge);
       }
     }
-    const double enough = kLeastShare * spokes;
+    const double enough = kLeastAgreeingShare * spokes;
     if (static_cast<double>(edges.size()) < enough) {
       return std::nullopt;
     }

@@ -15,7 +15,7 @@ constexpr std::size_t kMostCells = 4000; ///< a larger floor gets a coarser grid
 constexpr double kSeen = 0.2;            ///< score from which a camera sees somebody
 constexpr double kNotSeen = 0.0;         ///< score below which it sees nobody
 constexpr double kUpperShare = 0.7;      ///< what the upper body counts by itself
-constexpr double kApart = 0.5;           ///< meters to people who are there already
+constexpr double kPeopleApart = 0.5;     ///< meters to people who are there already
 constexpr double kSame = 0.5;            ///< meters a candidate may move between frames
 constexpr double kPatience = 0.15;       ///< seconds that a candidate may be out of sight
 constexpr double kInImage = 0.6; ///< share of a body in the image from which its camera counts
@@ -138,7 +138,7 @@ PeopleTrackInitiation::update(const PeopleCameras& cameras, const std::vector<cv
   std::vector<Candidate> found;
   for (const Cell& cell : cells_) {
     const auto near = [&](const Eigen::Vector2d& position) {
-      return (position - cell.position).norm() < kApart;
+      return (position - cell.position).norm() < kPeopleApart;
     };
     if (usable < 2 || std::ranges::any_of(taken, near)) {
       continue;
@@ -152,7 +152,7 @@ PeopleTrackInitiation::update(const PeopleCameras& cameras, const std::vector<cv
   std::vector<Candidate> peaks;
   for (const Candidate& one : found) {
     if (std::ranges::none_of(peaks, [&](const Candidate& peak) {
-          return (peak.position - one.position).norm() < 2.0 * kApart;
+          return (peak.position - one.position).norm() < 2.0 * kPeopleApart;
         })) {
       peaks.push_back(one);
     }

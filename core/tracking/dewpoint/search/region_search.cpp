@@ -20,8 +20,8 @@ constexpr double kMissPx = 4.0;
 constexpr double kMissRadii = 0.5;
 /// Standard deviation of the logarithm of the size that a region shows: a stick is thin from its
 /// end. And from which deviation on two regions are not of one object.
-constexpr double kSizeSigma = 0.5;
-constexpr double kMostSize = 1.4;
+constexpr double kSearchSizeSigma = 0.5;
+constexpr double kMostSearchSize = 1.4;
 /// Squared standard deviations for each camera that has the position in its image, but no region.
 constexpr double kMissing = 4.0;
 
@@ -72,10 +72,10 @@ std::optional<RegionCandidate> candidateOf(const std::vector<const Seen*>& membe
   for (const Seen* seen : members) {
     const double ray = rayCost(*seen, *point);
     const double size = logRadius(*seen, *point) - expected;
-    if (ray > 4.0 || std::abs(size) > kMostSize) {
+    if (ray > 4.0 || std::abs(size) > kMostSearchSize) {
       return std::nullopt;
     }
-    result.misfit += ray + size * size / (kSizeSigma * kSizeSigma);
+    result.misfit += ray + size * size / (kSearchSizeSigma * kSearchSizeSigma);
   }
   return result;
 }

@@ -17,7 +17,7 @@ namespace {
 
 // Judgments (docs/method-dewpoint.md, section 12), where no other source is named.
 
-constexpr std::size_t kMaxCandidates = 4; ///< per search
+constexpr std::size_t kMaxRegionCandidates = 4; ///< per search
 /// Probability above which another object is not searched for.
 constexpr double kRegionNoSearchProbability = 0.5;
 /// Standard deviation of the extent from frame to frame, as a share of its trace: a stick that
@@ -25,9 +25,9 @@ constexpr double kRegionNoSearchProbability = 0.5;
 constexpr double kExtentSigma = 0.06;
 constexpr double kNewExtentSigma = 1.0;
 /// Gains of the running means, per update.
-constexpr double kDisagreementRate = 0.1;
+constexpr double kRegionDisagreementRate = 0.1;
 constexpr double kFillRate = 0.1;
-constexpr double kMaxDisagreement = 100.0;
+constexpr double kMaxRegionDisagreement = 100.0;
 /// Share of its outline that a target fills, before it is known.
 constexpr double kPriorFill = 0.75;
 /// Probability below which a hypothesis is given up.
@@ -120,8 +120,8 @@ EllipsoidFit RegionTrack::fitAt(const State& state, RegionObservation& observati
 void RegionTrack::accept(State& state, const EllipsoidFit& fit) const {
   TrackHypothesis& hypothesis = state.hypothesis;
   if (fit.degreesOfFreedom > 0) {
-    const double now = std::min(fit.disagreement / fit.degreesOfFreedom, kMaxDisagreement);
-    state.disagreement += kDisagreementRate * (now - state.disagreement);
+    const double now = std::min(fit.disagreement / fit.degreesOfFreedom, kMaxRegionDisagreement);
+    state.disagreement += kRegionDisagreementRate * (now - state.disagreement);
   }
   state.extent = fit.ellipsoid.extent;
   hypothesis.radius = Ellipsoid{fit.ellipsoid.center, state.extent}.radius();
@@ -227,7 +227,7 @@ void RegionTrack::search(RegionObservation& observation,
   double bestMass = 0.0;
   double allMass = std::max(kMinAbsence, 1.0 - present) + present;
   for (const RegionCandidate& candidate :
-       findRegionCandidates(observation, target_.radius, bounds_, kMaxCandidates)) {
+       findRegionCandidates(observation, target_.radius, bounds_, kMaxRegionCandidates)) {
     if (isOccupied(candidate.center, candidate.radius, occupied)) {
       continue;
     }
