@@ -14,6 +14,7 @@
 #include "ui/cameras/control_form.h"
 #include "ui/cameras/control_sync.h"
 #include "ui/cameras/device_watch.h"
+#include "ui/cameras/exposure_view.h"
 #include "ui/cameras/format_choice.h"
 #include "ui/document/camera_list_model.h"
 #include "ui/document/document.h"
@@ -54,7 +55,8 @@ ProjectPane::ProjectPane(const Workbench& bench, const CameraParts& parts, QWidg
       list_(new QListView(this)), remove_(new QPushButton(this)), exchange_(new QPushButton(this)),
       nameLabel_(new QLabel(this)), name_(new QLineEdit(this)), source_(new QLabel(this)),
       rotationLabel_(new QLabel(this)), rotation_(new QComboBox(this)),
-      mirror_(new QCheckBox(this)), notes_(new QLabel(this)), deviceBox_(new QWidget(this)),
+      mirror_(new QCheckBox(this)), notes_(new QLabel(this)),
+      exposure_(new ExposureView(bench.cameras, this)), deviceBox_(new QWidget(this)),
       format_(new FormatChoice(deviceBox_)), controls_(new ControlForm(deviceBox_)),
       controlArea_(new QScrollArea(deviceBox_)), controlNote_(new QLabel(deviceBox_)),
       lock_(new QPushButton(deviceBox_)), lockAll_(new QPushButton(deviceBox_)) {
@@ -133,6 +135,7 @@ void ProjectPane::arrange() {
   column->addWidget(source_);
   column->addLayout(form);
   column->addWidget(notes_);
+  column->addWidget(exposure_);
   column->addWidget(deviceBox_, 1);
 }
 
@@ -221,12 +224,14 @@ void ProjectPane::showImages() {
                                palette(), devicePixelRatioF()));
   }
   icons_->setIcons(std::move(icons));
+  exposure_->setSnapshot(bench_.session.shown());
 }
 
 void ProjectPane::refresh() {
   const Project& project = bench_.document.project();
   const int row = camera();
   list_->setCurrentIndex(icons_->index(row, 0));
+  exposure_->setCamera(row);
   const ProjectCamera shown =
       row >= 0 ? project.cameras[static_cast<std::size_t>(row)] : ProjectCamera();
   const bool own = row >= 0 && shown.source != SourceKind::Simulation;

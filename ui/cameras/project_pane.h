@@ -24,6 +24,7 @@ namespace dewpoint::ui {
 
 class CameraIconModel;
 class ControlForm;
+class ExposureView;
 class FormatChoice;
 
 /// The cameras of the project: their list with their newest images, and the settings of the
@@ -35,7 +36,7 @@ public:
 
   /// Returns the index of the selected camera, or -1 without cameras.
   int camera() const;
-  /// Shows the newest image of each camera.
+  /// Shows the newest image of each camera, and how its targets are exposed.
   void showImages();
 
 private:
@@ -65,6 +66,7 @@ private:
   QComboBox* rotation_;
   QCheckBox* mirror_;
   QLabel* notes_;
+  ExposureView* exposure_;
   QWidget* deviceBox_;
   FormatChoice* format_;
   ControlForm* controls_;

@@ -138,6 +138,14 @@ constexpr std::array kFindingTexts{
         "Check that the camera sees the target, and check its exposure and white balance."},
     FindingTexts{ColorFine, "color-fine", kFine,
                  "The color of target %1 covers %2 % of the images.", ""},
+    FindingTexts{TargetOverexposed, "target-overexposed", kNote,
+                 "%2 % of the pixels of target %1 in %3 were overexposed when its color was "
+                 "learned.",
+                 "Lower the exposure of the camera, and learn the color again in new images."},
+    FindingTexts{TargetTooDark, "target-too-dark", kNote,
+                 "%2 % of the pixels of target %1 in %3 were too dark when its color was learned.",
+                 "Raise the exposure of the camera or add light, and learn the color again in new "
+                 "images."},
     FindingTexts{RadiusUnlikely, "radius-unlikely", kProblem,
                  "Target %1 has a radius of %2 m, which is larger than a person.",
                  "Give the radius in meters."},

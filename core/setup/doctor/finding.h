@@ -60,6 +60,8 @@ enum class FindingKind {
   ColorNowhere,
   ColorNotInCamera,
   ColorFine,
+  TargetOverexposed,
+  TargetTooDark,
   RadiusUnlikely,
   BoxMissing,
   BoxTooLate,

@@ -3,12 +3,14 @@
 
 #include "core/base/units.h"
 #include "core/color/match_image.h"
+#include "core/color/target_exposure.h"
 #include "core/tracking/catalog/method_catalog.h"
 
 #include <fmt/format.h>
 #include <opencv2/core.hpp>
 
 #include <algorithm>
+#include <vector>
 
 namespace dewpoint::setup {
 namespace {
@@ -106,6 +108,30 @@ void checkColorInImages(Examination& examination, std::size_t number,
   }
 }
 
+/// By the samples: they are as the images were when the color was learned.
+void checkExposure(Examination& examination, std::size_t number) {
+  const Target& target = examination.project.targets[number];
+  std::vector<TargetExposure> exposures(examination.footage.size());
+  for (const ColorSample& sample : target.samples) {
+    const auto camera = static_cast<std::size_t>(sample.camera);
+    for (std::size_t k = 0;
+         !sample.excluded && camera < exposures.size() && k < sample.colors.size(); ++k) {
+      exposures[camera].add(sample.colors[k]);
+    }
+  }
+  for (std::size_t camera = 0; camera < exposures.size(); ++camera) {
+    const TargetExposure& exposure = exposures[camera];
+    if (const ExposureFault fault = exposure.fault(); fault != ExposureFault::None) {
+      const bool isOver = fault == ExposureFault::Overexposed;
+      const double share = isOver ? exposure.clippedShare() : exposure.darkShare();
+      examination.add(
+          isOver ? FindingKind::TargetOverexposed : FindingKind::TargetTooDark,
+          {target.name, fmt::format("{:.0f}", inPercent(share)), examination.nameOf(camera)},
+          targetKey(number, "sample"));
+    }
+  }
+}
+
 void checkColor(Examination& examination, std::size_t number) {
   const Target& target = examination.project.targets[number];
   if (target.color == ColorRange() && target.otherColors.empty()) {
@@ -162,6 +188,7 @@ void checkTargets(Examination& examination) {
                       targetKey(k, "radius"));
     }
     checkColor(examination, k);
+    checkExposure(examination, k);
   }
 }
 

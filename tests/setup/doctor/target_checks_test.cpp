@@ -43,6 +43,35 @@ TEST_F(TargetChecks, AColorThatOneCameraNeverSees) {
   EXPECT_EQ(found(FindingKind::ColorNotInCamera).values[1], "'camera 2'");
 }
 
+TEST_F(TargetChecks, ATargetThatWasOverexposedOrTooDarkWhenItWasLearned) {
+  ColorSample bright;
+  bright.camera = 1;
+  bright.colors = {{40, 30, 255}, {40, 30, 255}, {40, 30, 200}, {40, 30, 180}, {40, 30, 180}};
+  ColorSample dark;
+  dark.camera = 0;
+  dark.colors = {{4, 3, 15}, {4, 3, 12}, {10, 9, 60}};
+  ColorSample wall = bright;
+  wall.camera = 0;
+  wall.excluded = true; // it is not the target
+  project_.targets[0].samples = {bright, dark, wall};
+  const Finding over = found(FindingKind::TargetOverexposed);
+  EXPECT_EQ(over.values, (std::vector<std::string>{"red", "40", "'camera 2'"}));
+  EXPECT_EQ(over.field, "target 1.sample");
+  EXPECT_EQ(found(FindingKind::TargetTooDark).values,
+            (std::vector<std::string>{"red", "67", "'camera 1'"}));
+}
+
+TEST_F(TargetChecks, HighlightsAreNoFinding) {
+  ColorSample sample;
+  sample.colors.assign(10, {40, 30, 180});
+  sample.colors[0] = {255, 255, 255};
+  project_.targets[0].samples = {sample};
+  for (const Finding& finding : findings()) {
+    EXPECT_NE(finding.kind, FindingKind::TargetOverexposed);
+    EXPECT_NE(finding.kind, FindingKind::TargetTooDark);
+  }
+}
+
 TEST_F(TargetChecks, ARadiusInMillimeters) {
   project_.targets[0].radius = 35.0;
   EXPECT_EQ(found(FindingKind::RadiusUnlikely).field, "target 1.radius");

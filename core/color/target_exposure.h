@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/color/color_sample.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace cv {
+class Mat;
+}
+
+namespace dewpoint::color {
+
+/// What is wrong with the exposure of a target's pixels.
+enum class ExposureFault : std::uint8_t { None, Overexposed, TooDark };
+
+/// How bright the pixels of a target are. The brightness of a pixel is its largest channel, because
+/// a color is lost as soon as one of its channels is clipped.
+struct TargetExposure {
+  static constexpr std::size_t kBins = 32; ///< of 8 values each
+  static constexpr int kDarkest = 20;      ///< brightness below which a pixel has no useful color
+  /// Fractions from which fault() is not None. A judgment: highlights and shaded sides of a well
+  /// exposed ball stay below them.
+  static constexpr double kMostClipped = 0.2;
+  static constexpr double kMostDark = 0.5;
+
+  std::array<std::int64_t, kBins> histogram{}; ///< number of pixels by brightness
+  std::int64_t pixels = 0;
+  std::int64_t clipped = 0; ///< pixels with a channel of 255
+  std::int64_t dark = 0;    ///< pixels whose channels are all below kDarkest
+
+  /// Adds one pixel.
+  void add(const BgrColor& color);
+  /// Return fractions of the pixels, 0 to 1; 0 without pixels.
+  double clippedShare() const;
+  double darkShare() const;
+  ExposureFault fault() const;
+
+  bool operator==(const TargetExposure&) const = default;
+};
+
+/// Returns the exposure of the pixels of `bgr` (CV_8UC3) at which `mask` (CV_8UC1, of the same
+/// size) is not 0.
+TargetExposure exposureOf(const cv::Mat& bgr, const cv::Mat& mask);
+/// Returns the exposure of colors, for example those of a sample.
+TargetExposure exposureOf(const std::vector<BgrColor>& colors);
+
+} // namespace dewpoint::color

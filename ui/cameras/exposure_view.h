@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/target_exposures.h"
+#include "ui/jobs/latest_job.h"
+
+#include <QElapsedTimer>
+#include <QWidget>
+
+#include <vector>
+
+class QLabel;
+
+namespace dewpoint::ui {
+
+class CameraListModel;
+class ExposureBars;
+
+/// Shows whether the targets are well exposed: a histogram for the selected camera, and a sentence
+/// for each camera whose targets are overexposed or too dark.
+class ExposureView : public QWidget {
+  Q_OBJECT
+public:
+  explicit ExposureView(const CameraListModel& cameras, QWidget* parent = nullptr);
+
+  /// Measures the targets of a snapshot in another thread, and then shows the result. Null and
+  /// snapshots of people hide the view.
+  void setSnapshot(const TrackSnapshotPtr& snapshot);
+  /// Sets the camera whose histogram is shown.
+  void setCamera(int camera);
+
+private:
+  /// Last measurement in the images of one camera.
+  struct Measured {
+    std::vector<ExposureInView> exposures;
+    QElapsedTimer age;
+  };
+
+  void take(std::vector<std::vector<ExposureInView>> measured, const FrameSet& frames);
+  void refresh();
+  QString sentenceFor(int camera, const TargetExposure& exposure) const;
+
+  const CameraListModel& cameras_;
+  int camera_ = -1;
+  std::vector<Measured> measured_; ///< by camera
+  QLabel* title_;
+  ExposureBars* bars_;
+  QLabel* shares_;
+  QLabel* sentences_;
+  LatestJob job_{LatestJob::Superseded::Kept};
+};
+
+} // namespace dewpoint::ui
