@@ -27,12 +27,19 @@ QString latencyText(const Latency& latency) {
                                            millisecondsText(inMilliseconds(latency.longest)));
 }
 
-QString stageText(const Latency& stage) {
-  return stage.longest <= 0.0 ? kUnknown : millisecondsText(inMilliseconds(stage.median));
+/// A number of the durations of a stage, its median or its 99th percentile.
+QString stageText(const Latency& stage, double Latency::*number) {
+  return stage.longest <= 0.0 ? kUnknown : millisecondsText(inMilliseconds(stage.*number));
 }
 
-/// Of live cameras: median and 99th percentile from light to estimate, and the medians of its
-/// parts.
+/// One such number of each stage, in a text with five placeholders.
+QString stagesText(const QString& text, const LiveLatency& live, double Latency::*number) {
+  return text.arg(stageText(live.capture, number), stageText(live.decode, number),
+                  stageText(live.wait, number), stageText(live.compute, number),
+                  stageText(live.draw, number));
+}
+
+/// Of live cameras: median and 99th percentile from light to estimate, and of its parts.
 QString liveLatencyText(const LiveLatency& live) {
   if (live.total.longest <= 0.0) {
     return kUnknown;
@@ -41,9 +48,12 @@ QString liveLatencyText(const LiveLatency& live) {
                      .arg(millisecondsText(inMilliseconds(live.total.median)),
                           millisecondsText(inMilliseconds(live.total.p99)));
   text += QLatin1Char('\n') +
-          RunDetails::tr("capture %1 · decode %2 · wait %3 · compute %4 · draw %5")
-              .arg(stageText(live.capture), stageText(live.decode), stageText(live.wait),
-                   stageText(live.compute), stageText(live.draw));
+          stagesText(RunDetails::tr("capture %1 · decode %2 · wait %3 · compute %4 · draw %5"),
+                     live, &Latency::median);
+  text += QLatin1Char('\n') +
+          stagesText(RunDetails::tr("99 of 100 within: capture %1 · decode %2 · wait %3 · "
+                                    "compute %4 · draw %5"),
+                     live, &Latency::p99);
   if (live.images[static_cast<std::size_t>(TimeOrigin::Arrival)] > 0) {
     text +=
         QLatin1Char('\n') +
