@@ -186,7 +186,7 @@ std::vector<LiveCamera> liveCamerasOf(const Project& project) {
     const bool isDevice = camera.source == SourceKind::Device;
     cameras.push_back({camera.camera.name, camera.location, camera.rotateDegrees, intrinsics.width,
                        intrinsics.height, camera.mirrored, camera.delay,
-                       isDevice ? camera.device : DeviceSettings{}});
+                       isDevice ? camera.device : DeviceSettings{}, camera.crop});
   }
   return cameras;
 }

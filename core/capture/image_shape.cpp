@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
 
+#include <algorithm>
+#include <utility>
+
 namespace dewpoint::capture {
 
 namespace {
@@ -42,6 +45,19 @@ cv::Mat rotated(const cv::Mat& picture, int degrees) {
   return result;
 }
 
+/// In memory of its own: the rest of the image is not kept.
+Result<cv::Mat> cropped(const cv::Mat& picture, const ImageShape& shape, const std::string& file) {
+  const ImageMargins& crop = shape.crop;
+  const cv::Rect rest(crop.left, crop.top, picture.cols - crop.width(),
+                      picture.rows - crop.height());
+  if (rest.width < 1 || rest.height < 1) {
+    return failure(ErrorCode::Mismatch, file, cameraField(shape.camera),
+                   fmt::format("{} x {}, of which cropping by {} x {} leaves nothing", picture.cols,
+                               picture.rows, crop.width(), crop.height()));
+  }
+  return picture(rest).clone();
+}
+
 } // namespace
 
 std::string cameraField(const std::string& name) {
@@ -59,6 +75,11 @@ Status checkShape(const ImageShape& shape, const std::string& file) {
     return failure(ErrorCode::BadValue, file, cameraField(shape.camera),
                    fmt::format("the size {} x {} is negative", shape.width, shape.height));
   }
+  const ImageMargins& crop = shape.crop;
+  if (std::min({crop.left, crop.top, crop.right, crop.bottom}) < 0) {
+    return failure(ErrorCode::BadValue, file, cameraField(shape.camera),
+                   "the margins to crop must not be negative");
+  }
   return {};
 }
 
@@ -71,6 +92,13 @@ Result<cv::Mat> prepareImage(const cv::Mat& picture, const ImageShape& shape,
     }
     cv::Mat result = rotated(*bgr, shape.rotateDegrees);
     result = shape.mirrored ? mirrored(result) : result;
+    if (!shape.crop.isNone()) {
+      auto rest = cropped(result, shape, file);
+      if (!rest) {
+        return rest;
+      }
+      result = std::move(*rest);
+    }
     const bool fits = (shape.width == 0 || result.cols == shape.width) &&
                       (shape.height == 0 || result.rows == shape.height);
     if (!fits) {

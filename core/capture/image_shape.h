@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/geometry/image_margins.h"
 
 #include <opencv2/core/mat.hpp>
 
@@ -12,20 +13,22 @@ namespace dewpoint::capture {
 /// Required shape for all images of a camera, and the camera's name for error messages.
 struct ImageShape {
   std::string camera;
-  int rotateDegrees = 0; ///< clockwise: 0, 90, 180 or 270
-  int width = 0;         ///< after the rotation, pixels; 0: any
-  int height = 0;        ///< after the rotation, pixels; 0: any
-  bool mirrored = false; ///< left and right are swapped after the rotation
+  int rotateDegrees = 0;  ///< clockwise: 0, 90, 180 or 270
+  int width = 0;          ///< after rotation and cropping, pixels; 0: any
+  int height = 0;         ///< after rotation and cropping, pixels; 0: any
+  bool mirrored = false;  ///< left and right are swapped after the rotation
+  ImageMargins crop = {}; ///< cut off after rotation and mirroring
 };
 
 /// Returns the name of a camera for error messages: "camera 'left'", but not "camera 'camera 1'".
 std::string cameraField(const std::string& name);
 
-/// Checks that the rotation is 0, 90, 180 or 270 degrees and that the size is not negative.
+/// Checks that the rotation is 0, 90, 180 or 270 degrees, and that neither the size nor a margin is
+/// negative.
 Status checkShape(const ImageShape& shape, const std::string& file);
 
-/// Converts an image to CV_8UC3 (from gray or BGRA if needed), rotates and mirrors it, and checks
-/// its size. If no change was needed, the result shares the pixels of `picture`.
+/// Converts an image to CV_8UC3 (from gray or BGRA if needed), rotates, mirrors and crops it,
+/// and checks its size. If no change was needed, the result shares the pixels of `picture`.
 Result<cv::Mat> prepareImage(const cv::Mat& picture, const ImageShape& shape,
                              const std::string& file);
 

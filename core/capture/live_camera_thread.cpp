@@ -56,8 +56,8 @@ LiveCameraThread::LiveCameraThread(const LiveCamera& camera, LiveStreamFactory f
                                    std::shared_ptr<WakeSignal> wakeSignal, Clock::time_point zero)
     : shared_(std::make_shared<Shared>()) {
   shared_->camera = camera;
-  shared_->shape = {camera.name, camera.rotateDegrees, camera.width, camera.height,
-                    camera.mirrored};
+  shared_->shape = {camera.name,   camera.rotateDegrees, camera.width,
+                    camera.height, camera.mirrored,      camera.crop};
   shared_->factory = std::move(factory);
   shared_->wakeSignal = std::move(wakeSignal);
   shared_->zero = zero;

@@ -163,8 +163,8 @@ Result<std::unique_ptr<FrameSetSource>> openLive(const std::vector<LiveCamera>& 
     return failure(ErrorCode::MissingKey, "", "camera", "there is no camera to open");
   }
   for (const LiveCamera& camera : cameras) {
-    const ImageShape shape{camera.name, camera.rotateDegrees, camera.width, camera.height,
-                           camera.mirrored};
+    const ImageShape shape{camera.name,   camera.rotateDegrees, camera.width,
+                           camera.height, camera.mirrored,      camera.crop};
     if (auto usable = checkShape(shape, redactedLocation(camera.location)); !usable) {
       return tl::make_unexpected(usable.error());
     }

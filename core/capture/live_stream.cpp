@@ -66,9 +66,8 @@ private:
       return opened(false, "the device is busy, or it is not a camera");
     }
     if (camera_.width > 0 && camera_.height > 0) {
-      const bool lying = camera_.rotateDegrees % 180 != 0;
-      video_.set(cv::CAP_PROP_FRAME_WIDTH, lying ? camera_.height : camera_.width);
-      video_.set(cv::CAP_PROP_FRAME_HEIGHT, lying ? camera_.width : camera_.height);
+      video_.set(cv::CAP_PROP_FRAME_WIDTH, camera_.sentWidth());
+      video_.set(cv::CAP_PROP_FRAME_HEIGHT, camera_.sentHeight());
     }
     return {};
   }

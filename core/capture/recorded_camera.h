@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/floors.h"
+#include "core/geometry/image_margins.h"
 
 #include <opencv2/core/mat.hpp>
 
@@ -18,10 +19,10 @@ struct RecordedCamera {
 
   std::string name;
   Kind kind = Kind::Video;
-  std::string path;                              ///< video or folder; not used for generated images
-  int rotateDegrees = 0;                         ///< clockwise: 0, 90, 180 or 270
-  int width = 0;                                 ///< expected after the rotation, pixels; 0: any
-  int height = 0;                                ///< expected after the rotation, pixels; 0: any
+  std::string path;      ///< video or folder; not used for generated images
+  int rotateDegrees = 0; ///< clockwise: 0, 90, 180 or 270
+  int width = 0;         ///< expected after rotation and cropping, pixels; 0: any
+  int height = 0;        ///< expected after rotation and cropping, pixels; 0: any
   std::function<cv::Mat(std::int64_t)> generate; ///< returns a new CV_8UC3 image for a frame number
   std::int64_t generatedFrames = 0;
   bool mirrored = false; ///< left and right are swapped after the rotation
@@ -31,6 +32,7 @@ struct RecordedCamera {
   /// Delay in seconds. Without capture times, image k shows the scene as it was (k / rate - delay)
   /// seconds after the start.
   double delay = 0.0;
+  ImageMargins crop = {}; ///< cut off after rotation and mirroring
 };
 
 } // namespace dewpoint::capture

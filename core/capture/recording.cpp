@@ -140,8 +140,8 @@ Status addTimes(const RecordedCamera& description, CaptureSchedule::CameraImages
 /// Opens one camera and decodes its first picture, so that what can be wrong is said at once.
 Result<Camera> openCamera(const RecordedCamera& description) {
   Camera camera;
-  camera.shape = {description.name, description.rotateDegrees, description.width,
-                  description.height, description.mirrored};
+  camera.shape = {description.name,   description.rotateDegrees, description.width,
+                  description.height, description.mirrored,      description.crop};
   camera.path = description.path;
   if (auto usable = checkShape(camera.shape, camera.path); !usable) {
     return tl::make_unexpected(usable.error());

@@ -4,6 +4,7 @@
 #include "core/calibration/manual/measured_points.h"
 #include "core/capture/device_settings.h"
 #include "core/geometry/camera.h"
+#include "core/geometry/image_margins.h"
 #include "core/geometry/reference_grid.h"
 #include "core/geometry/world_box.h"
 #include "core/project/calibration_record.h"
@@ -35,8 +36,8 @@ struct ProjectCamera {
   /// used instead of the calibration in the scene.
   bool adjusted = false;
   /// Absolute path of an image, video or image folder that shows the scene without any target. It
-  /// is stored without rotation; `rotateDegrees` and `mirrored` are applied when it is read. Empty
-  /// if there is none.
+  /// is stored as the camera sends images; `rotateDegrees`, `mirrored` and `crop` are applied when
+  /// it is read. Empty if there is none.
   std::string backgroundImage = {};
   /// Absolute path of a table with the capture time of each image (recordings only). Empty if the
   /// images were taken at regular intervals.
@@ -49,6 +50,9 @@ struct ProjectCamera {
   DeviceSettings device = {};
   /// Where the camera's calibration comes from, as far as is known.
   CameraRecord calibrated = {};
+  /// Margins cut off from the images after rotation and mirroring. The calibration is that of the
+  /// cropped images.
+  ImageMargins crop = {};
 
   /// Sets `adjusted` if the camera is simulated. Call this function after changing the calibration
   /// of the camera in the project.

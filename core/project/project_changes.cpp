@@ -8,8 +8,8 @@ namespace {
 
 bool sameSource(const ProjectCamera& a, const ProjectCamera& b) {
   return a.camera.name == b.camera.name && a.source == b.source && a.location == b.location &&
-         a.rotateDegrees == b.rotateDegrees && a.mirrored == b.mirrored && a.delay == b.delay &&
-         a.times == b.times && a.device.identity == b.device.identity &&
+         a.rotateDegrees == b.rotateDegrees && a.mirrored == b.mirrored && a.crop == b.crop &&
+         a.delay == b.delay && a.times == b.times && a.device.identity == b.device.identity &&
          a.device.format == b.device.format;
 }
 

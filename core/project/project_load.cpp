@@ -20,6 +20,7 @@
 #include "core/tracking/catalog/method_catalog.h"
 #include "core/tracking/people_state.h"
 
+#include <cmath>
 #include <iterator>
 
 namespace dewpoint::project {
@@ -49,6 +50,20 @@ path readPath(TableReader& reader, const char* key, const ProjectPaths& place) {
   return place.pathOf(expanded(reader, key, text));
 }
 
+void readCrop(TableReader& reader, ImageMargins& crop) {
+  constexpr double kMostPixels = 32767.0;
+  double sides[4] = {0.0, 0.0, 0.0, 0.0};
+  if (!reader.numbers("crop", sides, 4, 0.0, kMostPixels)) {
+    return;
+  }
+  if (std::ranges::any_of(sides, [](double side) { return side != std::floor(side); })) {
+    reader.fail(ErrorCode::BadValue, "crop", "whole numbers of pixels are expected");
+    return;
+  }
+  crop = {static_cast<int>(sides[0]), static_cast<int>(sides[1]), static_cast<int>(sides[2]),
+          static_cast<int>(sides[3])};
+}
+
 /// Where the images come from: exactly one of the source keys.
 void readSource(TableReader& reader, const ProjectPaths& place, ProjectCamera& camera) {
   const bool hasVideo = reader.has("video");
@@ -76,6 +91,7 @@ void readSource(TableReader& reader, const ProjectPaths& place, ProjectCamera& c
     reader.fail(ErrorCode::BadValue, "rotate", "0, 90, 180 or 270 degrees are expected");
   }
   reader.boolean("mirror", camera.mirrored);
+  readCrop(reader, camera.crop);
   reader.number("late_by", camera.delay, -kMaxDelay, kMaxDelay);
   camera.times = readPath(reader, "times", place).string();
 }

@@ -47,6 +47,10 @@ std::string cameraText(const ProjectCamera& camera, const path& folder) {
   if (camera.mirrored) {
     text += "mirror = true   # left to right, after the rotation\n";
   }
+  if (const ImageMargins& crop = camera.crop; !crop.isNone()) {
+    text += fmt::format("crop = [{}, {}, {}, {}]   # pixels cut off: left, top, right, bottom\n",
+                        crop.left, crop.top, crop.right, crop.bottom);
+  }
   if (camera.delay != 0.0) {
     text += fmt::format("late_by = {}   # delay of its images in seconds\n", camera.delay);
   }

@@ -19,6 +19,7 @@ name = "left"
 video = "left.mkv"
 rotate = 90
 mirror = true
+crop = [8, 0, 16, 4]
 late_by = 0.012
 times = "times.csv"
 [camera.calibration]
@@ -68,6 +69,7 @@ TEST(ProjectRoom, ReadsGridPointsAndMirror) {
   EXPECT_FALSE(load(kRoom, "frame = 7\n", "")->points[0].clicks[0].frame); // of older files
   EXPECT_TRUE(project->points[1].clicks.empty());
   EXPECT_TRUE(project->cameras[0].mirrored);
+  EXPECT_EQ(project->cameras[0].crop, (ImageMargins{8, 0, 16, 4}));
   EXPECT_EQ(project->cameras[0].delay, 0.012);
   EXPECT_EQ(std::filesystem::path(project->cameras[0].times).filename(), "times.csv");
 }
@@ -127,12 +129,14 @@ TEST(ProjectRoom, WithoutThemAFileIsAsBefore) {
   project->grid.reset();
   project->points.clear();
   project->cameras[0].mirrored = false;
+  project->cameras[0].crop = {};
   project->cameras[0].delay = 0.0;
   project->cameras[0].times.clear();
   const std::string text = projectText(*project, {});
   EXPECT_EQ(text.find("[grid"), std::string::npos);
   EXPECT_EQ(text.find("[[point"), std::string::npos);
   EXPECT_EQ(text.find("mirror"), std::string::npos);
+  EXPECT_EQ(text.find("crop"), std::string::npos);
   EXPECT_EQ(text.find("late_by"), std::string::npos);
   EXPECT_EQ(text.find("times"), std::string::npos);
 }
@@ -148,6 +152,9 @@ TEST(ProjectRoom, NamesWhatIsWrong) {
   EXPECT_EQ(fieldOf("pixel = [320.25, 120.5]", ""), "point 1.click 1.pixel");
   EXPECT_EQ(fieldOf("frame = 7", "frame = -1"), "point 1.click 1.frame");
   EXPECT_EQ(fieldOf("turn = 0.5", "turns = 0.5"), "grid.turns");
+  EXPECT_EQ(fieldOf("[8, 0, 16, 4]", "[8, 0, 16]"), "camera 1.crop");
+  EXPECT_EQ(fieldOf("[8, 0, 16, 4]", "[8, 0, 16, -4]"), "camera 1.crop");
+  EXPECT_EQ(fieldOf("[8, 0, 16, 4]", "[8.5, 0, 16, 4]"), "camera 1.crop");
   EXPECT_EQ(fieldOf("late_by = 0.012", "late_by = 3601"), "camera 1.late_by");
 }
 

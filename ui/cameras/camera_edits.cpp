@@ -136,6 +136,13 @@ void CameraEdits::orient(int camera, int rotateDegrees, bool mirrored) {
   });
 }
 
+void CameraEdits::crop(int camera, const ImageMargins& margins) {
+  edit(tr("Crop images"), [&](Project& project) {
+    return withImageCrop(project, static_cast<std::size_t>(camera), margins)
+        .map([&](Project cropped) { project = std::move(cropped); });
+  });
+}
+
 void CameraEdits::setFormats(const std::map<int, capture::DeviceFormat>& formats) {
   edit(tr("Change image format"), [&](Project& project) {
     for (const auto& [camera, format] : formats) {

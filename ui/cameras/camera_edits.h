@@ -44,6 +44,8 @@ public:
   /// Sets how the images of a camera are rotated (clockwise, degrees) and mirrored. The calibration
   /// is converted.
   void orient(int camera, int rotateDegrees, bool mirrored);
+  /// Sets the margins that are cut off from the images of a camera. The calibration is converted.
+  void crop(int camera, const ImageMargins& margins);
   /// Sets the formats that are requested from devices, by camera.
   void setFormats(const std::map<int, capture::DeviceFormat>& formats);
   /// Sets a control of a camera's device. Successive changes of the same control, as by dragging a

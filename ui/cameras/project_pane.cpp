@@ -13,6 +13,7 @@
 #include "ui/cameras/color_locker.h"
 #include "ui/cameras/control_form.h"
 #include "ui/cameras/control_sync.h"
+#include "ui/cameras/crop_form.h"
 #include "ui/cameras/device_watch.h"
 #include "ui/cameras/exposure_view.h"
 #include "ui/cameras/format_choice.h"
@@ -55,11 +56,12 @@ ProjectPane::ProjectPane(const Workbench& bench, const CameraParts& parts, QWidg
       list_(new QListView(this)), remove_(new QPushButton(this)), exchange_(new QPushButton(this)),
       nameLabel_(new QLabel(this)), name_(new QLineEdit(this)), source_(new QLabel(this)),
       rotationLabel_(new QLabel(this)), rotation_(new QComboBox(this)),
-      mirror_(new QCheckBox(this)), notes_(new QLabel(this)),
-      exposure_(new ExposureView(bench.cameras, this)), deviceBox_(new QWidget(this)),
-      format_(new FormatChoice(deviceBox_)), controls_(new ControlForm(deviceBox_)),
-      controlArea_(new QScrollArea(deviceBox_)), controlNote_(new QLabel(deviceBox_)),
-      lock_(new QPushButton(deviceBox_)), lockAll_(new QPushButton(deviceBox_)) {
+      mirror_(new QCheckBox(this)), cropLabel_(new QLabel(this)), crop_(new CropForm(this)),
+      notes_(new QLabel(this)), exposure_(new ExposureView(bench.cameras, this)),
+      deviceBox_(new QWidget(this)), format_(new FormatChoice(deviceBox_)),
+      controls_(new ControlForm(deviceBox_)), controlArea_(new QScrollArea(deviceBox_)),
+      controlNote_(new QLabel(deviceBox_)), lock_(new QPushButton(deviceBox_)),
+      lockAll_(new QPushButton(deviceBox_)) {
   for (const auto& [widget, name] : std::initializer_list<std::pair<QWidget*, const char*>>{
            {list_, "projectCameras"},
            {remove_, "projectCameraRemove"},
@@ -68,6 +70,7 @@ ProjectPane::ProjectPane(const Workbench& bench, const CameraParts& parts, QWidg
            {source_, "projectCameraSource"},
            {rotation_, "projectCameraRotation"},
            {mirror_, "projectCameraMirror"},
+           {crop_, "projectCameraCrop"},
            {notes_, "projectCameraNotes"},
            {deviceBox_, "projectCameraDevice"},
            {lock_, "projectCameraLock"},
@@ -111,6 +114,7 @@ void ProjectPane::arrange() {
   form->setSpacing(kSpacing);
   form->addRow(nameLabel_, name_);
   form->addRow(rotationLabel_, orientation);
+  form->addRow(cropLabel_, crop_);
   auto* locks = new QHBoxLayout;
   locks->setSpacing(kSpacing);
   locks->addWidget(lock_);
@@ -167,6 +171,10 @@ void ProjectPane::connectParts() {
   };
   connect(rotation_, &QComboBox::activated, this, orient);
   connect(mirror_, &QCheckBox::clicked, this, orient);
+  connect(crop_, &CropForm::changed, this, [this](int camera, const ImageMargins& margins) {
+    parts_.edits.crop(camera, margins);
+    refresh(); // margins that were refused are not shown
+  });
   connect(format_, &FormatChoice::chosen, this, [this](const capture::DeviceFormat& format) {
     parts_.edits.setFormats({{camera(), format}});
   });
@@ -193,6 +201,7 @@ void ProjectPane::retranslateUi() {
       tr("Clockwise rotation of the images before use. The calibration is rotated with them"));
   mirror_->setText(tr("Mirrored"));
   mirror_->setToolTip(tr("Mirror the images left to right, after rotation"));
+  cropLabel_->setText(tr("Cropped"));
   lock_->setText(tr("Lock colors"));
   lock_->setToolTip(tr("Switch the automatic exposure, gain and white balance of this camera off, "
                        "and keep the present values"));
@@ -240,7 +249,7 @@ void ProjectPane::refresh() {
   remove_->setToolTip(several ? tr("Remove this camera. Undo restores it with its calibration")
                               : tr("A project needs at least one camera"));
   exchange_->setEnabled(own && several);
-  for (QWidget* field : std::initializer_list<QWidget*>{name_, rotation_, mirror_}) {
+  for (QWidget* field : std::initializer_list<QWidget*>{name_, rotation_, mirror_, crop_}) {
     field->setEnabled(own);
   }
   if (!name_->isModified()) {
@@ -248,6 +257,8 @@ void ProjectPane::refresh() {
   }
   rotation_->setCurrentIndex(rotation_->findData(shown.rotateDegrees));
   mirror_->setChecked(shown.mirrored);
+  const Intrinsics& lens = shown.camera.intrinsics;
+  crop_->show(row, shown.crop, lens.width + shown.crop.width(), lens.height + shown.crop.height());
   const bool isDevice = own && shown.source == SourceKind::Device;
   const bool isNamed = isDevice && !shown.device.identity.isEmpty();
   source_->setText(!own      ? tr("simulated")
@@ -288,8 +299,10 @@ void ProjectPane::refreshNotes() {
     const capture::DeviceFormat& format = shown.device.format;
     const bool isUpright = shown.rotateDegrees % 180 == 0;
     const Intrinsics& lens = shown.camera.intrinsics;
-    const int width = isUpright ? lens.width : lens.height;
-    const int height = isUpright ? lens.height : lens.width;
+    const int across = lens.width + shown.crop.width();
+    const int down = lens.height + shown.crop.height();
+    const int width = isUpright ? across : down;
+    const int height = isUpright ? down : across;
     if (hasGuessedPose(project, index)) {
       notes << tr("This camera is not calibrated yet.");
     } else if (format.width > 0 && (format.width != width || format.height != height)) {

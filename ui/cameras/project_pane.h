@@ -24,6 +24,7 @@ namespace dewpoint::ui {
 
 class CameraIconModel;
 class ControlForm;
+class CropForm;
 class ExposureView;
 class FormatChoice;
 
@@ -65,6 +66,8 @@ private:
   QLabel* rotationLabel_;
   QComboBox* rotation_;
   QCheckBox* mirror_;
+  QLabel* cropLabel_;
+  CropForm* crop_;
   QLabel* notes_;
   ExposureView* exposure_;
   QWidget* deviceBox_;

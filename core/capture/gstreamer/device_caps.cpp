@@ -78,9 +78,8 @@ std::string formatCaps(const DeviceFormat& format, const std::vector<std::string
 DeviceFormat requestedFormat(const LiveCamera& camera) {
   DeviceFormat format = camera.device.format;
   if (format.width == 0 && camera.width > 0 && camera.height > 0) {
-    const bool lying = camera.rotateDegrees % 180 != 0;
-    format.width = lying ? camera.height : camera.width;
-    format.height = lying ? camera.width : camera.height;
+    format.width = camera.sentWidth();
+    format.height = camera.sentHeight();
   }
   return format;
 }

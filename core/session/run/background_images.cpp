@@ -44,9 +44,9 @@ Result<std::vector<cv::Mat>> loadBackgroundImages(const Project& project) {
       continue;
     }
     const Intrinsics& size = camera.camera.intrinsics;
-    auto room =
-        readBackgroundImage(camera.backgroundImage, {camera.camera.name, camera.rotateDegrees,
-                                                     size.width, size.height, camera.mirrored});
+    auto room = readBackgroundImage(camera.backgroundImage,
+                                    {camera.camera.name, camera.rotateDegrees, size.width,
+                                     size.height, camera.mirrored, camera.crop});
     if (!room) {
       return tl::make_unexpected(room.error());
     }
@@ -65,9 +65,12 @@ Result<std::filesystem::path> saveBackgroundImage(const Project& project, std::s
     return failure(ErrorCode::FileUnwritable, folder.string(), cameraField(its.camera.name),
                    problem.message());
   }
-  cv::Mat rotated = image;
+  // As large as the camera sends it: what was cropped is not known, and continues the edges.
+  cv::Mat rotated;
+  cv::copyMakeBorder(image, rotated, its.crop.top, its.crop.bottom, its.crop.left, its.crop.right,
+                     cv::BORDER_REPLICATE);
   if (its.mirrored) {
-    cv::flip(image, rotated, 1);
+    cv::flip(rotated, rotated, 1);
   }
   const auto back = prepareImage(rotated, {its.camera.name, (360 - its.rotateDegrees) % 360}, "");
   if (!back) {

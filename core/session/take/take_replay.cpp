@@ -36,10 +36,10 @@ public:
   explicit StoredSets(const Project& project) {
     for (const ProjectCamera& camera : project.cameras) {
       const Intrinsics& size = camera.camera.intrinsics;
-      cameras_.push_back(
-          {{camera.camera.name, camera.rotateDegrees, size.width, size.height, camera.mirrored},
-           camera.location,
-           std::nullopt});
+      cameras_.push_back({{camera.camera.name, camera.rotateDegrees, size.width, size.height,
+                           camera.mirrored, camera.crop},
+                          camera.location,
+                          std::nullopt});
     }
   }
 

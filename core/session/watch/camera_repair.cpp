@@ -54,6 +54,7 @@ void exchangeImages(Project& project, std::size_t a, std::size_t b) {
   }
   std::swap(first, second);
   std::swap(first.camera, second.camera);
+  std::swap(first.crop, second.crop); // the calibration is that of the cropped images
   exchangeClicks(project, static_cast<int>(a), static_cast<int>(b));
 }
 

@@ -3,10 +3,58 @@
 
 #include "core/setup/new_project/new_project.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <string>
 #include <utility>
 
 namespace dewpoint::setup {
+
+namespace {
+
+/// Moves what was clicked in the images of a camera, whose new size is given. What has to lie in
+/// the image, and does not any more, is removed; other pixels also mean something beside it.
+void moveClicks(Project& project, int camera, const Eigen::Vector2d& shift, int width, int height) {
+  const auto move = [&](std::vector<PointClick>& clicks) {
+    for (PointClick& click : clicks) {
+      click.pixel += click.camera == camera ? shift : Eigen::Vector2d::Zero();
+    }
+  };
+  for (MeasuredPoint& point : project.points) {
+    move(point.clicks);
+  }
+  for (PositionCorrection& correction : project.corrections) {
+    move(correction.clicks);
+  }
+  for (PersonCorrection& person : project.people) {
+    if (person.click && person.click->camera == camera) {
+      person.click->pixel += shift;
+    }
+  }
+  const auto isOutside = [&](double x, double y, double w, double h) {
+    return x < 0.0 || y < 0.0 || x + w > width || y + h > height;
+  };
+  for (Target& target : project.targets) {
+    for (ColorSample& sample : target.samples) {
+      sample.x += sample.camera == camera ? shift.x() : 0.0;
+      sample.y += sample.camera == camera ? shift.y() : 0.0;
+    }
+    std::erase_if(target.samples, [&](const ColorSample& sample) {
+      return sample.camera == camera && isOutside(sample.x, sample.y, sample.width, sample.height);
+    });
+    if (target.box && target.box->camera == camera) {
+      ImageBox& box = target.box->box;
+      box.x += shift.x();
+      box.y += shift.y();
+      if (isOutside(box.x, box.y, box.width, box.height)) {
+        target.box.reset();
+      }
+    }
+  }
+}
+
+} // namespace
 
 void setCalibration(ProjectCamera& camera, const Camera& calibration) {
   if (camera.camera != calibration) {
@@ -38,6 +86,7 @@ Project withImageSymmetry(Project project, int camera, const ImageSymmetry& symm
   const ImageSymmetry source = combined({of.rotateDegrees, of.mirrored}, symmetry);
   of.rotateDegrees = source.rotateDegrees;
   of.mirrored = source.mirrored;
+  of.crop = transformed(symmetry, of.crop);
   of.camera = transformed(symmetry, of.camera);
   for (MeasuredPoint& point : project.points) {
     if (const PointClick* click = clickIn(point, camera)) {
@@ -64,6 +113,40 @@ Project withImageOrientation(Project project, std::size_t camera, int rotateDegr
   if (isGuess) {
     const Intrinsics lens = project.cameras[camera].camera.intrinsics;
     guessCalibration(project, camera, {lens.width, lens.height});
+  }
+  return project;
+}
+
+Result<Project> withImageCrop(Project project, std::size_t camera, const ImageMargins& crop) {
+  const ProjectCamera& before = project.cameras.at(camera);
+  const std::string& name = before.camera.name;
+  if (before.source == SourceKind::Simulation) {
+    return failure(ErrorCode::BadValue, "", name,
+                   "the images of a simulated camera have no margins");
+  }
+  if (std::min({crop.left, crop.top, crop.right, crop.bottom}) < 0) {
+    return failure(ErrorCode::BadValue, "", name, "the margins to crop must not be negative");
+  }
+  const Camera cropped = recropped(before.camera, before.crop, crop);
+  const int width = cropped.intrinsics.width;
+  const int height = cropped.intrinsics.height;
+  if (std::min(width, height) < kSmallestCrop) {
+    return failure(ErrorCode::Mismatch, "", name,
+                   fmt::format("at least {} x {} pixels of the images must be left", kSmallestCrop,
+                               kSmallestCrop));
+  }
+  const bool isGuess = hasGuessedLens(project, camera) && hasGuessedPose(project, camera);
+  moveClicks(project, static_cast<int>(camera),
+             {before.crop.left - crop.left, before.crop.top - crop.top}, width, height);
+  ProjectCamera& changed = project.cameras[camera];
+  if (changed.calibrated.lens) { // it is still the same lens
+    changed.calibrated.lens->values[2] += before.crop.left - crop.left;
+    changed.calibrated.lens->values[3] += before.crop.top - crop.top;
+  }
+  changed.camera = cropped;
+  changed.crop = crop;
+  if (isGuess) {
+    guessCalibration(project, camera, {width, height});
   }
   return project;
 }

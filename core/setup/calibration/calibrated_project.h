@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/error.h"
 #include "core/calibration/board/intrinsics_from_board.h"
 #include "core/calibration/manual/measured_points.h"
+#include "core/geometry/image_margins.h"
 #include "core/geometry/image_symmetry.h"
 #include "core/project/project.h"
 
@@ -29,7 +31,7 @@ Project withTimeOffsets(Project project, const std::vector<double>& offsets);
 
 /// Returns the project with the images of camera `camera` rotated and mirrored by `symmetry`, in
 /// addition to the rotation and mirroring that the project already contains. The calibration of the
-/// camera and its clicks on measured points are converted accordingly.
+/// camera, its margins and its clicks on measured points are converted accordingly.
 Project withImageSymmetry(Project project, int camera, const ImageSymmetry& symmetry);
 
 /// Returns the project with the images of a camera rotated clockwise by `rotateDegrees` (0, 90, 180
@@ -37,6 +39,16 @@ Project withImageSymmetry(Project project, int camera, const ImageSymmetry& symm
 /// project. The calibration of the camera and its clicks on measured points are converted as by
 /// withImageSymmetry(); a calibration that was only guessed is guessed again.
 Project withImageOrientation(Project project, std::size_t camera, int rotateDegrees, bool mirrored);
+
+/// Returns the project with the images of a camera cropped by `crop`, in place of the margins that
+/// the project contains. The calibration of the camera and everything that was clicked in its
+/// images are moved accordingly. Color samples and boxes outside the cropped image are removed. A
+/// calibration that was only guessed is guessed again. Errors: BadValue for a simulated camera or a
+/// negative margin; Mismatch if less than kSmallestCrop pixels of a side would be left.
+Result<Project> withImageCrop(Project project, std::size_t camera, const ImageMargins& crop);
+
+/// Smallest side of a cropped image, in pixels. A judgment.
+inline constexpr int kSmallestCrop = 16;
 
 /// Returns whether withImageSymmetry() can rotate and mirror the images of a camera. This is false
 /// for simulated cameras.

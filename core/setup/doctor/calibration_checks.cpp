@@ -37,6 +37,9 @@ bool checkRigAlone(Examination& examination, const CameraRig& rig) {
   }
   calibration::ParsedCalibration read;
   read.rig = rig;
+  for (std::size_t k = 0; k < rig.size(); ++k) { // a principal point may lie in what was cropped
+    read.rig[k] = recropped(rig[k], examination.project.cameras[k].crop, {});
+  }
   if (const auto plausible = calibration::checkPlausible(read, {}, ""); !plausible) {
     examination.add(FindingKind::CalibrationImplausible, {plausible.error().detail},
                     "camera.calibration");

@@ -90,7 +90,9 @@ public:
   }
 
 private:
-  ImageShape shape() const { return {"", camera_.rotateDegrees, 0, 0, camera_.mirrored}; }
+  ImageShape shape() const {
+    return {"", camera_.rotateDegrees, 0, 0, camera_.mirrored, camera_.crop};
+  }
 
   /// Reads a frame and keeps its image. False: it could not be read, which was reported.
   bool take(FrameReader& reader, std::int64_t frame) {
@@ -223,8 +225,9 @@ void checkBackgroundImage(Examination& examination, std::size_t number) {
     return;
   }
   const Intrinsics& size = camera.camera.intrinsics;
-  const auto read = readBackgroundImage(
-      camera.backgroundImage, {"", camera.rotateDegrees, size.width, size.height, camera.mirrored});
+  const auto read =
+      readBackgroundImage(camera.backgroundImage, {"", camera.rotateDegrees, size.width,
+                                                   size.height, camera.mirrored, camera.crop});
   if (!read) {
     examination.addIn(camera.backgroundImage, FindingKind::BackgroundImageUnusable,
                       {examination.nameOf(number), withoutFile(read.error())});

@@ -12,9 +12,9 @@
 
 namespace dewpoint::setup {
 
-/// Returns the size, in pixels after rotation, of the images of a camera whose source is a video or
-/// an image folder. Reads the first frame; the camera's calibration and table of times are ignored.
-/// Returns the errors of the recording.
+/// Returns the size, in pixels after rotation and cropping, of the images of a camera whose source
+/// is a video or an image folder. Reads the first frame; the camera's calibration and table of
+/// times are ignored. Returns the errors of the recording.
 Result<cv::Size> imageSizeOf(const ProjectCamera& camera);
 
 /// Adapts the calibration of a camera to the size of its images as described by `fit` (see

@@ -81,9 +81,11 @@ tl::unexpected<Error> refusedMixture() {
                  "live cameras and recordings cannot be mixed in one project");
 }
 
-/// Size of the images as the source stores them, after the rotation of the camera.
-cv::Size rotatedSize(const cv::Size& size, const ProjectCamera& camera) {
-  return camera.rotateDegrees % 180 == 0 ? size : cv::Size(size.height, size.width);
+/// Size of the images of a source after the rotation and the cropping of the camera.
+cv::Size preparedSize(const cv::Size& size, const ProjectCamera& camera) {
+  const bool isUpright = camera.rotateDegrees % 180 == 0;
+  return {(isUpright ? size.width : size.height) - camera.crop.width(),
+          (isUpright ? size.height : size.width) - camera.crop.height()};
 }
 
 /// Whether a camera has this source already. Where both devices are known, their place does not
@@ -190,7 +192,12 @@ Status replaceSource(Project& project, std::size_t camera, const CameraSource& s
     }
   }
   if (source.size.width > 0 && source.size.height > 0) {
-    const cv::Size size = rotatedSize(source.size, changed);
+    const cv::Size size = preparedSize(source.size, changed);
+    if (size.width < 1 || size.height < 1) {
+      return failure(ErrorCode::Mismatch, source.location, changed.camera.name,
+                     fmt::format("its images have {} x {} pixels, of which cropping leaves nothing",
+                                 source.size.width, source.size.height));
+    }
     const Intrinsics& lens = changed.camera.intrinsics;
     if (hasGuessedLens(project, camera) && hasGuessedPose(project, camera)) {
       guessCalibration(project, camera, size);

@@ -49,6 +49,7 @@ capture::DeviceFormat formatToOpen(const Project& project, std::size_t index) {
   capture::LiveCamera live;
   live.device = camera.device;
   live.rotateDegrees = camera.rotateDegrees;
+  live.crop = camera.crop;
   if (!hasGuessedPose(project, index) || !hasGuessedLens(project, index)) {
     live.width = camera.camera.intrinsics.width;
     live.height = camera.camera.intrinsics.height;

@@ -11,6 +11,7 @@ RecordedCamera recordedCamera(const ProjectCamera& camera) {
   recorded.path = camera.location;
   recorded.rotateDegrees = camera.rotateDegrees;
   recorded.mirrored = camera.mirrored;
+  recorded.crop = camera.crop;
   recorded.delay = camera.delay;
   recorded.times = camera.times;
   recorded.width = camera.camera.intrinsics.width;

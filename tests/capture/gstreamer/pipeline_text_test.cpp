@@ -52,6 +52,17 @@ TEST(PipelineText, RequestsTheSizeBeforeTheRotation) {
   EXPECT_TRUE(has(pipeline->text, "video/x-raw,width=640,height=480")) << pipeline->text;
 }
 
+TEST(PipelineText, RequestsTheSizeBeforeCropping) {
+  LiveCamera camera = cameraAt("0");
+  camera.width = 400;
+  camera.height = 600;
+  camera.rotateDegrees = 90;
+  camera.crop = {50, 10, 30, 30}; // of images of 480 x 640, after the rotation
+  const auto pipeline = pipelineText(camera);
+  ASSERT_TRUE(pipeline);
+  EXPECT_TRUE(has(pipeline->text, "image/jpeg,width=640,height=480")) << pipeline->text;
+}
+
 TEST(PipelineText, RequestsTheFormatOfTheDevice) {
   LiveCamera camera = cameraAt("0");
   camera.width = 480; // of the calibration

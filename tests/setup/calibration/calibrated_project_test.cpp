@@ -107,6 +107,81 @@ TEST(CalibratedProject, AnOrientationReplacesTheOneBefore) {
   EXPECT_EQ(guessed.cameras[1].camera.intrinsics.width, 120);
 }
 
+TEST(CalibratedProject, ACroppedPictureTakesItsCalibrationAndClicksAlong) {
+  Project project = mixedProject();
+  const Camera before = project.cameras[1].camera; // 160 x 120
+  project.points.emplace_back().name = "corner";
+  setClickIn(project.points[0], 0, {10.0, 20.0});
+  setClickIn(project.points[0], 1, {30.0, 40.0});
+  ColorSample inside;
+  inside.camera = 1;
+  inside.x = 80.0;
+  inside.y = 60.0;
+  ColorSample outside = inside;
+  outside.x = 12.0;
+  ColorSample other = outside;
+  other.camera = 0;
+  project.targets[0].samples = {inside, outside, other};
+  TargetBox box;
+  box.camera = 1;
+  box.box = {60.0, 50.0, 20.0, 20.0};
+  project.targets[0].box = box;
+  project.cameras[1].calibrated.lens = recordOfLens(before, CalibrationOrigin::Board);
+  const ImageMargins margins{20, 10, 30, 5};
+  const auto cropped = withImageCrop(project, 1, margins);
+  ASSERT_TRUE(cropped) << sentence(cropped.error());
+  EXPECT_EQ(cropped->cameras[0], project.cameras[0]);
+  EXPECT_EQ(cropped->cameras[1].crop, margins);
+  EXPECT_EQ(cropped->cameras[1].camera.intrinsics.width, 110);
+  EXPECT_EQ(cropped->cameras[1].camera.intrinsics.height, 105);
+  EXPECT_EQ(cropped->cameras[1].camera.intrinsics.centerX, before.intrinsics.centerX - 20.0);
+  EXPECT_EQ(clickIn(cropped->points[0], 0)->pixel, Eigen::Vector2d(10.0, 20.0));
+  EXPECT_EQ(clickIn(cropped->points[0], 1)->pixel, Eigen::Vector2d(10.0, 30.0));
+  ASSERT_EQ(cropped->targets[0].samples.size(), 2U); // the one outside is gone
+  EXPECT_EQ(cropped->targets[0].samples[0].x, 60.0);
+  EXPECT_EQ(cropped->targets[0].samples[1], other);
+  ASSERT_TRUE(cropped->targets[0].box);
+  EXPECT_EQ(cropped->targets[0].box->box, (ImageBox{40.0, 40.0, 20.0, 20.0}));
+  EXPECT_EQ(cropped->cameras[1].calibrated.lens,
+            recordOfLens(cropped->cameras[1].camera, CalibrationOrigin::Board));
+  // New margins replace these.
+  const auto whole = withImageCrop(*cropped, 1, {});
+  ASSERT_TRUE(whole);
+  EXPECT_EQ(whole->cameras[1], project.cameras[1]);
+  EXPECT_EQ(whole->points, project.points);
+  // What is rotated later takes the margins along.
+  const Project rotated = withImageSymmetry(*cropped, 1, {180, false});
+  EXPECT_EQ(rotated.cameras[1].crop, (ImageMargins{30, 5, 20, 10}));
+}
+
+TEST(CalibratedProject, ABoxThatIsCutOffIsRemoved) {
+  Project project = mixedProject();
+  TargetBox box;
+  box.camera = 1;
+  box.box = {140.0, 50.0, 20.0, 20.0};
+  project.targets[0].box = box;
+  EXPECT_TRUE(withImageCrop(project, 1, {30, 0, 0, 0})->targets[0].box);
+  EXPECT_FALSE(withImageCrop(project, 1, {0, 0, 1, 0})->targets[0].box);
+}
+
+TEST(CalibratedProject, MarginsThatLeaveTooLittleAreRefused) {
+  const Project project = mixedProject();
+  EXPECT_TRUE(withImageCrop(project, 1, {72, 0, 72, 0}));
+  EXPECT_EQ(withImageCrop(project, 1, {72, 0, 73, 0}).error().code, ErrorCode::Mismatch);
+  EXPECT_EQ(withImageCrop(project, 1, {-1, 0, 0, 0}).error().code, ErrorCode::BadValue);
+  EXPECT_EQ(withImageCrop(project, 0, {1, 0, 0, 0}).error().code, ErrorCode::BadValue); // simulated
+}
+
+TEST(CalibratedProject, AGuessIsGuessedAgainForTheCroppedPicture) {
+  Project project = mixedProject();
+  guessCalibration(project, 1, {160, 120});
+  const auto cropped = withImageCrop(project, 1, {20, 0, 0, 0});
+  ASSERT_TRUE(cropped);
+  EXPECT_TRUE(hasGuessedLens(*cropped, 1));
+  EXPECT_TRUE(hasGuessedPose(*cropped, 1));
+  EXPECT_EQ(cropped->cameras[1].camera.intrinsics.width, 140);
+}
+
 TEST(CalibratedProject, ProposedSymmetriesAreSetButForSimulatedCameras) {
   Project project = mixedProject();
   project.cameras[1].rotateDegrees = 90;

@@ -153,6 +153,20 @@ TEST(ProjectCameras, AReplacedSourceKeepsNameAndCalibration) {
   EXPECT_TRUE(hasGuessedPose(project, 1));
 }
 
+TEST(ProjectCameras, AReplacedSourceIsCroppedAsBefore) {
+  Project project = threePatterns();
+  const Intrinsics lens = project.cameras[1].camera.intrinsics;
+  project.cameras[1].crop = {10, 0, 30, 20};
+  ASSERT_TRUE(replaceSource(project, 1, {"", SourceKind::Stream, "test:blink", {1280, 720}, {}}));
+  EXPECT_EQ(project.cameras[1].camera.intrinsics.width, 1240);
+  EXPECT_EQ(project.cameras[1].camera.intrinsics.height, 700);
+  const auto refused =
+      replaceSource(project, 1, {"", SourceKind::Stream, "test:snow?width=32", {32, 480}, {}});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::Mismatch);
+  EXPECT_NE(project.cameras[1].camera.intrinsics, lens);
+}
+
 TEST(ProjectCameras, ASourceOfAnotherCameraIsExchanged) {
   Project project = threePatterns();
   project.cameras[0].rotateDegrees = 180; // of the place, not of the device

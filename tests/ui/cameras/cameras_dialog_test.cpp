@@ -21,6 +21,7 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QSlider>
+#include <QSpinBox>
 #include <QUndoStack>
 
 #include <memory>
@@ -44,6 +45,7 @@ private Q_SLOTS:
   void aMissingDeviceIsAskedForOnce();
   void aShortBusIsSaidWithFormatsThatFit();
   void imagesAreRotatedWithTheirCalibration();
+  void imagesAreCroppedWithTheirCalibration();
   void aSceneKeepsItsCameras();
 
 private:
@@ -295,6 +297,31 @@ void CamerasDialogTest::imagesAreRotatedWithTheirCalibration() {
   }));
   history().undo();
   QVERIFY(cameras()[0].camera.intrinsics == before);
+}
+
+void CamerasDialogTest::imagesAreCroppedWithTheirCalibration() {
+  openProjectOf(patterns());
+  QVERIFY(runs(2));
+  openDialog();
+  window_->workbench().selection.selectCamera(1);
+  const Intrinsics before = cameras()[1].camera.intrinsics;
+  auto* left = find<QSpinBox>("cropLeft");
+  QCOMPARE(left->maximum(), before.width - 16);
+  const int steps = history().count();
+  left->setValue(1);
+  left->setValue(24); // both are one step
+  QVERIFY(waitFor([this] { return cameras()[1].crop.left == 24; }));
+  QCOMPARE(history().count(), steps + 1);
+  QCOMPARE(cameras()[1].camera.intrinsics.width, before.width - 24);
+  QCOMPARE(cameras()[1].camera.intrinsics.centerX, before.centerX - 24.0);
+  QVERIFY(waitFor([&] {
+    const auto frames = window_->shown() ? window_->shown()->frames : nullptr;
+    return frames && frames->frames[1] && frames->frames[1]->image.cols == before.width - 24;
+  }));
+  QCOMPARE(find<QSpinBox>("cropRight")->maximum(), before.width - 24 - 16);
+  history().undo();
+  QVERIFY(cameras()[1].camera.intrinsics == before);
+  QCOMPARE(left->value(), 0);
 }
 
 void CamerasDialogTest::aSceneKeepsItsCameras() {

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/camera.h"
+#include "core/geometry/image_symmetry.h"
+
+namespace dewpoint::geometry {
+
+/// Margins that are cut off at the edges of an image, in pixels. An image is first rotated and
+/// mirrored, then cropped.
+struct ImageMargins {
+  int left = 0;
+  int top = 0;
+  int right = 0;
+  int bottom = 0;
+
+  int width() const { return left + right; }  ///< by how much the image becomes narrower
+  int height() const { return top + bottom; } ///< by how much the image becomes lower
+  bool isNone() const { return *this == ImageMargins(); }
+  bool operator==(const ImageMargins&) const = default;
+};
+
+/// Returns the margins after `symmetry` is applied to the image: those of the same pixels.
+ImageMargins transformed(const ImageSymmetry& symmetry, ImageMargins margins);
+
+/// Returns the same camera with images that are cropped by `after` instead of `before`: the image
+/// size and the principal point change, everything else stays.
+Camera recropped(Camera camera, const ImageMargins& before, const ImageMargins& after);
+
+} // namespace dewpoint::geometry
