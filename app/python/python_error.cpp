@@ -57,7 +57,12 @@ void bindErrors(py::module_& module) {
       .value("CONNECTION_LOST", ErrorCode::ConnectionLost)
       .value("NOT_FOUND", ErrorCode::NotFound)
       .value("UNDETERMINED", ErrorCode::Undetermined)
-      .value("CANCELED", ErrorCode::Canceled);
+      .value("CANCELED", ErrorCode::Canceled)
+      .value("IMAGES_BLACK", ErrorCode::ImagesBlack)
+      .value("IMAGES_FROZEN", ErrorCode::ImagesFrozen)
+      .value("IMAGES_REPEAT", ErrorCode::ImagesRepeat)
+      .value("IMAGES_LATE", ErrorCode::ImagesLate)
+      .value("IMAGES_FEW", ErrorCode::ImagesFew);
   errorType = PyErr_NewExceptionWithDoc("dewpoint.Error", kErrorDoc, PyExc_Exception, nullptr);
   if (errorType == nullptr) {
     throw py::error_already_set();

@@ -37,6 +37,16 @@ const char* phrase(ErrorCode code) {
     return "cannot be determined from the observations";
   case ErrorCode::Canceled:
     return "stopped on request";
+  case ErrorCode::ImagesBlack:
+    return "the images are black";
+  case ErrorCode::ImagesFrozen:
+    return "the images do not change";
+  case ErrorCode::ImagesRepeat:
+    return "the camera repeats images";
+  case ErrorCode::ImagesLate:
+    return "the images arrive late";
+  case ErrorCode::ImagesFew:
+    return "the camera sends fewer images than it should";
   }
   return "failed";
 }

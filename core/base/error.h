@@ -28,6 +28,11 @@ enum class ErrorCode {
   NotFound,
   Undetermined,
   Canceled,
+  ImagesBlack,
+  ImagesFrozen,
+  ImagesRepeat,
+  ImagesLate,
+  ImagesFew,
 };
 
 /// Failure, described by the file (or the device or network address), the field in the file, and

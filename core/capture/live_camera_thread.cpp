@@ -16,8 +16,12 @@ namespace {
 constexpr auto kFirstPause = 250ms; ///< before the first new attempt; doubles up to the longest
 /// Between two attempts.
 constexpr auto kLongestPause = 4000ms;
-/// A connected camera that is silent for so long is called lost, though its read still waits.
-constexpr auto kSilenceTimeout = 2s;
+/// A connected camera that has not sent an image for so long is called lost, though its read still
+/// waits: four intervals between its images, within these limits. Chosen: the shorter one, so that
+/// it is seen within a second.
+constexpr auto kShortestSilence = 800ms;
+constexpr auto kLongestSilence = 2s;
+constexpr double kMissedImages = 4.0;
 constexpr auto kReadTimeout = 1s; ///< with a read that does not return, when the thread has to end
 // Tuned; where no source is named here or in the docs, the origin is not recorded.
 /// Weight of the newest interval in a camera's rate.
@@ -58,6 +62,7 @@ LiveCameraThread::LiveCameraThread(const LiveCamera& camera, LiveStreamFactory f
   shared_->camera = camera;
   shared_->shape = {camera.name,   camera.rotateDegrees, camera.width,
                     camera.height, camera.mirrored,      camera.crop};
+  shared_->health = ImageHealth(camera.device.format.rate, camera.delay);
   shared_->factory = std::move(factory);
   shared_->wakeSignal = std::move(wakeSignal);
   shared_->zero = zero;
@@ -99,7 +104,18 @@ void LiveCameraThread::joinUntil(Clock::time_point deadline) {
 bool LiveCameraThread::delivers() const {
   std::scoped_lock lock(shared_->mutex);
   return shared_->connected && !shared_->problem &&
-         Clock::now() - shared_->lastGrab < kSilenceTimeout;
+         Clock::now() - shared_->lastGrab < silenceTimeout(*shared_);
+}
+
+/// The first image of a connection may take longer than the others.
+LiveCameraThread::Clock::duration LiveCameraThread::silenceTimeout(const Shared& shared) {
+  const double rate = shared.rate;
+  if (!shared.connected || !shared.hasGrabbed || rate <= 0.0) {
+    return kLongestSilence;
+  }
+  const auto missed = std::chrono::duration_cast<Clock::duration>(
+      std::chrono::duration<double>(kMissedImages / rate));
+  return std::clamp<Clock::duration>(missed, kShortestSilence, kLongestSilence);
 }
 
 std::optional<Error> LiveCameraThread::problem() const {
@@ -108,13 +124,13 @@ std::optional<Error> LiveCameraThread::problem() const {
     return shared_->problem;
   }
   const auto silentSince = shared_->connected ? shared_->lastGrab : shared_->openingSince;
-  if (Clock::now() - silentSince < kSilenceTimeout) {
+  if (Clock::now() - silentSince < silenceTimeout(*shared_)) {
     return std::nullopt;
   }
   // A pipeline without a sender opens for as long as nothing comes.
   return Error{shared_->connected ? ErrorCode::ConnectionLost : ErrorCode::DeviceUnavailable,
                redactedLocation(shared_->camera.location), cameraField(shared_->camera.name),
-               shared_->connected ? "connected, but no image for two seconds"
+               shared_->connected ? "connected, but it sends no images"
                                   : "no answer for two seconds; still waiting"};
 }
 
@@ -124,6 +140,14 @@ std::optional<Error> LiveCameraThread::remark() const {
              ? std::nullopt
              : std::optional(Error{ErrorCode::BadValue, redactedLocation(shared_->camera.location),
                                    cameraField(shared_->camera.name), shared_->remark});
+}
+
+std::optional<Error> LiveCameraThread::imageFault() const {
+  std::scoped_lock lock(shared_->mutex);
+  const auto fault = shared_->connected ? shared_->health.fault(Clock::now()) : std::nullopt;
+  return fault ? std::optional(Error{fault->code, redactedLocation(shared_->camera.location),
+                                     cameraField(shared_->camera.name), fault->detail})
+               : std::nullopt;
 }
 
 void LiveCameraThread::setProblem(Shared& shared, Error problem) {
@@ -182,6 +206,8 @@ void LiveCameraThread::readAll(const std::stop_token& stop, Shared& shared, Live
     shared.connected = true;
     shared.remark = stream.remark();
     shared.lastGrab = Clock::now();
+    shared.hasGrabbed = false;
+    shared.health.restart(shared.lastGrab);
   }
   progress.lastGrab.reset();
   while (!stop.stop_requested() && stream.grab()) {
@@ -213,6 +239,7 @@ void LiveCameraThread::publish(Shared& shared, const cv::Mat& picture, const Gra
   {
     std::scoped_lock lock(shared.mutex);
     shared.lastGrab = grabbed;
+    shared.hasGrabbed = true;
     shared.everDelivered = true;
   }
   auto image = prepareImage(picture, shared.shape, redactedLocation(shared.camera.location));
@@ -226,6 +253,9 @@ void LiveCameraThread::publish(Shared& shared, const cv::Mat& picture, const Gra
   {
     std::scoped_lock lock(shared.mutex); // first, so that nobody sees the frame and an old problem
     shared.problem.reset();
+    shared.health.add(*image, grabbed,
+                      captured.origin == TimeOrigin::Arrival ? std::nullopt
+                                                             : std::optional(captured.time));
   }
   shared.frames.put(std::make_shared<Frame>(
       Frame{progress.frames++,

@@ -3,6 +3,7 @@
 
 #include "core/capture/frame.h"
 #include "core/capture/frame_queue.h"
+#include "core/capture/image_health.h"
 #include "core/capture/image_shape.h"
 #include "core/capture/live_stream.h"
 
@@ -66,6 +67,8 @@ public:
   std::optional<Error> problem() const;
   /// Returns what is wrong with the camera although it delivers, or nothing (LiveStream::remark()).
   std::optional<Error> remark() const;
+  /// Returns what is wrong with the images of the last second, or nothing (ImageHealth).
+  std::optional<Error> imageFault() const;
   /// Returns the smoothed frame rate in images per second; 0 before the second image.
   double framesPerSecond() const { return shared_->rate; }
   /// Returns the time from the capture of an image to its arrival in seconds, nearly the longest of
@@ -92,12 +95,14 @@ private:
     std::condition_variable_any changed;
     bool connected = false;
     bool everDelivered = false;
+    bool hasGrabbed = false; ///< an image of the current connection
     bool finished = false;
     Clock::time_point
         openingSince{}; ///< start of the current connection attempt, while not connected
     Clock::time_point lastGrab{};
     std::optional<Error> problem;
     std::string remark; ///< of the stream that is open
+    ImageHealth health;
   };
   struct Progress;
 
@@ -112,6 +117,7 @@ private:
   };
   static void publish(Shared& shared, const cv::Mat& picture, const Grabbed& grabbed,
                       Progress& progress);
+  static Clock::duration silenceTimeout(const Shared& shared);
   static void setProblem(Shared& shared, Error problem);
   static void setDisconnected(Shared& shared, const std::string& detail);
 

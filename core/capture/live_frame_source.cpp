@@ -147,6 +147,8 @@ std::vector<Error> LiveFrameSource::notices() const {
   for (const LiveCameraThread& camera : cameras_) {
     if (auto problem = camera.problem()) {
       list.push_back(std::move(*problem));
+    } else if (auto fault = camera.imageFault()) {
+      list.push_back(std::move(*fault));
     }
     if (auto remark = camera.remark()) {
       list.push_back(std::move(*remark));

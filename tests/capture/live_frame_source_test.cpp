@@ -24,9 +24,10 @@ using test::MjpegServer;
 /// more, and at most about 0.1 s.
 constexpr int kManyTries = 3000;
 
-/// A white square that moves to the right by four pixels per picture.
+/// A white square that moves to the right by four pixels per picture. The background changes too,
+/// so that a picture is not sent twice within a second.
 cv::Mat movingSquare(std::int64_t number) {
-  cv::Mat picture(48, 64, CV_8UC3, cv::Scalar::all(20));
+  cv::Mat picture(48, 64, CV_8UC3, cv::Scalar::all(30.0 + static_cast<double>(number % 61)));
   const int x = static_cast<int>(number * 4 % 48);
   cv::rectangle(picture, cv::Rect(x, 16, 16, 16), cv::Scalar::all(250), cv::FILLED);
   return picture;
@@ -74,7 +75,9 @@ struct FakeDevice {
   std::atomic<bool> hangs{false};
   std::atomic<int> width{64};
   std::atomic<int> opened{0};
-  std::string remark = {}; ///< does not change
+  std::atomic<int> sent{0};
+  std::atomic<bool> frozen{false}; ///< sends the same picture all the time
+  std::string remark = {};         ///< does not change
 };
 
 class FakeStream final : public LiveStream {
@@ -94,7 +97,11 @@ public:
     }
     return device_->present;
   }
-  cv::Mat retrieve() override { return cv::Mat::zeros(48, device_->width, CV_8UC3); }
+  cv::Mat retrieve() override {
+    const int number = device_->frozen ? 0 : ++device_->sent;
+    return {48, device_->width, CV_8UC3,
+            cv::Scalar(60 + number % 150, 60 + number / 150 % 150, 90)};
+  }
   std::string remark() const override { return device_->remark; }
 
 private:
@@ -139,6 +146,38 @@ TEST(LiveFrameSource, reportsWhatIsWrongWithACameraThatDelivers) {
     const auto now = source.notices();
     return now.size() == 1 && now[0].code == ErrorCode::ConnectionLost;
   }));
+}
+
+TEST(LiveFrameSource, reportsAFrozenCameraUntilItGoesOn) {
+  const auto device = std::make_shared<FakeDevice>();
+  device->frozen = true;
+  const auto source = openLive({camera("0")}, makes({device}));
+  ASSERT_TRUE(source);
+  ASSERT_TRUE(waitFor(**source, [&](const FrameSet&) { return !(*source)->notices().empty(); }));
+  const auto notices = (*source)->notices();
+  ASSERT_EQ(notices.size(), 1U);
+  EXPECT_EQ(notices[0].code, ErrorCode::ImagesFrozen);
+  EXPECT_EQ(notices[0].field, "camera 'left'");
+  EXPECT_TRUE(waitFor(**source, complete)); // the images are used all the same
+  device->frozen = false;
+  EXPECT_TRUE(waitFor(**source, [&](const FrameSet&) { return (*source)->notices().empty(); }));
+}
+
+TEST(LiveFrameSource, aSilentCameraIsLostWithinASecond) {
+  const auto device = std::make_shared<FakeDevice>();
+  const auto source = openLive({camera("0")}, makes({device}));
+  ASSERT_TRUE(source);
+  int images = 0;
+  ASSERT_TRUE(waitFor(**source, [&](const FrameSet& set) { // until its rate is known
+    images += complete(set) ? 1 : 0;
+    return images > 10;
+  }));
+  device->hangs = true;
+  const auto begin = std::chrono::steady_clock::now();
+  ASSERT_TRUE(waitFor(**source, [&](const FrameSet&) { return !(*source)->notices().empty(); }));
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, 1900ms); // without a load, 0.9 s
+  EXPECT_EQ((*source)->notices()[0].code, ErrorCode::ConnectionLost);
+  device->hangs = false;
 }
 
 TEST(LiveFrameSource, deliversAMovingPictureFromTheNetwork) {

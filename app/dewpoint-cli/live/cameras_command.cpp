@@ -6,6 +6,7 @@
 #include "core/capture/devices/color_lock.h"
 #include "core/capture/devices/device_match.h"
 #include "core/capture/gstreamer/open_live.h"
+#include "core/capture/image_health.h"
 #include "core/project/project_load.h"
 #include "core/project/project_save.h"
 #include "core/setup/device_list.h"
@@ -148,8 +149,10 @@ runningCameras(const Project& project, const std::vector<std::size_t>& cameras, 
     }
   }
   const auto notices = (*source)->notices();
-  if (!notices.empty()) {
-    return tl::make_unexpected(notices.front());
+  const auto failed =
+      std::ranges::find_if(notices, [](const Error& notice) { return !isImageFault(notice.code); });
+  if (failed != notices.end()) {
+    return tl::make_unexpected(*failed);
   }
   return source;
 }

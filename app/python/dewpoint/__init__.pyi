@@ -34,6 +34,11 @@ class ErrorCode:
     NOT_FOUND: ErrorCode
     UNDETERMINED: ErrorCode
     CANCELED: ErrorCode
+    IMAGES_BLACK: ErrorCode
+    IMAGES_FROZEN: ErrorCode
+    IMAGES_REPEAT: ErrorCode
+    IMAGES_LATE: ErrorCode
+    IMAGES_FEW: ErrorCode
     @property
     def name(self) -> str: ...
     @property

@@ -49,6 +49,13 @@ double difference(QWidget& view, const cv::Mat& picture) {
   return sum / (3.0 * size.width() * size.height());
 }
 
+/// A picture as a camera sends it: none is like the one before.
+cv::Mat sentPicture(const cv::Mat& picture, std::int64_t number) {
+  cv::Mat sent = picture.clone();
+  sent(cv::Rect(0, 0, 16, 16)).setTo(cv::Scalar::all(40.0 + static_cast<double>(7 * number % 151)));
+  return sent;
+}
+
 } // namespace
 
 class LiveWindowTest : public QObject, private test::WindowFixture {
@@ -115,8 +122,10 @@ void LiveWindowTest::imagesOfAnySizeAreSeenAtOnce() {
 }
 
 void LiveWindowTest::tracksTwoStreamsToTheBall() {
-  const test::MjpegServer left([this](auto&&...) { return pictures_[0]; });
-  const test::MjpegServer right([this](auto&&...) { return pictures_[1]; });
+  const test::MjpegServer left(
+      [this](std::int64_t number) { return sentPicture(pictures_[0], number); });
+  const test::MjpegServer right(
+      [this](std::int64_t number) { return sentPicture(pictures_[1], number); });
   makeWindow({.play = false});
   open(savedProject(left.address(), right.address()));
   QTest::mouseClick(find<QToolButton>("actionPlayButton"), Qt::LeftButton);
@@ -158,10 +167,12 @@ void LiveWindowTest::tracksTwoStreamsToTheBall() {
 }
 
 void LiveWindowTest::saysWhichCameraDoesNotAnswer() {
-  const test::MjpegServer left([this](auto&&...) { return pictures_[0]; });
+  const test::MjpegServer left(
+      [this](std::int64_t number) { return sentPicture(pictures_[0], number); });
   std::string nobody;
   {
-    const test::MjpegServer gone([this](auto&&...) { return pictures_[1]; });
+    const test::MjpegServer gone(
+        [this](std::int64_t number) { return sentPicture(pictures_[1], number); });
     nobody = gone.address();
   }
   makeWindow();
@@ -176,8 +187,10 @@ void LiveWindowTest::saysWhichCameraDoesNotAnswer() {
 }
 
 void LiveWindowTest::noticesStayAsLongAsTheirCauses() {
-  auto left = std::make_unique<test::MjpegServer>([this](auto&&...) { return pictures_[0]; });
-  auto right = std::make_unique<test::MjpegServer>([this](auto&&...) { return pictures_[1]; });
+  auto left = std::make_unique<test::MjpegServer>(
+      [this](std::int64_t number) { return sentPicture(pictures_[0], number); });
+  auto right = std::make_unique<test::MjpegServer>(
+      [this](std::int64_t number) { return sentPicture(pictures_[1], number); });
   makeWindow();
   open(savedProject(left->address(), right->address()));
   QVERIFY(waitFor([this] { return shown().frames != nullptr; }));
