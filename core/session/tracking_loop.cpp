@@ -11,8 +11,9 @@ namespace dewpoint::session {
 namespace {
 
 constexpr std::chrono::milliseconds kSnapshotInterval(30);
-/// How often a paused live run looks whether its cameras have other problems.
-constexpr std::chrono::milliseconds kNoticeInterval(250);
+/// How often a paused live run looks whether its cameras have other problems: a silent camera is to
+/// be seen within a second (LiveCameraThread).
+constexpr std::chrono::milliseconds kNoticeInterval(150);
 /// How long a rerun may keep the view; one that takes longer shows where it is.
 constexpr std::chrono::seconds kLongestKeptView(2);
 

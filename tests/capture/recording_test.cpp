@@ -252,27 +252,6 @@ TEST(Recording, mirrorsAfterTurning) {
   EXPECT_EQ(image.at<cv::Vec3b>(image.rows - 1, 0), noise(0).at<cv::Vec3b>(0, kWidth - 1));
 }
 
-TEST(Recording, cropsAfterTurningAndMirroring) {
-  RecordedCamera camera = generated(1);
-  camera.rotateDegrees = 90;
-  camera.mirrored = true;
-  const cv::Mat whole = (*openRecording({camera}, 0))->next().value()->frames[0]->image;
-  camera.crop = {3, 2, 5, 7};
-  camera.width = whole.cols - 8;
-  camera.height = whole.rows - 9;
-  const auto source = openRecording({camera}, 0);
-  ASSERT_TRUE(source) << sentence(source.error());
-  const cv::Mat image = (*source)->next().value()->frames[0]->image;
-  EXPECT_TRUE(image.isContinuous());
-  EXPECT_EQ(image.size(), cv::Size(camera.width, camera.height));
-  const cv::Mat expected = whole(cv::Rect(3, 2, camera.width, camera.height));
-  EXPECT_EQ(cv::norm(image, expected, cv::NORM_INF), 0.0);
-  camera.crop.top = whole.rows;
-  EXPECT_EQ(errorOf(camera).code, ErrorCode::Mismatch);
-  camera.crop = {0, 0, -1, 0};
-  EXPECT_EQ(errorOf(camera).code, ErrorCode::BadValue);
-}
-
 TEST(Recording, missingAndUnreadableFilesAreNamed) {
   const TemporaryFolder home;
   std::ofstream(home / "text.mkv") << "no video at all\n";
