@@ -21,9 +21,8 @@ const cv::Scalar kClipped(10, 140, 255);
 cv::Mat imageOfBall(const Camera& camera, const cv::Scalar& color) {
   cv::Mat image(camera.intrinsics.height, camera.intrinsics.width, CV_8UC3, cv::Scalar::all(110));
   const auto circle = SphereProjector(camera).project(kBall, kBallRadius);
-  cv::circle(image,
-             cv::Point(static_cast<int>(circle->center.x()), static_cast<int>(circle->center.y())),
-             static_cast<int>(circle->radius), color, cv::FILLED);
+  cv::circle(image, cv::Point(cvRound(circle->center.x()), cvRound(circle->center.y())),
+             cvCeil(circle->radius), color, cv::FILLED);
   return image;
 }
 
