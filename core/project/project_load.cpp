@@ -51,9 +51,9 @@ path readPath(TableReader& reader, const char* key, const ProjectPaths& place) {
 }
 
 void readCrop(TableReader& reader, ImageMargins& crop) {
-  constexpr double kMostPixels = 32767.0;
+  constexpr double kMostCropPixels = 32767.0;
   double sides[4] = {0.0, 0.0, 0.0, 0.0};
-  if (!reader.numbers("crop", sides, 4, 0.0, kMostPixels)) {
+  if (!reader.numbers("crop", sides, 4, 0.0, kMostCropPixels)) {
     return;
   }
   if (std::ranges::any_of(sides, [](double side) { return side != std::floor(side); })) {
