@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 namespace dewpoint::capture {
@@ -33,15 +34,22 @@ public:
       return resolved;
     }
     stream_ = makeStream_(found);
-    auto opened = stream_->open();
-    if (opened) {
-      setControls(nodePath(found.location));
+    if (auto opened = stream_->open(); !opened) {
+      return opened;
     }
-    return opened;
+    if (hasOtherDevice(found.location)) {
+      stream_.reset();
+      return tl::make_unexpected(std::string("another device took its place while it was opened"));
+    }
+    setControls(nodePath(found.location));
+    return {};
   }
   bool grab() override { return stream_->grab(); }
   cv::Mat retrieve() override { return stream_->retrieve(); }
   std::optional<CaptureInstant> captureTime() const override { return stream_->captureTime(); }
+  std::optional<std::chrono::steady_clock::time_point> arrivalTime() const override {
+    return stream_->arrivalTime();
+  }
   std::string lostReason() const override { return stream_ ? stream_->lostReason() : ""; }
   bool hasEnded() const override { return stream_ && stream_->hasEnded(); }
   std::string remark() const override { return remark_; }
@@ -66,6 +74,21 @@ private:
     }
     camera.location = devices[*match.device].path;
     return check(devices[*match.device]);
+  }
+
+  /// Whether the node at `path` now belongs to another device than that of this camera. Nodes are
+  /// numbered again when devices are plugged in, also between the search and the opening.
+  bool hasOtherDevice(const std::string& path) const {
+    if (camera_.device.identity.isEmpty()) {
+      return false;
+    }
+    const std::vector<CameraDevice> devices = lookup_.access->list();
+    const auto there = std::ranges::find(devices, path, &CameraDevice::path);
+    if (there == devices.end() || !there->problem.empty()) {
+      return false; // unplugged, which reading will tell, or in use by this very connection
+    }
+    const auto device = matchDevices(lookup_.identities, devices).at(lookup_.camera).device;
+    return device != static_cast<std::size_t>(there - devices.begin());
   }
 
   /// Whether the device can deliver what is requested.

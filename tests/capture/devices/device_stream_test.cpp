@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cerrno>
 #include <chrono>
+#include <functional>
 #include <memory>
 
 namespace dewpoint::tests {
@@ -28,6 +30,26 @@ private:
   std::shared_ptr<std::string> opened_;
 };
 
+/// A connection during whose opening something happens, and whose images arrive at a known time.
+class EventfulStream final : public LiveStream {
+public:
+  explicit EventfulStream(std::function<void()> event) : event_(std::move(event)) {}
+  tl::expected<void, std::string> open() override {
+    event_();
+    return {};
+  }
+  bool grab() override { return true; }
+  cv::Mat retrieve() override { return cv::Mat::zeros(4, 4, CV_8UC3); }
+  std::optional<std::chrono::steady_clock::time_point> arrivalTime() const override {
+    return kArrival;
+  }
+
+  static constexpr std::chrono::steady_clock::time_point kArrival{std::chrono::seconds(7)};
+
+private:
+  std::function<void()> event_;
+};
+
 /// Two equal webcams without serial numbers at the ports 3 and 4, and cameras that know them.
 class DeviceStreamTest : public testing::Test {
 protected:
@@ -48,14 +70,30 @@ protected:
     machine_->plug(node);
   }
 
-  LiveStreamPtr streamOf(std::size_t camera, DeviceFormat format = {},
-                         ControlValues controls = {}) {
+  LiveCamera cameraAt(std::size_t camera) const {
     LiveCamera live;
     live.name = camera == 0 ? "left" : "right";
     live.location = "/dev/video0";
-    live.device = {identities_.at(camera), std::move(format), std::move(controls)};
+    live.device.identity = identities_.at(camera);
+    return live;
+  }
+
+  LiveStreamPtr streamOf(std::size_t camera, DeviceFormat format = {},
+                         ControlValues controls = {}) {
+    LiveCamera live = cameraAt(camera);
+    live.device.format = std::move(format);
+    live.device.controls = std::move(controls);
     return makeDeviceStream(live, {access_, identities_, camera}, [this](const LiveCamera& found) {
       return std::make_unique<RememberedStream>(found.location, opened_);
+    });
+  }
+
+  /// The stream of the left camera, during whose opening something happens.
+  LiveStreamPtr eventfulStream(const std::function<void()>& event) {
+    LiveCamera live = cameraAt(0);
+    live.device.controls = {{"gain", 7}};
+    return makeDeviceStream(live, {access_, identities_, 0}, [event](const LiveCamera&) {
+      return std::make_unique<EventfulStream>(event);
     });
   }
 
@@ -120,6 +158,40 @@ TEST_F(DeviceStreamTest, SetsControlsEachTimeItOpens) {
   EXPECT_EQ(stream->remark(),
             "controls were not set: zoom_absolute: the device has no such control");
   EXPECT_EQ(machine_->valueOf("video0", V4L2_CID_GAIN), 64);
+}
+
+TEST_F(DeviceStreamTest, DoesNotTakeADeviceThatGotTheNumberMeanwhile) {
+  bool isCalm = false;
+  const auto left = eventfulStream([&] {
+    if (!isCalm) { // the twins come back with each other's numbers
+      machine_->unplug("video0");
+      machine_->unplug("video2");
+      plugAs("video0", "4");
+      plugAs("video2", "3");
+    }
+  });
+  const auto opened = left->open();
+  ASSERT_FALSE(opened);
+  EXPECT_EQ(opened.error(), "another device took its place while it was opened");
+  EXPECT_EQ(left->lostReason(), "");
+  EXPECT_EQ(machine_->valueOf("video0", V4L2_CID_GAIN), 64); // the other camera is left alone
+  isCalm = true;
+  EXPECT_TRUE(left->open());
+  EXPECT_EQ(machine_->valueOf("video2", V4L2_CID_GAIN), 7);
+}
+
+TEST_F(DeviceStreamTest, OpensADeviceThatCannotBeOpenedTwice) {
+  EXPECT_TRUE(eventfulStream([&] { machine_->setOpenError("video0", EBUSY); })->open());
+  machine_->setOpenError("video0", 0);
+  // It is unplugged at once: reading will tell.
+  EXPECT_TRUE(eventfulStream([&] { machine_->unplug("video0"); })->open());
+}
+
+TEST_F(DeviceStreamTest, KnowsWhenTheDataOfAnImageArrived) {
+  const auto left = eventfulStream([] {});
+  ASSERT_TRUE(left->open());
+  ASSERT_TRUE(left->grab());
+  EXPECT_EQ(left->arrivalTime(), EventfulStream::kArrival);
 }
 
 TEST_F(DeviceStreamTest, LeavesALocationWithoutIdentity) {
