@@ -2,6 +2,7 @@
 #include "core/capture/live_camera_thread.h"
 
 #include "core/base/thread_priority.h"
+#include "core/capture/image_rate.h"
 #include "core/capture/redacted_location.h"
 
 #include <algorithm>
@@ -23,9 +24,6 @@ constexpr auto kShortestSilence = 800ms;
 constexpr auto kLongestSilence = 2s;
 constexpr double kMissedImages = 4.0;
 constexpr auto kReadTimeout = 1s; ///< with a read that does not return, when the thread has to end
-// Tuned; where no source is named here or in the docs, the origin is not recorded.
-/// Weight of the newest interval in a camera's rate.
-constexpr double kRateSmoothing = 0.1;
 /// By which share the longest latency of late is forgotten with each image. A judgment.
 constexpr double kLatencyDecay = 0.02;
 
@@ -52,7 +50,7 @@ void WakeSignal::waitBeyond(std::uint64_t known, Clock::time_point deadline) {
 /// What the camera's thread alone knows.
 struct LiveCameraThread::Progress {
   std::int64_t frames = 0;
-  std::optional<Clock::time_point> lastGrab;
+  ImageRate rate;
   Clock::duration pause = kFirstPause;
 };
 
@@ -209,7 +207,7 @@ void LiveCameraThread::readAll(const std::stop_token& stop, Shared& shared, Live
     shared.hasGrabbed = false;
     shared.health.restart(shared.lastGrab);
   }
-  progress.lastGrab.reset();
+  progress.rate.restart();
   while (!stop.stop_requested() && stream.grab()) {
     const auto grabbed = Clock::now();
     const cv::Mat picture = stream.retrieve();
@@ -227,13 +225,8 @@ void LiveCameraThread::publish(Shared& shared, const cv::Mat& picture, const Gra
   const Clock::time_point grabbed = when.time;
   const CaptureInstant& captured = when.captured;
   progress.pause = kFirstPause;
-  if (progress.lastGrab && grabbed > *progress.lastGrab) {
-    const double interval = std::chrono::duration<double>(grabbed - *progress.lastGrab).count();
-    const double old = shared.rate;
-    shared.rate =
-        old > 0 ? 1.0 / ((1 - kRateSmoothing) / old + kRateSmoothing * interval) : 1.0 / interval;
-  }
-  progress.lastGrab = grabbed;
+  progress.rate.add(captured.time); // images that were held up may arrive all at once
+  shared.rate = progress.rate.perSecond();
   const double latency = std::chrono::duration<double>(grabbed - captured.time).count();
   shared.latency = std::max(latency, shared.latency + kLatencyDecay * (latency - shared.latency));
   {

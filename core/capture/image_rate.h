@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <chrono>
+
+namespace dewpoint::capture {
+
+/// Smoothed rate of the images of one camera. A single long pause, as when the camera was frozen,
+/// does not change it; a second one in a row does, because the camera has become slow then. Not
+/// thread-safe.
+class ImageRate {
+public:
+  using Clock = std::chrono::steady_clock;
+
+  /// Counts an image that came at `time`.
+  void add(Clock::time_point time);
+  /// Forgets when the last image came, as after a new connection. The rate stays.
+  void restart();
+  /// Returns the rate in images per second; 0 before the second image.
+  double perSecond() const { return interval_ > 0.0 ? 1.0 / interval_ : 0.0; }
+
+private:
+  double interval_ = 0.0; ///< smoothed, seconds; 0: unknown
+  bool isPaused_ = false; ///< the last interval was a pause
+  Clock::time_point last_{};
+  bool hasLast_ = false;
+};
+
+} // namespace dewpoint::capture
