@@ -73,6 +73,9 @@ private:
   /// The next group of frames; nothing when none is complete until `deadline`.
   std::optional<std::vector<FramePtr>> awaited(Clock::time_point deadline);
 
+  /// The capture time of the oldest image that may come next, while there is none.
+  TimeStamp earliestToCome() const;
+
   Clock::time_point zero_ = Clock::now();
   std::shared_ptr<WakeSignal> wakeSignal_ = std::make_shared<WakeSignal>();
   std::vector<LiveCameraThread> cameras_;
@@ -117,6 +120,15 @@ std::optional<std::vector<FramePtr>> LiveFrameSource::awaited(Clock::time_point 
   }
 }
 
+TimeStamp LiveFrameSource::earliestToCome() const {
+  TimeStamp behind{};
+  for (std::size_t k = 0; k < cameras_.size(); ++k) {
+    behind = std::max(behind, delays_[k] + timeStamp(cameras_[k].latency()));
+  }
+  const TimeStamp coming = now() - behind;
+  return std::min(coming, pairing_.oldest().value_or(coming));
+}
+
 Result<FrameSetPtr> LiveFrameSource::next() {
   auto set = std::make_shared<FrameSet>();
   set->index = sets_++;
@@ -127,7 +139,7 @@ Result<FrameSetPtr> LiveFrameSource::next() {
     newest = frame ? std::max(newest, frame->captureTime) : newest;
   }
   if (newest == TimeStamp{}) {
-    newest = now() - std::ranges::max(delays_); // what comes next may show that time
+    newest = earliestToCome();
   }
   // A late camera's frame may be older than what the previous set already showed.
   last_ = set->time = std::max(last_, newest);

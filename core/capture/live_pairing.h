@@ -43,6 +43,8 @@ public:
   /// Returns the latest time, by the session's clock, at which the next group will be complete.
   /// Returns nothing if no frame is waiting.
   std::optional<TimeStamp> due() const;
+  /// Returns the capture time of the oldest frame that waits for others; nothing if none does.
+  std::optional<TimeStamp> oldest() const;
   /// Returns the number of frames that were not in any group, or whose group was dropped.
   std::int64_t dropped() const { return dropped_; }
 
@@ -63,7 +65,6 @@ private:
   TimeStamp window() const;
   TimeStamp deadlineOf(const Camera& camera, TimeStamp begin) const;
   bool canStillAdd(const Camera& camera, TimeStamp begin, TimeStamp now) const;
-  std::optional<TimeStamp> oldest() const;
   /// Removes and returns the group that starts with the oldest frame; nothing if it is not
   /// complete.
   std::optional<Group> takeCompleteGroup(TimeStamp now);

@@ -130,6 +130,41 @@ TEST(LiveFrameSource, AnImageKnowsWhenItPassedTheStages) {
   EXPECT_LE(passed.decoded, std::chrono::steady_clock::now());
 }
 
+/// A camera whose images are on their way for 0.3 s, and which reports when they were captured.
+class SlowStream final : public LiveStream {
+public:
+  explicit SlowStream(std::shared_ptr<FakeDevice> device) : stream_(std::move(device)) {}
+  tl::expected<void, std::string> open() override { return stream_.open(); }
+  bool grab() override {
+    const bool grabbed = stream_.grab();
+    captured_ = {std::chrono::steady_clock::now() - 300ms, TimeOrigin::Driver};
+    return grabbed;
+  }
+  cv::Mat retrieve() override { return stream_.retrieve(); }
+  std::optional<CaptureInstant> captureTime() const override { return captured_; }
+
+private:
+  FakeStream stream_;
+  CaptureInstant captured_;
+};
+
+TEST(LiveFrameSource, ASetWithoutImagesIsNotAheadOfTheNextImage) {
+  const auto device = std::make_shared<FakeDevice>();
+  const auto source = openLive(
+      {camera("0")}, [&](const LiveCamera&) { return std::make_unique<SlowStream>(device); });
+  ASSERT_TRUE(source);
+  // No set is before the start, which the first images are.
+  ASSERT_TRUE(waitFor(**source, [](const FrameSet& set) {
+    return complete(set) && set.frames[0]->captureTime > TimeStamp{};
+  }));
+  device->hangs = true;
+  ASSERT_TRUE(waitFor(**source, blank));
+  device->hangs = false;
+  const FrameSetPtr set = waitFor(**source, complete);
+  ASSERT_TRUE(set);
+  EXPECT_EQ(set->time, set->frames[0]->captureTime);
+}
+
 TEST(LiveFrameSource, reportsWhatIsWrongWithACameraThatDelivers) {
   const auto device = std::make_shared<FakeDevice>();
   device->remark = "controls were not set: gain";
