@@ -25,9 +25,11 @@ namespace dewpoint::tests::test {
 class MjpegServer {
 public:
   using Picture = std::function<cv::Mat(std::int64_t)>;
+  using Spoil = std::function<void(std::vector<unsigned char>&)>;
 
-  /// Port 0 takes a free one.
-  explicit MjpegServer(Picture picture, std::uint16_t port = 0) : picture_(std::move(picture)) {
+  /// Port 0 takes a free one. `spoil` may change the bytes of each picture before they are sent.
+  explicit MjpegServer(Picture picture, std::uint16_t port = 0, Spoil spoil = {})
+      : picture_(std::move(picture)), spoil_(std::move(spoil)) {
     listener_ = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
     const int on = 1;
     ::setsockopt(listener_, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
@@ -100,6 +102,9 @@ private:
       }
       std::vector<unsigned char> jpeg;
       cv::imencode(".jpg", picture_(number), jpeg);
+      if (spoil_) {
+        spoil_(jpeg);
+      }
       const std::string head =
           "--frame\r\nContent-Type: image/jpeg\r\nContent-Length: " + std::to_string(jpeg.size()) +
           "\r\n\r\n";
@@ -115,6 +120,7 @@ private:
   }
 
   Picture picture_;
+  Spoil spoil_;
   int listener_ = -1;
   std::uint16_t port_ = 0;
   std::vector<int> clients_;
