@@ -39,6 +39,7 @@ constexpr int kSteadySets = 5;
 constexpr double kErrorBound = 0.03; ///< meters
 constexpr std::size_t kHistoryBytes = std::size_t{64} << 20;
 constexpr int kSettleMs = 2000; ///< until the window is complete
+constexpr int kCalmMs = 20000;  ///< without events, for comparison
 
 void pass(int milliseconds) {
   QElapsedTimer clock;
@@ -118,6 +119,11 @@ public:
     report();
     const ProcessUsage before = processUsage();
     StallProbe probe;
+    pass(kCalmMs);
+    const StallProbe::Stall calm = probe.takeLongest();
+    note(fmt::format("before: longest stall {:.0f} ms, without waiting for a processor {:.0f} ms",
+                     calm.milliseconds, calm.own),
+         true);
     int stalls = 0;
     StallProbe::Stall longest;
     for (int event = 1; event <= events_; ++event) {

@@ -19,15 +19,17 @@
 #include <cstdlib>
 #include <functional>
 #include <memory>
+#include <random>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace dewpoint::tests {
 namespace {
 
 using namespace std::chrono_literals;
 
-/// Random events of the test with devices: some seconds. The environment variable
+/// Random events of the test with devices, which take some seconds. The environment variable
 /// DEWPOINT_LIVE_EVENTS asks for another number.
 constexpr int kUsualEvents = 60;
 constexpr auto kBetweenEvents = 100ms;
