@@ -17,6 +17,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdlib>
+#include <fstream>
 #include <functional>
 #include <memory>
 #include <random>
@@ -96,6 +97,7 @@ TEST(LiveDisturbance, DevicesKeepTheirIdentityAndTheTarget) {
     std::this_thread::sleep_for(kBetweenEvents);
   }
   cameras.mend();
+  std::ofstream("live-disturbance-events.txt") << inLines(log);
   SCOPED_TRACE(inLines(log));
   waitForAll(*record);
   EXPECT_EQ(cameras.connections(), FakeDesk::kCameras);
