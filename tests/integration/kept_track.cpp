@@ -42,10 +42,9 @@ KeptTrack keptTrack(const std::map<std::int64_t, SetRecord::Entry>& sets,
       kept.largestError = std::max(kept.largestError, error);
     }
     if (!sample.valid || error > errorBound) {
-      kept.lost.push_back(
-          fmt::format("frame {}, tick {}: {} good of {} images, {}, {:.0f} mm from the truth",
-                      index, *set.tick, set.good, set.images,
-                      sample.valid ? "tracked" : "not tracked", 1000.0 * error));
+      kept.lost.push_back(fmt::format(
+          "frame {}, tick {}: {} good of {} images, {}, {:.0f} mm from the truth", index, *set.tick,
+          set.good, set.images, sample.valid ? "tracked" : "not tracked", 1000.0 * error));
     }
   }
   return kept;
