@@ -31,6 +31,8 @@ constexpr double kLeastMove = 3.0;     ///< standard deviations of an image poin
 /// the recording charuco4 at hand, whose cameras stood still: halves of its late camera cost 3.3
 /// to 4.2.
 constexpr double kMovedCost = 2.0;
+/// Times the gain that two poses have for alternating parts of the recording.
+constexpr double kOverChance = 2.0;
 constexpr double kLeastZoom = 0.03;  ///< lenses are rarely known better when others calibrated
 constexpr int kMaxDelayFrames = 120; ///< frames
 /// Frames that a late camera is late by, at least.
@@ -168,27 +170,64 @@ private:
 
   /// Another place from some time on.
   void tryMoved(const std::vector<PointCorrespondence>& correspondences) {
+    std::optional<double> byChance; // found only when it is needed
     for (int tenth = 2; tenth <= 8; ++tenth) {
       const std::size_t split = correspondences.size() * static_cast<std::size_t>(tenth) / 10;
-      const auto middle = correspondences.begin() + static_cast<std::ptrdiff_t>(split);
-      const auto before =
-          fitCamera(initial_, {correspondences.begin(), middle}, widenedSigma(), false);
-      const auto after =
-          fitCamera(initial_, {middle, correspondences.end()}, widenedSigma(), false);
-      if (!before || !after ||
-          movedBy(before->camera, after->camera, correspondences) < kLeastMove * sigma_) {
-        continue;
-      }
-      std::vector<double> squares = before->squares;
-      squares.insert(squares.end(), after->squares.begin(), after->squares.end());
-      const double cost = meanCost(squares, sigma_);
-      if (cost > kMovedCost) {
+      const auto two = twoPoses(
+          correspondences, [&](std::size_t index) { return index >= split; }, widenedSigma());
+      if (!two || movedBy(two->first, two->second, correspondences) < kLeastMove * sigma_ ||
+          two->explained.cost > kMovedCost) {
         continue; // two places explain it a little better, as two of anything would
       }
-      considerHypothesis(CalibrationFault::CameraMoved, correspondences[split].time,
-                         Explained{cost, std::sqrt(upperMedian(squares))},
-                         3.5 * std::log(numbers_));
+      if (!byChance) {
+        byChance = gainByChance(correspondences);
+      }
+      if (numbers_ * (base_.cost - two->explained.cost) > kOverChance * *byChance) {
+        considerHypothesis(CalibrationFault::CameraMoved, correspondences[split].time,
+                           two->explained, 3.5 * std::log(numbers_));
+      }
     }
+  }
+
+  /// Two poses of the camera, and how well they explain its images.
+  struct TwoPoses {
+    Camera first, second;
+    Explained explained;
+  };
+
+  template <typename IsSecond>
+  std::optional<TwoPoses> twoPoses(const std::vector<PointCorrespondence>& correspondences,
+                                   IsSecond isSecond, const InitialRigSigma& sigma) const {
+    std::array<std::vector<PointCorrespondence>, 2> parts;
+    for (std::size_t i = 0; i < correspondences.size(); ++i) {
+      parts.at(isSecond(i) ? 1 : 0).push_back(correspondences[i]);
+    }
+    const auto first = fitCamera(initial_, parts[0], sigma, false);
+    const auto second = fitCamera(initial_, parts[1], sigma, false);
+    if (!first || !second) {
+      return std::nullopt;
+    }
+    std::vector<double> squares = first->squares;
+    squares.insert(squares.end(), second->squares.begin(), second->squares.end());
+    return TwoPoses{first->camera,
+                    second->camera,
+                    {meanCost(squares, sigma_), std::sqrt(upperMedian(squares))}};
+  }
+
+  /// Most that two poses gain where they cannot be right: for parts of the recording that
+  /// alternate. A lens that does not fit, or images that are a little late, differ from part to
+  /// part as well; then any two poses gain something.
+  double gainByChance(const std::vector<PointCorrespondence>& correspondences) const {
+    double most = 0.0;
+    for (const char* pattern : {"0101010101", "0011001100", "0110011001", "0001110001"}) {
+      const auto isSecond = [&](std::size_t index) {
+        return pattern[10 * index / correspondences.size()] == '1';
+      };
+      if (const auto two = twoPoses(correspondences, isSecond, widenedSigma())) {
+        most = std::max(most, numbers_ * (base_.cost - two->explained.cost));
+      }
+    }
+    return most;
   }
 
   /// How far the same points lie apart in the images of two poses: median, pixels.
