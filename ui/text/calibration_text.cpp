@@ -77,9 +77,17 @@ QString accuracyText(const CalibrationAccuracy& accuracy) {
   const QString up = isKnown(accuracy.up95)
                          ? CalibrationText::tr("±%1").arg(angleAccuracyText(*accuracy.up95))
                          : CalibrationText::tr("not measured yet (page Floor)");
-  return CalibrationText::tr("In the calibrated volume: position %1, scale %2, upward direction %3 "
-                             "(each with a probability of 95 %).")
-      .arg(position, scale, up);
+  const QString inside =
+      CalibrationText::tr("In the calibrated volume: position %1, scale %2, upward direction %3 "
+                          "(each with a probability of 95 %).")
+          .arg(position, scale, up);
+  if (!isKnown(accuracy.outside95)) {
+    return inside;
+  }
+  return inside + QLatin1Char(' ') +
+         CalibrationText::tr("Outside it, up to %1 away: position ±%2 (extrapolated).")
+             .arg(lengthText(accuracy.outsideDistance, LengthForm::TwoDigits),
+                  lengthText(*accuracy.outside95, LengthForm::TwoDigits));
 }
 
 QString faultText(const DetectedFault& fault, const QStringList& cameraNames) {

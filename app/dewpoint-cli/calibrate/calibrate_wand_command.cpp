@@ -181,13 +181,19 @@ int calibrate(WandCommandOptions options) {
     fmt::print("note: {}\n", farOffText(camera, result->before));
   }
   const CameraRig& cameras = result->result.cameras;
-  const bool unneeded = isUnneeded(*result);
-  const bool better = !isInaccurate(*result) && !unneeded;
-  if (unneeded && options.apply) {
+  for (const MotionGap& gap : result->gaps) {
+    fmt::print("note: {}\n", motionGapText(gap, result->before));
+  }
+  const std::optional<std::string> kept = isUnneeded(*result) ? std::optional(unneededText(*result))
+                                          : isKnownBetter(*result)
+                                              ? std::optional(knownBetterText(*result))
+                                              : std::nullopt;
+  const bool better = !isInaccurate(*result) && !kept;
+  if (kept && options.apply) {
     report({ErrorCode::Undetermined, inputs->project.file.string(), "cameras",
-            unneededText(*result) + "; the project was not changed"});
-  } else if (unneeded) {
-    fmt::print("note: {}\n", unneededText(*result));
+            *kept + "; the project was not changed"});
+  } else if (kept) {
+    fmt::print("note: {}\n", *kept);
   } else if (!better) {
     report(
         {ErrorCode::Undetermined, inputs->project.file.string(), "cameras",

@@ -6,9 +6,11 @@
 #include "core/base/uncertainty_text.h"
 #include "core/base/units.h"
 #include "core/calibration/quality/block_jackknife.h"
+#include "core/calibration/quality/common_view.h"
 #include "core/calibration/quality/position_error.h"
 #include "core/calibration/wand/wand_gauge.h"
 #include "core/geometry/linear_algebra.h"
+#include "core/geometry/mean_vector.h"
 #include "core/geometry/rotation_vector.h"
 #include "core/geometry/similarity.h"
 #include "core/geometry/small_matrices.h"
@@ -24,6 +26,12 @@ namespace {
 // Tuned; where no source is named here or in the docs, the origin is not recorded.
 /// Positions that errors are carried to.
 constexpr std::size_t kPositions = 80;
+/// Share of the positions of the target that do not count for the box in which it was, at each end
+/// of each axis.
+constexpr double kOutliers = 0.02;
+/// Fewer positions of the lattice outside the box are no region.
+constexpr std::size_t kFewestOutside = 12;
+constexpr double kOutsideWithin = 0.95; ///< share of them that is nearer than the distance stated
 /// Draws that the 95 % are read off.
 constexpr std::uint32_t kDraws = 200;
 constexpr double kClearlyLarger = 1.5;    ///< ten solutions scatter by chance up to here
@@ -101,14 +109,13 @@ Eigen::MatrixXd root(const Eigen::MatrixXd& covariance) {
   return eigen.vectors * eigen.values.cwiseMax(0.0).cwiseSqrt().asDiagonal();
 }
 
-/// The distance that 95 % of the drawn errors keep below.
+/// The distance that 95 % of the drawn errors keep below. A change of size leaves `middle` where it
+/// is.
 double percentile95(const PositionErrors& errors, const Eigen::MatrixXd& perDraw, double scaleSigma,
-                    double pixelSigma) {
+                    double pixelSigma, const Eigen::Vector3d& middle) {
   std::vector<Eigen::Matrix3d> noise;
-  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < errors.positions.size(); ++i) {
     noise.emplace_back(pixelSigma * root(errors.noise[i]));
-    middle += errors.positions[i] / static_cast<double>(errors.positions.size());
   }
   std::vector<double> distances;
   for (std::uint32_t draw = 0; draw < kDraws; ++draw) {
@@ -133,6 +140,16 @@ double percentile95(const PositionErrors& errors, const Eigen::MatrixXd& perDraw
   std::nth_element(distances.begin(), at, distances.end());
   return *at;
 }
+
+/// What the errors of positions come from.
+struct ErrorSources {
+  bool sizeless = false;            ///< the size is a convention
+  const Eigen::MatrixXd& deviation; ///< of the camera parameters: a root of their covariance
+  const BlockJackknife& blocks;
+  const Eigen::MatrixXd& apart; ///< deviations of the blocks' solutions where the target was
+  double scaleSigma = 0.0;
+  double pixelSigma = 0.0;
+};
 
 double typicalSigma(const BundleProblem& problem) {
   std::vector<double> sigmas;
@@ -166,6 +183,56 @@ std::optional<double> upFromFloor(const WandResult& result, const std::vector<do
   return std::max(scatter, kTouchSigma) / std::sqrt(std::max(least, 1e-9));
 }
 
+/// Positions that two cameras see, outside the box in which the target was.
+struct OutsidePositions {
+  std::vector<Eigen::Vector3d> positions;
+  double distance = 0.0; ///< CalibrationAccuracy::outsideDistance
+};
+
+OutsidePositions outsidePositions(const BundleProblem& problem, const BundleResult& result) {
+  const auto seen = seenPositions(problem, result);
+  const PrincipalBox box = principalBox(seen, kOutliers);
+  OutsidePositions outside;
+  std::vector<double> distances;
+  for (const Eigen::Vector3d& position : commonView(result.cameras, seen).positions) {
+    if (const double distance = box.distance(position); distance > 0.0) {
+      outside.positions.push_back(position);
+      distances.push_back(distance);
+    }
+  }
+  if (outside.positions.size() < kFewestOutside) {
+    return {};
+  }
+  std::ranges::sort(distances);
+  outside.distance = quantile(distances, kOutsideWithin);
+  outside.positions = evenlyChosen(outside.positions, kPositions);
+  return outside;
+}
+
+/// Where nothing was observed, errors are those of the cameras relative to where the target was.
+void assessOutside(const BundleProblem& problem, const BundleResult& result,
+                   const PositionErrors& inside, const ErrorSources& from,
+                   CalibrationAccuracy& accuracy) {
+  const OutsidePositions outside = outsidePositions(problem, result);
+  const PositionErrors errors = propagateTo(outside.positions, result);
+  if (errors.positions.empty()) {
+    return;
+  }
+  const auto apart = [&](const Eigen::MatrixXd& here, const Eigen::MatrixXd& there) {
+    return removeRigidMotionOf(inside.positions, here, from.sizeless, errors.positions, there);
+  };
+  const Eigen::MatrixXd stated = apart(inside.fromCameras, errors.fromCameras) * from.deviation;
+  const Eigen::MatrixXd found =
+      apart(from.apart,
+            jackknifeDeviations(positionChanges(errors.positions, result.cameras, from.blocks.rigs),
+                                from.blocks.factor()));
+  const Eigen::MatrixXd& larger = found.norm() > stated.norm() ? found : stated;
+  accuracy.outside95 =
+      std::max(accuracy.position95, percentile95(errors, larger, from.scaleSigma, from.pixelSigma,
+                                                 meanVector(inside.positions)));
+  accuracy.outsideDistance = outside.distance;
+}
+
 } // namespace
 
 Result<CalibrationAccuracy> assessCalibration(const BundleProblem& problem,
@@ -196,8 +263,11 @@ Result<CalibrationAccuracy> assessCalibration(const BundleProblem& problem,
   const double scale = known.scaleKnown ? known.scaleSigma : 0.0;
   const double pixels = noise * typicalSigma(problem);
   const Eigen::MatrixXd& larger = found.norm() > stated.norm() ? found : stated;
-  accuracy.cameras95 = percentile95(errors, larger, scale, 0.0);
-  accuracy.position95 = percentile95(errors, larger, scale, pixels);
+  const Eigen::Vector3d middle = meanVector(errors.positions);
+  accuracy.cameras95 = percentile95(errors, larger, scale, 0.0, middle);
+  accuracy.position95 = percentile95(errors, larger, scale, pixels, middle);
+  assessOutside(problem, result, errors, {sizeless, deviation, blocks, apart, scale, pixels},
+                accuracy);
   if (known.scaleKnown && (!sizeless || known.scaleSigma > 0.0)) {
     const auto size = [&](const Eigen::MatrixXd& of) {
       return sizeless ? 0.0 : sizeChange(errors.positions, of).norm();
@@ -238,7 +308,12 @@ std::string accuracySummary(const CalibrationAccuracy& accuracy) {
                                          : std::string("unknown"));
   text += ", up " + (accuracy.up95 ? uncertaintyText(inDegrees(*accuracy.up95), "degrees")
                                    : std::string("not measured"));
-  return text + ".";
+  text += ".";
+  if (accuracy.outside95) {
+    text += fmt::format(" Outside it, up to {:.1f} m away, {} (extrapolated).",
+                        accuracy.outsideDistance, lengthUncertaintyText(*accuracy.outside95));
+  }
+  return text;
 }
 
 } // namespace dewpoint::calibration

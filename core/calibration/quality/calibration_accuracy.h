@@ -42,6 +42,12 @@ struct CalibrationAccuracy {
   /// Part of position95 that is caused by errors of the cameras; meters. Averaging over several
   /// images does not reduce this part.
   double cameras95 = 0.0;
+  /// Same as position95, at positions that at least two cameras see outside the volume in which the
+  /// target was during the calibration (commonView()); meters. Nothing was observed there, so this
+  /// is an extrapolation. Never below position95. Empty if there are no such positions.
+  std::optional<double> outside95;
+  /// Distance from that volume below which 95 % of these positions are, meters.
+  double outsideDistance = 0.0;
   std::optional<double> scale95; ///< relative error of the scale, 95 %
   std::optional<double> up95;    ///< error of the upward direction, radians, 95 %
   /// Accuracy of each camera of the problem.
@@ -82,8 +88,8 @@ Result<CalibrationAccuracy> assessCalibration(const BundleProblem& problem,
 Result<CalibrationAccuracy> assessWand(const WandResult& result,
                                        const std::vector<double>& floorTimes);
 
-/// Returns a sentence about the accuracy, for example "In this volume +-3.1 mm (95 %), scale +-0.10
-/// %, up +-0.20 degrees."
+/// Returns a text about the accuracy, for example "In this volume +-3.1 mm (95 %), scale +-0.10 %,
+/// up +-0.20 degrees. Outside it, up to 0.8 m away, +-9.4 mm (extrapolated)."
 std::string accuracySummary(const CalibrationAccuracy& accuracy);
 
 } // namespace dewpoint::calibration

@@ -21,28 +21,6 @@ constexpr double kAngleStep = 1e-6;
 constexpr double kMeterStep = 1e-6;
 constexpr double kLensStep = 1e-4; ///< pixels, and of dimensionless numbers a thousandth of it
 
-std::vector<Eigen::Vector3d> seenPositions(const BundleProblem& problem,
-                                           const BundleResult& result) {
-  std::vector<Eigen::Vector3d> positions;
-  for (const BundleState& state : result.states) {
-    if (!state.known) {
-      continue;
-    }
-    const BundleBody& body = problem.bodies[state.body];
-    if (body.kind == BundleBody::Kind::Board) {
-      for (const std::size_t corner : {std::size_t{0}, body.points.size() - 1}) {
-        positions.push_back(state.worldFromBoard * body.points[corner]);
-      }
-      continue;
-    }
-    positions.push_back(state.ends[0]);
-    if (body.kind == BundleBody::Kind::Stick) {
-      positions.push_back(state.ends[1]);
-    }
-  }
-  return positions;
-}
-
 double stepOf(CameraQuantity quantity) {
   if (quantity <= CameraQuantity::TurnZ) {
     return kAngleStep;
@@ -144,30 +122,10 @@ void addPosition(const std::vector<VariedCamera>& cameras, const Eigen::Vector3d
   rows.emplace_back(solver.solve(pull));
 }
 
-} // namespace
-
-PositionErrors propagateToPositions(const BundleProblem& problem, const BundleResult& result,
-                                    std::size_t most) {
-  PositionErrors errors;
-  const auto columns = static_cast<Eigen::Index>(result.covariance.columns.size());
-  const auto cameras = variedCameras(result);
-  const auto all = seenPositions(problem, result);
-  const std::size_t count = std::min(most, all.size());
-  std::vector<Eigen::MatrixXd> rows;
-  for (std::size_t i = 0; i < count; ++i) {
-    addPosition(cameras, all[i * all.size() / count], errors, rows, columns);
-  }
-  errors.fromCameras.resize(static_cast<Eigen::Index>(3 * rows.size()), columns);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    errors.fromCameras.middleRows<3>(static_cast<Eigen::Index>(3 * i)) = rows[i];
-  }
-  return errors;
-}
-
-Eigen::MatrixXd removeRigidMotion(const std::vector<Eigen::Vector3d>& positions,
-                                  const Eigen::MatrixXd& errors, bool sizeToo) {
-  const Eigen::Vector3d middle = meanVector(positions);
-  Eigen::MatrixXd motions(errors.rows(), sizeToo ? 7 : 6);
+/// How positions move with the six rigid motions about `middle`, and with a change of size.
+Eigen::MatrixXd rigidMotions(const std::vector<Eigen::Vector3d>& positions,
+                             const Eigen::Vector3d& middle, bool sizeToo) {
+  Eigen::MatrixXd motions(static_cast<Eigen::Index>(3 * positions.size()), sizeToo ? 7 : 6);
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const Eigen::Vector3d arm = positions[i] - middle;
     auto rows = motions.middleRows<3>(static_cast<Eigen::Index>(3 * i));
@@ -179,7 +137,78 @@ Eigen::MatrixXd removeRigidMotion(const std::vector<Eigen::Vector3d>& positions,
       rows.col(6) = arm;
     }
   }
+  return motions;
+}
+
+} // namespace
+
+std::vector<Eigen::Vector3d> seenPositions(const BundleProblem& problem,
+                                           const BundleResult& result) {
+  std::vector<Eigen::Vector3d> positions;
+  for (const BundleState& state : result.states) {
+    if (!state.known) {
+      continue;
+    }
+    const BundleBody& body = problem.bodies[state.body];
+    if (body.kind == BundleBody::Kind::Board) {
+      for (const std::size_t corner : {std::size_t{0}, body.points.size() - 1}) {
+        positions.push_back(state.worldFromBoard * body.points[corner]);
+      }
+      continue;
+    }
+    positions.push_back(state.ends[0]);
+    if (body.kind == BundleBody::Kind::Stick) {
+      positions.push_back(state.ends[1]);
+    }
+  }
+  return positions;
+}
+
+PositionErrors propagateToPositions(const BundleProblem& problem, const BundleResult& result,
+                                    std::size_t most) {
+  return propagateTo(evenlyChosen(seenPositions(problem, result), most), result);
+}
+
+PositionErrors propagateTo(const std::vector<Eigen::Vector3d>& positions,
+                           const BundleResult& result) {
+  PositionErrors errors;
+  const auto columns = static_cast<Eigen::Index>(result.covariance.columns.size());
+  const auto cameras = variedCameras(result);
+  std::vector<Eigen::MatrixXd> rows;
+  for (const Eigen::Vector3d& position : positions) {
+    addPosition(cameras, position, errors, rows, columns);
+  }
+  errors.fromCameras.resize(static_cast<Eigen::Index>(3 * rows.size()), columns);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    errors.fromCameras.middleRows<3>(static_cast<Eigen::Index>(3 * i)) = rows[i];
+  }
+  return errors;
+}
+
+std::vector<Eigen::Vector3d> evenlyChosen(const std::vector<Eigen::Vector3d>& all,
+                                          std::size_t most) {
+  std::vector<Eigen::Vector3d> chosen;
+  const std::size_t count = std::min(most, all.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    chosen.push_back(all[i * all.size() / count]);
+  }
+  return chosen;
+}
+
+Eigen::MatrixXd removeRigidMotion(const std::vector<Eigen::Vector3d>& positions,
+                                  const Eigen::MatrixXd& errors, bool sizeToo) {
+  const Eigen::MatrixXd motions = rigidMotions(positions, meanVector(positions), sizeToo);
   return errors - motions * geometry::leastSquares(motions, errors);
+}
+
+Eigen::MatrixXd removeRigidMotionOf(const std::vector<Eigen::Vector3d>& positions,
+                                    const Eigen::MatrixXd& errors, bool sizeToo,
+                                    const std::vector<Eigen::Vector3d>& others,
+                                    const Eigen::MatrixXd& errorsOfOthers) {
+  const Eigen::Vector3d middle = meanVector(positions);
+  const Eigen::MatrixXd motions = rigidMotions(positions, middle, sizeToo);
+  return errorsOfOthers -
+         rigidMotions(others, middle, sizeToo) * geometry::leastSquares(motions, errors);
 }
 
 Eigen::RowVectorXd sizeChange(const std::vector<Eigen::Vector3d>& positions,

@@ -20,17 +20,39 @@ struct PositionErrors {
   std::vector<Eigen::Matrix3d> noise;
 };
 
+/// Returns the positions of the target in the result: points, both ends of sticks, and the first
+/// and the last corner of boards; world, meters.
+std::vector<Eigen::Vector3d> seenPositions(const BundleProblem& problem,
+                                           const BundleResult& result);
+
+/// Returns up to `most` of the positions, spread evenly over their list.
+std::vector<Eigen::Vector3d> evenlyChosen(const std::vector<Eigen::Vector3d>& all,
+                                          std::size_t most);
+
 /// Propagates camera errors to up to `most` positions, which are spread over the positions of the
 /// target in the result. Positions seen by fewer than two cameras are left out. Time offsets have
 /// no effect, because the target is assumed to be at rest.
 PositionErrors propagateToPositions(const BundleProblem& problem, const BundleResult& result,
                                     std::size_t most);
 
+/// Propagates camera errors to given positions. Positions that fewer than two cameras see are left
+/// out.
+PositionErrors propagateTo(const std::vector<Eigen::Vector3d>& positions,
+                           const BundleResult& result);
+
 /// Removes the common rigid motion from errors of positions. `errors` has three rows per position,
 /// and each column is a separate set of errors. With `sizeToo`, also removes the common change of
 /// size.
 Eigen::MatrixXd removeRigidMotion(const std::vector<Eigen::Vector3d>& positions,
                                   const Eigen::MatrixXd& errors, bool sizeToo);
+
+/// Removes the rigid motion that `errors` of `positions` have in common from the errors of other
+/// positions, so that these show how much the others are displaced relative to `positions`. All
+/// errors have three rows per position, and the same columns.
+Eigen::MatrixXd removeRigidMotionOf(const std::vector<Eigen::Vector3d>& positions,
+                                    const Eigen::MatrixXd& errors, bool sizeToo,
+                                    const std::vector<Eigen::Vector3d>& others,
+                                    const Eigen::MatrixXd& errorsOfOthers);
 
 /// Returns the relative change of size for each column of `errors`, as in removeRigidMotion().
 Eigen::RowVectorXd sizeChange(const std::vector<Eigen::Vector3d>& positions,

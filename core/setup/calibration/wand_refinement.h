@@ -4,6 +4,7 @@
 #include "core/calibration/board/board_coverage.h"
 #include "core/calibration/manual/pose_change.h"
 #include "core/calibration/quality/calibration_accuracy.h"
+#include "core/calibration/quality/missing_motion.h"
 #include "core/setup/calibration/wand_views.h"
 
 #include <optional>
@@ -22,6 +23,14 @@ struct WandRefinement {
   /// pixels. Empty if more was estimated than poses and intrinsics: offsets, the scale, or the
   /// floor.
   std::optional<double> beforePx = std::nullopt;
+  /// True if the poses of all cameras `before` were measured or read from a file, and have not been
+  /// changed since then.
+  bool beforeCalibrated = false;
+  /// Largest recorded error of a camera position `before` (PoseRecord::error), meters; empty if no
+  /// error is recorded.
+  std::optional<double> beforeError = std::nullopt;
+  /// Kinds of motion that the recording lacks; see missingMotion().
+  std::vector<MotionGap> gaps = {};
 };
 
 /// Returns whether the former calibration should be kept, because the new one is probably less
@@ -36,6 +45,22 @@ bool isUnneeded(const WandRefinement& refinement);
 
 /// Returns a sentence about a refinement that is not needed.
 std::string unneededText(const WandRefinement& refinement);
+
+/// Returns whether the cameras are known better as they were (`beforeCalibrated`), and the images
+/// do not contradict this. The cameras were known better in two cases: their recorded error is
+/// smaller than that of the new positions (CameraAccuracy::positionSigma); or no error is recorded,
+/// but the recording lacks most of a kind of motion. The images contradict the cameras as they were
+/// if these leave at least three times the error of the new ones: then a camera was moved. Errors
+/// that all images share, as if hands always hide the same part of a ball, make less of a
+/// difference.
+bool isKnownBetter(const WandRefinement& refinement);
+
+/// Returns a sentence about cameras that are known better as they were.
+std::string knownBetterText(const WandRefinement& refinement);
+
+/// Returns the largest error of a new camera position, meters (one standard deviation); 0 if it is
+/// not known.
+double newPositionError(const WandRefinement& refinement);
 
 /// Camera whose pose before the refinement was far off.
 struct FarOffCamera {
@@ -52,8 +77,8 @@ std::vector<FarOffCamera> farOffCameras(const WandRefinement& refinement);
 std::string farOffText(const FarOffCamera& camera, const CameraRig& rig);
 
 /// Returns whether a known fault, such as exchanged cameras, explains the views better than this
-/// result does, or isInaccurate() or isUnneeded() is true. If so, ask the user before you store the
-/// result in the project.
+/// result does, or isInaccurate(), isUnneeded() or isKnownBetter() is true. If so, ask the user
+/// before you store the result in the project.
 bool isDoubtful(const WandRefinement& refinement);
 
 /// Runs calibrateFromRecording() and assesses its accuracy. Returns the errors of the calibration.

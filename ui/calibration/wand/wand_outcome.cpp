@@ -3,6 +3,7 @@
 
 #include "ui/calibration/calibration_dock.h"
 #include "ui/calibration/wand/wand_calibrator.h"
+#include "ui/calibration/wand/wand_text.h"
 #include "ui/text/calibration_text.h"
 #include "ui/text/camera_names.h"
 #include "ui/text/error_sentence.h"
@@ -193,6 +194,12 @@ void WandOutcome::showOutcome() {
       notes << QStringLiteral("⚠ ") +
                    tr("The cameras as they were explain the images as well. Keep them, or wave "
                       "longer and through more of the volume.");
+    }
+    if (isKnownBetter(*found) && !isUnneeded(*found)) {
+      notes << QStringLiteral("⚠ ") + knownBetterMessage(*found);
+    }
+    for (const MotionGap& gap : found->gaps) {
+      notes << QStringLiteral("⚠ ") + motionGapMessage(gap, cameraNames(found->before));
     }
     if (!calibrator_.isApplied()) {
       notes << tr("The cameras are unchanged.");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/calibration/wand/wand_text.h"
 
+#include "ui/text/quantity_text.h"
+
 #include <QCoreApplication>
 
 namespace dewpoint::ui {
@@ -9,6 +11,21 @@ namespace {
 class WandText {
   Q_DECLARE_TR_FUNCTIONS(WandSettings)
 };
+
+QString moveItThereText(const QString& camera, ImageSide side) {
+  switch (side) {
+  case ImageSide::Left:
+    return WandText::tr("Also move it to the left of the image of %1.").arg(camera);
+  case ImageSide::Right:
+    return WandText::tr("Also move it to the right of the image of %1.").arg(camera);
+  case ImageSide::Top:
+    return WandText::tr("Also move it to the top of the image of %1.").arg(camera);
+  case ImageSide::Bottom:
+    return WandText::tr("Also move it to the bottom of the image of %1.").arg(camera);
+  default:
+    return WandText::tr("Also move it to all edges of the image of %1.").arg(camera);
+  }
+}
 
 } // namespace
 
@@ -54,6 +71,53 @@ QString validationMessage(const WandSettings& settings, const std::vector<Marked
                         "which it is still falling.");
   }
   return {};
+}
+
+QString motionGapMessage(const MotionGap& gap, const QStringList& cameraNames) {
+  const auto name = [&](std::size_t k) {
+    return k < gap.cameras.size() ? cameraNames.value(static_cast<qsizetype>(gap.cameras[k]))
+                                  : QString();
+  };
+  const auto centimeters = [&] { return lengthText(gap.value, LengthScale::Centimeters, 0); };
+  switch (gap.missing) {
+  case MissingMotion::LongEnough:
+    return WandText::tr("The ball was seen for only %1. Wave for half a minute.")
+        .arg(secondsText(gap.value, 0));
+  case MissingMotion::OffTheLine:
+    return WandText::tr("The ball moved only along one line. Move it in all directions: to the "
+                        "sides, up and down, near and far.");
+  case MissingMotion::OffThePlane:
+    return WandText::tr("The ball moved only within a plane (%1 thick). Also move it across this "
+                        "plane: toward %2 and away from it.")
+        .arg(centimeters(), name(0));
+  case MissingMotion::InDepth:
+    return WandText::tr("The ball was always about as far from %1 (within %2). Also move it toward "
+                        "%1 and away from it.")
+        .arg(name(0), centimeters());
+  case MissingMotion::WholeVolume:
+    return WandText::tr("The ball stayed in %1 of the volume that the cameras see together. Move "
+                        "it through the whole volume in which you will track.")
+        .arg(shareText(gap.value));
+  case MissingMotion::WholeImage:
+    return WandText::tr("%1 saw the ball in only %2 of its image.")
+               .arg(name(0), shareText(gap.value)) +
+           QLatin1Char(' ') + moveItThereText(name(0), gap.side);
+  default:
+    return WandText::tr("%1 and %2 saw the ball at the same time in only %3 frames. Move it where "
+                        "both see it.")
+        .arg(name(0), name(1), numberText(gap.value, 0));
+  }
+}
+
+QString knownBetterMessage(const WandRefinement& refinement) {
+  if (!refinement.beforeError) {
+    return WandText::tr("The cameras were calibrated before, and this recording lacks too much "
+                        "motion to improve them. Keep them.");
+  }
+  return WandText::tr("The camera positions are known better as they were: ±%1. The error of the "
+                      "new ones is ±%2. Keep the old ones.")
+      .arg(lengthText(*refinement.beforeError, LengthForm::TwoDigits),
+           lengthText(newPositionError(refinement), LengthForm::TwoDigits));
 }
 
 } // namespace dewpoint::ui

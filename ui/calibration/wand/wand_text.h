@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/setup/calibration/wand_refinement.h"
 #include "core/setup/calibration/wand_settings.h"
 
 #include <QString>
+#include <QStringList>
 
 #include <vector>
 
@@ -16,5 +18,11 @@ QString touchText(WandEvent role);
 /// (`obstacleOf()`), or an empty string if it can.
 QString validationMessage(const WandSettings& settings, const std::vector<MarkedInstant>& instants,
                           const Project& project);
+
+/// Returns the translated motionGapText().
+QString motionGapMessage(const MotionGap& gap, const QStringList& cameraNames);
+
+/// Returns the translated knownBetterText(), and what to do.
+QString knownBetterMessage(const WandRefinement& refinement);
 
 } // namespace dewpoint::ui
