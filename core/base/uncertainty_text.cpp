@@ -32,6 +32,10 @@ std::string twoDigits(double value) {
 
 } // namespace
 
+std::string twoDigitsText(double value) {
+  return std::isfinite(value) ? twoDigits(value) : "unknown";
+}
+
 std::string uncertaintyText(double value, std::string_view unit) {
   return std::isfinite(value) ? fmt::format("+-{} {}", twoDigits(value), unit) : "unknown";
 }

@@ -104,6 +104,7 @@ WorldRecord readWorldRecord(TableReader& project, const std::string& file) {
   record.scaleError = readNumber(reader, "scale_error");
   record.floor = readOrigin(reader, "floor");
   record.accuracy = readNumber(reader, "accuracy");
+  record.accuracyOutside = readNumber(reader, "accuracy_outside");
   if (reader.has("length")) {
     std::array<double, 2> length{};
     reader.numbers("length", length.data(), length.size(), 0.0, kLargestNumber);
@@ -122,7 +123,9 @@ std::string worldRecordText(const WorldRecord& record) {
   if (record.floor) {
     text += originText("floor", *record.floor);
   }
-  text += numberLine("accuracy", record.accuracy, "meters, 95 %");
+  text += numberLine("accuracy", record.accuracy, "meters, 95 %") +
+          numberLine("accuracy_outside", record.accuracyOutside,
+                     "meters, 95 %, outside the calibrated volume");
   if (record.check) {
     text += fmt::format("length = [{}, {}]   # meters: measured with a tape, found in the images\n",
                         record.check->measured, record.check->found);

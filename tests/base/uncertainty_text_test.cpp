@@ -17,6 +17,12 @@ TEST(UncertaintyText, HasTwoDigitsAndNoExponent) {
   EXPECT_EQ(uncertaintyText(0.0, "px"), "+-0 px");
 }
 
+TEST(UncertaintyText, TwoDigitsOfANumberAlone) {
+  EXPECT_EQ(twoDigitsText(893.4), "890");
+  EXPECT_EQ(twoDigitsText(0.0000472), "0.000047");
+  EXPECT_EQ(twoDigitsText(std::numeric_limits<double>::infinity()), "unknown");
+}
+
 TEST(UncertaintyText, OfALengthChoosesTheUnit) {
   EXPECT_EQ(lengthUncertaintyText(0.0031), "+-3.1 mm");
   EXPECT_EQ(lengthUncertaintyText(0.8934), "+-890 mm");

@@ -325,9 +325,9 @@ std::string motionGapText(const MotionGap& gap, const CameraRig& rig) {
     return fmt::format("{} saw the ball in only {:.0f} % of its image. Also move it to {}.",
                        name(0), inPercent(gap.value), sideText(gap.side));
   default:
-    return fmt::format("{} and {} saw the ball at the same time in only {:.0f} frames. Move it "
+    return fmt::format("{} and {} saw the ball at the same time in only {:.0f} frame{}. Move it "
                        "where both see it.",
-                       name(0), name(1), gap.value);
+                       name(0), name(1), gap.value, gap.value == 1.0 ? "" : "s");
   }
 }
 

@@ -2,6 +2,7 @@
 #include "core/calibration/report/board_report.h"
 
 #include "core/base/markup.h"
+#include "core/base/uncertainty_text.h"
 #include "core/base/units.h"
 #include "core/calibration/report/report_drawing.h"
 #include "core/calibration/report/space_drawing.h"
@@ -19,8 +20,8 @@ void addParameters(std::string& html, const BoardReport::CameraPart& camera) {
   }
   html += "<table><tr><th>parameter</th><th>value</th><th>standard deviation</th></tr>\n";
   for (const EstimatedParameter& parameter : camera.parameters) {
-    html += fmt::format("<tr><td>{}</td><td>{:.6g}</td><td>{:.2g}</td></tr>\n", parameter.name,
-                        parameter.value, parameter.sigma);
+    html += fmt::format("<tr><td>{}</td><td>{:.6g}</td><td>{}</td></tr>\n", parameter.name,
+                        parameter.value, twoDigitsText(parameter.sigma));
   }
   html += "</table>\n";
 }

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -64,7 +65,7 @@ void addRecords(const Project& project, WandRefinement& refinement) {
       refinement.beforeError.reset();
       return;
     }
-    if (pose->error) {
+    if (pose->error && std::isfinite(*pose->error)) {
       refinement.beforeError = std::max(refinement.beforeError.value_or(0.0), *pose->error);
     }
   }
@@ -116,6 +117,7 @@ void recordWorld(const WandRefinement& refinement, WorldRecord& world) {
     world.floor = CalibrationOrigin::Wand;
   }
   world.accuracy = accuracy ? std::optional(accuracy->position95) : std::nullopt;
+  world.accuracyOutside = accuracy ? accuracy->outside95 : std::nullopt;
 }
 
 } // namespace

@@ -127,6 +127,69 @@ TEST(CalibrationAccuracy, SaysItInOneSentence) {
             "In this volume +-890 mm (95 %), scale unknown, up +-0.2 degrees.");
 }
 
+TEST(CalibrationAccuracy, SaysWhatIsExtrapolated) {
+  CalibrationAccuracy accuracy;
+  accuracy.position95 = 0.0031;
+  accuracy.outside95 = 0.0094;
+  accuracy.outsideDistance = 0.82;
+  EXPECT_EQ(accuracySummary(accuracy),
+            "In this volume +-3.1 mm (95 %), scale unknown, up not measured. Outside it, up to 0.8 "
+            "m away, +-9.4 mm (extrapolated).");
+}
+
+/// Errors outside the volume, after the rigid motion that fits best inside, over the stated 95 %.
+TEST(CalibrationAccuracy, OutsideTheVolumeItIsLargerAndStillTrue) {
+  std::vector<double> ratios;
+  for (std::uint32_t seed = 0; seed < 8; ++seed) {
+    const CameraRig truth = rig(seed, 2 + static_cast<int>(seed % 4));
+    WandProblem problem = wave(truth, seed, 0.2, 240);
+    for (auto& views : problem.views) { // only in the lower half of the volume
+      std::erase_if(views, [&](const MarkerObservation& view) {
+        return waved(seed, view.time, view.ball).z() > 1.0;
+      });
+    }
+    problem.initialRig = moved(truth, 0.1, 0.05, seed);
+    const auto result = calibrateFromWand(problem);
+    ASSERT_TRUE(result) << sentence(result.error());
+    const auto accuracy = assessCalibration(result->problem, result->bundle);
+    ASSERT_TRUE(accuracy);
+    ASSERT_TRUE(accuracy->outside95) << seed;
+    EXPECT_GE(*accuracy->outside95, accuracy->position95);
+    EXPECT_GT(accuracy->outsideDistance, 0.2);
+    std::vector<Eigen::Vector3d> inside;
+    std::vector<Eigen::Vector3d> outside;
+    for (int i = 0; i < 100; ++i) {
+      const Eigen::Vector3d position = waved(seed, 0.16 * i, 0);
+      (position.z() < 1.0 ? inside : outside).push_back(position);
+    }
+    const auto found = [&](const std::vector<Eigen::Vector3d>& positions) {
+      std::pair<std::vector<Eigen::Vector3d>, std::vector<Eigen::Vector3d>> pairs;
+      for (const Eigen::Vector3d& position : positions) {
+        std::vector<Ray> rays;
+        for (std::size_t c = 0; c < truth.size(); ++c) {
+          const auto pixel = Projector(truth[c]).project(position);
+          if (pixel && inImage(truth[c], *pixel)) {
+            rays.push_back(*Unprojector(result->cameras[c]).ray(*pixel));
+          }
+        }
+        if (const auto point = rays.size() < 2 ? std::nullopt : nearestPoint(rays)) {
+          pairs.first.push_back(*point);
+          pairs.second.push_back(position);
+        }
+      }
+      return pairs;
+    };
+    const auto [foundInside, trueInside] = found(inside);
+    const Similarity back = fitSimilarity(foundInside, trueInside, false);
+    const auto [foundOutside, trueOutside] = found(outside);
+    for (std::size_t i = 0; i < foundOutside.size(); ++i) {
+      ratios.push_back((back * foundOutside[i] - trueOutside[i]).norm() / *accuracy->outside95);
+    }
+  }
+  const auto within = std::ranges::count_if(ratios, [](double ratio) { return ratio <= 1.0; });
+  EXPECT_GE(static_cast<double>(within), 0.9 * static_cast<double>(ratios.size()));
+}
+
 TEST(CalibrationAccuracy, WithoutFreeCamerasThereIsNone) {
   EXPECT_FALSE(assessCalibration({}, {}));
 }

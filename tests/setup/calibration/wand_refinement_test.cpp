@@ -54,6 +54,48 @@ TEST(WandRefinement, WhatTheFormerCamerasExplainAsWellIsNotNeeded) {
   EXPECT_NE(unneededText(refinement).find("0.35 px"), std::string::npos);
 }
 
+/// A refinement of calibrated cameras, whose new positions are known to 6 mm.
+WandRefinement ofCalibratedCameras() {
+  WandRefinement refinement = refinedTo(0.003);
+  refinement.accuracy->heldOut = 100;
+  refinement.accuracy->heldOutPx = 0.4;
+  refinement.accuracy->cameras = {{0.004, 0.001}, {0.006, 0.001}};
+  refinement.beforeCalibrated = true;
+  refinement.beforePx = 0.7; // worse than the new ones, but not as of a camera that was moved
+  return refinement;
+}
+
+TEST(WandRefinement, CamerasThatWereKnownBetterAreKept) {
+  WandRefinement refinement = ofCalibratedCameras();
+  EXPECT_FALSE(isKnownBetter(refinement)); // their error is not recorded, and no motion is missing
+  refinement.beforeError = 0.0015;
+  EXPECT_TRUE(isKnownBetter(refinement));
+  EXPECT_TRUE(isDoubtful(refinement));
+  EXPECT_FALSE(isUnneeded(refinement));
+  EXPECT_EQ(knownBetterText(refinement),
+            "the camera positions are known better as they were (+-1.5 mm; now +-6 mm): keep them");
+  refinement.beforeError = 0.02;
+  EXPECT_FALSE(isKnownBetter(refinement));
+  refinement.beforeError.reset();
+  refinement.gaps = {{.missing = MissingMotion::OffThePlane, .cameras = {0}, .severity = 0.8}};
+  EXPECT_TRUE(isKnownBetter(refinement));
+  refinement.gaps[0].severity = 0.2;
+  EXPECT_FALSE(isKnownBetter(refinement));
+}
+
+TEST(WandRefinement, CamerasThatTheImagesContradictAreReplaced) {
+  WandRefinement refinement = ofCalibratedCameras();
+  refinement.beforeError = 0.0015;
+  refinement.beforePx = 4.0; // one was moved after its calibration
+  EXPECT_FALSE(isKnownBetter(refinement));
+  refinement.beforePx.reset(); // not compared
+  EXPECT_FALSE(isKnownBetter(refinement));
+  refinement = ofCalibratedCameras();
+  refinement.beforeError = 0.0015;
+  refinement.beforeCalibrated = false; // placed by hand
+  EXPECT_FALSE(isKnownBetter(refinement));
+}
+
 /// Cameras that the refinement rotates about x by these angles, degrees.
 WandRefinement rotatedBy(const std::vector<double>& degrees) {
   WandRefinement refinement;

@@ -186,6 +186,10 @@ void GuidePage::refreshTable() {
   } else {
     lines << tr("○ Accuracy in the calibrated volume: not measured");
   }
+  if (status.accuracyOutside) {
+    lines << tr("○ Accuracy outside this volume: %1 (95 %, extrapolated)")
+                 .arg(lengthText(*status.accuracyOutside, LengthForm::TwoDigits));
+  }
   if (status.check) {
     lines << tr("✓ Length check: you measured %1, the calibration gives %2")
                  .arg(lengthText(status.check->measured, LengthScale::Meters, 4),

@@ -5,6 +5,8 @@
 
 #include <QCoreApplication>
 
+#include <cmath>
+
 namespace dewpoint::ui {
 namespace {
 
@@ -103,9 +105,11 @@ QString motionGapMessage(const MotionGap& gap, const QStringList& cameraNames) {
                .arg(name(0), shareText(gap.value)) +
            QLatin1Char(' ') + moveItThereText(name(0), gap.side);
   default:
-    return WandText::tr("%1 and %2 saw the ball at the same time in only %3 frames. Move it where "
-                        "both see it.")
-        .arg(name(0), name(1), numberText(gap.value, 0));
+    return WandText::tr(
+               "%1 and %2 saw the ball at the same time in only %n frame(s). Move it where "
+               "both see it.",
+               nullptr, static_cast<int>(std::lround(gap.value)))
+        .arg(name(0), name(1));
   }
 }
 
