@@ -11,6 +11,7 @@ expectText out.txt --target --stick --length --offsets --focal --floor --drop --
 # cameras and a path of 0.2 m say little more).
 expectExit 0 calibrate wand demo --frames 60:200 --out found.toml
 expectText out.txt 'camera 1' 'camera 2' 'Median reprojection error' 'Size:' 'World:'
+expectText out.txt 'note: ' # five seconds in a small volume: what is missing is named
 expectText found.toml '[cam_0]' '[cam_1]' 'name = "camera 1"'
 cp found.toml first.toml
 expectExit 0 calibrate wand demo --frames 60:200 --out found.toml --report page.html

@@ -122,7 +122,7 @@ TEST(MissingMotion, NoDepthIsNamed) {
   }));
   ASSERT_FALSE(gaps.empty());
   EXPECT_EQ(gaps[0].missing, MissingMotion::InDepth) << texts(gaps);
-  EXPECT_NEAR(gaps[0].value, 0.2, 0.08);
+  EXPECT_NEAR(gaps[0].value, 0.25, 0.08); // 0.2, and what the cameras are turned inward
 }
 
 TEST(MissingMotion, TheMissingSideOfAnImageIsNamed) {

@@ -43,5 +43,35 @@ TEST(WandText, EveryTouchHasItsText) {
   EXPECT_EQ(words.size(), static_cast<std::size_t>(kWandEventCount));
 }
 
+TEST(WandText, EveryMissingMotionHasItsText) {
+  std::set<QString> texts;
+  for (int kind = 0; kind <= static_cast<int>(MissingMotion::SeenTogether); ++kind) {
+    texts.insert(motionGapMessage(
+        {.missing = static_cast<MissingMotion>(kind), .cameras = {1, 0}, .value = 0.06},
+        {"left", "right"}));
+  }
+  for (int side = 0; side <= static_cast<int>(ImageSide::Bottom); ++side) {
+    texts.insert(motionGapMessage({.missing = MissingMotion::WholeImage,
+                                   .cameras = {1},
+                                   .value = 0.08,
+                                   .side = static_cast<ImageSide>(side)},
+                                  {"left", "right"}));
+  }
+  EXPECT_EQ(texts.size(), 11U); // 7 kinds, and 5 sides, one of which is among these
+  for (const QString& text : texts) {
+    EXPECT_FALSE(text.contains('%') && text.contains("%1")) << text.toStdString();
+  }
+}
+
+TEST(WandText, KnownBetterGivesBothErrors) {
+  WandRefinement refinement;
+  const QString without = knownBetterMessage(refinement);
+  refinement.beforeError = 0.0015;
+  refinement.accuracy->cameras = {{0.006, 0.001}};
+  const QString text = knownBetterMessage(refinement);
+  EXPECT_NE(text, without);
+  EXPECT_TRUE(text.contains("1.5 mm") && text.contains("6.0 mm")) << text.toStdString();
+}
+
 } // namespace
 } // namespace dewpoint::tests
