@@ -108,7 +108,7 @@ TEST(MissingMotion, ASmallPartOfTheVolumeIsNamed) {
 }
 
 /// Two cameras side by side, which look along y.
-CameraRig stereo() {
+CameraRig sideBySideRig() {
   CameraRig cameras = rig(3, 2);
   cameras[0].cameraFromWorld = lookAt({-0.2, -2.5, 1.0}, {0.0, 0.0, 1.0});
   cameras[1].cameraFromWorld = lookAt({0.2, -2.5, 1.0}, {0.0, 0.0, 1.0});
@@ -116,7 +116,7 @@ CameraRig stereo() {
 }
 
 TEST(MissingMotion, NoDepthIsNamed) {
-  const auto gaps = missingMotion(followed(stereo(), [](double time) {
+  const auto gaps = missingMotion(followed(sideBySideRig(), [](double time) {
     return Eigen::Vector3d(0.9 * std::sin(1.1 * time), 0.1 * std::sin(0.7 * time),
                            1.0 + 0.7 * std::sin(1.7 * time));
   }));
@@ -126,7 +126,7 @@ TEST(MissingMotion, NoDepthIsNamed) {
 }
 
 TEST(MissingMotion, TheMissingSideOfAnImageIsNamed) {
-  const auto gaps = missingMotion(followed(stereo(), [](double time) { // never on the left
+  const auto gaps = missingMotion(followed(sideBySideRig(), [](double time) { // never on the left
     return Eigen::Vector3d(1.05 + 0.25 * std::sin(1.1 * time), 0.6 * std::sin(0.7 * time),
                            1.0 + 0.5 * std::sin(1.7 * time));
   }));
