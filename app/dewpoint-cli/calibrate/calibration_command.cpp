@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/dewpoint-cli/commands.h"
 #include "app/dewpoint-cli/common/exit_code.h"
+#include "core/base/uncertainty_text.h"
 #include "core/calibration/formats/convert_calibration.h"
 #include "core/calibration/formats/format_catalog.h"
 
@@ -88,8 +89,9 @@ void takeHints(ConvertOptions& options) {
 }
 
 std::string cameraSentence(const CameraDifference& camera) {
-  std::string text = fmt::format("{}: largest difference over the image {:.2g} px{}", camera.camera,
-                                 camera.largestPixels, camera.refitted ? " (refitted)" : "");
+  std::string text =
+      fmt::format("{}: largest difference over the image {} px{}", camera.camera,
+                  twoDigitsText(camera.largestPixels), camera.refitted ? " (refitted)" : "");
   if (camera.lostDirections > 0) {
     text += fmt::format("; {} of 81 directions no longer map to a pixel", camera.lostDirections);
   }
@@ -116,7 +118,7 @@ int convert(ConvertOptions& options) {
   for (const CameraDifference& camera : conversion->cameras) {
     fmt::print("{}\n", cameraSentence(camera));
   }
-  fmt::print("largest reprojection difference: {:.2g} px\n", conversion->largestPixels);
+  fmt::print("largest reprojection difference: {} px\n", twoDigitsText(conversion->largestPixels));
   for (const auto& file : conversion->written) {
     fmt::print("{}\n", file.string());
   }
