@@ -108,6 +108,9 @@ std::string htmlText(const WandReport& report) {
   for (const DetectedFault& fault : result.faults) {
     html += fmt::format("<p class=\"notice\">{}</p>\n", htmlEscaped(fault.sentence));
   }
+  for (const std::string& notice : report.notices) {
+    html += fmt::format("<p class=\"notice\">{}</p>\n", htmlEscaped(notice));
+  }
   addStatistics(html, report);
   html += "<h2>In space</h2>\n" +
           spaceDrawing(result.cameras, wandPath(result), "cameras and the wand");

@@ -11,11 +11,12 @@ namespace dewpoint::calibration {
 
 /// Content of the report page for a calibration by wand.
 struct WandReport {
-  CameraRig before;                    ///< initial rig
-  WandResult result;                   ///< result of the calibration, including its faults
-  std::string accuracy;                ///< one sentence
-  std::vector<BoardCoverage> coverage; ///< per camera
-  bool offsetsFound = false;           ///< true if time offsets were estimated
+  CameraRig before;                      ///< initial rig
+  WandResult result;                     ///< result of the calibration, including its faults
+  std::string accuracy;                  ///< one sentence
+  std::vector<BoardCoverage> coverage;   ///< per camera
+  bool offsetsFound = false;             ///< true if time offsets were estimated
+  std::vector<std::string> notices = {}; ///< sentences shown after the faults
 };
 
 /// Returns the report as a self-contained HTML page. It shows accuracy, faults and results,

@@ -251,6 +251,9 @@ std::string htmlText(const WandRefinement& refinement) {
                         : "Accuracy unknown: " + sentence(refinement.accuracy.error());
   report.coverage = coverageOf(refinement.result);
   report.offsetsFound = refinement.options.findOffsets;
+  for (const MotionGap& gap : refinement.gaps) {
+    report.notices.push_back(motionGapText(gap, refinement.before));
+  }
   return htmlText(report);
 }
 

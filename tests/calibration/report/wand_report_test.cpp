@@ -47,9 +47,12 @@ TEST(WandReport, ShowsEveryCameraAndTheTarget) {
   report.accuracy = "In this volume +-3.1 mm (95 %)";
   report.coverage.resize(3);
   report.offsetsFound = true;
+  report.notices = {"The ball moved only along one line."};
   const std::string html = htmlText(report);
   EXPECT_NE(html.find("<strong>In this volume +-3.1 mm (95 %)</strong>"), std::string::npos);
   EXPECT_NE(html.find("<p class=\"notice\">camera 2 is late</p>"), std::string::npos);
+  EXPECT_NE(html.find("<p class=\"notice\">The ball moved only along one line.</p>"),
+            std::string::npos);
   EXPECT_NE(html.find("<h2>left &amp; &lt;right&gt;</h2>"), std::string::npos);
   EXPECT_NE(html.find("<th>delay ms</th>"), std::string::npos);
   // Per camera residuals and coverage; two views of the space.
