@@ -20,7 +20,7 @@ constexpr int kMostControls = 1024; ///< a driver that never ends is broken
 constexpr std::int64_t kMostMenuItems = 1024;
 
 /// Names that kernels before 5.14 derive from other labels.
-constexpr std::array<std::pair<std::uint32_t, const char*>, 9> kNames{
+constexpr std::array<std::pair<std::uint32_t, const char*>, 9> kControlNames{
     {{V4L2_CID_AUTO_WHITE_BALANCE, "white_balance_automatic"},
      {V4L2_CID_WHITE_BALANCE_TEMPERATURE, "white_balance_temperature"},
      {V4L2_CID_AUTOGAIN, "gain_automatic"},
@@ -34,8 +34,8 @@ constexpr std::array<std::pair<std::uint32_t, const char*>, 9> kNames{
 /// As v4l2-ctl makes a name of a label.
 std::string controlName(std::uint32_t id, std::string_view label) {
   const auto* const known =
-      std::ranges::find(kNames, id, &std::pair<std::uint32_t, const char*>::first);
-  if (known != kNames.end()) {
+      std::ranges::find(kControlNames, id, &std::pair<std::uint32_t, const char*>::first);
+  if (known != kControlNames.end()) {
     return known->second;
   }
   std::string name;

@@ -11,7 +11,7 @@ namespace dewpoint::session {
 namespace {
 /// Frames that are kept: more than a line is fitted to, so that one can step back a little.
 constexpr std::size_t kMaxFrames = 240;
-constexpr std::size_t kReach = 2; ///< frames before and after the one shown
+constexpr std::size_t kSpeedReach = 2; ///< frames before and after the one shown
 } // namespace
 
 void TargetSpeed::add(const TrackSnapshot& snapshot, const TargetSnapshot& target) {
@@ -47,8 +47,8 @@ std::optional<double> TargetSpeed::now() const {
   if (shown_ >= track_.size()) {
     return std::nullopt;
   }
-  const std::size_t first = shown_ - std::min(shown_, kReach);
-  const std::size_t last = std::min(track_.size() - 1, shown_ + kReach);
+  const std::size_t first = shown_ - std::min(shown_, kSpeedReach);
+  const std::size_t last = std::min(track_.size() - 1, shown_ + kSpeedReach);
   std::vector<TrajectorySample> near(track_.begin() + static_cast<std::ptrdiff_t>(first),
                                      track_.begin() + static_cast<std::ptrdiff_t>(last) + 1);
   // Of a run that is faster than the screen not every frame is shown: that is no gap.
@@ -59,7 +59,7 @@ std::optional<double> TargetSpeed::now() const {
     number += follows ? 1 : 2;
     near[k].frame = number;
   }
-  const auto velocity = trajectory::velocityAt(near, shown_ - first, kReach);
+  const auto velocity = trajectory::velocityAt(near, shown_ - first, kSpeedReach);
   return velocity ? std::optional(velocity->norm()) : std::nullopt;
 }
 
