@@ -384,10 +384,6 @@
         <translation>Kalibrierung exportieren…</translation>
     </message>
     <message>
-        <source>Calibrate with wand…</source>
-        <translation>Mit Kalibrierstab kalibrieren…</translation>
-    </message>
-    <message>
         <source>Refine the calibration by waving a ball, or a wand with two balls</source>
         <translation>Die Kalibrierung verfeinern, indem Sie einen Ball oder einen Stab mit zwei Bällen schwenken</translation>
     </message>
@@ -430,10 +426,6 @@
     <message>
         <source>Add a planned camera; you can then drag it in the bird&apos;s-eye view to try out where to place it</source>
         <translation>Eine geplante Kamera hinzufügen; Sie können sie dann in der Vogelperspektive ziehen, um einen Platz für sie auszuprobieren</translation>
-    </message>
-    <message>
-        <source>Recompute camera pose</source>
-        <translation>Kameralage neu berechnen</translation>
     </message>
     <message>
         <source>Recompute the pose of the camera that was moved during the run; all other cameras stay unchanged</source>
@@ -879,6 +871,22 @@
         <source>Bird&apos;s-eye view from the side: the YZ plane</source>
         <translation>Vogelperspektive von der Seite: die YZ-Ebene</translation>
     </message>
+    <message>
+        <source>Hide or show the target</source>
+        <translation>Ziel aus- oder einblenden</translation>
+    </message>
+    <message>
+        <source>Hide the selected target in the images and in the bird&apos;s-eye view, or show it again; it is tracked all the same</source>
+        <translation>Das gewählte Ziel in den Bildern und in der Vogelperspektive ausblenden oder wieder einblenden; verfolgt wird es trotzdem</translation>
+    </message>
+    <message>
+        <source>Calibrate with a wand…</source>
+        <translation>Mit einem Kalibrierstab kalibrieren…</translation>
+    </message>
+    <message>
+        <source>Recompute pose of moved camera</source>
+        <translation>Lage der bewegten Kamera neu berechnen</translation>
+    </message>
 </context>
 <context>
     <name>AssessedRegions</name>
@@ -889,6 +897,10 @@
     <message>
         <source>recognized as the target (if it is not, Ctrl+Shift-click it)</source>
         <translation>als Ziel erkannt (wenn es das nicht ist: Strg+Umschalt+Klick darauf)</translation>
+    </message>
+    <message>
+        <source>some pixels match too</source>
+        <translation>einige Pixel passen auch</translation>
     </message>
 </context>
 <context>
@@ -1206,6 +1218,10 @@
     <message>
         <source>In the calibrated volume: position %1, scale %2, upward direction %3 (each with a probability of 95 %).</source>
         <translation>Im kalibrierten Raum: Position %1, Maßstab %2, Richtung nach oben %3 (jeweils mit einer Wahrscheinlichkeit von 95 %).</translation>
+    </message>
+    <message>
+        <source>Outside it, up to %1 away: position ±%2 (extrapolated).</source>
+        <translation>Außerhalb davon, bis %1 entfernt: Position ±%2 (extrapoliert).</translation>
     </message>
 </context>
 <context>
@@ -1592,10 +1608,6 @@
         <translation>Eine Probe passt kaum zur gelernten Farbe: Sie ähnelt ihrer Umgebung, oder sie zeigt ein anderes Objekt.</translation>
     </message>
     <message>
-        <source>In the image of %3, a region %2 has this color too (it looks %1).</source>
-        <translation>Im Bild von %3 hat auch ein Bereich %2 diese Farbe (er ist %1).</translation>
-    </message>
-    <message>
         <source>Several objects have this color: another color would help.</source>
         <translation>Mehrere Objekte haben diese Farbe: Eine andere Farbe würde helfen.</translation>
     </message>
@@ -1641,6 +1653,18 @@
     <message>
         <source>Other objects have this color too: Ctrl+Shift-click them to exclude them.</source>
         <translation>Auch andere Objekte haben diese Farbe: Strg+Umschalt+Klick darauf schließt sie aus.</translation>
+    </message>
+    <message>
+        <source>Almost nothing else in the images has this color.</source>
+        <translation>Sonst hat fast nichts in den Bildern diese Farbe.</translation>
+    </message>
+    <message>
+        <source>Only %1 % of the background has this color too, which is little compared with the target.</source>
+        <translation>Nur %1 % des Hintergrunds haben auch diese Farbe; das ist wenig im Vergleich zum Ziel.</translation>
+    </message>
+    <message>
+        <source>The largest region of this color outside the target is in the image of %3, %2 (it looks %1).</source>
+        <translation>Der größte Bereich dieser Farbe außerhalb des Ziels ist im Bild von %3 %2 (er ist %1).</translation>
     </message>
 </context>
 <context>
@@ -1728,6 +1752,26 @@
     <message>
         <source>invalid format</source>
         <translation>ungültiges Format</translation>
+    </message>
+    <message>
+        <source>the camera repeats images</source>
+        <translation>die Kamera wiederholt Bilder</translation>
+    </message>
+    <message>
+        <source>the camera sends fewer images than it should</source>
+        <translation>die Kamera sendet weniger Bilder, als sie sollte</translation>
+    </message>
+    <message>
+        <source>the images are black</source>
+        <translation>die Bilder sind schwarz</translation>
+    </message>
+    <message>
+        <source>the images arrive late</source>
+        <translation>die Bilder kommen verspätet an</translation>
+    </message>
+    <message>
+        <source>the images do not change</source>
+        <translation>die Bilder ändern sich nicht</translation>
     </message>
 </context>
 <context>
@@ -2420,6 +2464,22 @@
     <message>
         <source>Write the results to another folder with the option --out.</source>
         <translation>Schreiben Sie die Ergebnisse mit der Option --out in einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>%2 % of the pixels of target %1 in %3 were overexposed when its color was learned.</source>
+        <translation>%2 % der Pixel des Ziels %1 in %3 waren überbelichtet, als seine Farbe gelernt wurde.</translation>
+    </message>
+    <message>
+        <source>%2 % of the pixels of target %1 in %3 were too dark when its color was learned.</source>
+        <translation>%2 % der Pixel des Ziels %1 in %3 waren zu dunkel, als seine Farbe gelernt wurde.</translation>
+    </message>
+    <message>
+        <source>Lower the exposure of the camera, and learn the color again in new images.</source>
+        <translation>Verringern Sie die Belichtung der Kamera, und lernen Sie die Farbe in neuen Bildern erneut.</translation>
+    </message>
+    <message>
+        <source>Raise the exposure of the camera or add light, and learn the color again in new images.</source>
+        <translation>Erhöhen Sie die Belichtung der Kamera oder sorgen Sie für mehr Licht, und lernen Sie die Farbe in neuen Bildern erneut.</translation>
     </message>
 </context>
 <context>
@@ -3983,6 +4043,65 @@ Effektive Stichprobengröße %8 von %9</translation>
         <source>A wand has two balls of different colors: press “Add a target” in the toolbar, then click the second ball in an image.</source>
         <translation>Ein Stab hat zwei Bälle verschiedener Farben: Drücken Sie „Ziel hinzufügen“ in der Werkzeugleiste, und klicken Sie dann den zweiten Ball in einem Bild an.</translation>
     </message>
+    <message>
+        <source>Also move it to the left of the image of %1.</source>
+        <translation>Bewegen Sie ihn auch nach links im Bild von %1.</translation>
+    </message>
+    <message>
+        <source>Also move it to the right of the image of %1.</source>
+        <translation>Bewegen Sie ihn auch nach rechts im Bild von %1.</translation>
+    </message>
+    <message>
+        <source>Also move it to the top of the image of %1.</source>
+        <translation>Bewegen Sie ihn auch nach oben im Bild von %1.</translation>
+    </message>
+    <message>
+        <source>Also move it to the bottom of the image of %1.</source>
+        <translation>Bewegen Sie ihn auch nach unten im Bild von %1.</translation>
+    </message>
+    <message>
+        <source>Also move it to all edges of the image of %1.</source>
+        <translation>Bewegen Sie ihn auch an alle Ränder des Bildes von %1.</translation>
+    </message>
+    <message>
+        <source>The ball was seen for only %1. Wave for half a minute.</source>
+        <translation>Der Ball war nur %1 lang zu sehen. Schwenken Sie ihn eine halbe Minute lang.</translation>
+    </message>
+    <message>
+        <source>The ball moved only along one line. Move it in all directions: to the sides, up and down, near and far.</source>
+        <translation>Der Ball bewegte sich nur entlang einer Linie. Bewegen Sie ihn in alle Richtungen: zur Seite, nach oben und unten, nah und fern.</translation>
+    </message>
+    <message>
+        <source>The ball moved only within a plane (%1 thick). Also move it across this plane: toward %2 and away from it.</source>
+        <translation>Der Ball bewegte sich nur in einer Ebene (%1 dick). Bewegen Sie ihn auch quer zu dieser Ebene: auf %2 zu und davon weg.</translation>
+    </message>
+    <message>
+        <source>The ball was always about as far from %1 (within %2). Also move it toward %1 and away from it.</source>
+        <translation>Der Ball war immer etwa gleich weit von %1 entfernt (auf %2 genau). Bewegen Sie ihn auch auf %1 zu und davon weg.</translation>
+    </message>
+    <message>
+        <source>The ball stayed in %1 of the volume that the cameras see together. Move it through the whole volume in which you will track.</source>
+        <translation>Der Ball blieb in %1 des Raums, den die Kameras gemeinsam sehen. Bewegen Sie ihn durch den ganzen Raum, in dem Sie verfolgen werden.</translation>
+    </message>
+    <message>
+        <source>%1 saw the ball in only %2 of its image.</source>
+        <translation>%1 sah den Ball nur in %2 des Bildes.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 and %2 saw the ball at the same time in only %n frame(s). Move it where both see it.</source>
+        <translation>
+            <numerusform>%1 und %2 sahen den Ball nur in %n Bild gleichzeitig. Bewegen Sie ihn dort, wo beide ihn sehen.</numerusform>
+            <numerusform>%1 und %2 sahen den Ball nur in %n Bildern gleichzeitig. Bewegen Sie ihn dort, wo beide ihn sehen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The cameras were calibrated before, and this recording lacks too much motion to improve them. Keep them.</source>
+        <translation>Die Kameras waren schon kalibriert, und dieser Aufnahme fehlt zu viel Bewegung, um sie zu verbessern. Behalten Sie sie.</translation>
+    </message>
+    <message>
+        <source>The camera positions are known better as they were: ±%1. The error of the new ones is ±%2. Keep the old ones.</source>
+        <translation>Die bisherigen Kamerapositionen sind genauer bekannt: ±%1. Der Fehler der neuen ist ±%2. Behalten Sie die bisherigen.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::AboutDialog</name>
@@ -4981,6 +5100,10 @@ Effektive Stichprobengröße %8 von %9</translation>
         <source>usual for the format</source>
         <translation>wie im Format üblich</translation>
     </message>
+    <message>
+        <source>No accuracy is lost: points are projected to the same pixels as before.</source>
+        <translation>Es geht keine Genauigkeit verloren: Punkte werden auf dieselben Pixel projiziert wie vorher.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::CalibrationFit</name>
@@ -5250,6 +5373,10 @@ Effektive Stichprobengröße %8 von %9</translation>
     <message>
         <source>Lock colors</source>
         <translation>Farben sperren</translation>
+    </message>
+    <message>
+        <source>Crop images</source>
+        <translation>Bilder zuschneiden</translation>
     </message>
 </context>
 <context>
@@ -5970,12 +6097,12 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>Die gewählte Probe entfernen und aus den übrigen lernen (Entf). Ist die Probe mit „gefunden“ bezeichnet, wird sie zu einer ausgeschlossenen Probe.</translation>
     </message>
     <message>
-        <source>found by Dewpoint: %1, frame %2, pixel %3, %4</source>
-        <translation>von Dewpoint gefunden: %1, Bild %2, Pixel %3, %4</translation>
-    </message>
-    <message>
         <source>Shift-click in an image to add a sample, Ctrl+Shift-click or Alt-click to exclude one. Samples marked “found” were detected in other cameras.</source>
         <translation>Umschalt+Klick in einem Bild fügt eine Probe hinzu, Strg+Umschalt+Klick oder Alt+Klick schließt eine aus. Mit „gefunden“ bezeichnete Proben wurden in anderen Kameras erkannt.</translation>
+    </message>
+    <message>
+        <source>found: %1, frame %2, pixel %3, %4</source>
+        <translation>gefunden: %1, Bild %2, Pixel %3, %4</translation>
     </message>
 </context>
 <context>
@@ -6066,6 +6193,29 @@ Position x, y, z: %4, %5, %6</translation>
     <message>
         <source>Show report</source>
         <translation>Bericht zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::CropForm</name>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>top</source>
+        <translation>oben</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>bottom</source>
+        <translation>unten</translation>
+    </message>
+    <message>
+        <source>Pixels to cut off at this edge, after rotation and mirroring. The calibration is converted. Undo restores what was clicked in the part that is cut off</source>
+        <translation>Pixel, die nach dem Drehen und Spiegeln an diesem Rand abgeschnitten werden. Die Kalibrierung wird umgerechnet. „Rückgängig“ stellt wieder her, was im abgeschnittenen Teil angeklickt wurde</translation>
     </message>
 </context>
 <context>
@@ -6579,6 +6729,40 @@ Position x, y, z: %4, %5, %6</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::ExposureBars</name>
+    <message>
+        <source>Brightness of the target&apos;s pixels</source>
+        <translation>Helligkeit der Pixel des Ziels</translation>
+    </message>
+    <message>
+        <source>Brightness of the target&apos;s pixels, from black on the left to white on the right. Pixels in the strong bars at the ends have lost their color: they are too dark, or overexposed.</source>
+        <translation>Helligkeit der Pixel des Ziels, von Schwarz links bis Weiß rechts. Die Pixel in den kräftigen Balken an den Enden haben ihre Farbe verloren: Sie sind zu dunkel oder überbelichtet.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::ExposureView</name>
+    <message>
+        <source>Exposure: no target is visible in this camera</source>
+        <translation>Belichtung: In dieser Kamera ist kein Ziel zu sehen</translation>
+    </message>
+    <message>
+        <source>Exposure of %1</source>
+        <translation>Belichtung von %1</translation>
+    </message>
+    <message>
+        <source>%1 % overexposed · %2 % too dark</source>
+        <translation>%1 % überbelichtet · %2 % zu dunkel</translation>
+    </message>
+    <message>
+        <source>%1: %2 % of the target&apos;s pixels are overexposed. Lower the exposure.</source>
+        <translation>%1: %2 % der Pixel des Ziels sind überbelichtet. Verringern Sie die Belichtung.</translation>
+    </message>
+    <message>
+        <source>%1: %2 % of the target&apos;s pixels are too dark. Raise the exposure, or add light.</source>
+        <translation>%1: %2 % der Pixel des Ziels sind zu dunkel. Erhöhen Sie die Belichtung, oder sorgen Sie für mehr Licht.</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::FollowAllButton</name>
     <message numerus="yes">
         <source>Follow all %n objects</source>
@@ -6924,6 +7108,10 @@ Position x, y, z: %4, %5, %6</translation>
         <source>✓ Length check: you measured %1, the calibration gives %2</source>
         <translation>✓ Längenprüfung: Sie haben %1 gemessen, die Kalibrierung ergibt %2</translation>
     </message>
+    <message>
+        <source>○ Accuracy outside this volume: %1 (95 %, extrapolated)</source>
+        <translation>○ Genauigkeit außerhalb dieses Raums: %1 (95 %, extrapoliert)</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::HistogramView</name>
@@ -7036,6 +7224,18 @@ Wenn diese Schaltfläche aus ist, tut Strg+Umschalt+Klick dasselbe; auch Alt+Kli
         <source>Click: learn · Shift: add · Ctrl+Shift: exclude · Esc: stop</source>
         <translation>Klick: lernen · Umschalt: hinzufügen · Strg+Umschalt: ausschließen · Esc: beenden</translation>
     </message>
+    <message>
+        <source>Click: add a sample · Esc: stop</source>
+        <translation>Klick: Probe hinzufügen · Esc: beenden</translation>
+    </message>
+    <message>
+        <source>Click: learn · Shift: add · Esc: stop</source>
+        <translation>Klick: lernen · Umschalt: hinzufügen · Esc: beenden</translation>
+    </message>
+    <message>
+        <source>Click the new target · Esc: stop</source>
+        <translation>Das neue Ziel anklicken · Esc: beenden</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::LegendPicture</name>
@@ -7070,6 +7270,14 @@ Wenn diese Schaltfläche aus ist, tut Strg+Umschalt+Klick dasselbe; auch Alt+Kli
     <message>
         <source>Dashed ellipse: the size of the target itself, if the target is not a ball.</source>
         <translation>Gestrichelte Ellipse: die Größe des Ziels selbst, wenn das Ziel kein Ball ist.</translation>
+    </message>
+    <message>
+        <source>Box in a corner: the particles, enlarged, if they are too close together to be seen in the view. A line shows where they are, and the bar shows the scale.</source>
+        <translation>Kasten in einer Ecke: die Partikel, vergrößert, wenn sie für die Ansicht zu dicht beieinander liegen. Eine Linie zeigt, wo sie sind, und der Balken zeigt den Maßstab.</translation>
+    </message>
+    <message>
+        <source>Dark band along a path in the bird&apos;s-eye view: the time range that is selected in the timeline. Press Esc in the timeline to remove the selection.</source>
+        <translation>Dunkles Band entlang eines Weges in der Vogelperspektive: der Zeitbereich, der in der Zeitleiste ausgewählt ist. Esc in der Zeitleiste hebt die Auswahl auf.</translation>
     </message>
 </context>
 <context>
@@ -7457,6 +7665,14 @@ Wenn diese Schaltfläche aus ist, tut Strg+Umschalt+Klick dasselbe; auch Alt+Kli
     <message>
         <source>Some frames were tracked with earlier settings.</source>
         <translation>Einige Bilder wurden mit früheren Einstellungen verfolgt.</translation>
+    </message>
+    <message>
+        <source>Tracking began at frame %1, where you clicked. The frames before it are not tracked.</source>
+        <translation>Die Verfolgung begann bei Bild %1, das Sie angeklickt haben. Die Bilder davor sind nicht verfolgt.</translation>
+    </message>
+    <message>
+        <source>Track from the first frame</source>
+        <translation>Ab dem ersten Bild verfolgen</translation>
     </message>
 </context>
 <context>
@@ -8032,6 +8248,10 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <source>Click: go to this frame · Ctrl+wheel: zoom</source>
         <translation>Klick: zu diesem Bild gehen · Strg+Mausrad: zoomen</translation>
     </message>
+    <message>
+        <source>frame %1, %2</source>
+        <translation>Bild %1, %2</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::PointCalibrator</name>
@@ -8218,10 +8438,6 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Den Klick auf den gewählten Punkt aus dem Bild der gewählten Kamera entfernen</translation>
     </message>
     <message>
-        <source>Positions measured with a tape, in meters: double-click to edit. ▲ marks the point with the largest error.</source>
-        <translation>Mit dem Maßband gemessene Positionen, in Metern: Doppelklick zum Bearbeiten. ▲ bezeichnet den Punkt mit dem größten Fehler.</translation>
-    </message>
-    <message>
         <source>clicked</source>
         <translation>angeklickt</translation>
     </message>
@@ -8236,6 +8452,10 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
     <message>
         <source>Compute the poses of all cameras in which points were clicked. Each camera needs at least four points; six that do not all lie in one plane are better</source>
         <translation>Die Lagen aller Kameras berechnen, in denen Punkte angeklickt wurden. Jede Kamera braucht mindestens vier Punkte; besser sind sechs, die nicht alle in einer Ebene liegen</translation>
+    </message>
+    <message>
+        <source>Positions measured with a tape, in meters: double-click to edit. ▲ marks a point that does not fit the others.</source>
+        <translation>Mit dem Maßband gemessene Positionen, in Metern: Doppelklick zum Bearbeiten. ▲ bezeichnet einen Punkt, der nicht zu den anderen passt.</translation>
     </message>
 </context>
 <context>
@@ -8506,6 +8726,10 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
     <message>
         <source>▲ The calibration is for images of %1. Choose this size, or calibrate again.</source>
         <translation>▲ Die Kalibrierung gilt für Bilder von %1. Wählen Sie diese Größe oder kalibrieren Sie erneut.</translation>
+    </message>
+    <message>
+        <source>Cropped</source>
+        <translation>Zugeschnitten</translation>
     </message>
 </context>
 <context>
@@ -8784,6 +9008,10 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
     <message>
         <source>Memory for going back to earlier frames: images, particles and saved states of the method. When it is full, only the estimates of older frames are kept.</source>
         <translation>Speicher für den Rückblick auf frühere Bilder: Bilder, Partikel und gespeicherte Zustände des Verfahrens. Ist er voll, bleiben von älteren Bildern nur die Schätzungen.</translation>
+    </message>
+    <message>
+        <source>99 of 100 within: capture %1 · decode %2 · wait %3 · compute %4 · draw %5</source>
+        <translation>99 von 100 innerhalb von: Aufnahme %1 · Dekodieren %2 · Warten %3 · Rechnen %4 · Zeichnen %5</translation>
     </message>
 </context>
 <context>
@@ -9333,14 +9561,6 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Name des Ziels, in Ansichten und Dateien</translation>
     </message>
     <message>
-        <source>Radius</source>
-        <translation>Radius</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
         <source>unknown</source>
         <translation>unbekannt</translation>
     </message>
@@ -9367,10 +9587,6 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
     <message>
         <source>No target yet. In any camera image, click the object to track.</source>
         <translation>Noch kein Ziel: Klicken Sie in einem Kamerabild das Objekt an, das verfolgt werden soll.</translation>
-    </message>
-    <message>
-        <source>Click a target in a camera image to learn its color.</source>
-        <translation>Klicken Sie ein Ziel in einem Kamerabild an, um seine Farbe zu lernen.</translation>
     </message>
     <message>
         <source>Rename target</source>
@@ -9439,6 +9655,33 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
     <message>
         <source>%1 m/s</source>
         <translation>%1 m/s</translation>
+    </message>
+    <message>
+        <source>Radius (mm)</source>
+        <translation>Radius (mm)</translation>
+    </message>
+    <message>
+        <source>To learn the color of this target, press Learn and click the target in a camera image.</source>
+        <translation>Um die Farbe dieses Ziels zu lernen, drücken Sie „Lernen“ und klicken Sie das Ziel in einem Kamerabild an.</translation>
+    </message>
+    <message>
+        <source>Hide target</source>
+        <translation>Ziel ausblenden</translation>
+    </message>
+    <message>
+        <source>Show target</source>
+        <translation>Ziel einblenden</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::TargetRowDelegate</name>
+    <message>
+        <source>Hide this target in the images and in the bird&apos;s-eye view. It is still tracked.</source>
+        <translation>Dieses Ziel in den Bildern und in der Vogelperspektive ausblenden. Es wird weiter verfolgt.</translation>
+    </message>
+    <message>
+        <source>Show this target in the images and in the bird&apos;s-eye view</source>
+        <translation>Dieses Ziel in den Bildern und in der Vogelperspektive einblenden</translation>
     </message>
 </context>
 <context>

@@ -22,6 +22,16 @@
     </message>
 </context>
 <context>
+    <name>WandSettings</name>
+    <message numerus="yes">
+        <source>%1 and %2 saw the ball at the same time in only %n frame(s). Move it where both see it.</source>
+        <translation>
+            <numerusform>%1 and %2 saw the ball at the same time in only %n frame. Move it where both see it.</numerusform>
+            <numerusform>%1 and %2 saw the ball at the same time in only %n frames. Move it where both see it.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::BoardFloor</name>
     <message numerus="yes">
         <source>The floor is set from the board, which %n camera(s) can see (error %1). The world was rotated by %2.</source>

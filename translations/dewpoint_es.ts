@@ -384,10 +384,6 @@
         <translation>Exportar calibración…</translation>
     </message>
     <message>
-        <source>Calibrate with wand…</source>
-        <translation>Calibrar con varita…</translation>
-    </message>
-    <message>
         <source>Refine the calibration by waving a ball, or a wand with two balls</source>
         <translation>Refinar la calibración agitando una pelota, o una varita con dos pelotas</translation>
     </message>
@@ -430,10 +426,6 @@
     <message>
         <source>Add a planned camera; you can then drag it in the bird&apos;s-eye view to try out where to place it</source>
         <translation>Añadir una cámara planeada; después puede arrastrarla en la vista de pájaro para probar dónde colocarla</translation>
-    </message>
-    <message>
-        <source>Recompute camera pose</source>
-        <translation>Recalcular pose de cámara</translation>
     </message>
     <message>
         <source>Recompute the pose of the camera that was moved during the run; all other cameras stay unchanged</source>
@@ -879,6 +871,22 @@
         <source>Bird&apos;s-eye view from the side: the YZ plane</source>
         <translation>Vista de pájaro desde el lado: el plano YZ</translation>
     </message>
+    <message>
+        <source>Hide or show the target</source>
+        <translation>Ocultar o mostrar el objetivo</translation>
+    </message>
+    <message>
+        <source>Hide the selected target in the images and in the bird&apos;s-eye view, or show it again; it is tracked all the same</source>
+        <translation>Ocultar el objetivo seleccionado en las imágenes y en la vista de pájaro, o volver a mostrarlo; se sigue igualmente</translation>
+    </message>
+    <message>
+        <source>Calibrate with a wand…</source>
+        <translation>Calibrar con una varita…</translation>
+    </message>
+    <message>
+        <source>Recompute pose of moved camera</source>
+        <translation>Recalcular pose de la cámara movida</translation>
+    </message>
 </context>
 <context>
     <name>AssessedRegions</name>
@@ -889,6 +897,10 @@
     <message>
         <source>recognized as the target (if it is not, Ctrl+Shift-click it)</source>
         <translation>reconocido como objetivo (si no lo es, Ctrl+Mayús+clic en él)</translation>
+    </message>
+    <message>
+        <source>some pixels match too</source>
+        <translation>algunos píxeles también coinciden</translation>
     </message>
 </context>
 <context>
@@ -1206,6 +1218,10 @@
     <message>
         <source>In the calibrated volume: position %1, scale %2, upward direction %3 (each with a probability of 95 %).</source>
         <translation>En el volumen calibrado: posición %1, escala %2, dirección hacia arriba %3 (cada una con una probabilidad del 95 %).</translation>
+    </message>
+    <message>
+        <source>Outside it, up to %1 away: position ±%2 (extrapolated).</source>
+        <translation>Fuera de él, hasta a %1 de distancia: posición ±%2 (extrapolado).</translation>
     </message>
 </context>
 <context>
@@ -1592,10 +1608,6 @@
         <translation>Una muestra apenas coincide con el color aprendido: se parece a su entorno, o muestra otro objeto.</translation>
     </message>
     <message>
-        <source>In the image of %3, a region %2 has this color too (it looks %1).</source>
-        <translation>En la imagen de %3, una zona %2 también tiene este color (%1).</translation>
-    </message>
-    <message>
         <source>Several objects have this color: another color would help.</source>
         <translation>Varios objetos tienen este color: otro color ayudaría.</translation>
     </message>
@@ -1641,6 +1653,18 @@
     <message>
         <source>Other objects have this color too: Ctrl+Shift-click them to exclude them.</source>
         <translation>Otros objetos también tienen este color: Ctrl+Mayús+clic en ellos los excluye.</translation>
+    </message>
+    <message>
+        <source>Almost nothing else in the images has this color.</source>
+        <translation>Casi nada más en las imágenes tiene este color.</translation>
+    </message>
+    <message>
+        <source>Only %1 % of the background has this color too, which is little compared with the target.</source>
+        <translation>Solo el %1 % del fondo tiene también este color, poco en comparación con el objetivo.</translation>
+    </message>
+    <message>
+        <source>The largest region of this color outside the target is in the image of %3, %2 (it looks %1).</source>
+        <translation>La zona más grande de este color fuera del objetivo está en la imagen de %3, %2 (%1).</translation>
     </message>
 </context>
 <context>
@@ -1728,6 +1752,26 @@
     <message>
         <source>invalid format</source>
         <translation>formato no válido</translation>
+    </message>
+    <message>
+        <source>the camera repeats images</source>
+        <translation>la cámara repite imágenes</translation>
+    </message>
+    <message>
+        <source>the camera sends fewer images than it should</source>
+        <translation>la cámara envía menos imágenes de las que debería</translation>
+    </message>
+    <message>
+        <source>the images are black</source>
+        <translation>las imágenes están en negro</translation>
+    </message>
+    <message>
+        <source>the images arrive late</source>
+        <translation>las imágenes llegan con retraso</translation>
+    </message>
+    <message>
+        <source>the images do not change</source>
+        <translation>las imágenes no cambian</translation>
     </message>
 </context>
 <context>
@@ -2420,6 +2464,22 @@
     <message>
         <source>Write the results to another folder with the option --out.</source>
         <translation>Escriba los resultados en otra carpeta con la opción --out.</translation>
+    </message>
+    <message>
+        <source>%2 % of the pixels of target %1 in %3 were overexposed when its color was learned.</source>
+        <translation>El %2 % de los píxeles del objetivo %1 en %3 estaban sobreexpuestos cuando se aprendió su color.</translation>
+    </message>
+    <message>
+        <source>%2 % of the pixels of target %1 in %3 were too dark when its color was learned.</source>
+        <translation>El %2 % de los píxeles del objetivo %1 en %3 estaban demasiado oscuros cuando se aprendió su color.</translation>
+    </message>
+    <message>
+        <source>Lower the exposure of the camera, and learn the color again in new images.</source>
+        <translation>Reduzca la exposición de la cámara y vuelva a aprender el color en imágenes nuevas.</translation>
+    </message>
+    <message>
+        <source>Raise the exposure of the camera or add light, and learn the color again in new images.</source>
+        <translation>Aumente la exposición de la cámara o añada luz, y vuelva a aprender el color en imágenes nuevas.</translation>
     </message>
 </context>
 <context>
@@ -3983,6 +4043,65 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <source>A wand has two balls of different colors: press “Add a target” in the toolbar, then click the second ball in an image.</source>
         <translation>Una varita tiene dos pelotas de colores distintos: pulse «Añadir un objetivo» en la barra de herramientas y haga clic en la segunda pelota en una imagen.</translation>
     </message>
+    <message>
+        <source>Also move it to the left of the image of %1.</source>
+        <translation>Muévala también a la izquierda de la imagen de %1.</translation>
+    </message>
+    <message>
+        <source>Also move it to the right of the image of %1.</source>
+        <translation>Muévala también a la derecha de la imagen de %1.</translation>
+    </message>
+    <message>
+        <source>Also move it to the top of the image of %1.</source>
+        <translation>Muévala también a la parte superior de la imagen de %1.</translation>
+    </message>
+    <message>
+        <source>Also move it to the bottom of the image of %1.</source>
+        <translation>Muévala también a la parte inferior de la imagen de %1.</translation>
+    </message>
+    <message>
+        <source>Also move it to all edges of the image of %1.</source>
+        <translation>Muévala también a todos los bordes de la imagen de %1.</translation>
+    </message>
+    <message>
+        <source>The ball was seen for only %1. Wave for half a minute.</source>
+        <translation>La bola se vio solo durante %1. Muévala durante medio minuto.</translation>
+    </message>
+    <message>
+        <source>The ball moved only along one line. Move it in all directions: to the sides, up and down, near and far.</source>
+        <translation>La bola se movió solo a lo largo de una línea. Muévala en todas las direcciones: a los lados, arriba y abajo, cerca y lejos.</translation>
+    </message>
+    <message>
+        <source>The ball moved only within a plane (%1 thick). Also move it across this plane: toward %2 and away from it.</source>
+        <translation>La bola se movió solo dentro de un plano (%1 de grosor). Muévala también a través de este plano: hacia %2 y alejándola.</translation>
+    </message>
+    <message>
+        <source>The ball was always about as far from %1 (within %2). Also move it toward %1 and away from it.</source>
+        <translation>La bola estuvo siempre a casi la misma distancia de %1 (con una variación de %2). Acérquela también a %1 y aléjela.</translation>
+    </message>
+    <message>
+        <source>The ball stayed in %1 of the volume that the cameras see together. Move it through the whole volume in which you will track.</source>
+        <translation>La bola se quedó en el %1 del volumen que las cámaras ven en común. Muévala por todo el volumen en el que vaya a hacer el seguimiento.</translation>
+    </message>
+    <message>
+        <source>%1 saw the ball in only %2 of its image.</source>
+        <translation>%1 vio la bola solo en el %2 de su imagen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 and %2 saw the ball at the same time in only %n frame(s). Move it where both see it.</source>
+        <translation>
+            <numerusform>%1 y %2 vieron la bola a la vez en solo %n fotograma. Muévala donde ambas la vean.</numerusform>
+            <numerusform>%1 y %2 vieron la bola a la vez en solo %n fotogramas. Muévala donde ambas la vean.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The cameras were calibrated before, and this recording lacks too much motion to improve them. Keep them.</source>
+        <translation>Las cámaras ya estaban calibradas, y a esta grabación le falta demasiado movimiento para mejorarlas. Consérvelas.</translation>
+    </message>
+    <message>
+        <source>The camera positions are known better as they were: ±%1. The error of the new ones is ±%2. Keep the old ones.</source>
+        <translation>Las posiciones anteriores de las cámaras se conocen mejor: ±%1. El error de las nuevas es de ±%2. Conserve las anteriores.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::AboutDialog</name>
@@ -4981,6 +5100,10 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <source>usual for the format</source>
         <translation>lo habitual en el formato</translation>
     </message>
+    <message>
+        <source>No accuracy is lost: points are projected to the same pixels as before.</source>
+        <translation>No se pierde precisión: los puntos se proyectan en los mismos píxeles que antes.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::CalibrationFit</name>
@@ -5250,6 +5373,10 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     <message>
         <source>Lock colors</source>
         <translation>Fijar colores</translation>
+    </message>
+    <message>
+        <source>Crop images</source>
+        <translation>Recortar imágenes</translation>
     </message>
 </context>
 <context>
@@ -5970,12 +6097,12 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>Quitar la muestra elegida y aprender de las demás (Supr). Si la muestra está marcada como «encontrada», pasa a ser una muestra excluida.</translation>
     </message>
     <message>
-        <source>found by Dewpoint: %1, frame %2, pixel %3, %4</source>
-        <translation>encontrada por Dewpoint: %1, fotograma %2, píxel %3, %4</translation>
-    </message>
-    <message>
         <source>Shift-click in an image to add a sample, Ctrl+Shift-click or Alt-click to exclude one. Samples marked “found” were detected in other cameras.</source>
         <translation>Mayús+clic en una imagen añade una muestra; Ctrl+Mayús+clic o Alt+clic excluye una. Las muestras marcadas como «encontrada» se detectaron en otras cámaras.</translation>
+    </message>
+    <message>
+        <source>found: %1, frame %2, pixel %3, %4</source>
+        <translation>encontrada: %1, fotograma %2, píxel %3, %4</translation>
     </message>
 </context>
 <context>
@@ -6066,6 +6193,29 @@ Posición x, y, z: %4, %5, %6</translation>
     <message>
         <source>Show report</source>
         <translation>Mostrar informe</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::CropForm</name>
+    <message>
+        <source>left</source>
+        <translation>izquierda</translation>
+    </message>
+    <message>
+        <source>top</source>
+        <translation>arriba</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>derecha</translation>
+    </message>
+    <message>
+        <source>bottom</source>
+        <translation>abajo</translation>
+    </message>
+    <message>
+        <source>Pixels to cut off at this edge, after rotation and mirroring. The calibration is converted. Undo restores what was clicked in the part that is cut off</source>
+        <translation>Píxeles que se recortan en este borde, después de girar y reflejar. La calibración se convierte. Deshacer recupera lo que se marcó en la parte recortada</translation>
     </message>
 </context>
 <context>
@@ -6579,6 +6729,40 @@ Posición x, y, z: %4, %5, %6</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::ExposureBars</name>
+    <message>
+        <source>Brightness of the target&apos;s pixels</source>
+        <translation>Brillo de los píxeles del objetivo</translation>
+    </message>
+    <message>
+        <source>Brightness of the target&apos;s pixels, from black on the left to white on the right. Pixels in the strong bars at the ends have lost their color: they are too dark, or overexposed.</source>
+        <translation>Brillo de los píxeles del objetivo, de negro a la izquierda a blanco a la derecha. Los píxeles de las barras intensas de los extremos han perdido su color: son demasiado oscuros o están sobreexpuestos.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::ExposureView</name>
+    <message>
+        <source>Exposure: no target is visible in this camera</source>
+        <translation>Exposición: no se ve ningún objetivo en esta cámara</translation>
+    </message>
+    <message>
+        <source>Exposure of %1</source>
+        <translation>Exposición de %1</translation>
+    </message>
+    <message>
+        <source>%1 % overexposed · %2 % too dark</source>
+        <translation>%1 % sobreexpuestos · %2 % demasiado oscuros</translation>
+    </message>
+    <message>
+        <source>%1: %2 % of the target&apos;s pixels are overexposed. Lower the exposure.</source>
+        <translation>%1: el %2 % de los píxeles del objetivo están sobreexpuestos. Reduzca la exposición.</translation>
+    </message>
+    <message>
+        <source>%1: %2 % of the target&apos;s pixels are too dark. Raise the exposure, or add light.</source>
+        <translation>%1: el %2 % de los píxeles del objetivo son demasiado oscuros. Aumente la exposición o añada luz.</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::FollowAllButton</name>
     <message numerus="yes">
         <source>Follow all %n objects</source>
@@ -6924,6 +7108,10 @@ Posición x, y, z: %4, %5, %6</translation>
         <source>✓ Length check: you measured %1, the calibration gives %2</source>
         <translation>✓ Comprobación de longitud: usted midió %1, la calibración da %2</translation>
     </message>
+    <message>
+        <source>○ Accuracy outside this volume: %1 (95 %, extrapolated)</source>
+        <translation>○ Exactitud fuera de este volumen: %1 (95 %, extrapolado)</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::HistogramView</name>
@@ -7036,6 +7224,18 @@ Si este botón está desactivado, Ctrl+Mayús+clic hace lo mismo; también Alt+c
         <source>Click: learn · Shift: add · Ctrl+Shift: exclude · Esc: stop</source>
         <translation>Clic: aprender · Mayús: añadir · Ctrl+Mayús: excluir · Esc: terminar</translation>
     </message>
+    <message>
+        <source>Click: add a sample · Esc: stop</source>
+        <translation>Clic: añadir una muestra · Esc: terminar</translation>
+    </message>
+    <message>
+        <source>Click: learn · Shift: add · Esc: stop</source>
+        <translation>Clic: aprender · Mayús: añadir · Esc: terminar</translation>
+    </message>
+    <message>
+        <source>Click the new target · Esc: stop</source>
+        <translation>Haga clic en el objetivo nuevo · Esc: terminar</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::LegendPicture</name>
@@ -7070,6 +7270,14 @@ Si este botón está desactivado, Ctrl+Mayús+clic hace lo mismo; también Alt+c
     <message>
         <source>Dashed ellipse: the size of the target itself, if the target is not a ball.</source>
         <translation>Elipse discontinua: el tamaño del propio objetivo, si el objetivo no es una pelota.</translation>
+    </message>
+    <message>
+        <source>Box in a corner: the particles, enlarged, if they are too close together to be seen in the view. A line shows where they are, and the bar shows the scale.</source>
+        <translation>Recuadro en una esquina: las partículas ampliadas, si están demasiado juntas para verse en la vista. Una línea muestra dónde están, y la barra muestra la escala.</translation>
+    </message>
+    <message>
+        <source>Dark band along a path in the bird&apos;s-eye view: the time range that is selected in the timeline. Press Esc in the timeline to remove the selection.</source>
+        <translation>Banda oscura a lo largo de una trayectoria en la vista de pájaro: el intervalo de tiempo seleccionado en la línea de tiempo. Pulse Esc en la línea de tiempo para quitar la selección.</translation>
     </message>
 </context>
 <context>
@@ -7457,6 +7665,14 @@ Si este botón está desactivado, Ctrl+Mayús+clic hace lo mismo; también Alt+c
     <message>
         <source>Some frames were tracked with earlier settings.</source>
         <translation>Algunos fotogramas se siguieron con ajustes anteriores.</translation>
+    </message>
+    <message>
+        <source>Tracking began at frame %1, where you clicked. The frames before it are not tracked.</source>
+        <translation>El seguimiento comenzó en el fotograma %1, donde hizo clic. Los fotogramas anteriores no se han seguido.</translation>
+    </message>
+    <message>
+        <source>Track from the first frame</source>
+        <translation>Seguir desde el primer fotograma</translation>
     </message>
 </context>
 <context>
@@ -8032,6 +8248,10 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <source>Click: go to this frame · Ctrl+wheel: zoom</source>
         <translation>Clic: ir a este fotograma · Ctrl+rueda: zoom</translation>
     </message>
+    <message>
+        <source>frame %1, %2</source>
+        <translation>fotograma %1, %2</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::PointCalibrator</name>
@@ -8218,10 +8438,6 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>Quitar el clic en el punto elegido de la imagen de la cámara elegida</translation>
     </message>
     <message>
-        <source>Positions measured with a tape, in meters: double-click to edit. ▲ marks the point with the largest error.</source>
-        <translation>Posiciones medidas con cinta, en metros: doble clic para editar. ▲ indica el punto con el mayor error.</translation>
-    </message>
-    <message>
         <source>clicked</source>
         <translation>clics</translation>
     </message>
@@ -8236,6 +8452,10 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
     <message>
         <source>Compute the poses of all cameras in which points were clicked. Each camera needs at least four points; six that do not all lie in one plane are better</source>
         <translation>Calcular las poses de todas las cámaras en las que se marcaron puntos. Cada cámara necesita al menos cuatro puntos; mejor seis que no estén todos en un plano</translation>
+    </message>
+    <message>
+        <source>Positions measured with a tape, in meters: double-click to edit. ▲ marks a point that does not fit the others.</source>
+        <translation>Posiciones medidas con cinta, en metros: doble clic para editar. ▲ indica un punto que no encaja con los demás.</translation>
     </message>
 </context>
 <context>
@@ -8506,6 +8726,10 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
     <message>
         <source>▲ The calibration is for images of %1. Choose this size, or calibrate again.</source>
         <translation>▲ La calibración es para imágenes de %1. Elija este tamaño o calibre de nuevo.</translation>
+    </message>
+    <message>
+        <source>Cropped</source>
+        <translation>Recortada</translation>
     </message>
 </context>
 <context>
@@ -8784,6 +9008,10 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
     <message>
         <source>Memory for going back to earlier frames: images, particles and saved states of the method. When it is full, only the estimates of older frames are kept.</source>
         <translation>Memoria para volver a fotogramas anteriores: imágenes, partículas y estados guardados del método. Cuando se llena, de los fotogramas antiguos solo se conservan las estimaciones.</translation>
+    </message>
+    <message>
+        <source>99 of 100 within: capture %1 · decode %2 · wait %3 · compute %4 · draw %5</source>
+        <translation>99 de cada 100 en menos de: captura %1 · decodificación %2 · espera %3 · cálculo %4 · dibujo %5</translation>
     </message>
 </context>
 <context>
@@ -9333,14 +9561,6 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>Nombre del objetivo, en vistas y archivos</translation>
     </message>
     <message>
-        <source>Radius</source>
-        <translation>Radio</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
         <source>unknown</source>
         <translation>desconocido</translation>
     </message>
@@ -9367,10 +9587,6 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
     <message>
         <source>No target yet. In any camera image, click the object to track.</source>
         <translation>Aún no hay objetivo: haga clic en cualquier imagen en el objeto que quiere seguir.</translation>
-    </message>
-    <message>
-        <source>Click a target in a camera image to learn its color.</source>
-        <translation>Haga clic en un objetivo en una imagen de cámara para aprender su color.</translation>
     </message>
     <message>
         <source>Rename target</source>
@@ -9439,6 +9655,33 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
     <message>
         <source>%1 m/s</source>
         <translation>%1 m/s</translation>
+    </message>
+    <message>
+        <source>Radius (mm)</source>
+        <translation>Radio (mm)</translation>
+    </message>
+    <message>
+        <source>To learn the color of this target, press Learn and click the target in a camera image.</source>
+        <translation>Para aprender el color de este objetivo, pulse Aprender y haga clic en el objetivo en una imagen de cámara.</translation>
+    </message>
+    <message>
+        <source>Hide target</source>
+        <translation>Ocultar el objetivo</translation>
+    </message>
+    <message>
+        <source>Show target</source>
+        <translation>Mostrar el objetivo</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::TargetRowDelegate</name>
+    <message>
+        <source>Hide this target in the images and in the bird&apos;s-eye view. It is still tracked.</source>
+        <translation>Ocultar este objetivo en las imágenes y en la vista de pájaro. Se sigue igualmente.</translation>
+    </message>
+    <message>
+        <source>Show this target in the images and in the bird&apos;s-eye view</source>
+        <translation>Mostrar este objetivo en las imágenes y en la vista de pájaro</translation>
     </message>
 </context>
 <context>

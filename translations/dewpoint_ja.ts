@@ -384,10 +384,6 @@
         <translation>キャリブレーションをエクスポート…</translation>
     </message>
     <message>
-        <source>Calibrate with wand…</source>
-        <translation>ワンドでキャリブレーション…</translation>
-    </message>
-    <message>
         <source>Refine the calibration by waving a ball, or a wand with two balls</source>
         <translation>ボール、または2つのボールの付いたワンドを振ってキャリブレーションを精密化します</translation>
     </message>
@@ -430,10 +426,6 @@
     <message>
         <source>Add a planned camera; you can then drag it in the bird&apos;s-eye view to try out where to place it</source>
         <translation>計画中のカメラを追加します。鳥瞰図でドラッグして、置く場所を試せます</translation>
-    </message>
-    <message>
-        <source>Recompute camera pose</source>
-        <translation>カメラの姿勢を再計算</translation>
     </message>
     <message>
         <source>Recompute the pose of the camera that was moved during the run; all other cameras stay unchanged</source>
@@ -879,6 +871,22 @@
         <source>Bird&apos;s-eye view from the side: the YZ plane</source>
         <translation>側面からの鳥瞰図：YZ 平面</translation>
     </message>
+    <message>
+        <source>Hide or show the target</source>
+        <translation>ターゲットの表示／非表示</translation>
+    </message>
+    <message>
+        <source>Hide the selected target in the images and in the bird&apos;s-eye view, or show it again; it is tracked all the same</source>
+        <translation>選択中のターゲットを画像と鳥瞰図で隠す、または再び表示します。追跡は続きます</translation>
+    </message>
+    <message>
+        <source>Calibrate with a wand…</source>
+        <translation>ワンドでキャリブレーション…</translation>
+    </message>
+    <message>
+        <source>Recompute pose of moved camera</source>
+        <translation>動いたカメラの姿勢を再計算</translation>
+    </message>
 </context>
 <context>
     <name>AssessedRegions</name>
@@ -889,6 +897,10 @@
     <message>
         <source>recognized as the target (if it is not, Ctrl+Shift-click it)</source>
         <translation>ターゲットと認識（違う場合はそれを Ctrl+Shift+クリック）</translation>
+    </message>
+    <message>
+        <source>some pixels match too</source>
+        <translation>一部のピクセルも一致</translation>
     </message>
 </context>
 <context>
@@ -1206,6 +1218,10 @@
     <message>
         <source>In the calibrated volume: position %1, scale %2, upward direction %3 (each with a probability of 95 %).</source>
         <translation>キャリブレーションした空間内: 位置 %1、縮尺 %2、上方向 %3（それぞれ確率 95 %）。</translation>
+    </message>
+    <message>
+        <source>Outside it, up to %1 away: position ±%2 (extrapolated).</source>
+        <translation>その外側（%1 以内）では、位置 ±%2（外挿）。</translation>
     </message>
 </context>
 <context>
@@ -1592,10 +1608,6 @@
         <translation>学習した色にほとんど合わない見本があります。周囲と似ているか、別の物体を示しています。</translation>
     </message>
     <message>
-        <source>In the image of %3, a region %2 has this color too (it looks %1).</source>
-        <translation>%3 の画像の%2にある領域（%1）もこの色です。</translation>
-    </message>
-    <message>
         <source>Several objects have this color: another color would help.</source>
         <translation>この色の物体がいくつもあります。別の色にするとよいでしょう。</translation>
     </message>
@@ -1640,6 +1652,18 @@
     <message>
         <source>Other objects have this color too: Ctrl+Shift-click them to exclude them.</source>
         <translation>ほかの物もこの色です。Ctrl+Shift+クリックして除外してください。</translation>
+    </message>
+    <message>
+        <source>Almost nothing else in the images has this color.</source>
+        <translation>画像の中でほかにこの色のものはほとんどありません。</translation>
+    </message>
+    <message>
+        <source>Only %1 % of the background has this color too, which is little compared with the target.</source>
+        <translation>この色は背景の %1 % だけで、ターゲットに比べてわずかです。</translation>
+    </message>
+    <message>
+        <source>The largest region of this color outside the target is in the image of %3, %2 (it looks %1).</source>
+        <translation>ターゲット以外でこの色の最も大きい領域（%1）は、%3 の画像の%2にあります。</translation>
     </message>
 </context>
 <context>
@@ -1727,6 +1751,26 @@
     <message>
         <source>invalid format</source>
         <translation>形式が正しくありません</translation>
+    </message>
+    <message>
+        <source>the camera repeats images</source>
+        <translation>カメラが同じ画像を繰り返し送っています</translation>
+    </message>
+    <message>
+        <source>the camera sends fewer images than it should</source>
+        <translation>カメラが送る画像が本来より少なくなっています</translation>
+    </message>
+    <message>
+        <source>the images are black</source>
+        <translation>画像が真っ黒です</translation>
+    </message>
+    <message>
+        <source>the images arrive late</source>
+        <translation>画像の到着が遅れています</translation>
+    </message>
+    <message>
+        <source>the images do not change</source>
+        <translation>画像が変化しません</translation>
     </message>
 </context>
 <context>
@@ -2419,6 +2463,22 @@
     <message>
         <source>Write the results to another folder with the option --out.</source>
         <translation>オプション --out で別のフォルダーに結果を書き出してください。</translation>
+    </message>
+    <message>
+        <source>%2 % of the pixels of target %1 in %3 were overexposed when its color was learned.</source>
+        <translation>色を学習したとき、%3でターゲット%1のピクセルの%2 %が露出オーバーでした。</translation>
+    </message>
+    <message>
+        <source>%2 % of the pixels of target %1 in %3 were too dark when its color was learned.</source>
+        <translation>色を学習したとき、%3でターゲット%1のピクセルの%2 %が暗すぎました。</translation>
+    </message>
+    <message>
+        <source>Lower the exposure of the camera, and learn the color again in new images.</source>
+        <translation>カメラの露出を下げ、新しい画像で色を学習し直してください。</translation>
+    </message>
+    <message>
+        <source>Raise the exposure of the camera or add light, and learn the color again in new images.</source>
+        <translation>カメラの露出を上げるか照明を追加し、新しい画像で色を学習し直してください。</translation>
     </message>
 </context>
 <context>
@@ -3981,6 +4041,64 @@ Effective sample size %8 of %9</source>
         <source>A wand has two balls of different colors: press “Add a target” in the toolbar, then click the second ball in an image.</source>
         <translation>ワンドには色の異なるボールが2つあります。ツールバーの「ターゲットを追加」を押してから、画像で2つ目のボールをクリックしてください。</translation>
     </message>
+    <message>
+        <source>Also move it to the left of the image of %1.</source>
+        <translation>%1 の画像の左側にも動かしてください。</translation>
+    </message>
+    <message>
+        <source>Also move it to the right of the image of %1.</source>
+        <translation>%1 の画像の右側にも動かしてください。</translation>
+    </message>
+    <message>
+        <source>Also move it to the top of the image of %1.</source>
+        <translation>%1 の画像の上側にも動かしてください。</translation>
+    </message>
+    <message>
+        <source>Also move it to the bottom of the image of %1.</source>
+        <translation>%1 の画像の下側にも動かしてください。</translation>
+    </message>
+    <message>
+        <source>Also move it to all edges of the image of %1.</source>
+        <translation>%1 の画像のすべての端にも動かしてください。</translation>
+    </message>
+    <message>
+        <source>The ball was seen for only %1. Wave for half a minute.</source>
+        <translation>ボールが見えたのは %1 だけです。30 秒ほど振ってください。</translation>
+    </message>
+    <message>
+        <source>The ball moved only along one line. Move it in all directions: to the sides, up and down, near and far.</source>
+        <translation>ボールは 1 本の線に沿ってしか動いていません。左右、上下、手前と奥のすべての方向に動かしてください。</translation>
+    </message>
+    <message>
+        <source>The ball moved only within a plane (%1 thick). Also move it across this plane: toward %2 and away from it.</source>
+        <translation>ボールは 1 つの平面（厚さ %1）の中でしか動いていません。この平面を横切る方向、つまり %2 に近づけたり遠ざけたりする方向にも動かしてください。</translation>
+    </message>
+    <message>
+        <source>The ball was always about as far from %1 (within %2). Also move it toward %1 and away from it.</source>
+        <translation>ボールと %1 の距離はいつもほぼ同じでした（変化は %2 以内）。%1 に近づけたり遠ざけたりもしてください。</translation>
+    </message>
+    <message>
+        <source>The ball stayed in %1 of the volume that the cameras see together. Move it through the whole volume in which you will track.</source>
+        <translation>ボールは、カメラが共通して見る空間の %1 にしかありませんでした。追跡する空間全体で動かしてください。</translation>
+    </message>
+    <message>
+        <source>%1 saw the ball in only %2 of its image.</source>
+        <translation>%1 では、画像の %2 にしかボールが写っていません。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 and %2 saw the ball at the same time in only %n frame(s). Move it where both see it.</source>
+        <translation>
+            <numerusform>%1 と %2 が同時にボールを見たのは %n フレームだけです。両方から見える場所で動かしてください。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The cameras were calibrated before, and this recording lacks too much motion to improve them. Keep them.</source>
+        <translation>カメラはすでにキャリブレーションされています。この記録には、それを改善するための動きが足りません。元のままにしてください。</translation>
+    </message>
+    <message>
+        <source>The camera positions are known better as they were: ±%1. The error of the new ones is ±%2. Keep the old ones.</source>
+        <translation>カメラの位置は以前のほうが正確です（±%1）。新しい位置の誤差は ±%2 です。以前の位置を使ってください。</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::AboutDialog</name>
@@ -4976,6 +5094,10 @@ Effective sample size %8 of %9</source>
         <source>usual for the format</source>
         <translation>形式の標準</translation>
     </message>
+    <message>
+        <source>No accuracy is lost: points are projected to the same pixels as before.</source>
+        <translation>精度は失われません。点はこれまでと同じピクセルに投影されます。</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::CalibrationFit</name>
@@ -5244,6 +5366,10 @@ Effective sample size %8 of %9</source>
     <message>
         <source>Lock colors</source>
         <translation>色を固定</translation>
+    </message>
+    <message>
+        <source>Crop images</source>
+        <translation>画像をトリミング</translation>
     </message>
 </context>
 <context>
@@ -5961,12 +6087,12 @@ Position x, y, z: %4, %5, %6</source>
         <translation>選択した見本を削除し、残りから学習します (Del)。「検出」と表示された見本は除外見本になります。</translation>
     </message>
     <message>
-        <source>found by Dewpoint: %1, frame %2, pixel %3, %4</source>
-        <translation>Dewpoint が検出: %1、フレーム %2、ピクセル %3, %4</translation>
-    </message>
-    <message>
         <source>Shift-click in an image to add a sample, Ctrl+Shift-click or Alt-click to exclude one. Samples marked “found” were detected in other cameras.</source>
         <translation>画像を Shift+クリックすると見本を追加し、Ctrl+Shift+クリックまたは Alt+クリックすると除外します。「検出」と表示された見本は、他のカメラで見つかったものです。</translation>
+    </message>
+    <message>
+        <source>found: %1, frame %2, pixel %3, %4</source>
+        <translation>検出：%1、フレーム %2、ピクセル %3, %4</translation>
     </message>
 </context>
 <context>
@@ -6057,6 +6183,29 @@ Position x, y, z: %4, %5, %6</source>
     <message>
         <source>Show report</source>
         <translation>レポートを表示</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::CropForm</name>
+    <message>
+        <source>left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>top</source>
+        <translation>上</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>bottom</source>
+        <translation>下</translation>
+    </message>
+    <message>
+        <source>Pixels to cut off at this edge, after rotation and mirroring. The calibration is converted. Undo restores what was clicked in the part that is cut off</source>
+        <translation>回転と反転のあとにこの端で切り取るピクセル数。キャリブレーションは換算されます。切り取った部分でクリックしたものは「元に戻す」で復元できます</translation>
     </message>
 </context>
 <context>
@@ -6570,6 +6719,40 @@ Position x, y, z: %4, %5, %6</source>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::ExposureBars</name>
+    <message>
+        <source>Brightness of the target&apos;s pixels</source>
+        <translation>ターゲットのピクセルの明るさ</translation>
+    </message>
+    <message>
+        <source>Brightness of the target&apos;s pixels, from black on the left to white on the right. Pixels in the strong bars at the ends have lost their color: they are too dark, or overexposed.</source>
+        <translation>ターゲットのピクセルの明るさ。左が黒、右が白です。両端の濃い棒のピクセルは色を失っています。暗すぎるか、露出オーバーです。</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::ExposureView</name>
+    <message>
+        <source>Exposure: no target is visible in this camera</source>
+        <translation>露出: このカメラにはターゲットが写っていません</translation>
+    </message>
+    <message>
+        <source>Exposure of %1</source>
+        <translation>%1の露出</translation>
+    </message>
+    <message>
+        <source>%1 % overexposed · %2 % too dark</source>
+        <translation>露出オーバー %1 %・暗すぎ %2 %</translation>
+    </message>
+    <message>
+        <source>%1: %2 % of the target&apos;s pixels are overexposed. Lower the exposure.</source>
+        <translation>%1: ターゲットのピクセルの%2 %が露出オーバーです。露出を下げてください。</translation>
+    </message>
+    <message>
+        <source>%1: %2 % of the target&apos;s pixels are too dark. Raise the exposure, or add light.</source>
+        <translation>%1: ターゲットのピクセルの%2 %が暗すぎます。露出を上げるか、照明を追加してください。</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::FollowAllButton</name>
     <message numerus="yes">
         <source>Follow all %n objects</source>
@@ -6913,6 +7096,10 @@ Position x, y, z: %4, %5, %6</source>
         <source>✓ Length check: you measured %1, the calibration gives %2</source>
         <translation>✓ 長さの確認: 計測値 %1、キャリブレーションの値 %2</translation>
     </message>
+    <message>
+        <source>○ Accuracy outside this volume: %1 (95 %, extrapolated)</source>
+        <translation>○ この空間の外での精度: %1（95 %、外挿）</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::HistogramView</name>
@@ -7025,6 +7212,18 @@ When this button is off, Ctrl+Shift-click does the same; so does Alt-click, wher
         <source>Click: learn · Shift: add · Ctrl+Shift: exclude · Esc: stop</source>
         <translation>クリック：学習 · Shift：追加 · Ctrl+Shift：除外 · Esc：終了</translation>
     </message>
+    <message>
+        <source>Click: add a sample · Esc: stop</source>
+        <translation>クリック：見本を追加 · Esc：終了</translation>
+    </message>
+    <message>
+        <source>Click: learn · Shift: add · Esc: stop</source>
+        <translation>クリック：学習 · Shift：追加 · Esc：終了</translation>
+    </message>
+    <message>
+        <source>Click the new target · Esc: stop</source>
+        <translation>新しいターゲットをクリック · Esc：終了</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::LegendPicture</name>
@@ -7059,6 +7258,14 @@ When this button is off, Ctrl+Shift-click does the same; so does Alt-click, wher
     <message>
         <source>Dashed ellipse: the size of the target itself, if the target is not a ball.</source>
         <translation>破線の楕円：ターゲットがボールでない場合の、ターゲット自体の大きさ。</translation>
+    </message>
+    <message>
+        <source>Box in a corner: the particles, enlarged, if they are too close together to be seen in the view. A line shows where they are, and the bar shows the scale.</source>
+        <translation>隅の枠：粒子が密集していて見分けられないときの拡大図。線は粒子の位置を、バーは縮尺を示します。</translation>
+    </message>
+    <message>
+        <source>Dark band along a path in the bird&apos;s-eye view: the time range that is selected in the timeline. Press Esc in the timeline to remove the selection.</source>
+        <translation>鳥瞰図の軌跡に沿った暗い帯：タイムラインで選択した時間範囲。タイムラインで Esc を押すと選択を解除します。</translation>
     </message>
 </context>
 <context>
@@ -7444,6 +7651,14 @@ When this button is off, Ctrl+Shift-click does the same; so does Alt-click, wher
     <message>
         <source>Some frames were tracked with earlier settings.</source>
         <translation>以前の設定で追跡したフレームがあります。</translation>
+    </message>
+    <message>
+        <source>Tracking began at frame %1, where you clicked. The frames before it are not tracked.</source>
+        <translation>クリックしたフレーム %1 から追跡を開始しました。それより前のフレームは追跡されていません。</translation>
+    </message>
+    <message>
+        <source>Track from the first frame</source>
+        <translation>最初のフレームから追跡</translation>
     </message>
 </context>
 <context>
@@ -8018,6 +8233,10 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <source>Click: go to this frame · Ctrl+wheel: zoom</source>
         <translation>クリック：このフレームへ · Ctrl+ホイール：拡大縮小</translation>
     </message>
+    <message>
+        <source>frame %1, %2</source>
+        <translation>フレーム %1、%2</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::PointCalibrator</name>
@@ -8203,10 +8422,6 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>選んだカメラの画像から、選んだ点のクリックを消します</translation>
     </message>
     <message>
-        <source>Positions measured with a tape, in meters: double-click to edit. ▲ marks the point with the largest error.</source>
-        <translation>巻尺で測った位置（メートル）。ダブルクリックで編集できます。▲ は誤差が最も大きい点です。</translation>
-    </message>
-    <message>
         <source>clicked</source>
         <translation>クリック数</translation>
     </message>
@@ -8221,6 +8436,10 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
     <message>
         <source>Compute the poses of all cameras in which points were clicked. Each camera needs at least four points; six that do not all lie in one plane are better</source>
         <translation>点をクリックしたすべてのカメラの姿勢を求めます。各カメラに少なくとも 4 点が必要です。一つの平面に並ばない 6 点がよりよい結果になります</translation>
+    </message>
+    <message>
+        <source>Positions measured with a tape, in meters: double-click to edit. ▲ marks a point that does not fit the others.</source>
+        <translation>巻尺で測った位置（メートル）。ダブルクリックで編集できます。▲ は他の点と合わない点です。</translation>
     </message>
 </context>
 <context>
@@ -8490,6 +8709,10 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
     <message>
         <source>▲ The calibration is for images of %1. Choose this size, or calibrate again.</source>
         <translation>▲ キャリブレーションは %1 の画像用です。このサイズを選ぶか、キャリブレーションをやり直してください。</translation>
+    </message>
+    <message>
+        <source>Cropped</source>
+        <translation>トリミング</translation>
     </message>
 </context>
 <context>
@@ -8766,6 +8989,10 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
     <message>
         <source>Memory for going back to earlier frames: images, particles and saved states of the method. When it is full, only the estimates of older frames are kept.</source>
         <translation>前のフレームに戻るためのメモリ: 画像、粒子、手法の保存状態。いっぱいになると、古いフレームは推定値だけが残ります。</translation>
+    </message>
+    <message>
+        <source>99 of 100 within: capture %1 · decode %2 · wait %3 · compute %4 · draw %5</source>
+        <translation>100 回中 99 回の上限: 撮影 %1 · デコード %2 · 待機 %3 · 計算 %4 · 描画 %5</translation>
     </message>
 </context>
 <context>
@@ -9315,14 +9542,6 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>表示やファイルで使うターゲットの名前</translation>
     </message>
     <message>
-        <source>Radius</source>
-        <translation>半径</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
         <source>unknown</source>
         <translation>不明</translation>
     </message>
@@ -9349,10 +9568,6 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
     <message>
         <source>No target yet. In any camera image, click the object to track.</source>
         <translation>ターゲットはまだありません。カメラ画像で追跡したい物体をクリックしてください。</translation>
-    </message>
-    <message>
-        <source>Click a target in a camera image to learn its color.</source>
-        <translation>カメラ画像でターゲットをクリックすると色を学習します。</translation>
     </message>
     <message>
         <source>Rename target</source>
@@ -9421,6 +9636,33 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
     <message>
         <source>%1 m/s</source>
         <translation>%1 m/s</translation>
+    </message>
+    <message>
+        <source>Radius (mm)</source>
+        <translation>半径 (mm)</translation>
+    </message>
+    <message>
+        <source>To learn the color of this target, press Learn and click the target in a camera image.</source>
+        <translation>このターゲットの色を学習するには、「学習」を押してカメラ画像のターゲットをクリックします。</translation>
+    </message>
+    <message>
+        <source>Hide target</source>
+        <translation>ターゲットを隠す</translation>
+    </message>
+    <message>
+        <source>Show target</source>
+        <translation>ターゲットを表示</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::TargetRowDelegate</name>
+    <message>
+        <source>Hide this target in the images and in the bird&apos;s-eye view. It is still tracked.</source>
+        <translation>このターゲットを画像と鳥瞰図で隠します。追跡は続きます。</translation>
+    </message>
+    <message>
+        <source>Show this target in the images and in the bird&apos;s-eye view</source>
+        <translation>このターゲットを画像と鳥瞰図に表示します</translation>
     </message>
 </context>
 <context>
