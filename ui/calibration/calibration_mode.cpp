@@ -9,6 +9,7 @@
 #include <QAction>
 #include <QMainWindow>
 
+#include <algorithm>
 #include <utility>
 
 namespace dewpoint::ui {
@@ -74,14 +75,14 @@ void CalibrationMode::open(const QString& page) {
   pages_->showPage(page);
 }
 
-ViewDock* CalibrationMode::dockInFront() const {
-  for (QDockWidget* other : bench_.window.tabifiedDockWidgets(dock_)) {
-    if (auto* view = qobject_cast<ViewDock*>(other);
-        view != nullptr && !view->isHidden() && !view->isBehind()) {
-      return view;
+std::vector<ViewDock*> CalibrationMode::docksInFront() const {
+  std::vector<ViewDock*> front;
+  for (ViewDock* view : bench_.window.findChildren<ViewDock*>()) {
+    if (view != dock_ && !view->isHidden() && !view->isBehind()) {
+      front.push_back(view);
     }
   }
-  return nullptr;
+  return front;
 }
 
 void CalibrationMode::show(bool isShown) {
@@ -89,10 +90,15 @@ void CalibrationMode::show(bool isShown) {
     manual_->storeAs(EarlierCameras::PanelOpened);
   }
   const bool wasInFront = dock_->isHidden() || !dock_->isBehind(); // hidden: by its own button
-  if (isShown && dock_->isHidden()) {
-    dockBefore_ = dockInFront();
-  }
+  const bool opens = isShown && dock_->isHidden();
+  const auto front = opens ? docksInFront() : std::vector<ViewDock*>();
   dock_->setShownByUser(isShown);
+  if (opens) { // only now: Qt does not tell what shares its place with a hidden dock
+    const auto together = bench_.window.tabifiedDockWidgets(dock_);
+    const auto before =
+        std::ranges::find_if(front, [&](ViewDock* view) { return together.contains(view); });
+    dockBefore_ = before != front.end() ? *before : nullptr;
+  }
   if (isShown) {
     dock_->raise();
   } else if (ViewDock* before = std::exchange(dockBefore_, nullptr).data(); before && wasInFront) {

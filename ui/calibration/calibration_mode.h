@@ -7,6 +7,7 @@
 #include <QString>
 
 #include <functional>
+#include <vector>
 
 namespace dewpoint::ui {
 
@@ -41,8 +42,8 @@ Q_SIGNALS:
 
 private:
   void show(bool isShown);
-  /// Returns the dock in front of those that share their place with the panel, or null.
-  ViewDock* dockInFront() const;
+  /// Returns the visible docks that no other dock covers, without the panel.
+  std::vector<ViewDock*> docksInFront() const;
 
   Workbench bench_;
   ManualCalibration* manual_;

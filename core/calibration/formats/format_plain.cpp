@@ -248,8 +248,9 @@ Result<ParsedCalibration> readPlain(const CalibrationText& source, const Calibra
   if (calibration.hasPoses) {
     calibration.decisions.emplace_back("R and t lead from the world to the camera.");
   }
-  const auto repeated = std::ranges::unique(calibration.decisions); // of several cameras
-  calibration.decisions.erase(repeated.begin(), repeated.end());
+  auto& decisions = calibration.decisions;
+  decisions.erase(std::unique(decisions.begin(), decisions.end()), // of several cameras
+                  decisions.end());
   return calibration;
 }
 

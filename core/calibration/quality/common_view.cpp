@@ -129,6 +129,7 @@ PrincipalBox principalBox(const std::vector<Eigen::Vector3d>& positions, double 
   for (int axis = 0; axis < 3; ++axis) {
     box.axes.col(axis) = vectors.col(2 - axis);
     std::vector<double> along;
+    along.reserve(positions.size());
     for (const Eigen::Vector3d& position : positions) {
       along.push_back(box.axes.col(axis).dot(position - box.center));
     }

@@ -173,9 +173,10 @@ private:
       if (visible.corners[region] == 0 && seen.corners[region] == 0) {
         continue;
       }
-      const Eigen::Vector2d at(
-          (static_cast<double>(region % BoardCoverage::kColumns) + 0.5) / BoardCoverage::kColumns,
-          (static_cast<double>(region / BoardCoverage::kColumns) + 0.5) / BoardCoverage::kRows);
+      const std::size_t row = region / BoardCoverage::kColumns;
+      const std::size_t column = region % BoardCoverage::kColumns;
+      const Eigen::Vector2d at((static_cast<double>(column) + 0.5) / BoardCoverage::kColumns,
+                               (static_cast<double>(row) + 0.5) / BoardCoverage::kRows);
       usable += 1.0;
       usableMiddle += at;
       if (seen.corners[region] > 0) {

@@ -131,22 +131,22 @@ std::vector<Error> applyControls(DeviceAccess& access, const std::string& path,
                                  const ControlValues& values) {
   std::vector<Error> errors;
   std::vector<std::pair<std::string, std::int64_t>> ordered(values.begin(), values.end());
-  const auto others = std::ranges::stable_partition(ordered, isSwitch,
-                                                    &std::pair<std::string, std::int64_t>::first);
+  const auto others = std::stable_partition(ordered.begin(), ordered.end(),
+                                            [](const auto& one) { return isSwitch(one.first); });
   const auto set = [&](const auto& one) {
     if (auto done = access.setControl(path, one.first, one.second); !done) {
       errors.push_back(std::move(done.error()));
     }
   };
-  std::for_each(ordered.begin(), others.begin(), set);
-  if (others.empty()) {
+  std::for_each(ordered.begin(), others, set);
+  if (others == ordered.end()) {
     return errors;
   }
   const auto controls = access.controls(path);
-  for (const auto& one : others) {
-    const DeviceControl* control = controls ? controlNamed(*controls, one.first) : nullptr;
+  for (auto one = others; one != ordered.end(); ++one) {
+    const DeviceControl* control = controls ? controlNamed(*controls, one->first) : nullptr;
     if (control == nullptr || !control->inactive) { // an automatic that stays on has its value
-      set(one);
+      set(*one);
     }
   }
   return errors;

@@ -66,7 +66,7 @@ std::vector<double> ratesOf(LinuxNode& node, std::uint32_t code, std::uint32_t w
   }
   std::erase_if(rates, [](double rate) { return rate <= 0.0; });
   std::ranges::sort(rates, std::greater());
-  rates.erase(std::ranges::unique(rates).begin(), rates.end());
+  rates.erase(std::unique(rates.begin(), rates.end()), rates.end());
   return rates;
 }
 
@@ -105,7 +105,7 @@ Sizes sizesOf(LinuxNode& node, std::uint32_t code, bool& hasRange) {
   }
   const auto area = [](const auto& size) { return std::uint64_t{size.first} * size.second; };
   std::ranges::stable_sort(sizes, std::greater(), area);
-  sizes.erase(std::ranges::unique(sizes).begin(), sizes.end());
+  sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
   return sizes;
 }
 

@@ -196,8 +196,8 @@ std::vector<const Method*> methodsByUse() {
   std::vector<const Method*> all;
   std::ranges::transform(kMethods, std::back_inserter(all),
                          [](const Method& method) { return &method; });
-  std::ranges::stable_partition(all,
-                                [](const Method* method) { return method->text.paper.empty(); });
+  std::stable_partition(all.begin(), all.end(),
+                        [](const Method* method) { return method->text.paper.empty(); });
   return all;
 }
 
