@@ -122,8 +122,8 @@ TEST(ExposureBars, DrawsClippedPixelsInTheColorOfText) {
   }
   bars.setExposure(exposure);
   const QImage drawn = bars.grab().toImage();
-  EXPECT_EQ(drawn.pixelColor(314, 30), bars.palette().color(QPalette::WindowText));
-  EXPECT_EQ(drawn.pixelColor(124, 30), bars.palette().color(QPalette::Mid)); // 96 to 103
+  EXPECT_EQ(drawn.pixel(314, 30), bars.palette().color(QPalette::WindowText).rgb());
+  EXPECT_EQ(drawn.pixel(124, 30), bars.palette().color(QPalette::Mid).rgb()); // 96 to 103
 }
 
 } // namespace

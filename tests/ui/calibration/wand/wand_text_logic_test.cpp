@@ -53,7 +53,7 @@ TEST(WandText, EveryMissingMotionHasItsText) {
   for (int side = 0; side <= static_cast<int>(ImageSide::Bottom); ++side) {
     texts.insert(motionGapMessage({.missing = MissingMotion::WholeImage,
                                    .cameras = {1},
-                                   .value = 0.08,
+                                   .value = 0.06,
                                    .side = static_cast<ImageSide>(side)},
                                   {"left", "right"}));
   }
