@@ -57,15 +57,15 @@ public:
     weights_.setEqual();
   }
 
-  /// Runs one iteration, draws `nextCount` particles for the next iteration, and returns the
-  /// estimate.
+  /// Runs one iteration, draws `nextParticleCount` particles for the next iteration, and returns
+  /// the estimate.
   template <Proposal P, ObservationModel O, Resampler R>
   StateEstimate iterate(const P& proposal, const O& observation, const R& resampler,
-                        Eigen::Index nextCount, const RandomKey& key, ThreadTeam& team) {
+                        Eigen::Index nextParticleCount, const RandomKey& key, ThreadTeam& team) {
     weigh(proposal, observation, key.stream(RandomPurpose::Motion), team);
     const bool usable = weights_.finish();
     StateEstimate result = estimateWeighted(usable);
-    resample(resampler, nextCount, key.stream(RandomPurpose::Resampling), team);
+    resample(resampler, nextParticleCount, key.stream(RandomPurpose::Resampling), team);
     return result;
   }
 
@@ -82,7 +82,7 @@ public:
   /// Returns the linear weights of states(), which sum to 1.
   const BlockWeights& weights() const { return weights_; }
   /// Returns the number of particles in the next iteration.
-  Eigen::Index nextCount() const { return static_cast<Eigen::Index>(ancestors_.size()); }
+  Eigen::Index nextParticleCount() const { return static_cast<Eigen::Index>(ancestors_.size()); }
   /// Returns the resampled particles, equally weighted, with which the next iteration starts.
   Eigen::ArrayXXd next() const { return states_(ancestors_, Eigen::all); }
 
@@ -92,7 +92,7 @@ private:
   template <Proposal P, ObservationModel O>
   void weigh(const P& proposal, const O& observation, const RandomStream& stream,
              ThreadTeam& team) {
-    const Eigen::Index count = nextCount();
+    const Eigen::Index count = nextParticleCount();
     parents_.swap(states_);
     states_.resize(count, parents_.cols());
     weights_.resize(count);
@@ -120,7 +120,7 @@ private:
     for (; column < states_.cols(); ++column) {
       copyColumns<1>(column, begin, end);
     }
-    prefetchParents(end, std::min(end + kSumBlock, nextCount()));
+    prefetchParents(end, std::min(end + kSumBlock, nextParticleCount()));
   }
 
   template <int Columns>

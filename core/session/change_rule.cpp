@@ -5,9 +5,9 @@ namespace dewpoint::session {
 
 double ChangeRule::expectedSeconds(const OldResults& old) {
   // What comes after an old result was tracked on from it.
-  return old.frames.empty()
-             ? 0.0
-             : static_cast<double>(old.newest - old.frames.front().first + 1) * old.secondsPerFrame;
+  return old.frames.empty() ? 0.0
+                            : static_cast<double>(old.newestFrame - old.frames.front().first + 1) *
+                                  old.secondsPerFrame;
 }
 
 ChangeRule::Decision ChangeRule::decide(const SessionState& state) {

@@ -155,7 +155,7 @@ void RunRecorder::record(const TrackingRun& run, const TrackedFrame& trackedFram
 }
 
 void RunRecorder::updateOldResults(const RunDefinition& now) const {
-  log_.setOldResults({settings_.differentFrom(now), settings_.newest(),
+  log_.setOldResults({settings_.differentFrom(now), settings_.newestFrame(),
                       upperMedian({workTimes_.begin(), workTimes_.end()})});
 }
 

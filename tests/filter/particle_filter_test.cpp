@@ -159,10 +159,10 @@ TEST(ParticleFilter, CountChangesAtResamplingOrAtOnce) {
   filter.start(Eigen::ArrayXXd::Zero(20, 3));
   filter.iterate(RandomWalk{}, Constant{}, MultinomialResampling{}, 30, {1, 0, 0}, team);
   EXPECT_EQ(filter.states().rows(), 20);
-  EXPECT_EQ(filter.nextCount(), 30);
+  EXPECT_EQ(filter.nextParticleCount(), 30);
   filter.resize(MultinomialResampling{}, 10, {1, 0, 1}, team);
   EXPECT_EQ(filter.states().rows(), 20);
-  ASSERT_EQ(filter.nextCount(), 10);
+  ASSERT_EQ(filter.nextParticleCount(), 10);
   for (Eigen::Index i = 0; i < 10; ++i) { // each is one of the weighted ones
     bool found = false;
     for (Eigen::Index j = 0; j < 20; ++j) {

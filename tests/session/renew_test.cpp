@@ -73,7 +73,7 @@ TEST_P(RenewTest, AChangedRunIsThatOfAFreshOne) {
     change.tell(session, fresh.project);
     ASSERT_TRUE(eventually([&] { return !session.oldResults().frames.empty(); })) << change.name;
     EXPECT_EQ(session.oldResults().frames, (std::vector<ResultRange>{{0, kRenewedFrames - 1}}));
-    EXPECT_EQ(session.oldResults().newest, kRenewedFrames - 1);
+    EXPECT_EQ(session.oldResults().newestFrame, kRenewedFrames - 1);
     EXPECT_GT(session.oldResults().secondsPerFrame, 0.0);
 
     session.rerunKeepingView(0);
@@ -126,7 +126,7 @@ TEST(Renew, WhatWasTrackedBeforeAChangeWhilePlayingIsOld) {
   for (std::int64_t frame = 10; frame < 20; ++frame) {
     session.stepFrame();
   }
-  ASSERT_TRUE(eventually([&] { return session.oldResults().newest == 19; }));
+  ASSERT_TRUE(eventually([&] { return session.oldResults().newestFrame == 19; }));
   EXPECT_EQ(session.oldResults().frames, (std::vector<ResultRange>{{0, 9}}));
   session.setParameters(before.parameters); // undone
   ASSERT_TRUE(eventually([&] {

@@ -90,7 +90,7 @@ private:
   cv::Rect part_;
   double scale_;
   Eigen::Vector2d click_; ///< in the smaller image
-  FigureContrast contrast_;
+  BoxContrast contrast_;
 };
 
 /// The best box of each size, by rising size.

@@ -16,7 +16,7 @@ namespace dewpoint::observation {
 /// range from 7 pixels to 0.7 of the image's smaller side, and their shapes from three times as
 /// high as wide to three times as wide as high. Each box is tried in an image that is reduced until
 /// the box is about 20 pixels in size, so that highlights, seams and noise average out. The
-/// function chooses the box that differs most from its surroundings (FigureContrast), with a
+/// function chooses the box that differs most from its surroundings (BoxContrast), with a
 /// penalty that increases with the distance between the click and the center of the box. The result
 /// is the figure inside this box (figureBox()), which is the object without its margin. If the
 /// color region at the click (growRegion()) has about the same box, the region's box is returned

@@ -20,7 +20,7 @@ constexpr double kOuterWidth = 0.6;
 
 } // namespace
 
-FigureContrast::FigureContrast(const cv::Mat& bgr, const Eigen::Vector2d& pixel)
+BoxContrast::BoxContrast(const cv::Mat& bgr, const Eigen::Vector2d& pixel)
     : size_(bgr.size()), palette_(bgr, {static_cast<int>(pixel.x()), static_cast<int>(pixel.y())}) {
   constexpr std::size_t kColors = ColorPalette::kColors;
   const std::size_t stride = static_cast<std::size_t>(size_.width + 1) * kColors;
@@ -38,8 +38,7 @@ FigureContrast::FigureContrast(const cv::Mat& bgr, const Eigen::Vector2d& pixel)
       pixel.y() + kKnownReach, known_);
 }
 
-void FigureContrast::add(double left, double top, double right, double bottom,
-                         Colors& colors) const {
+void BoxContrast::add(double left, double top, double right, double bottom, Colors& colors) const {
   const auto whole = [](double edge, int end) {
     return std::clamp(static_cast<int>(std::lround(edge)), 0, end);
   };
@@ -58,7 +57,7 @@ void FigureContrast::add(double left, double top, double right, double bottom,
   colors.pixels += double(to - from) * (below - above);
 }
 
-FigureContrast::Colors FigureContrast::colorsInOval(const ImageBox& box) const {
+BoxContrast::Colors BoxContrast::colorsInOval(const ImageBox& box) const {
   const Eigen::Vector2d center = box.center();
   const double right = 0.5 * box.width;
   const double down = 0.5 * box.height;
@@ -73,7 +72,7 @@ FigureContrast::Colors FigureContrast::colorsInOval(const ImageBox& box) const {
   return colors;
 }
 
-double FigureContrast::at(const ImageBox& box) const {
+double BoxContrast::at(const ImageBox& box) const {
   const Colors figure = colorsInOval(box);
   Colors ring = colorsInOval(
       ImageBox::around(box.center(), kFigureRing * box.width, kFigureRing * box.height));

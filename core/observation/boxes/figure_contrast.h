@@ -11,10 +11,10 @@ namespace dewpoint::observation {
 /// Computes the color contrast between a box and its surroundings, for many boxes in one image, by
 /// comparing their color histograms. Liu et al. (Learning to detect a salient object, CVPR 2007)
 /// compare a rectangle with its ring in the same way.
-class FigureContrast {
+class BoxContrast {
 public:
   /// Prepares an image (CV_8UC3). `pixel` must show the object (the figure) whose box is sought.
-  FigureContrast(const cv::Mat& bgr, const Eigen::Vector2d& pixel);
+  BoxContrast(const cv::Mat& bgr, const Eigen::Vector2d& pixel);
 
   /// Returns the contrast of a box, at most 1. Let f(c) be the smoothed fraction of color c in the
   /// oval that touches the sides of the box, and b(c) its fraction in a ring around this oval that

@@ -20,7 +20,8 @@ struct OldResults {
   /// Frames with old results, in ascending order; empty if all results come from the current
   /// settings.
   std::vector<ResultRange> frames;
-  std::int64_t newest = -1; ///< last frame with results, whether old or not; -1 if there is none
+  /// Last frame with results, whether old or not; -1 if there is none.
+  std::int64_t newestFrame = -1;
   /// Time in seconds to track a frame again (median of the last frames); 0 if unknown.
   double secondsPerFrame = 0.0;
 };
@@ -41,7 +42,7 @@ public:
   /// Returns the frames whose results came from settings other than these.
   std::vector<ResultRange> differentFrom(const RunDefinition& now) const;
   /// Returns the last frame with results; -1 if there is none.
-  std::int64_t newest() const { return sections_.empty() ? -1 : sections_.back().frames.last; }
+  std::int64_t newestFrame() const { return sections_.empty() ? -1 : sections_.back().frames.last; }
 
 private:
   /// Consecutive frames that were tracked with the same settings.

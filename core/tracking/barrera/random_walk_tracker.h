@@ -73,7 +73,7 @@ SphereEstimate RandomWalkTracker::step(const O& observation, ThreadTeam& team) {
   const auto particleCount = static_cast<Eigen::Index>(parameters_.at("particles"));
   const MotionProposal<IsotropicMotion> proposal{{parameters_.at("motion_sigma")}};
   const MultinomialResampling resampling;
-  if (filter_.nextCount() != particleCount) {
+  if (filter_.nextParticleCount() != particleCount) {
     filter_.resize(resampling, particleCount, key_, team);
   }
   const StateEstimate state =

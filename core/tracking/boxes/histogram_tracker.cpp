@@ -50,7 +50,7 @@ enum Column { kX, kY, kVx, kVy, kScale, kAspect, kColumns };
 } // namespace
 
 /// The random numbers of one particle in one image.
-struct HistogramTracker::Moved {
+struct HistogramTracker::MotionDraws {
   std::array<double, 4> normal;
   std::array<double, 3> uniform;
 };
@@ -170,7 +170,7 @@ ImageBox HistogramTracker::boxOf(const Eigen::ArrayXXd& states, Eigen::Index row
 
 /// To a place with the target's colors; the farther from where it was expected, the less likely.
 void HistogramTracker::jump(Eigen::Index row, const std::vector<Eigen::Vector2d>& peaks,
-                            const Moved& draws, double& logWeight) {
+                            const MotionDraws& draws, double& logWeight) {
   const auto picked = static_cast<std::size_t>(draws.uniform[1] * double(peaks.size()));
   const Eigen::Vector2d old(states_(row, kX), states_(row, kY));
   const Eigen::Vector2d velocity(states_(row, kVx), states_(row, kVy));
@@ -185,7 +185,7 @@ void HistogramTracker::jump(Eigen::Index row, const std::vector<Eigen::Vector2d>
 }
 
 /// Nearly constant velocity.
-void HistogramTracker::continueMotion(Eigen::Index row, const Moved& draws) {
+void HistogramTracker::continueMotion(Eigen::Index row, const MotionDraws& draws) {
   const double sigma = positionSigma_ * size();
   for (Eigen::Index axis = 0; axis < 2; ++axis) {
     const double noise = sigma * draws.normal[static_cast<std::size_t>(axis)];
@@ -204,7 +204,7 @@ void HistogramTracker::move(const std::vector<Eigen::Vector2d>& peaks, Eigen::Ar
   team.forEachRange(states_.rows(), [&](std::int64_t begin, std::int64_t end) {
     for (std::int64_t i = begin; i < end; ++i) {
       const auto index = static_cast<std::uint32_t>(i);
-      const Moved draws{motion.normal4(index), proposal.uniform3(index)};
+      const MotionDraws draws{motion.normal4(index), proposal.uniform3(index)};
       double logWeight = 0.0;
       if (!peaks.empty() && draws.uniform[0] < share) {
         jump(i, peaks, draws, logWeight);

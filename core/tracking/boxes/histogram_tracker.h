@@ -29,7 +29,7 @@ public:
   std::size_t memoryBytes() const;
 
 private:
-  struct Moved;
+  struct MotionDraws;
 
   cv::Mat shrunk(const cv::Mat& bgr) const;
   void fitSizeExponents();
@@ -40,9 +40,9 @@ private:
   ImageBox boxOf(const Eigen::ArrayXXd& states, Eigen::Index row) const;
   double sizeFactor(const ImageBox& box) const;
   double score(const ImageBox& box) const;
-  void jump(Eigen::Index row, const std::vector<Eigen::Vector2d>& peaks, const Moved& draws,
+  void jump(Eigen::Index row, const std::vector<Eigen::Vector2d>& peaks, const MotionDraws& draws,
             double& logWeight);
-  void continueMotion(Eigen::Index row, const Moved& draws);
+  void continueMotion(Eigen::Index row, const MotionDraws& draws);
   void move(const std::vector<Eigen::Vector2d>& peaks, Eigen::ArrayXd& logWeights,
             ThreadTeam& team);
   BoxEstimate estimateMode(const cv::Mat& bgr);

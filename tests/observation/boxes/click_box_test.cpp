@@ -114,17 +114,17 @@ TEST(ClickBox, IsNoneWhereNothingStandsOut) {
   EXPECT_FALSE(clickBox(cv::Mat(4, 4, CV_8UC3, cv::Scalar(90, 90, 90)), {2.0, 2.0}));
 }
 
-TEST(FigureContrast, IsGreatestForTheThingItself) {
+TEST(BoxContrast, IsGreatestForTheThingItself) {
   cv::Mat image(80, 80, CV_8UC3, cv::Scalar(150, 150, 150));
   cv::circle(image, {40, 40}, 8, kPinkPaint, cv::FILLED);
-  const FigureContrast contrast(image, {40.0, 40.0});
+  const BoxContrast contrast(image, {40.0, 40.0});
   const double itself = contrast.at(ImageBox::around({40.5, 40.5}, 17.0, 17.0));
   EXPECT_GT(itself, 0.5); // of 1: three bands are not quite a disc, its rim is in the ring too
   for (const double size : {8.0, 12.0, 24.0, 34.0}) {
     EXPECT_LT(contrast.at(ImageBox::around({40.5, 40.5}, size, size)), itself) << size;
   }
   EXPECT_LT(contrast.at(ImageBox::around({45.5, 40.5}, 17.0, 17.0)), itself);
-  EXPECT_EQ(FigureContrast(image, {10.0, 10.0}).at(ImageBox::around({40.5, 40.5}, 17.0, 17.0)), 0.0)
+  EXPECT_EQ(BoxContrast(image, {10.0, 10.0}).at(ImageBox::around({40.5, 40.5}, 17.0, 17.0)), 0.0)
       << "the pixel has the color of the ring";
 }
 

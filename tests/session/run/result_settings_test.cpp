@@ -55,13 +55,13 @@ TEST(ResultSettings, WhatDecidesResults) {
 
 TEST(ResultSettings, FramesOfEarlierSettings) {
   ResultSettings settings;
-  EXPECT_EQ(settings.newest(), -1);
+  EXPECT_EQ(settings.newestFrame(), -1);
   const auto before = particles(300);
   const auto after = particles(400);
   for (std::int64_t frame = 0; frame < 10; ++frame) {
     settings.track(frame, frame < 6 ? before : after);
   }
-  EXPECT_EQ(settings.newest(), 9);
+  EXPECT_EQ(settings.newestFrame(), 9);
   EXPECT_EQ(settings.differentFrom(*after), (Ranges{{0, 5}}));
   EXPECT_EQ(settings.differentFrom(*before), (Ranges{{6, 9}})); // undone
   EXPECT_EQ(settings.differentFrom(*particles(500)), (Ranges{{0, 9}}));
@@ -75,14 +75,14 @@ TEST(ResultSettings, TrackedAgain) {
     settings.track(frame, before);
   }
   settings.goBack(4);
-  EXPECT_EQ(settings.newest(), 3);
+  EXPECT_EQ(settings.newestFrame(), 3);
   for (std::int64_t frame = 4; frame < 8; ++frame) {
     settings.track(frame, after);
   }
   settings.track(7, after); // another iteration on it
   EXPECT_EQ(settings.differentFrom(*after), (Ranges{{0, 3}}));
   settings.goBack(0);
-  EXPECT_EQ(settings.newest(), -1);
+  EXPECT_EQ(settings.newestFrame(), -1);
   EXPECT_EQ(settings.differentFrom(*after), Ranges{});
 }
 
@@ -94,7 +94,7 @@ TEST(ResultSettings, FramesThatWereNeverTracked) {
   settings.track(51, before);
   EXPECT_EQ(settings.differentFrom(*particles(400)), (Ranges{{0, 0}, {50, 51}}));
   settings.clear();
-  EXPECT_EQ(settings.newest(), -1);
+  EXPECT_EQ(settings.newestFrame(), -1);
 }
 
 } // namespace

@@ -57,7 +57,7 @@ private:
           std::ranges::find(header, std::string(key), &std::pair<std::string, std::string>::first);
       return entry != header.end() && std::stod(entry->second) == value &&
              results().oldResults().frames.empty() &&
-             results().oldResults().newest == kTrackedAtFirst - 1 && !results().isRefreshing();
+             results().oldResults().newestFrame == kTrackedAtFirst - 1 && !results().isRefreshing();
     });
   }
   const Eigen::Vector3d& mean() const {
@@ -73,7 +73,7 @@ void SettingsChangeTest::trackSome(Again again) {
   for (qint64 frame = 1; frame < kTrackedAtFirst; ++frame) {
     action("actionNextFrame")->trigger();
   }
-  QVERIFY(waitFor([this] { return results().oldResults().newest == kTrackedAtFirst - 1; }));
+  QVERIFY(waitFor([this] { return results().oldResults().newestFrame == kTrackedAtFirst - 1; }));
   QVERIFY(results().oldResults().frames.empty());
   QVERIFY(!action("actionTrackAgain")->isEnabled());
 }
